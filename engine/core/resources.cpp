@@ -1,0 +1,26 @@
+#include "core/resources.hpp"
+
+#include <cstdlib>
+
+#include "core/error.hpp"
+
+namespace pastoso::core {
+
+std::filesystem::path program_folder() {
+    return std::filesystem::read_symlink("/proc/self/exe").parent_path();
+}
+
+std::filesystem::path resource_path(const std::filesystem::path& relative) {
+    const char* override_folder = std::getenv("PASTOSO_RESOURCES");
+    const std::filesystem::path folder = override_folder != nullptr
+                                             ? std::filesystem::path(override_folder)
+                                             : program_folder().parent_path() / "share" / "pastoso";
+    std::filesystem::path path = folder / relative;
+    if (!std::filesystem::exists(path)) {
+        throw InputError(path.string() + ": this file of the program itself is missing; reinstall it or set "
+                                         "PASTOSO_RESOURCES to the folder that holds it.");
+    }
+    return path;
+}
+
+}  // namespace pastoso::core

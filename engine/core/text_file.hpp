@@ -1,0 +1,24 @@
+// Whole small files in, whole files out: read in one piece, written aside and renamed.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace pastoso::core {
+
+/// The whole file as text. Throws InputError naming the path when it cannot be opened, is a folder, or is
+/// larger than `max_bytes`.
+std::string read_text_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{1} << 30);
+
+/// Calls `write(temporary_path)`, then renames the temporary file to `path`: readers see the old file or the
+/// whole new one. If `write` throws, the temporary file is removed and `path` is as it was. Throws InputError
+/// when the folder does not exist or is not writable. The temporary name keeps the extension of `path`.
+void write_aside(const std::filesystem::path& path,
+                 const std::function<void(const std::filesystem::path& temporary)>& write);
+
+/// write_aside() of a text.
+void write_text_file(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace pastoso::core

@@ -1,0 +1,46 @@
+// A small pool of threads for loops whose iterations write to different places. Which thread runs which
+// iteration is not fixed; whoever needs a sum stores one value per iteration and adds them in index order.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace pastoso::core {
+
+class ThreadPool {
+  public:
+    /// Uses `thread_count` threads in all, the caller of run() among them; 0 takes one per processor.
+    explicit ThreadPool(int thread_count = 0);
+    ~ThreadPool();
+    ThreadPool(const ThreadPool&) = delete;
+    ThreadPool& operator=(const ThreadPool&) = delete;
+
+    int thread_count() const { return static_cast<int>(workers_.size()) + 1; }
+
+    /// Calls body(index, worker) once for every index in [0, count), worker in [0, thread_count()), and
+    /// returns when all calls have. The body must not throw and must not call run() of the same pool.
+    /// Only one thread at a time may call run().
+    void run(std::size_t count, const std::function<void(std::size_t index, int worker)>& body);
+
+  private:
+    void work(int worker);
+    void take_indices(int worker);
+
+    std::mutex mutex_;
+    std::condition_variable work_ready_;
+    std::condition_variable work_done_;
+    const std::function<void(std::size_t, int)>* body_ = nullptr;
+    std::size_t count_ = 0;
+    std::atomic<std::size_t> next_ = 0;
+    unsigned long generation_ = 0;
+    int busy_workers_ = 0;
+    bool stopping_ = false;
+    std::vector<std::thread> workers_;
+};
+
+}  // namespace pastoso::core

@@ -1,0 +1,77 @@
+// The painting a user works on: support, wet film, the brush in hand, history and the account of all paint.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/thread_pool.hpp"
+#include "document/events.hpp"
+#include "film/solver.hpp"
+#include "film/state.hpp"
+#include "grid/tiled_field.hpp"
+#include "pigment/bands.hpp"
+
+namespace pastoso::document {
+
+/// What the renderer needs, shared with the painting copy-on-write: taking one costs a few microseconds and
+/// it may be read on any thread while the painting goes on.
+struct Snapshot {
+    film::FilmState film;
+    pigment::Bands ground{};  ///< internal reflectance of the bare support
+    std::int64_t tick = 0;
+};
+
+/// Where all the paint is, in mm3 of volume and in mm3 times the pigment coefficients (K_k, S_k per mm).
+struct Account {
+    struct Amount {
+        double volume_mm3 = 0.0;
+        std::array<double, pigment::kChannels> pigment{};
+    };
+    Amount taken;    ///< loaded from the tubes so far
+    Amount canvas;
+    Amount brush;
+    Amount ledger;   ///< wiped off, or run off the edges
+
+    double volume_error_rel() const;   ///< |canvas + brush + ledger - taken| / taken
+    double pigment_error_rel() const;  ///< the largest of the channels, relative to that channel's taken
+};
+
+/// Seconds of wall time spent so far, per stage.
+struct StageTimes {
+    double brush_s = 0.0;
+    double film_s = 0.0;
+};
+
+/// Single-threaded to the outside: one thread owns it and calls everything but what a Snapshot holds.
+class Painting {
+  public:
+    /// Throws InputError when the canvas would not fit into memory or the support is unknown or unreadable.
+    Painting(const CanvasSettings& settings, core::ThreadPool& pool);
+    ~Painting();
+
+    /// Applies an event at once. Throws InputError for an unknown brush, pigment or medium, or for values out
+    /// of range (events.hpp); the painting is then as it was.
+    void apply(const Action& action);
+
+    /// Lets one tick (kTick_s) of paint time pass.
+    void advance_tick();
+
+    std::int64_t tick() const;
+    const CanvasSettings& settings() const;
+    const film::FilmState& film() const;
+    Snapshot snapshot() const;
+    bool can_undo() const;
+    bool can_redo() const;
+    bool stroke_in_progress() const;
+
+    Account account() const;
+    StageTimes stage_times() const;
+    film::AdvanceReport film_report() const;  ///< summed over all ticks
+    std::uint64_t state_hash() const;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace pastoso::document

@@ -1,0 +1,1 @@
+#include "film/state.hpp"

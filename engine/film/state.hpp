@@ -1,0 +1,68 @@
+// The wet paint on a support: what the solver steps, the brush changes and the renderer shows.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/hash.hpp"
+#include "grid/tiled_field.hpp"
+#include "pigment/bands.hpp"
+
+namespace pastoso::film {
+
+/// Thickness is counted in whole quanta, so that paint is moved and never lost to rounding: what leaves one
+/// place and arrives at another is the same integer (docs/decisions/fixed-point-paint.md). 15 pm a quantum;
+/// at most 64 mm a cell.
+inline constexpr double kThicknessQuantum_mm = 0x1p-25;
+
+/// The same for pigment: optical thickness K h or S h (no unit), at most 16384 a cell.
+inline constexpr double kPigmentQuantum = 0x1p-17;
+
+/// The thickest wet paint a tool may build up in a cell: keeps the strongest pigment of the palette
+/// (1043 per mm) below the largest optical thickness.
+inline constexpr double kMaxThickness_mm = 15.0;
+
+inline constexpr float thickness_mm(std::int32_t quanta) {
+    return static_cast<float>(quanta) * static_cast<float>(kThicknessQuantum_mm);
+}
+inline constexpr float optical_thickness(std::int32_t quanta) {
+    return static_cast<float>(quanta) * static_cast<float>(kPigmentQuantum);
+}
+
+/// The pigment in a cell: K_k h in entries 0..5, S_k h in 6..11, in quanta of kPigmentQuantum, all >= 0.
+using PigmentCell = std::array<std::int32_t, pigment::kChannels>;
+
+/// All fields have the shape of the canvas. Copying a state is cheap and gives a snapshot.
+struct FilmState {
+    FilmState() = default;
+    FilmState(grid::Shape canvas, double cell_size_mm)
+        : shape(canvas), cell_mm(cell_size_mm), thickness(canvas), pigment(canvas), velocity_x(canvas),
+          velocity_y(canvas), support_mm(canvas) {}
+
+    grid::Shape shape;
+    double cell_mm = 0.25;
+
+    grid::TiledField<std::int32_t> thickness;  ///< h, mean over the cell, quanta, >= 0
+    grid::TiledField<PigmentCell> pigment;
+    grid::TiledField<float> velocity_x;  ///< depth mean at the face between (x, y) and (x+1, y), mm/s
+    grid::TiledField<float> velocity_y;  ///< depth mean at the face between (x, y) and (x, y+1), mm/s
+    grid::TiledField<float> support_mm;  ///< c, height of the dry surface below the paint
+};
+
+/// Sums over the canvas, exact: sum over the cells of the integers.
+struct Totals {
+    std::int64_t thickness = 0;
+    std::array<std::int64_t, pigment::kChannels> pigment{};
+};
+Totals totals(const FilmState& state);
+
+/// Volume in mm3 of a total of thickness quanta.
+double volume_mm3(std::int64_t thickness_quanta, double cell_mm);
+
+/// The number of cells that hold more than a trace (1e-4 cell sizes) of wet paint.
+std::int64_t wet_cell_count(const FilmState& state);
+
+/// A hash of every field; equal states give equal hashes on every machine.
+std::uint64_t state_hash(const FilmState& state);
+
+}  // namespace pastoso::film

@@ -1,0 +1,78 @@
+# How every target of the project is compiled: standard, warnings, floating-point rules, output folders.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+find_package(Threads REQUIRED)
+find_program(PASTOSO_CCACHE ccache)
+if(PASTOSO_CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${PASTOSO_CCACHE}")
+endif()
+find_program(PASTOSO_MOLD mold)
+if(PASTOSO_MOLD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_link_options(-fuse-ld=mold)
+endif()
+
+add_library(pastoso_options INTERFACE)
+target_compile_options(pastoso_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+    # GCC 12 reports std::string's operator+ by mistake (GCC bug 105329).
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+    # The same bits on every machine: no fused multiply-add, no reordering (never -ffast-math).
+    -ffp-contract=off -fno-math-errno -fno-trapping-math)
+if(PASTOSO_WARNINGS_AS_ERRORS)
+    target_compile_options(pastoso_options INTERFACE -Werror)
+endif()
+if(PASTOSO_SANITIZERS)
+    target_compile_options(pastoso_options INTERFACE
+        -fsanitize=${PASTOSO_SANITIZERS} -fno-omit-frame-pointer)
+    target_link_options(pastoso_options INTERFACE -fsanitize=${PASTOSO_SANITIZERS})
+endif()
+
+# pastoso_add_library(NAME SOURCES a.cpp ... DEPENDS core ...)
+# One engine folder: static library pastoso_NAME, alias pastoso::NAME, headers as "NAME/header.hpp".
+function(pastoso_add_library name)
+    cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+    add_library(pastoso_${name} STATIC ${arg_SOURCES})
+    add_library(pastoso::${name} ALIAS pastoso_${name})
+    target_include_directories(pastoso_${name} PUBLIC "${PROJECT_SOURCE_DIR}/engine")
+    target_link_libraries(pastoso_${name} PUBLIC pastoso_options ${arg_DEPENDS}
+                                          PRIVATE ${arg_PRIVATE_DEPENDS})
+endfunction()
+
+# pastoso_add_kernels(TARGET SOURCE...)
+# Compiles each SOURCE once per instruction set and links all of them into TARGET; the source puts its code
+# into namespace PASTOSO_ISA, and the caller chooses at run time (core/isa.hpp). Sanitised and unoptimised
+# builds hold the baseline alone: there an inline function of the standard library may be emitted out of
+# line, and the linker could keep the copy that needs the newest processor.
+function(pastoso_add_kernels target)
+    set(variants baseline)
+    if(NOT PASTOSO_SANITIZERS AND NOT CMAKE_BUILD_TYPE STREQUAL "Debug"
+       AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+        list(APPEND variants avx2 avx512)
+        target_compile_definitions(${target} PRIVATE PASTOSO_MULTIPLE_ISAS)
+    endif()
+    set(flags_baseline "")
+    if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+        set(flags_baseline -march=x86-64-v2)
+    endif()
+    set(flags_avx2 -march=x86-64-v3)
+    set(flags_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
+    foreach(variant IN LISTS variants)
+        set(object ${target}_${variant})
+        add_library(${object} OBJECT ${ARGN})
+        target_compile_definitions(${object} PRIVATE PASTOSO_ISA=${variant})
+        target_compile_options(${object} PRIVATE ${flags_${variant}} -O3)
+        target_include_directories(${object} PRIVATE "${PROJECT_SOURCE_DIR}/engine")
+        target_link_libraries(${object} PRIVATE pastoso_options)
+        target_sources(${target} PRIVATE $<TARGET_OBJECTS:${object}>)
+    endforeach()
+endfunction()
