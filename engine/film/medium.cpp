@@ -1,1 +1,159 @@
-#include "film/state.hpp"
+#include "film/medium.hpp"
+
+#include "core/error.hpp"
+#include "core/resources.hpp"
+#include "core/text_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include <nlohmann/json.hpp>
+
+namespace pastoso::film {
+namespace {
+
+using Json = nlohmann::json;
+
+struct NumberField {
+    const char* key;
+    double Medium::*member;
+    double least, most;
+};
+
+constexpr std::array kNumberFields = {
+    NumberField{"density_kg_m3", &Medium::density_kg_m3, 800.0, 2500.0},
+    NumberField{"viscosity_m2_s", &Medium::viscosity_m2_s, 1e-5, 1.0},
+    NumberField{"yield_stress_Pa", &Medium::yield_stress_Pa, 0.0, 200.0},
+    NumberField{"surface_tension_N_m", &Medium::surface_tension_N_m, 0.02, 0.07},
+    NumberField{"advancing_angle_deg", &Medium::advancing_angle_deg, 0.0, 60.0},
+    NumberField{"receding_angle_deg", &Medium::receding_angle_deg, 0.0, 60.0},
+    NumberField{"slip_cells", &Medium::slip_cells, 0.0, 1.0},
+    NumberField{"alpha_min", &Medium::alpha_min, 0.4, 2.0},
+    NumberField{"alpha_max", &Medium::alpha_max, 0.4, 2.0},
+    NumberField{"typical_thickness_mm", &Medium::typical_thickness_mm, 0.01, 10.0},
+};
+
+std::string number_text(double value) {
+    return Json(value).dump();
+}
+
+/// Reads the fields of one entry; `place` says in errors which entry it is.
+class EntryReader {
+  public:
+    EntryReader(const Json& entry, std::string place) : entry_(entry), place_(std::move(place)) {}
+
+    std::string text(const char* key) const {
+        const Json& value = field(key);
+        if (!value.is_string() || value.get_ref<const std::string&>().empty()) {
+            fail(std::string(key) + " is " + value.dump() + ", it must be a text.");
+        }
+        return value.get<std::string>();
+    }
+
+    double number(const NumberField& wanted) const {
+        const Json& value = field(wanted.key);
+        if (!value.is_number() || value.get<double>() < wanted.least ||
+            value.get<double>() > wanted.most) {
+            fail(std::string(wanted.key) + " is " + value.dump() + ", it must be a number from " +
+                 number_text(wanted.least) + " to " + number_text(wanted.most) + ".");
+        }
+        return value.get<double>();
+    }
+
+    void refuse_unknown_fields() const {
+        for (const auto& [key, value] : entry_.items()) {
+            const bool known = key == "name" || key == "description" ||
+                               std::any_of(kNumberFields.begin(), kNumberFields.end(),
+                                           [&](const NumberField& field) { return key == field.key; });
+            if (!known) fail("there is no field " + Json(key).dump() + ".");
+        }
+    }
+
+    [[noreturn]] void fail(const std::string& message) const {
+        throw core::InputError(place_ + ": " + message);
+    }
+
+  private:
+    const Json& field(const char* key) const {
+        const auto found = entry_.find(key);
+        if (found == entry_.end()) fail("the field \"" + std::string(key) + "\" is missing.");
+        return *found;
+    }
+
+    const Json& entry_;
+    std::string place_;
+};
+
+Medium read_medium(const Json& entry, const std::string& place) {
+    if (!entry.is_object()) throw core::InputError(place + ": is not an object in braces.");
+    const EntryReader reader(entry, place);
+    Medium medium;
+    medium.name = reader.text("name");
+    const EntryReader named(entry, place + " (\"" + medium.name + "\")");
+    medium.description = named.text("description");
+    for (const NumberField& field : kNumberFields)
+        medium.*field.member = named.number(field);
+    named.refuse_unknown_fields();
+    if (medium.receding_angle_deg > medium.advancing_angle_deg) {
+        named.fail("receding_angle_deg is " + number_text(medium.receding_angle_deg) +
+                   ", it must not be larger than advancing_angle_deg, " +
+                   number_text(medium.advancing_angle_deg) + ".");
+    }
+    if (medium.alpha_min > medium.alpha_max) {
+        named.fail("alpha_min is " + number_text(medium.alpha_min) +
+                   ", it must not be larger than alpha_max, " + number_text(medium.alpha_max) + ".");
+    }
+    return medium;
+}
+
+Json parse_json(std::string_view text, const std::string& name) {
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+        const long line = 1 + std::count(text.begin(), end, '\n');
+        throw core::located_error(name, line, "this is not JSON, or it is cut off here.");
+    } catch (const Json::out_of_range&) {
+        throw core::InputError(name + ": holds a number that is too large.");
+    }
+}
+
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& letter : lower)
+        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    return lower;
+}
+
+}  // namespace
+
+std::vector<Medium> parse_media(std::string_view json_text, const std::string& name) {
+    const Json json = parse_json(json_text, name);
+    if (!json.is_array()) throw core::InputError(name + ": is not a list of media in square brackets.");
+    std::vector<Medium> media;
+    for (const Json& entry : json) {
+        media.push_back(read_medium(entry, name + ", entry " + std::to_string(media.size() + 1)));
+    }
+    return media;
+}
+
+const std::vector<Medium>& bundled_media() {
+    static const std::vector<Medium> media = [] {
+        const auto path = core::resource_path("media.json");
+        return parse_media(core::read_text_file(path), path.string());
+    }();
+    return media;
+}
+
+const Medium& find_medium(std::string_view name) {
+    std::string names;
+    for (const Medium& medium : bundled_media()) {
+        if (lower_case(medium.name) == lower_case(name)) return medium;
+        names += (names.empty() ? "" : ", ") + medium.name;
+    }
+    throw core::InputError("There is no medium \"" + std::string(name) + "\"; the media are: " + names +
+                           ".");
+}
+
+}  // namespace pastoso::film

@@ -1,4 +1,5 @@
-// What kind of paint it is: its flow properties, in SI units, and the named kinds that come with the program.
+// What kind of paint it is: its flow properties, in SI units, and the named kinds that come with the
+// program.
 #pragma once
 
 #include <string>
@@ -7,25 +8,25 @@
 
 namespace pastoso::film {
 
-/// Flow properties of a paint. The ranges are where the model was tried; outside them it stays stable but
-/// need not look like paint.
+/// Flow properties of a paint. The ranges are where the model was tried; outside them it stays stable
+/// but need not look like paint.
 struct Medium {
     std::string name;
-    std::string description;                ///< one sentence for the painter
-    double density_kg_m3 = 1200.0;          ///< 800 to 2500
-    double viscosity_m2_s = 0.003;          ///< kinematic, 1e-5 (inky) to 1 (stiff paste)
-    double yield_stress_Pa = 0.0;           ///< 0 (runs for ever) to 200 (stands in peaks)
-    double surface_tension_N_m = 0.03;      ///< 0.02 to 0.07
-    double advancing_angle_deg = 27.0;      ///< contact angle at which the edge moves out, 0 to 60
-    double receding_angle_deg = 10.0;       ///< contact angle at which the edge draws back, 0 to advancing
-    double slip_cells = 0.2;                ///< Navier slip length at the support, cell sizes
-    double alpha_min = 1.0;                 ///< where the velocity profile peaks, in h: tension against the flow
-    double alpha_max = 1.0;                 ///< tension with the flow; 1/3 < alpha_min <= alpha_max
-    double typical_thickness_mm = 0.5;      ///< what a loaded brush leaves, for the interface
+    std::string description;            ///< one sentence for the painter
+    double density_kg_m3 = 1200.0;      ///< 800 to 2500
+    double viscosity_m2_s = 0.003;      ///< kinematic, 1e-5 (inky) to 1 (stiff paste)
+    double yield_stress_Pa = 0.0;       ///< 0 (runs for ever) to 200 (stands in peaks)
+    double surface_tension_N_m = 0.03;  ///< 0.02 to 0.07
+    double advancing_angle_deg = 27.0;  ///< contact angle at which the edge moves out, 0 to 60
+    double receding_angle_deg = 10.0;   ///< contact angle at which the edge draws back, 0 to advancing
+    double slip_cells = 0.2;            ///< Navier slip length at the support, cell sizes
+    double alpha_min = 1.0;  ///< where the velocity profile peaks, in h: tension against the flow
+    double alpha_max = 1.0;  ///< tension with the flow; 1/3 < alpha_min <= alpha_max
+    double typical_thickness_mm = 0.5;  ///< what a loaded brush leaves, for the interface
 };
 
-/// Reads a JSON array of media (resources/media.json shows the form). `name` is the file's name for errors.
-/// Throws InputError that names the entry, the field and the value.
+/// Reads a JSON array of media (resources/media.json shows the form). `name` is the file's name for
+/// errors. Throws InputError that names the entry, the field and the value.
 std::vector<Medium> parse_media(std::string_view json_text, const std::string& name);
 
 /// The media that come with the program, in the order of the file.

@@ -1,1 +1,407 @@
-#include "film/state.hpp"
+#include "film/solver.hpp"
+
+#include "core/check.hpp"
+#include "core/units.hpp"
+#include "film/concentration_block.hpp"
+#include "film/halo_block.hpp"
+#include "film/step_length.hpp"
+#include "film/tile_activity.hpp"
+#include "film/tile_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace pastoso::film {
+namespace {
+
+using grid::kTileCells;
+using grid::kTileSize;
+using grid::TileBlock;
+
+/// Share of the stability limit that is used; the lateral viscosity takes up to a quarter of it.
+constexpr double kStepSafety = 0.7;
+
+struct WorkerScratch {
+    TileScratch tile{};
+    std::vector<float> concentrations = std::vector<float>(kConcentrationCount);
+};
+
+/// What a step makes of a tile. An empty block means that the field did not change.
+struct TileResult {
+    TileBlock<std::int32_t> thickness;
+    TileBlock<PigmentCell> pigment;
+    TileBlock<float> velocity_x, velocity_y;
+    FlowExtremes extremes;
+    TileMotion motion;
+    Totals runoff;
+};
+
+double drag_coefficient(double alpha) {
+    return 6.0 / (3.0 * alpha - 1.0);
+}
+
+StepLimits make_limits(const Medium& medium, const Gravity& gravity, double cell_mm) {
+    StepLimits limits;
+    limits.cell_mm = cell_mm;
+    limits.gravity_mm_s2 = gravity.normal_mm_s2;
+    limits.tension = medium.surface_tension_N_m / medium.density_kg_m3 * 1e9;
+    limits.viscosity_mm2_s = medium.viscosity_m2_s * 1e6;
+    limits.smallest_drag = drag_coefficient(medium.alpha_max);
+    return limits;
+}
+
+StepConstants make_constants(const Medium& medium, const Gravity& gravity, const SolverOptions& options,
+                             double cell_mm) {
+    const StepLimits limits = make_limits(medium, gravity, cell_mm);
+    StepConstants step;
+    step.cell_mm = static_cast<float>(cell_mm);
+    step.inverse_cell = static_cast<float>(1.0 / cell_mm);
+    step.gravity_mm_s2 = static_cast<float>(gravity.normal_mm_s2);
+    step.force_x_mm_s2 = static_cast<float>(gravity.x_mm_s2);
+    step.force_y_mm_s2 = static_cast<float>(gravity.y_mm_s2);
+    step.tension = static_cast<float>(limits.tension);
+    step.viscosity_mm2_s = static_cast<float>(limits.viscosity_mm2_s);
+    step.yield = static_cast<float>(medium.yield_stress_Pa / medium.density_kg_m3 * 1e6);
+    step.drag_against = static_cast<float>(drag_coefficient(medium.alpha_min));
+    step.drag_along = static_cast<float>(drag_coefficient(medium.alpha_max));
+    step.slip_mm = static_cast<float>(medium.slip_cells * cell_mm);
+    step.tan_advancing = static_cast<float>(std::tan(core::radians(medium.advancing_angle_deg)));
+    step.tan_receding = static_cast<float>(std::tan(core::radians(medium.receding_angle_deg)));
+    step.wet_mm = static_cast<float>(1e-4 * cell_mm);
+    step.inertia = options.inertia ? 1.0F : 0.0F;
+    step.lateral = options.lateral_drag ? 1.0F : 0.0F;
+    step.full_curvature = options.full_curvature;
+    return step;
+}
+
+void check_medium(const Medium& medium) {
+    PASTOSO_CHECK_OP(medium.density_kg_m3, >, 0.0);
+    PASTOSO_CHECK_OP(medium.viscosity_m2_s, >, 0.0);
+    PASTOSO_CHECK_OP(medium.alpha_min, >, 1.0 / 3.0);
+    PASTOSO_CHECK_OP(medium.alpha_min, <=, medium.alpha_max);
+    PASTOSO_CHECK_OP(medium.receding_angle_deg, <=, medium.advancing_angle_deg);
+}
+
+bool any_flux(const FaceArray<std::int32_t>& flux, int first_x, int first_y, int columns, int rows) {
+    for (int y = first_y; y < rows; ++y)
+        for (int x = first_x; x < columns; ++x)
+            if (flux[face_index(x, y)] != 0) return true;
+    return false;
+}
+
+/// h_new = h - div(flux), in whole quanta; also measures how much changed and where.
+TileBlock<std::int32_t> apply_fluxes(const TileScratch& scratch, int columns, int rows,
+                                     TileMotion& motion) {
+    TileBlock<std::int32_t> block = TileBlock<std::int32_t>::filled(0);
+    std::int32_t* out = block.write();
+    std::array<std::int32_t, kTileSize> column_change{};
+    std::array<std::int32_t, kTileSize> row_change{};
+    for (int y = 0; y < rows; ++y) {
+        for (int x = 0; x < columns; ++x) {
+            const int face = face_index(x, y);
+            const std::int32_t change = (scratch.flux_x[face - 1] - scratch.flux_x[face]) +
+                                        (scratch.flux_y[face - kFaceStride] - scratch.flux_y[face]);
+            out[y * kTileSize + x] = scratch.block.quanta[block_index(x, y)] + change;
+            column_change[x] = std::max(column_change[x], std::abs(change));
+            row_change[y] = std::max(row_change[y], std::abs(change));
+        }
+    }
+    const auto largest = [](const auto& changes, int first, int last) {
+        std::int32_t result = 0;
+        for (int i = std::max(first, 0); i < last; ++i)
+            result = std::max(result, changes[i]);
+        return thickness_mm(result);
+    };
+    motion.largest_mm = largest(row_change, 0, rows);
+    motion.near_side_mm = {largest(column_change, 0, std::min(kHalo, columns)),
+                           largest(column_change, columns - kHalo, columns),
+                           largest(row_change, 0, std::min(kHalo, rows)),
+                           largest(row_change, rows - kHalo, rows)};
+    return block;
+}
+
+TileBlock<float> velocity_block(const FaceArray<float>& velocity) {
+    TileBlock<float> block = TileBlock<float>::uninitialised();
+    float* out = block.write();
+    for (int y = 0; y < kTileSize; ++y)
+        std::copy_n(&velocity[face_index(0, y)], kTileSize, out + y * kTileSize);
+    return block;
+}
+
+std::int64_t thickness_runoff(const TileScratch& scratch, int columns, int rows, const OpenEdges& open) {
+    std::int64_t runoff = 0;
+    for (int y = 0; y < rows; ++y) {
+        if (open.left) runoff -= scratch.flux_x[face_index(-1, y)];
+        if (open.right) runoff += scratch.flux_x[face_index(columns - 1, y)];
+    }
+    for (int x = 0; x < columns; ++x) {
+        if (open.top) runoff -= scratch.flux_y[face_index(x, -1)];
+        if (open.bottom) runoff += scratch.flux_y[face_index(x, rows - 1)];
+    }
+    return runoff;
+}
+
+std::int32_t thickest_quanta(const FilmState& state, int tile) {
+    const std::int32_t* values = state.thickness.read(tile);
+    return *std::max_element(values, values + kTileCells);
+}
+
+}  // namespace
+
+Gravity tilted_gravity(double tilt_deg, double direction_deg) {
+    const double tilt = core::radians(tilt_deg), direction = core::radians(direction_deg);
+    const double along = core::kStandardGravity_mm_s2 * std::sin(tilt);
+    return {.normal_mm_s2 = core::kStandardGravity_mm_s2 * std::cos(tilt),
+            .x_mm_s2 = along * std::cos(direction),
+            .y_mm_s2 = along * std::sin(direction)};
+}
+
+void AdvanceReport::add(const AdvanceReport& other) {
+    steps += other.steps;
+    cells_stepped += other.cells_stepped;
+    clamped_faces += other.clamped_faces;
+    largest_speed_mm_s = std::max(largest_speed_mm_s, other.largest_speed_mm_s);
+    awake_tiles = other.awake_tiles;
+}
+
+struct Solver::Parts {
+    Parts(FilmState& film, const Medium& paint, const SolverOptions& solver_options,
+          core::ThreadPool& threads)
+        : state(film),
+          medium(paint),
+          options(solver_options),
+          pool(threads),
+          activity(film.shape, film.cell_mm, solver_options.sleeping,
+                   solver_options.edge_x == Edge::Periodic, solver_options.edge_y == Edge::Periodic),
+          scratch(threads.thread_count()) {
+        for (int x = 0; x < film.shape.tiles_x(); ++x)
+            columns.push_back(make_halo_map(x, film.shape.width, options.edge_x));
+        for (int y = 0; y < film.shape.tiles_y(); ++y)
+            rows.push_back(make_halo_map(y, film.shape.height, options.edge_y));
+        for (auto& worker : scratch)
+            worker = std::make_unique<WorkerScratch>();
+        configure();
+    }
+
+    void configure() {
+        check_medium(medium);
+        limits = make_limits(medium, gravity, state.cell_mm);
+        constants = make_constants(medium, gravity, options, state.cell_mm);
+    }
+
+    bool on_canvas_edge(int tile, Side side) const {
+        const int x = tile % state.shape.tiles_x(), y = tile / state.shape.tiles_x();
+        switch (side) {
+            case kLeft:
+                return x == 0;
+            case kRight:
+                return x == state.shape.tiles_x() - 1;
+            case kTop:
+                return y == 0;
+            default:
+                return y == state.shape.tiles_y() - 1;
+        }
+    }
+    Edge edge_kind(Side side) const {
+        return side == kLeft || side == kRight ? options.edge_x : options.edge_y;
+    }
+    bool runs_off(int tile, Side side) const {
+        return on_canvas_edge(tile, side) && edge_kind(side) == Edge::Open;
+    }
+    bool is_closed(int tile, Side side) const {
+        if (on_canvas_edge(tile, side) && edge_kind(side) != Edge::Periodic)
+            return edge_kind(side) == Edge::Wall;
+        return !activity.awake(activity.neighbour(tile, side));
+    }
+
+    /// Clear paint carries nothing: true when this tile or one beside it holds pigment.
+    bool pigment_in_reach(int tile) const {
+        if (!state.pigment.is_background(tile)) return true;
+        for (int side = 0; side < kSideCount; ++side) {
+            const int other = activity.neighbour(tile, static_cast<Side>(side));
+            if (other >= 0 && !state.pigment.is_background(other)) return true;
+        }
+        return false;
+    }
+
+    void step_tile(int tile, const StepConstants& step, WorkerScratch& worker, TileResult& result) const;
+    void move_paint(int tile, WorkerScratch& worker, TileResult& result) const;
+    void commit(int tile, float dt_s, TileResult& result, AdvanceReport& report);
+    void put_to_sleep(int tile);
+    AdvanceReport step(double dt_s);
+    double stable_step_s() const;
+
+    FilmState& state;
+    Medium medium;
+    SolverOptions options;
+    core::ThreadPool& pool;
+    Gravity gravity = tilted_gravity(0.0);
+    StepLimits limits;
+    StepConstants constants;
+    ActivityMap activity;
+    std::vector<HaloMap> columns, rows;
+    std::vector<std::unique_ptr<WorkerScratch>> scratch;
+    Totals runoff;
+};
+
+void Solver::Parts::step_tile(int tile, const StepConstants& step, WorkerScratch& worker,
+                              TileResult& result) const {
+    const int tile_x = tile % state.shape.tiles_x(), tile_y = tile / state.shape.tiles_x();
+    const HaloMap& column_map = columns[tile_x];
+    const HaloMap& row_map = rows[tile_y];
+    const ClosedEdges closed{is_closed(tile, kLeft), is_closed(tile, kRight), is_closed(tile, kTop),
+                             is_closed(tile, kBottom)};
+    gather(state, column_map, row_map, tile_x, step.wet_mm, worker.tile.block);
+    result.extremes = tile_kernels().flow(step, column_map.extent, row_map.extent, closed, worker.tile);
+    if (result.extremes.speed_mm_s > 0.0F || !state.velocity_x.is_background(tile)) {
+        result.velocity_x = velocity_block(worker.tile.velocity_x);
+        result.velocity_y = velocity_block(worker.tile.velocity_y);
+    }
+    if (any_flux(worker.tile.flux_x, -1, 0, column_map.extent, row_map.extent) ||
+        any_flux(worker.tile.flux_y, 0, -1, column_map.extent, row_map.extent))
+        move_paint(tile, worker, result);
+}
+
+void Solver::Parts::move_paint(int tile, WorkerScratch& worker, TileResult& result) const {
+    const int tile_x = tile % state.shape.tiles_x(), tile_y = tile / state.shape.tiles_x();
+    const HaloMap& column_map = columns[tile_x];
+    const HaloMap& row_map = rows[tile_y];
+    const OpenEdges open{runs_off(tile, kLeft), runs_off(tile, kRight), runs_off(tile, kTop),
+                         runs_off(tile, kBottom)};
+    result.thickness = apply_fluxes(worker.tile, column_map.extent, row_map.extent, result.motion);
+    result.runoff.thickness = thickness_runoff(worker.tile, column_map.extent, row_map.extent, open);
+    if (!pigment_in_reach(tile)) return;
+    gather_concentrations(state, column_map, row_map, tile_x, tile_kernels().concentrate,
+                          worker.concentrations.data());
+    const bool whole = column_map.extent == kTileSize && row_map.extent == kTileSize;
+    result.pigment =
+        whole ? TileBlock<PigmentCell>::uninitialised() : TileBlock<PigmentCell>::filled({});
+    result.runoff.pigment =
+        tile_kernels().transport(worker.tile, worker.concentrations.data(), column_map.extent,
+                                 row_map.extent, open, state.pigment.read(tile), result.pigment.write());
+}
+
+void Solver::Parts::commit(int tile, float dt_s, TileResult& result, AdvanceReport& report) {
+    if (result.thickness) state.thickness.replace(tile, std::move(result.thickness));
+    if (result.pigment) state.pigment.replace(tile, std::move(result.pigment));
+    if (result.velocity_x) state.velocity_x.replace(tile, std::move(result.velocity_x));
+    if (result.velocity_y) state.velocity_y.replace(tile, std::move(result.velocity_y));
+    runoff.thickness += result.runoff.thickness;
+    for (int k = 0; k < pigment::kChannels; ++k)
+        runoff.pigment[k] += result.runoff.pigment[k];
+    const grid::Rect cells = state.shape.tile_cells(tile);
+    report.cells_stepped += static_cast<std::int64_t>(cells.width()) * cells.height();
+    report.clamped_faces += result.extremes.clamped_faces;
+    report.largest_speed_mm_s =
+        std::max(report.largest_speed_mm_s, static_cast<double>(result.extremes.speed_mm_s));
+    if (activity.record(tile, dt_s, result.motion, result.extremes)) put_to_sleep(tile);
+}
+
+void Solver::Parts::put_to_sleep(int tile) {
+    state.velocity_x.reset(tile);
+    state.velocity_y.reset(tile);
+}
+
+AdvanceReport Solver::Parts::step(double dt_s) {
+    const std::vector<int> tiles = activity.awake_tiles();
+    StepConstants step = constants;
+    step.dt_s = static_cast<float>(dt_s);
+    std::vector<TileResult> results(tiles.size());
+    pool.run(tiles.size(), [&](std::size_t index, int worker) {
+        step_tile(tiles[index], step, *scratch[worker], results[index]);
+    });
+    AdvanceReport report;
+    report.steps = 1;
+    for (std::size_t index = 0; index < tiles.size(); ++index)
+        commit(tiles[index], step.dt_s, results[index], report);
+    report.awake_tiles = activity.awake_count();
+    return report;
+}
+
+double Solver::Parts::stable_step_s() const {
+    double limit = std::numeric_limits<double>::max();
+    for (const int tile : activity.awake_tiles()) {
+        const TileActivity& flow = activity.tile(tile);
+        limit = std::min(limit, flow.changed_from_outside
+                                    ? limits.newtonian_step_s(thickness_mm(thickest_quanta(state, tile)))
+                                    : limits.flowing_step_s(flow.extremes));
+    }
+    return kStepSafety * limit;
+}
+
+Solver::Solver(FilmState& state, const Medium& medium, const SolverOptions& options,
+               core::ThreadPool& pool)
+    : parts_(std::make_unique<Parts>(state, medium, options, pool)) {
+    wake_all();
+}
+
+Solver::~Solver() = default;
+
+void Solver::set_medium(const Medium& medium) {
+    parts_->medium = medium;
+    parts_->configure();
+    wake_all();
+}
+
+void Solver::set_gravity(const Gravity& gravity) {
+    if (gravity == parts_->gravity) return;
+    parts_->gravity = gravity;
+    parts_->configure();
+    wake_all();
+}
+
+void Solver::wake(const grid::Rect& cells) {
+    const grid::Rect tiles = parts_->state.shape.tiles_touching(cells);
+    for (int y = tiles.y0; y < tiles.y1; ++y)
+        for (int x = tiles.x0; x < tiles.x1; ++x)
+            parts_->activity.wake(y * parts_->state.shape.tiles_x() + x);
+}
+
+void Solver::wake_all() {
+    for (int tile = 0; tile < parts_->state.shape.tile_count(); ++tile)
+        if (!parts_->state.thickness.is_background(tile)) parts_->activity.wake(tile);
+}
+
+AdvanceReport Solver::advance(double seconds) {
+    AdvanceReport report;
+    double remaining = seconds;
+    while (remaining > 0.0 && parts_->activity.awake_count() > 0) {
+        const double limit =
+            parts_->options.fixed_step_s > 0.0 ? parts_->options.fixed_step_s : parts_->stable_step_s();
+        // A remainder of one part in a million is rounding, not a step of its own.
+        const double steps_left = std::max(1.0, std::ceil(remaining / limit - 1e-6));
+        const double dt_s = remaining / steps_left;
+        report.add(parts_->step(dt_s));
+        remaining = steps_left > 1.0 ? remaining - dt_s : 0.0;
+    }
+    report.awake_tiles = parts_->activity.awake_count();
+    return report;
+}
+
+AdvanceReport Solver::step(double dt_s) {
+    return parts_->step(dt_s);
+}
+
+double Solver::stable_step_s(double thickness) const {
+    return parts_->limits.newtonian_step_s(thickness);
+}
+
+const Totals& Solver::runoff() const {
+    return parts_->runoff;
+}
+
+int Solver::awake_tile_count() const {
+    return parts_->activity.awake_count();
+}
+
+void Solver::restart(const Totals& runoff) {
+    parts_->runoff = runoff;
+    parts_->activity =
+        ActivityMap(parts_->state.shape, parts_->state.cell_mm, parts_->options.sleeping,
+                    parts_->options.edge_x == Edge::Periodic, parts_->options.edge_y == Edge::Periodic);
+    wake_all();
+}
+
+}  // namespace pastoso::film

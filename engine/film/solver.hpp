@@ -1,13 +1,12 @@
 // Moves wet paint: depth-averaged thin-film flow on an uneven, tilted support (docs/physics.md).
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
 #include "core/thread_pool.hpp"
 #include "film/medium.hpp"
 #include "film/state.hpp"
+
+#include <cstdint>
+#include <memory>
 
 namespace pastoso::film {
 
@@ -17,12 +16,13 @@ enum class Edge {
     Open,      ///< paint runs off and is counted
 };
 
-/// Gravity as the canvas feels it. tilt 0 lies flat, 90 stands upright; `direction_deg` is where "down" points
-/// on the canvas: 0 to the right, 90 to its lower edge.
+/// Gravity as the canvas feels it. tilt 0 lies flat, 90 stands upright; `direction_deg` is where "down"
+/// points on the canvas: 0 to the right, 90 to its lower edge.
 struct Gravity {
     double normal_mm_s2 = 0.0;  ///< presses the paint onto the support, >= 0
     double x_mm_s2 = 0.0;
     double y_mm_s2 = 0.0;
+    friend bool operator==(const Gravity&, const Gravity&) = default;
 };
 Gravity tilted_gravity(double tilt_deg, double direction_deg = 90.0);
 
@@ -42,37 +42,48 @@ struct AdvanceReport {
     std::int64_t cells_stepped = 0;
     std::int64_t clamped_faces = 0;  ///< face speeds cut to half a cell a step: 0 in a healthy run
     double largest_speed_mm_s = 0.0;
-    int awake_tiles = 0;             ///< after the call
+    int awake_tiles = 0;  ///< after the call
 
     void add(const AdvanceReport& other);
 };
-
-/// Paint that ran off open edges: exact totals in quanta.
-using Runoff = Totals;
 
 /// Steps a FilmState that it does not own. The state may be changed between calls (by a brush); the
 /// changed cells are then announced with wake().
 class Solver {
   public:
     Solver(FilmState& state, const Medium& medium, const SolverOptions& options, core::ThreadPool& pool);
+    ~Solver();
 
-    void set_medium(const Medium& medium);
+    void set_medium(const Medium& medium);     ///< wakes all paint
     void set_gravity(const Gravity& gravity);  ///< wakes all paint when it changes
 
     /// Announces changed cells: their tiles are stepped until they have come to rest again.
     void wake(const grid::Rect& cells);
     void wake_all();
 
-    /// Lets `seconds` of paint time pass in as many steps as stability asks for. The same state and calls
-    /// give the same bits on any number of threads.
+    /// Lets `seconds` of paint time pass in as many steps as stability asks for. The same state and
+    /// calls give the same bits on any number of threads.
     AdvanceReport advance(double seconds);
 
     /// One step of the given length over all awake tiles, whatever the stability limit.
     AdvanceReport step(double dt_s);
 
-    /// The largest stable step for paint of this thickness anywhere: film.md section 3,
-    /// (l + sqrt(l^2 + 4 w^2)) / w^2, l = 3 nu/h^2, w^2 = h K (g + sigma/rho K), K = 8/cell^2.
+    /// The largest stable step for Newtonian paint of this thickness,
+    ///     (l + sqrt(l^2 + 4 w^2)) / w^2,  l = k_d nu / h^2,  w^2 = h K (g + sigma/rho K),  K =
+    ///     8/cell^2,
+    /// with the smallest k_d of the alpha range: gravity and capillary waves of the shortest wavelength
+    /// under implicit drag.
     double stable_step_s(double thickness_mm) const;
 
-    const Runoff& runoff() const { return runoff_; }
+    /// Paint that ran off open edges since the start.
+    const Totals& runoff() const;
     int awake_tile_count() const;
+    /// Called after the state was replaced as a whole (undo): everything wakes, `runoff` is taken over.
+    void restart(const Totals& runoff);
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace pastoso::film

@@ -1,1 +1,89 @@
 #include "film/state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace pastoso::film {
+namespace {
+
+/// Calls visit(values, count) for every run of cells of a tile that lie side by side on the canvas.
+template <class T, class Visit>
+void for_each_tile_row(const grid::TiledField<T>& field, int tile, const Visit& visit) {
+    const grid::Rect cells = field.shape().tile_cells(tile);
+    const T* values = field.read(tile);
+    for (int row = 0; row < cells.height(); ++row) {
+        visit(values + static_cast<std::size_t>(row) * grid::kTileSize, cells.width());
+    }
+}
+
+void add_thickness(const FilmState& state, int tile, Totals& sums) {
+    if (state.thickness.is_background(tile)) return;
+    for_each_tile_row(state.thickness, tile, [&](const std::int32_t* h, int count) {
+        for (int x = 0; x < count; ++x)
+            sums.thickness += h[x];
+    });
+}
+
+void add_pigment(const FilmState& state, int tile, Totals& sums) {
+    if (state.pigment.is_background(tile)) return;
+    for_each_tile_row(state.pigment, tile, [&](const PigmentCell* cells, int count) {
+        for (int x = 0; x < count; ++x) {
+            for (int channel = 0; channel < pigment::kChannels; ++channel) {
+                sums.pigment[channel] += cells[x][channel];
+            }
+        }
+    });
+}
+
+template <class T>
+void add_field(const grid::TiledField<T>& field, core::Hash64& hash) {
+    for (int tile = 0; tile < field.tile_count(); ++tile) {
+        for_each_tile_row(field, tile, [&](const T* values, int count) {
+            hash.add(std::span<const T>(values, static_cast<std::size_t>(count)));
+        });
+    }
+}
+
+}  // namespace
+
+Totals totals(const FilmState& state) {
+    Totals sums;
+    for (int tile = 0; tile < state.shape.tile_count(); ++tile) {
+        add_thickness(state, tile, sums);
+        add_pigment(state, tile, sums);
+    }
+    return sums;
+}
+
+double volume_mm3(std::int64_t thickness_quanta, double cell_mm) {
+    return static_cast<double>(thickness_quanta) * kThicknessQuantum_mm * cell_mm * cell_mm;
+}
+
+std::int64_t wet_cell_count(const FilmState& state) {
+    const double trace_quanta = 1e-4 * state.cell_mm / kThicknessQuantum_mm;
+    const auto trace = static_cast<std::int32_t>(std::floor(trace_quanta));
+    std::int64_t wet = 0;
+    for (int tile = 0; tile < state.shape.tile_count(); ++tile) {
+        if (state.thickness.is_background(tile)) continue;
+        for_each_tile_row(state.thickness, tile, [&](const std::int32_t* h, int count) {
+            wet += std::count_if(h, h + count, [trace](std::int32_t quanta) { return quanta > trace; });
+        });
+    }
+    return wet;
+}
+
+std::uint64_t state_hash(const FilmState& state) {
+    core::Hash64 hash;
+    hash.add_value(state.shape.width);
+    hash.add_value(state.shape.height);
+    hash.add_value(state.cell_mm);
+    add_field(state.thickness, hash);
+    add_field(state.pigment, hash);
+    add_field(state.velocity_x, hash);
+    add_field(state.velocity_y, hash);
+    add_field(state.support_mm, hash);
+    return hash.value();
+}
+
+}  // namespace pastoso::film

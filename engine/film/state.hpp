@@ -1,18 +1,18 @@
 // The wet paint on a support: what the solver steps, the brush changes and the renderer shows.
 #pragma once
 
-#include <array>
-#include <cstdint>
-
 #include "core/hash.hpp"
 #include "grid/tiled_field.hpp"
 #include "pigment/bands.hpp"
 
+#include <array>
+#include <cstdint>
+
 namespace pastoso::film {
 
-/// Thickness is counted in whole quanta, so that paint is moved and never lost to rounding: what leaves one
-/// place and arrives at another is the same integer (docs/decisions/fixed-point-paint.md). 15 pm a quantum;
-/// at most 64 mm a cell.
+/// Thickness is counted in whole quanta, so that paint is moved and never lost to rounding: what leaves
+/// one place and arrives at another is the same integer (docs/decisions/0001-fixed-point-paint.md). 30
+/// pm a quantum; at most 64 mm a cell.
 inline constexpr double kThicknessQuantum_mm = 0x1p-25;
 
 /// The same for pigment: optical thickness K h or S h (no unit), at most 16384 a cell.
@@ -36,8 +36,13 @@ using PigmentCell = std::array<std::int32_t, pigment::kChannels>;
 struct FilmState {
     FilmState() = default;
     FilmState(grid::Shape canvas, double cell_size_mm)
-        : shape(canvas), cell_mm(cell_size_mm), thickness(canvas), pigment(canvas), velocity_x(canvas),
-          velocity_y(canvas), support_mm(canvas) {}
+        : shape(canvas),
+          cell_mm(cell_size_mm),
+          thickness(canvas),
+          pigment(canvas),
+          velocity_x(canvas),
+          velocity_y(canvas),
+          support_mm(canvas) {}
 
     grid::Shape shape;
     double cell_mm = 0.25;

@@ -1,31 +1,42 @@
 // What the paint lies on: woven or smooth supports, or a height image, as c(x, y) in millimetres.
+//
+// Every height is a multiple of kSupportQuantum_mm: where the surface of the paint lies at such a height
+// too, its thickness is one as well, floats hold all three exactly up to 16 mm, and a lake at rest over
+// an uneven support stays exactly still.
 #pragma once
+
+#include "grid/tiled_field.hpp"
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "grid/tiled_field.hpp"
-
 namespace pastoso::film {
 
+inline constexpr double kSupportQuantum_mm = 0x1p-20;
+
+/// A primed plain weave: every thread goes over one crossing thread and under the next.
 struct Weave {
-    double thread_pitch_mm = 0.85;  ///< distance of neighbouring threads
-    double relief_mm = 0.11;        ///< from the holes to the crowns
+    double thread_pitch_mm = 0.85;  ///< distance of neighbouring threads, 0.1 to 5
+    double relief_mm = 0.11;        ///< from the holes to the crowns, 0 to 1
     double irregularity = 1.0;      ///< of thread width and course, 0 (machine-made) to 2
+    double thread_width = 0.9;  ///< share of the pitch that a thread fills, 0.5 (gauze) to 1.2 (dense)
+    double pairing = 0.0;       ///< how far neighbouring warp threads draw together, 0 to 0.2 pitches
 };
 
-/// Heights of a weave, 0 at the holes; a function of millimetres alone, so that any resolution shows the
-/// same cloth.
+/// Heights of a weave, from 0 at the holes to at most `relief_mm`: means over the cells of a function of
+/// millimetres alone, so that any resolution shows the same cloth.
 grid::TiledField<float> woven_support(grid::Shape shape, double cell_mm, const Weave& weave);
 
-/// A smooth panel with a brushed-gesso tooth of `relief_mm`.
+/// A smooth panel with a tooth of gesso brushed on from left to right, from 0 to at most `relief_mm`; a
+/// function of millimetres, like the weaves.
 grid::TiledField<float> panel_support(grid::Shape shape, double cell_mm, double relief_mm);
 
-/// A grey image stretched over the canvas: 0 is height 0, 1 is `relief_mm`. `grey` has width * height values
-/// in [0, 1]. Resampled smoothly (cubic B-spline).
-grid::TiledField<float> image_support(grid::Shape shape, const std::vector<float>& grey, int width, int height,
-                                      double relief_mm);
+/// A grey image stretched over the canvas: 0 is height 0, 1 is `relief_mm`. `grey` has width * height
+/// values in [0, 1], row by row. Resampled by the cubic B-spline through its values, clamped to [0,
+/// relief_mm].
+grid::TiledField<float> image_support(grid::Shape shape, const std::vector<float>& grey, int width,
+                                      int height, double relief_mm);
 
 /// "linen", "cotton duck" or "panel" with the relief given, or its own when `relief_mm` is 0. Throws
 /// InputError that lists the names there are.

@@ -1,0 +1,58 @@
+// A tile with a margin of its neighbours' cells, gathered into plain arrays: what one step of a tile
+// reads.
+#pragma once
+
+#include "film/solver.hpp"
+#include "film/state.hpp"
+
+#include <array>
+#include <vector>
+
+namespace pastoso::film {
+
+/// Cells of margin: a face looks two cells to each side, the outline's normals one further.
+inline constexpr int kHalo = 3;
+inline constexpr int kBlockRows = grid::kTileSize + 2 * kHalo;
+inline constexpr int kBlockStride = 80;
+inline constexpr int kBlockCells = kBlockRows * kBlockStride;
+
+/// The index of cell (x, y) of the tile, -kHalo <= x, y < kTileSize + kHalo.
+constexpr int block_index(int x, int y) {
+    return (y + kHalo) * kBlockStride + x + kHalo;
+}
+
+template <class T>
+using BlockArray = std::array<T, kBlockCells>;
+
+/// Where one row or column of a block comes from.
+struct HaloSource {
+    int tile = 0;           ///< tile column or row
+    int cell = 0;           ///< within that tile
+    bool outside = false;   ///< beyond an open edge: no paint there
+    bool mirrored = false;  ///< beyond a wall: velocities change sign
+};
+
+/// The sources of all rows (or columns) of a block along one axis, for cells and for faces. Face i lies
+/// between cells i and i + 1.
+struct HaloMap {
+    std::array<HaloSource, kBlockRows> cells;
+    std::array<HaloSource, kBlockRows> faces;
+    int extent = 0;  ///< cells of the tile on the canvas along this axis, 1..kTileSize
+};
+HaloMap make_halo_map(int tile_index, int canvas_cells, Edge edge);
+
+/// The gathered fields; cells that no source reaches hold no paint.
+struct HaloBlock {
+    alignas(64) BlockArray<float> thickness;  ///< mm
+    alignas(64) BlockArray<float> support;    ///< mm
+    alignas(64) BlockArray<float> eta;        ///< surface, mm
+    alignas(64) BlockArray<float> velocity_x;
+    alignas(64) BlockArray<float> velocity_y;
+    alignas(64) BlockArray<std::int32_t> quanta;  ///< thickness
+    int first_wet_row = 0, last_wet_row = -1;     ///< rows of the block with more than `wet_mm`
+};
+
+void gather(const FilmState& state, const HaloMap& columns, const HaloMap& rows, int tile_x,
+            float wet_mm, HaloBlock& block);
+
+}  // namespace pastoso::film

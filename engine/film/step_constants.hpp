@@ -1,0 +1,35 @@
+// The numbers of one time step, in millimetres and seconds, ready for the kernels.
+#pragma once
+
+namespace pastoso::film {
+
+struct StepConstants {
+    float cell_mm = 1.0F;
+    float inverse_cell = 1.0F;
+    float dt_s = 0.01F;
+
+    float gravity_mm_s2 = 0.0F;  ///< g, normal to the canvas
+    float force_x_mm_s2 = 0.0F;  ///< F, along the canvas
+    float force_y_mm_s2 = 0.0F;
+    float tension = 0.0F;          ///< sigma/rho, mm3/s2
+    float viscosity_mm2_s = 1.0F;  ///< nu
+    float yield = 0.0F;            ///< tau_y/rho, mm2/s2
+
+    float drag_against = 3.0F;  ///< k_d = 6/(3 alpha - 1) where tension opposes the flow (alpha_min)
+    float drag_along = 3.0F;    ///< k_d where tension drives it (alpha_max)
+    float slip_mm = 0.0F;
+
+    float tan_advancing = 0.0F;  ///< slopes of the contact angles; 0: perfectly wetting, edges are free
+    float tan_receding = 0.0F;
+    float wet_mm = 1e-4F;  ///< thinner films do not move
+
+    float inertia = 1.0F;  ///< 1 with advection of momentum, 0 without
+    float lateral = 1.0F;  ///< 1 with viscosity between neighbouring columns, 0 without
+    bool full_curvature = true;
+
+    bool has_contact_angle() const { return tan_advancing > 0.0F; }
+    bool has_yield() const { return yield > 0.0F; }
+    bool has_alpha_range() const { return drag_against != drag_along; }
+};
+
+}  // namespace pastoso::film

@@ -1,0 +1,36 @@
+#include "film/step_length.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pastoso::film {
+namespace {
+
+constexpr double kUnlimited = std::numeric_limits<double>::max();
+constexpr double kAdvectionCourant = 0.25;
+
+}  // namespace
+
+double StepLimits::wave_step_s(double thickness_mm, double drag_rate) const {
+    const double wave_number2 = 8.0 / (cell_mm * cell_mm);
+    const double w2 = thickness_mm * wave_number2 * (gravity_mm_s2 + tension * wave_number2);
+    if (w2 <= 0.0) return kUnlimited;
+    return (drag_rate + std::sqrt(drag_rate * drag_rate + 4.0 * w2)) / w2;
+}
+
+double StepLimits::newtonian_step_s(double thickness_mm) const {
+    if (thickness_mm <= 0.0) return kUnlimited;
+    return wave_step_s(thickness_mm, smallest_drag * viscosity_mm2_s / (thickness_mm * thickness_mm));
+}
+
+double StepLimits::flowing_step_s(const FlowExtremes& extremes) const {
+    if (extremes.mobility <= 0.0F) return kUnlimited;
+    const double drag_rate = extremes.thickness_mm / extremes.mobility;
+    const double waves = wave_step_s(extremes.thickness_mm, drag_rate);
+    const double advection =
+        extremes.speed_mm_s > 0.0F ? kAdvectionCourant * cell_mm / extremes.speed_mm_s : kUnlimited;
+    return std::min(waves, advection);
+}
+
+}  // namespace pastoso::film

@@ -1,0 +1,26 @@
+// How long an explicit step may be.
+#pragma once
+
+#include "film/step_constants.hpp"
+#include "film/tile_step.hpp"
+
+namespace pastoso::film {
+
+/// Constants of a step before its length is known.
+struct StepLimits {
+    double cell_mm = 1.0;
+    double gravity_mm_s2 = 0.0;
+    double tension = 0.0;  ///< sigma/rho, mm3/s2
+    double viscosity_mm2_s = 1.0;
+    double smallest_drag = 3.0;  ///< k_d
+
+    /// (l + sqrt(l^2 + 4 w^2)) / w^2 with w^2 = h K (g + sigma/rho K), K = 8/cell^2, drag rate l in 1/s.
+    double wave_step_s(double thickness_mm, double drag_rate) const;
+    /// For Newtonian paint of this thickness at rest.
+    double newtonian_step_s(double thickness_mm) const;
+    /// For paint whose measured flow is given: its largest mobility h/l (yield stress included) and
+    /// thickness bound the waves, its largest speed the advection (a quarter of a cell).
+    double flowing_step_s(const FlowExtremes& extremes) const;
+};
+
+}  // namespace pastoso::film

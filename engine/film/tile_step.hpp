@@ -1,0 +1,89 @@
+// One explicit step of one tile, compiled for every instruction set; the solver calls the one that fits.
+#pragma once
+
+#include "core/isa.hpp"
+#include "film/halo_block.hpp"
+#include "film/step_constants.hpp"
+
+#include <array>
+
+namespace pastoso::film {
+
+/// Faces of a tile along one axis, with the low edge: index (line, i), i = -1..63.
+inline constexpr int kFaceStride = 80;
+inline constexpr int kFaceCount = (grid::kTileSize + 1) * kFaceStride;
+constexpr int face_index(int x, int y) {
+    return (y + 1) * kFaceStride + x + 1;
+}
+
+template <class T>
+using FaceArray = std::array<T, kFaceCount>;
+
+/// What one thread needs to step a tile; reused from tile to tile.
+struct TileScratch {
+    HaloBlock block;
+    alignas(64) BlockArray<float> normal_x, normal_y;  ///< |n| components of the film's outline
+    alignas(64) BlockArray<float> slope_x, slope_y;    ///< contact-aware surface slopes at the faces
+    alignas(64) BlockArray<float> pressure;            ///< Pi, mm2/s2
+    alignas(64) BlockArray<float> curvature;           ///< kappa, 1/mm
+
+    /// x faces hold (x, y) with x = -1..63, y = 0..63; y faces x = 0..63, y = -1..63.
+    alignas(64) FaceArray<float> velocity_x, velocity_y;
+    alignas(64) FaceArray<std::int32_t> flux_x, flux_y;  ///< quanta of thickness this step
+};
+
+/// Which of the tile's four edges are shut: a wall, or a neighbour that sleeps.
+struct ClosedEdges {
+    bool left = false, right = false, top = false, bottom = false;
+};
+
+/// What the step-length control wants to know of a tile.
+struct FlowExtremes {
+    float mobility = 0.0F;      ///< largest h du/da, mm s
+    float thickness_mm = 0.0F;  ///< of flowing film
+    float speed_mm_s = 0.0F;
+    int clamped_faces = 0;
+};
+
+/// From scratch.block to velocities and fluxes at all faces of the tile, edges included. `columns` and
+/// `rows` are the tile's cells on the canvas. No flux takes more than a quarter of its cell, so that no
+/// cell can be overdrawn whatever its other faces do.
+using TileFlow = FlowExtremes (*)(const StepConstants& step, int columns, int rows,
+                                  const ClosedEdges& closed, TileScratch& scratch);
+
+/// Moves pigment with the fluxes of scratch: upwind concentration with a minmod slope, scaled so that
+/// the four outflows of a cell cannot exceed what it holds. `pigment` is the tile's new pigment, which
+/// starts as a copy of the old one; `concentrations` must hold kConcentrationCount floats. Returns what
+/// crossed the edges given as open in `runoff_edges`.
+inline constexpr int kConcentrationHalo = 2;
+inline constexpr int kConcentrationSide = grid::kTileSize + 2 * kConcentrationHalo;
+inline constexpr int kConcentrationCount = kConcentrationSide * kConcentrationSide * pigment::kChannels;
+constexpr int concentration_index(int x, int y) {
+    return ((y + kConcentrationHalo) * kConcentrationSide + x + kConcentrationHalo) * pigment::kChannels;
+}
+struct OpenEdges {
+    bool left = false, right = false, top = false, bottom = false;
+};
+using PigmentTotals = std::array<std::int64_t, pigment::kChannels>;
+using PigmentTransport = PigmentTotals (*)(const TileScratch& scratch, const float* concentrations,
+                                           int columns, int rows, const OpenEdges& runoff_edges,
+                                           const PigmentCell* before, PigmentCell* after);
+
+/// Pigment quanta per thickness quantum of `count` neighbouring cells, a hair below the exact ratio so
+/// that rounding never overdraws a cell; 0 where there is no paint.
+using Concentrate = void (*)(const PigmentCell* pigment, const std::int32_t* thickness, int count,
+                             float* out);
+
+struct TileKernels {
+    TileFlow flow = nullptr;
+    PigmentTransport transport = nullptr;
+    Concentrate concentrate = nullptr;
+};
+
+/// The kernels for an instruction set, or for the widest one below it that was compiled in.
+TileKernels tile_kernels_for(core::Isa isa);
+
+/// The kernels for core::best_isa().
+const TileKernels& tile_kernels();
+
+}  // namespace pastoso::film

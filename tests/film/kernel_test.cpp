@@ -1,0 +1,156 @@
+// The vectorised kernels against the same formulas on single floats, and every instruction set against
+// the others.
+#include "core/isa.hpp"
+#include "film/face_physics.hpp"
+#include "film/tile_step.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace pastoso::film::test {
+namespace {
+
+using grid::kTileSize;
+
+StepConstants oily_constants() {
+    StepConstants step;
+    step.cell_mm = 0.25F;
+    step.inverse_cell = 4.0F;
+    step.dt_s = 2e-4F;
+    step.gravity_mm_s2 = 5000.0F;
+    step.force_y_mm_s2 = 8000.0F;
+    step.tension = 2.3e4F;
+    step.viscosity_mm2_s = 3000.0F;
+    step.yield = 400.0F;
+    step.drag_against = 12.0F;
+    step.drag_along = 2.3F;
+    step.slip_mm = 0.05F;
+    step.tan_advancing = 0.5F;
+    step.tan_receding = 0.2F;
+    step.wet_mm = 2.5e-5F;
+    return step;
+}
+
+/// Rough paint with dry patches on a rough support.
+void fill_randomly(std::uint32_t seed, HaloBlock& block) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> uniform(0.0F, 1.0F);
+    for (int i = 0; i < kBlockCells; ++i) {
+        const float thickness = uniform(random) < 0.3F ? 0.0F : uniform(random) * 0.8F;
+        block.quanta[i] =
+            static_cast<std::int32_t>(thickness / static_cast<float>(kThicknessQuantum_mm));
+        block.thickness[i] = thickness_mm(block.quanta[i]);
+        block.support[i] = 0.1F * uniform(random);
+        block.eta[i] = block.thickness[i] + block.support[i];
+        block.velocity_x[i] = uniform(random) - 0.5F;
+        block.velocity_y[i] = uniform(random) - 0.5F;
+    }
+    block.first_wet_row = -kHalo;
+    block.last_wet_row = kTileSize + kHalo - 1;
+}
+
+FaceNeighbourhood<float> scalar_neighbourhood(const TileScratch& s, const StepConstants& step, int i,
+                                              int along, int across, const float* u, const float* v) {
+    const HaloBlock& b = s.block;
+    FaceNeighbourhood<float> face{};
+    face.h_left = b.thickness[i];
+    face.h_right = b.thickness[i + along];
+    face.support_left = b.support[i];
+    face.support_right = b.support[i + along];
+    face.eta_left2 = b.eta[i - along];
+    face.eta_left = b.eta[i];
+    face.eta_right = b.eta[i + along];
+    face.eta_right2 = b.eta[i + 2 * along];
+    face.eta_slope_across = 0.25F * step.inverse_cell *
+                            ((b.eta[i + across] - b.eta[i - across]) +
+                             (b.eta[i + along + across] - b.eta[i + along - across]));
+    face.pressure_left = s.pressure[i];
+    face.pressure_right = s.pressure[i + along];
+    face.curvature = 0.5F * (s.curvature[i] + s.curvature[i + along]);
+    face.normal_left = s.normal_x[i] + s.normal_y[i];
+    face.normal_right = s.normal_x[i + along] + s.normal_y[i + along];
+    face.u = u[i];
+    face.u_back = u[i - along];
+    face.u_front = u[i + along];
+    face.u_before = u[i - across];
+    face.u_after = u[i + across];
+    face.v = 0.25F * ((v[i] + v[i + along]) + (v[i - across] + v[i + along - across]));
+    return face;
+}
+
+// The same formula on single floats must give the same bits as on registers: both follow IEEE 754, and
+// no fused multiply-add is allowed.
+TEST(TileKernel, EqualsTheScalarFormulaToTheBit) {
+    const StepConstants step = oily_constants();
+    const auto scratch = std::make_unique<TileScratch>();
+    fill_randomly(7, scratch->block);
+    tile_kernels().flow(step, kTileSize, kTileSize, {}, *scratch);
+    int flowing = 0;
+    for (int y = 0; y < kTileSize; ++y)
+        for (int x = 0; x < kTileSize; ++x) {
+            const HaloBlock& b = scratch->block;
+            const FaceFlow<float> flow = face_flow<true, true>(
+                scalar_neighbourhood(*scratch, step, block_index(x, y), kBlockStride, 1,
+                                     b.velocity_y.data(), b.velocity_x.data()),
+                step, step.force_y_mm_s2, step.force_x_mm_s2);
+            ASSERT_EQ(flow.velocity, scratch->velocity_y[face_index(x, y)]) << x << ' ' << y;
+            flowing += flow.velocity != 0.0F ? 1 : 0;
+        }
+    EXPECT_GT(flowing, 500);
+}
+
+TEST(TileKernel, GivesTheSameBitsOnEveryInstructionSet) {
+    const StepConstants step = oily_constants();
+    const auto reference = std::make_unique<TileScratch>();
+    const auto scratch = std::make_unique<TileScratch>();
+    for (const std::uint32_t seed : {1U, 2U, 3U}) {
+        fill_randomly(seed, reference->block);
+        fill_randomly(seed, scratch->block);
+        const FlowExtremes expected =
+            tile_kernels_for(core::Isa::Baseline).flow(step, kTileSize, kTileSize, {}, *reference);
+        for (const core::Isa isa : {core::Isa::Avx2, core::Isa::Avx512}) {
+            if (isa > core::best_isa()) continue;
+            const FlowExtremes found =
+                tile_kernels_for(isa).flow(step, kTileSize, kTileSize, {}, *scratch);
+            EXPECT_EQ(scratch->velocity_x, reference->velocity_x) << core::name_of(isa);
+            EXPECT_EQ(scratch->velocity_y, reference->velocity_y) << core::name_of(isa);
+            EXPECT_EQ(scratch->flux_x, reference->flux_x) << core::name_of(isa);
+            EXPECT_EQ(scratch->flux_y, reference->flux_y) << core::name_of(isa);
+            EXPECT_EQ(found.mobility, expected.mobility) << core::name_of(isa);
+            EXPECT_EQ(found.speed_mm_s, expected.speed_mm_s) << core::name_of(isa);
+        }
+    }
+}
+
+// x = 1 is the yield point: (1 + d) x - 3/2 + 1/(2 x^2) = d |w| / y.
+TEST(BinghamDrag, SolvesItsEquation) {
+    for (const float drag : {1e-3F, 1.0F, 50.0F, 1e4F}) {
+        for (const double x : {1.001, 1.1, 2.0, 30.0}) {
+            const double target = (1 + drag) * x - 1.5 + 0.5 / (x * x);
+            const float yield_speed = 0.3F;
+            const auto speed = static_cast<float>(target * yield_speed / drag);
+            const BinghamDrag<float> solved = bingham_drag(drag, speed, yield_speed);
+            const double exact = yield_speed * (x - 1) * (x - 1) * (x + 0.5) / (drag * speed * x * x);
+            // The root itself is good to a few parts in 10^6; near yield the factor has (x - 1)^2 in it.
+            EXPECT_NEAR(solved.factor / exact, 1.0, x < 1.01 ? 2e-2 : 1e-4) << drag << ' ' << x;
+        }
+        EXPECT_EQ(bingham_drag(drag, 0.99F * 0.3F * (drag > 1 ? 1.0F : 0.1F), 0.3F).factor, 0.0F);
+    }
+}
+
+TEST(FaceFlow, NothingMovesBetweenDryCells) {
+    FaceNeighbourhood<float> face{};
+    face.eta_left = 3.0F;
+    face.support_left = 3.0F;
+    face.pressure_left = 100.0F;
+    const FaceFlow<float> flow = face_flow<false, false>(face, oily_constants(), 1000.0F, 0.0F);
+    EXPECT_EQ(flow.velocity, 0.0F);
+    EXPECT_EQ(flow.thickness, 0.0F);
+}
+
+}  // namespace
+}  // namespace pastoso::film::test

@@ -1,0 +1,130 @@
+#include "film/medium.hpp"
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace pastoso::film;  // NOLINT(google-build-using-namespace)
+using testing::HasSubstr;
+
+constexpr const char* kGood = R"([
+  {"name": "tar", "description": "Slow.", "density_kg_m3": 1200, "viscosity_m2_s": 0.5, "yield_stress_Pa": 10,
+   "surface_tension_N_m": 0.03, "advancing_angle_deg": 30, "receding_angle_deg": 10, "slip_cells": 0.2,
+   "alpha_min": 1.0, "alpha_max": 1.0, "typical_thickness_mm": 0.5}
+])";
+
+/// kGood with one piece of text replaced.
+std::string changed(const std::string& from, const std::string& to) {
+    std::string text = kGood;
+    const std::size_t place = text.find(from);
+    EXPECT_NE(place, std::string::npos) << from;
+    return text.replace(place, from.size(), to);
+}
+
+std::string error_of(const std::string& text) {
+    try {
+        parse_media(text, "my media.json");
+    } catch (const pastoso::core::InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Media, AreReadFieldByField) {
+    const std::vector<Medium> media = parse_media(kGood, "test");
+    ASSERT_EQ(media.size(), 1U);
+    EXPECT_EQ(media[0].name, "tar");
+    EXPECT_EQ(media[0].viscosity_m2_s, 0.5);
+    EXPECT_EQ(media[0].typical_thickness_mm, 0.5);
+    EXPECT_TRUE(parse_media("[]", "test").empty());
+}
+
+TEST(Media, ErrorsNameTheFileTheEntryTheFieldAndTheValue) {
+    EXPECT_EQ(error_of(changed("\"yield_stress_Pa\": 10", "\"yield_stress_Pa\": -3")),
+              "my media.json, entry 1 (\"tar\"): yield_stress_Pa is -3, it must be a number from 0.0 to "
+              "200.0.");
+    EXPECT_EQ(error_of(changed("\"slip_cells\": 0.2,", "")),
+              "my media.json, entry 1 (\"tar\"): the field \"slip_cells\" is missing.");
+    EXPECT_EQ(error_of(changed("\"tar\"", "7")),
+              "my media.json, entry 1: name is 7, it must be a text.");
+}
+
+TEST(Media, WrongKindsOfValuesAreRefused) {
+    EXPECT_THAT(error_of(changed("0.5, \"yield", "\"thick\", \"yield")),
+                HasSubstr("viscosity_m2_s is \"thick\""));
+    EXPECT_THAT(error_of(changed("0.5, \"yield", "null, \"yield")), HasSubstr("viscosity_m2_s is null"));
+    EXPECT_THAT(error_of(changed("0.5, \"yield", "1e999, \"yield")), HasSubstr("my media.json"));
+    EXPECT_THAT(error_of(changed("slip_cells", "slip_cell")), HasSubstr("\"slip_cells\" is missing"));
+    EXPECT_THAT(error_of(changed("\"slip_cells\"", "\"gloss\": 1, \"slip_cells\"")),
+                HasSubstr("there is no field \"gloss\""));
+}
+
+TEST(Media, ContradictionsAreRefused) {
+    EXPECT_THAT(
+        error_of(changed("\"receding_angle_deg\": 10", "\"receding_angle_deg\": 40")),
+        HasSubstr("receding_angle_deg is 40.0, it must not be larger than advancing_angle_deg, 30.0"));
+    EXPECT_THAT(error_of(changed("\"alpha_min\": 1.0", "\"alpha_min\": 1.5")),
+                HasSubstr("alpha_min is 1.5"));
+}
+
+TEST(Media, WhatIsNotAListOfMediaIsRefused) {
+    EXPECT_THAT(error_of(""), HasSubstr("my media.json, line 1: this is not JSON"));
+    EXPECT_THAT(error_of("[\n\n oops ]"), HasSubstr("my media.json, line 3: this is not JSON"));
+    EXPECT_THAT(error_of("{}"), HasSubstr("not a list of media"));
+    EXPECT_THAT(error_of("[3]"), HasSubstr("entry 1: is not an object"));
+}
+
+TEST(BundledMedia, AreTheFiveOfTheProgram) {
+    std::vector<std::string> names;
+    for (const Medium& medium : bundled_media())
+        names.push_back(medium.name);
+    EXPECT_THAT(names, testing::ElementsAre("heavy-body oil", "soft-body acrylic", "fluid acrylic",
+                                            "house paint", "ink glaze"));
+}
+
+TEST(BundledMedia, RunFromStiffToThin) {
+    const auto by_viscosity = [](const Medium& a, const Medium& b) {
+        return a.viscosity_m2_s > b.viscosity_m2_s;
+    };
+    EXPECT_TRUE(std::is_sorted(bundled_media().begin(), bundled_media().end(), by_viscosity));
+    for (const Medium& medium : bundled_media())
+        EXPECT_THAT(medium.description, testing::EndsWith("."));
+}
+
+/// Thickness that stands on an upright canvas: tau / (rho g).
+double standing_thickness_mm(const Medium& medium) {
+    return medium.yield_stress_Pa /
+           (medium.density_kg_m3 * pastoso::core::kStandardGravity_mm_s2 * 1e-3) * 1e3;
+}
+
+TEST(BundledMedia, OilStandsOnAnUprightCanvasAndHousePaintRuns) {
+    const Medium& oil = find_medium("heavy-body oil");
+    const Medium& house = find_medium("house paint");
+    EXPECT_GT(standing_thickness_mm(oil), oil.typical_thickness_mm);
+    EXPECT_LT(standing_thickness_mm(house), house.typical_thickness_mm);
+}
+
+TEST(FindMedium, IgnoresCase) {
+    EXPECT_EQ(find_medium("House PAINT").name, "house paint");
+}
+
+TEST(FindMedium, ListsTheNamesThereAre) {
+    try {
+        find_medium("honey");
+        FAIL() << "no error";
+    } catch (const pastoso::core::InputError& error) {
+        EXPECT_STREQ(
+            error.what(),
+            "There is no medium \"honey\"; the media are: heavy-body oil, soft-body acrylic, fluid "
+            "acrylic, house paint, ink glaze.");
+    }
+}
+
+}  // namespace

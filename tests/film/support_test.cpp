@@ -1,0 +1,216 @@
+#include "film/support.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace pastoso::film;  // NOLINT(google-build-using-namespace)
+using pastoso::grid::Shape;
+using pastoso::grid::TiledField;
+
+struct NamedSupport {
+    const char* name;
+    double relief_mm;
+    double least_roughness_mm;  ///< standard deviation that the cells must show at 0.1 mm
+};
+
+class EverySupport : public testing::TestWithParam<NamedSupport> {};
+
+struct Statistics {
+    double least = 1e9, most = -1e9, mean = 0.0, deviation = 0.0;
+};
+Statistics statistics(const TiledField<float>& field) {
+    Statistics result;
+    double sum_of_squares = 0.0;
+    for (int y = 0; y < field.shape().height; ++y) {
+        for (int x = 0; x < field.shape().width; ++x) {
+            const double height = field.at(x, y);
+            result.least = std::min(result.least, height);
+            result.most = std::max(result.most, height);
+            result.mean += height;
+            sum_of_squares += height * height;
+        }
+    }
+    const double count = static_cast<double>(field.shape().width) * field.shape().height;
+    result.mean /= count;
+    result.deviation = std::sqrt(sum_of_squares / count - result.mean * result.mean);
+    return result;
+}
+
+/// Mean over a block of cells.
+double block_mean(const TiledField<float>& field, int x0, int y0, int size) {
+    double sum = 0.0;
+    for (int y = y0; y < y0 + size; ++y) {
+        for (int x = x0; x < x0 + size; ++x)
+            sum += field.at(x, y);
+    }
+    return sum / (size * size);
+}
+
+TEST_P(EverySupport, StaysWithinItsReliefAndUsesMostOfIt) {
+    const TiledField<float> field = named_support(GetParam().name, {300, 200}, 0.1);
+    const Statistics heights = statistics(field);
+    EXPECT_GE(heights.least, 0.0);
+    EXPECT_LE(heights.most, GetParam().relief_mm);
+    EXPECT_GT(heights.most - heights.least, 0.6 * GetParam().relief_mm);
+    EXPECT_GT(heights.deviation, GetParam().least_roughness_mm);
+}
+
+TEST_P(EverySupport, HeightsAreWholeQuanta) {
+    const TiledField<float> field = named_support(GetParam().name, {90, 80}, 0.25);
+    for (int y = 0; y < 80; ++y) {
+        for (int x = 0; x < 90; ++x) {
+            const double quanta = field.at(x, y) / kSupportQuantum_mm;
+            ASSERT_EQ(quanta, std::floor(quanta)) << x << ", " << y;
+        }
+    }
+}
+
+TEST_P(EverySupport, CoarseCellsAreTheMeansOfFineOnes) {
+    constexpr int kRatio = 5;
+    const TiledField<float> fine = named_support(GetParam().name, {40 * kRatio, 30 * kRatio}, 0.05);
+    const TiledField<float> coarse = named_support(GetParam().name, {40, 30}, 0.05 * kRatio);
+    double largest = 0.0;
+    double sum_of_squares = 0.0;
+    for (int y = 0; y < 30; ++y) {
+        for (int x = 0; x < 40; ++x) {
+            const double error = coarse.at(x, y) - block_mean(fine, kRatio * x, kRatio * y, kRatio);
+            largest = std::max(largest, std::abs(error));
+            sum_of_squares += error * error;
+        }
+    }
+    // Each cell is sampled a few times along each side: threads have edges, so single cells come out
+    // within a tenth of the relief, the average cell within a fiftieth.
+    EXPECT_LT(largest, 0.1 * GetParam().relief_mm);
+    EXPECT_LT(std::sqrt(sum_of_squares / (40 * 30)), 0.02 * GetParam().relief_mm);
+}
+
+TEST_P(EverySupport, ALargerCanvasHoldsTheSameCloth) {
+    const TiledField<float> small = named_support(GetParam().name, {60, 50}, 0.25);
+    const TiledField<float> large = named_support(GetParam().name, {130, 90}, 0.25);
+    for (int y = 0; y < 50; ++y) {
+        for (int x = 0; x < 60; ++x)
+            ASSERT_EQ(small.at(x, y), large.at(x, y)) << x << ", " << y;
+    }
+}
+
+TEST_P(EverySupport, TheReliefCanBeChosen) {
+    const Statistics own = statistics(named_support(GetParam().name, {120, 120}, 0.1));
+    const Statistics doubled =
+        statistics(named_support(GetParam().name, {120, 120}, 0.1, 2.0 * GetParam().relief_mm));
+    // Both are rounded down to quanta.
+    EXPECT_NEAR(doubled.mean, 2.0 * own.mean, 3.0 * kSupportQuantum_mm);
+    EXPECT_NEAR(doubled.most, 2.0 * own.most, 3.0 * kSupportQuantum_mm);
+}
+
+INSTANTIATE_TEST_SUITE_P(Supports, EverySupport,
+                         testing::Values(NamedSupport{"linen", 0.11, 0.01},
+                                         NamedSupport{"cotton duck", 0.08, 0.007},
+                                         NamedSupport{"panel", 0.02, 0.002}),
+                         [](const auto& support) {
+                             std::string name = support.param.name;
+                             std::replace(name.begin(), name.end(), ' ', '_');
+                             return name;
+                         });
+
+TEST(WovenSupport, ARegularWeaveRepeatsAfterTwoThreads) {
+    const Weave weave{.thread_pitch_mm = 0.8, .relief_mm = 0.1, .irregularity = 0.0};
+    const TiledField<float> field = woven_support({96, 96}, 0.1, weave);  // 8 cells a thread
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            // The places are sums of floats, rounded to 1e-6 of a thread, which moves heights by quanta.
+            ASSERT_NEAR(field.at(x, y), field.at(x + 16, y), 4 * kSupportQuantum_mm) << x << ", " << y;
+            ASSERT_NEAR(field.at(x, y), field.at(x, y + 16), 4 * kSupportQuantum_mm) << x << ", " << y;
+            ASSERT_NEAR(field.at(x, y), field.at(x + 8, y + 8), 4 * kSupportQuantum_mm)
+                << x << ", " << y;
+        }
+    }
+}
+
+TEST(WovenSupport, ThreadsPassOverAndUnderInTurn) {
+    const Weave weave{.thread_pitch_mm = 1.6, .relief_mm = 0.1, .irregularity = 0.0};
+    const TiledField<float> field = woven_support({64, 64}, 0.1, weave);  // crossings at 8 + 16 k
+    // On the centre line of a warp thread, half way to the edge of a crossing: a warp thread on top is
+    // level along y and round along x; below, the other way round.
+    const auto falls_along_x = [&](int x, int y) {
+        return field.at(x, y) - field.at(x + 5, y) > field.at(x, y) - field.at(x, y + 5);
+    };
+    EXPECT_NE(falls_along_x(24, 24), falls_along_x(40, 24));
+    EXPECT_NE(falls_along_x(24, 24), falls_along_x(24, 40));
+    EXPECT_EQ(falls_along_x(24, 24), falls_along_x(40, 40));
+}
+
+TEST(WovenSupport, IrregularThreadsDoNotRepeat) {
+    const Weave weave{.thread_pitch_mm = 0.8, .relief_mm = 0.1};
+    const TiledField<float> field = woven_support({96, 96}, 0.1, weave);
+    double sum_of_squares = 0.0;
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            const double change = field.at(x, y) - field.at(x + 16, y + 16);
+            sum_of_squares += change * change;
+        }
+    }
+    EXPECT_GT(std::sqrt(sum_of_squares / (64 * 64)), 0.05 * weave.relief_mm);
+}
+
+TEST(ImageSupport, BlackIsZeroAndWhiteIsTheRelief) {
+    const TiledField<float> black = image_support({20, 10}, std::vector<float>(6, 0.0F), 3, 2, 0.5);
+    const TiledField<float> white = image_support({20, 10}, std::vector<float>(6, 1.0F), 3, 2, 0.5);
+    EXPECT_EQ(statistics(black).most, 0.0);
+    // The spline's weights add to 1 within a float's rounding.
+    EXPECT_NEAR(statistics(white).least, 0.5, 2 * kSupportQuantum_mm);
+    EXPECT_LE(statistics(white).most, 0.5);
+}
+
+TEST(ImageSupport, ARampStaysARamp) {
+    std::vector<float> grey(16 * 4);
+    for (int i = 0; i < 64; ++i)
+        grey[i] = static_cast<float>(i % 16) / 15.0F;
+    const TiledField<float> field = image_support({64, 16}, grey, 16, 4, 1.5);
+    // Away from the ends: a pixel's grey is the ramp's height at its centre, 4 cells a pixel, 0.1 a
+    // pixel.
+    for (int x = 16; x < 48; ++x)
+        EXPECT_NEAR(field.at(x, 8), 0.1 * ((x + 0.5) / 4.0 - 0.5), 1e-5) << x;
+}
+
+TEST(ImageSupport, SmallerCanvasesHoldThePixelsMeans) {
+    // A checkerboard of single pixels, ten to a cell, is a mean grey.
+    std::vector<float> grey(400 * 400);
+    for (int i = 0; i < 400 * 400; ++i)
+        grey[i] = static_cast<float>((i % 400 + i / 400) % 2);
+    const TiledField<float> field = image_support({40, 40}, grey, 400, 400, 1.0);
+    for (int i = 2; i < 38; ++i)
+        EXPECT_NEAR(field.at(i, 20), 0.5, 1e-3);
+}
+
+TEST(ImageSupport, IsMirroredWithItsImage) {
+    const std::vector<float> grey = {0.0F, 0.2F, 0.9F, 0.4F, 0.1F, 0.7F};
+    std::vector<float> mirrored = grey;
+    std::reverse(mirrored.begin(), mirrored.end());
+    const TiledField<float> field = image_support({30, 20}, grey, 3, 2, 1.0);
+    const TiledField<float> other = image_support({30, 20}, mirrored, 3, 2, 1.0);
+    for (int y = 0; y < 20; ++y) {
+        for (int x = 0; x < 30; ++x)
+            EXPECT_NEAR(field.at(x, y), other.at(29 - x, 19 - y), 2e-6);
+    }
+}
+
+TEST(NamedSupport, IgnoresCaseAndListsTheNames) {
+    EXPECT_EQ(named_support("Cotton Duck", {8, 8}, 0.25).at(3, 3),
+              named_support("cotton duck", {8, 8}, 0.25).at(3, 3));
+    try {
+        named_support("velvet", {8, 8}, 0.25);
+        FAIL() << "no error";
+    } catch (const pastoso::core::InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "There is no support \"velvet\"; the supports are: linen, cotton duck, panel.");
+    }
+}
+
+}  // namespace
