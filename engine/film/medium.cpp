@@ -2,11 +2,11 @@
 
 #include "core/error.hpp"
 #include "core/resources.hpp"
+#include "core/text.hpp"
 #include "core/text_file.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include <nlohmann/json.hpp>
 
@@ -119,13 +119,6 @@ Json parse_json(std::string_view text, const std::string& name) {
     }
 }
 
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    for (char& letter : lower)
-        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    return lower;
-}
-
 }  // namespace
 
 std::vector<Medium> parse_media(std::string_view json_text, const std::string& name) {
@@ -149,7 +142,7 @@ const std::vector<Medium>& bundled_media() {
 const Medium& find_medium(std::string_view name) {
     std::string names;
     for (const Medium& medium : bundled_media()) {
-        if (lower_case(medium.name) == lower_case(name)) return medium;
+        if (core::lower_case(medium.name) == core::lower_case(name)) return medium;
         names += (names.empty() ? "" : ", ") + medium.name;
     }
     throw core::InputError("There is no medium \"" + std::string(name) + "\"; the media are: " + names +

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 
 namespace pastoso::film {
 namespace {
@@ -34,7 +35,7 @@ struct TileResult {
     TileBlock<PigmentCell> pigment;
     TileBlock<float> velocity_x, velocity_y;
     FlowExtremes extremes;
-    TileMotion motion;
+    std::optional<TileMotion> motion;
     Totals runoff;
 };
 
@@ -91,21 +92,31 @@ bool any_flux(const FaceArray<std::int32_t>& flux, int first_x, int first_y, int
     return false;
 }
 
-/// h_new = h - div(flux), in whole quanta; also measures how much changed and where.
-TileBlock<std::int32_t> apply_fluxes(const TileScratch& scratch, int columns, int rows,
-                                     TileMotion& motion) {
+/// h_new = h - div(flux), in whole quanta.
+TileBlock<std::int32_t> apply_fluxes(const TileScratch& scratch, int columns, int rows) {
     TileBlock<std::int32_t> block = TileBlock<std::int32_t>::filled(0);
     std::int32_t* out = block.write();
+    for (int y = 0; y < rows; ++y) {
+        for (int x = 0; x < columns; ++x) {
+            const int face = face_index(x, y);
+            out[y * kTileSize + x] = scratch.block.quanta[block_index(x, y)] +
+                                     (scratch.flux_x[face - 1] - scratch.flux_x[face]) +
+                                     (scratch.flux_y[face - kFaceStride] - scratch.flux_y[face]);
+        }
+    }
+    return block;
+}
+
+/// How far apart two thicknesses of a tile are, anywhere and within a halo's width of each side.
+TileMotion motion_between(const std::int32_t* before, const std::int32_t* after, int columns, int rows) {
     std::array<std::int32_t, kTileSize> column_change{};
     std::array<std::int32_t, kTileSize> row_change{};
     for (int y = 0; y < rows; ++y) {
         for (int x = 0; x < columns; ++x) {
-            const int face = face_index(x, y);
-            const std::int32_t change = (scratch.flux_x[face - 1] - scratch.flux_x[face]) +
-                                        (scratch.flux_y[face - kFaceStride] - scratch.flux_y[face]);
-            out[y * kTileSize + x] = scratch.block.quanta[block_index(x, y)] + change;
-            column_change[x] = std::max(column_change[x], std::abs(change));
-            row_change[y] = std::max(row_change[y], std::abs(change));
+            const int cell = y * kTileSize + x;
+            const std::int32_t change = std::abs(after[cell] - before[cell]);
+            column_change[x] = std::max(column_change[x], change);
+            row_change[y] = std::max(row_change[y], change);
         }
     }
     const auto largest = [](const auto& changes, int first, int last) {
@@ -114,12 +125,11 @@ TileBlock<std::int32_t> apply_fluxes(const TileScratch& scratch, int columns, in
             result = std::max(result, changes[i]);
         return thickness_mm(result);
     };
-    motion.largest_mm = largest(row_change, 0, rows);
-    motion.near_side_mm = {largest(column_change, 0, std::min(kHalo, columns)),
-                           largest(column_change, columns - kHalo, columns),
-                           largest(row_change, 0, std::min(kHalo, rows)),
-                           largest(row_change, rows - kHalo, rows)};
-    return block;
+    return {.largest_mm = largest(row_change, 0, rows),
+            .near_side_mm = {largest(column_change, 0, std::min(kHalo, columns)),
+                             largest(column_change, columns - kHalo, columns),
+                             largest(row_change, 0, std::min(kHalo, rows)),
+                             largest(row_change, rows - kHalo, rows)}};
 }
 
 TileBlock<float> velocity_block(const FaceArray<float>& velocity) {
@@ -175,6 +185,7 @@ struct Solver::Parts {
           pool(threads),
           activity(film.shape, film.cell_mm, solver_options.sleeping,
                    solver_options.edge_x == Edge::Periodic, solver_options.edge_y == Edge::Periodic),
+          window_start(film.shape.tile_count()),
           scratch(threads.thread_count()) {
         for (int x = 0; x < film.shape.tiles_x(); ++x)
             columns.push_back(make_halo_map(x, film.shape.width, options.edge_x));
@@ -241,6 +252,7 @@ struct Solver::Parts {
     StepLimits limits;
     StepConstants constants;
     ActivityMap activity;
+    std::vector<TileBlock<std::int32_t>> window_start;  ///< thickness when a tile's window began
     std::vector<HaloMap> columns, rows;
     std::vector<std::unique_ptr<WorkerScratch>> scratch;
     Totals runoff;
@@ -270,7 +282,10 @@ void Solver::Parts::move_paint(int tile, WorkerScratch& worker, TileResult& resu
     const HaloMap& row_map = rows[tile_y];
     const OpenEdges open{runs_off(tile, kLeft), runs_off(tile, kRight), runs_off(tile, kTop),
                          runs_off(tile, kBottom)};
-    result.thickness = apply_fluxes(worker.tile, column_map.extent, row_map.extent, result.motion);
+    result.thickness = apply_fluxes(worker.tile, column_map.extent, row_map.extent);
+    const auto& since = activity.window_begins(tile) ? state.thickness.block(tile) : window_start[tile];
+    result.motion =
+        motion_between(since.read(), result.thickness.read(), column_map.extent, row_map.extent);
     result.runoff.thickness = thickness_runoff(worker.tile, column_map.extent, row_map.extent, open);
     if (!pigment_in_reach(tile)) return;
     gather_concentrations(state, column_map, row_map, tile_x, tile_kernels().concentrate,
@@ -284,6 +299,7 @@ void Solver::Parts::move_paint(int tile, WorkerScratch& worker, TileResult& resu
 }
 
 void Solver::Parts::commit(int tile, float dt_s, TileResult& result, AdvanceReport& report) {
+    if (activity.window_begins(tile)) window_start[tile] = state.thickness.block(tile);
     if (result.thickness) state.thickness.replace(tile, std::move(result.thickness));
     if (result.pigment) state.pigment.replace(tile, std::move(result.pigment));
     if (result.velocity_x) state.velocity_x.replace(tile, std::move(result.velocity_x));
@@ -300,6 +316,7 @@ void Solver::Parts::commit(int tile, float dt_s, TileResult& result, AdvanceRepo
 }
 
 void Solver::Parts::put_to_sleep(int tile) {
+    window_start[tile] = {};
     state.velocity_x.reset(tile);
     state.velocity_y.reset(tile);
 }

@@ -2,13 +2,13 @@
 
 #include "core/check.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "film/smooth_noise.hpp"
 #include "film/support_sampling.hpp"
 #include "grid/bspline.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <string>
 
@@ -83,13 +83,6 @@ class SplineImage {
     std::vector<float> coefficients_;
 };
 
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    for (char& letter : lower)
-        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    return lower;
-}
-
 }  // namespace
 
 grid::TiledField<float> panel_support(grid::Shape shape, double cell_mm, double relief_mm) {
@@ -122,7 +115,7 @@ grid::TiledField<float> image_support(grid::Shape shape, const std::vector<float
 
 grid::TiledField<float> named_support(std::string_view name, grid::Shape shape, double cell_mm,
                                       double relief_mm) {
-    const std::string wanted = lower_case(name);
+    const std::string wanted = core::lower_case(name);
     if (wanted == "panel")
         return panel_support(shape, cell_mm, relief_mm > 0.0 ? relief_mm : kGessoRelief_mm);
     if (wanted != "linen" && wanted != "cotton duck") {

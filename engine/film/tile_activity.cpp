@@ -39,7 +39,7 @@ void ActivityMap::wake(int tile) {
     activity.awake = true;
     activity.changed_from_outside = true;
     activity.window_s = 0.0F;
-    activity.travel_mm = 0.0F;
+    activity.motion = {};
 }
 
 int ActivityMap::neighbour(int tile, Side side) const {
@@ -51,23 +51,22 @@ int ActivityMap::neighbour(int tile, Side side) const {
     return x < 0 || y < 0 ? -1 : y * columns + x;
 }
 
-bool ActivityMap::record(int tile, float dt_s, const TileMotion& motion, const FlowExtremes& extremes) {
+bool ActivityMap::record(int tile, float dt_s, const std::optional<TileMotion>& motion,
+                         const FlowExtremes& extremes) {
     TileActivity& activity = tiles_[tile];
     activity.changed_from_outside = false;
     activity.extremes = extremes;
     activity.window_s += dt_s;
-    activity.travel_mm += motion.largest_mm;
+    if (motion) activity.motion = *motion;
     for (int side = 0; side < kSideCount; ++side) {
-        activity.side_travel_mm[side] += motion.near_side_mm[side];
-        if (activity.side_travel_mm[side] <= kWakingTravel_cells * cell_mm_) continue;
-        activity.side_travel_mm[side] = 0.0F;
+        if (activity.motion.near_side_mm[side] <= kWakingTravel_cells * cell_mm_) continue;
         const int other = neighbour(tile, static_cast<Side>(side));
         if (other >= 0 && !tiles_[other].awake) wake(other);
     }
-    if (!sleeping_ || activity.window_s < kRestWindow_s) return false;
-    const bool at_rest = activity.travel_mm < kRestTravel_cells * cell_mm_;
+    if (activity.window_s < kRestWindow_s) return false;
+    const bool at_rest = sleeping_ && activity.motion.largest_mm < kRestTravel_cells * cell_mm_;
     activity.window_s = 0.0F;
-    activity.travel_mm = 0.0F;
+    activity.motion = {};
     if (at_rest) activity = TileActivity{};
     return at_rest;
 }
