@@ -17,6 +17,12 @@ std::filesystem::path temporary_beside(const std::filesystem::path& path) {
            ("." + path.stem().string() + "." + std::to_string(::getpid()) + ".part" + path.extension().string());
 }
 
+/// False, too, for a path that may not be looked at: opening it gives the better message.
+bool is_folder(const std::filesystem::path& path) {
+    std::error_code ignored;
+    return std::filesystem::is_directory(path, ignored);
+}
+
 /// Creates an empty file, so that an unwritable place is reported before any work is done on it.
 void create_empty(const std::filesystem::path& temporary, const std::filesystem::path& path) {
     const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
@@ -34,7 +40,7 @@ void flush_to_disk(const std::filesystem::path& temporary, const std::filesystem
 }  // namespace
 
 std::string read_text_file(const std::filesystem::path& path, std::size_t max_bytes) {
-    if (std::filesystem::is_directory(path)) throw InputError(path.string() + ": is a folder, not a file.");
+    if (is_folder(path)) throw InputError(path.string() + ": is a folder, not a file.");
     std::ifstream stream(path, std::ios::binary | std::ios::ate);
     if (!stream) throw InputError(path.string() + ": cannot be opened (" + std::strerror(errno) + ").");
     const auto size = static_cast<std::size_t>(stream.tellg());
@@ -51,7 +57,7 @@ std::string read_text_file(const std::filesystem::path& path, std::size_t max_by
 
 void write_aside(const std::filesystem::path& path,
                  const std::function<void(const std::filesystem::path&)>& write) {
-    if (std::filesystem::is_directory(path)) throw InputError(path.string() + ": is a folder, not a file.");
+    if (is_folder(path)) throw InputError(path.string() + ": is a folder, not a file.");
     const std::filesystem::path temporary = temporary_beside(path);
     create_empty(temporary, path);
     try {

@@ -1,1 +1,95 @@
-#include "pigment/bands.hpp"
+#include "pigment/palette.hpp"
+
+#include "core/check.hpp"
+#include "core/error.hpp"
+#include "core/resources.hpp"
+#include "core/text_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+namespace pastoso::pigment {
+namespace {
+
+std::vector<Pigment> load_bundled_palette() {
+    const auto bands_path = core::resource_path("pigments/bands_6.json");
+    const auto palette_path = core::resource_path("pigments/pigments.csv");
+    const BandWeights weights =
+        parse_band_weights(core::read_text_file(bands_path), bands_path.string());
+    return parse_palette(core::read_text_file(palette_path), weights, palette_path.string());
+}
+
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return lower;
+}
+
+/// The number of letters to insert, drop or change that turn one text into the other (Levenshtein).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+bool resembles(const Pigment& pigment, const std::string& wanted) {
+    if (wanted.size() >= 3 && lower_case(pigment.name).find(wanted) != std::string::npos) return true;
+    return edit_distance(lower_case(pigment.ci_name), wanted) <= 1;
+}
+
+std::string suggestions(std::string_view wanted) {
+    std::string text;
+    for (const Pigment& pigment : bundled_palette()) {
+        if (!resembles(pigment, lower_case(wanted))) continue;
+        text += (text.empty() ? "did you mean " : " or ") + pigment.ci_name + " (" + pigment.name + ")";
+    }
+    return text.empty() ? text : text + "; ";
+}
+
+}  // namespace
+
+const std::vector<Pigment>& bundled_palette() {
+    static const std::vector<Pigment> palette = load_bundled_palette();
+    return palette;
+}
+
+const Pigment& find_pigment(std::string_view ci_name) {
+    const std::vector<Pigment>& palette = bundled_palette();
+    const auto found = std::find_if(palette.begin(), palette.end(),
+                                    [&](const Pigment& pigment) { return pigment.ci_name == ci_name; });
+    if (found != palette.end()) return *found;
+    std::string names;
+    for (const Pigment& pigment : palette)
+        names += (names.empty() ? "" : ", ") + pigment.ci_name;
+    throw core::InputError("There is no pigment \"" + std::string(ci_name) + "\"; " +
+                           suggestions(ci_name) + "the palette has " + names + ".");
+}
+
+Coefficients mix(std::span<const Portion> portions) {
+    std::array<double, kChannels> sum{};
+    double parts = 0.0;
+    for (const Portion& portion : portions) {
+        PASTOSO_CHECK_OP(portion.parts, >=, 0.0);
+        parts += portion.parts;
+        for (int k = 0; k < kChannels; ++k)
+            sum[k] += portion.parts * portion.coefficients[k];
+    }
+    PASTOSO_CHECK_OP(parts, >, 0.0);
+    Coefficients mixture{};
+    for (int k = 0; k < kChannels; ++k)
+        mixture[k] = static_cast<float>(sum[k] / parts);
+    return mixture;
+}
+
+}  // namespace pastoso::pigment

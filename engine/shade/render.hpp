@@ -1,13 +1,13 @@
-// The picture of a painting under light, on the CPU: the reference for the window's shader and the renderer of
-// every exported image.
+// The picture of a painting under light, on the CPU: the reference for the window's shader and the
+// renderer of every exported image.
 #pragma once
-
-#include <cstdint>
-#include <vector>
 
 #include "core/thread_pool.hpp"
 #include "film/state.hpp"
 #include "pigment/bands.hpp"
+
+#include <cstdint>
+#include <vector>
 
 namespace pastoso::shade {
 
@@ -25,11 +25,11 @@ struct Image8 {
 
 /// One far light over an even sky, and how wet paint shines.
 struct Lighting {
-    double azimuth_deg = 135.0;    ///< where the light comes from: 0 right, 90 top, 180 left
-    double elevation_deg = 36.0;   ///< above the canvas plane, 5 to 90
-    double ambient = 0.30;         ///< share of the light that comes from the sky, 0 to 1
-    double wet_roughness = 0.22;   ///< GGX alpha of wet paint, 0.05 to 1
-    double dry_roughness = 0.60;   ///< of the bare support
+    double azimuth_deg = 135.0;   ///< where the light comes from: 0 right, 90 top, 180 left
+    double elevation_deg = 36.0;  ///< above the canvas plane, 5 to 90
+    double ambient = 0.30;        ///< share of the light that comes from the sky, 0 to 1
+    double wet_roughness = 0.14;  ///< GGX alpha of wet paint, 0.05 to 1
+    double dry_roughness = 0.60;  ///< of the bare support
     double shadow_softness_mm = 0.05;
     bool specular = true;
 };

@@ -1,0 +1,19 @@
+// Small things that are done with text.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+namespace pastoso::core {
+
+/// `text` with the letters A to Z in lower case, whatever the locale.
+inline std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    std::transform(lower.begin(), lower.end(), lower.begin(), [](char letter) {
+        return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+    });
+    return lower;
+}
+
+}  // namespace pastoso::core

@@ -1,0 +1,58 @@
+#include "pigment/colour.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pastoso::pigment {
+namespace {
+
+float luminance(const LinearRgb& colour) {
+    float sum = 0.0F;
+    for (int i = 0; i < 3; ++i)
+        sum += kLuminanceWeights[i] * colour[i];
+    return sum;
+}
+
+/// The largest share of `colour` in a mixture with `grey` (0 to 1) that keeps every channel within [0,
+/// 1].
+float fitting_share(const LinearRgb& colour, float grey) {
+    float share = 1.0F;
+    for (const float channel : colour) {
+        if (channel > 1.0F) share = std::min(share, (1.0F - grey) / (channel - grey));
+        if (channel < 0.0F) share = std::min(share, grey / (grey - channel));
+    }
+    return share;
+}
+
+}  // namespace
+
+LinearRgb linear_srgb(const Bands& reflectance) {
+    LinearRgb colour{};
+    for (int i = 0; i < 3; ++i) {
+        for (int band = 0; band < kBands; ++band)
+            colour[i] += kBandsToLinearSrgb[i][band] * reflectance[band];
+    }
+    return colour;
+}
+
+LinearRgb into_gamut(const LinearRgb& colour) {
+    const float grey = std::clamp(luminance(colour), 0.0F, 1.0F);
+    const float share = fitting_share(colour, grey);
+    if (share == 1.0F) return colour;
+    LinearRgb mapped{};
+    for (int i = 0; i < 3; ++i) {
+        const float desaturated = grey + share * (colour[i] - grey);
+        mapped[i] = std::clamp(0.5F * (std::clamp(colour[i], 0.0F, 1.0F) + desaturated), 0.0F, 1.0F);
+    }
+    return mapped;
+}
+
+double encode_srgb(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+}
+
+double decode_srgb(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+}  // namespace pastoso::pigment

@@ -1,0 +1,33 @@
+// The five layers of cell values that a picture is made from; the window keeps the same as textures.
+#pragma once
+
+#include "core/thread_pool.hpp"
+#include "shade/render.hpp"
+#include "shade/sampling.hpp"
+#include "shade/tile_colour.hpp"
+
+#include <vector>
+
+namespace pastoso::shade {
+
+/// Values of the cells of a rectangle, row by row.
+struct CellLayers {
+    grid::Rect cells;
+    std::vector<float> height_mm;  ///< B-spline coefficients, surface.hpp
+    std::vector<float> shadow_mm;  ///< shadow.hpp
+    std::vector<float> sky;        ///< sky.hpp
+    std::vector<CellColour> colour;
+
+    /// Where the layers hold cell (x, y) of the canvas.
+    std::ptrdiff_t index(int x, int y) const {
+        return static_cast<std::ptrdiff_t>(y - cells.y0) * cells.width() + (x - cells.x0);
+    }
+
+    /// The four rows that begin with number `first_row` of the rectangle.
+    LayerRows rows_from(int first_row) const;
+};
+
+CellLayers cell_layers(const film::FilmState& film, const pigment::Bands& ground,
+                       const grid::Rect& cells, const Lighting& lighting, core::ThreadPool& pool);
+
+}  // namespace pastoso::shade

@@ -1,0 +1,39 @@
+// The hot loops, compiled once per instruction set and chosen at run time (core/isa.hpp).
+#pragma once
+
+#include "core/isa.hpp"
+#include "film/state.hpp"
+#include "shade/sampling.hpp"
+#include "shade/shading_model.hpp"
+#include "shade/sky.hpp"
+#include "shade/tile_colour.hpp"
+
+#include <cstdint>
+
+namespace pastoso::shade {
+
+struct Kernels {
+    /// The colours of `count` cells that follow one another in memory.
+    void (*colour_cells)(const film::PigmentCell* pigment, const std::int32_t* thickness, int count,
+                         const pigment::Bands& ground, CellColour* out);
+
+    /// Adds to each of `count` cells an eighth of cos^2 of the horizon's angle in one direction
+    /// (sky.hpp).
+    void (*add_horizon)(const HorizonLook& look, const float* height, int count, float* out);
+
+    /// Raises shadow heights to that of the relief one step towards the light: between the heights
+    /// `near` and `far`, less what the ray drops (shadow.hpp).
+    void (*raise_shadow)(const float* near, const float* far, float far_share, float drop_mm, int count,
+                         float* out);
+
+    /// Shades one row of samples; three floats a sample.
+    void (*shade_row)(const LayerRows& rows, const AxisWeights& row_weights,
+                      const SampleColumns& columns, float cell_mm, const ShadingConstants& light,
+                      float* rgb);
+};
+
+/// The kernels of an instruction set, which the processor must have; the baseline's where the build
+/// holds no others.
+const Kernels& kernels(core::Isa isa);
+
+}  // namespace pastoso::shade

@@ -1,0 +1,24 @@
+// The paint's surface: support plus wet paint, as a smooth function of position.
+#pragma once
+
+#include "film/state.hpp"
+
+namespace pastoso::shade {
+
+/// Mean height of the surface over each cell of a rectangle, c + h in mm, row by row; `stride` floats
+/// from row to row. Here as in all of shade, cells beyond the canvas have the value of the nearest on
+/// it.
+void surface_means(const film::FilmState& film, const grid::Rect& cells, float* out, int stride);
+
+/// The coefficients of the cubic B-spline (grid/bspline.hpp) that has these means, in mm, the same way.
+/// Those of the paint are kept from being negative: where paint ends the spline would otherwise dip
+/// below the support and draw a dark line around every stroke. With them the spline cannot.
+void height_coefficients(const film::FilmState& film, const grid::Rect& cells, float* out, int stride);
+
+/// The lowest and the highest of the cell means.
+struct HeightRange {
+    float lowest_mm = 0.0F, highest_mm = 0.0F;
+};
+HeightRange surface_range(const film::FilmState& film);
+
+}  // namespace pastoso::shade

@@ -1,0 +1,134 @@
+#include "core/text_file.hpp"
+
+#include "core/error.hpp"
+#include "core/temporary_folder.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using pastoso::core::InputError;
+using pastoso::core::read_text_file;
+using pastoso::core::write_aside;
+using pastoso::core::write_text_file;
+using testing::HasSubstr;
+
+std::vector<std::string> names_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder))
+        names.push_back(entry.path().filename().string());
+    return names;
+}
+
+template <class Call>
+std::string error_of(const Call& call) {
+    try {
+        call();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+class TextFile : public testing::Test {
+  protected:
+    pastoso::tests::TemporaryFolder folder_;
+    fs::path file_ = folder_.path() / "a picture.txt";
+};
+
+TEST_F(TextFile, KeepsEveryByte) {
+    const std::string text("one\r\n\0two\xff", 10);
+    write_text_file(file_, text);
+    EXPECT_EQ(read_text_file(file_), text);
+}
+
+TEST_F(TextFile, WritesNothingButTheFile) {
+    write_text_file(file_, "old");
+    write_text_file(file_, "new");
+    EXPECT_EQ(read_text_file(file_), "new");
+    EXPECT_THAT(names_in(folder_.path()), testing::ElementsAre("a picture.txt"));
+}
+
+TEST_F(TextFile, TheOldFileStaysWhileTheNewOneIsWritten) {
+    write_text_file(file_, "old");
+    write_aside(file_, [&](const fs::path& temporary) {
+        EXPECT_EQ(temporary.extension(), ".txt");
+        std::ofstream(temporary) << "new";
+        EXPECT_EQ(read_text_file(file_), "old");
+    });
+    EXPECT_EQ(read_text_file(file_), "new");
+}
+
+TEST_F(TextFile, TheOldFileStaysWhenTheWriterThrows) {
+    write_text_file(file_, "old");
+    const auto write = [](const fs::path& temporary) {
+        std::ofstream(temporary) << "half of the n";
+        throw std::runtime_error("the writer failed");
+    };
+    EXPECT_THROW(write_aside(file_, write), std::runtime_error);
+    EXPECT_EQ(read_text_file(file_), "old");
+    EXPECT_THAT(names_in(folder_.path()), testing::ElementsAre("a picture.txt"));
+}
+
+TEST_F(TextFile, MissingFoldersAreReportedBeforeAnyWork) {
+    const fs::path lost = folder_.path() / "no such folder" / "a.txt";
+    bool worked = false;
+    const std::string message =
+        error_of([&] { write_aside(lost, [&](const fs::path&) { worked = true; }); });
+    EXPECT_THAT(message, HasSubstr(lost.string()));
+    EXPECT_THAT(message, HasSubstr("No such file or directory"));
+    EXPECT_FALSE(worked);
+}
+
+/// Root may write everywhere; as "nobody" the test is refused like any user.
+class WithoutRoot {
+  public:
+    WithoutRoot() { refused_ = ::geteuid() == 0 && ::seteuid(kNobody) != 0; }
+    ~WithoutRoot() {
+        if (::getuid() == 0 && ::seteuid(0) != 0) std::abort();
+    }
+    bool refused() const { return refused_; }
+
+  private:
+    static constexpr uid_t kNobody = 65534;
+    bool refused_ = false;
+};
+
+TEST_F(TextFile, FoldersWithoutWritePermissionAreReported) {
+    fs::permissions(folder_.path(), fs::perms::owner_read | fs::perms::owner_exec);
+    const WithoutRoot user;
+    if (user.refused()) GTEST_SKIP() << "root cannot become another user here, and may write everywhere";
+    EXPECT_THAT(error_of([&] { write_text_file(file_, "text"); }), HasSubstr("Permission denied"));
+}
+
+TEST_F(TextFile, AFileAsFolderIsReported) {
+    write_text_file(file_, "text");
+    EXPECT_THAT(error_of([&] { write_text_file(file_ / "b.txt", "text"); }),
+                HasSubstr("Not a directory"));
+    EXPECT_THAT(error_of([&] { read_text_file(file_ / "b.txt"); }), HasSubstr("Not a directory"));
+}
+
+TEST_F(TextFile, AFolderIsNoFile) {
+    EXPECT_THAT(error_of([&] { read_text_file(folder_.path()); }), HasSubstr("is a folder"));
+    EXPECT_THAT(error_of([&] { write_text_file(folder_.path(), ""); }), HasSubstr("is a folder"));
+}
+
+TEST_F(TextFile, AMissingFileIsNamed) {
+    EXPECT_THAT(error_of([&] { read_text_file(file_); }),
+                HasSubstr(file_.string() + ": cannot be opened"));
+}
+
+TEST_F(TextFile, LargeFilesAreRefused) {
+    write_text_file(file_, "12345");
+    EXPECT_EQ(read_text_file(file_, 5), "12345");
+    EXPECT_THAT(error_of([&] { read_text_file(file_, 4); }), HasSubstr("larger than the 4 bytes"));
+}
+
+}  // namespace

@@ -1,0 +1,85 @@
+#include "core/thread_pool.hpp"
+
+#include <atomic>
+#include <numeric>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using pastoso::core::ThreadPool;
+
+class Pool : public testing::TestWithParam<int> {
+  protected:
+    ThreadPool pool_{GetParam()};
+};
+
+TEST_P(Pool, HasAsManyThreadsAsAskedFor) {
+    EXPECT_EQ(pool_.thread_count(), GetParam());
+}
+
+TEST_P(Pool, TakesEveryIndexOnce) {
+    for (const std::size_t count : {0U, 1U, 2U, 3U, 7U, 64U, 1000U}) {
+        std::vector<std::atomic<int>> calls(count);
+        pool_.run(count, [&](std::size_t index, int) { ++calls[index]; });
+        for (std::size_t index = 0; index < count; ++index)
+            EXPECT_EQ(calls[index], 1) << index << " of " << count;
+    }
+}
+
+TEST_P(Pool, WorkersHaveTheirOwnNumbers) {
+    // Plain counters: two threads with one number would race, which the thread sanitizer reports.
+    std::vector<long> calls(static_cast<std::size_t>(pool_.thread_count()));
+    pool_.run(5000, [&](std::size_t, int worker) { ++calls.at(static_cast<std::size_t>(worker)); });
+    EXPECT_EQ(std::accumulate(calls.begin(), calls.end(), 0L), 5000);
+}
+
+TEST_P(Pool, ManyShortRunsFollowEachOther) {
+    // Each run reads what the one before wrote: run() must not return early, nor start anything late.
+    constexpr int kRuns = 3000;
+    std::vector<int> values(8, 0);
+    for (int run = 0; run < kRuns; ++run) {
+        pool_.run(values.size(), [&](std::size_t index, int) {
+            ASSERT_EQ(values[index], run);
+            values[index] = run + 1;
+        });
+    }
+    EXPECT_EQ(values, std::vector<int>(8, kRuns));
+}
+
+TEST_P(Pool, TheCallersMemoryIsSeenByTheWorkersAndBack) {
+    std::vector<double> input(1000);
+    std::iota(input.begin(), input.end(), 1.0);
+    std::vector<double> output(input.size());
+    pool_.run(input.size(), [&](std::size_t index, int) { output[index] = 2.0 * input[index]; });
+    EXPECT_EQ(std::accumulate(output.begin(), output.end(), 0.0), 1000.0 * 1001.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Threads, Pool, testing::Values(1, 2, 3, 4));
+
+TEST(ThreadPool, TakesTheMachinesThreadsByDefault) {
+    EXPECT_GE(ThreadPool().thread_count(), 1);
+}
+
+TEST(ThreadPool, MayBeMadeAndDroppedWithoutWork) {
+    for (int i = 0; i < 50; ++i)
+        const ThreadPool pool(4);
+}
+
+TEST(ThreadPool, TwoPoolsWorkSideBySide) {
+    std::atomic<int> calls = 0;
+    std::thread other([&] {
+        ThreadPool pool(2);
+        for (int run = 0; run < 200; ++run)
+            pool.run(16, [&](std::size_t, int) { ++calls; });
+    });
+    ThreadPool pool(2);
+    for (int run = 0; run < 200; ++run)
+        pool.run(16, [&](std::size_t, int) { ++calls; });
+    other.join();
+    EXPECT_EQ(calls, 2 * 200 * 16);
+}
+
+}  // namespace

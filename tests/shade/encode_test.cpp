@@ -1,0 +1,36 @@
+#include "pigment/colour.hpp"
+#include "shade/render.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace pastoso::shade {
+namespace {
+
+TEST(EncodeSrgb8, RoundsToTheNearestLevel) {
+    LinearImage image{2048, 1, {}};
+    for (int i = 0; i < 2048; ++i)
+        image.rgb.insert(image.rgb.end(), 3, static_cast<float>(i) / 2047.0F);
+    const Image8 encoded = encode_srgb8(image);
+    EXPECT_EQ(encoded.width, 2048);
+    for (int i = 0; i < 2048; ++i) {
+        const double exact = 255.0 * pigment::encode_srgb(image.rgb[3 * i]);
+        EXPECT_LE(std::abs(encoded.rgb[3 * i] - exact), 0.5001) << i;
+        EXPECT_EQ(encoded.rgb[3 * i], encoded.rgb[3 * i + 2]);
+    }
+    EXPECT_EQ(encoded.rgb.front(), 0);
+    EXPECT_EQ(encoded.rgb.back(), 255);
+}
+
+TEST(EncodeSrgb8, BringsColoursIntoTheGamut) {
+    const pigment::LinearRgb colour = {1.3F, 0.4F, -0.2F};
+    const Image8 encoded = encode_srgb8({1, 1, {colour[0], colour[1], colour[2]}});
+    const pigment::LinearRgb mapped = pigment::into_gamut(colour);
+    for (int channel = 0; channel < 3; ++channel) {
+        EXPECT_EQ(encoded.rgb[channel], std::lround(255.0 * pigment::encode_srgb(mapped[channel])));
+    }
+}
+
+}  // namespace
+}  // namespace pastoso::shade

@@ -1,0 +1,89 @@
+// The kernels give the same bits with every instruction set.
+#include "shade/kernels.hpp"
+
+#include "canvas.hpp"
+#include "core/random.hpp"
+#include "core/thread_pool.hpp"
+#include "shade/cell_layers.hpp"
+
+#include <cstring>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace pastoso::shade {
+namespace {
+
+class EveryIsa : public testing::TestWithParam<core::Isa> {
+  protected:
+    void SetUp() override {
+        if (GetParam() > core::best_isa())
+            GTEST_SKIP() << "This processor has no " << core::name_of(GetParam());
+    }
+};
+
+template <class T>
+void expect_same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(T)), 0);
+}
+
+TEST_P(EveryIsa, ColoursCellsAlike) {
+    const film::FilmState film = test::random_canvas({64, 64}, 4);
+    const auto colours = [&](core::Isa isa) {
+        std::vector<CellColour> result(grid::kTileCells - 3);
+        kernels(isa).colour_cells(film.pigment.read(0), film.thickness.read(0), grid::kTileCells - 3,
+                                  test::kGround, result.data());
+        return result;
+    };
+    expect_same_bits(colours(GetParam()), colours(core::Isa::Baseline));
+}
+
+TEST_P(EveryIsa, FindsHorizonsAlike) {
+    std::vector<float> heights(1000);
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        heights[i] = core::uniform_noise(static_cast<std::uint32_t>(i), 5);
+    }
+    const HorizonLook look{{1, 30, -60, 200}, {4.0F, 2.0F, 1.0F, 0.5F}};
+    const auto shares = [&](core::Isa isa) {
+        std::vector<float> result(701, 0.25F);
+        kernels(isa).add_horizon(look, heights.data() + 60, 701, result.data());
+        return result;
+    };
+    expect_same_bits(shares(GetParam()), shares(core::Isa::Baseline));
+}
+
+TEST_P(EveryIsa, RaisesShadowsAlike) {
+    std::vector<float> heights(300);
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        heights[i] = core::uniform_noise(static_cast<std::uint32_t>(i), 6);
+    }
+    const auto shadows = [&](core::Isa isa) {
+        std::vector<float> result(101, 0.3F);
+        kernels(isa).raise_shadow(heights.data(), heights.data() + 150, 0.37F, 0.2F, 101, result.data());
+        return result;
+    };
+    expect_same_bits(shadows(GetParam()), shadows(core::Isa::Baseline));
+}
+
+TEST_P(EveryIsa, ShadesRowsAlike) {
+    const film::FilmState film = test::random_canvas({40, 40}, 6);
+    core::ThreadPool pool(1);
+    const Lighting lighting;
+    const CellLayers layers = cell_layers(film, test::kGround, film.shape.cells(), lighting, pool);
+    const SampleColumns columns(sample_axis({4.0, 0.31, 0.5F}, 0, 99, 0));
+    const SampleAxis lines = sample_axis({10.0, 0.77, 0.5F}, 0, 1, 0);
+    const auto row = [&](core::Isa isa) {
+        std::vector<float> rgb(3 * 99);
+        kernels(isa).shade_row(layers.rows_from(lines.first_cell[0]), lines.weights[0], columns, 0.25F,
+                               shading_constants(lighting), rgb.data());
+        return rgb;
+    };
+    expect_same_bits(row(GetParam()), row(core::Isa::Baseline));
+}
+
+INSTANTIATE_TEST_SUITE_P(Kernels, EveryIsa, testing::Values(core::Isa::Avx2, core::Isa::Avx512),
+                         [](const auto& test) { return core::name_of(test.param); });
+
+}  // namespace
+}  // namespace pastoso::shade
