@@ -1,0 +1,86 @@
+// Cost of an explicit film step per cell, all cells wet and flowing, on one thread.
+#include "film/solver.hpp"
+
+#include <cmath>
+#include <memory>
+
+#include <benchmark/benchmark.h>
+
+namespace pastoso::film {
+namespace {
+
+struct Flow {
+    bool alpha_range = false, yield_and_curvature = false, pigment = false;
+};
+
+Medium medium_of(const Flow& flow) {
+    Medium medium;
+    medium.density_kg_m3 = 1000.0;
+    medium.viscosity_m2_s = 1e-6;
+    medium.surface_tension_N_m = 1e-6;
+    medium.yield_stress_Pa = flow.yield_and_curvature ? 1e-5 : 0.0;
+    if (flow.alpha_range) {
+        medium.alpha_min = 0.5;
+        medium.alpha_max = 1.2;
+    }
+    return medium;
+}
+
+FilmState wavy_film(int n, bool pigment) {
+    FilmState state({n, n}, 1.0);
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) {
+            const double h = 1 + 0.2 * std::sin(x * 0.3) * std::cos(y * 0.2);
+            state.thickness.set(x, y, static_cast<std::int32_t>(h / kThicknessQuantum_mm));
+            if (!pigment) continue;
+            PigmentCell cell;
+            for (int k = 0; k < pigment::kChannels; ++k)
+                cell[k] = static_cast<std::int32_t>((50 + x % 7) * h / kPigmentQuantum);
+            state.pigment.set(x, y, cell);
+        }
+    return state;
+}
+
+void step_film(benchmark::State& run, const Flow& flow) {
+    const int n = static_cast<int>(run.range(0));
+    core::ThreadPool pool(static_cast<int>(run.range(1)));
+    FilmState state = wavy_film(n, flow.pigment);
+    SolverOptions options;
+    options.edge_x = options.edge_y = Edge::Periodic;
+    options.full_curvature = flow.yield_and_curvature;
+    options.sleeping = false;
+    Solver solver(state, medium_of(flow), options, pool);
+    solver.set_gravity({1.0, 0.05, 0.0});
+    for (auto _ : run)
+        solver.step(0.05);
+    run.counters["Mcell/s"] = benchmark::Counter(static_cast<double>(n) * n * 1e-6 * run.iterations(),
+                                                 benchmark::Counter::kIsRate);
+}
+
+BENCHMARK_CAPTURE(step_film, alpha_range, Flow{.alpha_range = true})->Args({256, 1})->Args({1024, 1});
+BENCHMARK_CAPTURE(step_film, alpha_yield_curvature,
+                  Flow{.alpha_range = true, .yield_and_curvature = true})
+    ->Args({256, 1})
+    ->Args({1024, 1})
+    ->Args({2048, 1})
+    ->Args({2048, 2})
+    ->UseRealTime();
+BENCHMARK_CAPTURE(step_film, alpha_yield_curvature_pigment,
+                  Flow{.alpha_range = true, .yield_and_curvature = true, .pigment = true})
+    ->Args({256, 1})
+    ->Args({1024, 1})
+    ->UseRealTime();
+
+/// What a frame costs when nothing moves.
+void sleeping_canvas(benchmark::State& run) {
+    const int n = static_cast<int>(run.range(0));
+    core::ThreadPool pool(1);
+    FilmState state({n, n}, 0.25);
+    Solver solver(state, find_medium("heavy-body oil"), {}, pool);
+    for (auto _ : run)
+        solver.advance(1.0 / 60);
+}
+BENCHMARK(sleeping_canvas)->Arg(4096);
+
+}  // namespace
+}  // namespace pastoso::film
