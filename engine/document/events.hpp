@@ -1,13 +1,13 @@
-// Everything that can happen to a painting, as plain data: the window makes these, the stroke log keeps them,
-// a replay applies them again.
+// Everything that can happen to a painting, as plain data: the window makes these, the stroke log keeps
+// them, a replay applies them again.
 #pragma once
+
+#include "brush/pen_sample.hpp"
 
 #include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
-
-#include "brush/pen_sample.hpp"
 
 namespace pastoso::document {
 
@@ -25,7 +25,8 @@ struct Ingredient {
 /// A mixture of pigments thinned with clear medium.
 struct PaintRecipe {
     std::vector<Ingredient> ingredients;
-    double strength = 1.0;  ///< share of pigmented paint in the volume, the rest is clear medium; 0 < s <= 1
+    double strength =
+        1.0;  ///< share of pigmented paint in the volume, the rest is clear medium; 0 < s <= 1
     friend bool operator==(const PaintRecipe&, const PaintRecipe&) = default;
 };
 
@@ -37,11 +38,11 @@ struct TakeBrush {  ///< takes a clean brush in hand; what the old one held goes
 };
 struct LoadPaint {  ///< dips the brush
     PaintRecipe paint;
-    PaintRecipe second;      ///< no ingredients: the brush holds `paint` alone
-    double second_share = 0.0;      ///< mean share of the second paint, 0 to 1
-    double share_variation = 0.0;   ///< how much the share differs from bristle to bristle, 0 to 1
-    bool side_by_side = false;      ///< double load: one half of the tip each, instead of half-mixed
-    double fill = 1.0;       ///< of the brush's capacity, 0 to 1.2
+    PaintRecipe second;            ///< no ingredients: the brush holds `paint` alone
+    double second_share = 0.0;     ///< mean share of the second paint, 0 to 1
+    double share_variation = 0.0;  ///< how much the share differs from bristle to bristle, 0 to 1
+    bool side_by_side = false;     ///< double load: one half of the tip each, instead of half-mixed
+    double fill = 1.0;             ///< of the brush's capacity, 0 to 1.2
     friend bool operator==(const LoadPaint&, const LoadPaint&) = default;
 };
 struct CleanBrush {  ///< wipes everything off the brush, into the waste account
@@ -74,8 +75,8 @@ struct Redo {
     friend bool operator==(const Redo&, const Redo&) = default;
 };
 
-using Action = std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCanvas, PenDown, PenMove, PenUp,
-                            Undo, Redo>;
+using Action = std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCanvas, PenDown, PenMove,
+                            PenUp, Undo, Redo>;
 
 struct Event {
     std::int64_t tick = 0;  ///< the number of ticks that had passed when it happened
@@ -83,22 +84,24 @@ struct Event {
     friend bool operator==(const Event&, const Event&) = default;
 };
 
-/// What a canvas is made of; the same settings at another resolution give the same canvas, finer or coarser.
+/// What a canvas is made of; the same settings at another resolution give the same canvas, finer or
+/// coarser.
 struct CanvasSettings {
     double width_mm = 300.0;
     double height_mm = 200.0;
-    double px_per_mm = 4.0;          ///< cells per millimetre
-    std::string support = "linen";   ///< "linen", "cotton duck", "panel", or "image" with support_image
-    std::string support_image;       ///< path of a height image of the user's own
-    double support_relief_mm = 0.0;  ///< height of its white above its black; 0: the support's own relief
+    double px_per_mm = 4.0;         ///< cells per millimetre
+    std::string support = "linen";  ///< "linen", "cotton duck", "panel", or "image" with support_image
+    std::string support_image;      ///< path of a height image of the user's own
+    double support_relief_mm =
+        0.0;  ///< height of its white above its black; 0: the support's own relief
     friend bool operator==(const CanvasSettings&, const CanvasSettings&) = default;
 };
 
 /// A painting as a list of what the painter did.
 struct Recording {
     CanvasSettings canvas;
-    std::vector<Event> events;      ///< ticks do not decrease
-    std::int64_t end_tick = 0;      ///< how long the paint is let run in all, >= the last event's tick
+    std::vector<Event> events;  ///< ticks do not decrease
+    std::int64_t end_tick = 0;  ///< how long the paint is let run in all, >= the last event's tick
     friend bool operator==(const Recording&, const Recording&) = default;
 };
 

@@ -1,8 +1,6 @@
-// The painting a user works on: support, wet film, the brush in hand, history and the account of all paint.
+// The painting a user works on: support, wet film, the brush in hand, history and the account of all
+// paint.
 #pragma once
-
-#include <cstdint>
-#include <memory>
 
 #include "core/thread_pool.hpp"
 #include "document/events.hpp"
@@ -11,10 +9,15 @@
 #include "grid/tiled_field.hpp"
 #include "pigment/bands.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
 namespace pastoso::document {
 
-/// What the renderer needs, shared with the painting copy-on-write: taking one costs a few microseconds and
-/// it may be read on any thread while the painting goes on.
+/// What the renderer needs, shared with the painting copy-on-write: taking one costs a few microseconds
+/// and it may be read on any thread while the painting goes on.
 struct Snapshot {
     film::FilmState film;
     pigment::Bands ground{};  ///< internal reflectance of the bare support
@@ -27,10 +30,10 @@ struct Account {
         double volume_mm3 = 0.0;
         std::array<double, pigment::kChannels> pigment{};
     };
-    Amount taken;    ///< loaded from the tubes so far
+    Amount taken;  ///< loaded from the tubes so far
     Amount canvas;
     Amount brush;
-    Amount ledger;   ///< wiped off, or run off the edges
+    Amount ledger;  ///< wiped off, or run off the edges
 
     double volume_error_rel() const;   ///< |canvas + brush + ledger - taken| / taken
     double pigment_error_rel() const;  ///< the largest of the channels, relative to that channel's taken
@@ -45,16 +48,33 @@ struct StageTimes {
 /// Single-threaded to the outside: one thread owns it and calls everything but what a Snapshot holds.
 class Painting {
   public:
-    /// Throws InputError when the canvas would not fit into memory or the support is unknown or unreadable.
+    /// Throws InputError when the canvas would not fit into memory or the support is unknown. A support
+    /// "image" is loaded by io::make_painting().
     Painting(const CanvasSettings& settings, core::ThreadPool& pool);
+
+    /// The same on a support that is given, of the shape canvas_shape(settings).
+    Painting(const CanvasSettings& settings, grid::TiledField<float> support_mm, core::ThreadPool& pool);
     ~Painting();
 
-    /// Applies an event at once. Throws InputError for an unknown brush, pigment or medium, or for values out
-    /// of range (events.hpp); the painting is then as it was.
+    /// Applies an event at once. Throws InputError for an unknown brush, pigment or medium, for values
+    /// out of range (events.hpp), and for paint or a pen without a brush in hand; the painting is then
+    /// as it was. PenMove and PenUp without a stroke, Undo and Redo with nothing to return to do
+    /// nothing. Whatever touches the brush, and Undo and Redo, end a stroke in progress first.
+    ///
+    /// Undo brings back film and account as they were before the last stroke. The brush gets back what
+    /// it held then, unless it was taken, loaded or cleaned since: then it stays as it is.
     void apply(const Action& action);
 
     /// Lets one tick (kTick_s) of paint time pass.
     void advance_tick();
+
+    /// The same, but `give_up` is asked again and again; once it says true the painting is put back as
+    /// it was before the tick, and false is returned.
+    bool advance_tick_unless(const std::function<bool()>& give_up);
+
+    /// Memory that the states kept for Undo may hold beside the living one (512 MiB at first); the
+    /// oldest go first. 0 switches Undo off.
+    void set_history_budget(std::size_t bytes);
 
     std::int64_t tick() const;
     const CanvasSettings& settings() const;

@@ -2,42 +2,23 @@
 
 #include "core/check.hpp"
 #include "core/units.hpp"
-#include "film/concentration_block.hpp"
 #include "film/halo_block.hpp"
 #include "film/step_length.hpp"
 #include "film/tile_activity.hpp"
-#include "film/tile_step.hpp"
+#include "film/tile_update.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <optional>
 
 namespace pastoso::film {
 namespace {
 
 using grid::kTileCells;
-using grid::kTileSize;
 using grid::TileBlock;
 
 /// Share of the stability limit that is used; the lateral viscosity takes up to a quarter of it.
 constexpr double kStepSafety = 0.7;
-
-struct WorkerScratch {
-    TileScratch tile{};
-    std::vector<float> concentrations = std::vector<float>(kConcentrationCount);
-};
-
-/// What a step makes of a tile. An empty block means that the field did not change.
-struct TileResult {
-    TileBlock<std::int32_t> thickness;
-    TileBlock<PigmentCell> pigment;
-    TileBlock<float> velocity_x, velocity_y;
-    FlowExtremes extremes;
-    std::optional<TileMotion> motion;
-    Totals runoff;
-};
 
 double drag_coefficient(double alpha) {
     return 6.0 / (3.0 * alpha - 1.0);
@@ -83,74 +64,6 @@ void check_medium(const Medium& medium) {
     PASTOSO_CHECK_OP(medium.alpha_min, >, 1.0 / 3.0);
     PASTOSO_CHECK_OP(medium.alpha_min, <=, medium.alpha_max);
     PASTOSO_CHECK_OP(medium.receding_angle_deg, <=, medium.advancing_angle_deg);
-}
-
-bool any_flux(const FaceArray<std::int32_t>& flux, int first_x, int first_y, int columns, int rows) {
-    for (int y = first_y; y < rows; ++y)
-        for (int x = first_x; x < columns; ++x)
-            if (flux[face_index(x, y)] != 0) return true;
-    return false;
-}
-
-/// h_new = h - div(flux), in whole quanta.
-TileBlock<std::int32_t> apply_fluxes(const TileScratch& scratch, int columns, int rows) {
-    TileBlock<std::int32_t> block = TileBlock<std::int32_t>::filled(0);
-    std::int32_t* out = block.write();
-    for (int y = 0; y < rows; ++y) {
-        for (int x = 0; x < columns; ++x) {
-            const int face = face_index(x, y);
-            out[y * kTileSize + x] = scratch.block.quanta[block_index(x, y)] +
-                                     (scratch.flux_x[face - 1] - scratch.flux_x[face]) +
-                                     (scratch.flux_y[face - kFaceStride] - scratch.flux_y[face]);
-        }
-    }
-    return block;
-}
-
-/// How far apart two thicknesses of a tile are, anywhere and within a halo's width of each side.
-TileMotion motion_between(const std::int32_t* before, const std::int32_t* after, int columns, int rows) {
-    std::array<std::int32_t, kTileSize> column_change{};
-    std::array<std::int32_t, kTileSize> row_change{};
-    for (int y = 0; y < rows; ++y) {
-        for (int x = 0; x < columns; ++x) {
-            const int cell = y * kTileSize + x;
-            const std::int32_t change = std::abs(after[cell] - before[cell]);
-            column_change[x] = std::max(column_change[x], change);
-            row_change[y] = std::max(row_change[y], change);
-        }
-    }
-    const auto largest = [](const auto& changes, int first, int last) {
-        std::int32_t result = 0;
-        for (int i = std::max(first, 0); i < last; ++i)
-            result = std::max(result, changes[i]);
-        return thickness_mm(result);
-    };
-    return {.largest_mm = largest(row_change, 0, rows),
-            .near_side_mm = {largest(column_change, 0, std::min(kHalo, columns)),
-                             largest(column_change, columns - kHalo, columns),
-                             largest(row_change, 0, std::min(kHalo, rows)),
-                             largest(row_change, rows - kHalo, rows)}};
-}
-
-TileBlock<float> velocity_block(const FaceArray<float>& velocity) {
-    TileBlock<float> block = TileBlock<float>::uninitialised();
-    float* out = block.write();
-    for (int y = 0; y < kTileSize; ++y)
-        std::copy_n(&velocity[face_index(0, y)], kTileSize, out + y * kTileSize);
-    return block;
-}
-
-std::int64_t thickness_runoff(const TileScratch& scratch, int columns, int rows, const OpenEdges& open) {
-    std::int64_t runoff = 0;
-    for (int y = 0; y < rows; ++y) {
-        if (open.left) runoff -= scratch.flux_x[face_index(-1, y)];
-        if (open.right) runoff += scratch.flux_x[face_index(columns - 1, y)];
-    }
-    for (int x = 0; x < columns; ++x) {
-        if (open.top) runoff -= scratch.flux_y[face_index(x, -1)];
-        if (open.bottom) runoff += scratch.flux_y[face_index(x, rows - 1)];
-    }
-    return runoff;
 }
 
 std::int32_t thickest_quanta(const FilmState& state, int tile) {
@@ -237,12 +150,13 @@ struct Solver::Parts {
         return false;
     }
 
-    void step_tile(int tile, const StepConstants& step, WorkerScratch& worker, TileResult& result) const;
-    void move_paint(int tile, WorkerScratch& worker, TileResult& result) const;
+    TilePlace place_of(int tile) const;
     void commit(int tile, float dt_s, TileResult& result, AdvanceReport& report);
     void put_to_sleep(int tile);
     AdvanceReport step(double dt_s);
     double stable_step_s() const;
+    /// False when `give_up` said so before the time had passed.
+    bool advance(double seconds, const std::function<bool()>& give_up, AdvanceReport& report);
 
     FilmState& state;
     Medium medium;
@@ -258,44 +172,20 @@ struct Solver::Parts {
     Totals runoff;
 };
 
-void Solver::Parts::step_tile(int tile, const StepConstants& step, WorkerScratch& worker,
-                              TileResult& result) const {
+TilePlace Solver::Parts::place_of(int tile) const {
     const int tile_x = tile % state.shape.tiles_x(), tile_y = tile / state.shape.tiles_x();
-    const HaloMap& column_map = columns[tile_x];
-    const HaloMap& row_map = rows[tile_y];
-    const ClosedEdges closed{is_closed(tile, kLeft), is_closed(tile, kRight), is_closed(tile, kTop),
-                             is_closed(tile, kBottom)};
-    gather(state, column_map, row_map, tile_x, step.wet_mm, worker.tile.block);
-    result.extremes = tile_kernels().flow(step, column_map.extent, row_map.extent, closed, worker.tile);
-    if (result.extremes.speed_mm_s > 0.0F || !state.velocity_x.is_background(tile)) {
-        result.velocity_x = velocity_block(worker.tile.velocity_x);
-        result.velocity_y = velocity_block(worker.tile.velocity_y);
-    }
-    if (any_flux(worker.tile.flux_x, -1, 0, column_map.extent, row_map.extent) ||
-        any_flux(worker.tile.flux_y, 0, -1, column_map.extent, row_map.extent))
-        move_paint(tile, worker, result);
-}
-
-void Solver::Parts::move_paint(int tile, WorkerScratch& worker, TileResult& result) const {
-    const int tile_x = tile % state.shape.tiles_x(), tile_y = tile / state.shape.tiles_x();
-    const HaloMap& column_map = columns[tile_x];
-    const HaloMap& row_map = rows[tile_y];
-    const OpenEdges open{runs_off(tile, kLeft), runs_off(tile, kRight), runs_off(tile, kTop),
-                         runs_off(tile, kBottom)};
-    result.thickness = apply_fluxes(worker.tile, column_map.extent, row_map.extent);
-    const auto& since = activity.window_begins(tile) ? state.thickness.block(tile) : window_start[tile];
-    result.motion =
-        motion_between(since.read(), result.thickness.read(), column_map.extent, row_map.extent);
-    result.runoff.thickness = thickness_runoff(worker.tile, column_map.extent, row_map.extent, open);
-    if (!pigment_in_reach(tile)) return;
-    gather_concentrations(state, column_map, row_map, tile_x, tile_kernels().concentrate,
-                          worker.concentrations.data());
-    const bool whole = column_map.extent == kTileSize && row_map.extent == kTileSize;
-    result.pigment =
-        whole ? TileBlock<PigmentCell>::uninitialised() : TileBlock<PigmentCell>::filled({});
-    result.runoff.pigment =
-        tile_kernels().transport(worker.tile, worker.concentrations.data(), column_map.extent,
-                                 row_map.extent, open, state.pigment.read(tile), result.pigment.write());
+    const auto& reference =
+        activity.window_begins(tile) ? state.thickness.block(tile) : window_start[tile];
+    return {.tile = tile,
+            .tile_x = tile_x,
+            .columns = columns[tile_x],
+            .rows = rows[tile_y],
+            .closed = {is_closed(tile, kLeft), is_closed(tile, kRight), is_closed(tile, kTop),
+                       is_closed(tile, kBottom)},
+            .runoff_edges = {runs_off(tile, kLeft), runs_off(tile, kRight), runs_off(tile, kTop),
+                             runs_off(tile, kBottom)},
+            .pigment_in_reach = pigment_in_reach(tile),
+            .motion_reference = reference.read()};
 }
 
 void Solver::Parts::commit(int tile, float dt_s, TileResult& result, AdvanceReport& report) {
@@ -327,7 +217,7 @@ AdvanceReport Solver::Parts::step(double dt_s) {
     step.dt_s = static_cast<float>(dt_s);
     std::vector<TileResult> results(tiles.size());
     pool.run(tiles.size(), [&](std::size_t index, int worker) {
-        step_tile(tiles[index], step, *scratch[worker], results[index]);
+        results[index] = update_tile(state, place_of(tiles[index]), step, *scratch[worker]);
     });
     AdvanceReport report;
     report.steps = 1;
@@ -346,6 +236,22 @@ double Solver::Parts::stable_step_s() const {
                                     : limits.flowing_step_s(flow.extremes));
     }
     return kStepSafety * limit;
+}
+
+bool Solver::Parts::advance(double seconds, const std::function<bool()>& give_up,
+                            AdvanceReport& report) {
+    double remaining = seconds;
+    while (remaining > 0.0 && activity.awake_count() > 0) {
+        if (give_up()) return false;
+        const double limit = options.fixed_step_s > 0.0 ? options.fixed_step_s : stable_step_s();
+        // A remainder of one part in a million is rounding, not a step of its own.
+        const double steps_left = std::max(1.0, std::ceil(remaining / limit - 1e-6));
+        const double dt_s = remaining / steps_left;
+        report.add(step(dt_s));
+        remaining = steps_left > 1.0 ? remaining - dt_s : 0.0;
+    }
+    report.awake_tiles = activity.awake_count();
+    return true;
 }
 
 Solver::Solver(FilmState& state, const Medium& medium, const SolverOptions& options,
@@ -383,18 +289,24 @@ void Solver::wake_all() {
 
 AdvanceReport Solver::advance(double seconds) {
     AdvanceReport report;
-    double remaining = seconds;
-    while (remaining > 0.0 && parts_->activity.awake_count() > 0) {
-        const double limit =
-            parts_->options.fixed_step_s > 0.0 ? parts_->options.fixed_step_s : parts_->stable_step_s();
-        // A remainder of one part in a million is rounding, not a step of its own.
-        const double steps_left = std::max(1.0, std::ceil(remaining / limit - 1e-6));
-        const double dt_s = remaining / steps_left;
-        report.add(parts_->step(dt_s));
-        remaining = steps_left > 1.0 ? remaining - dt_s : 0.0;
-    }
-    report.awake_tiles = parts_->activity.awake_count();
+    parts_->advance(
+        seconds, [] { return false; }, report);
     return report;
+}
+
+std::optional<AdvanceReport> Solver::advance_unless(const std::function<bool()>& give_up,
+                                                    double seconds) {
+    const FilmState state = parts_->state;
+    const ActivityMap activity = parts_->activity;
+    const auto window_start = parts_->window_start;
+    const Totals runoff = parts_->runoff;
+    AdvanceReport report;
+    if (parts_->advance(seconds, give_up, report)) return report;
+    parts_->state = state;
+    parts_->activity = activity;
+    parts_->window_start = window_start;
+    parts_->runoff = runoff;
+    return std::nullopt;
 }
 
 AdvanceReport Solver::step(double dt_s) {
@@ -411,14 +323,6 @@ const Totals& Solver::runoff() const {
 
 int Solver::awake_tile_count() const {
     return parts_->activity.awake_count();
-}
-
-void Solver::restart(const Totals& runoff) {
-    parts_->runoff = runoff;
-    parts_->activity =
-        ActivityMap(parts_->state.shape, parts_->state.cell_mm, parts_->options.sleeping,
-                    parts_->options.edge_x == Edge::Periodic, parts_->options.edge_y == Edge::Periodic);
-    wake_all();
 }
 
 }  // namespace pastoso::film

@@ -6,7 +6,9 @@
 #include "film/state.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 
 namespace pastoso::film {
 
@@ -65,6 +67,10 @@ class Solver {
     /// calls give the same bits on any number of threads.
     AdvanceReport advance(double seconds);
 
+    /// The same, but `give_up` is asked before every step; once it says true, the state is put back as
+    /// it was and nothing is returned. So a waiting pen need not wait for the end of a long advance.
+    std::optional<AdvanceReport> advance_unless(const std::function<bool()>& give_up, double seconds);
+
     /// One step of the given length over all awake tiles, whatever the stability limit.
     AdvanceReport step(double dt_s);
 
@@ -78,8 +84,6 @@ class Solver {
     /// Paint that ran off open edges since the start.
     const Totals& runoff() const;
     int awake_tile_count() const;
-    /// Called after the state was replaced as a whole (undo): everything wakes, `runoff` is taken over.
-    void restart(const Totals& runoff);
 
   private:
     struct Parts;

@@ -261,5 +261,24 @@ TEST(Sleep, FlowCrossesIntoSleepingTiles) {
     EXPECT_LT(difference / watched.volume(), 0.01);  // a tile wakes a ten-thousandth of a cell late
 }
 
+// Giving up leaves everything as it was: the same time then passes as if nothing had happened.
+TEST(Abandon, LeavesNoTrace) {
+    Scene scene = runny(Edge::Open);
+    const auto shape = [](int x, int y) { return blob(x, y, 40, 40, 25, 3); };
+    Bench straight(scene), interrupted(scene);
+    straight.fill(shape);
+    interrupted.fill(shape);
+    const std::uint64_t before = state_hash(interrupted.state);
+    int questions = 0;
+    EXPECT_FALSE(interrupted.solver->advance_unless([&] { return ++questions > 7; }, 20.0).has_value());
+    EXPECT_EQ(questions, 8);
+    EXPECT_EQ(state_hash(interrupted.state), before);
+
+    EXPECT_TRUE(interrupted.solver->advance_unless([] { return false; }, 2.0).has_value());
+    straight.solver->advance(2.0);
+    EXPECT_EQ(state_hash(interrupted.state), state_hash(straight.state));
+    EXPECT_EQ(interrupted.solver->runoff().thickness, straight.solver->runoff().thickness);
+}
+
 }  // namespace
 }  // namespace pastoso::film::test

@@ -1,0 +1,40 @@
+// Where the bristles touch the canvas. Each is an inextensible hair of its own: pressed down by delta it
+// bends and its tip reaches up to bend sqrt(delta (2 L - delta)) from below its root. The tip stays
+// where it is until the hair is taut and then trails (a tractrix), and springs back towards the side it
+// leans to.
+#pragma once
+
+#include "brush/brush.hpp"
+#include "brush/hand_pose.hpp"
+#include "film/state.hpp"
+
+#include <vector>
+
+namespace pastoso::brush {
+
+struct BristlePose {
+    bool down = false;              ///< touches the canvas
+    double x_mm = 0.0, y_mm = 0.0;  ///< of the tip
+    float press = 0.0F;             ///< 0 to 1
+    float support_mm = 0.0F;        ///< height of the dry surface it rides on
+    float freshness = 1.0F;         ///< 1 on touching down, falls to 0 along the stroke
+};
+
+/// What the touching bristles have in common. Sides are measured from the pen across the direction of
+/// travel, positive to travel turned by +90 degrees (x towards y).
+struct Swath {
+    double low_mm = 0.0, high_mm = 0.0;  ///< how far the bristles reach to both sides
+    float edge_support_mm = 0.0F;        ///< height of the dry surface that a stiff edge would lie on
+};
+
+/// Moves all bristles by one step of `step_mm` and lets those that touch follow the support: up at once,
+/// down with the slope `descend` allows, so that light hairs skip the hollows of the weave.
+Swath move_bristles(const Brush& brush, const HandPose& hand, double step_mm,
+                    const film::FilmState& film, std::vector<BristlePose>& poses);
+
+/// Position across the direction of travel, from the pen.
+inline double side_mm(const BristlePose& pose, const HandPose& hand) {
+    return (pose.y_mm - hand.y_mm) * hand.travel_x - (pose.x_mm - hand.x_mm) * hand.travel_y;
+}
+
+}  // namespace pastoso::brush

@@ -1,0 +1,85 @@
+#include "brush/brush.hpp"
+
+#include "core/check.hpp"
+#include "core/random.hpp"
+#include "film/smooth_noise.hpp"
+
+#include <algorithm>
+
+namespace pastoso::brush {
+namespace {
+
+/// Random streams of half-mixed paint, apart from those that made the tip.
+constexpr std::uint32_t kMixStream = 9001;
+
+/// The share of the second paint in one bristle of a half-mixed load: streaks about a sixth and a
+/// twelfth of the width wide, and some difference between neighbours.
+double mixed_share(const MixedLoad& paint, const Tip& tip, std::uint32_t index) {
+    const double u = tip.bristles[index].root_x_mm / tip.half_width_mm;
+    const std::uint32_t stream = tip.seed + kMixStream;
+    if (paint.side_by_side) return u < 0.0 ? 0.0 : 1.0;
+    const double broad = film::smooth_noise(3.0 * u, stream);
+    const double narrow = film::smooth_noise(6.0 * u, stream + 1);
+    const double own = core::uniform_noise(index, stream + 2);
+    const double deviation = 0.45 * broad + 0.3 * narrow + 0.25 * own - 0.5;
+    return std::clamp(paint.second_share + 2.0 * paint.share_variation * deviation, 0.0, 1.0);
+}
+
+void check_paint(const pigment::Coefficients& paint) {
+    for (const float coefficient : paint) {
+        PASTOSO_CHECK(coefficient >= 0.0F && coefficient <= kStrongestPaint_per_mm);
+    }
+}
+
+Contents paint_of(const MixedLoad& paint, double second_share, double volume_mm3) {
+    Contents result;
+    result.volume_mm3 = volume_mm3;
+    for (int k = 0; k < pigment::kChannels; ++k) {
+        result.pigment[k] =
+            volume_mm3 * (paint.first[k] * (1.0 - second_share) + paint.second[k] * second_share);
+    }
+    return result;
+}
+
+}  // namespace
+
+Brush::Brush(const Preset& kind, double width_mm, std::uint32_t seed)
+    : preset(resized(kind, width_mm)), tip(make_tip(preset, seed)), held(tip.bristles.size()) {}
+
+Contents Brush::load(const pigment::Coefficients& paint, double fill) {
+    return load(MixedLoad{paint, paint, 0.0, 0.0, false}, fill);
+}
+
+Contents Brush::load(const MixedLoad& paint, double fill) {
+    PASTOSO_CHECK(fill >= 0.0);
+    check_paint(paint.first);
+    check_paint(paint.second);
+    Contents taken;
+    for (std::size_t i = 0; i < held.size(); ++i) {
+        const Bristle& bristle = tip.bristles[i];
+        const double share_of_full = tip.rigid ? 1.0 : 0.4 + 0.6 * bristle.body;
+        const double wanted_mm3 =
+            tip.capacity_mm3 * std::min(fill * share_of_full, preset.exchange.overflow);
+        const double missing_mm3 = std::max(0.0, wanted_mm3 - held[i].volume_mm3);
+        const double share = mixed_share(paint, tip, static_cast<std::uint32_t>(i));
+        const Contents dip = paint_of(paint, share, missing_mm3);
+        held[i] += dip;
+        taken += dip;
+    }
+    return taken;
+}
+
+Contents Brush::clean() {
+    const Contents taken = contents();
+    held.assign(held.size(), Contents{});
+    return taken;
+}
+
+Contents Brush::contents() const {
+    Contents sum;
+    for (const Contents& bristle : held)
+        sum += bristle;
+    return sum;
+}
+
+}  // namespace pastoso::brush

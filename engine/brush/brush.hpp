@@ -1,0 +1,51 @@
+// A brush in the painter's hand: its tip and the paint that every bristle holds.
+#pragma once
+
+#include "brush/contents.hpp"
+#include "brush/preset.hpp"
+#include "brush/tip.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace pastoso::brush {
+
+/// Two paints taken up at once.
+struct MixedLoad {
+    pigment::Coefficients first{}, second{};
+    double second_share = 0.5;     ///< mean over the bristles, 0 to 1
+    double share_variation = 0.0;  ///< 0: every bristle the same, 1: from all of one to all of the other
+    bool side_by_side = false;     ///< one half of the width each, instead of a mean share
+};
+
+/// Plain data: copy it to keep it. The paint in the bristles, what strokes and loading move, is the
+/// account that together with the film stays constant.
+struct Brush {
+    /// `width_mm` 0 takes the preset's own; brushes of different seeds are different pieces of one kind.
+    explicit Brush(const Preset& kind, double width_mm = 0.0, std::uint32_t seed = 1);
+
+    /// Dips the brush: every bristle that holds less than `fill` of what it can take (0 to 1.2; thin
+    /// bristles take less) is topped up with paint of these coefficients (each 0 to
+    /// kStrongestPaint_per_mm), up to the preset's overflow. Returns the paint taken.
+    Contents load(const pigment::Coefficients& paint, double fill);
+    Contents load(const MixedLoad& paint, double fill);
+
+    /// Takes all paint off and returns it.
+    Contents clean();
+
+    /// The sum over the bristles.
+    Contents contents() const;
+
+    /// Bristle's volume against its capacity; a full one has 1.
+    double fill_of(int bristle) const { return held[bristle].volume_mm3 / tip.capacity_mm3; }
+
+    Preset preset;  ///< resized
+    Tip tip;
+    std::vector<Contents> held;       ///< one per bristle
+    std::uint32_t strokes_begun = 0;  ///< seeds what differs from stroke to stroke
+};
+
+/// No paint absorbs or scatters more: with film::kMaxThickness_mm it bounds what a cell has to hold.
+inline constexpr float kStrongestPaint_per_mm = 1090.0F;
+
+}  // namespace pastoso::brush

@@ -1,0 +1,50 @@
+// The cells under a tool's footprint, gathered from the tiles into plain columns for the kernels.
+#pragma once
+
+#include "film/state.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace pastoso::brush {
+
+/// The columns are padded to a multiple of this with cells that nothing reaches.
+inline constexpr int kBatchStep = 16;
+
+/// Reused from footprint to footprint; valid until the film changes.
+class CellBatch {
+  public:
+    /// The cells of one tile, as a range of the columns.
+    struct TilePart {
+        int tile, begin, end;
+    };
+
+    /// Gathers the cells on the canvas whose centres lie in the square of half side `radius_mm` around a
+    /// place.
+    void gather(const film::FilmState& film, double x_mm, double y_mm, double radius_mm);
+
+    int count() const { return count_; }
+    int padded_count() const { return (count_ + kBatchStep - 1) / kBatchStep * kBatchStep; }
+    const std::vector<TilePart>& parts() const { return parts_; }
+    const grid::Rect& cells() const { return cells_; }  ///< that hold the whole batch
+
+    /// Columns of padded_count() values.
+    std::vector<float> dx_mm, dy_mm;      ///< from the place to the cell's centre
+    std::vector<std::int32_t> thickness;  ///< quanta
+    std::vector<float> support_mm;
+    std::vector<std::int32_t> cell;    ///< index within its tile
+    std::vector<std::int32_t> change;  ///< to be filled: wanted change of thickness, quanta
+    std::vector<std::int32_t> swap;    ///< to be filled: amount to be exchanged besides, quanta
+
+  private:
+    void gather_part(const film::FilmState& film, int tile, const grid::Rect& part, double x_mm,
+                     double y_mm);
+    void reserve(int count);
+    void pad();
+
+    int count_ = 0;
+    std::vector<TilePart> parts_;
+    grid::Rect cells_;
+};
+
+}  // namespace pastoso::brush

@@ -1,0 +1,25 @@
+// What the hand does to the brush at one step of the path: the preset's dynamics curves applied.
+#pragma once
+
+#include "brush/preset.hpp"
+#include "brush/stroke_path.hpp"
+
+namespace pastoso::brush {
+
+/// Value of a curve: linear between its points, constant beyond them.
+double evaluate(const DynamicsCurve& curve, double input);
+
+struct HandPose {
+    double x_mm = 0.0, y_mm = 0.0;
+    double travel_x = 0.0, travel_y = 1.0;  ///< direction of travel, unit length
+    double press = 0.0;                     ///< 0 to 1
+    double lean_x = 0.0, lean_y = 0.0;      ///< points where the pen leans
+    double cos_rotation = 1.0, sin_rotation = 0.0;
+    double reach = 1.0, film = 1.0, pickup = 1.0;  ///< factors on the preset's numbers
+};
+
+/// Where no curve sets it, press is the pressure, lean the tangent of the tilt and rotation the
+/// barrel's. Several curves with one target are multiplied (rotations: added).
+HandPose hand_pose(const std::vector<DynamicsCurve>& dynamics, const PathStep& step);
+
+}  // namespace pastoso::brush

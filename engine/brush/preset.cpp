@@ -1,0 +1,99 @@
+#include "brush/preset.hpp"
+
+#include "core/error.hpp"
+#include "core/resources.hpp"
+#include "core/text_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+
+namespace pastoso::brush {
+namespace {
+
+constexpr int kFewestBristles = 30;
+constexpr int kMostBristles = 300;
+
+std::vector<std::filesystem::path> preset_files() {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(core::resource_path("brushes"))) {
+        if (entry.path().extension() == ".json") files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::vector<Preset> read_bundled_presets() {
+    std::vector<Preset> presets;
+    for (const auto& file : preset_files()) {
+        presets.push_back(parse_preset(core::read_text_file(file), file.filename().string()));
+    }
+    return presets;
+}
+
+bool equal_ignoring_case(std::string_view a, std::string_view b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
+        return std::tolower(x) == std::tolower(y);
+    });
+}
+
+std::string list_of_names() {
+    std::string names;
+    for (const Preset& preset : bundled_presets()) {
+        names += (names.empty() ? "\"" : ", \"") + preset.name + "\"";
+    }
+    return names;
+}
+
+}  // namespace
+
+std::string_view name_of(TipShape shape) {
+    switch (shape) {
+        case TipShape::Round:
+            return "round";
+        case TipShape::Flat:
+            return "flat";
+        case TipShape::Filbert:
+            return "filbert";
+        case TipShape::Fan:
+            return "fan";
+        case TipShape::Knife:
+            return "knife";
+    }
+    return "";
+}
+
+const std::vector<Preset>& bundled_presets() {
+    static const std::vector<Preset> presets = read_bundled_presets();
+    return presets;
+}
+
+const Preset& find_preset(std::string_view name) {
+    const std::vector<Preset>& presets = bundled_presets();
+    for (const Preset& preset : presets) {
+        if (equal_ignoring_case(preset.name, name)) return preset;
+    }
+    for (const Preset& preset : presets) {
+        if (equal_ignoring_case(name_of(preset.tip.shape), name)) return preset;
+    }
+    throw core::InputError("There is no brush \"" + std::string(name) + "\"; the brushes are " +
+                           list_of_names() + ".");
+}
+
+Preset resized(const Preset& preset, double width_mm) {
+    Preset result = preset;
+    if (width_mm <= 0.0) return result;
+    const double scale = width_mm / preset.tip.width_mm;
+    result.tip.width_mm *= scale;
+    result.tip.thickness_mm *= scale;
+    result.tip.length_mm *= scale;
+    result.tip.point_mm *= scale;
+    const int count = preset.tip.bristles;
+    const auto scaled = static_cast<int>(std::lround(count * scale));
+    result.tip.bristles =
+        std::clamp(scaled, std::min(count, kFewestBristles), std::max(count, kMostBristles));
+    return result;
+}
+
+}  // namespace pastoso::brush

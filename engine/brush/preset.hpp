@@ -1,0 +1,117 @@
+// What kind of brush or knife it is: the numbers of a preset file, in its own terms and units.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pastoso::brush {
+
+enum class TipShape { Round, Flat, Filbert, Fan, Knife };
+std::string_view name_of(TipShape shape);
+
+/// The tip at rest, in the frame of the ferrule: x along its width, y along its thickness.
+struct TipPreset {
+    TipShape shape = TipShape::Flat;
+    double width_mm = 20.0;      ///< 0.5 to 200
+    double thickness_mm = 4.8;   ///< 0.1 to 200; a round tip is as thick as it is wide
+    double length_mm = 22.0;     ///< of the free hairs, 1 to 400
+    double point_mm = 0.0;       ///< how much shorter the outermost hairs of a round or filbert are
+    int bristles = 300;          ///< elements the tip is made of, 4 to 2000
+    int hairs_per_bristle = 16;  ///< fine streaks within one element, 1 to 64
+    std::uint32_t seed = 1;
+};
+
+struct FlexPreset {
+    double bend = 0.5;    ///< sideways reach of a bent hair, share of the inextensible arc; 0 to 1
+    double splay = 0.22;  ///< how far the hairs spread at full pressure, share of their place; 0 to 3
+    double lag = 1.0;     ///< length of the trail behind a turn, in 0.6 hair lengths; 0.05 to 20
+    double press_depth = 0.32;  ///< ferrule's travel at full pressure, hair lengths; 0.01 to 0.9
+    double tilt_gain = 0.8;     ///< how much a lean lowers one side; 0 to 3
+    double descend = 0.35;      ///< slope at which a hair follows the support down; 0 to 10
+    double rigidity = 0.0;      ///< 0: every hair for itself, 1: one stiff edge
+};
+
+struct PaintPreset {
+    double film_mm = 0.22;  ///< wet film that a full, lightly pressed brush leaves; 0.005 to 3
+    double run_mm = 160.0;  ///< length of stroke that a full load lasts; 1 to 10000
+    double groove = 0.5;    ///< ridges between bristles, in films; 0 to 3
+    double hair = 0.35;     ///< streaks of single hairs, in films; 0 to 5
+    double streak = 0.75;   ///< difference from bristle to bristle; 0 to 1
+    double edge = 0.7;      ///< extra film along the edges of the stroke; 0 to 3
+    double start = 0.5;     ///< extra film where the stroke starts; 0 to 5
+    double leave = 0.0;     ///< share of the load that stays behind on lifting; 0 to 1
+    double reach = 1.15;    ///< depth that hanging paint bridges, in films; 0.1 to 50
+};
+
+struct ExchangePreset {
+    double pickup = 0.35;  ///< share of the paint in the way that is taken up; 0 to 1
+    double mix = 0.3;      ///< equal-volume swap with the paint below; 0 to 1
+    double wick = 0.06;    ///< exchange between neighbouring bristles per mm of travel; 0 to 1
+    double momentum =
+        0.5;  ///< share of the tip's speed for the wet paint below; 0 to 1; moves no paint itself
+    double overflow = 1.15;  ///< fill above which paint is pushed out sideways; 1 to 3
+};
+
+enum class JitterSeed {
+    Stroke,
+    Brush
+};  ///< small random choices differ from stroke to stroke, or never do
+
+struct StrokePreset {
+    double spacing = 0.4;          ///< substep, in radii of the footprint of one element; 0.1 to 1
+    double min_spacing_mm = 0.06;  ///< 0.02 to 2
+    double smoothing_ms = 10.0;    ///< time constant of the pen filter; 0 to 200
+    double string_mm = 0.0;        ///< length of the string that pulls the brush, 0 for none; 0 to 50
+    JitterSeed jitter_seed = JitterSeed::Stroke;
+};
+
+/// What of the hand a curve reads: pressure 0-1, tilt from upright 0-90 degrees, barrel rotation 0-360
+/// degrees, speed of the tip in mm/s.
+enum class DynamicsInput { Pressure, Tilt, BarrelRotation, Speed };
+
+/// What it sets: Press is how far the brush is pressed down (0-1), Lean how far it leans (1 shifts the
+/// hairs by their reach), Rotation an angle in degrees. The others multiply the number of that name.
+enum class DynamicsTarget { Press, Lean, Rotation, Reach, Film, Pickup };
+
+struct CurvePoint {
+    double input = 0.0, output = 0.0;
+};
+
+/// Piecewise linear between its points, constant beyond the first and last; inputs increase.
+struct DynamicsCurve {
+    DynamicsInput input = DynamicsInput::Pressure;
+    DynamicsTarget target = DynamicsTarget::Press;
+    std::vector<CurvePoint> points;
+};
+
+struct Preset {
+    std::string name;
+    TipPreset tip;
+    FlexPreset flex;
+    PaintPreset paint;
+    ExchangePreset exchange;
+    StrokePreset stroke;
+    std::vector<DynamicsCurve> dynamics;
+};
+
+/// Reads one preset (resources/brushes/*.json show the form, version 1). `file_name` is for errors only.
+/// Throws InputError that names the file, the field (as in "paint.film") and its value: a field that is
+/// missing, unknown, of the wrong type or out of the range above.
+Preset parse_preset(std::string_view json_text, const std::string& file_name);
+
+/// The presets that come with the program, in the order of their file names.
+const std::vector<Preset>& bundled_presets();
+
+/// The bundled preset of that name, or the first one of that shape ("flat", "round", "filbert", "fan",
+/// "knife"), upper and lower case alike. Throws InputError that lists the names there are.
+const Preset& find_preset(std::string_view name);
+
+/// The same kind of brush with a tip `width_mm` wide (0: as it is): thickness, length and point grow in
+/// proportion. A smaller tip has proportionally fewer bristles, at least 30 if the preset has them; a
+/// larger one up to 300, so that a bristle's footprint keeps its measure and the cost stays bounded.
+Preset resized(const Preset& preset, double width_mm);
+
+}  // namespace pastoso::brush

@@ -1,0 +1,100 @@
+#include "brush/spill.hpp"
+
+#include "brush/transfer.hpp"
+#include "core/random.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pastoso::brush {
+namespace {
+
+/// Most of what is held that one call puts down.
+constexpr double kLargestShare = 0.95;
+/// Width of a heap: at least this many cells, and this many heights of the paint that lies there.
+constexpr double kLeastSpread_cells = 1.6, kSpread_heights = 0.9;
+/// Bristles this close to the edge of the stroke spill inwards.
+constexpr double kEdge_radii = 5.0;
+
+double heap_height(const CellBatch& batch, int i, double spread_mm) {
+    const double distance2 = batch.dx_mm[i] * batch.dx_mm[i] + batch.dy_mm[i] * batch.dy_mm[i];
+    return std::max(0.0, 1.0 - distance2 / (spread_mm * spread_mm));
+}
+
+/// Fills the batch's changes with a heap of `quanta` in all. Returns what it wants.
+WantedSums plan_heap(double quanta, double spread_mm, CellBatch& batch) {
+    double heap = 0.0;
+    for (int i = 0; i < batch.count(); ++i)
+        heap += heap_height(batch, i, spread_mm);
+    const double most = film::kMaxThickness_mm / film::kThicknessQuantum_mm;
+    WantedSums wanted;
+    for (int i = 0; i < batch.count(); ++i) {
+        const double room = std::max(0.0, most - batch.thickness[i]);
+        const double gain = heap > 0.0 ? quanta * heap_height(batch, i, spread_mm) / heap : 0.0;
+        batch.change[i] = static_cast<std::int32_t>(std::min(gain, room));
+        batch.swap[i] = 0;
+        wanted.deposit += batch.change[i];
+    }
+    return wanted;
+}
+
+double thickness_at(const film::FilmState& film, double x_mm, double y_mm) {
+    const int x = static_cast<int>(std::clamp(x_mm / film.cell_mm, 0.0, film.shape.width - 1.0));
+    const int y = static_cast<int>(std::clamp(y_mm / film.cell_mm, 0.0, film.shape.height - 1.0));
+    return film::thickness_mm(film.thickness.at(x, y));
+}
+
+/// +1 or -1: the side of the travel that a knife's element spills to.
+double knife_side(double side_mm, const HandPose& hand, const Swath& swath) {
+    const double half_mm = 0.5 * (swath.high_mm - swath.low_mm);
+    const double middle_mm = 0.5 * (swath.high_mm + swath.low_mm);
+    const double edge_along = hand.cos_rotation * hand.travel_x + hand.sin_rotation * hand.travel_y;
+    const double edge_across = hand.sin_rotation * hand.travel_x - hand.cos_rotation * hand.travel_y;
+    const double trailing = edge_across > 0.0 ? -edge_along : edge_along;
+    return side_mm > middle_mm - half_mm * trailing ? 1.0 : -1.0;
+}
+
+double bristle_side(double side_mm, const Swath& swath, double edge_mm, float noise) {
+    const double to_middle_mm = 0.5 * (swath.high_mm + swath.low_mm) - side_mm;
+    const double half_mm = 0.5 * (swath.high_mm - swath.low_mm);
+    const bool at_edge = half_mm - std::abs(to_middle_mm) < edge_mm;
+    if (at_edge) return to_middle_mm > 0.0 ? 1.0 : -1.0;
+    return noise < 0.5F ? -1.0 : 1.0;
+}
+
+}  // namespace
+
+grid::Rect put_down(Contents& held, double volume_mm3, double x_mm, double y_mm, double spread_mm,
+                    std::uint32_t dither_seed, film::FilmState& film, CellBatch& scratch) {
+    scratch.gather(film, x_mm, y_mm, spread_mm);
+    const double quanta = volume_mm3 / (film.cell_mm * film.cell_mm * film::kThicknessQuantum_mm);
+    const WantedSums wanted = plan_heap(quanta, spread_mm, scratch);
+    if (wanted.deposit == 0) return {};
+    return apply_batch(scratch, wanted, kLargestShare, 0.0, dither_seed, film, held);
+}
+
+grid::Rect spill_overflow(Brush& brush, int bristle, const BristlePose& pose, const HandPose& hand,
+                          const Swath& swath, const SpillRates& rates, std::uint32_t dither_seed,
+                          film::FilmState& film, CellBatch& scratch) {
+    Contents& held = brush.held[bristle];
+    const double surplus_mm3 = held.volume_mm3 - brush.preset.exchange.overflow * brush.tip.capacity_mm3;
+    if (surplus_mm3 <= 0.0) return {};
+    const bool knife = brush.tip.rigid;
+    const double side = side_mm(pose, hand);
+    const float noise = core::uniform_noise(static_cast<std::uint32_t>(bristle), rates.jitter_seed);
+    const double sign = knife ? knife_side(side, hand, swath)
+                              : bristle_side(side, swath, kEdge_radii * rates.radius_mm, noise);
+    const double to_end_mm = !knife ? 0.0 : sign > 0.0 ? swath.high_mm - side : side - swath.low_mm;
+    const double away_x = -hand.travel_y * sign, away_y = hand.travel_x * sign;
+    const double least_mm = std::max(0.5 * rates.radius_mm, kLeastSpread_cells * film.cell_mm);
+    const double beside_mm = to_end_mm + rates.radius_mm;
+    const double heaped_mm = thickness_at(film, pose.x_mm + away_x * (beside_mm + least_mm),
+                                          pose.y_mm + away_y * (beside_mm + least_mm));
+    const double spread_mm = std::max(least_mm, kSpread_heights * heaped_mm);
+    const double away_mm = beside_mm + 0.75 * spread_mm;
+    const double part = 1.0 - std::exp(-rates.step_mm / (0.5 * rates.radius_mm));
+    return put_down(held, part * surplus_mm3, pose.x_mm + away_x * away_mm, pose.y_mm + away_y * away_mm,
+                    spread_mm, dither_seed, film, scratch);
+}
+
+}  // namespace pastoso::brush

@@ -1,0 +1,35 @@
+// Paint that leaves a tool by itself: what overflows is pushed aside, what a lifted knife leaves behind
+// stays as a ridge.
+#pragma once
+
+#include "brush/bristle_motion.hpp"
+#include "brush/brush.hpp"
+#include "brush/cell_batch.hpp"
+#include "brush/hand_pose.hpp"
+#include "film/state.hpp"
+
+namespace pastoso::brush {
+
+/// Puts `volume_mm3` of the held paint (19/20 of it at most) onto the film as a heap 1 - (d / spread)^2
+/// around a place. What falls beyond the canvas stays in the tool. Returns the cells that may have
+/// changed.
+grid::Rect put_down(Contents& held, double volume_mm3, double x_mm, double y_mm, double spread_mm,
+                    std::uint32_t dither_seed, film::FilmState& film, CellBatch& scratch);
+
+/// What all bristles have in common when they spill.
+struct SpillRates {
+    double radius_mm = 0.4;  ///< of a bristle's footprint
+    double step_mm = 0.1;
+    std::uint32_t jitter_seed = 0;  ///< chooses the side that an inner bristle spills to
+};
+
+/// Lets a bristle that holds more than the preset's overflow push the surplus out, at right angles to
+/// its travel. Bristles heap it up beside themselves, those along the edges of the stroke inwards, so
+/// that no halo is left on wet paint; a knife beyond its nearer end, or beyond the trailing one if it is
+/// held aslant, where it stays as a ridge. The wider the paint is heaped already, the wider it spreads,
+/// which keeps ridges below 45 degrees. Returns the cells that may have changed.
+grid::Rect spill_overflow(Brush& brush, int bristle, const BristlePose& pose, const HandPose& hand,
+                          const Swath& swath, const SpillRates& rates, std::uint32_t dither_seed,
+                          film::FilmState& film, CellBatch& scratch);
+
+}  // namespace pastoso::brush

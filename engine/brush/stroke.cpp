@@ -1,0 +1,154 @@
+#include "brush/stroke.hpp"
+
+#include "brush/spill.hpp"
+#include "brush/wick.hpp"
+#include "core/check.hpp"
+#include "core/random.hpp"
+#include "core/units.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pastoso::brush {
+namespace {
+
+/// Bristles slide this share of the way that the ferrule is pressed down.
+constexpr double kPressSlide = 0.4;
+/// Length of travel after which neighbouring bristles exchange paint.
+constexpr double kWickInterval_mm = 1.0;
+/// A footprint's least radius in the step length: thin hairs do not make the steps ever shorter.
+constexpr double kLeastStepRadius_mm = 0.15;
+/// Width of what a lifted knife leaves, in half thicknesses of its edge.
+constexpr double kLeftHeap_radii = 2.2;
+
+double step_length_mm(const Brush& brush) {
+    const StrokePreset& stroke = brush.preset.stroke;
+    return std::max(stroke.spacing * std::max(brush.tip.radius_mm, kLeastStepRadius_mm),
+                    stroke.min_spacing_mm);
+}
+
+PathMeasure path_measure(const Brush& brush) {
+    return {step_length_mm(brush),
+            kPressSlide * brush.preset.flex.press_depth * brush.preset.tip.length_mm,
+            0.5 * brush.tip.half_width_mm};
+}
+
+void check_finite(const PenSample& sample) {
+    for (const double value : {sample.time_s, sample.x_mm, sample.y_mm, sample.pressure,
+                               sample.tilt_x_deg, sample.tilt_y_deg, sample.rotation_deg}) {
+        PASTOSO_CHECK(std::isfinite(value));
+    }
+}
+
+float smooth_ramp(double from, double to, double x) {
+    const auto t = static_cast<float>(std::clamp((x - from) / (to - from), 0.0, 1.0));
+    return t * t * (3.0F - 2.0F * t);
+}
+
+/// 1 at both edges of the swath, 0 further in than 12% of its half width.
+float edge_share(double side_mm, const Swath& swath) {
+    const double half_mm = 0.5 * (swath.high_mm - swath.low_mm);
+    if (half_mm <= 0.0) return 0.0F;
+    const double middle_mm = 0.5 * (swath.high_mm + swath.low_mm);
+    return smooth_ramp(0.88, 1.0, std::abs(side_mm - middle_mm) / half_mm);
+}
+
+}  // namespace
+
+Stroke::Stroke(Brush& brush, film::FilmState& film)
+    : brush_(brush),
+      film_(film),
+      step_mm_(step_length_mm(brush)),
+      filter_(brush.preset.stroke.smoothing_ms / 1000.0, brush.preset.stroke.string_mm),
+      path_(path_measure(brush)),
+      poses_(brush.tip.bristles.size()) {}
+
+void Stroke::begin(const PenSample& sample) {
+    check_finite(sample);
+    const bool anew = brush_.preset.stroke.jitter_seed == JitterSeed::Stroke;
+    jitter_seed_ = core::scramble(brush_.tip.seed + (anew ? brush_.strokes_begun : 0));
+    ++brush_.strokes_begun;
+    poses_.assign(poses_.size(), BristlePose{});
+    step_count_ = 0;
+    since_wick_mm_ = 0.0;
+    const double rotation = core::radians(sample.rotation_deg);
+    path_.begin(filter_.start(sample), -std::sin(rotation), std::cos(rotation));
+    paint_steps();
+}
+
+void Stroke::add(const PenSample& sample) {
+    check_finite(sample);
+    path_.add(filter_.follow(sample));
+    paint_steps();
+}
+
+void Stroke::end() {
+    path_.add(filter_.final_sample());
+    path_.end();
+    paint_steps();
+    leave_paint();
+}
+
+grid::Rect Stroke::take_changed_cells() {
+    return std::exchange(changed_, {});
+}
+
+void Stroke::paint_steps() {
+    for (const PathStep& step : path_.take_steps())
+        paint_step(step);
+}
+
+void Stroke::paint_step(const PathStep& step) {
+    const HandPose hand = hand_pose(brush_.preset.dynamics, step);
+    const StepRates rates = step_rates(brush_, hand, step_mm_, film_.cell_mm);
+    const Swath swath = move_bristles(brush_, hand, step_mm_, film_, poses_);
+    ++step_count_;
+    for (int i = 0; i < static_cast<int>(poses_.size()); ++i) {
+        if (!poses_[i].down) continue;
+        touch(i, hand, swath, rates);
+        note_changed(spill_overflow(brush_, i, poses_[i], hand, swath,
+                                    {rates.radius_mm, step_mm_, jitter_seed_}, dither_seed(i), film_,
+                                    cells_));
+    }
+    since_wick_mm_ += step_mm_;
+    if (since_wick_mm_ < kWickInterval_mm) return;
+    wick_paint(brush_, since_wick_mm_);
+    since_wick_mm_ = 0.0;
+}
+
+void Stroke::touch(int bristle, const HandPose& hand, const Swath& swath, const StepRates& rates) {
+    const BristlePose& pose = poses_[bristle];
+    const auto rigidity = static_cast<float>(brush_.preset.flex.rigidity);
+    Contact contact;
+    contact.x_mm = pose.x_mm;
+    contact.y_mm = pose.y_mm;
+    contact.support_mm = pose.support_mm + rigidity * (swath.edge_support_mm - pose.support_mm);
+    contact.press = pose.press;
+    contact.freshness = pose.freshness;
+    contact.edge = brush_.tip.rigid ? 0.0F : edge_share(side_mm(pose, hand), swath);
+    contact.across_x = brush_.tip.rigid ? hand.cos_rotation : -hand.travel_y;
+    contact.across_y = brush_.tip.rigid ? hand.sin_rotation : hand.travel_x;
+    note_changed(exchange_paint(brush_, bristle, contact, rates, dither_seed(bristle), film_, cells_));
+}
+
+void Stroke::leave_paint() {
+    const double share = brush_.preset.paint.leave;
+    for (int i = 0; i < static_cast<int>(poses_.size()); ++i) {
+        if (!poses_[i].down || share <= 0.0) continue;
+        Contents& held = brush_.held[i];
+        note_changed(put_down(held, share * held.volume_mm3, poses_[i].x_mm, poses_[i].y_mm,
+                              kLeftHeap_radii * brush_.tip.radius_mm, dither_seed(i), film_, cells_));
+    }
+    poses_.assign(poses_.size(), BristlePose{});
+}
+
+void Stroke::note_changed(const grid::Rect& cells) {
+    changed_ = grid::bounding_box(changed_, cells);
+}
+
+std::uint32_t Stroke::dither_seed(int bristle) const {
+    return core::scramble(jitter_seed_ + step_count_ * 4096U + static_cast<std::uint32_t>(bristle));
+}
+
+}  // namespace pastoso::brush

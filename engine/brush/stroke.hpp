@@ -1,0 +1,59 @@
+// A stroke: pen samples in, paint on the film out.
+#pragma once
+
+#include "brush/bristle_motion.hpp"
+#include "brush/brush.hpp"
+#include "brush/cell_batch.hpp"
+#include "brush/pen_filter.hpp"
+#include "brush/stroke_path.hpp"
+#include "brush/transfer.hpp"
+#include "film/state.hpp"
+
+#include <vector>
+
+namespace pastoso::brush {
+
+/// Samples are filtered in time, joined by a smooth curve and walked in steps of equal length; at every
+/// step the bristles exchange paint with the film. The stroke does not depend on the rate of the
+/// samples, and hardly on the size of the cells. Paint follows the pen by the filter's time constant and
+/// one sample; end() catches up. Holds on to the brush and the film, which must outlive it; between two
+/// calls the film may flow, and may be replaced by an earlier or later state of the same canvas.
+class Stroke {
+  public:
+    Stroke(Brush& brush, film::FilmState& film);
+
+    /// The pen touches down. All numbers of samples must be finite, pressures 0 to 1; far off the canvas
+    /// they cost time and do nothing.
+    void begin(const PenSample& sample);
+
+    /// The pen has moved, pressed or turned. Times should not decrease.
+    void add(const PenSample& sample);
+
+    /// The pen lifts at the last sample.
+    void end();
+
+    /// A rectangle around all cells changed since the last call; empty if none.
+    grid::Rect take_changed_cells();
+
+  private:
+    void paint_steps();
+    void paint_step(const PathStep& step);
+    void touch(int bristle, const HandPose& hand, const Swath& swath, const StepRates& rates);
+    void leave_paint();
+    void note_changed(const grid::Rect& cells);
+    std::uint32_t dither_seed(int bristle) const;
+
+    Brush& brush_;
+    film::FilmState& film_;
+    double step_mm_;
+    PenFilter filter_;
+    StrokePath path_;
+    std::vector<BristlePose> poses_;
+    CellBatch cells_;
+    std::uint32_t jitter_seed_ = 0;
+    std::uint32_t step_count_ = 0;
+    double since_wick_mm_ = 0.0;
+    grid::Rect changed_;
+};
+
+}  // namespace pastoso::brush

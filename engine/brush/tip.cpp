@@ -1,0 +1,223 @@
+#include "brush/tip.hpp"
+
+#include "core/random.hpp"
+#include "core/units.hpp"
+#include "film/smooth_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pastoso::brush {
+namespace {
+
+using core::uniform_noise;
+
+/// What the random numbers of a tip are used for, each with its own stream.
+enum Stream : std::uint32_t {
+    kPlaceU,
+    kPlaceV,
+    kDeficit,
+    kStiffness,
+    kBody,
+    kHair,
+    kFanDeficit,
+    kClump = 32,
+    kClumpDeficit = 64
+};
+
+/// A place in the tip's outline, -1 to 1 along width and thickness.
+struct Place {
+    double u, v;
+};
+
+double fraction(double x) {
+    return x - std::floor(x);
+}
+
+/// Point `index` of the R2 sequence, shaken by about half the distance of neighbours so that no rows
+/// show.
+Place spread_place(std::uint32_t index, std::uint32_t seed, const Place& shake) {
+    constexpr double kStepU = 0.7548776662466927, kStepV = 0.5698402909980532;
+    return {2.0 * fraction(0.5 + index * kStepU) - 1.0 +
+                shake.u * (uniform_noise(index, seed + kPlaceU) - 0.5),
+            2.0 * fraction(0.5 + index * kStepV) - 1.0 +
+                shake.v * (uniform_noise(index, seed + kPlaceV) - 0.5)};
+}
+
+std::vector<Place> places(const TipPreset& tip, std::uint32_t seed) {
+    const double depth_mm = tip.shape == TipShape::Round ? tip.width_mm : tip.thickness_mm;
+    const double distance_mm = std::sqrt(tip.width_mm * depth_mm / tip.bristles);
+    const Place shake = {2.0 * distance_mm / tip.width_mm, 2.0 * distance_mm / depth_mm};
+    std::vector<Place> result;
+    for (std::uint32_t index = 0; static_cast<int>(result.size()) < tip.bristles; ++index) {
+        const Place place = spread_place(index, seed, shake);
+        const bool outside = place.u * place.u + place.v * place.v > 1.0;
+        if (tip.shape == TipShape::Round && outside) continue;
+        result.push_back(place);
+    }
+    return result;
+}
+
+std::vector<Place> edge_places(int count) {
+    std::vector<Place> result;
+    result.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i)
+        result.push_back({2.0 * (i + 0.5) / count - 1.0, 0.0});
+    return result;
+}
+
+/// Clumps: noise in four octaves across the width, at five clumps per width the coarsest; mean 0.5.
+double clump_noise(double u, std::uint32_t seed) {
+    constexpr double kWeights[] = {0.3, 0.3, 0.2, 0.2};
+    double sum = 0.0, frequency = 2.5;
+    for (std::uint32_t octave = 0; octave < 4; ++octave, frequency *= 2.0) {
+        const double shift = 17.0 * octave + uniform_noise(octave, seed);
+        sum += kWeights[octave] * film::smooth_noise(u * frequency + shift, seed + 1 + octave);
+    }
+    return sum;
+}
+
+/// What makes a bristle thick or thin, mean 0.5 before the tip is levelled.
+double body_noise(double u, std::uint32_t index, std::uint32_t seed) {
+    const double raw = 0.65 * clump_noise(u, seed + kClump) + 0.35 * uniform_noise(index, seed + kBody);
+    return 0.5 + 1.9 * (raw - 0.5);
+}
+
+/// Makes the mean of the noise 0.5, whatever the seed, and turns it into body.
+void level_bodies(double streak, Tip& tip) {
+    double mean = 0.0;
+    for (const Bristle& bristle : tip.bristles)
+        mean += bristle.body;
+    mean /= static_cast<double>(tip.bristles.size());
+    for (Bristle& bristle : tip.bristles) {
+        const double body = 1.0 - streak + streak * 1.25 * (bristle.body - mean + 0.5);
+        bristle.body = static_cast<float>(std::clamp(body, 0.03, 1.25));
+        if (tip.rigid) bristle.body = 0.75F + 0.3F * bristle.body;
+    }
+}
+
+/// Measures all deficits from the longest bristle.
+void level_deficits(Tip& tip) {
+    float least = tip.bristles.front().deficit_mm;
+    for (const Bristle& bristle : tip.bristles)
+        least = std::min(least, bristle.deficit_mm);
+    for (Bristle& bristle : tip.bristles)
+        bristle.deficit_mm -= least;
+}
+
+/// Moves places along the width together into tufts with gaps between them.
+double gathered(double u) {
+    constexpr double kTufts = 15.0, kTuftWidth = 0.35;
+    const double place = 0.5 * (u + 1.0) * kTufts;
+    const double middle = std::floor(place) + 0.5;
+    return 2.0 * (middle + kTuftWidth * (place - middle)) / kTufts - 1.0;
+}
+
+/// Roots on the arc of a fan that is spread over about a hundred degrees, in tufts.
+void place_on_fan(const Place& place, const TipPreset& tip, Bristle& bristle) {
+    const double angle = 0.9 * gathered(place.u);
+    const double half_width = 0.5 * tip.width_mm;
+    bristle.root_x_mm = static_cast<float>(1.15 * half_width * std::sin(angle));
+    bristle.root_y_mm = static_cast<float>(0.6 * half_width * (1.0 - std::cos(angle)) +
+                                           0.5 * tip.thickness_mm * place.v);
+}
+
+/// A sable's point: round, with a tip. From 0 in the middle to 1 outside.
+double point_profile(double radius) {
+    return 0.45 * radius + 0.55 * radius * radius;
+}
+
+/// Worn bristles: single hairs and whole clumps are shorter than the longest, few of them much, which
+/// gives the strokes their ragged ends. Sable wears less.
+double deficit_of(const TipPreset& tip, const Place& place, std::uint32_t index, std::uint32_t seed) {
+    const double shake = uniform_noise(index, seed + kDeficit);
+    const double clump =
+        std::clamp(0.5 + 1.8 * (clump_noise(place.u, seed + kClumpDeficit) - 0.5), 0.0, 1.0);
+    const bool round = tip.shape == TipShape::Round;
+    const double wear = round ? 0.006 : 0.06;
+    double deficit = wear * tip.length_mm * (shake * shake + clump * clump);
+    if (round) deficit += tip.point_mm * point_profile(std::hypot(place.u, place.v));
+    if (tip.shape == TipShape::Filbert) deficit += tip.point_mm * place.u * place.u;
+    if (tip.shape == TipShape::Fan)
+        deficit += 0.05 * tip.length_mm * uniform_noise(index, seed + kFanDeficit);
+    return deficit;
+}
+
+/// The bristle at a place; body holds its noise and the deficits are to be levelled.
+Bristle make_bristle(const Preset& preset, const Place& place, std::uint32_t index, std::uint32_t seed) {
+    const TipPreset& tip = preset.tip;
+    const double depth_mm = tip.shape == TipShape::Round ? tip.width_mm : tip.thickness_mm;
+    Bristle bristle;
+    bristle.root_x_mm = static_cast<float>(0.5 * tip.width_mm * place.u);
+    bristle.root_y_mm = static_cast<float>(0.5 * depth_mm * place.v);
+    bristle.body = static_cast<float>(body_noise(place.u, index, seed));
+    if (tip.shape == TipShape::Fan) place_on_fan(place, tip, bristle);
+    if (tip.shape == TipShape::Knife) return bristle;
+    bristle.deficit_mm = static_cast<float>(deficit_of(tip, place, index, seed));
+    bristle.stiffness = 0.8F + 0.4F * uniform_noise(index, seed + kStiffness);
+    return bristle;
+}
+
+double outline_area_mm2(const TipPreset& tip) {
+    if (tip.shape == TipShape::Round) return core::kPi / 4.0 * tip.width_mm * tip.width_mm;
+    return tip.width_mm * tip.thickness_mm;
+}
+
+/// The four nearest of every bristle, each pair once, in order.
+std::vector<std::pair<int, int>> nearest_pairs(const std::vector<Bristle>& bristles) {
+    constexpr std::size_t kNearest = 4;
+    const int count = static_cast<int>(bristles.size());
+    std::vector<std::pair<int, int>> pairs;
+    std::vector<std::pair<float, int>> distances;
+    for (int i = 0; i < count; ++i) {
+        distances.clear();
+        for (int j = 0; j < count; ++j) {
+            const float dx = bristles[j].root_x_mm - bristles[i].root_x_mm;
+            const float dy = bristles[j].root_y_mm - bristles[i].root_y_mm;
+            if (j != i) distances.emplace_back(dx * dx + dy * dy, j);
+        }
+        const std::size_t nearest = std::min(kNearest, distances.size());
+        std::partial_sort(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(nearest),
+                          distances.end());
+        for (std::size_t n = 0; n < nearest; ++n)
+            pairs.push_back(std::minmax(i, int{distances[n].second}));
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
+void add_hairs(Tip& tip, std::uint32_t seed) {
+    const auto count = tip.bristles.size() * static_cast<std::size_t>(tip.hair_count());
+    for (std::size_t i = 0; i < count; ++i) {
+        tip.hairs.push_back(uniform_noise(static_cast<std::uint32_t>(i), seed + kHair) - 0.5F);
+    }
+}
+
+}  // namespace
+
+Tip make_tip(const Preset& preset, std::uint32_t seed) {
+    const std::uint32_t mixed_seed = core::scramble(core::scramble(preset.tip.seed) + seed);
+    const bool knife = preset.tip.shape == TipShape::Knife;
+    const int count = preset.tip.bristles;
+    Tip tip;
+    tip.seed = mixed_seed;
+    tip.hairs_per_bristle = preset.tip.hairs_per_bristle;
+    tip.rigid = knife;
+    tip.half_width_mm = 0.5 * preset.tip.width_mm;
+    tip.area_mm2 = outline_area_mm2(preset.tip) / count;
+    tip.capacity_mm3 = preset.paint.film_mm * preset.paint.run_mm * preset.tip.width_mm / count;
+    tip.radius_mm = knife ? 0.5 * preset.tip.thickness_mm : 0.72 * std::sqrt(tip.area_mm2);
+    tip.lane_mm = knife ? preset.tip.width_mm / count : 0.0;
+    std::uint32_t index = 0;
+    for (const Place& place : knife ? edge_places(count) : places(preset.tip, mixed_seed)) {
+        tip.bristles.push_back(make_bristle(preset, place, index++, mixed_seed));
+    }
+    level_bodies(preset.paint.streak, tip);
+    level_deficits(tip);
+    add_hairs(tip, mixed_seed);
+    tip.neighbours = nearest_pairs(tip.bristles);
+    return tip;
+}
+
+}  // namespace pastoso::brush

@@ -1,0 +1,48 @@
+// The tip of a brush: where its bristles are rooted and how they differ from each other. Made once from
+// a preset and a seed, then never changed. A knife is a row of stiff elements along its edge.
+#pragma once
+
+#include "brush/preset.hpp"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace pastoso::brush {
+
+struct Bristle {
+    float root_x_mm = 0.0F;   ///< in the ferrule's frame, along the width
+    float root_y_mm = 0.0F;   ///< along the thickness
+    float deficit_mm = 0.0F;  ///< how much shorter than the longest, >= 0
+    float stiffness = 1.0F;   ///< 0.8 to 1.2
+    float body = 1.0F;        ///< film it leaves against the preset's film, 0.03 to 1.4
+};
+
+struct Tip {
+    std::vector<Bristle> bristles;
+    std::vector<float> hairs;  ///< hair_count() heights per bristle, -0.5 to 0.5
+    /// Pairs of bristles close enough to pass paint on, first < second.
+    std::vector<std::pair<int, int>> neighbours;
+    std::uint32_t seed = 0;  ///< of everything random about this piece
+    int hairs_per_bristle = 16;
+    bool rigid = false;           ///< a knife's edge
+    double half_width_mm = 10.0;  ///< of the tip
+    double area_mm2 = 0.3;        ///< of the tip, per bristle
+    double capacity_mm3 = 2.0;    ///< a full bristle's load
+    double radius_mm = 0.4;       ///< of a bristle's footprint; half the edge's thickness of a knife
+    double lane_mm = 0.0;         ///< distance of a knife's elements, 0 for bristles
+
+    /// A bristle's hairs reach from one side of its footprint to the other, both ends included.
+    int hair_count() const { return hairs_per_bristle + 1; }
+    const float* hairs_of(int bristle) const {
+        return &hairs[static_cast<std::size_t>(bristle) * static_cast<std::size_t>(hair_count())];
+    }
+};
+
+/// Bristles fill the tip's outline evenly (R2 low-discrepancy sequence, M. Roberts 2018); about two
+/// thirds of their differences run smoothly across the width, as clumps do, the rest is each bristle's
+/// own.
+Tip make_tip(const Preset& preset, std::uint32_t seed);
+
+}  // namespace pastoso::brush

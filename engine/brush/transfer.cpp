@@ -1,0 +1,205 @@
+#include "brush/transfer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pastoso::brush {
+
+#define PASTOSO_DECLARE_KERNELS(isa)                                             \
+    namespace isa {                                                              \
+    WantedSums plan(const ExchangeRule& rule, const BatchColumns& batch);        \
+    void apply(const ApplyRule& rule, const TileCells& cells, ChangeSums& sums); \
+    }
+
+PASTOSO_DECLARE_KERNELS(baseline)
+#ifdef PASTOSO_MULTIPLE_ISAS
+PASTOSO_DECLARE_KERNELS(avx2)
+PASTOSO_DECLARE_KERNELS(avx512)
+#endif
+#undef PASTOSO_DECLARE_KERNELS
+
+namespace {
+
+/// Least radius of a footprint, in cells.
+constexpr double kLeastRadius_cells = 0.75;
+/// Path length after which a bristle has closed 1 - 1/e of the gap, in footprint radii.
+constexpr double kClosingLength_radii = 0.8;
+/// Film against fill: sat = (1 + k) f / (f + k), 1 for a full bristle.
+constexpr float kStarvation = 0.22F;
+/// By how much less a bristle without body reaches than the thickest, in saturations.
+constexpr float kThinBristleLoss = 0.6F, kThickestBody = 1.2F;
+/// Keeps the fade of the contact finite.
+constexpr float kLeastBead_mm = 1e-4F;
+/// Scratches of a knife's edge against the hairs of a brush.
+constexpr float kKnifeHairs = 0.6F;
+/// Shares of its load that an element gives in one step at most, by depositing and by swapping.
+constexpr double kLargestDeposit = 0.5, kLargestKnifeDeposit = 0.7, kLargestSwap = 0.25;
+/// Less than this in a bristle counts as nothing.
+constexpr double kEmpty_mm3 = 1e-6;
+
+float square(float x) {
+    return x * x;
+}
+
+/// How far paint hangs below an element: with little paint left, thin bristles lose touch first.
+float bead_mm(const Brush& brush, const Bristle& bristle, float saturation, float press,
+              const StepRates& rates) {
+    const float weakness = brush.tip.rigid ? 0.0F : kThinBristleLoss * (kThickestBody - bristle.body);
+    const float supply = std::max(0.0F, saturation - weakness * (1.0F - 0.7F * saturation));
+    const float wetted = std::min(1.0F, supply / 0.2F);
+    return kLeastBead_mm + wetted * (0.005F + 0.05F * press) +
+           1.2F * rates.reach * rates.film_mm * square(supply);
+}
+
+/// The axes of an element's footprint, divided by its half sizes.
+void set_axes(const Brush& brush, const Contact& contact, const StepRates& rates, ExchangeRule& rule) {
+    const double along = 1.0 / rates.radius_mm;
+    const double across = brush.tip.rigid ? 1.0 / rates.lane_mm : along;
+    rule.lane = brush.tip.rigid;
+    rule.across_x = static_cast<float>(contact.across_x * across);
+    rule.across_y = static_cast<float>(contact.across_y * across);
+    rule.along_x = static_cast<float>(-contact.across_y * along);
+    rule.along_y = static_cast<float>(contact.across_x * along);
+}
+
+/// The equations of transfer.hpp for one element.
+ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact,
+                           const StepRates& rates) {
+    const PaintPreset& paint = brush.preset.paint;
+    const Bristle& bristle = brush.tip.bristles[index];
+    const double held_mm3 = brush.held[index].volume_mm3;
+    const auto fill = static_cast<float>(held_mm3 / brush.tip.capacity_mm3);
+    const float saturation = (1.0F + kStarvation) * fill / (fill + kStarvation);
+    const float wet_mm = rates.film_mm * square(saturation);
+    const float tau_mm = wet_mm * bristle.body * (1.0F - 0.5F * contact.press) *
+                         (1.0F + static_cast<float>(paint.edge) * contact.edge) *
+                         (1.0F + static_cast<float>(paint.start) * saturation * contact.freshness);
+    const float bead = bead_mm(brush, bristle, saturation, contact.press, rates);
+    const bool knife = brush.tip.rigid;
+    ExchangeRule rule{};
+    set_axes(brush, contact, rates, rule);
+    rule.underside_mm = contact.support_mm + tau_mm;
+    rule.groove_mm = knife ? 0.0F : static_cast<float>(paint.groove) * wet_mm;
+    rule.hair_mm = (knife ? kKnifeHairs : 1.0F) * static_cast<float>(paint.hair) * wet_mm;
+    rule.hairs = brush.tip.hairs_of(index);
+    rule.hairs_per_bristle = brush.tip.hairs_per_bristle;
+    rule.lowest_mm = contact.support_mm - bead;
+    rule.fade_per_mm = 1.0F / (0.4F * bead);
+    rule.rate = rates.rate;
+    rule.pickup = rates.pickup;
+    rule.mix = held_mm3 > kEmpty_mm3
+                   ? static_cast<float>(brush.preset.exchange.mix) * (0.4F + 1.2F * bristle.body)
+                   : 0.0F;
+    rule.mix_depth_mm = static_cast<float>(0.5 * held_mm3 / brush.tip.area_mm2);
+    return rule;
+}
+
+BatchColumns columns_of(CellBatch& batch) {
+    return {batch.dx_mm.data(),  batch.dy_mm.data(), batch.thickness.data(), batch.support_mm.data(),
+            batch.change.data(), batch.swap.data(),  batch.padded_count()};
+}
+
+/// Scale that brings what is wanted down to what there is.
+float scale_to(double available, std::int64_t wanted) {
+    return static_cast<double>(wanted) > available
+               ? static_cast<float>(available / static_cast<double>(wanted))
+               : 1.0F;
+}
+
+/// The held paint as pigment quanta per thickness quantum. A trace of pigment that the roundings up in
+/// all cells could overdraw stays where it is.
+std::array<float, pigment::kChannels> given_pigment(const Contents& held, double kept_share, int cells,
+                                                    double cell_area_mm2) {
+    constexpr double kQuantumRatio = film::kThicknessQuantum_mm / film::kPigmentQuantum;
+    const double trace = cells * film::kPigmentQuantum * cell_area_mm2;
+    const double per_mm3 = 1.0 / held.volume_mm3;
+    std::array<float, pigment::kChannels> given{};
+    for (int k = 0; k < pigment::kChannels; ++k) {
+        if (kept_share * held.pigment[k] <= trace) continue;
+        const double per_mm = std::min<double>(held.pigment[k] * per_mm3, kStrongestPaint_per_mm);
+        given[k] = static_cast<float>(per_mm * kQuantumRatio);
+    }
+    return given;
+}
+
+void take_from(Contents& held, const ChangeSums& gained, double cell_area_mm2) {
+    held.volume_mm3 -=
+        static_cast<double>(gained.thickness) * (film::kThicknessQuantum_mm * cell_area_mm2);
+    for (int k = 0; k < pigment::kChannels; ++k) {
+        held.pigment[k] -=
+            static_cast<double>(gained.pigment[k]) * (film::kPigmentQuantum * cell_area_mm2);
+    }
+}
+
+bool changes_anything(const CellBatch& batch, const CellBatch::TilePart& part) {
+    for (int i = part.begin; i < part.end; ++i) {
+        if (batch.change[i] != 0 || batch.swap[i] != 0) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+TransferKernels transfer_kernels_for([[maybe_unused]] core::Isa isa) {
+#ifdef PASTOSO_MULTIPLE_ISAS
+    if (isa == core::Isa::Avx512) return {avx512::plan, avx512::apply};
+    if (isa == core::Isa::Avx2) return {avx2::plan, avx2::apply};
+#endif
+    return {baseline::plan, baseline::apply};
+}
+
+const TransferKernels& transfer_kernels() {
+    static const TransferKernels kernels = transfer_kernels_for(core::best_isa());
+    return kernels;
+}
+
+StepRates step_rates(const Brush& brush, const HandPose& hand, double step_mm, double cell_mm) {
+    StepRates rates;
+    rates.radius_mm = std::max(brush.tip.radius_mm, kLeastRadius_cells * cell_mm);
+    rates.lane_mm = brush.tip.rigid ? std::max(brush.tip.lane_mm, cell_mm) : 0.0;
+    const double closing_mm = kClosingLength_radii * rates.radius_mm;
+    rates.rate = static_cast<float>(1.0 - std::exp(-step_mm / closing_mm));
+    rates.film_mm = static_cast<float>(brush.preset.paint.film_mm * hand.film);
+    rates.reach = static_cast<float>(brush.preset.paint.reach * hand.reach);
+    rates.pickup = static_cast<float>(std::min(1.0, brush.preset.exchange.pickup * hand.pickup));
+    return rates;
+}
+
+grid::Rect exchange_paint(Brush& brush, int index, const Contact& contact, const StepRates& rates,
+                          std::uint32_t dither_seed, film::FilmState& film, CellBatch& scratch) {
+    const double reach_mm = std::hypot(rates.radius_mm, rates.lane_mm);
+    scratch.gather(film, contact.x_mm, contact.y_mm, reach_mm);
+    if (scratch.count() == 0) return {};
+    const ExchangeRule rule = exchange_rule(brush, index, contact, rates);
+    const WantedSums wanted = transfer_kernels().plan(rule, columns_of(scratch));
+    const double deposit_share = brush.tip.rigid ? kLargestKnifeDeposit : kLargestDeposit;
+    return apply_batch(scratch, wanted, deposit_share, kLargestSwap, dither_seed, film,
+                       brush.held[index]);
+}
+
+grid::Rect apply_batch(const CellBatch& batch, const WantedSums& wanted, double deposit_share,
+                       double swap_share, std::uint32_t dither_seed, film::FilmState& film,
+                       Contents& held) {
+    const double cell_area_mm2 = film.cell_mm * film.cell_mm;
+    const bool empty = held.volume_mm3 <= kEmpty_mm3;
+    const double held_quanta =
+        empty ? 0.0 : held.volume_mm3 / (film::kThicknessQuantum_mm * cell_area_mm2);
+    ApplyRule rule;
+    rule.deposit_scale = scale_to(deposit_share * held_quanta, wanted.deposit);
+    rule.swap_scale = scale_to(swap_share * held_quanta, wanted.swap);
+    if (!empty)
+        rule.given = given_pigment(held, 1.0 - deposit_share - swap_share, batch.count(), cell_area_mm2);
+    rule.dither_seed = dither_seed;
+    ChangeSums gained;
+    for (const CellBatch::TilePart& part : batch.parts()) {
+        if (!changes_anything(batch, part)) continue;
+        const TileCells cells = {film.thickness.write(part.tile), film.pigment.write(part.tile),
+                                 batch.cell.data() + part.begin,  batch.change.data() + part.begin,
+                                 batch.swap.data() + part.begin,  part.end - part.begin};
+        transfer_kernels().apply(rule, cells, gained);
+    }
+    take_from(held, gained, cell_area_mm2);
+    return gained.any ? batch.cells() : grid::Rect{};
+}
+
+}  // namespace pastoso::brush

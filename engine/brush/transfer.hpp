@@ -1,0 +1,72 @@
+// The two-way exchange of paint between a tip and the film, one rule for everything:
+//
+//   the surface of the paint is driven towards the underside of the bristle.
+//
+// With s the support that the bristle rides on, f = V / capacity its fill, sat = 1.22 f / (f + 0.22), p
+// its pressure and rho the distance from its middle in footprint radii, the wanted surface is
+//
+//   z = s + tau + film sat^2 (groove rho^2 + hair noise(across)),
+//   tau = film sat^2 body (1 - p/2) (1 + edge E) (1 + start sat freshness),
+//
+// E = 1 along the edges of the stroke. Its paint hangs down to s - bead; a cell with surface c + h is
+// reached by chi = clamp((c + h - (s - bead)) / 0.4 bead), where
+//
+//   bead = e^2 1.2 reach film + (0.005 mm + 0.05 mm p) clamp(e / 0.2),
+//   e = sat - 0.6 (1.2 - body) (1 - 0.7 sat),
+//
+// so that a full brush covers the hollows of the weave and a starved one, thin bristles first, only its
+// crowns. In a step ds, with w = 1 - rho^4, the gap g = z - c - h and the share
+// q = (1 - e^(-ds / 0.8 r)) w chi,
+//
+//   g > 0: the cell gains q g (a bristle gives at most half of what it holds),
+//   g < 0: it loses q |g| pickup, at most nine tenths of h,
+//   and equal volumes q mix (0.4 + 1.2 body) min(h, V / 2 area) are swapped.
+//
+// The elements of a knife share one s, act within lanes as wide as their distance, w = (1 - |across|)
+// (1 - along^4), which keeps colours apart, and have e = sat, E = 0 and no grooves.
+//
+// Ridges, streaks, starved strokes, picking up and ploughing follow. Whole quanta are moved and the
+// bristle gets exactly what the cells lost: tip and film together keep their volume and pigment to the
+// rounding of a double.
+#pragma once
+
+#include "brush/bristle_motion.hpp"
+#include "brush/brush.hpp"
+#include "brush/cell_batch.hpp"
+#include "brush/transfer_kernels.hpp"
+#include "film/state.hpp"
+
+namespace pastoso::brush {
+
+/// One touching bristle (or element of a knife) in one step.
+struct Contact {
+    double x_mm = 0.0, y_mm = 0.0;
+    float support_mm = 0.0F;                ///< dry surface that it rides on
+    float press = 0.0F;                     ///< 0 to 1
+    float freshness = 0.0F;                 ///< 0 to 1
+    float edge = 0.0F;                      ///< 1 at the edges of the stroke, 0 within
+    double across_x = 1.0, across_y = 0.0;  ///< unit vector along which the hairs lie side by side
+};
+
+/// Numbers that stay the same during a step.
+struct StepRates {
+    double radius_mm = 0.0;  ///< of the footprint, at least 3/4 of a cell
+    double lane_mm = 0.0;    ///< half width of a knife element's lane, 0 for bristles
+    float rate = 0.0F;       ///< 1 - e^(-ds / 0.8 r)
+    float film_mm = 0.0F, reach = 1.0F, pickup = 0.0F;  ///< the preset's, times the hand's factors
+};
+StepRates step_rates(const Brush& brush, const HandPose& hand, double step_mm, double cell_mm);
+
+/// Lets bristle `index` exchange paint with the film. Returns the cells that may have changed, empty if
+/// none.
+grid::Rect exchange_paint(Brush& brush, int index, const Contact& contact, const StepRates& rates,
+                          std::uint32_t dither_seed, film::FilmState& film, CellBatch& scratch);
+
+/// Applies the changes and swaps planned in `batch` and takes what the film gained from `held`, or gives
+/// it what the film lost. At most `deposit_share` of the held volume is deposited and `swap_share`
+/// swapped. `wanted` are the sums of the plan. Returns the cells that may have changed.
+grid::Rect apply_batch(const CellBatch& batch, const WantedSums& wanted, double deposit_share,
+                       double swap_share, std::uint32_t dither_seed, film::FilmState& film,
+                       Contents& held);
+
+}  // namespace pastoso::brush

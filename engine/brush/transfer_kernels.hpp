@@ -1,0 +1,85 @@
+// The inner loops of the paint exchange, compiled for every instruction set (pastoso_add_kernels); they
+// see plain columns of numbers only. Every set gives the same bits: sums are sums of integers.
+#pragma once
+
+#include "core/isa.hpp"
+#include "pigment/bands.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace pastoso::brush {
+
+/// Columns of a CellBatch; `padded_count` is a multiple of kBatchStep.
+struct BatchColumns {
+    const float* dx_mm;
+    const float* dy_mm;
+    const std::int32_t* thickness;
+    const float* support_mm;
+    std::int32_t* change;
+    std::int32_t* swap;
+    int padded_count;
+};
+
+/// How one element of a tip acts on the cells below it (transfer.hpp has the equations).
+struct ExchangeRule {
+    /// Axes of the footprint, divided by its half sizes: s = dx across_x + dy across_y, t likewise.
+    float across_x, across_y, along_x, along_y;
+    bool lane;           ///< weight (1 - |s|)(1 - t^4) instead of 1 - (s^2 + t^2)^2
+    float underside_mm;  ///< height the paint surface is driven to, in the middle and without hairs
+    float groove_mm;     ///< how much higher at the rim
+    float hair_mm;       ///< amplitude of the hairs
+    const float* hairs;  ///< from s = -1 to s = 1
+    int hairs_per_bristle;
+    float lowest_mm;     ///< height down to which the hanging paint reaches
+    float fade_per_mm;   ///< contact grows from 0 to 1 over the first 1 / fade_per_mm above it
+    float rate;          ///< share of the gap closed in this step
+    float pickup;        ///< share of that which is taken when paint is in the way
+    float mix;           ///< equal-volume swap, share of the smaller layer
+    float mix_depth_mm;  ///< the tool's own layer in that comparison
+};
+
+/// Sums over the batch of what the rule wants, quanta.
+struct WantedSums {
+    std::int64_t deposit = 0;
+    std::int64_t swap = 0;
+};
+
+/// Scales that keep a tool from giving more than it has, and the paint it gives.
+struct ApplyRule {
+    float deposit_scale = 1.0F;
+    float swap_scale = 1.0F;
+    std::array<float, pigment::kChannels> given{};  ///< pigment quanta per thickness quantum
+    std::uint32_t dither_seed = 0;
+};
+
+/// What the cells of a batch gained, quanta.
+struct ChangeSums {
+    std::int64_t thickness = 0;
+    std::array<std::int64_t, pigment::kChannels> pigment{};
+    bool any = false;  ///< something changed, even if the sums are 0
+};
+
+/// One tile's cells of a batch.
+struct TileCells {
+    std::int32_t* thickness;
+    std::array<std::int32_t, pigment::kChannels>* pigment;
+    const std::int32_t* cell;
+    const std::int32_t* change;
+    const std::int32_t* swap;
+    int count;
+};
+
+struct TransferKernels {
+    WantedSums (*plan)(const ExchangeRule&, const BatchColumns&);
+    void (*apply)(const ApplyRule&, const TileCells&, ChangeSums&);
+};
+
+/// The kernels for an instruction set that the processor has (the baseline's where no others were
+/// built).
+TransferKernels transfer_kernels_for(core::Isa isa);
+
+/// The kernels for core::best_isa().
+const TransferKernels& transfer_kernels();
+
+}  // namespace pastoso::brush

@@ -1,0 +1,85 @@
+#include "document/action_checks.hpp"
+
+#include "brush/preset.hpp"
+#include "core/error.hpp"
+#include "document/number_text.hpp"
+#include "film/medium.hpp"
+#include "pigment/palette.hpp"
+
+#include <string>
+
+namespace pastoso::document {
+namespace {
+
+void check_between(const char* what, double value, double least, double most) {
+    if (value >= least && value <= most) return;
+    throw core::InputError(std::string("the ") + what + " is " + number_text(value) +
+                           ", but must lie between " + number_text(least) + " and " + number_text(most) +
+                           ".");
+}
+
+/// More parts than this are a mistake of units, and tiny ones would vanish in the mixture.
+constexpr double kLeastParts = 1e-6;
+constexpr double kMostParts = 1e6;
+constexpr double kLeastStrength = 1e-4;
+
+constexpr double kLongestSession_s = 7.0 * 24.0 * 3600.0;
+
+struct Checker {
+    void operator()(const TakeBrush& take) const {
+        brush::find_preset(take.preset);
+        if (take.size_mm != 0.0) check_between("width of the brush in mm", take.size_mm, 0.5, 200.0);
+    }
+    void operator()(const LoadPaint& load) const {
+        check_paint(load.paint);
+        if (!load.second.ingredients.empty()) check_paint(load.second);
+        check_between("share of the second paint", load.second_share, 0.0, 1.0);
+        check_between("variation of the share", load.share_variation, 0.0, 1.0);
+        check_between("fill of the brush", load.fill, 0.0, 1.2);
+    }
+    void operator()(const UseMedium& medium) const { film::find_medium(medium.name); }
+    void operator()(const TiltCanvas& tilt) const {
+        check_between("tilt of the canvas", tilt.tilt_deg, 0.0, 90.0);
+        check_between("direction of the tilt", tilt.direction_deg, -360.0, 360.0);
+    }
+    void operator()(const PenDown& pen) const { check_sample(pen.sample); }
+    void operator()(const PenMove& pen) const { check_sample(pen.sample); }
+    void operator()(const CleanBrush&) const {}
+    void operator()(const PenUp&) const {}
+    void operator()(const Undo&) const {}
+    void operator()(const Redo&) const {}
+};
+
+}  // namespace
+
+void check_action(const Action& action) {
+    std::visit(Checker{}, action);
+}
+
+void check_sample(const brush::PenSample& sample) {
+    check_between("time of the pen in s", sample.time_s, 0.0, kLongestSession_s);
+    check_between("x of the pen in mm", sample.x_mm, -kMaxPenPosition_mm, kMaxPenPosition_mm);
+    check_between("y of the pen in mm", sample.y_mm, -kMaxPenPosition_mm, kMaxPenPosition_mm);
+    check_between("pressure of the pen", sample.pressure, 0.0, 1.0);
+    check_between("x tilt of the pen", sample.tilt_x_deg, -90.0, 90.0);
+    check_between("y tilt of the pen", sample.tilt_y_deg, -90.0, 90.0);
+    check_between("rotation of the pen", sample.rotation_deg, -3600.0, 3600.0);
+}
+
+void check_time_order(const brush::PenSample& previous, const brush::PenSample& next) {
+    if (next.time_s >= previous.time_s) return;
+    throw core::InputError("the time " + number_text(next.time_s) + " s is earlier than " +
+                           number_text(previous.time_s) + " s before it.");
+}
+
+void check_paint(const PaintRecipe& paint) {
+    if (paint.ingredients.empty()) throw core::InputError("a paint needs at least one pigment.");
+    for (const Ingredient& ingredient : paint.ingredients) {
+        pigment::find_pigment(ingredient.pigment);
+        const std::string parts = "number of parts of " + ingredient.pigment;
+        check_between(parts.c_str(), ingredient.parts, kLeastParts, kMostParts);
+    }
+    check_between("strength of the paint", paint.strength, kLeastStrength, 1.0);
+}
+
+}  // namespace pastoso::document

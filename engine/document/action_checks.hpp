@@ -1,0 +1,25 @@
+// What is refused before it reaches the paint: unknown names and values out of range.
+#pragma once
+
+#include "document/events.hpp"
+
+namespace pastoso::document {
+
+/// The pen may leave the canvas, but not by more than this.
+inline constexpr double kMaxPenPosition_mm = 20000.0;
+
+/// Throws InputError for an unknown brush, pigment or medium, or for a value that is not finite or
+/// outside the range that events.hpp gives. The message names the value and says nothing of where it
+/// came from.
+void check_action(const Action& action);
+
+/// The same for one pen sample.
+void check_sample(const brush::PenSample& sample);
+
+/// Throws InputError when `next` is earlier than `previous`.
+void check_time_order(const brush::PenSample& previous, const brush::PenSample& next);
+
+/// The same as check_action() for a paint alone.
+void check_paint(const PaintRecipe& paint);
+
+}  // namespace pastoso::document

@@ -1,0 +1,35 @@
+// The size of a canvas: in cells, in bytes, and whether this machine can hold it.
+#pragma once
+
+#include "document/events.hpp"
+#include "grid/shape.hpp"
+
+#include <cstddef>
+
+namespace pastoso::document {
+
+inline constexpr double kMinCanvasSide_mm = 1.0;
+inline constexpr double kMaxCanvasSide_mm = 5000.0;
+inline constexpr double kMinPxPerMm = 0.25;
+inline constexpr double kMaxPxPerMm = 64.0;
+inline constexpr int kMaxCellsPerSide = 32768;
+
+/// Throws InputError when a number is not finite or outside the limits above, or when the support's
+/// relief is not in 0 to 20 mm.
+void check_canvas(const CanvasSettings& settings);
+
+/// Width and height in cells, rounded to whole cells, at least 1. `settings` passed check_canvas().
+grid::Shape canvas_shape(const CanvasSettings& settings);
+
+/// About what a painting of this many cells needs when all of it is wet and being rendered.
+std::size_t estimated_bytes(const grid::Shape& shape);
+
+/// The memory that programs can still get from this machine (MemAvailable); SIZE_MAX where it is not
+/// told.
+std::size_t available_memory_bytes();
+
+/// check_canvas(), and an InputError that names the size when the canvas needs more than
+/// `available_bytes`.
+void check_canvas_fits(const CanvasSettings& settings, std::size_t available_bytes);
+
+}  // namespace pastoso::document

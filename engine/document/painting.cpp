@@ -1,0 +1,270 @@
+#include "document/painting.hpp"
+
+#include "brush/brush.hpp"
+#include "brush/stroke.hpp"
+#include "core/check.hpp"
+#include "core/error.hpp"
+#include "document/action_checks.hpp"
+#include "document/canvas.hpp"
+#include "document/history.hpp"
+#include "document/paint_mixing.hpp"
+#include "film/support.hpp"
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+namespace pastoso::document {
+namespace {
+
+constexpr const char* kFirstMedium = "heavy-body oil";
+
+/// Internal reflectance of a canvas primed with white gesso, a little yellow in the violet.
+constexpr pigment::Bands kPrimedGround = {0.90F, 0.93F, 0.93F, 0.93F, 0.93F, 0.93F};
+
+grid::TiledField<float> support_by_name(const CanvasSettings& settings) {
+    check_canvas_fits(settings, available_memory_bytes());
+    return film::named_support(settings.support, canvas_shape(settings), 1.0 / settings.px_per_mm,
+                               settings.support_relief_mm);
+}
+
+film::FilmState bare_canvas(const CanvasSettings& settings, grid::TiledField<float> support_mm) {
+    film::FilmState film(canvas_shape(settings), 1.0 / settings.px_per_mm);
+    PASTOSO_CHECK(support_mm.shape() == film.shape);
+    film.support_mm = std::move(support_mm);
+    return film;
+}
+
+brush::Contents contents_of(const film::Totals& totals, double cell_mm) {
+    brush::Contents contents;
+    contents.volume_mm3 = film::volume_mm3(totals.thickness, cell_mm);
+    for (int k = 0; k < pigment::kChannels; ++k) {
+        contents.pigment[k] =
+            static_cast<double>(totals.pigment[k]) * film::kPigmentQuantum * cell_mm * cell_mm;
+    }
+    return contents;
+}
+
+film::Totals difference(film::Totals a, const film::Totals& b) {
+    a.thickness -= b.thickness;
+    for (int k = 0; k < pigment::kChannels; ++k)
+        a.pigment[k] -= b.pigment[k];
+    return a;
+}
+
+Account::Amount amount(const brush::Contents& contents) {
+    return {contents.volume_mm3, contents.pigment};
+}
+
+/// Adds the time until the end of the scope to a sum.
+class ScopedTimer {
+  public:
+    explicit ScopedTimer(double& sum_s) : sum_s_(sum_s) {}
+    ~ScopedTimer() { sum_s_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+    ScopedTimer(const ScopedTimer&) = delete;
+    ScopedTimer& operator=(const ScopedTimer&) = delete;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    double& sum_s_;
+    Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace
+
+/// Applies actions by std::visit; the actions have passed check_action().
+struct Painting::Parts {
+    Parts(const CanvasSettings& canvas, grid::TiledField<float> support_mm, core::ThreadPool& pool)
+        : settings(canvas),
+          film(bare_canvas(canvas, std::move(support_mm))),
+          solver(film, film::find_medium(kFirstMedium), film::SolverOptions{}, pool) {
+        solver.set_gravity(film::tilted_gravity(0.0));
+    }
+
+    void operator()(const TakeBrush& take) {
+        brush::Brush fresh(brush::find_preset(take.preset), take.size_mm, take.seed);
+        end_stroke();
+        wipe_brush();
+        brush = std::move(fresh);
+    }
+
+    void operator()(const LoadPaint& load) {
+        if (!brush) throw core::InputError("there is no brush in hand to take paint with.");
+        end_stroke();
+        const pigment::Coefficients first = coefficients_of(load.paint);
+        if (load.second.ingredients.empty()) {
+            taken += brush->load(first, load.fill);
+        } else {
+            taken += brush->load(brush::MixedLoad{first, coefficients_of(load.second), load.second_share,
+                                                  load.share_variation, load.side_by_side},
+                                 load.fill);
+        }
+        ++brush_use;
+    }
+
+    void operator()(const CleanBrush&) {
+        end_stroke();
+        wipe_brush();
+    }
+
+    void operator()(const UseMedium& medium) { solver.set_medium(film::find_medium(medium.name)); }
+    void operator()(const TiltCanvas& tilt) {
+        solver.set_gravity(film::tilted_gravity(tilt.tilt_deg, tilt.direction_deg));
+    }
+
+    void operator()(const PenDown& pen) {
+        if (!brush) throw core::InputError("the pen touches the canvas with no brush in hand.");
+        end_stroke();
+        history.remember(moment());
+        last_sample = pen.sample;
+        stroke.emplace(*brush, film);
+        stroke->begin(pen.sample);
+        wake_painted_cells();
+    }
+
+    void operator()(const PenMove& pen) {
+        if (!stroke) return;
+        check_time_order(last_sample, pen.sample);
+        last_sample = pen.sample;
+        stroke->add(pen.sample);
+        wake_painted_cells();
+    }
+
+    void operator()(const PenUp&) { end_stroke(); }
+
+    void operator()(const Undo&) {
+        end_stroke();
+        if (history.can_undo()) return_to(history.step_back(moment()));
+    }
+
+    void operator()(const Redo&) {
+        end_stroke();
+        if (history.can_redo()) return_to(history.step_forward(moment()));
+    }
+
+    void end_stroke() {
+        if (!stroke) return;
+        stroke->end();
+        wake_painted_cells();
+        stroke.reset();
+    }
+
+    void wake_painted_cells() { solver.wake(stroke->take_changed_cells()); }
+
+    void wipe_brush() {
+        if (brush) wiped += brush->clean();
+        ++brush_use;
+    }
+
+    film::Totals run_off() const { return difference(solver.runoff(), forgotten_run_off); }
+
+    Moment moment() const { return {film, brush, brush_use, taken, wiped, run_off()}; }
+
+    /// A brush that was not touched since then gets back what it held. Any other stays in hand as it is,
+    /// as if it had been filled afresh, and what was on the old one counts as wiped off.
+    void return_to(const Moment& then) {
+        film = then.film;
+        taken = then.taken;
+        wiped = then.wiped;
+        forgotten_run_off = difference(solver.runoff(), then.run_off);
+        if (brush_use == then.brush_use) {
+            brush = then.brush;
+        } else {
+            if (brush) taken += brush->contents();
+            if (then.brush) wiped += then.brush->contents();
+        }
+        solver.wake_all();
+    }
+
+    CanvasSettings settings;
+    film::FilmState film;
+    film::Solver solver;
+    std::optional<brush::Brush> brush;
+    std::optional<brush::Stroke> stroke;
+    brush::PenSample last_sample;
+    std::uint64_t brush_use = 0;  ///< grows whenever the brush is taken, loaded or cleaned
+
+    brush::Contents taken, wiped;
+    film::Totals forgotten_run_off;  ///< ran off in a past that was undone
+    History history;
+
+    std::int64_t tick = 0;
+    StageTimes times;
+    film::AdvanceReport film_report;
+};
+
+Painting::Painting(const CanvasSettings& settings, core::ThreadPool& pool)
+    : Painting(settings, support_by_name(settings), pool) {}
+
+Painting::Painting(const CanvasSettings& settings, grid::TiledField<float> support_mm,
+                   core::ThreadPool& pool)
+    : parts_(std::make_unique<Parts>(settings, std::move(support_mm), pool)) {}
+
+Painting::~Painting() = default;
+
+void Painting::apply(const Action& action) {
+    check_action(action);
+    const ScopedTimer timer(parts_->times.brush_s);
+    std::visit(*parts_, action);
+}
+
+void Painting::advance_tick() {
+    const ScopedTimer timer(parts_->times.film_s);
+    parts_->film_report.add(parts_->solver.advance(kTick_s));
+    ++parts_->tick;
+}
+
+bool Painting::advance_tick_unless(const std::function<bool()>& give_up) {
+    const ScopedTimer timer(parts_->times.film_s);
+    const auto report = parts_->solver.advance_unless(give_up, kTick_s);
+    if (!report) return false;
+    parts_->film_report.add(*report);
+    ++parts_->tick;
+    return true;
+}
+
+void Painting::set_history_budget(std::size_t bytes) {
+    parts_->history.set_budget(bytes);
+}
+
+std::int64_t Painting::tick() const {
+    return parts_->tick;
+}
+const CanvasSettings& Painting::settings() const {
+    return parts_->settings;
+}
+const film::FilmState& Painting::film() const {
+    return parts_->film;
+}
+Snapshot Painting::snapshot() const {
+    return {parts_->film, kPrimedGround, parts_->tick};
+}
+bool Painting::can_undo() const {
+    return parts_->history.can_undo();
+}
+bool Painting::can_redo() const {
+    return parts_->history.can_redo();
+}
+bool Painting::stroke_in_progress() const {
+    return parts_->stroke.has_value();
+}
+
+Account Painting::account() const {
+    const double cell_mm = parts_->film.cell_mm;
+    brush::Contents ledger = parts_->wiped;
+    ledger += contents_of(parts_->run_off(), cell_mm);
+    return {amount(parts_->taken), amount(contents_of(film::totals(parts_->film), cell_mm)),
+            parts_->brush ? amount(parts_->brush->contents()) : Account::Amount{}, amount(ledger)};
+}
+
+StageTimes Painting::stage_times() const {
+    return parts_->times;
+}
+film::AdvanceReport Painting::film_report() const {
+    return parts_->film_report;
+}
+std::uint64_t Painting::state_hash() const {
+    return film::state_hash(parts_->film);
+}
+
+}  // namespace pastoso::document

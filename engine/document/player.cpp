@@ -1,0 +1,41 @@
+#include "document/player.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace pastoso::document {
+
+bool undoes(const Recording& recording) {
+    return std::any_of(recording.events.begin(), recording.events.end(),
+                       [](const Event& event) { return std::holds_alternative<Undo>(event.action); });
+}
+
+bool Player::finished() const {
+    return next_event_ == recording_.events.size() && painting_.tick() >= recording_.end_tick;
+}
+
+void Player::play_tick() {
+    apply_due_events();
+    if (!finished()) painting_.advance_tick();
+}
+
+double Player::progress() const {
+    if (recording_.end_tick <= 0) return finished() ? 1.0 : 0.0;
+    return std::min(1.0,
+                    static_cast<double>(painting_.tick()) / static_cast<double>(recording_.end_tick));
+}
+
+void Player::apply_due_events() {
+    const auto& events = recording_.events;
+    for (; next_event_ < events.size() && events[next_event_].tick <= painting_.tick(); ++next_event_) {
+        try {
+            painting_.apply(events[next_event_].action);
+        } catch (const core::InputError& error) {
+            throw core::InputError("event " + std::to_string(next_event_) + ": " + error.what());
+        }
+    }
+}
+
+}  // namespace pastoso::document

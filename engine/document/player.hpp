@@ -1,0 +1,38 @@
+// Applies a recording to a painting again, tick by tick.
+#pragma once
+
+#include "document/events.hpp"
+#include "document/painting.hpp"
+
+#include <cstddef>
+
+namespace pastoso::document {
+
+/// Whether the recording ever undoes; one that does not needs no history while it is played.
+bool undoes(const Recording& recording);
+
+class Player {
+  public:
+    /// The recording's events are applied to `painting` at the painting's own ticks; both outlive the
+    /// player.
+    Player(Painting& painting, const Recording& recording)
+        : painting_(painting), recording_(recording) {}
+
+    bool finished() const;
+
+    /// Applies the events of the current tick, then lets the tick pass (not after the recording's end).
+    /// Throws InputError "event N: ..." with N counted from 0.
+    void play_tick();
+
+    /// The share of the recording's ticks that have passed, 0 to 1.
+    double progress() const;
+
+  private:
+    void apply_due_events();
+
+    Painting& painting_;
+    const Recording& recording_;
+    std::size_t next_event_ = 0;
+};
+
+}  // namespace pastoso::document

@@ -1,0 +1,30 @@
+// Rows of cells in groups of one SIMD register: shared by the kernels of one instruction set.
+#pragma once
+
+#include "film/lanes.hpp"
+
+namespace pastoso::film::PASTOSO_ISA {
+namespace {
+
+using Lanes = lanes::stdx::native_simd<float>;
+constexpr int kLanes = static_cast<int>(Lanes::size());
+
+Lanes load(const float* values) {
+    return Lanes(values, lanes::stdx::element_aligned);
+}
+void store(float* values, Lanes lanes) {
+    lanes.copy_to(values, lanes::stdx::element_aligned);
+}
+
+/// Calls body(x) for groups of kLanes neighbouring cells that cover [first, last); the final group is
+/// moved back to end at `last`, so that nothing beyond is touched.
+template <class Body>
+[[gnu::always_inline]] inline void for_each_lane_group(int first, int last, const Body& body) {
+    int x = first;
+    for (; x + kLanes <= last; x += kLanes)
+        body(x);
+    if (x < last) body(last - kLanes);
+}
+
+}  // namespace
+}  // namespace pastoso::film::PASTOSO_ISA

@@ -1,0 +1,147 @@
+// Compiled once per instruction set; see pastoso_add_kernels.
+#include "film/lanes.hpp"
+#include "film/tile_kernels.hpp"
+
+namespace pastoso::film::PASTOSO_ISA {
+namespace {
+
+using grid::kTileSize;
+
+using Quad = lanes::stdx::resize_simd_t<4, lanes::stdx::native_simd<float>>;
+using IntQuad = lanes::stdx::rebind_simd_t<std::int32_t, Quad>;
+constexpr int kQuads = pigment::kChannels / 4;
+static_assert(kQuads * 4 == pigment::kChannels);
+
+struct ChannelInts {
+    std::array<IntQuad, kQuads> quads;
+
+    [[gnu::always_inline]] static ChannelInts load(const PigmentCell& cell) {
+        ChannelInts result;
+        for (int q = 0; q < kQuads; ++q)
+            result.quads[q] = IntQuad(cell.data() + 4 * q, lanes::stdx::element_aligned);
+        return result;
+    }
+    [[gnu::always_inline]] void store(PigmentCell& cell) const {
+        for (int q = 0; q < kQuads; ++q)
+            quads[q].copy_to(cell.data() + 4 * q, lanes::stdx::element_aligned);
+    }
+    [[gnu::always_inline]] ChannelInts operator-() const {
+        ChannelInts result;
+        for (int q = 0; q < kQuads; ++q)
+            result.quads[q] = -quads[q];
+        return result;
+    }
+};
+
+[[gnu::always_inline]] inline Quad load_quad(const float* values) {
+    return Quad(values, lanes::stdx::element_aligned);
+}
+
+/// The slope of the concentration at the donor cell: the smaller of both sides' where they agree in
+/// sign.
+[[gnu::always_inline]] inline Quad minmod(Quad a, Quad b) {
+    const Quad smaller = lanes::min(lanes::abs(a), lanes::abs(b));
+    return lanes::select(a * b > Quad(0.0F), lanes::copysign(smaller, a), Quad(0.0F));
+}
+
+/// Thinner than this (0.03 um), a concentration says nothing.
+constexpr std::int32_t kTraceQuanta = 1 << 10;
+
+/// Reads the fluxes and concentrations of a tile and says what pigment passes a face.
+struct PigmentFluxes {
+    const TileScratch& scratch;
+    const float* concentrations;
+
+    /// The signed pigment that `flux` thickness quanta take with them from the cell before the face to
+    /// the one behind it. `block_step` and `concentration_step` lead from one to the other. With the
+    /// flux at most a quarter of its cell and |slope| <= concentration, the four outflows f/4 (1 + (1 -
+    /// f)/2), f = 4 flux / cell, never exceed what the cell holds.
+    [[gnu::always_inline]] ChannelInts through(std::int32_t flux, int cell, int concentration,
+                                               int block_step, int concentration_step) const {
+        if (flux == 0) return {};
+        const bool forward = flux > 0;
+        const int downwind_step = forward ? block_step : -block_step;
+        const int to_downwind = forward ? concentration_step : -concentration_step;
+        const std::int32_t* quanta = &scratch.block.quanta[forward ? cell : cell + block_step];
+        const float* donor =
+            concentrations + (forward ? concentration : concentration + concentration_step);
+        const float amount = static_cast<float>(forward ? flux : -flux);
+        const bool smooth =
+            quanta[downwind_step] > kTraceQuanta && quanta[-downwind_step] > kTraceQuanta;
+        const float reach = smooth ? 0.5F - 2.0F * amount / static_cast<float>(*quanta) : 0.0F;
+        ChannelInts carried;
+        for (int q = 0; q < kQuads; ++q) {
+            const Quad here = load_quad(donor + 4 * q);
+            const Quad slope = minmod(here - load_quad(donor + 4 * q - to_downwind),
+                                      load_quad(donor + 4 * q + to_downwind) - here);
+            const Quad exact = Quad(amount) * (here + Quad(reach) * slope) + Quad(0.5F);
+            const IntQuad rounded = lanes::stdx::static_simd_cast<IntQuad>(exact);
+            carried.quads[q] = forward ? rounded : -rounded;
+        }
+        return carried;
+    }
+    [[gnu::always_inline]] ChannelInts through_x(int x, int y) const {
+        return through(scratch.flux_x[face_index(x, y)], block_index(x, y), concentration_index(x, y), 1,
+                       pigment::kChannels);
+    }
+    [[gnu::always_inline]] ChannelInts through_y(int x, int y) const {
+        return through(scratch.flux_y[face_index(x, y)], block_index(x, y), concentration_index(x, y),
+                       kBlockStride, pigment::kChannels * kConcentrationSide);
+    }
+};
+
+void add_runoff(const ChannelInts& outward, PigmentTotals& totals) {
+    for (int k = 0; k < pigment::kChannels; ++k)
+        totals[k] += outward.quads[k / 4][k % 4];
+}
+
+}  // namespace
+
+PigmentTotals transport_pigment(const TileScratch& scratch, const float* concentrations, int columns,
+                                int rows, const OpenEdges& runoff_edges, const PigmentCell* before,
+                                PigmentCell* after) {
+    const PigmentFluxes fluxes{scratch, concentrations};
+    PigmentTotals runoff{};
+    std::array<PigmentCell, kTileSize> from_above;
+    for (int x = 0; x < columns; ++x) {
+        const ChannelInts top = fluxes.through_y(x, -1);
+        if (runoff_edges.top) add_runoff(-top, runoff);
+        top.store(from_above[x]);
+    }
+    for (int y = 0; y < rows; ++y) {
+        ChannelInts left = fluxes.through_x(-1, y);
+        if (runoff_edges.left) add_runoff(-left, runoff);
+        for (int x = 0; x < columns; ++x) {
+            const int cell = y * kTileSize + x;
+            const ChannelInts right = fluxes.through_x(x, y);
+            const ChannelInts below = fluxes.through_y(x, y);
+            const ChannelInts above = ChannelInts::load(from_above[x]);
+            ChannelInts now = ChannelInts::load(before[cell]);
+            for (int q = 0; q < kQuads; ++q)
+                now.quads[q] += (left.quads[q] - right.quads[q]) + (above.quads[q] - below.quads[q]);
+            now.store(after[cell]);
+            below.store(from_above[x]);
+            left = right;
+            if (runoff_edges.bottom && y == rows - 1) add_runoff(below, runoff);
+        }
+        if (runoff_edges.right) add_runoff(left, runoff);
+    }
+    return runoff;
+}
+
+void concentrate(const PigmentCell* pigment, const std::int32_t* thickness, int count, float* out) {
+    // Two quanta and one part in a million stay behind: the four roundings of a cell's outflows and the
+    // rounding of the product then never take more than it holds.
+    constexpr float kShare = 1.0F - 0x1p-20F;
+    for (int cell = 0; cell < count; ++cell) {
+        const float inverse = thickness[cell] > 0 ? kShare / static_cast<float>(thickness[cell]) : 0.0F;
+        const ChannelInts held = ChannelInts::load(pigment[cell]);
+        for (int q = 0; q < kQuads; ++q) {
+            const IntQuad movable = lanes::stdx::max(IntQuad(held.quads[q] - IntQuad(2)), IntQuad(0));
+            const Quad concentration = lanes::stdx::static_simd_cast<Quad>(movable) * Quad(inverse);
+            concentration.copy_to(out + cell * pigment::kChannels + 4 * q, lanes::stdx::element_aligned);
+        }
+    }
+}
+
+}  // namespace pastoso::film::PASTOSO_ISA

@@ -1,0 +1,23 @@
+// The kernels of a tile's step as they are called; each instruction set defines them in its own
+// namespace.
+#pragma once
+
+#include "film/tile_step.hpp"
+
+#define PASTOSO_DECLARE_FILM_KERNELS(isa)                                                               \
+    namespace pastoso::film::isa {                                                                      \
+    void prepare_pressure(const StepConstants& step, TileScratch& scratch);                             \
+    FlowExtremes tile_flow(const StepConstants& step, int columns, int rows, const ClosedEdges& closed, \
+                           TileScratch& scratch);                                                       \
+    PigmentTotals transport_pigment(const TileScratch& scratch, const float* concentrations,            \
+                                    int columns, int rows, const OpenEdges& runoff_edges,               \
+                                    const PigmentCell* before, PigmentCell* after);                     \
+    void concentrate(const PigmentCell* pigment, const std::int32_t* thickness, int count, float* out); \
+    }
+
+PASTOSO_DECLARE_FILM_KERNELS(baseline)
+#if defined(__x86_64__)
+PASTOSO_DECLARE_FILM_KERNELS(avx2)
+PASTOSO_DECLARE_FILM_KERNELS(avx512)
+#endif
+#undef PASTOSO_DECLARE_FILM_KERNELS

@@ -1,0 +1,122 @@
+#include "film/tile_update.hpp"
+
+#include "film/concentration_block.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace pastoso::film {
+namespace {
+
+using grid::kTileSize;
+using grid::TileBlock;
+
+bool any_flux(const FaceArray<std::int32_t>& flux, int first_x, int first_y, int columns, int rows) {
+    for (int y = first_y; y < rows; ++y)
+        for (int x = first_x; x < columns; ++x)
+            if (flux[face_index(x, y)] != 0) return true;
+    return false;
+}
+
+/// h_new = h - div(flux), in whole quanta.
+TileBlock<std::int32_t> apply_fluxes(const TileScratch& scratch, int columns, int rows) {
+    TileBlock<std::int32_t> block = TileBlock<std::int32_t>::filled(0);
+    std::int32_t* out = block.write();
+    for (int y = 0; y < rows; ++y) {
+        for (int x = 0; x < columns; ++x) {
+            const int face = face_index(x, y);
+            out[y * kTileSize + x] = scratch.block.quanta[block_index(x, y)] +
+                                     (scratch.flux_x[face - 1] - scratch.flux_x[face]) +
+                                     (scratch.flux_y[face - kFaceStride] - scratch.flux_y[face]);
+        }
+    }
+    return block;
+}
+
+/// How far apart two thicknesses of a tile are, anywhere and within a halo's width of each side.
+TileMotion motion_between(const std::int32_t* before, const std::int32_t* after, int columns, int rows) {
+    std::array<std::int32_t, kTileSize> column_change{};
+    std::array<std::int32_t, kTileSize> row_change{};
+    for (int y = 0; y < rows; ++y) {
+        for (int x = 0; x < columns; ++x) {
+            const int cell = y * kTileSize + x;
+            const std::int32_t change = std::abs(after[cell] - before[cell]);
+            column_change[x] = std::max(column_change[x], change);
+            row_change[y] = std::max(row_change[y], change);
+        }
+    }
+    const auto largest = [](const auto& changes, int first, int last) {
+        std::int32_t result = 0;
+        for (int i = std::max(first, 0); i < last; ++i)
+            result = std::max(result, changes[i]);
+        return thickness_mm(result);
+    };
+    return {.largest_mm = largest(row_change, 0, rows),
+            .near_side_mm = {largest(column_change, 0, std::min(kHalo, columns)),
+                             largest(column_change, columns - kHalo, columns),
+                             largest(row_change, 0, std::min(kHalo, rows)),
+                             largest(row_change, rows - kHalo, rows)}};
+}
+
+TileBlock<float> velocity_block(const FaceArray<float>& velocity) {
+    TileBlock<float> block = TileBlock<float>::uninitialised();
+    float* out = block.write();
+    for (int y = 0; y < kTileSize; ++y)
+        std::copy_n(&velocity[face_index(0, y)], kTileSize, out + y * kTileSize);
+    return block;
+}
+
+std::int64_t thickness_runoff(const TileScratch& scratch, int columns, int rows, const OpenEdges& open) {
+    std::int64_t runoff = 0;
+    for (int y = 0; y < rows; ++y) {
+        if (open.left) runoff -= scratch.flux_x[face_index(-1, y)];
+        if (open.right) runoff += scratch.flux_x[face_index(columns - 1, y)];
+    }
+    for (int x = 0; x < columns; ++x) {
+        if (open.top) runoff -= scratch.flux_y[face_index(x, -1)];
+        if (open.bottom) runoff += scratch.flux_y[face_index(x, rows - 1)];
+    }
+    return runoff;
+}
+
+void move_pigment(const FilmState& state, const TilePlace& place, WorkerScratch& worker,
+                  TileResult& result) {
+    const int columns = place.columns.extent, rows = place.rows.extent;
+    gather_concentrations(state, place.columns, place.rows, place.tile_x, tile_kernels().concentrate,
+                          worker.concentrations.data());
+    const bool whole = columns == kTileSize && rows == kTileSize;
+    result.pigment =
+        whole ? TileBlock<PigmentCell>::uninitialised() : TileBlock<PigmentCell>::filled({});
+    result.runoff.pigment = tile_kernels().transport(
+        worker.tile, worker.concentrations.data(), columns, rows, place.runoff_edges,
+        state.pigment.read(place.tile), result.pigment.write());
+}
+
+void move_paint(const FilmState& state, const TilePlace& place, WorkerScratch& worker,
+                TileResult& result) {
+    const int columns = place.columns.extent, rows = place.rows.extent;
+    result.thickness = apply_fluxes(worker.tile, columns, rows);
+    result.motion = motion_between(place.motion_reference, result.thickness.read(), columns, rows);
+    result.runoff.thickness = thickness_runoff(worker.tile, columns, rows, place.runoff_edges);
+    if (place.pigment_in_reach) move_pigment(state, place, worker, result);
+}
+
+}  // namespace
+
+TileResult update_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
+                       WorkerScratch& worker) {
+    const int columns = place.columns.extent, rows = place.rows.extent;
+    TileResult result;
+    gather(state, place.columns, place.rows, place.tile_x, step.wet_mm, worker.tile.block);
+    result.extremes = tile_kernels().flow(step, columns, rows, place.closed, worker.tile);
+    if (result.extremes.speed_mm_s > 0.0F || !state.velocity_x.is_background(place.tile)) {
+        result.velocity_x = velocity_block(worker.tile.velocity_x);
+        result.velocity_y = velocity_block(worker.tile.velocity_y);
+    }
+    if (any_flux(worker.tile.flux_x, -1, 0, columns, rows) ||
+        any_flux(worker.tile.flux_y, 0, -1, columns, rows))
+        move_paint(state, place, worker, result);
+    return result;
+}
+
+}  // namespace pastoso::film

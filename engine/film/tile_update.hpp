@@ -1,0 +1,44 @@
+// One step of one tile, from the old state to what is new in it. Reads the state, writes only its
+// result.
+#pragma once
+
+#include "film/halo_block.hpp"
+#include "film/tile_activity.hpp"
+#include "film/tile_step.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace pastoso::film {
+
+/// What a thread needs for the tiles that it steps.
+struct WorkerScratch {
+    TileScratch tile{};
+    std::vector<float> concentrations = std::vector<float>(kConcentrationCount);
+};
+
+/// Where a tile lies and what surrounds it.
+struct TilePlace {
+    int tile = 0, tile_x = 0;
+    const HaloMap& columns;
+    const HaloMap& rows;
+    ClosedEdges closed;
+    OpenEdges runoff_edges;
+    bool pigment_in_reach = true;          ///< false: nothing here or beside it is coloured
+    const std::int32_t* motion_reference;  ///< thickness that the tile's motion is counted from
+};
+
+/// What a step makes of a tile. An empty block means that the field did not change.
+struct TileResult {
+    grid::TileBlock<std::int32_t> thickness;
+    grid::TileBlock<PigmentCell> pigment;
+    grid::TileBlock<float> velocity_x, velocity_y;
+    FlowExtremes extremes;
+    std::optional<TileMotion> motion;
+    Totals runoff;
+};
+
+TileResult update_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
+                       WorkerScratch& worker);
+
+}  // namespace pastoso::film

@@ -1,0 +1,36 @@
+#include "io/canvas_support.hpp"
+
+#include "core/error.hpp"
+#include "document/canvas.hpp"
+#include "film/support.hpp"
+#include "io/image.hpp"
+
+namespace pastoso::io {
+namespace {
+
+grid::TiledField<float> image_support(const document::CanvasSettings& settings) {
+    if (settings.support_image.empty()) {
+        throw core::InputError("The support \"image\" needs a height image; none is named.");
+    }
+    const GreyImage image = read_grey_image(settings.support_image);
+    const double relief_mm =
+        settings.support_relief_mm > 0.0 ? settings.support_relief_mm : kImageRelief_mm;
+    return film::image_support(document::canvas_shape(settings), image.values, image.width, image.height,
+                               relief_mm);
+}
+
+}  // namespace
+
+grid::TiledField<float> make_support(const document::CanvasSettings& settings) {
+    document::check_canvas_fits(settings, document::available_memory_bytes());
+    if (settings.support == "image") return image_support(settings);
+    return film::named_support(settings.support, document::canvas_shape(settings),
+                               1.0 / settings.px_per_mm, settings.support_relief_mm);
+}
+
+std::unique_ptr<document::Painting> make_painting(const document::CanvasSettings& settings,
+                                                  core::ThreadPool& pool) {
+    return std::make_unique<document::Painting>(settings, make_support(settings), pool);
+}
+
+}  // namespace pastoso::io

@@ -1,0 +1,45 @@
+// Pictures in files: the format follows the file's extension. OpenImageIO is loaded at the first use.
+#pragma once
+
+#include "shade/render.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace pastoso::io {
+
+/// Encoded sRGB like shade::Image8, 16 bits, three values a pixel.
+struct Image16 {
+    int width = 0, height = 0;
+    std::vector<std::uint16_t> rgb;
+};
+
+/// One value a pixel, row by row from the top; what the file calls black is 0 and white 1.
+struct GreyImage {
+    int width = 0, height = 0;
+    std::vector<float> values;
+};
+
+/// The formats a picture can be saved in, by extension: .png, .tif and .tiff, .jpg and .jpeg, .exr.
+/// Throws InputError when the extension is another, or when the folder is missing or not writable. To be
+/// called before long work whose result goes to `path`.
+void check_image_path(const std::filesystem::path& path);
+
+/// These write aside and rename. `px_per_mm` is kept in the file as its print resolution (0: none).
+/// Eight bits: PNG, TIFF and JPEG. Sixteen bits: PNG and TIFF. Linear values: EXR with halves.
+/// Throw InputError when the format does not hold such values or the file cannot be written.
+void write_image(const std::filesystem::path& path, const shade::Image8& image, double px_per_mm = 0.0);
+void write_image(const std::filesystem::path& path, const Image16& image, double px_per_mm = 0.0);
+void write_image(const std::filesystem::path& path, const shade::LinearImage& image,
+                 double px_per_mm = 0.0);
+
+/// Whether `path` names a format of linear values (EXR).
+bool is_linear_format(const std::filesystem::path& path);
+
+/// Reads any image that OpenImageIO knows as one grey value a pixel: the first of one or two channels,
+/// the luminance of three or more, as stored. Throws InputError when it is no image or is larger than
+/// 32768 pixels a side or 100 million in all.
+GreyImage read_grey_image(const std::filesystem::path& path);
+
+}  // namespace pastoso::io

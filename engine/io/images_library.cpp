@@ -1,0 +1,41 @@
+#include "io/images_library.hpp"
+
+#include "core/error.hpp"
+#include "core/resources.hpp"
+
+#include <dlfcn.h>
+#include <string>
+
+namespace pastoso::io {
+namespace {
+
+template <class Function>
+Function* find(void* module, const char* name) {
+    return reinterpret_cast<Function*>(::dlsym(module, name));
+}
+
+ImagesLibrary open_library() {
+    const std::string path =
+        (core::program_folder().parent_path() / "lib" / "pastoso" / "pastoso-images.so").string();
+    void* module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (module == nullptr) {
+        throw core::InputError(path + ": this part of the program cannot be loaded (" + ::dlerror() +
+                               ").");
+    }
+    auto* const abi = find<PastosoImagesAbi>(module, "pastoso_images_abi");
+    if (abi == nullptr || abi() != kPastosoImagesAbi) {
+        throw core::InputError(path + ": this part of the program is of another version; reinstall it.");
+    }
+    return {find<PastosoImagesWrite>(module, "pastoso_images_write"),
+            find<PastosoImagesReadGrey>(module, "pastoso_images_read_grey"),
+            find<PastosoImagesFree>(module, "pastoso_images_free")};
+}
+
+}  // namespace
+
+const ImagesLibrary& images_library() {
+    static const ImagesLibrary library = open_library();
+    return library;
+}
+
+}  // namespace pastoso::io

@@ -1,0 +1,18 @@
+// Opens the image module.
+#pragma once
+
+#include "io/images_abi.hpp"
+
+namespace pastoso::io {
+
+struct ImagesLibrary {
+    PastosoImagesWrite* write = nullptr;
+    PastosoImagesReadGrey* read_grey = nullptr;
+    PastosoImagesFree* free = nullptr;
+};
+
+/// The module "pastoso-images.so" in ../lib/pastoso beside the program's folder, opened at the first
+/// call and kept. Throws InputError when it is missing or of another version. Safe on any thread.
+const ImagesLibrary& images_library();
+
+}  // namespace pastoso::io

@@ -1,0 +1,252 @@
+#include "core/text_file.hpp"
+#include "document/action_checks.hpp"
+#include "document/canvas.hpp"
+#include "io/json_place.hpp"
+#include "io/recording_json.hpp"
+#include "io/stroke_ticks.hpp"
+
+#include <cmath>
+
+namespace pastoso::io {
+namespace {
+
+constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;
+
+/// A day of paint time.
+constexpr std::int64_t kMaxTick = 24LL * 3600 * 60;
+
+double number_or(const JsonPlace& place, const char* key, double otherwise) {
+    const auto entry = place.optional_entry(key);
+    return entry ? entry->number() : otherwise;
+}
+
+bool boolean_or(const JsonPlace& place, const char* key, bool otherwise) {
+    const auto entry = place.optional_entry(key);
+    return entry ? entry->boolean() : otherwise;
+}
+
+document::CanvasSettings read_canvas(const JsonPlace& place) {
+    place.allow_only(
+        {"width_mm", "height_mm", "px_per_mm", "support", "support_image", "support_relief_mm"});
+    document::CanvasSettings canvas;
+    canvas.width_mm = place.entry("width_mm").number();
+    canvas.height_mm = place.entry("height_mm").number();
+    canvas.px_per_mm = number_or(place, "px_per_mm", canvas.px_per_mm);
+    if (const auto support = place.optional_entry("support")) canvas.support = support->text();
+    if (const auto image = place.optional_entry("support_image")) canvas.support_image = image->text();
+    canvas.support_relief_mm = number_or(place, "support_relief_mm", 0.0);
+    place.guard([&] { document::check_canvas(canvas); });
+    return canvas;
+}
+
+document::Ingredient read_ingredient(const JsonPlace& place) {
+    if (place.size() != 2) place.fail("expected a pigment and its parts, for example [\"PB29\", 1].");
+    return {place.element(0).text(), place.element(1).number()};
+}
+
+document::PaintRecipe read_paint(const JsonPlace& place) {
+    place.allow_only({"mix", "strength"});
+    document::PaintRecipe paint;
+    const JsonPlace mix = place.entry("mix");
+    for (std::size_t i = 0; i < mix.size(); ++i)
+        paint.ingredients.push_back(read_ingredient(mix.element(i)));
+    paint.strength = number_or(place, "strength", 1.0);
+    return paint;
+}
+
+document::Action read_take_brush(const JsonPlace& place) {
+    place.allow_only({"preset", "size_mm", "seed"});
+    document::TakeBrush take;
+    take.preset = place.entry("preset").text();
+    take.size_mm = number_or(place, "size_mm", 0.0);
+    if (const auto seed = place.optional_entry("seed")) {
+        take.seed = static_cast<std::uint32_t>(seed->integer(0, UINT32_MAX));
+    }
+    return take;
+}
+
+document::Action read_load_paint(const JsonPlace& place) {
+    place.allow_only({"paint", "second", "second_share", "share_variation", "side_by_side", "fill"});
+    document::LoadPaint load;
+    load.paint = read_paint(place.entry("paint"));
+    if (const auto second = place.optional_entry("second")) load.second = read_paint(*second);
+    load.second_share = number_or(place, "second_share", 0.0);
+    load.share_variation = number_or(place, "share_variation", 0.0);
+    load.side_by_side = boolean_or(place, "side_by_side", false);
+    load.fill = number_or(place, "fill", 1.0);
+    return load;
+}
+
+document::Action read_tilt(const JsonPlace& place) {
+    place.allow_only({"tilt_deg", "direction_deg"});
+    document::TiltCanvas tilt;
+    tilt.tilt_deg = place.entry("tilt_deg").number();
+    tilt.direction_deg = number_or(place, "direction_deg", tilt.direction_deg);
+    return tilt;
+}
+
+document::Action read_medium(const JsonPlace& place) {
+    place.allow_only({"name"});
+    return document::UseMedium{place.entry("name").text()};
+}
+
+template <class Plain>
+document::Action read_plain(const JsonPlace& place) {
+    place.allow_only({});
+    return Plain{};
+}
+
+struct Kind {
+    const char* key;
+    document::Action (*read)(const JsonPlace&);
+};
+constexpr Kind kKinds[] = {
+    {"take_brush", read_take_brush},
+    {"load_paint", read_load_paint},
+    {"clean_brush", read_plain<document::CleanBrush>},
+    {"use_medium", read_medium},
+    {"tilt_canvas", read_tilt},
+    {"undo", read_plain<document::Undo>},
+    {"redo", read_plain<document::Redo>},
+};
+
+/// [time, x, y, pressure, tilt_x, tilt_y, rotation]; angles left out at the end are 0.
+brush::PenSample read_sample(const JsonPlace& place) {
+    const std::size_t count = place.size();
+    if (count < 4 || count > 7) {
+        place.fail(
+            "a sample has 4 to 7 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation; here are " +
+            std::to_string(count) + ".");
+    }
+    double numbers[7] = {};
+    for (std::size_t i = 0; i < count; ++i)
+        numbers[i] = place.element(i).number();
+    const brush::PenSample sample{numbers[0], numbers[1], numbers[2], numbers[3],
+                                  numbers[4], numbers[5], numbers[6]};
+    place.guard([&] { document::check_sample(sample); });
+    return sample;
+}
+
+/// Expands the entries of a file into events, keeping watch over their order.
+class EventReader {
+  public:
+    std::vector<document::Event> events;
+
+    void read(const JsonPlace& entry) {
+        const std::int64_t tick = read_tick(entry.entry("tick"));
+        if (const auto stroke = entry.optional_entry("stroke")) {
+            entry.allow_only({"tick", "stroke"});
+            read_stroke(*stroke, tick);
+        } else {
+            read_single(entry, tick);
+        }
+    }
+
+    std::int64_t read_tick(const JsonPlace& place) {
+        const std::int64_t tick = place.integer(0, kMaxTick);
+        if (tick < last_tick_) {
+            place.fail("the tick " + std::to_string(tick) + " is earlier than " +
+                       std::to_string(last_tick_) + " before it.");
+        }
+        last_tick_ = tick;
+        return tick;
+    }
+
+  private:
+    void read_single(const JsonPlace& entry, std::int64_t tick) {
+        for (const Kind& kind : kKinds) {
+            const auto content = entry.optional_entry(kind.key);
+            if (!content) continue;
+            entry.allow_only({"tick", kind.key});
+            const document::Action action = kind.read(*content);
+            content->guard([&] { document::check_action(action); });
+            events.push_back({tick, action});
+            return;
+        }
+        entry.fail(
+            "expected one of stroke, take_brush, load_paint, clean_brush, use_medium, tilt_canvas, undo "
+            "and redo beside the tick.");
+    }
+
+    void read_stroke(const JsonPlace& stroke, std::int64_t first_tick) {
+        stroke.allow_only({"samples", "ticks", "continued", "lifted", "lift_tick"});
+        const JsonPlace samples = stroke.entry("samples");
+        const bool continued = boolean_or(stroke, "continued", false);
+        if (samples.size() == 0 && !continued) samples.fail("a stroke needs at least one sample.");
+        const auto ticks = stroke.optional_entry("ticks");
+        if (ticks && ticks->size() != samples.size()) {
+            ticks->fail("there are " + std::to_string(ticks->size()) + " ticks for " +
+                        std::to_string(samples.size()) + " samples.");
+        }
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const JsonPlace place = samples.element(i);
+            const brush::PenSample sample = read_sample(place);
+            const bool down = i == 0 && !continued;
+            if (!down) place.guard([&] { document::check_time_order(last_sample_, sample); });
+            const std::int64_t tick = ticks ? read_tick(ticks->element(i)) : implied_tick(place, sample);
+            if (down)
+                events.push_back({tick, document::PenDown{sample}});
+            else
+                events.push_back({tick, document::PenMove{sample}});
+            last_sample_ = sample;
+        }
+        if (boolean_or(stroke, "lifted", true)) {
+            const auto lift = stroke.optional_entry("lift_tick");
+            const std::int64_t lift_tick = lift ? read_tick(*lift) : std::max(first_tick, last_tick_);
+            events.push_back({lift_tick, document::PenUp{}});
+        }
+    }
+
+    std::int64_t implied_tick(const JsonPlace& place, const brush::PenSample& sample) {
+        if (sample.time_s > static_cast<double>(kMaxTick) * document::kTick_s) {
+            place.fail("the time lies more than a day after the start.");
+        }
+        last_tick_ = tick_of_time(sample.time_s, last_tick_);
+        return last_tick_;
+    }
+
+    std::int64_t last_tick_ = 0;
+    brush::PenSample last_sample_;
+};
+
+void check_header(const JsonPlace& root) {
+    const bool has_format = root.value().is_object() && root.value().contains("format");
+    const Json* format = has_format ? &root.entry("format").value() : nullptr;
+    if (format == nullptr || !format->is_string() || format->get<std::string>() != "pastoso-strokes") {
+        root.fail(
+            "this is not a stroke recording; it would begin with \"format\": \"pastoso-strokes\".");
+    }
+    const std::int64_t version = root.entry("version").integer(1, INT32_MAX);
+    if (version > kStrokeFormatVersion) {
+        root.fail("this was written by a newer Pastoso (stroke format " + std::to_string(version) +
+                  "; this program reads up to " + std::to_string(kStrokeFormatVersion) + ").");
+    }
+    root.allow_only({"format", "version", "canvas", "end_tick", "events"});
+}
+
+}  // namespace
+
+document::Recording recording_from_json(std::string_view text, const std::string& name) {
+    const Json json = parse_json(text, name);
+    const JsonPlace root(json, name);
+    check_header(root);
+    document::Recording recording;
+    recording.canvas = read_canvas(root.entry("canvas"));
+    EventReader reader;
+    const JsonPlace entries = root.entry("events");
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        reader.read(entries.element(i));
+    recording.end_tick = reader.read_tick(root.entry("end_tick"));
+    recording.events = std::move(reader.events);
+    return recording;
+}
+
+document::Recording read_recording_json(const std::filesystem::path& path) {
+    document::Recording recording =
+        recording_from_json(core::read_text_file(path, kMaxFileBytes), path.string());
+    std::string& image = recording.canvas.support_image;
+    if (!image.empty()) image = (path.parent_path() / image).string();
+    return recording;
+}
+
+}  // namespace pastoso::io

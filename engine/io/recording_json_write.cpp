@@ -1,0 +1,175 @@
+#include "core/text_file.hpp"
+#include "io/json_place.hpp"
+#include "io/recording_json.hpp"
+#include "io/stroke_ticks.hpp"
+
+#include <utility>
+
+namespace pastoso::io {
+namespace {
+
+using document::Action;
+using document::Event;
+
+std::string one_line(const Json& value) {
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json paint_json(const document::PaintRecipe& paint) {
+    Json mix = Json::array();
+    for (const document::Ingredient& ingredient : paint.ingredients) {
+        mix.push_back(Json::array({ingredient.pigment, ingredient.parts}));
+    }
+    Json json{{"mix", std::move(mix)}};
+    if (paint.strength != 1.0) json["strength"] = paint.strength;
+    return json;
+}
+
+Json load_json(const document::LoadPaint& load) {
+    Json json{{"paint", paint_json(load.paint)}};
+    if (load.second != document::PaintRecipe{}) json["second"] = paint_json(load.second);
+    if (load.second_share != 0.0) json["second_share"] = load.second_share;
+    if (load.share_variation != 0.0) json["share_variation"] = load.share_variation;
+    if (load.side_by_side) json["side_by_side"] = true;
+    if (load.fill != 1.0) json["fill"] = load.fill;
+    return json;
+}
+
+Json brush_json(const document::TakeBrush& take) {
+    Json json{{"preset", take.preset}};
+    if (take.size_mm != 0.0) json["size_mm"] = take.size_mm;
+    if (take.seed != 1) json["seed"] = take.seed;
+    return json;
+}
+
+/// Time, x, y and pressure; the angles only as far as they are not 0.
+Json sample_json(const brush::PenSample& sample) {
+    Json json = Json::array({sample.time_s, sample.x_mm, sample.y_mm, sample.pressure});
+    if (sample.tilt_x_deg == 0.0 && sample.tilt_y_deg == 0.0 && sample.rotation_deg == 0.0) return json;
+    json.push_back(sample.tilt_x_deg);
+    json.push_back(sample.tilt_y_deg);
+    if (sample.rotation_deg != 0.0) json.push_back(sample.rotation_deg);
+    return json;
+}
+
+Json canvas_json(const document::CanvasSettings& canvas) {
+    Json json{{"width_mm", canvas.width_mm},
+              {"height_mm", canvas.height_mm},
+              {"px_per_mm", canvas.px_per_mm},
+              {"support", canvas.support}};
+    if (!canvas.support_image.empty()) json["support_image"] = canvas.support_image;
+    if (canvas.support_relief_mm != 0.0) json["support_relief_mm"] = canvas.support_relief_mm;
+    return json;
+}
+
+/// Gathers the pen events between two others into one "stroke" entry.
+class StrokeWriter {
+  public:
+    bool open() const { return open_; }
+
+    void begin(std::int64_t tick, bool continued) {
+        open_ = true;
+        continued_ = continued;
+        first_tick_ = last_tick_ = tick;
+        samples_ = ticks_ = Json::array();
+        ticks_follow_ = true;
+    }
+
+    void add(std::int64_t tick, const brush::PenSample& sample) {
+        ticks_follow_ = ticks_follow_ && tick == tick_of_time(sample.time_s, last_tick_);
+        samples_.push_back(sample_json(sample));
+        ticks_.push_back(tick);
+        last_tick_ = tick;
+    }
+
+    /// `lift_tick`: of the pen's lift, none when the stroke is interrupted by another event.
+    Json end(const std::int64_t* lift_tick) {
+        open_ = false;
+        Json stroke{{"samples", std::move(samples_)}};
+        if (!ticks_follow_) stroke["ticks"] = std::move(ticks_);
+        if (continued_) stroke["continued"] = true;
+        if (lift_tick == nullptr) stroke["lifted"] = false;
+        if (lift_tick != nullptr && *lift_tick != last_tick_) stroke["lift_tick"] = *lift_tick;
+        return {{"tick", first_tick_}, {"stroke", std::move(stroke)}};
+    }
+
+  private:
+    bool open_ = false, continued_ = false, ticks_follow_ = true;
+    std::int64_t first_tick_ = 0, last_tick_ = 0;
+    Json samples_, ticks_;
+};
+
+/// Turns events into entries, in order.
+class EntryWriter {
+  public:
+    std::vector<Json> entries;
+
+    void add(const Event& event) {
+        tick_ = event.tick;
+        std::visit(*this, event.action);
+    }
+    void finish() {
+        if (stroke_.open()) entries.push_back(stroke_.end(nullptr));
+    }
+
+    void operator()(const document::PenDown& pen) {
+        finish();
+        stroke_.begin(tick_, false);
+        stroke_.add(tick_, pen.sample);
+    }
+    void operator()(const document::PenMove& pen) {
+        if (!stroke_.open()) stroke_.begin(tick_, true);
+        stroke_.add(tick_, pen.sample);
+    }
+    void operator()(const document::PenUp&) {
+        if (!stroke_.open()) stroke_.begin(tick_, true);
+        entries.push_back(stroke_.end(&tick_));
+    }
+    void operator()(const document::TakeBrush& take) { put("take_brush", brush_json(take)); }
+    void operator()(const document::LoadPaint& load) { put("load_paint", load_json(load)); }
+    void operator()(const document::CleanBrush&) { put("clean_brush", Json::object()); }
+    void operator()(const document::UseMedium& medium) {
+        put("use_medium", Json{{"name", medium.name}});
+    }
+    void operator()(const document::TiltCanvas& tilt) {
+        put("tilt_canvas", Json{{"tilt_deg", tilt.tilt_deg}, {"direction_deg", tilt.direction_deg}});
+    }
+    void operator()(const document::Undo&) { put("undo", Json::object()); }
+    void operator()(const document::Redo&) { put("redo", Json::object()); }
+
+  private:
+    void put(const char* kind, Json content) {
+        finish();
+        entries.push_back(Json{{"tick", tick_}, {kind, std::move(content)}});
+    }
+
+    StrokeWriter stroke_;
+    std::int64_t tick_ = 0;
+};
+
+}  // namespace
+
+std::string recording_to_json(const document::Recording& recording) {
+    EntryWriter writer;
+    for (const Event& event : recording.events)
+        writer.add(event);
+    writer.finish();
+
+    std::string text =
+        "{\n\"format\": \"pastoso-strokes\",\n\"version\": " + std::to_string(kStrokeFormatVersion);
+    text += ",\n\"canvas\": " + one_line(canvas_json(recording.canvas));
+    text += ",\n\"end_tick\": " + std::to_string(recording.end_tick);
+    text += ",\n\"events\": [";
+    const char* separator = "\n";
+    for (const Json& entry : writer.entries) {
+        text += separator + one_line(entry);
+        separator = ",\n";
+    }
+    return text + "\n]\n}\n";
+}
+
+void write_recording_json(const std::filesystem::path& path, const document::Recording& recording) {
+    core::write_text_file(path, recording_to_json(recording));
+}
+
+}  // namespace pastoso::io

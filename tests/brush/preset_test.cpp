@@ -1,0 +1,164 @@
+#include "brush/preset.hpp"
+
+#include "core/error.hpp"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace pastoso::brush {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+
+json valid_preset() {
+    return json::parse(R"({
+        "version": 1, "name": "Test", "units": {"length": "mm", "angle": "deg", "volume": "mm3"},
+        "tip": {"shape": "flat", "width": 20, "thickness": 4.8, "length": 22, "point": 0, "bristles": 300,
+                "hairs_per_bristle": 16, "seed": 1},
+        "flex": {"bend": 0.5, "splay": 0.22, "lag": 1, "press_depth": 0.32, "tilt_gain": 0.8, "descend": 0.35,
+                 "rigidity": 0},
+        "paint": {"film": 0.22, "run": 160, "groove": 0.5, "hair": 0.35, "streak": 0.75, "edge": 0.7,
+                  "start": 0.5, "leave": 0, "reach": 1.15},
+        "exchange": {"pickup": 0.35, "mix": 0.3, "wick": 0.06, "momentum": 0.5, "overflow": 1.15},
+        "stroke": {"spacing": 0.4, "min_spacing": 0.06, "smoothing_ms": 10, "string_mm": 0,
+                   "jitter_seed": "stroke"},
+        "dynamics": [{"input": "pressure", "target": "press", "curve": [[0, 0], [1, 1]]}]})");
+}
+
+/// The message that parsing gives; empty when it succeeds.
+std::string error_of(const std::string& text) {
+    try {
+        parse_preset(text, "test.json");
+        return "";
+    } catch (const core::InputError& error) {
+        return error.what();
+    }
+}
+
+std::string error_with(const char* pointer, const json& value) {
+    json preset = valid_preset();
+    preset[json::json_pointer(pointer)] = value;
+    return error_of(preset.dump());
+}
+
+TEST(Preset, ReadsEveryField) {
+    const Preset preset = parse_preset(valid_preset().dump(), "test.json");
+    EXPECT_EQ(preset.name, "Test");
+    EXPECT_EQ(preset.tip.shape, TipShape::Flat);
+    EXPECT_EQ(preset.tip.width_mm, 20.0);
+    EXPECT_EQ(preset.tip.bristles, 300);
+    EXPECT_EQ(preset.flex.descend, 0.35);
+    EXPECT_EQ(preset.paint.film_mm, 0.22);
+    EXPECT_EQ(preset.exchange.overflow, 1.15);
+    EXPECT_EQ(preset.stroke.smoothing_ms, 10.0);
+    EXPECT_EQ(preset.stroke.jitter_seed, JitterSeed::Stroke);
+    ASSERT_EQ(preset.dynamics.size(), 1U);
+    EXPECT_EQ(preset.dynamics[0].input, DynamicsInput::Pressure);
+    EXPECT_EQ(preset.dynamics[0].target, DynamicsTarget::Press);
+    ASSERT_EQ(preset.dynamics[0].points.size(), 2U);
+    EXPECT_EQ(preset.dynamics[0].points[1].output, 1.0);
+}
+
+TEST(Preset, SaysWhichFieldIsMissing) {
+    json preset = valid_preset();
+    preset["paint"].erase("film");
+    EXPECT_EQ(error_of(preset.dump()), "test.json: paint.film is missing.");
+    preset = valid_preset();
+    preset.erase("tip");
+    EXPECT_EQ(error_of(preset.dump()), "test.json: tip is missing.");
+}
+
+TEST(Preset, SaysWhichFieldHasTheWrongType) {
+    EXPECT_EQ(error_with("/tip/width", "wide"), "test.json: tip.width must be a number, not \"wide\".");
+    EXPECT_EQ(error_with("/tip/bristles", 1.5e2 + 0.5),
+              "test.json: tip.bristles must be a whole number, not 150.5.");
+    EXPECT_THAT(error_with("/flex", 3), HasSubstr("flex must be an object, not 3"));
+    EXPECT_THAT(error_with("/dynamics", "none"), HasSubstr("dynamics must be a list"));
+    EXPECT_THAT(error_of("[1, 2]"), HasSubstr("the preset must be an object"));
+}
+
+TEST(Preset, SaysWhichValueIsOutOfRange) {
+    EXPECT_EQ(error_with("/exchange/pickup", 1.5),
+              "test.json: exchange.pickup is 1.5, outside 0.0 to 1.0.");
+    EXPECT_THAT(error_with("/tip/width", -1), HasSubstr("tip.width is -1, outside"));
+    EXPECT_THAT(error_with("/tip/bristles", 100000), HasSubstr("tip.bristles is 100000, outside"));
+    EXPECT_THAT(error_with("/version", 2), HasSubstr("version is 2"));
+}
+
+TEST(Preset, SaysWhichChoiceIsUnknown) {
+    EXPECT_EQ(error_with("/tip/shape", "broom"),
+              "test.json: tip.shape is \"broom\", which is none of: round, flat, filbert, fan, knife.");
+    EXPECT_THAT(error_with("/units/length", "inch"), HasSubstr("units.length is \"inch\""));
+    EXPECT_THAT(error_with("/dynamics/0/input", "mood"), HasSubstr("dynamics[0].input is \"mood\""));
+}
+
+TEST(Preset, RejectsUnknownFields) {
+    EXPECT_EQ(error_with("/paint/flim", 1),
+              "test.json: paint.flim is not a field of a brush preset (value 1).");
+}
+
+TEST(Preset, ChecksCurves) {
+    EXPECT_THAT(error_with("/dynamics/0/curve", json::array()),
+                HasSubstr("dynamics[0].curve must have 1 to"));
+    EXPECT_THAT(error_with("/dynamics/0/curve/1", json::array({0, 1})),
+                HasSubstr("dynamics[0].curve[1] is [0,1], whose input is not above"));
+    EXPECT_THAT(error_with("/dynamics/0/curve/1", "high"),
+                HasSubstr("must be two numbers, not \"high\""));
+    EXPECT_THAT(error_with("/dynamics/0/target", "lean"),
+                HasSubstr("dynamics[0].input is \"pressure\", which cannot set \"lean\""));
+}
+
+TEST(Preset, SaysWhereTheFileIsNoJson) {
+    EXPECT_EQ(error_of("{\n \"version\": 1,\n oops}"), "test.json, line 3: this is not valid JSON.");
+    EXPECT_THAT(error_of("{\"version\": 1e999}"), HasSubstr("number that is too large"));
+    EXPECT_THAT(error_of(""), HasSubstr("test.json, line 1"));
+}
+
+TEST(BundledPresets, AreTheSeven) {
+    std::vector<std::string> names;
+    for (const Preset& preset : bundled_presets())
+        names.push_back(preset.name);
+    EXPECT_THAT(names, testing::UnorderedElementsAre("Flat bristle 20", "Round sable 9", "Filbert 14",
+                                                     "Fan 26", "Soft glazing flat 16", "Impasto flat 18",
+                                                     "Palette knife 17"));
+}
+
+TEST(BundledPresets, AreFoundByNameOrShape) {
+    EXPECT_EQ(find_preset("Impasto flat 18").name, "Impasto flat 18");
+    EXPECT_EQ(find_preset("impasto FLAT 18").name, "Impasto flat 18");
+    EXPECT_EQ(find_preset("flat").name, "Flat bristle 20");
+    EXPECT_EQ(find_preset("Round").name, "Round sable 9");
+    EXPECT_EQ(find_preset("filbert").name, "Filbert 14");
+    EXPECT_EQ(find_preset("fan").name, "Fan 26");
+    EXPECT_EQ(find_preset("knife").name, "Palette knife 17");
+}
+
+TEST(BundledPresets, UnknownNameListsThoseThereAre) {
+    try {
+        find_preset("broom");
+        FAIL() << "must throw";
+    } catch (const core::InputError& error) {
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("\"broom\""), HasSubstr("\"Round sable 9\""),
+                                        HasSubstr("\"Palette knife 17\"")));
+    }
+}
+
+TEST(Resized, ScalesTheTipInProportion) {
+    const Preset small = resized(find_preset("round"), 4.5);
+    EXPECT_DOUBLE_EQ(small.tip.width_mm, 4.5);
+    EXPECT_DOUBLE_EQ(small.tip.thickness_mm, 4.5);
+    EXPECT_DOUBLE_EQ(small.tip.length_mm, 11.5);
+    EXPECT_DOUBLE_EQ(small.tip.point_mm, 3.375);
+    EXPECT_EQ(small.tip.bristles, 130);
+    EXPECT_EQ(resized(find_preset("flat"), 100.0).tip.bristles, 300);
+    EXPECT_EQ(resized(find_preset("flat"), 0.5).tip.bristles, 30);
+    EXPECT_EQ(resized(find_preset("flat"), 0.0).tip.width_mm, 20.0);
+}
+
+}  // namespace
+}  // namespace pastoso::brush

@@ -1,0 +1,301 @@
+#include "brush/transfer.hpp"
+
+#include "brush/spill.hpp"
+#include "brush/studio.hpp"
+#include "core/random.hpp"
+
+#include <cmath>
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+namespace pastoso::brush {
+namespace {
+
+constexpr double kCell_mm = 0.125;
+
+/// A brush of four bristles, all full of the same paint.
+Brush small_brush() {
+    Brush brush(studio::flat_preset(2.0, 4));
+    brush.load(studio::dark_paint(), 1.0);
+    return brush;
+}
+
+Contact contact_at(double x_mm, double y_mm) {
+    Contact contact;
+    contact.x_mm = x_mm;
+    contact.y_mm = y_mm;
+    contact.press = 0.4F;
+    return contact;
+}
+
+StepRates rates_of(const Brush& brush, double step_mm = 0.2) {
+    return step_rates(brush, HandPose{}, step_mm, kCell_mm);
+}
+
+grid::Rect touch(Brush& brush, film::FilmState& film, const Contact& contact) {
+    CellBatch scratch;
+    return exchange_paint(brush, 0, contact, rates_of(brush), 1, film, scratch);
+}
+
+TEST(Exchange, GivesTheFilmWhatTheBristleLoses) {
+    Brush brush = small_brush();
+    film::FilmState film = studio::smooth(8.0, 8.0);
+    const Contents before = brush.contents();
+    const grid::Rect changed = touch(brush, film, contact_at(4.1, 3.9));
+    Contents after = brush.contents();
+    EXPECT_LT(after.volume_mm3, before.volume_mm3);
+    after += studio::contents(film);
+    EXPECT_LT(studio::balance_error(after, before), 1e-14);
+    for (int y = 0; y < film.shape.height; ++y) {
+        for (int x = 0; x < film.shape.width; ++x) {
+            const bool inside = x >= changed.x0 && x < changed.x1 && y >= changed.y0 && y < changed.y1;
+            if (!inside) {
+                EXPECT_EQ(film.thickness.at(x, y), 0);
+            }
+        }
+    }
+}
+
+TEST(Exchange, ClosesTheShareOfTheGapThatTheRuleSays) {
+    // A bristle without grooves, hairs, edge or start on a smooth support: in its middle w = chi = 1.
+    Preset preset = studio::flat_preset(2.0, 4);
+    preset.paint.groove = preset.paint.hair = preset.paint.start = preset.paint.edge = 0.0;
+    Brush brush(preset);
+    brush.load(studio::dark_paint(), 1.0);
+    brush.held[0].volume_mm3 = brush.tip.capacity_mm3;  // sat = 1
+    film::FilmState film = studio::smooth(8.0, 8.0);
+    const Contact contact = contact_at(4.0 + 0.5 * kCell_mm, 4.0 + 0.5 * kCell_mm);
+    touch(brush, film, contact);
+    const double tau_mm = preset.paint.film_mm * brush.tip.bristles[0].body * (1.0 - 0.5 * 0.4);
+    const double rate = 1.0 - std::exp(-0.2 / (0.8 * brush.tip.radius_mm));
+    EXPECT_NEAR(studio::thickness_mm(film, 32, 32), rate * tau_mm, 1e-6);  // single precision
+}
+
+TEST(Exchange, TakesPaintInTheWay) {
+    Brush brush(studio::flat_preset(2.0, 4));
+    film::FilmState film = studio::smooth(8.0, 8.0);
+    studio::cover(film, 0.5, studio::light_paint());
+    const Contents before = studio::contents(film);
+    for (int i = 0; i < 10; ++i)
+        touch(brush, film, contact_at(4.0, 4.0));
+    EXPECT_GT(brush.held[0].volume_mm3, 0.0);
+    Contents after = studio::contents(film);
+    after += brush.contents();
+    EXPECT_LT(studio::balance_error(after, before), 1e-14);
+    EXPECT_LT(studio::thickness_mm(film, 32, 32), 0.5);
+}
+
+TEST(Exchange, SwapsColourWithoutMovingVolume) {
+    Preset preset = studio::flat_preset(2.0, 4);
+    preset.exchange.pickup = 0.0;
+    Brush brush(preset);
+    brush.load(studio::dark_paint(), 1.0);
+    film::FilmState film = studio::smooth(8.0, 8.0);
+    studio::cover(film, 2.0, studio::light_paint());  // higher than the bristle wants it anywhere
+    const double held_mm3 = brush.held[0].volume_mm3;
+    const double light_before = brush.held[0].pigment[6];
+    touch(brush, film, contact_at(4.0, 4.0));
+    EXPECT_EQ(brush.held[0].volume_mm3, held_mm3);
+    EXPECT_GT(brush.held[0].pigment[6], light_before);
+    EXPECT_GT(film.pigment.at(32, 32)[0], 100);
+}
+
+TEST(Exchange, PigmentGoesWithTheLastOfThePaint) {
+    Brush brush(studio::flat_preset(2.0, 4));
+    brush.preset.exchange.pickup = 1.0;
+    film::FilmState film = studio::smooth(8.0, 8.0);
+    studio::cover(film, 0.001, studio::dark_paint());
+    for (int i = 0; i < 200; ++i) {
+        touch(brush, film, contact_at(4.0, 4.0));
+        brush.clean();
+    }
+    EXPECT_EQ(film.thickness.at(32, 32), 0);
+    for (const std::int32_t quanta : film.pigment.at(32, 32))
+        EXPECT_EQ(quanta, 0);
+}
+
+TEST(Exchange, GivesColourWithoutBias) {
+    // Weak channels are fractions of a quantum a step; rounding must neither drop nor double them.
+    Brush brush = small_brush();
+    brush.clean();
+    brush.load(studio::light_paint(), 1.0);
+    film::FilmState film = studio::smooth(8.0, 8.0);
+    for (int i = 0; i < 40; ++i)
+        touch(brush, film, contact_at(2.0 + 0.1 * i, 4.0));
+    const Contents given = studio::contents(film);
+    for (int k = 0; k < pigment::kChannels; ++k) {
+        const double per_mm = given.pigment[k] / given.volume_mm3;
+        EXPECT_NEAR(per_mm / studio::light_paint()[k], 1.0, 0.02) << "channel " << k;
+    }
+}
+
+TEST(Exchange, ReachesAcrossTileCorners) {
+    Brush brush = small_brush();
+    film::FilmState film = studio::smooth(16.0, 16.0);  // 128 x 128 cells, four tiles
+    const Contents before = brush.contents();
+    touch(brush, film, contact_at(8.0, 8.0));
+    for (const auto& [x, y] : {std::pair{63, 63}, {64, 63}, {63, 64}, {64, 64}}) {
+        EXPECT_GT(film.thickness.at(x, y), 0);
+    }
+    Contents after = studio::contents(film);
+    after += brush.contents();
+    EXPECT_LT(studio::balance_error(after, before), 1e-14);
+}
+
+TEST(Exchange, LeavesUntouchedTilesAndSnapshotsAlone) {
+    Brush brush = small_brush();
+    film::FilmState film = studio::smooth(16.0, 16.0);
+    touch(brush, film, contact_at(4.0, 4.0));
+    const film::FilmState snapshot = film;
+    touch(brush, film, contact_at(4.2, 4.0));
+    EXPECT_FALSE(film.thickness.shares_tile(snapshot.thickness, 0));
+    for (int tile = 1; tile < 4; ++tile) {
+        EXPECT_TRUE(film.thickness.is_background(tile));
+        EXPECT_TRUE(film.pigment.is_background(tile));
+    }
+}
+
+TEST(Exchange, EmptyBristleOnDryCanvasChangesNothing) {
+    Brush brush(studio::flat_preset(2.0, 4));
+    film::FilmState film = studio::linen(8.0, 8.0);
+    EXPECT_TRUE(touch(brush, film, contact_at(4.0, 4.0)).empty());
+    EXPECT_TRUE(film.thickness.is_background(0));
+    EXPECT_EQ(brush.contents(), Contents{});
+}
+
+TEST(Exchange, BeyondTheCanvasNothingHappens) {
+    Brush brush = small_brush();
+    film::FilmState film = studio::smooth(8.0, 8.0);
+    const Contents before = brush.contents();
+    for (const auto& [x, y] : {std::pair{-5.0, 4.0}, {4.0, 20.0}, {1e7, 1e7}, {-1e7, 0.0}}) {
+        EXPECT_TRUE(touch(brush, film, contact_at(x, y)).empty());
+    }
+    touch(brush, film, contact_at(0.0, 0.0));  // a quarter of the footprint is on the canvas
+    Contents after = studio::contents(film);
+    EXPECT_GT(after.volume_mm3, 0.0);
+    after += brush.contents();
+    EXPECT_LT(studio::balance_error(after, before), 1e-14);
+}
+
+TEST(PutDown, HeapsUpNoMoreThanACellMayHold) {
+    Contents held;
+    held.volume_mm3 = 100.0;
+    for (double& pigment : held.pigment)
+        pigment = 100.0 * kStrongestPaint_per_mm;
+    const Contents before = held;
+    film::FilmState film = studio::smooth(8.0, 8.0);
+    CellBatch scratch;
+    put_down(held, 90.0, 4.0, 4.0, 0.6, 1, film, scratch);
+    double thickest_mm = 0.0;
+    for (int y = 0; y < film.shape.height; ++y) {
+        for (int x = 0; x < film.shape.width; ++x) {
+            thickest_mm = std::max(thickest_mm, studio::thickness_mm(film, x, y));
+            for (const std::int32_t quanta : film.pigment.at(x, y))
+                EXPECT_GE(quanta, 0);
+        }
+    }
+    EXPECT_NEAR(thickest_mm, film::kMaxThickness_mm, 1e-5);
+    held += studio::contents(film);
+    EXPECT_LT(studio::balance_error(held, before), 1e-14);
+}
+
+/// Random cells and a rule that reaches them, for comparing instruction sets.
+struct RandomBatch {
+    static constexpr int kCount = 96;
+    std::vector<float> dx_mm, dy_mm, support_mm;
+    std::vector<std::int32_t> thickness, cell, change, swap;
+    std::vector<float> hairs;
+
+    explicit RandomBatch(std::uint32_t seed) : change(kCount), swap(kCount) {
+        const auto noise = [seed](int i, std::uint32_t stream) {
+            return core::uniform_noise(static_cast<std::uint32_t>(i), seed * 16 + stream);
+        };
+        for (int i = 0; i < kCount; ++i) {
+            dx_mm.push_back(1.2F * noise(i, 0) - 0.6F);
+            dy_mm.push_back(1.2F * noise(i, 1) - 0.6F);
+            support_mm.push_back(0.11F * noise(i, 2));
+            const float wet_mm = noise(i, 3) < 0.3F ? 0.0F : noise(i, 4) * noise(i, 4) * 2.0F;
+            thickness.push_back(static_cast<std::int32_t>(wet_mm / film::kThicknessQuantum_mm));
+            cell.push_back(i);
+        }
+        for (int i = 0; i < 17; ++i)
+            hairs.push_back(noise(i, 5) - 0.5F);
+    }
+
+    ExchangeRule rule(bool lane) const {
+        ExchangeRule rule{};
+        rule.across_x = 1.3F;
+        rule.across_y = 1.1F;
+        rule.along_x = -1.1F;
+        rule.along_y = 1.3F;
+        rule.lane = lane;
+        rule.underside_mm = 0.3F;
+        rule.groove_mm = 0.1F;
+        rule.hair_mm = 0.07F;
+        rule.hairs = hairs.data();
+        rule.hairs_per_bristle = 16;
+        rule.lowest_mm = 0.02F;
+        rule.fade_per_mm = 30.0F;
+        rule.rate = 0.37F;
+        rule.pickup = 0.35F;
+        rule.mix = 0.4F;
+        rule.mix_depth_mm = 0.8F;
+        return rule;
+    }
+
+    BatchColumns columns() {
+        return {dx_mm.data(), dy_mm.data(), thickness.data(), support_mm.data(), change.data(),
+                swap.data(),  kCount};
+    }
+};
+
+class EveryInstructionSet : public testing::TestWithParam<core::Isa> {};
+
+TEST_P(EveryInstructionSet, GivesTheSameBitsAsTheBaseline) {
+    if (GetParam() > core::best_isa())
+        GTEST_SKIP() << "this processor has no " << core::name_of(GetParam());
+    const TransferKernels baseline = transfer_kernels_for(core::Isa::Baseline);
+    const TransferKernels kernels = transfer_kernels_for(GetParam());
+    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+        RandomBatch expected(seed), actual(seed);
+        const bool lane = seed % 2 == 1;
+        const WantedSums expected_sums = baseline.plan(expected.rule(lane), expected.columns());
+        const WantedSums sums = kernels.plan(actual.rule(lane), actual.columns());
+        EXPECT_EQ(sums.deposit, expected_sums.deposit) << "seed " << seed;
+        EXPECT_EQ(sums.swap, expected_sums.swap) << "seed " << seed;
+        EXPECT_EQ(actual.change, expected.change) << "seed " << seed;
+        EXPECT_EQ(actual.swap, expected.swap) << "seed " << seed;
+
+        ApplyRule rule;
+        rule.deposit_scale = 0.83F;
+        rule.swap_scale = 0.91F;
+        rule.dither_seed = seed;
+        for (int k = 0; k < pigment::kChannels; ++k)
+            rule.given[k] = 0.37F * static_cast<float>(k * k) / 12.0F;
+        std::vector<film::PigmentCell> expected_pigment(RandomBatch::kCount), actual_pigment;
+        for (auto& cell : expected_pigment)
+            cell.fill(1000003);
+        actual_pigment = expected_pigment;
+        ChangeSums expected_changes, changes;
+        baseline.apply(rule,
+                       {expected.thickness.data(), expected_pigment.data(), expected.cell.data(),
+                        expected.change.data(), expected.swap.data(), RandomBatch::kCount},
+                       expected_changes);
+        kernels.apply(rule,
+                      {actual.thickness.data(), actual_pigment.data(), actual.cell.data(),
+                       actual.change.data(), actual.swap.data(), RandomBatch::kCount},
+                      changes);
+        EXPECT_EQ(actual.thickness, expected.thickness) << "seed " << seed;
+        EXPECT_EQ(actual_pigment, expected_pigment) << "seed " << seed;
+        EXPECT_EQ(changes.thickness, expected_changes.thickness);
+        EXPECT_EQ(changes.pigment, expected_changes.pigment);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kernels, EveryInstructionSet,
+                         testing::Values(core::Isa::Baseline, core::Isa::Avx2, core::Isa::Avx512),
+                         [](const auto& isa) { return core::name_of(isa.param); });
+
+}  // namespace
+}  // namespace pastoso::brush
