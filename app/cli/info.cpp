@@ -1,0 +1,146 @@
+#include "cli/info.hpp"
+
+#include "brush/preset.hpp"
+#include "cli/progress.hpp"
+#include "cli/recording_source.hpp"
+#include "core/isa.hpp"
+#include "document/canvas.hpp"
+#include "document/number_text.hpp"
+#include "film/medium.hpp"
+#include "io/image.hpp"
+#include "io/recording_json.hpp"
+#include "io/recording_text.hpp"
+#include "pigment/palette.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <thread>
+
+namespace pastoso::cli {
+namespace {
+
+using document::number_text;
+
+void print_program() {
+    std::printf("pastoso-cli %s, %s build by %s\n", PASTOSO_VERSION, PASTOSO_BUILD_TYPE,
+                PASTOSO_COMPILER);
+    std::printf("instruction set %s, %u processors\n", core::name_of(core::best_isa()),
+                std::thread::hardware_concurrency());
+    std::printf("\nBrushes:\n");
+    for (const brush::Preset& preset : brush::bundled_presets()) {
+        std::printf("  %-24s %s, %s mm wide\n", preset.name.c_str(),
+                    std::string(name_of(preset.tip.shape)).c_str(),
+                    number_text(preset.tip.width_mm).c_str());
+    }
+    std::printf("\nPigments:\n");
+    for (const pigment::Pigment& pigment : pigment::bundled_palette()) {
+        std::printf("  %-10s %s\n", pigment.ci_name.c_str(), pigment.name.c_str());
+    }
+    std::printf("\nMedia:\n");
+    for (const film::Medium& medium : film::bundled_media()) {
+        std::printf("  %-20s %s\n", medium.name.c_str(), medium.description.c_str());
+    }
+    std::printf("\nSupports:\n  linen, cotton duck, panel, or the path of a height image\n");
+}
+
+std::string paint_text(const document::PaintRecipe& paint) {
+    std::string text;
+    for (const document::Ingredient& ingredient : paint.ingredients) {
+        if (!text.empty()) text += "+";
+        text += ingredient.pigment + "=" + number_text(ingredient.parts);
+    }
+    return paint.strength == 1.0 ? text : text + "@" + number_text(paint.strength);
+}
+
+/// What a recording uses, every name once, in alphabetical order.
+struct Inventory {
+    std::set<std::string> brushes, paints, media;
+    long strokes = 0;
+
+    void operator()(const document::TakeBrush& take) { brushes.insert(take.preset); }
+    void operator()(const document::LoadPaint& load) {
+        paints.insert(paint_text(load.paint));
+        if (!load.second.ingredients.empty()) paints.insert(paint_text(load.second));
+    }
+    void operator()(const document::UseMedium& medium) { media.insert(medium.name); }
+    void operator()(const document::PenDown&) { ++strokes; }
+    template <class Other>
+    void operator()(const Other&) {}
+};
+
+void print_names(const char* what, const std::set<std::string>& names) {
+    std::printf("%s:", what);
+    for (const std::string& name : names)
+        std::printf(" %s%s", name.c_str(), name == *names.rbegin() ? "" : ",");
+    std::printf("\n");
+}
+
+void print_json_recording(const std::string& path) {
+    const document::Recording recording = io::read_recording_json(path);
+    const document::CanvasSettings& canvas = recording.canvas;
+    const grid::Shape shape = document::canvas_shape(canvas);
+    Inventory inventory;
+    for (const document::Event& event : recording.events)
+        std::visit(inventory, event.action);
+    std::printf("%s: stroke recording\n", path.c_str());
+    std::printf("canvas: %s x %s mm, %s, %s px/mm (%d x %d cells)\n",
+                number_text(canvas.width_mm).c_str(), number_text(canvas.height_mm).c_str(),
+                canvas.support.c_str(), number_text(canvas.px_per_mm).c_str(), shape.width,
+                shape.height);
+    std::printf("duration: %s\n",
+                duration_text(static_cast<double>(recording.end_tick) * document::kTick_s).c_str());
+    std::printf("events: %zu\nstrokes: %ld\n", recording.events.size(), inventory.strokes);
+    print_names("brushes", inventory.brushes);
+    print_names("paints", inventory.paints);
+    print_names("media", inventory.media);
+}
+
+void print_pen_trace(const std::string& path) {
+    const io::PenTrace trace = io::read_pen_trace(path);
+    std::size_t samples = 0;
+    double strongest = 0.0;
+    for (const auto& stroke : trace.strokes) {
+        samples += stroke.size();
+        for (const brush::PenSample& sample : stroke)
+            strongest = std::max(strongest, sample.pressure);
+    }
+    std::printf("%s: pen recording in four columns\n", path.c_str());
+    std::printf("duration: %s\n", duration_text(trace.strokes.back().back().time_s).c_str());
+    std::printf("samples: %zu\nstrokes: %zu\n", samples, trace.strokes.size());
+    std::printf("strongest pressure: %s\n", number_text(strongest).c_str());
+}
+
+bool names_an_image(const std::string& path) {
+    static constexpr std::array<const char*, 13> kExtensions = {".png", ".tif", ".tiff", ".jpg", ".jpeg",
+                                                                ".exr", ".bmp", ".tga",  ".hdr", ".webp",
+                                                                ".pgm", ".ppm", ".gif"};
+    const std::string extension = std::filesystem::path(path).extension().string();
+    return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
+
+void print_image(const std::string& path) {
+    const io::GreyImage image = io::read_grey_image(path);
+    const auto [darkest, lightest] = std::minmax_element(image.values.begin(), image.values.end());
+    std::printf("%s: image\nsize: %d x %d pixels\ngrey values: %.3f to %.3f\n", path.c_str(),
+                image.width, image.height, static_cast<double>(*darkest),
+                static_cast<double>(*lightest));
+}
+
+}  // namespace
+
+void run_info(const InfoOptions& options) {
+    if (options.file.empty())
+        print_program();
+    else if (names_an_image(options.file))
+        print_image(options.file);
+    else if (is_json_recording(options.file))
+        print_json_recording(options.file);
+    else
+        print_pen_trace(options.file);
+}
+
+}  // namespace pastoso::cli

@@ -1,0 +1,164 @@
+#include "cli/info.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/options.hpp"
+#include "cli/replay.hpp"
+#include "cli/usage_error.hpp"
+#include "core/error.hpp"
+
+#include <cstdio>
+#include <new>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace pastoso::cli {
+namespace {
+
+enum ExitStatus { kDone = 0, kBadInput = 1, kBadUsage = 2, kStopped = 130 };
+
+void add_paint_options(CLI::App& command, ReplayOptions& options) {
+    command
+        .add_option("--brush", options.brush,
+                    "Text recordings: the brush, by name (default: Flat bristle 20)")
+        ->type_name("NAME");
+    command.add_option("--size-mm", options.size_mm, "Text recordings: width of the brush's tip")
+        ->type_name("MM");
+    command
+        .add_option("--paint", options.paints,
+                    "Text recordings: PB29, or a mixture by parts PB29=1+PW6=0.5, or thinned PB29@0.3; "
+                    "several are "
+                    "taken in turn, one a stroke, the brush being cleaned in between")
+        ->type_name("PAINT");
+    command.add_flag(
+        "--fit", options.fit,
+        "Text recordings: scale and centre the strokes on the canvas (otherwise x and y are "
+        "millimetres from its upper left corner)");
+}
+
+void add_canvas_options(CLI::App& command, ReplayOptions& options) {
+    command.add_option("--canvas", options.canvas, "Size of the canvas (text recordings: 300x200mm)")
+        ->type_name("WxHmm");
+    command.add_option("--px-per-mm", options.px_per_mm, "Cells per millimetre (text recordings: 4)")
+        ->type_name("N");
+    command
+        .add_option("--support", options.support, "linen, cotton duck, panel, or a height image's path")
+        ->type_name("NAME");
+    command
+        .add_option("--relief-mm", options.relief_mm,
+                    "Height of the support's crowns or of an image's white")
+        ->type_name("MM");
+    command.add_option("--medium", options.medium, "Kind of paint (text recordings: heavy-body oil)")
+        ->type_name("NAME");
+    command
+        .add_option("--tilt", options.tilt_deg,
+                    "Tilt of the canvas, 0 flat to 90 upright (text recordings: 0)")
+        ->type_name("DEG");
+    command
+        .add_option("--tilt-direction", options.tilt_direction_deg,
+                    "Where down points: 0 right, 90 lower edge (default: 90)")
+        ->type_name("DEG");
+    command
+        .add_option("--seconds", options.seconds,
+                    "How long the paint runs after the last event (text recordings: 2)")
+        ->type_name("S")
+        ->check(CLI::Range(0.0, 86400.0));
+}
+
+void add_output_options(CLI::App& command, ReplayOptions& options) {
+    command.add_option("-o,--output", options.output, "The picture: .png, .tif, .jpg or .exr")
+        ->type_name("FILE");
+    command.add_option("--scale", options.scale, "Pixels per cell of every picture")
+        ->type_name("S")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0625, 16.0));
+    command.add_option("--frames", options.frames, "Write frame-00001.png and so on into this folder")
+        ->type_name("DIR");
+    command.add_option("--fps", options.fps, "Frames per second of paint time")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(0.01, 60.0));
+    command.add_option("--stats", options.stats, "Write the figures of the run as one JSON object")
+        ->type_name("FILE");
+    command.add_option("--threads", options.threads, "Threads to use; 0: one per processor")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 256));
+    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+}
+
+void add_replay(CLI::App& app, ReplayOptions& options) {
+    CLI::App& command =
+        *app.add_subcommand("replay", "Paint a pen recording, let the paint run, render it");
+    command
+        .add_option("STROKES", options.strokes,
+                    "A recording: .json, or text lines \"seconds x y pressure\"")
+        ->required();
+    add_paint_options(command, options);
+    add_canvas_options(command, options);
+    add_output_options(command, options);
+    command.footer(
+        "A JSON recording says itself which canvas, brushes and paints it uses; an option given here "
+        "overrides it.\nExample:\n  pastoso-cli replay pen.dat --fit --brush \"Flat bristle 20\" "
+        "--paint PB29=1+PW6=0.5 PY35 \\\n      --canvas 300x200mm --tilt 60 --seconds 8 -o out.png");
+}
+
+void add_info(CLI::App& app, InfoOptions& options) {
+    CLI::App& command =
+        *app.add_subcommand("info", "Describe a recording or an image, or the program itself");
+    command.add_option("FILE", options.file,
+                       "Without a file: version, brushes, pigments, media and supports");
+    command.footer("Example:\n  pastoso-cli info strokes.json");
+}
+
+int run(int argc, char** argv) {
+    ReplayOptions replay;
+    InfoOptions info;
+    CLI::App app("Paints with thick wet paint, without a screen.", "pastoso-cli");
+    app.set_version_flag("--version", "pastoso-cli " PASTOSO_VERSION);
+    app.require_subcommand(1);
+    app.footer("Example:\n  pastoso-cli replay strokes.json -o picture.png");
+    add_replay(app, replay);
+    add_info(app, info);
+    const std::string first = argc > 1 ? argv[1] : "-";
+    const auto is_named = [&](const CLI::App* command) { return command->get_name() == first; };
+    if (!first.starts_with('-') && app.get_subcommands(is_named).empty()) {
+        throw UsageError("there is no subcommand \"" + first + "\", only replay and info.");
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& wanted) {
+        return app.exit(wanted);
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(std::string(error.what()) + " (pastoso-cli --help shows what there is).");
+    }
+    if (app.got_subcommand("replay"))
+        run_replay(replay);
+    else
+        run_info(info);
+    return kDone;
+}
+
+int fail(const std::string& message, ExitStatus status) {
+    std::fprintf(stderr, "pastoso-cli: %s\n", message.c_str());
+    return status;
+}
+
+}  // namespace
+}  // namespace pastoso::cli
+
+int main(int argc, char** argv) {
+    using namespace pastoso::cli;
+    try {
+        return run(argc, argv);
+    } catch (const UsageError& error) {
+        return fail(error.what(), kBadUsage);
+    } catch (const pastoso::core::InputError& error) {
+        return fail(error.what(), kBadInput);
+    } catch (const Interrupted&) {
+        return fail("stopped.", kStopped);
+    } catch (const std::bad_alloc&) {
+        return fail("there is not enough memory for this.", kBadInput);
+    } catch (const std::exception& error) {
+        return fail(error.what(), kBadInput);
+    }
+}

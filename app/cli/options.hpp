@@ -1,0 +1,39 @@
+// What the command line asks for, as plain data.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pastoso::cli {
+
+/// An option that is not given leaves the decision to the recording, or to the defaults of text
+/// recordings.
+struct ReplayOptions {
+    std::string strokes;
+    std::optional<std::string> brush;
+    std::optional<double> size_mm;
+    std::vector<std::string> paints;
+    std::optional<std::string> medium;
+    std::optional<std::string> canvas;
+    std::optional<double> px_per_mm;
+    std::optional<std::string> support;
+    std::optional<double> relief_mm;
+    std::optional<double> tilt_deg;
+    std::optional<double> tilt_direction_deg;
+    std::optional<double> seconds;
+    bool fit = false;
+    int threads = 0;
+    std::string output;
+    std::string stats;
+    std::string frames;
+    double fps = 25.0;
+    double scale = 1.0;
+    bool quiet = false;
+};
+
+struct InfoOptions {
+    std::string file;  ///< empty: about the program itself
+};
+
+}  // namespace pastoso::cli

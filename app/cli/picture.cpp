@@ -1,0 +1,76 @@
+#include "cli/picture.hpp"
+
+#include "cli/stopwatch.hpp"
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "document/canvas.hpp"
+#include "document/number_text.hpp"
+#include "io/image.hpp"
+#include "shade/render.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <span>
+#include <string>
+
+namespace pastoso::cli {
+namespace {
+
+std::uint64_t hash_of(const shade::Image8& image) {
+    core::Hash64 hash;
+    hash.add_value(image.width);
+    hash.add_value(image.height);
+    hash.add(std::span<const std::uint8_t>(image.rgb));
+    return hash.value();
+}
+
+void check_picture_size(const grid::Shape& shape, double scale) {
+    const double longest = scale * std::max(shape.width, shape.height);
+    const double pixels = scale * scale * shape.width * shape.height;
+    if (longest <= 32768.0 && pixels <= 4e8) return;
+    throw core::InputError("A picture at --scale " + document::number_text(scale) + " would be " +
+                           std::to_string(static_cast<long>(scale * shape.width)) + " x " +
+                           std::to_string(static_cast<long>(scale * shape.height)) +
+                           " pixels; at most 32768 a side and 400 million in all are possible.");
+}
+
+}  // namespace
+
+PictureWriter::PictureWriter(const document::CanvasSettings& canvas, double scale,
+                             core::ThreadPool& pool)
+    : px_per_mm_(canvas.px_per_mm), scale_(scale), pool_(pool) {
+    check_picture_size(document::canvas_shape(canvas), scale);
+}
+
+PictureReport PictureWriter::write(const document::Painting& painting,
+                                   const std::filesystem::path& path) {
+    const document::Snapshot snapshot = painting.snapshot();
+    shade::RenderSettings settings;
+    settings.scale = scale_;
+    shade::LinearImage linear;
+    shade::Image8 encoded;
+    times_.shade_s += seconds_of([&] {
+        linear =
+            shade::render(snapshot.film, snapshot.ground, snapshot.film.shape.cells(), settings, pool_);
+        encoded = shade::encode_srgb8(linear);
+    });
+    times_.io_s += seconds_of([&] {
+        const double px_per_mm = scale_ * px_per_mm_;
+        if (io::is_linear_format(path))
+            io::write_image(path, linear, px_per_mm);
+        else
+            io::write_image(path, encoded, px_per_mm);
+    });
+    return {encoded.width, encoded.height, hash_of(encoded)};
+}
+
+void FrameWriter::write_if_due(const document::Painting& painting) {
+    const double passed_s = static_cast<double>(painting.tick()) * document::kTick_s;
+    // Half a tick of slack: a frame is due at the tick nearest to its time.
+    if (passed_s + 0.5 * document::kTick_s < frames_written_ / fps_) return;
+    char name[32];
+    std::snprintf(name, sizeof name, "frame-%05d.png", ++frames_written_);
+    pictures_.write(painting, folder_ / name);
+}
+
+}  // namespace pastoso::cli

@@ -1,0 +1,59 @@
+// Rendering the painting into files, with the time it takes.
+#pragma once
+
+#include "core/thread_pool.hpp"
+#include "document/painting.hpp"
+
+#include <cstdint>
+#include <filesystem>
+
+namespace pastoso::cli {
+
+/// Seconds of wall time so far.
+struct PictureTimes {
+    double shade_s = 0.0;
+    double io_s = 0.0;
+};
+
+/// What became of a picture.
+struct PictureReport {
+    int width_px = 0, height_px = 0;
+    std::uint64_t hash = 0;  ///< of the size and the 8-bit values
+};
+
+class PictureWriter {
+  public:
+    /// `scale` in pixels per cell. Throws InputError when the picture would be too large.
+    PictureWriter(const document::CanvasSettings& canvas, double scale, core::ThreadPool& pool);
+
+    /// Renders the whole canvas and writes it to `path`.
+    PictureReport write(const document::Painting& painting, const std::filesystem::path& path);
+
+    const PictureTimes& times() const { return times_; }
+
+  private:
+    double px_per_mm_;
+    double scale_;
+    core::ThreadPool& pool_;
+    PictureTimes times_;
+};
+
+/// Writes frame-00001.png and so on into a folder, one for every 1/fps seconds of paint time.
+class FrameWriter {
+  public:
+    FrameWriter(std::filesystem::path folder, double fps, PictureWriter& pictures)
+        : folder_(std::move(folder)), fps_(fps), pictures_(pictures) {}
+
+    /// To be called at every tick; writes a frame when its time has come.
+    void write_if_due(const document::Painting& painting);
+
+    int frames_written() const { return frames_written_; }
+
+  private:
+    std::filesystem::path folder_;
+    double fps_;
+    PictureWriter& pictures_;
+    int frames_written_ = 0;
+};
+
+}  // namespace pastoso::cli

@@ -1,0 +1,121 @@
+#include "cli/recording_source.hpp"
+
+#include "cli/usage_error.hpp"
+#include "cli/values.hpp"
+#include "core/error.hpp"
+#include "document/action_checks.hpp"
+#include "document/canvas.hpp"
+#include "io/recording_json.hpp"
+#include "io/recording_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace pastoso::cli {
+namespace {
+
+using document::Recording;
+
+/// Free space around a fitted recording, as a share of the shorter side: about half a large brush.
+constexpr double kFitMargin = 0.1;
+
+const std::vector<std::string> kDefaultPaints = {"PB29=1+PW6=0.6", "PY35=1+PW6=0.1", "PR108",
+                                                 "PG18=1+PW6=0.4", "PW6=1+PY43=0.1"};
+
+/// `support` as given: one of the program's own by name, or the path of an image.
+void set_support(document::CanvasSettings& canvas, const std::string& support) {
+    const bool is_file = std::filesystem::path(support).has_extension();
+    canvas.support = is_file ? "image" : support;
+    canvas.support_image = is_file ? support : "";
+}
+
+void override_canvas(document::CanvasSettings& canvas, const ReplayOptions& options) {
+    if (options.canvas) {
+        const CanvasSize size = parse_canvas_size(*options.canvas);
+        canvas.width_mm = size.width_mm;
+        canvas.height_mm = size.height_mm;
+    }
+    if (options.px_per_mm) canvas.px_per_mm = *options.px_per_mm;
+    if (options.support) set_support(canvas, *options.support);
+    if (options.relief_mm) canvas.support_relief_mm = *options.relief_mm;
+    document::check_canvas_fits(canvas, document::available_memory_bytes());
+}
+
+document::TiltCanvas tilt_of(const ReplayOptions& options) {
+    document::TiltCanvas tilt;
+    tilt.tilt_deg = options.tilt_deg.value_or(0.0);
+    tilt.direction_deg = options.tilt_direction_deg.value_or(tilt.direction_deg);
+    return tilt;
+}
+
+/// Puts `action` at the start, in the place of all others of its kind.
+template <class Kind>
+void replace_all(Recording& recording, const Kind& action) {
+    std::erase_if(recording.events, [](const document::Event& event) {
+        return std::holds_alternative<Kind>(event.action);
+    });
+    recording.events.insert(recording.events.begin(), {0, action});
+}
+
+void set_seconds_after(Recording& recording, double seconds) {
+    const std::int64_t last = recording.events.empty() ? 0 : recording.events.back().tick;
+    recording.end_tick = last + std::llround(seconds / document::kTick_s);
+}
+
+Recording load_json(const ReplayOptions& options) {
+    if (options.brush || options.size_mm || !options.paints.empty() || options.fit) {
+        throw UsageError(
+            "--brush, --size-mm, --paint and --fit are for text recordings; a JSON recording says "
+            "these things itself.");
+    }
+    Recording recording = io::read_recording_json(options.strokes);
+    override_canvas(recording.canvas, options);
+    if (options.medium) replace_all(recording, document::UseMedium{*options.medium});
+    if (options.tilt_deg || options.tilt_direction_deg) replace_all(recording, tilt_of(options));
+    if (options.seconds) set_seconds_after(recording, *options.seconds);
+    return recording;
+}
+
+io::TraceSetup text_setup(const ReplayOptions& options) {
+    io::TraceSetup setup;
+    override_canvas(setup.canvas, options);
+    setup.medium = options.medium.value_or(kDefaultMedium);
+    setup.tilt = tilt_of(options);
+    setup.brush.preset = options.brush.value_or(kDefaultBrush);
+    setup.brush.size_mm = options.size_mm.value_or(0.0);
+    for (const std::string& paint : options.paints.empty() ? kDefaultPaints : options.paints) {
+        setup.paints.push_back(parse_paint(paint));
+    }
+    setup.seconds_after = options.seconds.value_or(setup.seconds_after);
+    return setup;
+}
+
+Recording load_text(const ReplayOptions& options) {
+    const io::TraceSetup setup = text_setup(options);
+    const double width = setup.canvas.width_mm;
+    const double height = setup.canvas.height_mm;
+    io::PenTrace trace = io::read_pen_trace(options.strokes);
+    if (options.fit) trace = io::fitted(trace, width, height, kFitMargin * std::min(width, height));
+    if (!io::touches_canvas(trace, width, height)) {
+        throw core::InputError(options.strokes +
+                               ": every stroke misses the canvas; positions are taken as "
+                               "millimetres from its upper left corner unless --fit is given.");
+    }
+    return io::recording_from_trace(trace, setup);
+}
+
+}  // namespace
+
+bool is_json_recording(const std::string& path) {
+    return std::filesystem::path(path).extension() == ".json";
+}
+
+document::Recording load_recording(const ReplayOptions& options) {
+    Recording recording = is_json_recording(options.strokes) ? load_json(options) : load_text(options);
+    for (const document::Event& event : recording.events)
+        document::check_action(event.action);
+    return recording;
+}
+
+}  // namespace pastoso::cli

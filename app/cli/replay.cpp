@@ -1,0 +1,101 @@
+#include "cli/replay.hpp"
+
+#include "cli/interrupt.hpp"
+#include "cli/picture.hpp"
+#include "cli/progress.hpp"
+#include "cli/recording_source.hpp"
+#include "cli/stopwatch.hpp"
+#include "core/error.hpp"
+#include "core/thread_pool.hpp"
+#include "document/player.hpp"
+#include "io/canvas_support.hpp"
+#include "io/files.hpp"
+#include "io/image.hpp"
+#include "io/replay_stats.hpp"
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+namespace pastoso::cli {
+namespace {
+
+void check_outputs(const ReplayOptions& options) {
+    if (!options.output.empty()) io::check_image_path(options.output);
+    if (!options.stats.empty()) io::check_writable(options.stats);
+    if (!options.frames.empty()) io::make_folder(options.frames);
+}
+
+/// Plays to the end, writing frames where they are asked for.
+void play(document::Painting& painting, const document::Recording& recording,
+          const ReplayOptions& options, FrameWriter* frames) {
+    if (!document::undoes(recording)) painting.set_history_budget(0);
+    document::Player player(painting, recording);
+    Progress progress("painting", Progress::style_for_stderr(options.quiet));
+    while (!player.finished()) {
+        stop_if_interrupted();
+        if (frames != nullptr) frames->write_if_due(painting);
+        try {
+            player.play_tick();
+        } catch (const core::InputError& error) {
+            throw core::InputError(options.strokes + ", " + error.what());
+        }
+        progress.update(player.progress());
+    }
+    if (frames != nullptr) frames->write_if_due(painting);
+    stop_if_interrupted();
+}
+
+io::ReplayStats stats_of(const document::Painting& painting, const PictureTimes& times, int threads) {
+    io::ReplayStats stats;
+    stats.brush_s = painting.stage_times().brush_s;
+    stats.film_s = painting.stage_times().film_s;
+    stats.shade_s = times.shade_s;
+    stats.io_s = times.io_s;
+    stats.film = painting.film_report();
+    stats.wet_cells = film::wet_cell_count(painting.film());
+    stats.account = painting.account();
+    stats.state_hash = painting.state_hash();
+    stats.threads = threads;
+    stats.version = PASTOSO_VERSION;
+    return stats;
+}
+
+void print_summary(const ReplayOptions& options, const document::Recording& recording,
+                   const io::ReplayStats& stats, const PictureReport& picture, int frame_count) {
+    const double painted_s = static_cast<double>(recording.end_tick) * document::kTick_s;
+    if (!options.output.empty()) {
+        std::printf("%s: %d x %d pixels\n", options.output.c_str(), picture.width_px, picture.height_px);
+    }
+    if (!options.frames.empty()) std::printf("%s: %d frames\n", options.frames.c_str(), frame_count);
+    if (!options.stats.empty()) std::printf("%s: figures\n", options.stats.c_str());
+    std::printf("%.1f s of painting in %.1f s: brush %.1f, film %.1f, rendering %.1f, files %.1f\n",
+                painted_s, stats.wall_s, stats.brush_s, stats.film_s, stats.shade_s, stats.io_s);
+}
+
+}  // namespace
+
+void run_replay(const ReplayOptions& options) {
+    const Stopwatch wall;
+    watch_for_interrupts();
+    check_outputs(options);
+    document::Recording recording;
+    const double reading_s = seconds_of([&] { recording = load_recording(options); });
+
+    core::ThreadPool pool(options.threads);
+    const std::unique_ptr<document::Painting> painting = io::make_painting(recording.canvas, pool);
+    PictureWriter pictures(recording.canvas, options.scale, pool);
+    FrameWriter frames(options.frames, options.fps, pictures);
+    play(*painting, recording, options, options.frames.empty() ? nullptr : &frames);
+    PictureReport picture;
+    if (!options.output.empty()) picture = pictures.write(*painting, options.output);
+
+    io::ReplayStats stats = stats_of(*painting, pictures.times(), pool.thread_count());
+    stats.image_hash = picture.hash;
+    stats.io_s += reading_s;
+    stats.wall_s = wall.seconds();
+    if (!options.stats.empty()) io::write_stats(options.stats, stats);
+    print_summary(options, recording, stats, picture, frames.frames_written());
+}
+
+}  // namespace pastoso::cli

@@ -1,0 +1,12 @@
+// The subcommand "replay": paints a recording, lets it run, renders it.
+#pragma once
+
+#include "cli/options.hpp"
+
+namespace pastoso::cli {
+
+/// Throws InputError or UsageError before any file is changed where the request cannot be met, and
+/// Interrupted when the user stops it.
+void run_replay(const ReplayOptions& options);
+
+}  // namespace pastoso::cli

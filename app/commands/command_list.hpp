@@ -1,0 +1,43 @@
+// Every command of the window: its words, its keys and its place in the menus, in one table.
+#pragma once
+
+#include <span>
+
+namespace pastoso::commands {
+
+enum class Command {
+    NewCanvas,
+    SavePicture,
+    SaveRecording,
+    Quit,
+    Undo,
+    Redo,
+    SmallerBrush,
+    LargerBrush,
+    NextBrush,
+    PreviousBrush,
+    ReloadBrush,
+    CleanBrush,
+    ReloadEachStroke,
+    TurnWithStroke,
+    Pause,
+    FitCanvas,
+    ActualPixels,
+    ZoomIn,
+    ZoomOut,
+};
+
+struct CommandText {
+    Command command;
+    const char* menu;   ///< the menu it stands in, "" for none
+    const char* words;  ///< with the mnemonic
+    const char* keys;   ///< Qt key sequences, separated by "; "
+    const char* hint;   ///< for the status bar and the tool tip
+    bool checkable = false;
+    bool starts_group = false;  ///< a separator stands above it
+};
+
+/// In the order of the menus.
+std::span<const CommandText> command_list();
+
+}  // namespace pastoso::commands

@@ -1,0 +1,111 @@
+#include "dialogs/new_canvas_dialog.hpp"
+
+#include "core/error.hpp"
+#include "document/canvas.hpp"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace pastoso::dialogs {
+namespace {
+
+constexpr int kImageRow = 3;
+
+}  // namespace
+
+NewCanvasDialog::NewCanvasDialog(const document::CanvasSettings& proposal, QWidget* parent)
+    : QDialog(parent),
+      support_(new QComboBox),
+      summary_(new QLabel),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
+    setWindowTitle(tr("New canvas"));
+    width_ = add_number(document::kMinCanvasSide_mm, document::kMaxCanvasSide_mm, proposal.width_mm,
+                        tr(" mm"));
+    height_ = add_number(document::kMinCanvasSide_mm, document::kMaxCanvasSide_mm, proposal.height_mm,
+                         tr(" mm"));
+    density_ =
+        add_number(document::kMinPxPerMm, document::kMaxPxPerMm, proposal.px_per_mm, tr(" px/mm"));
+    support_->addItems({tr("Linen"), tr("Cotton duck"), tr("Panel"), tr("Height image...")});
+    connect(support_, &QComboBox::activated, this, [this](int row) {
+        if (row == kImageRow) choose_image();
+        write_summary();
+    });
+    buttons_->button(QDialogButtonBox::Ok)->setText(tr("New canvas"));
+    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+
+    auto* form = new QFormLayout(this);
+    form->setContentsMargins(18, 18, 18, 14);
+    form->setSpacing(9);
+    form->addRow(tr("Width"), width_);
+    form->addRow(tr("Height"), height_);
+    form->addRow(tr("Resolution"), density_);
+    form->addRow(tr("Support"), support_);
+    summary_->setWordWrap(true);
+    summary_->setMinimumWidth(300);
+    form->addRow(summary_);
+    form->addRow(buttons_);
+    write_summary();
+}
+
+QDoubleSpinBox* NewCanvasDialog::add_number(double lowest, double highest, double value,
+                                            const QString& suffix) {
+    auto* box = new QDoubleSpinBox;
+    box->setRange(lowest, highest);
+    box->setDecimals(2);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    box->setValue(value);
+    box->setSuffix(suffix);
+    connect(box, &QDoubleSpinBox::valueChanged, this, &NewCanvasDialog::write_summary);
+    return box;
+}
+
+void NewCanvasDialog::choose_image() {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Height image: white is high"));
+    if (path.isEmpty()) {
+        support_->setCurrentIndex(0);
+        return;
+    }
+    image_path_ = path;
+    support_->setItemText(kImageRow, tr("Image: %1").arg(QFileInfo(path).fileName()));
+}
+
+document::CanvasSettings NewCanvasDialog::settings() const {
+    static constexpr const char* kSupports[] = {"linen", "cotton duck", "panel", "image"};
+    document::CanvasSettings settings;
+    settings.width_mm = width_->value();
+    settings.height_mm = height_->value();
+    settings.px_per_mm = density_->value();
+    settings.support = kSupports[support_->currentIndex()];
+    if (support_->currentIndex() == kImageRow) settings.support_image = image_path_.toStdString();
+    return settings;
+}
+
+/// What the canvas will cost, or why there can be none.
+void NewCanvasDialog::write_summary() {
+    QString text;
+    bool possible = true;
+    try {
+        const document::CanvasSettings wanted = settings();
+        document::check_canvas_fits(wanted, document::available_memory_bytes());
+        const grid::Shape shape = document::canvas_shape(wanted);
+        text = tr("A picture of %1 × %2 pixels; up to %3 MiB of memory when all of it is wet.")
+                   .arg(shape.width)
+                   .arg(shape.height)
+                   .arg(document::estimated_bytes(shape) >> 20U);
+    } catch (const core::InputError& error) {
+        text = QString::fromUtf8(error.what());
+        possible = false;
+    }
+    summary_->setText(text);
+    buttons_->button(QDialogButtonBox::Ok)->setEnabled(possible);
+}
+
+}  // namespace pastoso::dialogs

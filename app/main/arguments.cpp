@@ -1,0 +1,28 @@
+#include "main/arguments.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace pastoso::main {
+
+ParsedArguments parse_arguments(int argc, char** argv) {
+    ParsedArguments parsed;
+    Arguments& arguments = parsed.arguments;
+    CLI::App app("Paint with thick wet paint. Without a recording, an easel stands ready to paint on.",
+                 "pastoso");
+    app.set_version_flag("--version", "pastoso " PASTOSO_VERSION);
+    app.add_option("recording", arguments.recording, "A recording (.json) to replay into the window");
+    auto* screenshot = app.add_option("--screenshot", arguments.screenshot,
+                                      "Save a picture of the window to this file and leave");
+    app.add_option("--after", arguments.after_s, "Seconds to wait before the screenshot")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 86400.0))
+        ->needs(screenshot);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        parsed.exit_status = app.exit(error) == 0 ? 0 : 2;
+    }
+    return parsed;
+}
+
+}  // namespace pastoso::main

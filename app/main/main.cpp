@@ -1,0 +1,82 @@
+// pastoso: the window.
+
+#include "core/error.hpp"
+#include "io/recording_json.hpp"
+#include "main/arguments.hpp"
+#include "main/display.hpp"
+#include "main/main_window.hpp"
+#include "panels/theme.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include <QApplication>
+#include <QPixmap>
+#include <QSurfaceFormat>
+#include <QTimer>
+
+namespace {
+
+using pastoso::main::Arguments;
+using pastoso::main::MainWindow;
+
+void ask_for_opengl() {
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setSwapInterval(1);
+    QSurfaceFormat::setDefaultFormat(format);
+}
+
+int fail(const std::string& sentence) {
+    std::fprintf(stderr, "pastoso: %s\n", sentence.c_str());
+    return EXIT_FAILURE;
+}
+
+/// Once the time has come and the canvas is drawn in full quality.
+void take_screenshot_later(MainWindow& window, const Arguments& arguments) {
+    const QString path = QString::fromStdString(arguments.screenshot->string());
+    auto* poll = new QTimer(&window);
+    QObject::connect(poll, &QTimer::timeout, &window, [&window, path, poll] {
+        poll->setInterval(50);
+        if (!window.canvas().finished() && window.session().status().awake_tiles == 0) return;
+        poll->stop();
+        const bool saved = window.grab().save(path);
+        QApplication::exit(saved ? EXIT_SUCCESS : fail("Cannot write " + path.toStdString() + "."));
+    });
+    poll->start(static_cast<int>(1000.0 * arguments.after_s));
+}
+
+int run(QApplication& application, const Arguments& arguments) {
+    pastoso::document::Recording recording;
+    if (arguments.recording) recording = pastoso::io::read_recording_json(*arguments.recording);
+    MainWindow window(recording.canvas);
+    if (arguments.recording) window.replay(recording);
+    QObject::connect(
+        &window.canvas(), &pastoso::view::CanvasView::failed, &application,
+        [](const QString& sentence) { QApplication::exit(fail(sentence.toStdString())); },
+        Qt::QueuedConnection);
+    window.show();
+    if (arguments.screenshot) take_screenshot_later(window, arguments);
+    return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto [arguments, exit_status] = pastoso::main::parse_arguments(argc, argv);
+    if (exit_status) return *exit_status;
+    ask_for_opengl();
+    pastoso::main::expect_display();
+    QApplication application(argc, argv);
+    pastoso::main::display_found();
+    QApplication::setApplicationName(QStringLiteral("pastoso"));
+    QApplication::setApplicationDisplayName(QStringLiteral("Pastoso"));
+    if (const auto problem = pastoso::main::opengl_problem()) return fail(*problem);
+    pastoso::panels::apply_theme(application);
+    try {
+        return run(application, arguments);
+    } catch (const pastoso::core::InputError& error) {
+        return fail(error.what());
+    }
+}

@@ -1,0 +1,126 @@
+#include "main/main_window.hpp"
+
+#include "brush/preset.hpp"
+#include "io/canvas_support.hpp"
+#include "panels/brush_panel.hpp"
+#include "panels/easel_panel.hpp"
+#include "panels/paint_panel.hpp"
+#include "panels/status_readings.hpp"
+
+#include <atomic>
+#include <utility>
+
+#include <QAction>
+#include <QComboBox>
+#include <QGuiApplication>
+#include <QStatusBar>
+
+namespace pastoso::main {
+namespace {
+
+view::TipShape tip_in_hand(const tools::Hand& hand) {
+    const brush::Preset preset = brush::resized(brush::find_preset(hand.brush), hand.brush_width_mm);
+    return {.width_mm = preset.tip.width_mm,
+            .thickness_mm = preset.tip.thickness_mm,
+            .angular = preset.tip.shape != brush::TipShape::Round};
+}
+
+}  // namespace
+
+MainWindow::MainWindow(const document::CanvasSettings& canvas)
+    : commands_(this),
+      easel_(std::make_unique<tools::Easel>(
+          tools::Hand{}, [this](document::Action action) { session_->post(std::move(action)); },
+          [this] { session_->note_hand(); })),
+      canvas_(new view::CanvasView(easel_.get())) {
+    start_session(canvas);
+    lay_out();
+    connect_canvas();
+    connect_panels();
+    connect_commands();
+    connect_file_commands();
+    easel_->set_up();
+    show_hand();
+    show_published();
+}
+
+MainWindow::~MainWindow() {
+    // The view is destroyed after the members here, and shows nothing of them any more.
+    canvas_->disconnect(this);
+}
+
+void MainWindow::start_session(const document::CanvasSettings& canvas) {
+    auto pool = std::make_unique<core::ThreadPool>();
+    auto painting = io::make_painting(canvas, *pool);
+    // One refresh at a time waits in the event queue, however often the session publishes.
+    auto pending = std::make_shared<std::atomic<bool>>(false);
+    auto notify = [this, pending] {
+        if (pending->exchange(true)) return;
+        QMetaObject::invokeMethod(
+            this,
+            [this, pending] {
+                pending->store(false);
+                show_published();
+            },
+            Qt::QueuedConnection);
+    };
+    session_ =
+        std::make_unique<session::PaintSession>(std::move(pool), std::move(painting), std::move(notify));
+    setWindowTitle(tr("Canvas %1 × %2 mm").arg(canvas.width_mm).arg(canvas.height_mm));
+}
+
+void MainWindow::new_canvas(const document::CanvasSettings& canvas) {
+    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+    try {
+        start_session(canvas);
+    } catch (...) {
+        QGuiApplication::restoreOverrideCursor();
+        throw;
+    }
+    QGuiApplication::restoreOverrideCursor();
+    session_->set_paused(commands_.action(commands::Command::Pause)->isChecked());
+    easel_->set_up();
+    readings_->show_canvas(session_->canvas());
+    show_published();
+}
+
+void MainWindow::replay(const document::Recording& recording) {
+    if (!(recording.canvas == session_->canvas())) new_canvas(recording.canvas);
+    session_->play(recording.events);
+    easel_->adopt(tools::hand_after(easel_->hand(), recording.events));
+    show_hand();
+}
+
+void MainWindow::show_published() {
+    canvas_->show_snapshot(session_->snapshot());
+    const session::Status status = session_->status();
+    readings_->show_status(status);
+    show_enabled(status);
+    for (const std::string& error : session_->take_errors())
+        report(QString::fromStdString(error));
+}
+
+void MainWindow::show_enabled(const session::Status& status) {
+    commands_.action(commands::Command::Undo)->setEnabled(status.can_undo || status.stroke_in_progress);
+    commands_.action(commands::Command::Redo)->setEnabled(status.can_redo);
+}
+
+void MainWindow::show_hand() {
+    const tools::Hand& hand = easel_->hand();
+    brushes_->show_brush(QString::fromStdString(hand.brush), hand.brush_width_mm);
+    if (!hand.paint.ingredients.empty()) {
+        paints_->show_paint(QString::fromStdString(hand.paint.ingredients.front().pigment));
+    }
+    stand_->show_tilt(hand.tilt.tilt_deg, hand.tilt.direction_deg);
+    medium_->setCurrentText(QString::fromStdString(hand.medium));
+    commands_.action(commands::Command::ReloadEachStroke)->setChecked(hand.reload_each_stroke);
+    commands_.action(commands::Command::TurnWithStroke)->setChecked(hand.turn_with_stroke);
+    canvas_->set_tip(tip_in_hand(hand));
+}
+
+void MainWindow::report(const QString& sentence) {
+    constexpr int kReadingTime_ms = 12000;
+    statusBar()->showMessage(sentence, kReadingTime_ms);
+}
+
+}  // namespace pastoso::main

@@ -1,0 +1,82 @@
+// The window: puts session, easel, canvas and panels together and connects them.
+#pragma once
+
+#include "commands/command_registry.hpp"
+#include "commands/picture_saver.hpp"
+#include "document/events.hpp"
+#include "session/paint_session.hpp"
+#include "tools/easel.hpp"
+#include "view/canvas_view.hpp"
+
+#include <memory>
+
+#include <QMainWindow>
+
+class QComboBox;
+
+namespace pastoso::panels {
+class BrushPanel;
+class EaselPanel;
+class PaintPanel;
+class StatusReadings;
+}  // namespace pastoso::panels
+
+namespace pastoso::main {
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+  public:
+    /// Throws core::InputError when there can be no such canvas.
+    explicit MainWindow(const document::CanvasSettings& canvas);
+    ~MainWindow() override;
+
+    /// Puts up another canvas with the same tools. Throws core::InputError and keeps the old one when it
+    /// cannot.
+    void new_canvas(const document::CanvasSettings& canvas);
+
+    /// Puts up the recording's canvas and paints on it what was recorded.
+    void replay(const document::Recording& recording);
+
+    session::PaintSession& session() { return *session_; }
+    tools::Easel& easel() { return *easel_; }
+    view::CanvasView& canvas() { return *canvas_; }
+    commands::CommandRegistry& commands() { return commands_; }
+    commands::PictureSaver& saver() { return saver_; }
+
+    void save_picture(const QString& path);
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+
+  private:
+    void start_session(const document::CanvasSettings& canvas);
+    void lay_out();
+    void make_tool_bar();
+    void make_panels();
+    void connect_panels();
+    void connect_canvas();
+    void connect_commands();
+    void connect_file_commands();
+    void show_published();
+    void show_hand();
+    void show_enabled(const session::Status& status);
+    bool may_discard();
+    void ask_new_canvas();
+    void ask_save_picture();
+    void ask_save_recording();
+    void report(const QString& sentence);
+
+    commands::CommandRegistry commands_;
+    commands::PictureSaver saver_;
+    std::unique_ptr<tools::Easel> easel_;
+    std::unique_ptr<session::PaintSession> session_;
+    std::int64_t saved_strokes_ = 0;
+    view::CanvasView* canvas_ = nullptr;
+    panels::BrushPanel* brushes_ = nullptr;
+    panels::PaintPanel* paints_ = nullptr;
+    panels::EaselPanel* stand_ = nullptr;
+    panels::StatusReadings* readings_ = nullptr;
+    QComboBox* medium_ = nullptr;
+};
+
+}  // namespace pastoso::main

@@ -1,0 +1,154 @@
+// What MainWindow does when something is chosen, moved or asked for.
+
+#include "core/error.hpp"
+#include "dialogs/new_canvas_dialog.hpp"
+#include "io/recording_json.hpp"
+#include "main/main_window.hpp"
+#include "panels/brush_panel.hpp"
+#include "panels/easel_panel.hpp"
+#include "panels/paint_panel.hpp"
+#include "panels/status_readings.hpp"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QStatusBar>
+
+namespace pastoso::main {
+
+using commands::Command;
+
+void MainWindow::connect_panels() {
+    connect(brushes_, &panels::BrushPanel::brush_taken, this,
+            [this](const QString& name, double width_mm) {
+                easel_->take_brush(name.toStdString(), width_mm);
+                show_hand();
+            });
+    connect(brushes_, &panels::BrushPanel::width_chosen, this, [this](double width_mm) {
+        easel_->set_brush_width(width_mm);
+        show_hand();
+    });
+    connect(paints_, &panels::PaintPanel::paint_chosen, this, [this](const QString& pigment) {
+        easel_->choose_paint({{{pigment.toStdString(), 1.0}}, 1.0});
+        show_hand();
+    });
+    connect(medium_, &QComboBox::activated, this,
+            [this] { easel_->use_medium(medium_->currentText().toStdString()); });
+    connect(stand_, &panels::EaselPanel::tilted, this,
+            [this](double tilt_deg, double direction_deg) { easel_->tilt(tilt_deg, direction_deg); });
+    connect(stand_, &panels::EaselPanel::light_moved, this,
+            [this](double elevation_deg, double azimuth_deg) {
+                shade::Lighting lighting = canvas_->lighting();
+                lighting.elevation_deg = elevation_deg;
+                lighting.azimuth_deg = azimuth_deg;
+                canvas_->set_lighting(lighting);
+            });
+}
+
+void MainWindow::connect_canvas() {
+    connect(canvas_, &view::CanvasView::view_changed, this,
+            [this] { readings_->show_zoom(canvas_->view_transform().zoom); });
+    connect(canvas_, &view::CanvasView::pointer_moved, this,
+            [this](const QPointF& canvas_mm) { readings_->show_pointer(canvas_mm); });
+    connect(canvas_, &view::CanvasView::pointer_left, this,
+            [this] { readings_->show_pointer(std::nullopt); });
+    readings_->show_zoom(canvas_->view_transform().zoom);
+}
+
+void MainWindow::connect_commands() {
+    commands_.on(Command::Undo, [this](bool) { easel_->undo(); });
+    commands_.on(Command::Redo, [this](bool) { easel_->redo(); });
+    commands_.on(Command::ReloadBrush, [this](bool) { easel_->reload(); });
+    commands_.on(Command::CleanBrush, [this](bool) { easel_->clean(); });
+    commands_.on(Command::ReloadEachStroke,
+                 [this](bool reload) { easel_->set_reload_each_stroke(reload); });
+    commands_.on(Command::TurnWithStroke, [this](bool turn) { easel_->set_turn_with_stroke(turn); });
+    commands_.on(Command::NextBrush, [this](bool) { brushes_->take_next(1); });
+    commands_.on(Command::PreviousBrush, [this](bool) { brushes_->take_next(-1); });
+    const auto step_width = [this](int steps) {
+        easel_->set_brush_width(tools::stepped_brush_width_mm(easel_->hand().brush_width_mm, steps));
+        show_hand();
+    };
+    commands_.on(Command::SmallerBrush, [step_width](bool) { step_width(-1); });
+    commands_.on(Command::LargerBrush, [step_width](bool) { step_width(1); });
+    commands_.on(Command::Pause, [this](bool paused) {
+        session_->set_paused(paused);
+        readings_->show_status(session_->status());
+    });
+    constexpr double kZoomStep = 1.25;
+    commands_.on(Command::FitCanvas, [this](bool) { canvas_->fit(); });
+    commands_.on(Command::ActualPixels, [this](bool) { canvas_->show_actual_pixels(); });
+    commands_.on(Command::ZoomIn, [this](bool) { canvas_->zoom_about_centre(kZoomStep); });
+    commands_.on(Command::ZoomOut, [this](bool) { canvas_->zoom_about_centre(1.0 / kZoomStep); });
+}
+
+void MainWindow::connect_file_commands() {
+    commands_.on(Command::NewCanvas, [this](bool) { ask_new_canvas(); });
+    commands_.on(Command::SavePicture, [this](bool) { ask_save_picture(); });
+    commands_.on(Command::SaveRecording, [this](bool) { ask_save_recording(); });
+    commands_.on(Command::Quit, [this](bool) { close(); });
+    connect(&saver_, &commands::PictureSaver::finished, this,
+            [this](const QString& path, const QString& error) {
+                if (error.isEmpty()) {
+                    report(tr("Saved %1.").arg(path));
+                } else {
+                    saved_strokes_ = -1;
+                    QMessageBox::warning(this, tr("Save picture"), error);
+                }
+            });
+}
+
+/// Whether nothing would be lost with this painting, or the painter agrees to lose it.
+bool MainWindow::may_discard() {
+    session_->wait_until_applied();
+    if (session_->status().strokes == saved_strokes_) return true;
+    QMessageBox question(QMessageBox::Question, tr("Pastoso"),
+                         tr("The painting on the easel has strokes that are not saved."),
+                         QMessageBox::Cancel, this);
+    question.addButton(tr("Discard the painting"), QMessageBox::DestructiveRole);
+    question.setDefaultButton(QMessageBox::Cancel);
+    return question.exec() != QMessageBox::Cancel;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    event->setAccepted(may_discard());
+}
+
+void MainWindow::ask_new_canvas() {
+    dialogs::NewCanvasDialog dialog(session_->canvas(), this);
+    if (dialog.exec() != QDialog::Accepted || !may_discard()) return;
+    try {
+        new_canvas(dialog.settings());
+    } catch (const core::InputError& error) {
+        QMessageBox::warning(this, tr("New canvas"), QString::fromUtf8(error.what()));
+    }
+}
+
+void MainWindow::save_picture(const QString& path) {
+    report(tr("Saving %1...").arg(path));
+    saved_strokes_ = session_->status().strokes;
+    saver_.save(session_->snapshot(), canvas_->lighting(), path);
+}
+
+void MainWindow::ask_save_picture() {
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save picture"), tr("painting.png"),
+                                                      tr("Images (*.png *.tif *.jpg *.exr)"));
+    if (!path.isEmpty()) save_picture(path);
+}
+
+void MainWindow::ask_save_recording() {
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save recording"), tr("painting.json"),
+                                                      tr("Recordings (*.json)"));
+    if (path.isEmpty()) return;
+    try {
+        io::write_recording_json(path.toStdString(), session_->recording());
+        saved_strokes_ = session_->status().strokes;
+        report(tr("Saved %1.").arg(path));
+    } catch (const core::InputError& error) {
+        QMessageBox::warning(this, tr("Save recording"), QString::fromUtf8(error.what()));
+    }
+}
+
+}  // namespace pastoso::main

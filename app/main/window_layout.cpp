@@ -1,0 +1,122 @@
+// How MainWindow is laid out: tool bar above, tools on the left, the canvas in the rest.
+
+#include "brush/preset.hpp"
+#include "film/medium.hpp"
+#include "main/main_window.hpp"
+#include "panels/brush_panel.hpp"
+#include "panels/easel_panel.hpp"
+#include "panels/paint_panel.hpp"
+#include "panels/status_readings.hpp"
+#include "pigment/palette.hpp"
+#include "tools/swatch.hpp"
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace pastoso::main {
+namespace {
+
+constexpr int kPanelWidth = 232;
+
+QColor colour(const tools::Srgb8& rgb) {
+    return {rgb[0], rgb[1], rgb[2]};
+}
+
+std::vector<panels::BrushEntry> brush_entries() {
+    std::vector<panels::BrushEntry> entries;
+    for (const brush::Preset& preset : brush::bundled_presets()) {
+        entries.push_back({QString::fromStdString(preset.name), preset.tip.width_mm});
+    }
+    return entries;
+}
+
+std::vector<panels::PaintEntry> paint_entries() {
+    std::vector<panels::PaintEntry> entries;
+    for (const pigment::Pigment& pigment : pigment::bundled_palette()) {
+        const tools::Swatch swatch = tools::swatch(pigment);
+        entries.push_back({QString::fromStdString(pigment.ci_name), QString::fromStdString(pigment.name),
+                           colour(swatch.masstone), colour(swatch.tint)});
+    }
+    return entries;
+}
+
+QComboBox* make_medium_box() {
+    auto* box = new QComboBox;
+    box->setFocusPolicy(Qt::NoFocus);
+    box->setToolTip(QObject::tr("How the paint flows: all paint on the canvas changes with it"));
+    for (const film::Medium& medium : film::bundled_media()) {
+        box->addItem(QString::fromStdString(medium.name));
+        box->setItemData(box->count() - 1, QString::fromStdString(medium.description), Qt::ToolTipRole);
+    }
+    return box;
+}
+
+}  // namespace
+
+void MainWindow::lay_out() {
+    commands_.fill(menuBar());
+    make_tool_bar();
+    make_panels();
+    readings_ = new panels::StatusReadings;
+    readings_->show_canvas(session_->canvas());
+    statusBar()->setSizeGripEnabled(false);
+    statusBar()->addPermanentWidget(readings_);
+    resize(1280, 800);
+}
+
+void MainWindow::make_tool_bar() {
+    QToolBar* bar = addToolBar(tr("Tools"));
+    bar->setMovable(false);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    const auto add_button = [&](commands::Command command, const QString& words) {
+        commands_.action(command)->setIconText(words);
+        auto* button = new QToolButton;
+        button->setDefaultAction(commands_.action(command));
+        button->setFocusPolicy(Qt::NoFocus);
+        bar->addWidget(button);
+    };
+    add_button(commands::Command::Undo, tr("Undo"));
+    add_button(commands::Command::Redo, tr("Redo"));
+    bar->addSeparator();
+    add_button(commands::Command::ReloadBrush, tr("Reload"));
+    add_button(commands::Command::CleanBrush, tr("Clean"));
+    add_button(commands::Command::ReloadEachStroke, tr("Reload each stroke"));
+    add_button(commands::Command::TurnWithStroke, tr("Turn with stroke"));
+    bar->addSeparator();
+    bar->addWidget(new QLabel(tr("Medium ")));
+    medium_ = make_medium_box();
+    bar->addWidget(medium_);
+    add_button(commands::Command::Pause, tr("Pause"));
+    bar->addSeparator();
+    add_button(commands::Command::SavePicture, tr("Save picture"));
+}
+
+void MainWindow::make_panels() {
+    brushes_ = new panels::BrushPanel(brush_entries());
+    paints_ = new panels::PaintPanel(paint_entries());
+    stand_ = new panels::EaselPanel;
+    auto* side = new QWidget;
+    side->setFixedWidth(kPanelWidth);
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(10, 8, 10, 8);
+    column->setSpacing(12);
+    column->addWidget(brushes_);
+    column->addWidget(paints_, 1);
+    column->addWidget(stand_);
+
+    auto* middle = new QWidget;
+    auto* row = new QHBoxLayout(middle);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(side);
+    row->addWidget(canvas_, 1);
+    setCentralWidget(middle);
+}
+
+}  // namespace pastoso::main

@@ -1,0 +1,44 @@
+// The jar of brushes, and how wide the one in hand is.
+#pragma once
+
+#include <vector>
+
+#include <QString>
+#include <QWidget>
+
+class QDoubleSpinBox;
+class QListWidget;
+class QSlider;
+
+namespace pastoso::panels {
+
+struct BrushEntry {
+    QString name;
+    double width_mm = 10.0;  ///< the brush's own
+};
+
+class BrushPanel : public QWidget {
+    Q_OBJECT
+  public:
+    explicit BrushPanel(std::vector<BrushEntry> brushes, QWidget* parent = nullptr);
+
+    /// Shows what is in hand, without a signal.
+    void show_brush(const QString& name, double width_mm);
+
+    /// Takes the brush so many places on in the list, around its ends.
+    void take_next(int places);
+
+  Q_SIGNALS:
+    void brush_taken(const QString& name, double width_mm);
+    void width_chosen(double width_mm);
+
+  private:
+    QWidget* make_width_row();
+
+    std::vector<BrushEntry> brushes_;
+    QListWidget* list_ = nullptr;
+    QSlider* slider_ = nullptr;
+    QDoubleSpinBox* width_ = nullptr;
+};
+
+}  // namespace pastoso::panels

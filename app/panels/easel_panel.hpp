@@ -1,0 +1,40 @@
+// How the canvas stands and where the lamp is.
+#pragma once
+
+#include "shade/render.hpp"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace pastoso::panels {
+
+class LightDial;
+class TiltDial;
+
+class EaselPanel : public QWidget {
+    Q_OBJECT
+  public:
+    explicit EaselPanel(QWidget* parent = nullptr);
+
+    /// Shows a tilt, without a signal.
+    void show_tilt(double tilt_deg, double direction_deg);
+
+    /// Shows where the light comes from, without a signal.
+    void show_light(const shade::Lighting& lighting);
+
+  Q_SIGNALS:
+    void tilted(double tilt_deg, double direction_deg);
+    void light_moved(double elevation_deg, double azimuth_deg);
+
+  private:
+    QWidget* column(const QString& heading, QWidget* dial, QLabel* reading);
+    void write_readings();
+
+    TiltDial* tilt_ = nullptr;
+    LightDial* light_ = nullptr;
+    QLabel* tilt_reading_ = nullptr;
+    QLabel* light_reading_ = nullptr;
+};
+
+}  // namespace pastoso::panels

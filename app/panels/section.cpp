@@ -1,0 +1,29 @@
+#include "panels/section.hpp"
+
+#include <QLabel>
+#include <QListView>
+#include <QVBoxLayout>
+
+namespace pastoso::panels {
+
+QVBoxLayout* section(QWidget* panel, const QString& heading) {
+    auto* column = new QVBoxLayout(panel);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    auto* label = new QLabel(heading);
+    label->setObjectName(QStringLiteral("heading"));
+    column->addWidget(label);
+    return column;
+}
+
+void keep_keys_for_canvas(QWidget* widget) {
+    widget->setFocusPolicy(Qt::NoFocus);
+}
+
+void fit_to_rows(QListView* list, int rows) {
+    const int row_height = list->sizeHintForRow(0);
+    list->setFixedHeight(rows * row_height + 2 * list->frameWidth() + 6);
+    list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+}
+
+}  // namespace pastoso::panels

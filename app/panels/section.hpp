@@ -1,0 +1,20 @@
+// Small shared pieces of the panels.
+#pragma once
+
+class QListView;
+class QString;
+class QVBoxLayout;
+class QWidget;
+
+namespace pastoso::panels {
+
+/// A column in `panel` under a heading.
+QVBoxLayout* section(QWidget* panel, const QString& heading);
+
+/// Leaves the keyboard to the canvas, where Space and the letter keys mean something else.
+void keep_keys_for_canvas(QWidget* widget);
+
+/// Makes a list just tall enough for so many rows.
+void fit_to_rows(QListView* list, int rows);
+
+}  // namespace pastoso::panels

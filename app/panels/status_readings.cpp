@@ -1,0 +1,67 @@
+#include "panels/status_readings.hpp"
+
+#include "document/canvas.hpp"
+
+#include <cmath>
+
+#include <QFontMetrics>
+#include <QHBoxLayout>
+#include <QLabel>
+
+namespace pastoso::panels {
+
+StatusReadings::StatusReadings(QWidget* parent) : QWidget(parent) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    pointer_ = add(17, tr("The pen's place on the canvas, from its upper left corner"));
+    activity_ = add(19, tr("Tiles of 64 x 64 cells in which the paint still moves"));
+    speed_ =
+        add(13, tr("Paint time against the clock: slower than 1 when there is more wet paint than this "
+                   "computer can move in time"));
+    canvas_ = add(32, tr("Size of the canvas and of its saved picture"));
+    zoom_ = add(7, tr("Screen pixels for a pixel of the saved picture"));
+}
+
+QLabel* StatusReadings::add(int width_characters, const QString& hint) {
+    auto* label = new QLabel;
+    label->setMinimumWidth(label->fontMetrics().averageCharWidth() * width_characters);
+    label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    label->setToolTip(hint);
+    layout()->addWidget(label);
+    return label;
+}
+
+void StatusReadings::show_canvas(const document::CanvasSettings& canvas) {
+    const grid::Shape shape = document::canvas_shape(canvas);
+    canvas_->setText(tr("%1 × %2 mm   %3 × %4 px")
+                         .arg(canvas.width_mm)
+                         .arg(canvas.height_mm)
+                         .arg(shape.width)
+                         .arg(shape.height));
+}
+
+void StatusReadings::show_zoom(double zoom) {
+    const double percent = 100.0 * zoom;
+    zoom_->setText(QString::number(percent, 'f', percent < 10.0 ? 1 : 0) + " %");
+}
+
+void StatusReadings::show_pointer(std::optional<QPointF> position_mm) {
+    pointer_->setText(
+        position_mm ? tr("%1, %2 mm").arg(position_mm->x(), 0, 'f', 1).arg(position_mm->y(), 0, 'f', 1)
+                    : QString());
+}
+
+void StatusReadings::show_status(const session::Status& status) {
+    if (status.paused) {
+        activity_->setText(tr("paused"));
+        speed_->clear();
+        return;
+    }
+    activity_->setText(status.awake_tiles == 0 ? tr("paint at rest")
+                                               : tr("%1 tiles moving").arg(status.awake_tiles));
+    const double speed = status.paint_per_wall;
+    speed_->setText(tr("%1 × time").arg(speed, 0, 'f', speed < 0.095 ? 3 : 2));
+}
+
+}  // namespace pastoso::panels

@@ -1,0 +1,36 @@
+// The figures in the status bar.
+#pragma once
+
+#include "document/events.hpp"
+#include "session/paint_session.hpp"
+
+#include <optional>
+
+#include <QPointF>
+#include <QWidget>
+
+class QLabel;
+
+namespace pastoso::panels {
+
+class StatusReadings : public QWidget {
+    Q_OBJECT
+  public:
+    explicit StatusReadings(QWidget* parent = nullptr);
+
+    void show_canvas(const document::CanvasSettings& canvas);
+    void show_zoom(double zoom);
+    void show_pointer(std::optional<QPointF> position_mm);
+    void show_status(const session::Status& status);
+
+  private:
+    QLabel* add(int width_characters, const QString& hint);
+
+    QLabel* pointer_ = nullptr;
+    QLabel* activity_ = nullptr;
+    QLabel* speed_ = nullptr;
+    QLabel* canvas_ = nullptr;
+    QLabel* zoom_ = nullptr;
+};
+
+}  // namespace pastoso::panels

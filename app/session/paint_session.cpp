@@ -1,0 +1,208 @@
+#include "session/paint_session.hpp"
+
+#include "core/check.hpp"
+#include "core/error.hpp"
+
+#include <utility>
+
+namespace pastoso::session {
+namespace {
+
+/// Posted actions are applied for at most this long before the paint gets its tick and the screen its
+/// picture.
+constexpr auto kLongestBatch = std::chrono::milliseconds(8);
+
+}  // namespace
+
+PaintSession::PaintSession(std::unique_ptr<core::ThreadPool> pool,
+                           std::unique_ptr<document::Painting> painting, Notify notify)
+    : canvas_(painting->settings()),
+      notify_(std::move(notify)),
+      pool_(std::move(pool)),
+      painting_(std::move(painting)),
+      clock_(WallClock::now()) {
+    recording_.canvas = canvas_;
+    snapshot_ = std::make_shared<const document::Snapshot>(painting_->snapshot());
+    thread_ = std::thread([this] { run(); });
+}
+
+PaintSession::~PaintSession() {
+    {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+        action_waits_ = true;
+    }
+    work_.notify_all();
+    thread_.join();
+}
+
+void PaintSession::post(document::Action action) {
+    {
+        const std::lock_guard lock(mutex_);
+        posted_.push_back(std::move(action));
+        ++posted_count_;
+        action_waits_ = true;
+    }
+    work_.notify_all();
+}
+
+void PaintSession::note_hand() {
+    const std::lock_guard lock(mutex_);
+    hand_moved_ = WallClock::now();
+}
+
+void PaintSession::play(const std::vector<document::Event>& events) {
+    {
+        const std::lock_guard lock(mutex_);
+        const std::int64_t now = status_.tick;
+        for (document::Event event : events) {
+            event.tick += now;
+            replay_.push_back(std::move(event));
+        }
+        status_.replaying = !replay_.empty();
+    }
+    work_.notify_all();
+}
+
+void PaintSession::set_paused(bool paused) {
+    {
+        const std::lock_guard lock(mutex_);
+        paused_ = paused;
+        status_.paused = paused;
+    }
+    work_.notify_all();
+}
+
+std::shared_ptr<const document::Snapshot> PaintSession::snapshot() const {
+    const std::lock_guard lock(mutex_);
+    return snapshot_;
+}
+
+Status PaintSession::status() const {
+    const std::lock_guard lock(mutex_);
+    return status_;
+}
+
+std::vector<std::string> PaintSession::take_errors() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(errors_, {});
+}
+
+document::Recording PaintSession::recording() const {
+    const std::lock_guard lock(mutex_);
+    return recording_;
+}
+
+void PaintSession::wait_until_applied() {
+    std::unique_lock lock(mutex_);
+    const std::uint64_t wanted = posted_count_;
+    published_.wait(lock, [&] { return published_count_ >= wanted; });
+}
+
+void PaintSession::run() {
+    while (wait_for_work()) {
+        apply_posted();
+        apply_due_replay();
+        advance_if_due();
+        if (changed_) publish();
+    }
+}
+
+/// Sleeps until there is an action, a tick is due or the session ends; false at the end.
+bool PaintSession::wait_for_work() {
+    std::unique_lock lock(mutex_);
+    const auto ready = [&] { return stopping_ || !posted_.empty(); };
+    if (paused_) {
+        work_.wait(lock, [&] { return ready() || !paused_; });
+        if (!paused_) clock_.restart(WallClock::now());
+    } else {
+        work_.wait_until(lock, clock_.next(), [&] { return ready() || paused_; });
+    }
+    clock_.hand_moved(hand_moved_);
+    return !stopping_;
+}
+
+void PaintSession::apply_posted() {
+    const auto deadline = WallClock::now() + kLongestBatch;
+    do {
+        document::Action action;
+        {
+            const std::lock_guard lock(mutex_);
+            if (posted_.empty()) return;
+            action = std::move(posted_.front());
+            posted_.pop_front();
+            action_waits_ = !posted_.empty();
+            ++applied_count_;
+        }
+        apply(action);
+    } while (WallClock::now() < deadline);
+}
+
+void PaintSession::apply_due_replay() {
+    while (true) {
+        document::Action action;
+        {
+            const std::lock_guard lock(mutex_);
+            if (replay_.empty() || replay_.front().tick > painting_->tick()) return;
+            action = std::move(replay_.front().action);
+            replay_.pop_front();
+        }
+        apply(action);
+    }
+}
+
+void PaintSession::apply(const document::Action& action) {
+    changed_ = true;
+    try {
+        painting_->apply(action);
+        strokes_ += std::holds_alternative<document::PenDown>(action) ? 1 : 0;
+        const std::lock_guard lock(mutex_);
+        recording_.events.push_back({painting_->tick(), action});
+    } catch (const core::InputError& error) {
+        const std::lock_guard lock(mutex_);
+        errors_.emplace_back(error.what());
+    }
+}
+
+void PaintSession::advance_if_due() {
+    {
+        const std::lock_guard lock(mutex_);
+        if (paused_) return;
+    }
+    const auto begin = WallClock::now();
+    if (!clock_.due(begin)) return;
+    const std::int64_t cells_before = painting_->film_report().cells_stepped;
+    const bool passed = painting_->advance_tick_unless(
+        [&] { return action_waits_ && WallClock::now() - begin > kFeltDelay; });
+    clock_.tick_ended(begin, WallClock::now(), passed);
+    // Ticks of paint at rest change nothing that anybody sees; twice a second is often enough for them.
+    constexpr std::int64_t kQuietTicks = 30;
+    changed_ = changed_ || painting_->film_report().cells_stepped != cells_before ||
+               painting_->tick() % kQuietTicks == 0;
+}
+
+void PaintSession::publish() {
+    auto snapshot = std::make_shared<const document::Snapshot>(painting_->snapshot());
+    const film::AdvanceReport report = painting_->film_report();
+    {
+        const std::lock_guard lock(mutex_);
+        snapshot_.swap(snapshot);
+        recording_.end_tick = painting_->tick();
+        published_count_ = applied_count_;
+        status_ = {.tick = painting_->tick(),
+                   .steps = report.steps,
+                   .strokes = strokes_,
+                   .awake_tiles = report.awake_tiles,
+                   .paint_per_wall = clock_.paint_per_wall(),
+                   .paused = paused_,
+                   .can_undo = painting_->can_undo(),
+                   .can_redo = painting_->can_redo(),
+                   .stroke_in_progress = painting_->stroke_in_progress(),
+                   .replaying = !replay_.empty()};
+    }
+    changed_ = false;
+    published_.notify_all();
+    if (notify_) notify_();
+}
+
+}  // namespace pastoso::session

@@ -1,0 +1,119 @@
+// A painting that lives on its own thread: the window posts what the painter does and shows what is
+// published. Nothing here knows of widgets.
+#pragma once
+
+#include "core/thread_pool.hpp"
+#include "document/events.hpp"
+#include "document/painting.hpp"
+#include "session/tick_clock.hpp"
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace pastoso::session {
+
+/// How the painting is doing, for the status bar and the state of the buttons.
+struct Status {
+    std::int64_t tick = 0;
+    std::int64_t steps = 0;       ///< of the solver, in all
+    std::int64_t strokes = 0;     ///< begun so far, those taken back included
+    int awake_tiles = 0;          ///< tiles whose paint still moves
+    double paint_per_wall = 1.0;  ///< paint time over wall time, 1 when the solver keeps up
+    bool paused = false;
+    bool can_undo = false;
+    bool can_redo = false;
+    bool stroke_in_progress = false;
+    bool replaying = false;  ///< a recording that was handed to play() has not ended yet
+    friend bool operator==(const Status&, const Status&) = default;
+};
+
+/// Owns a Painting on a thread of its own. Actions are applied in the order of post(), each between two
+/// ticks; pen samples never wait for more than the tick that is being computed. The painter's whole
+/// session is recorded, so that it can be replayed to the same bits.
+class PaintSession {
+  public:
+    using Notify = std::function<void()>;
+
+    /// Takes over a painting that has just been made with `pool`; the pool is the session's alone from
+    /// now on. `notify` is called on the session's thread after every publication and every error; it
+    /// must return at once and must not call back into the session.
+    PaintSession(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<document::Painting> painting,
+                 Notify notify);
+    ~PaintSession();
+    PaintSession(const PaintSession&) = delete;
+    PaintSession& operator=(const PaintSession&) = delete;
+
+    void post(document::Action action);
+
+    /// The brush has moved over the canvas. Where the paint is so slow that a tick would hold up the
+    /// brush, it waits until the hand rests.
+    void note_hand();
+
+    /// Applies the events of a recording when their ticks come, the present tick being its tick 0.
+    void play(const std::vector<document::Event>& events);
+
+    /// Stops paint time; the brush goes on working.
+    void set_paused(bool paused);
+
+    /// The latest published state: never null, safe to read on any thread for as long as it is held.
+    std::shared_ptr<const document::Snapshot> snapshot() const;
+    Status status() const;
+
+    /// The sentences of actions that were refused since the last call.
+    std::vector<std::string> take_errors();
+
+    /// Everything that was done so far.
+    document::Recording recording() const;
+
+    /// Waits until all posted actions are applied and published.
+    void wait_until_applied();
+
+    const document::CanvasSettings& canvas() const { return canvas_; }
+
+  private:
+    void run();
+    bool wait_for_work();
+    void apply_posted();
+    void apply_due_replay();
+    void apply(const document::Action& action);
+    void advance_if_due();
+    void publish();
+
+    document::CanvasSettings canvas_;
+    Notify notify_;
+
+    // Of the session's thread alone.
+    std::unique_ptr<core::ThreadPool> pool_;
+    std::unique_ptr<document::Painting> painting_;
+    TickClock clock_;
+    std::int64_t strokes_ = 0;
+    bool changed_ = false;
+
+    mutable std::mutex mutex_;
+    std::condition_variable work_;
+    std::condition_variable published_;
+    std::deque<document::Action> posted_;
+    std::deque<document::Event> replay_;
+    std::vector<std::string> errors_;
+    document::Recording recording_;
+    std::shared_ptr<const document::Snapshot> snapshot_;
+    Status status_;
+    WallClock::time_point hand_moved_;
+    std::atomic<bool> action_waits_ = false;  ///< asked in the middle of a tick
+    std::uint64_t posted_count_ = 0;
+    std::uint64_t applied_count_ = 0;
+    std::uint64_t published_count_ = 0;  ///< of the posted actions, those that a publication shows
+    bool paused_ = false;
+    bool stopping_ = false;
+
+    std::thread thread_;
+};
+
+}  // namespace pastoso::session

@@ -1,0 +1,85 @@
+// Turns what the painter does at the easel into the actions of a painting.
+#pragma once
+
+#include "brush/pen_sample.hpp"
+#include "document/events.hpp"
+#include "tools/hand.hpp"
+#include "tools/heading.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+namespace pastoso::tools {
+
+/// Where a pen or the mouse is, as the window tells it.
+struct Pointer {
+    double x_mm = 0.0;
+    double y_mm = 0.0;
+    double pressure = 0.5;
+    double tilt_x_deg = 0.0;
+    double tilt_y_deg = 0.0;
+    std::optional<double> rotation_deg;  ///< of the pen about its axis, where it can tell
+    std::uint64_t time_ms = 0;           ///< of the event, on the windowing system's clock
+};
+
+/// The pressure of a mouse, which has none.
+inline constexpr double kMousePressure = 0.5;
+
+/// Keeps the painter's Hand and posts what follows from every change of it. A change of tool during a
+/// stroke ends the stroke first.
+class Easel {
+  public:
+    using Post = std::function<void(document::Action)>;
+
+    /// Posts nothing yet: set_up() does, on a new canvas. `note_hand` is called whenever the brush
+    /// moves.
+    Easel(Hand hand, Post post, std::function<void()> note_hand = {});
+
+    /// Takes the brush, pours the medium, tilts the canvas and dips the brush: for a canvas that knows
+    /// nothing yet.
+    void set_up();
+
+    /// Takes over what somebody else (a replay) does to brush, paint, medium and tilt; posts nothing.
+    void adopt(const Hand& hand) { hand_ = hand; }
+
+    const Hand& hand() const { return hand_; }
+    bool painting() const { return painting_; }
+
+    void take_brush(const std::string& preset, double width_mm);
+    void set_brush_width(double width_mm);
+    void choose_paint(const document::PaintRecipe& paint);  ///< cleans the brush and dips it
+    void reload();                                          ///< the same with the present paint
+    void clean();
+    void use_medium(const std::string& name);
+    void tilt(double tilt_deg, double direction_deg);
+    void set_reload_each_stroke(bool reload);
+    void set_turn_with_stroke(bool turn);
+    void undo();
+    void redo();
+
+    void press(const Pointer& pointer);
+    void move(const Pointer& pointer);  ///< also of a pointer in the air, which paints nothing
+    void release();
+
+    /// How the brush stands over the canvas now: direction of its width, clockwise.
+    double rotation_deg() const { return rotation_deg_; }
+
+  private:
+    void end_stroke();
+    void follow(const Pointer& pointer);
+    brush::PenSample sample(const Pointer& pointer);
+
+    Hand hand_;
+    Post post_;
+    std::function<void()> note_hand_;
+    Heading heading_;
+    double rotation_deg_ = 0.0;
+    bool painting_ = false;
+    bool has_clock_zero_ = false;
+    std::uint64_t clock_zero_ms_ = 0;
+    double previous_time_s_ = 0.0;
+    std::uint32_t brushes_taken_ = 0;
+};
+
+}  // namespace pastoso::tools

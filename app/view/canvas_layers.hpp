@@ -1,0 +1,72 @@
+// The layers of shade/cell_layers.hpp as the shader's textures hold them, brought up to date with as
+// little work as a change of the paint or of the light asks for.
+#pragma once
+
+#include "core/thread_pool.hpp"
+#include "document/painting.hpp"
+#include "shade/render.hpp"
+#include "shade/surface.hpp"
+#include "shade/tile_colour.hpp"
+
+#include <vector>
+
+#include <QRegion>
+
+namespace pastoso::view {
+
+/// The shader samples the four cells around a point, so the layers go on beyond the canvas by as many.
+inline constexpr int kLayerBorder = 2;
+
+struct SurfaceTexel {
+    float height_mm = 0.0F;  ///< B-spline coefficient
+    float shadow_mm = 0.0F;
+    float sky = 1.0F;
+};
+
+struct ColourPatch {
+    grid::Rect cells;
+    std::vector<shade::CellColour> colours;  ///< row by row
+};
+
+/// What an update changed, in cells of the canvas (border cells have negative or too large numbers).
+struct LayerChanges {
+    QRegion surface;
+    std::vector<ColourPatch> colours;
+};
+
+/// The tiles whose picture may differ between two snapshots of one canvas. Tiles that share their
+/// storage are equal, so this looks at handles alone. All tiles when `shown` is null.
+std::vector<int> changed_tiles(const document::Snapshot* shown, const document::Snapshot& next);
+
+class CanvasLayers {
+  public:
+    /// Makes the layers those of `next`, given that they are those of `shown` (null: of nothing).
+    LayerChanges update(const document::Snapshot* shown, const document::Snapshot& next,
+                        const shade::Lighting& lighting, core::ThreadPool& pool);
+
+    /// Makes the shadows those of another light.
+    void relight(const document::Snapshot& shown, const shade::Lighting& lighting,
+                 core::ThreadPool& pool);
+
+    /// Row by row, the border included; `stride` texels from row to row.
+    const SurfaceTexel* surface(int x, int y) const { return surface_.data() + index(x, y); }
+    int stride() const { return shape_.width + 2 * kLayerBorder; }
+    grid::Rect cells_with_border() const;
+
+  private:
+    std::ptrdiff_t index(int x, int y) const {
+        return static_cast<std::ptrdiff_t>(y + kLayerBorder) * stride() + (x + kLayerBorder);
+    }
+    void reset(const grid::Shape& shape);
+    QRegion surface_region(const std::vector<int>& tiles, double cell_mm,
+                           const shade::Lighting& lighting, const shade::HeightRange& range) const;
+    void fill_surface(const film::FilmState& film, const grid::Rect& cells);
+    void fill_shadow(const film::FilmState& film, const grid::Rect& cells,
+                     const shade::Lighting& lighting);
+
+    grid::Shape shape_;
+    shade::HeightRange range_;
+    std::vector<SurfaceTexel> surface_;
+};
+
+}  // namespace pastoso::view

@@ -1,0 +1,29 @@
+#include "view/canvas_shader.hpp"
+
+namespace pastoso::view {
+
+const char* const kCanvasVertexShader = R"(#version 330 core
+void main() {
+    vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+    gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+
+const char* const kOutlineVertexShader = R"(#version 330 core
+layout(location = 0) in vec2 offset_mm;
+uniform vec2 centre_px;
+uniform float px_per_mm;
+uniform vec2 window_px;
+void main() {
+    vec2 share = (centre_px + px_per_mm * offset_mm) / window_px;
+    gl_Position = vec4(2.0 * share.x - 1.0, 1.0 - 2.0 * share.y, 0.0, 1.0);
+}
+)";
+
+const char* const kOutlineFragmentShader = R"(#version 330 core
+uniform vec4 line_colour;
+out vec4 colour;
+void main() { colour = line_colour; }
+)";
+
+}  // namespace pastoso::view

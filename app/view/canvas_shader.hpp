@@ -1,0 +1,17 @@
+// The program that shades the canvas on the graphics card: shade/shading_model.hpp in GLSL 3.30, on the
+// same spline surface.
+#pragma once
+
+namespace pastoso::view {
+
+/// One triangle that covers the viewport.
+extern const char* const kCanvasVertexShader;
+
+/// A pixel of the window: the lit canvas, or the desk around it.
+extern const char* const kCanvasFragmentShader;
+
+/// Lines in window pixels, for the outline of the brush.
+extern const char* const kOutlineVertexShader;
+extern const char* const kOutlineFragmentShader;
+
+}  // namespace pastoso::view

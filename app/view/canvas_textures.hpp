@@ -1,0 +1,33 @@
+// The canvas's layers on the graphics card, one texel per cell and a border.
+#pragma once
+
+#include "grid/shape.hpp"
+#include "view/canvas_layers.hpp"
+
+#include <QOpenGLExtraFunctions>
+
+namespace pastoso::view {
+
+/// All calls need the current context that initialise() was called in.
+class CanvasTextures {
+  public:
+    /// Throws core::InputError when the card cannot hold textures of this size.
+    void initialise(QOpenGLExtraFunctions* gl, grid::Shape shape);
+    void release();
+
+    void upload_surface(const CanvasLayers& layers, const QRegion& cells);
+    void upload_colours(const std::vector<ColourPatch>& patches);
+    void bind(int surface_unit, int colour_unit);
+
+    const grid::Shape& shape() const { return shape_; }
+
+  private:
+    GLuint make_texture(GLenum internal_format, GLenum format);
+
+    QOpenGLExtraFunctions* gl_ = nullptr;
+    grid::Shape shape_;
+    GLuint surface_ = 0;
+    GLuint colour_ = 0;
+};
+
+}  // namespace pastoso::view

@@ -1,0 +1,242 @@
+#include "view/canvas_view.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QOpenGLContext>
+#include <glm/common.hpp>
+
+namespace pastoso::view {
+namespace {
+
+/// Drafts left alone for about this long are refined: longer than the pause between two movements of a
+/// hand.
+constexpr int kCoolingTime_ms = 60;
+
+/// A frame that has spent this much on what changed refines nothing more.
+constexpr double kBusy_s = 0.010;
+
+QRect qt_rect(const grid::Rect& cells) {
+    return {cells.x0, cells.y0, cells.width(), cells.height()};
+}
+
+/// The device pixels in whose picture these cells have a part.
+QRect device_rect(const ViewTransform& view, const QRect& cells) {
+    const glm::dvec2 first{cells.x() - kLayerBorder, cells.y() - kLayerBorder};
+    const glm::dvec2 size{cells.width() + 2 * kLayerBorder, cells.height() + 2 * kLayerBorder};
+    const glm::dvec2 low = glm::floor(view.device_from_cell(first)) - 1.0;
+    const glm::dvec2 high = glm::ceil(view.device_from_cell(first + size)) + 1.0;
+    return {QPoint(static_cast<int>(low.x), static_cast<int>(low.y)),
+            QPoint(static_cast<int>(high.x), static_cast<int>(high.y))};
+}
+
+}  // namespace
+
+CanvasView::CanvasView(tools::Easel* easel, QWidget* parent) : QOpenGLWidget(parent), easel_(easel) {
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setTabletTracking(true);
+    setMinimumSize(320, 240);
+    cooling_.setSingleShot(true);
+    cooling_.setInterval(kCoolingTime_ms);
+    connect(&cooling_, &QTimer::timeout, this, [this] {
+        plan_.let_drafts_cool();
+        update();
+    });
+    set_cursor();
+}
+
+CanvasView::~CanvasView() {
+    release_graphics();
+}
+
+void CanvasView::set_easel(tools::Easel* easel) {
+    easel_ = easel;
+}
+
+void CanvasView::show_snapshot(std::shared_ptr<const document::Snapshot> snapshot) {
+    const bool other_canvas = wanted_ == nullptr || wanted_->film.shape != snapshot->film.shape ||
+                              wanted_->film.cell_mm != snapshot->film.cell_mm;
+    wanted_ = std::move(snapshot);
+    if (other_canvas) {
+        shown_.reset();
+        fit();
+    }
+    update();
+}
+
+void CanvasView::set_lighting(const shade::Lighting& lighting) {
+    lighting_ = lighting;
+    relight_ = true;
+    update();
+}
+
+void CanvasView::set_tip(const TipShape& tip) {
+    tip_ = tip;
+    update();
+}
+
+void CanvasView::set_view(const ViewTransform& view) {
+    if (view == view_) return;
+    view_ = view;
+    damage_all();
+    Q_EMIT view_changed();
+}
+
+void CanvasView::fit() {
+    if (wanted_ == nullptr) return;
+    fitted_ = true;
+    set_view(fitted(canvas_cells(), window_px()));
+}
+
+void CanvasView::show_actual_pixels() {
+    zoom_about_centre(1.0 / view_.zoom);
+    set_view(snapped(view_));
+}
+
+void CanvasView::zoom_about_centre(double factor) {
+    fitted_ = false;
+    set_view(zoomed(view_, 0.5 * window_px(), factor));
+}
+
+bool CanvasView::finished() const {
+    return shown_ == wanted_ && !plan_.has_damage() && !plan_.has_drafts();
+}
+
+void CanvasView::damage_all() {
+    plan_.add_damage(QRect(0, 0, static_cast<int>(window_px().x), static_cast<int>(window_px().y)));
+    update();
+}
+
+// ---- coordinates
+
+glm::dvec2 CanvasView::device_px(const QPointF& position) const {
+    return devicePixelRatioF() * glm::dvec2(position.x(), position.y());
+}
+
+glm::dvec2 CanvasView::window_px() const {
+    return {std::round(width() * devicePixelRatioF()), std::round(height() * devicePixelRatioF())};
+}
+
+glm::dvec2 CanvasView::canvas_cells() const {
+    return {wanted_->film.shape.width, wanted_->film.shape.height};
+}
+
+glm::dvec2 CanvasView::canvas_mm(const QPointF& position) const {
+    if (wanted_ == nullptr) return {};
+    return wanted_->film.cell_mm * view_.cell_from_device(device_px(position));
+}
+
+QPointF CanvasView::widget_position(const glm::dvec2& canvas_mm) const {
+    if (wanted_ == nullptr) return {};
+    const glm::dvec2 px =
+        view_.device_from_cell(canvas_mm / wanted_->film.cell_mm) / devicePixelRatioF();
+    return {px.x, px.y};
+}
+
+// ---- drawing
+
+void CanvasView::initializeGL() {
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &CanvasView::release_graphics);
+    gl_.initializeOpenGLFunctions();
+    try {
+        picture_.initialise(&gl_);
+        outline_.initialise(&gl_);
+        graphics_ready_ = true;
+    } catch (const core::InputError& error) {
+        Q_EMIT failed(QString::fromUtf8(error.what()));
+    }
+}
+
+void CanvasView::release_graphics() {
+    if (!graphics_ready_) return;
+    makeCurrent();
+    textures_.release();
+    picture_.release();
+    outline_.release();
+    doneCurrent();
+    graphics_ready_ = false;
+}
+
+void CanvasView::paintGL() {
+    if (!graphics_ready_ || wanted_ == nullptr) return;
+    const QSize size(static_cast<int>(window_px().x), static_cast<int>(window_px().y));
+    if (size != picture_.size()) {
+        picture_.resize(size);
+        damage_all();
+    }
+    upload_changes();
+    if (shown_ == nullptr) return;
+    double spent_s = 0.0;
+    if (plan_.has_damage())
+        spent_s = shade_job(plan_.take_damage(QRect(QPoint(0, 0), size), view_.zoom));
+    if (plan_.can_refine() && spent_s < kBusy_s) shade_job(plan_.take_refinement(view_.zoom));
+    if (plan_.can_refine()) update();
+    if (plan_.has_drafts() && !cooling_.isActive()) cooling_.start();
+    picture_.copy_to(defaultFramebufferObject());
+    draw_tip();
+}
+
+void CanvasView::upload_changes() {
+    if (shown_ != wanted_) {
+        if (shown_ == nullptr && !prepare_textures()) return;
+        const LayerChanges changes = layers_.update(shown_.get(), *wanted_, lighting_, pool_);
+        textures_.upload_surface(layers_, changes.surface);
+        textures_.upload_colours(changes.colours);
+        shown_ = wanted_;
+        plan_.add_damage(damaged_region(changes));
+    }
+    if (relight_) {
+        layers_.relight(*shown_, lighting_, pool_);
+        textures_.upload_surface(layers_, qt_rect(layers_.cells_with_border()));
+        relight_ = false;
+        damage_all();
+    }
+}
+
+bool CanvasView::prepare_textures() {
+    try {
+        textures_.initialise(&gl_, wanted_->film.shape);
+    } catch (const core::InputError& error) {
+        graphics_ready_ = false;
+        Q_EMIT failed(QString::fromUtf8(error.what()));
+        return false;
+    }
+    relight_ = false;
+    damage_all();
+    return true;
+}
+
+/// Where the screen may change: the changed cells and those whose splines reach them.
+QRegion CanvasView::damaged_region(const LayerChanges& changes) const {
+    QRegion region;
+    for (const QRect& cells : changes.surface)
+        region += device_rect(view_, cells);
+    return region;
+}
+
+double CanvasView::shade_job(const ShadingPlan::Job& job) {
+    const Scene scene{&textures_, shown_->film.cell_mm, view_, lighting_};
+    double seconds = 0.0;
+    for (const QRect& part : job.region)
+        seconds += picture_.shade(part, job.quality, scene);
+    plan_.measured(job, seconds);
+    return seconds;
+}
+
+void CanvasView::draw_tip() {
+    if (!pointer_ || pan_from_ || space_held_) return;
+    TipShape tip = tip_;
+    tip.rotation_deg = easel_->rotation_deg();
+    outline_.draw(tip, device_px(*pointer_), view_.zoom / shown_->film.cell_mm, picture_.size());
+}
+
+void CanvasView::resizeEvent(QResizeEvent* event) {
+    QOpenGLWidget::resizeEvent(event);
+    if (fitted_) fit();
+}
+
+}  // namespace pastoso::view

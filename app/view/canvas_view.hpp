@@ -1,0 +1,116 @@
+// The window's canvas: shows the latest snapshot, moves over it, and hands pen and mouse to the easel.
+#pragma once
+
+#include "core/thread_pool.hpp"
+#include "document/painting.hpp"
+#include "tools/easel.hpp"
+#include "view/brush_outline.hpp"
+#include "view/picture_buffer.hpp"
+#include "view/shading_plan.hpp"
+
+#include <memory>
+#include <optional>
+
+#include <QOpenGLExtraFunctions>
+#include <QOpenGLWidget>
+#include <QTimer>
+
+namespace pastoso::view {
+
+class CanvasView : public QOpenGLWidget {
+    Q_OBJECT
+  public:
+    /// `easel` is told of every stroke.
+    explicit CanvasView(tools::Easel* easel, QWidget* parent = nullptr);
+    ~CanvasView() override;
+
+    /// Shows this from the next frame on. A snapshot of another canvas is shown whole.
+    void show_snapshot(std::shared_ptr<const document::Snapshot> snapshot);
+    void set_easel(tools::Easel* easel);
+    void set_lighting(const shade::Lighting& lighting);
+    void set_tip(const TipShape& tip);
+
+    const shade::Lighting& lighting() const { return lighting_; }
+    const ViewTransform& view_transform() const { return view_; }
+    void set_view(const ViewTransform& view);
+    void fit();
+    void show_actual_pixels();  ///< zoom 1 about the window's centre
+    void zoom_about_centre(double factor);
+
+    /// Whether the frame on the screen is the final one of the latest snapshot.
+    bool finished() const;
+
+    /// What the latest frame showed; null before the first.
+    const document::Snapshot* shown() const { return shown_.get(); }
+
+    /// Millimetres on the canvas under a point of the widget, and back.
+    glm::dvec2 canvas_mm(const QPointF& position) const;
+    QPointF widget_position(const glm::dvec2& canvas_mm) const;
+
+  Q_SIGNALS:
+    void view_changed();
+    void pointer_moved(const QPointF& canvas_mm);
+    void pointer_left();
+
+    /// Nothing can be shown on this machine; one sentence.
+    void failed(const QString& sentence);
+
+  protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void tabletEvent(QTabletEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void enterEvent(QEnterEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+  private:
+    void release_graphics();
+    void upload_changes();
+    double shade_job(const ShadingPlan::Job& job);
+    void draw_tip();
+    void damage_all();
+    bool prepare_textures();
+    QRegion damaged_region(const LayerChanges& changes) const;
+
+    glm::dvec2 device_px(const QPointF& position) const;
+    glm::dvec2 window_px() const;
+    glm::dvec2 canvas_cells() const;
+    tools::Pointer mouse_pointer(const QMouseEvent& event) const;
+    tools::Pointer pen_pointer(const QTabletEvent& event) const;
+    void follow_pointer(const QPointF& position);
+    void start_panning(const QPointF& position);
+    void pan_to(const QPointF& position);
+    void set_cursor();
+
+    tools::Easel* easel_;
+    core::ThreadPool pool_;
+    QOpenGLExtraFunctions gl_;
+    bool graphics_ready_ = false;
+    CanvasLayers layers_;
+    CanvasTextures textures_;
+    PictureBuffer picture_;
+    BrushOutline outline_;
+    ShadingPlan plan_;
+    QTimer cooling_;
+
+    std::shared_ptr<const document::Snapshot> wanted_;
+    std::shared_ptr<const document::Snapshot> shown_;
+    ViewTransform view_;
+    bool fitted_ = true;  ///< follows the window's size until the painter zooms or pans
+    shade::Lighting lighting_;
+    bool relight_ = false;  ///< the shadows are still those of another light
+    TipShape tip_;
+
+    std::optional<QPointF> pointer_;
+    std::optional<QPointF> pan_from_;
+    bool space_held_ = false;
+};
+
+}  // namespace pastoso::view

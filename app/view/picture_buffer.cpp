@@ -1,0 +1,127 @@
+#include "view/picture_buffer.hpp"
+
+#include "core/error.hpp"
+#include "view/canvas_shader.hpp"
+#include "view/shading_uniforms.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <QElapsedTimer>
+
+namespace pastoso::view {
+namespace {
+
+constexpr int kSurfaceUnit = 0;
+constexpr int kColourUnit = 1;
+constexpr int kCoarsePixel = 2;
+
+QRect whole(QSize size) {
+    return {QPoint(0, 0), size};
+}
+
+QSize coarse_size(QSize size) {
+    return {(size.width() + kCoarsePixel - 1) / kCoarsePixel,
+            (size.height() + kCoarsePixel - 1) / kCoarsePixel};
+}
+
+/// The coarse pixels that `part` touches and one around them, which the enlargement blends in.
+QRect coarse_part(const QRect& part, QSize window) {
+    const QPoint first = part.topLeft() / kCoarsePixel - QPoint(1, 1);
+    const QPoint last = part.bottomRight() / kCoarsePixel + QPoint(1, 1);
+    return QRect(first, last).intersected(whole(coarse_size(window)));
+}
+
+void set_scissor(QOpenGLExtraFunctions& gl, const QRect& part) {
+    gl.glEnable(GL_SCISSOR_TEST);
+    gl.glScissor(part.x(), part.y(), part.width(), part.height());
+}
+
+}  // namespace
+
+void PictureBuffer::initialise(QOpenGLExtraFunctions* gl) {
+    gl_ = gl;
+    program_ = std::make_unique<QOpenGLShaderProgram>();
+    const bool linked =
+        program_->addShaderFromSourceCode(QOpenGLShader::Vertex, kCanvasVertexShader) &&
+        program_->addShaderFromSourceCode(QOpenGLShader::Fragment, kCanvasFragmentShader) &&
+        program_->link();
+    if (!linked) {
+        throw core::InputError("The graphics driver refuses the program that shades the canvas: " +
+                               program_->log().simplified().toStdString());
+    }
+    gl_->glGenVertexArrays(1, &vertex_array_);
+}
+
+void PictureBuffer::release() {
+    program_.reset();
+    picture_.reset();
+    coarse_.reset();
+    if (gl_ != nullptr) gl_->glDeleteVertexArrays(1, &vertex_array_);
+    vertex_array_ = 0;
+}
+
+void PictureBuffer::resize(QSize window_px) {
+    if (picture_ != nullptr && window_px == size_) return;
+    size_ = window_px;
+    picture_ = std::make_unique<QOpenGLFramebufferObject>(size_);
+    coarse_ = std::make_unique<QOpenGLFramebufferObject>(coarse_size(size_));
+}
+
+double PictureBuffer::shade(const QRect& part, Quality quality, const Scene& scene) {
+    QElapsedTimer timer;
+    timer.start();
+    if (quality == Quality::Coarse) {
+        const QRect coarse = coarse_part(part, size_);
+        draw(coarse, *coarse_, {kCoarsePixel, 1}, scene);
+        enlarge_coarse(coarse, part);
+    } else {
+        draw(part, *picture_, {1, samples_per_side(quality, scene.view.zoom)}, scene);
+    }
+    gl_->glFinish();
+    return 1e-9 * static_cast<double>(timer.nsecsElapsed());
+}
+
+void PictureBuffer::draw(const QRect& part, QOpenGLFramebufferObject& target, const Sampling& sampling,
+                         const Scene& scene) {
+    target.bind();
+    gl_->glViewport(0, 0, target.width(), target.height());
+    set_scissor(*gl_, part);
+    gl_->glDisable(GL_BLEND);
+    gl_->glDisable(GL_DEPTH_TEST);
+    program_->bind();
+    scene.canvas->bind(kSurfaceUnit, kColourUnit);
+    program_->setUniformValue("surface_layers", kSurfaceUnit);
+    program_->setUniformValue("colour_and_wetness", kColourUnit);
+    set_shading_uniforms(*program_, scene, sampling);
+    gl_->glBindVertexArray(vertex_array_);
+    gl_->glDrawArrays(GL_TRIANGLES, 0, 3);
+    gl_->glBindVertexArray(0);
+    program_->release();
+    gl_->glDisable(GL_SCISSOR_TEST);
+}
+
+void PictureBuffer::enlarge_coarse(const QRect& coarse, const QRect& part) {
+    gl_->glBindFramebuffer(GL_READ_FRAMEBUFFER, coarse_->handle());
+    gl_->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture_->handle());
+    set_scissor(*gl_, part);
+    const int x0 = coarse.x();
+    const int y0 = coarse.y();
+    const int x1 = x0 + coarse.width();
+    const int y1 = y0 + coarse.height();
+    gl_->glBlitFramebuffer(x0, y0, x1, y1, kCoarsePixel * x0, kCoarsePixel * y0, kCoarsePixel * x1,
+                           kCoarsePixel * y1, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    gl_->glDisable(GL_SCISSOR_TEST);
+}
+
+void PictureBuffer::copy_to(GLuint framebuffer) {
+    gl_->glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_->handle());
+    gl_->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    // The buffer's first row is the window's top, OpenGL's is the bottom.
+    gl_->glBlitFramebuffer(0, 0, size_.width(), size_.height(), 0, size_.height(), size_.width(), 0,
+                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl_->glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+}
+
+}  // namespace pastoso::view

@@ -1,0 +1,50 @@
+// The shaded window as it was last drawn, kept on the graphics card: only what changed is shaded again.
+#pragma once
+
+#include "view/quality.hpp"
+#include "view/scene.hpp"
+#include "view/shading_uniforms.hpp"
+
+#include <memory>
+
+#include <QOpenGLExtraFunctions>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLShaderProgram>
+#include <QRect>
+#include <QSize>
+
+namespace pastoso::view {
+
+/// All calls need the current context that initialise() was called in. Rectangles are in device pixels
+/// with y down.
+class PictureBuffer {
+  public:
+    /// Throws core::InputError when the driver refuses the shaders.
+    void initialise(QOpenGLExtraFunctions* gl);
+    void release();
+
+    /// Forgets the picture when the size is another.
+    void resize(QSize window_px);
+    QSize size() const { return size_; }
+
+    /// Shades a part of the window and returns the seconds it took, the card's work included.
+    double shade(const QRect& part, Quality quality, const Scene& scene);
+
+    /// Copies the whole picture to the framebuffer given and leaves that bound.
+    void copy_to(GLuint framebuffer);
+
+  private:
+    void draw(const QRect& part, QOpenGLFramebufferObject& target, const Sampling& sampling,
+              const Scene& scene);
+    void enlarge_coarse(const QRect& coarse, const QRect& part);
+
+    QOpenGLExtraFunctions* gl_ = nullptr;
+    QSize size_;
+    std::unique_ptr<QOpenGLShaderProgram> program_;
+    // Both hold the window's top row first.
+    std::unique_ptr<QOpenGLFramebufferObject> picture_;
+    std::unique_ptr<QOpenGLFramebufferObject> coarse_;
+    GLuint vertex_array_ = 0;
+};
+
+}  // namespace pastoso::view

@@ -1,0 +1,17 @@
+// What a frame shows, and from where.
+#pragma once
+
+#include "shade/render.hpp"
+#include "view/canvas_textures.hpp"
+#include "view/view_transform.hpp"
+
+namespace pastoso::view {
+
+struct Scene {
+    CanvasTextures* canvas = nullptr;
+    double cell_mm = 0.25;
+    ViewTransform view;
+    shade::Lighting lighting;
+};
+
+}  // namespace pastoso::view

@@ -1,0 +1,41 @@
+#include "view/shading_uniforms.hpp"
+
+#include "shade/sampling.hpp"
+#include "shade/shading_model.hpp"
+
+#include <QVector2D>
+#include <QVector3D>
+
+namespace pastoso::view {
+namespace {
+
+QVector2D vector(const glm::dvec2& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y)};
+}
+
+void set_light(QOpenGLShaderProgram& program, const shade::ShadingConstants& light) {
+    program.setUniformValue("to_light", QVector3D(light.light_x, light.light_y, light.light_z));
+    program.setUniformValue("half_vector", QVector3D(light.half_x, light.half_y, light.half_z));
+    program.setUniformValue("direct", light.direct);
+    program.setUniformValue("ambient", light.ambient);
+    program.setUniformValue("gloss", light.gloss);
+    program.setUniformValue("dry_roughness", light.dry_roughness);
+    program.setUniformValue("wet_roughness", light.wet_roughness);
+    program.setUniformValue("inverse_softness_per_mm", light.inverse_softness_per_mm);
+}
+
+}  // namespace
+
+void set_shading_uniforms(QOpenGLShaderProgram& program, const Scene& scene, const Sampling& sampling) {
+    const grid::Shape& shape = scene.canvas->shape();
+    program.setUniformValue("canvas_cells", vector({shape.width, shape.height}));
+    program.setUniformValue("cell_mm", static_cast<float>(scene.cell_mm));
+    program.setUniformValue("origin_px", vector(scene.view.origin_px));
+    program.setUniformValue("px_per_cell", static_cast<float>(scene.view.zoom));
+    program.setUniformValue("pixel_size", static_cast<float>(sampling.pixel_size));
+    program.setUniformValue("samples_per_side", sampling.samples_per_side);
+    program.setUniformValue("colour_sharpness", shade::colour_sharpness(scene.view.zoom));
+    set_light(program, shade::shading_constants(scene.lighting));
+}
+
+}  // namespace pastoso::view

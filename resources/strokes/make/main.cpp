@@ -1,0 +1,23 @@
+// Writes the example recordings anew: pastoso-make-examples FOLDER.
+#include "core/error.hpp"
+#include "io/recording_json.hpp"
+#include "scenes.hpp"
+
+#include <cstdio>
+#include <filesystem>
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fputs("usage: pastoso-make-examples FOLDER\n", stderr);
+        return 2;
+    }
+    try {
+        const std::filesystem::path folder = argv[1];
+        pastoso::io::write_recording_json(folder / "sampler.json", pastoso::examples::sampler());
+        pastoso::io::write_recording_json(folder / "still-life.json", pastoso::examples::still_life());
+    } catch (const pastoso::core::InputError& error) {
+        std::fprintf(stderr, "pastoso-make-examples: %s\n", error.what());
+        return 1;
+    }
+    return 0;
+}

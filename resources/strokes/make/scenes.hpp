@@ -1,0 +1,14 @@
+// The recordings that come with the program.
+#pragma once
+
+#include "document/events.hpp"
+
+namespace pastoso::examples {
+
+/// What the brushes do: loaded and dry strokes, wet crossings, a knife, swells, dabs and double loads.
+document::Recording sampler();
+
+/// A bowl with two pears, a lemon and an apple on a cloth, painted wet in wet.
+document::Recording still_life();
+
+}  // namespace pastoso::examples

@@ -1,0 +1,130 @@
+#include "view/canvas_layers.hpp"
+
+#include "core/random.hpp"
+#include "film/support.hpp"
+#include "shade/cell_layers.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace pastoso::view {
+namespace {
+
+using ::testing::ElementsAre;
+
+constexpr grid::Shape kShape{200, 150};
+constexpr double kCell_mm = 0.25;
+
+document::Snapshot bare_canvas() {
+    document::Snapshot snapshot;
+    snapshot.film = film::FilmState(kShape, kCell_mm);
+    snapshot.film.support_mm = film::named_support("linen", kShape, kCell_mm);
+    snapshot.ground.fill(0.8F);
+    return snapshot;
+}
+
+/// A lump of paint up to a millimetre thick.
+void add_lump(document::Snapshot& snapshot, int x0, int y0, int size) {
+    film::FilmState& film = snapshot.film;
+    for (int y = y0; y < y0 + size; ++y) {
+        for (int x = x0; x < x0 + size; ++x) {
+            const auto cell = static_cast<std::uint32_t>(y * kShape.width + x);
+            const double thickness_mm = 0.2 + 0.8 * core::uniform_noise(cell, 7);
+            film.thickness.set(x, y,
+                               static_cast<std::int32_t>(thickness_mm / film::kThicknessQuantum_mm));
+            film::PigmentCell pigment{};
+            pigment.fill(static_cast<std::int32_t>(2.0 / film::kPigmentQuantum));
+            film.pigment.set(x, y, pigment);
+        }
+    }
+}
+
+void expect_equal_to_reference(const CanvasLayers& layers, const document::Snapshot& snapshot,
+                               const shade::Lighting& lighting) {
+    core::ThreadPool pool(2);
+    const grid::Rect cells = layers.cells_with_border();
+    const shade::CellLayers reference =
+        shade::cell_layers(snapshot.film, snapshot.ground, cells, lighting, pool);
+    int different = 0;
+    for (int y = cells.y0; y < cells.y1; ++y) {
+        for (int x = cells.x0; x < cells.x1; ++x) {
+            const SurfaceTexel& texel = *layers.surface(x, y);
+            const std::ptrdiff_t i = reference.index(x, y);
+            different += texel.height_mm != reference.height_mm[i] || texel.sky != reference.sky[i] ||
+                         texel.shadow_mm != reference.shadow_mm[i];
+        }
+    }
+    EXPECT_EQ(different, 0);
+}
+
+TEST(ChangedTiles, AreThoseThatWereWritten) {
+    const document::Snapshot before = bare_canvas();
+    document::Snapshot after = before;
+    EXPECT_TRUE(changed_tiles(&before, after).empty());
+    EXPECT_EQ(changed_tiles(nullptr, after).size(), 12U);
+    add_lump(after, 60, 10, 8);  // over the seam of the first two tiles
+    EXPECT_THAT(changed_tiles(&before, after), ElementsAre(0, 1));
+}
+
+TEST(CanvasLayers, AreThoseOfTheReferenceRenderer) {
+    document::Snapshot snapshot = bare_canvas();
+    add_lump(snapshot, 90, 60, 20);
+    CanvasLayers layers;
+    core::ThreadPool pool(2);
+    const shade::Lighting lighting;
+    layers.update(nullptr, snapshot, lighting, pool);
+    expect_equal_to_reference(layers, snapshot, lighting);
+}
+
+TEST(CanvasLayers, UpdatesReachAsFarAsShadowsAndSkyDo) {
+    // A low light casts long shadows over neighbouring tiles; the lump is then taken away again. It
+    // leaves the lowest place of the canvas bare, below which no shadow is counted.
+    shade::Lighting lighting;
+    lighting.elevation_deg = 12.0;
+    for (const double azimuth_deg : {135.0, 20.0, 250.0, 300.0}) {
+        lighting.azimuth_deg = azimuth_deg;
+        const document::Snapshot bare = bare_canvas();
+        document::Snapshot painted = bare;
+        add_lump(painted, 66, 66, 12);
+        CanvasLayers layers;
+        core::ThreadPool pool(2);
+        layers.update(nullptr, bare, lighting, pool);
+        layers.update(&bare, painted, lighting, pool);
+        expect_equal_to_reference(layers, painted, lighting);
+        layers.update(&painted, bare, lighting, pool);
+        expect_equal_to_reference(layers, bare, lighting);
+    }
+}
+
+TEST(CanvasLayers, AnotherLightMovesTheShadows) {
+    document::Snapshot snapshot = bare_canvas();
+    add_lump(snapshot, 90, 60, 20);
+    CanvasLayers layers;
+    core::ThreadPool pool(2);
+    shade::Lighting lighting;
+    layers.update(nullptr, snapshot, lighting, pool);
+    lighting.azimuth_deg = -30.0;
+    lighting.elevation_deg = 15.0;
+    layers.relight(snapshot, lighting, pool);
+    expect_equal_to_reference(layers, snapshot, lighting);
+}
+
+TEST(CanvasLayers, ColoursCoverTheChangedTilesAndTheirBorder) {
+    const document::Snapshot bare = bare_canvas();
+    document::Snapshot painted = bare;
+    add_lump(painted, 5, 5, 10);
+    CanvasLayers layers;
+    core::ThreadPool pool(2);
+    layers.update(nullptr, bare, {}, pool);
+    const LayerChanges changes = layers.update(&bare, painted, {}, pool);
+    ASSERT_EQ(changes.colours.size(), 1U);
+    EXPECT_EQ(changes.colours[0].cells, (grid::Rect{-2, -2, 64, 64}));
+    const shade::CellColour& paint = changes.colours[0].colours[(7 + 2) * 66 + (7 + 2)];
+    const shade::CellColour& ground = changes.colours[0].colours[(40 + 2) * 66 + (40 + 2)];
+    EXPECT_FLOAT_EQ(paint.wetness, 1.0F);
+    EXPECT_FLOAT_EQ(ground.wetness, 0.0F);
+    EXPECT_LT(paint.green, ground.green);
+}
+
+}  // namespace
+}  // namespace pastoso::view

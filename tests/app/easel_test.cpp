@@ -1,0 +1,183 @@
+#include "tools/easel.hpp"
+
+#include "core/units.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace pastoso::tools {
+namespace {
+
+using namespace document;
+using ::testing::ElementsAre;
+
+/// Names of the posted actions, in their order.
+std::vector<std::string> names(const std::vector<Action>& actions) {
+    static const char* const kNames[] = {"brush", "load", "clean", "medium", "tilt",
+                                         "down",  "move", "up",    "undo",   "redo"};
+    std::vector<std::string> list;
+    for (const Action& action : actions)
+        list.emplace_back(kNames[action.index()]);
+    return list;
+}
+
+Pointer at_ms(std::uint64_t time_ms) {
+    Pointer pointer;
+    pointer.time_ms = time_ms;
+    return pointer;
+}
+
+class EaselTest : public ::testing::Test {
+  protected:
+    std::vector<std::string> posted() {
+        std::vector<std::string> list = names(actions_);
+        actions_.clear();
+        return list;
+    }
+
+    std::vector<Action> actions_;
+    Easel easel_{Hand{}, [this](Action action) { actions_.push_back(std::move(action)); }};
+};
+
+TEST_F(EaselTest, SetsUpAPainterWhoHasReadNothing) {
+    easel_.set_up();
+    EXPECT_THAT(posted(), ElementsAre("medium", "tilt", "brush", "clean", "load"));
+}
+
+TEST_F(EaselTest, EveryStrokeStartsWithAFreshBrushUnlessToldOtherwise) {
+    easel_.press({});
+    easel_.release();
+    EXPECT_THAT(posted(), ElementsAre("clean", "load", "down", "up"));
+    easel_.set_reload_each_stroke(false);
+    easel_.press({});
+    easel_.release();
+    EXPECT_THAT(posted(), ElementsAre("down", "up"));
+}
+
+TEST_F(EaselTest, MovesWithoutAPressAndSecondReleasesPostNothing) {
+    easel_.move({});
+    easel_.release();
+    easel_.release();
+    EXPECT_TRUE(actions_.empty());
+}
+
+TEST_F(EaselTest, AChangeOfToolEndsTheStrokeFirst) {
+    easel_.set_reload_each_stroke(false);
+    easel_.press({});
+    easel_.choose_paint({{{"PR108", 1.0}}, 1.0});
+    easel_.move({});
+    EXPECT_THAT(posted(), ElementsAre("down", "up", "clean", "load"));
+    easel_.press({});
+    easel_.undo();
+    EXPECT_THAT(posted(), ElementsAre("down", "up", "undo"));
+}
+
+TEST_F(EaselTest, TiltingGoesOnDuringAStroke) {
+    easel_.set_reload_each_stroke(false);
+    easel_.press({});
+    easel_.tilt(30.0, 45.0);
+    easel_.move({});
+    EXPECT_THAT(posted(), ElementsAre("down", "tilt", "move"));
+}
+
+TEST_F(EaselTest, TimeStartsAtTheFirstTouchAndNeverRunsBackwards) {
+    easel_.set_reload_each_stroke(false);
+    easel_.press(at_ms(5000));
+    easel_.move(at_ms(5020));
+    easel_.move(at_ms(4000));
+    easel_.move(at_ms(5030));
+    std::vector<double> times_s;
+    for (const Action& action : actions_) {
+        if (const auto* down = std::get_if<PenDown>(&action)) times_s.push_back(down->sample.time_s);
+        if (const auto* move = std::get_if<PenMove>(&action)) times_s.push_back(move->sample.time_s);
+    }
+    EXPECT_THAT(times_s, ElementsAre(0.0, 0.020, 0.020, 0.030));
+}
+
+TEST_F(EaselTest, WhatAPenReportsOutsideItsRangeIsBroughtBack) {
+    easel_.set_reload_each_stroke(false);
+    Pointer pointer;
+    pointer.pressure = 1.5;
+    pointer.tilt_x_deg = -120.0;
+    pointer.tilt_y_deg = 95.0;
+    easel_.press(pointer);
+    const auto& sample = std::get<PenDown>(actions_.back()).sample;
+    EXPECT_DOUBLE_EQ(sample.pressure, 1.0);
+    EXPECT_DOUBLE_EQ(sample.tilt_x_deg, -90.0);
+    EXPECT_DOUBLE_EQ(sample.tilt_y_deg, 90.0);
+}
+
+TEST_F(EaselTest, ABrushWithoutSensorStandsAcrossItsPath) {
+    easel_.set_reload_each_stroke(false);
+    const auto move_to = [&](double x_mm, double y_mm) {
+        Pointer pointer;
+        pointer.x_mm = x_mm;
+        pointer.y_mm = y_mm;
+        easel_.move(pointer);
+    };
+    for (int i = 0; i <= 60; ++i)
+        move_to(i, 0.0);
+    // The memory of the first direction has faded to exp(-60/9) of a right angle.
+    EXPECT_NEAR(std::abs(easel_.rotation_deg()), 90.0, 0.2);
+    const double there_deg = easel_.rotation_deg();
+    for (int i = 60; i >= 0; --i)
+        move_to(i, 0.0);
+    EXPECT_NEAR(easel_.rotation_deg(), there_deg, 0.2);
+    EXPECT_TRUE(actions_.empty());
+}
+
+TEST_F(EaselTest, APenThatTellsItsRotationIsBelieved) {
+    easel_.set_reload_each_stroke(false);
+    Pointer pointer;
+    pointer.rotation_deg = 30.0;
+    easel_.press(pointer);
+    EXPECT_DOUBLE_EQ(std::get<PenDown>(actions_.back()).sample.rotation_deg, 30.0);
+}
+
+TEST(Heading, TurnsOnWithoutJumpsAroundACircle) {
+    Heading heading;
+    double previous_deg = 0.0;
+    for (int i = 0; i <= 720; ++i) {
+        const double angle = core::radians(i);
+        heading.moved_to(40.0 * std::cos(angle), 40.0 * std::sin(angle));
+        const double turn_deg = std::remainder(heading.rotation_deg() - previous_deg, 360.0);
+        // A degree of arc turns the brush by about a degree; the start may turn faster from rest.
+        if (i > 90) {
+            EXPECT_LT(std::abs(turn_deg), 2.0) << "at " << i;
+        }
+        previous_deg = heading.rotation_deg();
+    }
+}
+
+TEST(HandAfter, HoldsWhatTheLastEventsGave) {
+    LoadPaint dip;
+    dip.paint.ingredients = {{"PY35", 2.0}, {"PW6", 1.0}};
+    const Hand hand = hand_after(Hand{}, {{0, TakeBrush{"Round sable 9", 5.0, 1}},
+                                          {0, TakeBrush{"Filbert 14", 0.0, 2}},
+                                          {3, dip},
+                                          {4, UseMedium{"ink glaze"}},
+                                          {5, TiltCanvas{12.0, 45.0}},
+                                          {9, PenUp{}}});
+    EXPECT_EQ(hand.brush, "Filbert 14");
+    EXPECT_DOUBLE_EQ(hand.brush_width_mm, 14.0);
+    EXPECT_EQ(hand.paint, dip.paint);
+    EXPECT_EQ(hand.medium, "ink glaze");
+    EXPECT_EQ(hand.tilt, (TiltCanvas{12.0, 45.0}));
+    EXPECT_EQ(hand_after(hand, {}).brush, hand.brush);
+}
+
+TEST(BrushWidth, StepsClimbDownAgainWithinTheLimits) {
+    double width_mm = 20.0;
+    for (int i = 0; i < 100; ++i) {
+        const double wider = stepped_brush_width_mm(width_mm, 1);
+        EXPECT_TRUE(wider > width_mm || width_mm == kLargestBrush_mm);
+        width_mm = wider;
+    }
+    EXPECT_DOUBLE_EQ(width_mm, kLargestBrush_mm);
+    EXPECT_DOUBLE_EQ(stepped_brush_width_mm(width_mm, -1000), kSmallestBrush_mm);
+}
+
+}  // namespace
+}  // namespace pastoso::tools

@@ -1,0 +1,221 @@
+#include "session/paint_session.hpp"
+
+#include "document/player.hpp"
+
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace pastoso::session {
+namespace {
+
+using namespace document;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+CanvasSettings small_canvas() {
+    CanvasSettings canvas;
+    canvas.width_mm = 40.0;
+    canvas.height_mm = 30.0;
+    canvas.px_per_mm = 2.0;
+    return canvas;
+}
+
+std::unique_ptr<PaintSession> start_session(PaintSession::Notify notify = {}) {
+    auto pool = std::make_unique<core::ThreadPool>(2);
+    auto painting = std::make_unique<Painting>(small_canvas(), *pool);
+    return std::make_unique<PaintSession>(std::move(pool), std::move(painting), std::move(notify));
+}
+
+void take_loaded_brush(PaintSession& session) {
+    session.post(UseMedium{"soft-body acrylic"});
+    session.post(TakeBrush{"Flat bristle 20", 8.0, 1});
+    LoadPaint dip;
+    dip.paint.ingredients = {{"PB29", 1.0}};
+    session.post(dip);
+}
+
+brush::PenSample sample_at(double time_s, double x_mm, double y_mm) {
+    brush::PenSample sample;
+    sample.time_s = time_s;
+    sample.x_mm = x_mm;
+    sample.y_mm = y_mm;
+    return sample;
+}
+
+/// A stroke from left to right at this height.
+void post_stroke(PaintSession& session, double start_s, double y_mm) {
+    session.post(PenDown{sample_at(start_s, 6.0, y_mm)});
+    for (int i = 1; i <= 25; ++i)
+        session.post(PenMove{sample_at(start_s + 0.01 * i, 6.0 + i, y_mm)});
+    session.post(PenUp{});
+}
+
+std::int64_t paint_on(const PaintSession& session) {
+    return film::totals(session.snapshot()->film).thickness;
+}
+
+/// Stops paint time and waits until no tick is under way any more.
+void hold_still(PaintSession& session) {
+    session.set_paused(true);
+    session.post(PenUp{});
+    session.wait_until_applied();
+}
+
+TEST(PaintSession, StartsWithAnEmptyCanvasThatCanBeShownAtOnce) {
+    const auto session = start_session();
+    ASSERT_NE(session->snapshot(), nullptr);
+    EXPECT_EQ(session->snapshot()->film.shape, (grid::Shape{80, 60}));
+    EXPECT_EQ(paint_on(*session), 0);
+    EXPECT_FALSE(session->status().can_undo);
+}
+
+TEST(PaintSession, AStrokeThroughTheQueueLeavesPaint) {
+    const auto session = start_session();
+    take_loaded_brush(*session);
+    post_stroke(*session, 0.0, 15.0);
+    session->wait_until_applied();
+    EXPECT_GT(film::volume_mm3(paint_on(*session), session->snapshot()->film.cell_mm), 1.0);
+    EXPECT_TRUE(session->status().can_undo);
+    EXPECT_FALSE(session->status().stroke_in_progress);
+    EXPECT_EQ(session->status().strokes, 1);
+    EXPECT_TRUE(session->take_errors().empty());
+}
+
+TEST(PaintSession, UndoTakesTheLastStrokeBackAndRedoBringsItAgain) {
+    const auto session = start_session();
+    session->set_paused(true);
+    take_loaded_brush(*session);
+    post_stroke(*session, 0.0, 8.0);
+    session->wait_until_applied();
+    const std::uint64_t one_stroke = film::state_hash(session->snapshot()->film);
+    post_stroke(*session, 1.0, 20.0);
+    session->wait_until_applied();
+    const std::uint64_t two_strokes = film::state_hash(session->snapshot()->film);
+    ASSERT_NE(one_stroke, two_strokes);
+    session->post(Undo{});
+    session->wait_until_applied();
+    EXPECT_EQ(film::state_hash(session->snapshot()->film), one_stroke);
+    EXPECT_TRUE(session->status().can_redo);
+    session->post(Redo{});
+    session->wait_until_applied();
+    EXPECT_EQ(film::state_hash(session->snapshot()->film), two_strokes);
+    session->post(Undo{});
+    session->post(Undo{});
+    session->wait_until_applied();
+    EXPECT_EQ(paint_on(*session), 0);
+}
+
+TEST(PaintSession, ItsRecordingReplaysToTheSameBits) {
+    const auto session = start_session();
+    take_loaded_brush(*session);
+    post_stroke(*session, 0.0, 15.0);
+    session->post(TiltCanvas{80.0, 90.0});
+    post_stroke(*session, 0.5, 20.0);
+    session->post(Undo{});
+    session->wait_until_applied();
+    while (session->status().tick < 20)
+        std::this_thread::yield();
+    hold_still(*session);
+    const Recording recording = session->recording();
+    const auto snapshot = session->snapshot();
+
+    core::ThreadPool pool(1);
+    Painting painting(recording.canvas, pool);
+    Player player(painting, recording);
+    while (!player.finished())
+        player.play_tick();
+    EXPECT_EQ(painting.tick(), snapshot->tick);
+    EXPECT_EQ(film::state_hash(painting.film()), film::state_hash(snapshot->film));
+}
+
+TEST(PaintSession, PlayingARecordingPaintsWhatWasRecorded) {
+    const auto first = start_session();
+    first->set_paused(true);
+    take_loaded_brush(*first);
+    post_stroke(*first, 0.0, 15.0);
+    first->wait_until_applied();
+
+    const auto second = start_session();
+    second->play(first->recording().events);
+    while (second->status().replaying)
+        std::this_thread::yield();
+    EXPECT_TRUE(second->take_errors().empty());
+    EXPECT_GT(paint_on(*second), 0);
+    EXPECT_EQ(second->recording().events.size(), first->recording().events.size());
+}
+
+TEST(PaintSession, ARefusedActionIsToldInASentenceAndTheSessionGoesOn) {
+    const auto session = start_session();
+    session->post(TakeBrush{"Toothbrush", 8.0, 1});
+    take_loaded_brush(*session);
+    post_stroke(*session, 0.0, 15.0);
+    session->wait_until_applied();
+    EXPECT_THAT(session->take_errors(), ElementsAre(HasSubstr("Toothbrush")));
+    EXPECT_TRUE(session->take_errors().empty());
+    EXPECT_GT(paint_on(*session), 0);
+    // What was refused is not part of the recording.
+    for (const Event& event : session->recording().events) {
+        const auto* brush = std::get_if<TakeBrush>(&event.action);
+        EXPECT_TRUE(brush == nullptr || brush->preset != "Toothbrush");
+    }
+}
+
+TEST(PaintSession, PauseStopsThePaintButNotTheBrush) {
+    const auto session = start_session();
+    take_loaded_brush(*session);
+    hold_still(*session);
+    const std::int64_t tick = session->status().tick;
+    post_stroke(*session, 0.0, 15.0);
+    session->wait_until_applied();
+    EXPECT_EQ(session->status().tick, tick);
+    EXPECT_GT(paint_on(*session), 0);
+    session->set_paused(false);
+    while (session->status().tick == tick)
+        std::this_thread::yield();
+}
+
+TEST(PaintSession, SnapshotsStayAsTheyWere) {
+    const auto session = start_session();
+    take_loaded_brush(*session);
+    session->wait_until_applied();
+    const auto before = session->snapshot();
+    const std::uint64_t hash = film::state_hash(before->film);
+    post_stroke(*session, 0.0, 15.0);
+    session->wait_until_applied();
+    EXPECT_EQ(film::state_hash(before->film), hash);
+    EXPECT_NE(film::state_hash(session->snapshot()->film), hash);
+}
+
+TEST(PaintSession, ActionsFromManyThreadsAreAllApplied) {
+    std::atomic<int> notifications = 0;
+    const auto session = start_session([&] { ++notifications; });
+    constexpr int kThreads = 4;
+    constexpr int kTilts = 50;
+    std::vector<std::thread> threads;
+    for (int t = 0; t < kThreads; ++t) {
+        threads.emplace_back([&, t] {
+            for (int i = 0; i < kTilts; ++i)
+                session->post(TiltCanvas{static_cast<double>(i), 90.0 * t});
+        });
+    }
+    for (std::thread& thread : threads)
+        thread.join();
+    session->wait_until_applied();
+    EXPECT_EQ(session->recording().events.size(), static_cast<std::size_t>(kThreads * kTilts));
+    EXPECT_GT(notifications, 0);
+}
+
+TEST(PaintSession, EndsCleanlyInTheMiddleOfAStroke) {
+    const auto session = start_session();
+    take_loaded_brush(*session);
+    session->post(PenDown{sample_at(0.0, 10.0, 10.0)});
+    for (int i = 0; i < 200; ++i)
+        session->post(PenMove{sample_at(0.01 * i, 10.0 + 0.1 * i, 10.0)});
+}
+
+}  // namespace
+}  // namespace pastoso::session

@@ -1,0 +1,117 @@
+// What the screen shows: the shader against the renderer on the processor, smoothness, and saved
+// pictures.
+#include "app/window_fixture.hpp"
+#include "core/error.hpp"
+#include "core/temporary_folder.hpp"
+#include "shade/render.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+#include <QAction>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+
+class PictureWindow : public WindowTest {
+  protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        if (IsSkipped()) return;
+        window().commands().action(Command::Pause)->trigger();
+        mouse_stroke(line_mm({12.0, 12.0}, {48.0, 30.0}));
+        window().easel().choose_paint({{{"PY35", 1.0}}, 1.0});
+        mouse_stroke(line_mm({45.0, 8.0}, {20.0, 34.0}));
+        settle();
+    }
+
+    /// The canvas as the renderer on the processor shows it.
+    QImage reference(double scale) {
+        const auto snapshot = session().snapshot();
+        shade::RenderSettings settings;
+        settings.scale = scale;
+        settings.lighting = canvas().lighting();
+        core::ThreadPool pool(2);
+        const shade::Image8 image = shade::encode_srgb8(shade::render(
+            snapshot->film, snapshot->ground, snapshot->film.shape.cells(), settings, pool));
+        return QImage(image.rgb.data(), image.width, image.height, 3 * image.width,
+                      QImage::Format_RGB888)
+            .copy();
+    }
+
+    void show_at(double zoom, const glm::dvec2& origin_px) { canvas().set_view({origin_px, zoom}); }
+};
+
+// The window keeps colours as 16-bit floats (11 bits of precision, up to 1/8 of an 8-bit step in the
+// lights and the shoulder, more where the encoding is steep in the darks) and the card rounds sums and
+// powers differently.
+constexpr int kLargestStep = 3;
+constexpr double kMeanStep = 0.25;
+
+TEST_F(PictureWindow, TheShaderShowsWhatTheRendererSaves) {
+    for (const double zoom : {0.5, 1.0, 2.0, 3.0}) {
+        show_at(zoom, {20.0, 10.0});
+        const QImage shown = picture();
+        const QImage wanted = reference(zoom);
+        const QRect common = QRect(QPoint(20, 10), wanted.size()).intersected(shown.rect());
+        const PictureDifference apart =
+            difference(shown.copy(common), wanted.copy(common.translated(-20, -10)));
+        EXPECT_LE(apart.largest, kLargestStep) << "at zoom " << zoom;
+        EXPECT_LE(apart.mean, kMeanStep) << "at zoom " << zoom;
+    }
+}
+
+TEST_F(PictureWindow, AnotherLightIsShownAsItIsSaved) {
+    shade::Lighting lighting = canvas().lighting();
+    lighting.azimuth_deg = 20.0;
+    lighting.elevation_deg = 14.0;
+    canvas().set_lighting(lighting);
+    show_at(2.0, {20.0, 10.0});
+    const QImage wanted = reference(2.0);
+    const QImage shown = picture().copy(QRect(QPoint(20, 10), wanted.size()));
+    EXPECT_LE(difference(shown, wanted).mean, kMeanStep);
+}
+
+TEST_F(PictureWindow, ZoomedInTheSurfaceIsSmoothAndShowsNoCells) {
+    constexpr int kZoom = 8;
+    // Cells of the stroke's middle fill the window; cell borders lie at multiples of eight pixels.
+    show_at(kZoom, {-8.0 * 80.0, -8.0 * 50.0});
+    const QImage shown = picture();
+    double at_borders = 0.0, elsewhere = 0.0;
+    for (int y = 0; y < shown.height(); ++y) {
+        const uchar* row = shown.constScanLine(y);
+        for (int x = 1; x < shown.width(); ++x) {
+            const int step = std::abs(row[3 * x + 1] - row[3 * x - 2]);
+            (x % kZoom == 0 ? at_borders : elsewhere) += step;
+        }
+    }
+    ASSERT_GT(elsewhere, 0.0);
+    // Seven of eight steps lie within cells. Flat cells would have all of the change at their borders.
+    EXPECT_NEAR(7.0 * at_borders / elsewhere, 1.0, 0.15);
+}
+
+TEST_F(PictureWindow, ASavedPictureIsAReadableFileThatLooksLikeTheCanvas) {
+    const TemporaryFolder folder;
+    const QString path = QString::fromStdString((folder.path() / "picture.png").string());
+    QString error = QStringLiteral("not finished");
+    QObject::connect(&window().saver(), &commands::PictureSaver::finished, &window(),
+                     [&](const QString&, const QString& sentence) { error = sentence; });
+    window().save_picture(path);
+    wait_for([&] { return error != QStringLiteral("not finished"); });
+    EXPECT_EQ(error.toStdString(), "");
+    const QImage saved = QImage(path).convertToFormat(QImage::Format_RGB888);
+    ASSERT_FALSE(saved.isNull());
+    EXPECT_EQ(difference(saved, reference(1.0)).largest, 0);
+}
+
+TEST_F(PictureWindow, APictureThatCannotBeWrittenIsToldAndLeavesNothing) {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "missing" / "picture.png";
+    EXPECT_THROW(commands::save_picture(*session().snapshot(), {}, path), core::InputError);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+}  // namespace
+}  // namespace pastoso::tests

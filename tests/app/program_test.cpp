@@ -1,0 +1,103 @@
+// The program from outside: what it says and how it ends.
+#include "core/temporary_folder.hpp"
+#include "core/text_file.hpp"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <sys/wait.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+using pastoso::tests::TemporaryFolder;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+struct Outcome {
+    int exit_status = -1;
+    std::string output;  ///< both streams
+};
+
+Outcome run(const std::string& environment, const std::string& arguments) {
+    const std::string command = "env " + environment + " '" PASTOSO_PROGRAM "' " + arguments + " 2>&1";
+    FILE* pipe = ::popen(command.c_str(), "r");
+    Outcome outcome;
+    std::array<char, 4096> buffer{};
+    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
+        outcome.output.append(buffer.data(), count);
+    }
+    const int status = ::pclose(pipe);
+    outcome.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return outcome;
+}
+
+void expect_one_sentence(const std::string& text) {
+    EXPECT_THAT(text, StartsWith("pastoso: "));
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+}
+
+TEST(Program, TellsItsVersionAndHelpWithoutADisplay) {
+    const std::string no_display = "-u DISPLAY -u WAYLAND_DISPLAY";
+    const Outcome version = run(no_display, "--version");
+    EXPECT_EQ(version.exit_status, 0);
+    EXPECT_THAT(version.output, StartsWith("pastoso "));
+    const Outcome help = run(no_display, "--help");
+    EXPECT_EQ(help.exit_status, 0);
+    EXPECT_THAT(help.output, HasSubstr("--screenshot"));
+}
+
+TEST(Program, SaysInOneSentenceThatThereIsNoDisplay) {
+    const Outcome outcome = run("-u DISPLAY -u WAYLAND_DISPLAY", "");
+    EXPECT_EQ(outcome.exit_status, 1);
+    expect_one_sentence(outcome.output);
+    EXPECT_THAT(outcome.output, HasSubstr("no display"));
+}
+
+TEST(Program, SaysTheSameOfADisplayThatIsDead) {
+    const Outcome outcome = run("-u WAYLAND_DISPLAY DISPLAY=:4711", "");
+    EXPECT_EQ(outcome.exit_status, 1);
+    expect_one_sentence(outcome.output);
+    EXPECT_THAT(outcome.output, HasSubstr(":4711"));
+}
+
+TEST(Program, RefusesUnknownArguments) {
+    EXPECT_NE(run("", "--no-such-option").exit_status, 0);
+    EXPECT_NE(run("", "a.json b.json").exit_status, 0);
+}
+
+class ProgramWithDisplay : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) {
+            GTEST_SKIP() << "no display: run under packaging/test.sh or xvfb-run";
+        }
+    }
+};
+
+TEST_F(ProgramWithDisplay, SaysInOneSentenceWhatIsWrongWithARecording) {
+    const Outcome missing = run("", "/nowhere/strokes.json");
+    EXPECT_EQ(missing.exit_status, 1);
+    expect_one_sentence(missing.output);
+    EXPECT_THAT(missing.output, HasSubstr("/nowhere/strokes.json"));
+
+    const TemporaryFolder folder;
+    const auto broken = folder.path() / "broken.json";
+    pastoso::core::write_text_file(broken, "{\"version\": 1, ");
+    const Outcome malformed = run("", broken.string());
+    EXPECT_EQ(malformed.exit_status, 1);
+    expect_one_sentence(malformed.output);
+    EXPECT_THAT(malformed.output, HasSubstr("broken.json"));
+}
+
+TEST_F(ProgramWithDisplay, ShowsItsWindowAndSavesAPictureOfIt) {
+    const TemporaryFolder folder;
+    const auto picture = folder.path() / "window.png";
+    const Outcome outcome = run("", "--screenshot " + picture.string() + " --after 0.5");
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.output;
+    EXPECT_GT(std::filesystem::file_size(picture), 10000U);
+}
+
+}  // namespace

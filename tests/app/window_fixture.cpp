@@ -1,0 +1,178 @@
+#include "app/window_fixture.hpp"
+
+#include "main/display.hpp"
+#include "panels/theme.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QSurfaceFormat>
+#include <QTest>
+#include <QWindow>
+#include <qpa/qwindowsysteminterface.h>
+
+namespace pastoso::tests {
+namespace {
+
+/// Made by the first test and never destroyed: Qt allows one for a process.
+void make_application() {
+    static int argc = 1;
+    static char name[] = "app_window_test";
+    static char* argv[] = {name, nullptr};
+    if (QApplication::instance() != nullptr) return;
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    QSurfaceFormat::setDefaultFormat(format);
+    auto* application = new QApplication(argc, argv);
+    panels::apply_theme(*application);
+}
+
+/// Milliseconds for the next event, ten apart like those of a slow tablet.
+ulong next_time_ms() {
+    static ulong time_ms = 1000;
+    return time_ms += 10;
+}
+
+}  // namespace
+
+void WindowTest::SetUp() {
+    if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) {
+        GTEST_SKIP() << "no display: run under packaging/test.sh or xvfb-run";
+    }
+    make_application();
+    ASSERT_EQ(main::opengl_problem(), std::nullopt);
+    window_ = std::make_unique<main::MainWindow>(canvas_settings());
+    window_->resize(900, 640);
+    window_->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    settle();
+}
+
+void WindowTest::TearDown() {
+    window_.reset();
+}
+
+document::CanvasSettings WindowTest::canvas_settings() const {
+    document::CanvasSettings canvas;
+    canvas.width_mm = 60.0;
+    canvas.height_mm = 40.0;
+    canvas.px_per_mm = 4.0;
+    return canvas;
+}
+
+void WindowTest::press(const glm::dvec2& place_mm, Qt::MouseButton button) {
+    QTest::mousePress(&canvas(), button, {}, canvas().widget_position(place_mm).toPoint());
+}
+
+void WindowTest::move(const glm::dvec2& place_mm, Qt::MouseButtons buttons) {
+    const QPointF position = canvas().widget_position(place_mm);
+    QMouseEvent event(QEvent::MouseMove, position, canvas().mapToGlobal(position), Qt::NoButton, buttons,
+                      {});
+    event.setTimestamp(next_time_ms());
+    QApplication::sendEvent(&canvas(), &event);
+}
+
+void WindowTest::release(const glm::dvec2& place_mm, Qt::MouseButton button) {
+    QTest::mouseRelease(&canvas(), button, {}, canvas().widget_position(place_mm).toPoint());
+}
+
+void WindowTest::mouse_stroke(const std::vector<glm::dvec2>& path_mm) {
+    press(path_mm.front());
+    for (const glm::dvec2& place_mm : path_mm)
+        move(place_mm);
+    release(path_mm.back());
+}
+
+void WindowTest::pen_stroke(const std::vector<glm::dvec2>& path_mm, const Pen& pen) {
+    static const QPointingDevice* device = [] {
+        using Capability = QInputDevice::Capability;
+        auto* stylus =
+            new QPointingDevice(QStringLiteral("test stylus"), 77, QInputDevice::DeviceType::Stylus,
+                                QPointingDevice::PointerType::Pen,
+                                Capability::Position | Capability::Pressure | Capability::XTilt |
+                                    Capability::YTilt | Capability::Hover,
+                                1, 3);
+        QWindowSystemInterface::registerInputDevice(stylus);
+        return stylus;
+    }();
+    static const QPointingDevice* eraser = [] {
+        auto* end = new QPointingDevice(
+            QStringLiteral("test eraser"), 78, QInputDevice::DeviceType::Stylus,
+            QPointingDevice::PointerType::Eraser,
+            QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 1);
+        QWindowSystemInterface::registerInputDevice(end);
+        return end;
+    }();
+    const QPointingDevice* tool = pen.eraser_end ? eraser : device;
+    QWindow* handle = window().windowHandle();
+    const auto send = [&](const glm::dvec2& place_mm, Qt::MouseButtons buttons, double pressure) {
+        const QPointF global = canvas().mapToGlobal(canvas().widget_position(place_mm));
+        QWindowSystemInterface::handleTabletEvent(handle, next_time_ms(), tool,
+                                                  handle->mapFromGlobal(global), global, buttons,
+                                                  pressure, pen.tilt_x_deg, pen.tilt_y_deg, 0.0, 0.0, 0);
+        QApplication::processEvents();
+    };
+    send(path_mm.front(), Qt::NoButton, 0.0);
+    for (const glm::dvec2& place_mm : path_mm)
+        send(place_mm, Qt::LeftButton, pen.pressure);
+    send(path_mm.back(), Qt::NoButton, 0.0);
+}
+
+void WindowTest::wait_for(const std::function<bool()>& condition) {
+    constexpr int kPatience_ms = 60000;
+    ASSERT_TRUE(QTest::qWaitFor(condition, kPatience_ms));
+}
+
+void WindowTest::settle() {
+    QApplication::processEvents();
+    session().wait_until_applied();
+    const auto latest = session().snapshot();
+    wait_for([&] {
+        const document::Snapshot* shown = canvas().shown();
+        const bool there = shown == latest.get() || (shown != nullptr && shown->tick > latest->tick);
+        return there && canvas().finished();
+    });
+}
+
+double WindowTest::volume_mm3() {
+    session().wait_until_applied();
+    const film::FilmState& film = session().snapshot()->film;
+    return film::volume_mm3(film::totals(film).thickness, film.cell_mm);
+}
+
+QImage WindowTest::picture() {
+    settle();
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(&canvas(), &leave);
+    return canvas().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+}
+
+std::vector<glm::dvec2> line_mm(const glm::dvec2& from, const glm::dvec2& to, int steps) {
+    std::vector<glm::dvec2> path;
+    for (int i = 0; i <= steps; ++i)
+        path.push_back(from + (to - from) * (static_cast<double>(i) / steps));
+    return path;
+}
+
+PictureDifference difference(const QImage& a, const QImage& b) {
+    EXPECT_EQ(a.size(), b.size());
+    PictureDifference result;
+    double sum = 0.0;
+    for (int y = 0; y < a.height(); ++y) {
+        const uchar* row_a = a.constScanLine(y);
+        const uchar* row_b = b.constScanLine(y);
+        for (int i = 0; i < 3 * a.width(); ++i) {
+            const int apart = std::abs(row_a[i] - row_b[i]);
+            result.largest = std::max(result.largest, apart);
+            sum += apart;
+        }
+    }
+    result.mean = sum / (3.0 * a.width() * a.height());
+    return result;
+}
+
+}  // namespace pastoso::tests

@@ -1,0 +1,66 @@
+// The real window on a small canvas, driven through the windowing system's own events.
+#pragma once
+
+#include "main/main_window.hpp"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <QImage>
+#include <glm/vec2.hpp>
+#include <gtest/gtest.h>
+
+namespace pastoso::tests {
+
+/// Skips where there is no display.
+class WindowTest : public ::testing::Test {
+  protected:
+    void SetUp() override;
+    void TearDown() override;
+
+    virtual document::CanvasSettings canvas_settings() const;
+
+    /// A move or a press of the left button, the place in millimetres on the canvas.
+    void mouse_stroke(const std::vector<glm::dvec2>& path_mm);
+    void press(const glm::dvec2& place_mm, Qt::MouseButton button = Qt::LeftButton);
+    void move(const glm::dvec2& place_mm, Qt::MouseButtons buttons = Qt::LeftButton);
+    void release(const glm::dvec2& place_mm, Qt::MouseButton button = Qt::LeftButton);
+
+    struct Pen {
+        double pressure = 0.5;
+        int tilt_x_deg = 0;
+        int tilt_y_deg = 0;
+        bool eraser_end = false;
+    };
+    void pen_stroke(const std::vector<glm::dvec2>& path_mm, const Pen& pen);
+
+    /// Handles events until the condition holds; fails the test when it does not within a minute.
+    void wait_for(const std::function<bool()>& condition);
+
+    /// Until everything posted is applied and the canvas is shown in its final quality. Paint that moves
+    /// has to be paused before.
+    void settle();
+
+    double volume_mm3();
+    QImage picture();  ///< of the canvas view, after settle(); the pointer's outline is not in it
+
+    main::MainWindow& window() { return *window_; }
+    view::CanvasView& canvas() { return window_->canvas(); }
+    session::PaintSession& session() { return window_->session(); }
+
+  private:
+    std::unique_ptr<main::MainWindow> window_;
+};
+
+/// A straight path in so many steps.
+std::vector<glm::dvec2> line_mm(const glm::dvec2& from, const glm::dvec2& to, int steps = 20);
+
+/// The largest and the mean difference of 8-bit channel values between two pictures of one size.
+struct PictureDifference {
+    int largest = 0;
+    double mean = 0.0;
+};
+PictureDifference difference(const QImage& a, const QImage& b);
+
+}  // namespace pastoso::tests

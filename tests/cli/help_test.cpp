@@ -1,0 +1,48 @@
+#include "cli/run_program.hpp"
+
+#include <gmock/gmock.h>
+
+namespace pastoso::cli {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST(CliHelp, EverySubcommandHasHelpWithAnExample) {
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"--help"}, {"replay", "--help"}, {"info", "--help"}}) {
+        const RunResult run = run_cli(arguments);
+        EXPECT_EQ(run.status, 0);
+        EXPECT_EQ(run.errors, "");
+        EXPECT_THAT(run.output, HasSubstr("Example:\n  pastoso-cli "));
+    }
+}
+
+TEST(CliHelp, ReplayNamesAllItsOptions) {
+    const std::string help = run_cli({"replay", "--help"}).output;
+    for (const char* option :
+         {"--brush", "--size-mm", "--paint", "--medium", "--canvas", "--px-per-mm", "--tilt",
+          "--tilt-direction", "--seconds", "--support", "--relief-mm", "--threads", "--fit", "--output",
+          "--stats", "--frames", "--fps", "--scale"}) {
+        EXPECT_THAT(help, HasSubstr(option));
+    }
+}
+
+TEST(CliHelp, TellsItsVersion) {
+    const RunResult run = run_cli({"--version"});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_THAT(run.output, testing::MatchesRegex("pastoso-cli [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST(CliHelp, InfoListsWhatThereIs) {
+    const RunResult run = run_cli({"info"});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_THAT(run.output, StartsWith("pastoso-cli "));
+    for (const char* name : {"instruction set", "Flat bristle 20", "Palette knife 17", "PB29", "PW6",
+                             "heavy-body oil", "house paint", "cotton duck", "panel"}) {
+        EXPECT_THAT(run.output, HasSubstr(name));
+    }
+}
+
+}  // namespace
+}  // namespace pastoso::cli

@@ -1,0 +1,42 @@
+// Runs the real programs of the build.
+#pragma once
+
+#include "io/temporary_folder.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pastoso::cli {
+
+struct RunResult {
+    int status = 0;
+    std::string output, errors;
+};
+
+/// Runs `name` from the folder of the running test with its output and errors caught.
+RunResult run_program(const std::string& name, const std::vector<std::string>& arguments);
+
+/// Starts `name` and interrupts it (as Ctrl-C does) as soon as `sign_of_work` exists.
+RunResult interrupt_program(const std::string& name, const std::vector<std::string>& arguments,
+                            const std::filesystem::path& sign_of_work);
+
+/// pastoso-cli with these arguments.
+inline RunResult run_cli(const std::vector<std::string>& arguments) {
+    return run_program("pastoso-cli", arguments);
+}
+
+/// A folder of its own, and files in it.
+class CliTest : public io::TemporaryFolder {
+  protected:
+    std::string path(const std::string& name) const { return (folder / name).string(); }
+    std::string write(const std::string& name, const std::string& text) const;
+
+    /// A text recording of one short stroke in the middle of a small canvas.
+    std::string short_recording() const;
+};
+
+/// Options that make a replay small and quick.
+std::vector<std::string> small(const std::vector<std::string>& arguments);
+
+}  // namespace pastoso::cli
