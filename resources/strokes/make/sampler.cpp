@@ -197,7 +197,6 @@ document::Recording sampler() {
     loaded_flat(painter);
     dry_flat(painter);
     wet_crossings(painter);
-    knife_over_bands(painter);
     round_swell(painter);
     leaning_round(painter);
     leaves(painter);
@@ -207,9 +206,10 @@ document::Recording sampler() {
     petals(painter, {83, 119}, "PB29 PW6", "PO20 PY35");
     double_load(painter);
     glaze_over_bars(painter);
-    knife_impasto(painter);
     spiral(painter);
-    return painter.finish(2.0);
+    knife_impasto(painter);
+    knife_over_bands(painter);
+    return painter.finish(1.0);
 }
 
 }  // namespace pastoso::examples
