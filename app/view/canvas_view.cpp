@@ -51,6 +51,8 @@ CanvasView::CanvasView(tools::Easel* easel, QWidget* parent) : QOpenGLWidget(par
 
 CanvasView::~CanvasView() {
     release_graphics();
+    // The context outlives this part of the object: its end must not call back into it.
+    if (context() != nullptr) context()->disconnect(this);
 }
 
 void CanvasView::set_easel(tools::Easel* easel) {
