@@ -39,6 +39,14 @@ if(PASTOSO_SANITIZERS)
     target_link_options(pastoso_options INTERFACE -fsanitize=${PASTOSO_SANITIZERS})
 endif()
 
+# pastoso_keep_libraries(PROGRAM): under the address sanitizer, no library is unloaded before the leak report, so
+# that the report can name its functions.
+function(pastoso_keep_libraries program)
+    if(PASTOSO_SANITIZERS MATCHES "address")
+        target_sources(${program} PRIVATE "${PROJECT_SOURCE_DIR}/tests/sanitizers/keep_libraries.cpp")
+    endif()
+endfunction()
+
 # pastoso_add_library(NAME SOURCES a.cpp ... DEPENDS core ...)
 # One engine folder: static library pastoso_NAME, alias pastoso::NAME, headers as "NAME/header.hpp".
 function(pastoso_add_library name)
