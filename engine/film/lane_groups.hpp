@@ -9,10 +9,10 @@ namespace {
 using Lanes = lanes::stdx::native_simd<float>;
 constexpr int kLanes = static_cast<int>(Lanes::size());
 
-Lanes load(const float* values) {
+[[maybe_unused]] Lanes load(const float* values) {
     return Lanes(values, lanes::stdx::element_aligned);
 }
-void store(float* values, Lanes lanes) {
+[[maybe_unused]] void store(float* values, Lanes lanes) {
     lanes.copy_to(values, lanes::stdx::element_aligned);
 }
 

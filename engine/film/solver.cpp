@@ -3,6 +3,7 @@
 #include "core/check.hpp"
 #include "core/units.hpp"
 #include "film/halo_block.hpp"
+#include "film/large_step.hpp"
 #include "film/step_length.hpp"
 #include "film/tile_activity.hpp"
 #include "film/tile_update.hpp"
@@ -20,6 +21,11 @@ using grid::TileBlock;
 /// Share of the stability limit that is used; the lateral viscosity takes up to a quarter of it.
 constexpr double kStepSafety = 0.7;
 
+/// What a large step costs, in explicit ones.
+constexpr double kLargeStepCost = 4.0;
+/// How often a large step that does not converge is cut in half before its best is taken.
+constexpr int kMostHalvings = 6;
+
 double drag_coefficient(double alpha) {
     return 6.0 / (3.0 * alpha - 1.0);
 }
@@ -31,6 +37,8 @@ StepLimits make_limits(const Medium& medium, const Gravity& gravity, double cell
     limits.tension = medium.surface_tension_N_m / medium.density_kg_m3 * 1e9;
     limits.viscosity_mm2_s = medium.viscosity_m2_s * 1e6;
     limits.smallest_drag = drag_coefficient(medium.alpha_max);
+    limits.force_mm_s2 = std::hypot(gravity.x_mm_s2, gravity.y_mm_s2);
+    limits.yield = medium.yield_stress_Pa / medium.density_kg_m3 * 1e6;
     return limits;
 }
 
@@ -84,7 +92,12 @@ Gravity tilted_gravity(double tilt_deg, double direction_deg) {
 void AdvanceReport::add(const AdvanceReport& other) {
     steps += other.steps;
     cells_stepped += other.cells_stepped;
+    large_steps += other.large_steps;
     clamped_faces += other.clamped_faces;
+    rejected_steps += other.rejected_steps;
+    limited_cells += other.limited_cells;
+    sweeps += other.sweeps;
+    largest_residual = std::max(largest_residual, other.largest_residual);
     largest_speed_mm_s = std::max(largest_speed_mm_s, other.largest_speed_mm_s);
     awake_tiles = other.awake_tiles;
 }
@@ -99,6 +112,7 @@ struct Solver::Parts {
           activity(film.shape, film.cell_mm, solver_options.sleeping,
                    solver_options.edge_x == Edge::Periodic, solver_options.edge_y == Edge::Periodic),
           window_start(film.shape.tile_count()),
+          large(film.shape, solver_options.edge_x, solver_options.edge_y, threads.thread_count()),
           scratch(threads.thread_count()) {
         for (int x = 0; x < film.shape.tiles_x(); ++x)
             columns.push_back(make_halo_map(x, film.shape.width, options.edge_x));
@@ -134,9 +148,11 @@ struct Solver::Parts {
     bool runs_off(int tile, Side side) const {
         return on_canvas_edge(tile, side) && edge_kind(side) == Edge::Open;
     }
+    bool canvas_ends(int tile, Side side) const {
+        return on_canvas_edge(tile, side) && edge_kind(side) != Edge::Periodic;
+    }
     bool is_closed(int tile, Side side) const {
-        if (on_canvas_edge(tile, side) && edge_kind(side) != Edge::Periodic)
-            return edge_kind(side) == Edge::Wall;
+        if (canvas_ends(tile, side)) return edge_kind(side) == Edge::Wall;
         return !activity.awake(activity.neighbour(tile, side));
     }
 
@@ -153,7 +169,19 @@ struct Solver::Parts {
     TilePlace place_of(int tile) const;
     void commit(int tile, float dt_s, TileResult& result, AdvanceReport& report);
     void put_to_sleep(int tile);
-    AdvanceReport step(double dt_s);
+    AdvanceReport commit_all(const std::vector<int>& tiles, float dt_s,
+                             std::vector<TileResult>& results);
+    AdvanceReport explicit_step(double dt_s);
+    AdvanceReport large_step(double dt_s, int halvings = 0);
+    double thickest_mm() const;
+    double large_step_s(double seconds) const;
+    /// How to get through the next `seconds`: the length of the next step, and whether it is a large
+    /// one.
+    struct Plan {
+        double step_s;
+        bool large;
+    };
+    Plan plan(double seconds) const;
     double stable_step_s() const;
     /// False when `give_up` said so before the time had passed.
     bool advance(double seconds, const std::function<bool()>& give_up, AdvanceReport& report);
@@ -167,6 +195,7 @@ struct Solver::Parts {
     StepConstants constants;
     ActivityMap activity;
     std::vector<TileBlock<std::int32_t>> window_start;  ///< thickness when a tile's window began
+    LargeStepper large;
     std::vector<HaloMap> columns, rows;
     std::vector<std::unique_ptr<WorkerScratch>> scratch;
     Totals runoff;
@@ -184,6 +213,8 @@ TilePlace Solver::Parts::place_of(int tile) const {
                        is_closed(tile, kBottom)},
             .runoff_edges = {runs_off(tile, kLeft), runs_off(tile, kRight), runs_off(tile, kTop),
                              runs_off(tile, kBottom)},
+            .canvas_edges = {canvas_ends(tile, kLeft), canvas_ends(tile, kRight),
+                             canvas_ends(tile, kTop), canvas_ends(tile, kBottom)},
             .pigment_in_reach = pigment_in_reach(tile),
             .motion_reference = reference.read()};
 }
@@ -207,11 +238,22 @@ void Solver::Parts::commit(int tile, float dt_s, TileResult& result, AdvanceRepo
 
 void Solver::Parts::put_to_sleep(int tile) {
     window_start[tile] = {};
+    large.forget(tile);
     state.velocity_x.reset(tile);
     state.velocity_y.reset(tile);
 }
 
-AdvanceReport Solver::Parts::step(double dt_s) {
+AdvanceReport Solver::Parts::commit_all(const std::vector<int>& tiles, float dt_s,
+                                        std::vector<TileResult>& results) {
+    AdvanceReport report;
+    report.steps = 1;
+    for (std::size_t index = 0; index < tiles.size(); ++index)
+        commit(tiles[index], dt_s, results[index], report);
+    report.awake_tiles = activity.awake_count();
+    return report;
+}
+
+AdvanceReport Solver::Parts::explicit_step(double dt_s) {
     const std::vector<int> tiles = activity.awake_tiles();
     StepConstants step = constants;
     step.dt_s = static_cast<float>(dt_s);
@@ -219,12 +261,53 @@ AdvanceReport Solver::Parts::step(double dt_s) {
     pool.run(tiles.size(), [&](std::size_t index, int worker) {
         results[index] = update_tile(state, place_of(tiles[index]), step, *scratch[worker]);
     });
-    AdvanceReport report;
-    report.steps = 1;
-    for (std::size_t index = 0; index < tiles.size(); ++index)
-        commit(tiles[index], step.dt_s, results[index], report);
-    report.awake_tiles = activity.awake_count();
+    return commit_all(tiles, step.dt_s, results);
+}
+
+AdvanceReport Solver::Parts::large_step(double dt_s, int halvings) {
+    const std::vector<int> tiles = activity.awake_tiles();
+    StepConstants step = constants;
+    step.dt_s = static_cast<float>(dt_s);
+    std::vector<TilePlace> places;
+    for (const int tile : tiles)
+        places.push_back(place_of(tile));
+    LargeStepReport solved;
+    std::vector<TileResult> results =
+        large.step(state, places, step, pool, scratch, halvings == kMostHalvings, solved);
+    if (results.empty() && !tiles.empty()) {
+        AdvanceReport report = large_step(0.5 * dt_s, halvings + 1);
+        report.add(large_step(0.5 * dt_s, halvings + 1));
+        ++report.rejected_steps;
+        return report;
+    }
+    AdvanceReport report = commit_all(tiles, step.dt_s, results);
+    report.large_steps = 1;
+    report.limited_cells = solved.limited_cells;
+    report.sweeps = solved.sweeps;
+    report.largest_residual = solved.residual;
     return report;
+}
+
+double Solver::Parts::thickest_mm() const {
+    std::int32_t thickest = 0;
+    for (const int tile : activity.awake_tiles())
+        thickest = std::max(thickest, thickest_quanta(state, tile));
+    return thickness_mm(thickest);
+}
+
+double Solver::Parts::large_step_s(double seconds) const {
+    const double speed = limits.terminal_speed_mm_s(thickest_mm());
+    constexpr double kCourant = 0.2;
+    return seconds / std::max(1.0, std::ceil(seconds * speed / (kCourant * state.cell_mm)));
+}
+
+Solver::Parts::Plan Solver::Parts::plan(double seconds) const {
+    if (options.fixed_step_s > 0.0) return {options.fixed_step_s, options.scheme == Scheme::LargeStep};
+    if (options.scheme == Scheme::LargeStep) return {large_step_s(seconds), true};
+    const double explicit_s = stable_step_s();
+    if (options.scheme == Scheme::Explicit) return {explicit_s, false};
+    const double large_s = large_step_s(seconds);
+    return large_s > kLargeStepCost * explicit_s ? Plan{large_s, true} : Plan{explicit_s, false};
 }
 
 double Solver::Parts::stable_step_s() const {
@@ -243,11 +326,11 @@ bool Solver::Parts::advance(double seconds, const std::function<bool()>& give_up
     double remaining = seconds;
     while (remaining > 0.0 && activity.awake_count() > 0) {
         if (give_up()) return false;
-        const double limit = options.fixed_step_s > 0.0 ? options.fixed_step_s : stable_step_s();
+        const Plan next = plan(remaining);
         // A remainder of one part in a million is rounding, not a step of its own.
-        const double steps_left = std::max(1.0, std::ceil(remaining / limit - 1e-6));
+        const double steps_left = std::max(1.0, std::ceil(remaining / next.step_s - 1e-6));
         const double dt_s = remaining / steps_left;
-        report.add(step(dt_s));
+        report.add(next.large ? large_step(dt_s) : explicit_step(dt_s));
         remaining = steps_left > 1.0 ? remaining - dt_s : 0.0;
     }
     report.awake_tiles = activity.awake_count();
@@ -310,7 +393,8 @@ std::optional<AdvanceReport> Solver::advance_unless(const std::function<bool()>&
 }
 
 AdvanceReport Solver::step(double dt_s) {
-    return parts_->step(dt_s);
+    const bool large = parts_->options.scheme == Scheme::LargeStep;
+    return large ? parts_->large_step(dt_s) : parts_->explicit_step(dt_s);
 }
 
 double Solver::stable_step_s(double thickness) const {

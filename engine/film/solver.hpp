@@ -18,6 +18,13 @@ enum class Edge {
     Open,      ///< paint runs off and is counted
 };
 
+/// How time is stepped.
+enum class Scheme {
+    Auto,       ///< whichever gets through the time with less work
+    Explicit,   ///< forward-backward steps below the stability limit
+    LargeStep,  ///< implicit surface response, a few steps a frame
+};
+
 /// Gravity as the canvas feels it. tilt 0 lies flat, 90 stands upright; `direction_deg` is where "down"
 /// points on the canvas: 0 to the right, 90 to its lower edge.
 struct Gravity {
@@ -31,6 +38,7 @@ Gravity tilted_gravity(double tilt_deg, double direction_deg = 90.0);
 struct SolverOptions {
     Edge edge_x = Edge::Open;
     Edge edge_y = Edge::Open;
+    Scheme scheme = Scheme::Auto;
     bool inertia = true;         ///< advection of momentum
     bool lateral_drag = true;    ///< viscosity between neighbouring columns of paint
     bool full_curvature = true;  ///< curvature of the surface with its slope, not for small slopes only
@@ -42,7 +50,12 @@ struct SolverOptions {
 struct AdvanceReport {
     std::int64_t steps = 0;
     std::int64_t cells_stepped = 0;
-    std::int64_t clamped_faces = 0;  ///< face speeds cut to half a cell a step: 0 in a healthy run
+    std::int64_t large_steps = 0;     ///< how many of the steps were implicit
+    std::int64_t clamped_faces = 0;   ///< face speeds cut to half a cell a step: 0 in a healthy run
+    std::int64_t rejected_steps = 0;  ///< large steps that had to be tried again in halves
+    std::int64_t limited_cells = 0;   ///< whose outflow a large step cut to what they held
+    std::int64_t sweeps = 0;          ///< of the large steps' solver over its tiles
+    double largest_residual = 0.0;    ///< of a large step's equations before the last sweep, relative
     double largest_speed_mm_s = 0.0;
     int awake_tiles = 0;  ///< after the call
 
@@ -71,7 +84,8 @@ class Solver {
     /// it was and nothing is returned. So a waiting pen need not wait for the end of a long advance.
     std::optional<AdvanceReport> advance_unless(const std::function<bool()>& give_up, double seconds);
 
-    /// One step of the given length over all awake tiles, whatever the stability limit.
+    /// One step of the given length over all awake tiles, whatever the stability limit; implicit if the
+    /// scheme is LargeStep.
     AdvanceReport step(double dt_s);
 
     /// The largest stable step for Newtonian paint of this thickness,

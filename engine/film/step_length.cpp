@@ -19,6 +19,15 @@ double StepLimits::wave_step_s(double thickness_mm, double drag_rate) const {
     return (drag_rate + std::sqrt(drag_rate * drag_rate + 4.0 * w2)) / w2;
 }
 
+double StepLimits::terminal_speed_mm_s(double thickness_mm) const {
+    const double newtonian =
+        force_mm_s2 * thickness_mm * thickness_mm / (smallest_drag * viscosity_mm2_s);
+    if (yield <= 0.0) return newtonian;
+    const double x = force_mm_s2 * thickness_mm / yield;
+    if (x <= 1.0) return 0.0;
+    return newtonian * (1.0 - 1.0 / x) * (1.0 - 1.0 / x) * (1.0 + 0.5 / x);
+}
+
 double StepLimits::newtonian_step_s(double thickness_mm) const {
     if (thickness_mm <= 0.0) return kUnlimited;
     return wave_step_s(thickness_mm, smallest_drag * viscosity_mm2_s / (thickness_mm * thickness_mm));

@@ -103,13 +103,12 @@ void move_paint(const FilmState& state, const TilePlace& place, WorkerScratch& w
 
 }  // namespace
 
-TileResult update_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
-                       WorkerScratch& worker) {
+TileResult collect_tile(const FilmState& state, const TilePlace& place, const FlowExtremes& extremes,
+                        WorkerScratch& worker) {
     const int columns = place.columns.extent, rows = place.rows.extent;
     TileResult result;
-    gather(state, place.columns, place.rows, place.tile_x, step.wet_mm, worker.tile.block);
-    result.extremes = tile_kernels().flow(step, columns, rows, place.closed, worker.tile);
-    if (result.extremes.speed_mm_s > 0.0F || !state.velocity_x.is_background(place.tile)) {
+    result.extremes = extremes;
+    if (extremes.speed_mm_s > 0.0F || !state.velocity_x.is_background(place.tile)) {
         result.velocity_x = velocity_block(worker.tile.velocity_x);
         result.velocity_y = velocity_block(worker.tile.velocity_y);
     }
@@ -117,6 +116,14 @@ TileResult update_tile(const FilmState& state, const TilePlace& place, const Ste
         any_flux(worker.tile.flux_y, 0, -1, columns, rows))
         move_paint(state, place, worker, result);
     return result;
+}
+
+TileResult update_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
+                       WorkerScratch& worker) {
+    gather(state, place.columns, place.rows, place.tile_x, step.wet_mm, worker.tile.block);
+    const FlowExtremes extremes =
+        tile_kernels().flow(step, place.columns.extent, place.rows.extent, place.closed, worker.tile);
+    return collect_tile(state, place, extremes, worker);
 }
 
 }  // namespace pastoso::film

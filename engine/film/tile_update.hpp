@@ -3,6 +3,7 @@
 #pragma once
 
 #include "film/halo_block.hpp"
+#include "film/large_tile.hpp"
 #include "film/tile_activity.hpp"
 #include "film/tile_step.hpp"
 
@@ -24,6 +25,7 @@ struct TilePlace {
     const HaloMap& rows;
     ClosedEdges closed;
     OpenEdges runoff_edges;
+    CanvasEdges canvas_edges;
     bool pigment_in_reach = true;          ///< false: nothing here or beside it is coloured
     const std::int32_t* motion_reference;  ///< thickness that the tile's motion is counted from
 };
@@ -38,6 +40,11 @@ struct TileResult {
     Totals runoff;
 };
 
+/// What the velocities and fluxes in the worker's scratch, and the block gathered there, make of a tile.
+TileResult collect_tile(const FilmState& state, const TilePlace& place, const FlowExtremes& extremes,
+                        WorkerScratch& worker);
+
+/// One explicit step.
 TileResult update_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
                        WorkerScratch& worker);
 

@@ -1,0 +1,180 @@
+// From the pressure of the new surface to whole quanta of flux. Compiled once per instruction set; see
+// pastoso_add_kernels.
+#include "film/lane_groups.hpp"
+#include "film/large_kernels.hpp"
+
+namespace pastoso::film::PASTOSO_ISA {
+namespace {
+
+using grid::kTileSize;
+
+struct Faces {
+    const FaceArray<float>&star, &depth, &mobility, &old;
+    FaceArray<float>& velocity;
+};
+Faces x_faces(LargeTile& tile) {
+    return {tile.star_x, tile.depth_x, tile.mobility_x, tile.old_x, tile.velocity_x};
+}
+Faces y_faces(LargeTile& tile) {
+    return {tile.star_y, tile.depth_y, tile.mobility_y, tile.old_y, tile.velocity_y};
+}
+
+/// What moves the paint. Where drag rules and the velocity changes by less than a factor of two in a
+/// step, that is 2/3 of the new and 1/3 of the old one, which lags half a step behind and so makes slow
+/// changes second order in time. Elsewhere it is the new one.
+Lanes carrying_velocity(const StepConstants& step, const Faces& faces, int f, Lanes now) {
+    const Lanes full(0.5F * step.dt_s * step.dt_s * step.inverse_cell * step.inverse_cell);
+    const Lanes old = load(&faces.old[f]), zero(0.0F);
+    const Lanes size = lanes::abs(now), old_size = lanes::abs(old);
+    const auto dragged = load(&faces.mobility[f]) < full * load(&faces.depth[f]);
+    const auto steady = old * now > zero && old_size + old_size > size && old_size < size + size;
+    return now + lanes::select(dragged && steady, Lanes(Lanes(1.0F / 3.0F) * (old - now)), zero);
+}
+
+/// u = u* - (dt/dx) D (p_right - p_left), with dt D h_f / dx = m dx / dt.
+void velocity_row(const StepConstants& step, const float* pressure, bool carrying, int along,
+                  int first_x, int y, const Faces& faces) {
+    const Lanes cell_per_step(step.cell_mm / step.dt_s), zero(0.0F);
+    for_each_lane_group(first_x, kTileSize, [&](int x) {
+        const int f = face_index(x, y), i = window_index(x, y);
+        const Lanes passing = load(&faces.depth[f]);
+        const Lanes rise = load(pressure + i + along) - load(pressure + i);
+        const Lanes driven = load(&faces.mobility[f]) * cell_per_step * rise / passing;
+        const Lanes now = load(&faces.star[f]) - lanes::select(passing > zero, driven, zero);
+        store(&faces.velocity[f], carrying ? carrying_velocity(step, faces, f, now) : now);
+    });
+}
+
+struct Outflow {
+    const StepConstants& step;
+    const LargeTile& tile;
+
+    Lanes x(int f) const { return flow(tile.velocity_x, tile.depth_x, f); }
+    Lanes y(int f) const { return flow(tile.velocity_y, tile.depth_y, f); }
+    /// Thickness that crosses a face in the step, mm.
+    Lanes flow(const FaceArray<float>& velocity, const FaceArray<float>& depth, int f) const {
+        return Lanes(step.dt_s * step.inverse_cell) * load(&velocity[f]) * load(&depth[f]);
+    }
+};
+
+Lanes rise(Lanes value) {
+    return lanes::max(value, Lanes(0.0F));
+}
+Lanes fall(Lanes value) {
+    return lanes::max(Lanes(-value), Lanes(0.0F));
+}
+
+}  // namespace
+
+void find_large_velocities(const StepConstants& step, bool carrying, const LargeScratch& scratch,
+                           LargeTile& tile) {
+    const float* pressure = scratch.pressure.data();
+    for (int y = -1; y < kTileSize; ++y) {
+        velocity_row(step, pressure, carrying, kWindowStride, 0, y, y_faces(tile));
+        if (y >= 0) velocity_row(step, pressure, carrying, 1, -1, y, x_faces(tile));
+    }
+}
+
+Shortage share_outflow(const StepConstants& step, int columns, int rows, const std::int32_t* thickness,
+                       const LargeScratch& scratch, const LargeTile& tile, CellArray& share) {
+    // A hair less than a cell holds and receives, so that the rounding at its four faces cannot overdraw
+    // it.
+    constexpr float kQuantum = static_cast<float>(kThicknessQuantum_mm);
+    const Lanes usable(0.999F * kQuantum), rounding(8.0F * kQuantum), one(1.0F), tiny(1e-30F);
+    const Outflow flow{step, tile};
+    const Lanes lane_number([](auto lane) { return static_cast<float>(lane); });
+    const Lanes last_column(static_cast<float>(columns));
+    Shortage shortage;
+    const Lanes thick(0.05F * step.cell_mm);
+    for (int y = 0; y < kTileSize; ++y)
+        for (int x = 0; x < kTileSize; x += kLanes) {
+            const int f = face_index(x, y), i = window_index(x, y), cell = y * kTileSize + x;
+            const Lanes right = flow.x(f), left = flow.x(f - 1);
+            const Lanes below = flow.y(f), above = flow.y(f - kFaceStride);
+            const float* granted = &scratch.share[i];
+            const Lanes in = (fall(right) * load(granted + 1) + rise(left) * load(granted - 1)) +
+                             (fall(below) * load(granted + kWindowStride) +
+                              rise(above) * load(granted - kWindowStride));
+            const Lanes out = (rise(right) + fall(left)) + (rise(below) + fall(above));
+            const lanes::stdx::rebind_simd_t<std::int32_t, Lanes> quanta(thickness + cell,
+                                                                         lanes::stdx::element_aligned);
+            const Lanes held = lanes::stdx::static_simd_cast<Lanes>(quanta) * usable;
+            const Lanes supply = rise(held + Lanes(0.999F) * in - rounding);
+            const Lanes part = lanes::min(one, Lanes((supply + tiny) / (out + tiny)));
+            store(&share[cell], part);
+            const auto cut =
+                part < Lanes(0.9F) && lane_number + Lanes(static_cast<float>(x)) < last_column;
+            if (y >= rows) continue;
+            shortage.cells += lanes::stdx::popcount(cut);
+            shortage.thick_cells += lanes::stdx::popcount(cut && held > thick);
+        }
+    return shortage;
+}
+
+namespace {
+
+void slow_row(const LargeScratch& large, int along, int first_x, int y, const FaceArray<float>& velocity,
+              FaceArray<float>& star, FaceArray<float>& mobility) {
+    for (int x = first_x; x < kTileSize; ++x) {
+        const int f = face_index(x, y), i = window_index(x, y);
+        const float share = velocity[f] > 0.0F ? large.share[i] : large.share[i + along];
+        star[f] *= share;
+        mobility[f] *= share;
+    }
+}
+
+}  // namespace
+
+void slow_limited_faces(const StepConstants& step, const LargeScratch& large, LargeTile& tile) {
+    for (int y = -1; y < kTileSize; ++y) {
+        slow_row(large, kWindowStride, 0, y, tile.velocity_y, tile.star_y, tile.mobility_y);
+        if (y >= 0) slow_row(large, 1, -1, y, tile.velocity_x, tile.star_x, tile.mobility_x);
+    }
+    find_source(step, tile);
+}
+
+namespace {
+
+void flux_row(const StepConstants& step, const LargeScratch& large, int along, int first_x, int y,
+              const FaceArray<float>& wanted, const FaceArray<float>& depth,
+              const FaceArray<float>& mobility, FaceArray<float>& velocity,
+              FaceArray<std::int32_t>& flux, FlowExtremes& extremes) {
+    using Ints = lanes::stdx::rebind_simd_t<std::int32_t, Lanes>;
+    const Lanes scale(step.dt_s * step.inverse_cell * static_cast<float>(1.0 / kThicknessQuantum_mm));
+    Lanes speed(0.0F), thickness(0.0F), largest_mobility(0.0F);
+    for_each_lane_group(first_x, kTileSize, [&](int x) {
+        const int f = face_index(x, y), i = window_index(x, y);
+        const Lanes here = load(&wanted[f]);
+        const Lanes granted = here * lanes::select(here > Lanes(0.0F), load(&large.share[i]),
+                                                   load(&large.share[i + along]));
+        const Lanes exact = granted * load(&depth[f]) * scale;
+        const Lanes nearest = exact + lanes::copysign(Lanes(0.5F), exact);
+        lanes::stdx::static_simd_cast<Ints>(nearest).copy_to(&flux[f], lanes::stdx::element_aligned);
+        store(&velocity[f], granted);
+        speed = lanes::max(speed, lanes::abs(granted));
+        largest_mobility = lanes::max(largest_mobility, load(&mobility[f]));
+        thickness =
+            lanes::max(thickness, lanes::select(granted == Lanes(0.0F), Lanes(0.0F), load(&depth[f])));
+    });
+    extremes.mobility = lanes::max(extremes.mobility, lanes::stdx::hmax(largest_mobility) *
+                                                          step.cell_mm * step.cell_mm / step.dt_s);
+    extremes.speed_mm_s = lanes::max(extremes.speed_mm_s, lanes::stdx::hmax(speed));
+    extremes.thickness_mm = lanes::max(extremes.thickness_mm, lanes::stdx::hmax(thickness));
+}
+
+}  // namespace
+
+FlowExtremes find_large_fluxes(const StepConstants& step, const LargeScratch& large,
+                               const LargeTile& tile, TileScratch& scratch) {
+    FlowExtremes extremes;
+    for (int y = -1; y < kTileSize; ++y) {
+        flux_row(step, large, kWindowStride, 0, y, tile.velocity_y, tile.depth_y, tile.mobility_y,
+                 scratch.velocity_y, scratch.flux_y, extremes);
+        if (y >= 0)
+            flux_row(step, large, 1, -1, y, tile.velocity_x, tile.depth_x, tile.mobility_x,
+                     scratch.velocity_x, scratch.flux_x, extremes);
+    }
+    return extremes;
+}
+
+}  // namespace pastoso::film::PASTOSO_ISA

@@ -1,0 +1,35 @@
+// The kernels of a large step as they are called; each instruction set defines them in its own
+// namespace.
+#pragma once
+
+#include "film/large_tile.hpp"
+
+#define PASTOSO_DECLARE_LARGE_KERNELS(isa)                                                            \
+    namespace pastoso::film::isa {                                                                    \
+    float assemble_large_tile(const StepConstants& step, int columns, int rows,                       \
+                              const ClosedEdges& closed, const CanvasEdges& edges, bool refine,       \
+                              LargeScratch& large, TileScratch& scratch, LargeTile& tile);            \
+    void find_source(const StepConstants& step, LargeTile& tile);                                     \
+    void slow_limited_faces(const StepConstants& step, const LargeScratch& large, LargeTile& tile);   \
+    void prepare_multigrid(const StepConstants& step, LargeScratch& scratch);                         \
+    void multigrid_cycle(const StepConstants& step, LargeScratch& scratch);                           \
+    float find_patch_residual(const StepConstants& step, const std::int32_t* thickness,               \
+                              LargeScratch& scratch);                                                 \
+    void correct_patch(const StepConstants& step, int cycles, LargeScratch& scratch,                  \
+                       PatchArray& correction);                                                       \
+    void blend_corrections(const PatchCover* covers, int count, CellArray& pressure);                 \
+    void find_large_velocities(const StepConstants& step, bool carrying, const LargeScratch& scratch, \
+                               LargeTile& tile);                                                      \
+    Shortage share_outflow(const StepConstants& step, int columns, int rows,                          \
+                           const std::int32_t* thickness, const LargeScratch& scratch,                \
+                           const LargeTile& tile, CellArray& share);                                  \
+    FlowExtremes find_large_fluxes(const StepConstants& step, const LargeScratch& large,              \
+                                   const LargeTile& tile, TileScratch& scratch);                      \
+    }
+
+PASTOSO_DECLARE_LARGE_KERNELS(baseline)
+#if defined(__x86_64__)
+PASTOSO_DECLARE_LARGE_KERNELS(avx2)
+PASTOSO_DECLARE_LARGE_KERNELS(avx512)
+#endif
+#undef PASTOSO_DECLARE_LARGE_KERNELS

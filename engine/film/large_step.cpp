@@ -1,0 +1,299 @@
+#include "film/large_step.hpp"
+
+#include "film/large_tile_kernels.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace pastoso::film {
+namespace {
+
+using grid::kTileSize;
+
+/// A relative change of flux that is not worth another pass with refined yield.
+constexpr float kSteadyFlux = 0.1F;
+constexpr int kMostRefinements = 12;
+/// A thickness error below this, relative to the film, needs no further sweep.
+constexpr float kTolerance = 0.01F;
+/// What a sweep leaves of the error, at most, where the overlap does its work.
+constexpr float kSweepGain = 0.1F;
+constexpr int kMostSweeps = 12;
+/// A tile whose error a sweep does not bring below this share is solved with more care.
+constexpr float kStubbornShare = 0.25F;
+constexpr int kMostCycles = 8;
+/// An error above this makes the step unfit for use.
+constexpr float kUsable = 0.25F;
+constexpr int kMostSharePasses = 6;
+constexpr int kMostSlowings = 6;
+
+/// The largest value; a NaN counts as larger than all.
+float largest(const std::vector<float>& values) {
+    float result = 0.0F;
+    for (const float value : values)
+        if (!(value <= result)) result = value;
+    return result;
+}
+
+}  // namespace
+
+LargeScratch::LargeScratch() {
+    int size = kPatchSize;
+    for (MultigridLevel& level : levels) {
+        level.size = size;
+        for (auto* values : {&level.pressure, &level.change, &level.pressure_source,
+                             &level.change_source, &level.mobility_x, &level.mobility_y, &level.weight_x,
+                             &level.weight_y, &level.mobility_sum, &level.stiffness, &level.inverse,
+                             &level.pressure_residual, &level.change_residual})
+            values->assign((size + 2) * 2 * level.stride(), 0.0F);
+        size /= 2;
+    }
+}
+
+/// One step under way.
+struct LargeStepper::Pass {
+    LargeStepper& stepper;
+    const FilmState& state;
+    const std::vector<TilePlace>& places;
+    const StepConstants& constants;
+    core::ThreadPool& pool;
+    std::vector<std::unique_ptr<WorkerScratch>>& workers;
+    const LargeKernels& kernels = large_kernels();
+
+    /// Calls visit(place, tile, scratch, worker) for every tile, on all threads.
+    template <class Visit>
+    void for_each_tile(const Visit& visit) {
+        pool.run(places.size(), [&](std::size_t index, int worker) {
+            visit(index, *stepper.tiles_[places[index].tile], *stepper.scratch_[worker],
+                  *workers[worker]);
+        });
+    }
+
+    const Windows& columns(const TilePlace& place) const { return stepper.columns_[place.tile_x]; }
+    const Windows& rows(const TilePlace& place) const {
+        return stepper.rows_[place.tile / state.shape.tiles_x()];
+    }
+    /// The tile that takes part in the step at these tile coordinates, or null.
+    const LargeTile* partner(int tile_x, int tile_y) const {
+        const int tile = tile_y * state.shape.tiles_x() + tile_x;
+        return stepper.taking_part_[tile] ? stepper.tiles_[tile].get() : nullptr;
+    }
+    auto cells(CellArray LargeTile::*field) const {
+        return [this, field](int tile_x, int tile_y, int y) -> const float* {
+            const LargeTile* tile = partner(tile_x, tile_y);
+            return tile == nullptr ? nullptr : (tile->*field).data() + y * kTileSize;
+        };
+    }
+    auto faces(FaceArray<float> LargeTile::*field) const {
+        return [this, field](int tile_x, int tile_y, int y) -> const float* {
+            const LargeTile* tile = partner(tile_x, tile_y);
+            return tile == nullptr ? nullptr : (tile->*field).data() + face_index(0, y);
+        };
+    }
+    template <class RowOf>
+    void gather_patch(const TilePlace& place, const RowOf& row_of, WindowArray& out) const {
+        gather_window(columns(place).patch, rows(place).patch, kWindowSize, kWindowStride, row_of,
+                      out.data());
+    }
+    template <class RowOf>
+    void gather_next(const TilePlace& place, const RowOf& row_of, WindowArray& out) const {
+        gather_window(columns(place).next_cells, rows(place).next_cells, kTileSize + 2, kWindowStride,
+                      row_of, &out[window_index(-1, -1)]);
+    }
+
+    float assemble(bool refine);
+    void find_velocities(bool carrying);
+    void solve_yielding(LargeStepReport& report);
+    std::vector<PatchCover> patch_covers(const TilePlace& place) const;
+    float sweep(bool first);
+    void solve(LargeStepReport& report);
+    Shortage share_outflow();
+    void solve_within_supply(LargeStepReport& report);
+    std::vector<TileResult> finish();
+};
+
+/// Assembles all tiles; see LargeKernels::assemble.
+float LargeStepper::Pass::assemble(bool refine) {
+    std::vector<float> changes(places.size());
+    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch& worker) {
+        const TilePlace& place = places[index];
+        gather(state, place.columns, place.rows, place.tile_x, constants.wet_mm, worker.tile.block);
+        gather_window(columns(place).next_cells, rows(place).next_cells, kTileSize + 2, kBlockStride,
+                      cells(&LargeTile::last_pressure), &large.lagged_pressure[block_index(-1, -1)]);
+        changes[index] =
+            kernels.assemble(constants, place.columns.extent, place.rows.extent, place.closed,
+                             place.canvas_edges, refine, large, worker.tile, tile);
+        tile.residual = std::numeric_limits<float>::max();
+        tile.stubborn = false;
+    });
+    return largest(changes);
+}
+
+std::vector<PatchCover> LargeStepper::Pass::patch_covers(const TilePlace& place) const {
+    std::vector<PatchCover> covers;
+    for (const WindowRun& row : rows(place).covers)
+        for (const WindowRun& column : columns(place).covers)
+            if (const LargeTile* tile = partner(column.tile, row.tile))
+                covers.push_back({.correction = &tile->correction,
+                                  .x = column.cell,
+                                  .y = row.cell,
+                                  .width = column.count,
+                                  .height = row.count,
+                                  .patch_x = column.position,
+                                  .patch_y = row.position});
+    return covers;
+}
+
+/// Solves every tile's patch once, with the pressure that its neighbours had before; after the first
+/// sweep only where there is an error left. Returns the largest relative error found on the way in. The
+/// error of a smooth wave looks small to a cell, so that the first sweep is never spared.
+float LargeStepper::Pass::sweep(bool first) {
+    std::vector<float> residuals(places.size());
+    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
+        const TilePlace& place = places[index];
+        gather_patch(place, cells(&LargeTile::pressure), large.pressure);
+        gather_patch(place, cells(&LargeTile::source), large.source);
+        gather_patch(place, cells(&LargeTile::rest_pressure), large.rest_pressure);
+        gather_patch(place, faces(&LargeTile::mobility_x), large.mobility_x);
+        gather_patch(place, faces(&LargeTile::mobility_y), large.mobility_y);
+        gather_patch(place, faces(&LargeTile::weight_x), large.weight_x);
+        gather_patch(place, faces(&LargeTile::weight_y), large.weight_y);
+        const float residual =
+            kernels.patch_residual(constants, state.thickness.read(place.tile), large);
+        tile.stubborn = tile.stubborn || residual > kStubbornShare * tile.residual;
+        tile.residual = residual;
+        residuals[index] = residual;
+        if (first || residual > kTolerance)
+            kernels.correct_patch(constants, tile.stubborn ? kMostCycles : 1, large, tile.correction);
+        else
+            tile.correction.fill(0.0F);
+    });
+    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch&, WorkerScratch&) {
+        const std::vector<PatchCover> covers = patch_covers(places[index]);
+        kernels.blend(covers.data(), static_cast<int>(covers.size()), tile.pressure);
+    });
+    return largest(residuals);
+}
+
+void LargeStepper::Pass::solve(LargeStepReport& report) {
+    constexpr float kAllowed = kTolerance / kSweepGain;
+    for (int count = 0; count < kMostSweeps; ++count) {
+        report.residual = sweep(count == 0);
+        ++report.sweeps;
+        if (report.residual <= kAllowed) return;
+    }
+}
+
+void LargeStepper::Pass::find_velocities(bool carrying) {
+    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
+        gather_next(places[index], cells(&LargeTile::pressure), large.pressure);
+        kernels.velocities(constants, carrying, large, tile);
+    });
+}
+
+/// Solves, and again with the drag of the flow found, until that no longer changes it: paint comes to
+/// rest where its yield stress holds it.
+void LargeStepper::Pass::solve_yielding(LargeStepReport& report) {
+    solve(report);
+    if (!constants.has_yield()) return;
+    for (int pass = 0; pass < kMostRefinements; ++pass) {
+        find_velocities(false);
+        if (assemble(true) <= kSteadyFlux) return;
+        solve(report);
+    }
+}
+
+/// How much of its outflow each cell can grant. Returns how many cannot grant it all.
+Shortage LargeStepper::Pass::share_outflow() {
+    Shortage total;
+    for (int pass = 0; pass <= kMostSharePasses; ++pass) {
+        std::vector<Shortage> shortages(places.size());
+        for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
+            if (pass == 0)
+                large.share.fill(0.0F);
+            else
+                gather_next(places[index], cells(&LargeTile::share), large.share);
+            const TilePlace& place = places[index];
+            shortages[index] =
+                kernels.share_outflow(constants, place.columns.extent, place.rows.extent,
+                                      state.thickness.read(place.tile), large, tile, tile.next_share);
+        });
+        for_each_tile([](std::size_t, LargeTile& tile, LargeScratch&, WorkerScratch&) {
+            tile.share = tile.next_share;
+        });
+        total = {};
+        for (const Shortage& shortage : shortages) {
+            total.cells += shortage.cells;
+            total.thick_cells += shortage.thick_cells;
+        }
+        if (total.cells == 0) break;
+    }
+    return total;
+}
+
+/// Solves, and again with less mobility out of the cells that would have run empty.
+void LargeStepper::Pass::solve_within_supply(LargeStepReport& report) {
+    solve_yielding(report);
+    for (int attempt = 0;; ++attempt) {
+        find_velocities(true);
+        const Shortage shortage = share_outflow();
+        report.limited_cells = shortage.thick_cells;
+        if (shortage.cells == 0 || attempt == kMostSlowings) return;
+        for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
+            gather_next(places[index], cells(&LargeTile::share), large.share);
+            kernels.slow_limited_faces(constants, large, tile);
+        });
+        solve(report);
+    }
+}
+
+std::vector<TileResult> LargeStepper::Pass::finish() {
+    std::vector<TileResult> results(places.size());
+    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch& worker) {
+        const TilePlace& place = places[index];
+        gather(state, place.columns, place.rows, place.tile_x, constants.wet_mm, worker.tile.block);
+        gather_next(place, cells(&LargeTile::share), large.share);
+        tile.last_pressure = tile.pressure;
+        const FlowExtremes extremes = kernels.fluxes(constants, large, tile, worker.tile);
+        results[index] = collect_tile(state, place, extremes, worker);
+    });
+    return results;
+}
+
+LargeStepper::LargeStepper(grid::Shape shape, Edge edge_x, Edge edge_y, int thread_count)
+    : shape_(shape), tiles_(shape.tile_count()), taking_part_(shape.tile_count(), 0) {
+    for (int x = 0; x < shape.tiles_x(); ++x)
+        columns_.push_back({window_runs(x, shape.width, edge_x, 1),
+                            window_runs(x, shape.width, edge_x, kWindowMargin),
+                            covering_runs(x, shape.width, edge_x, kOverlap)});
+    for (int y = 0; y < shape.tiles_y(); ++y)
+        rows_.push_back({window_runs(y, shape.height, edge_y, 1),
+                         window_runs(y, shape.height, edge_y, kWindowMargin),
+                         covering_runs(y, shape.height, edge_y, kOverlap)});
+    for (int worker = 0; worker < thread_count; ++worker)
+        scratch_.push_back(std::make_unique<LargeScratch>());
+}
+
+void LargeStepper::forget_all() {
+    for (auto& tile : tiles_)
+        tile.reset();
+}
+
+std::vector<TileResult> LargeStepper::step(const FilmState& state, const std::vector<TilePlace>& places,
+                                           const StepConstants& step, core::ThreadPool& pool,
+                                           std::vector<std::unique_ptr<WorkerScratch>>& workers,
+                                           bool accept_any, LargeStepReport& report) {
+    std::fill(taking_part_.begin(), taking_part_.end(), 0);
+    for (const TilePlace& place : places) {
+        taking_part_[place.tile] = 1;
+        if (!tiles_[place.tile]) tiles_[place.tile] = std::make_unique<LargeTile>();
+    }
+    Pass pass{*this, state, places, step, pool, workers};
+    report = {};
+    pass.assemble(false);
+    pass.solve_within_supply(report);
+    report.converged = report.residual <= kUsable;
+    if (!report.converged && !accept_any) return {};
+    return pass.finish();
+}
+
+}  // namespace pastoso::film

@@ -1,0 +1,45 @@
+// The kernels of a large step for the machine's instruction set.
+#pragma once
+
+#include "film/large_tile.hpp"
+
+namespace pastoso::film {
+
+struct LargeKernels {
+    /// Velocities but for the new pressure, depths, mobilities, weights, source and starting pressure
+    /// from the gathered block of `scratch` and the lagged pressure of `large`. `refine` takes the drag
+    /// of yielding paint from the tile's velocities instead and leaves the pressure as it is; returned
+    /// is then the largest relative change of flux that this stands for.
+    float (*assemble)(const StepConstants& step, int columns, int rows, const ClosedEdges& closed,
+                      const CanvasEdges& edges, bool refine, LargeScratch& large, TileScratch& scratch,
+                      LargeTile& tile);
+    /// d = f - A p and the residual Pi + S d - p of the gathered patch. Returns the largest error of
+    /// thickness that it stands for in the tile, relative to the film.
+    float (*patch_residual)(const StepConstants& step, const std::int32_t* thickness,
+                            LargeScratch& scratch);
+    /// The correction of the patch's pressure that removes its residual, by that many V-cycles.
+    void (*correct_patch)(const StepConstants& step, int cycles, LargeScratch& scratch,
+                          PatchArray& correction);
+    /// Adds the corrections of all patches that cover a tile, each with a weight that falls smoothly to
+    /// nothing towards its patch's edge: where patches meet, no kink is left, which surface tension
+    /// would resent.
+    void (*blend)(const PatchCover* covers, int count, CellArray& pressure);
+    /// u = u* - D dt grad p; `carrying` makes of it the velocity that moves the paint.
+    void (*velocities)(const StepConstants& step, bool carrying, const LargeScratch& scratch,
+                       LargeTile& tile);
+    /// The share of each cell's outflow that it can give: what it holds and what its neighbours are
+    /// granted to give it.
+    Shortage (*share_outflow)(const StepConstants& step, int columns, int rows,
+                              const std::int32_t* thickness, const LargeScratch& scratch,
+                              const LargeTile& tile, CellArray& share);
+    /// Multiplies star and mobility of each face by the share that its donor cell grants.
+    void (*slow_limited_faces)(const StepConstants& step, const LargeScratch& large, LargeTile& tile);
+    /// Velocities and whole quanta of flux, into `scratch`.
+    FlowExtremes (*fluxes)(const StepConstants& step, const LargeScratch& large, const LargeTile& tile,
+                           TileScratch& scratch);
+};
+
+LargeKernels large_kernels_for(core::Isa isa);
+const LargeKernels& large_kernels();
+
+}  // namespace pastoso::film

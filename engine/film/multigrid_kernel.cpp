@@ -1,0 +1,300 @@
+// One V-cycle for the pressure p and the change of thickness d of a patch,
+//     d + A p = f1,   p - S d = f2,   A = -div m grad,   S = g - (sigma/rho) div w grad,
+// both zero outside the patch. The two unknowns of a cell are relaxed together, in checkerboard order.
+// Compiled once per instruction set; see pastoso_add_kernels.
+#include "film/lane_groups.hpp"
+#include "film/large_kernels.hpp"
+
+namespace pastoso::film::PASTOSO_ISA {
+namespace {
+
+template <int kWidth>
+using Group = lanes::stdx::resize_simd_t<kWidth, Lanes>;
+
+template <class V>
+V load_as(const float* values) {
+    return V(values, lanes::stdx::element_aligned);
+}
+template <class V>
+void store_as(float* values, V lanes) {
+    lanes.copy_to(values, lanes::stdx::element_aligned);
+}
+
+template <class V, class Body>
+[[gnu::always_inline]] inline void run_groups(int count, const Body& body) {
+    constexpr int width = static_cast<int>(V::size());
+    const int last = count - width;
+    if (last < 0) return;
+    for (int k = 0; k < last; k += width)
+        body.template operator()<V>(k);
+    body.template operator()<V>(last);
+}
+
+/// Calls body<V>(k) for groups that cover [0, count), count >= 4, the last one moved back; V is as wide
+/// as fits.
+template <class Body>
+[[gnu::always_inline]] inline void for_each_group(int count, const Body& body) {
+    if (count >= kLanes)
+        run_groups<Lanes>(count, body);
+    else if (kLanes > 8 && count >= 8)
+        run_groups<Group<8>>(count, body);
+    else
+        run_groups<Group<4>>(count, body);
+}
+
+/// Where the cells around those of one colour in a row stand: all of them are of the other colour.
+struct Neighbours {
+    int own, west, east, above, below;
+};
+Neighbours neighbours(const MultigridLevel& level, int y, int colour) {
+    const int other = level.row(y, 1 - colour), parity = (y ^ colour) & 1;
+    return {level.row(y, colour), other + parity - 1, other + parity, level.row(y - 1, 1 - colour),
+            level.row(y + 1, 1 - colour)};
+}
+
+/// Right-hand sides with the neighbours' share: f1 + sum m p and f2 - sigma' sum w d.
+template <class V>
+struct Pulls {
+    V change, pressure;
+};
+template <class V>
+[[gnu::always_inline]] inline Pulls<V> pulls(const MultigridLevel& level, const Neighbours& at, int k,
+                                             V tension) {
+    const auto value = [k](const std::vector<float>& values, int index) {
+        return load_as<V>(values.data() + index + k);
+    };
+    const auto& p = level.pressure;
+    const auto& d = level.change;
+    const V change = value(level.change_source, at.own) +
+                     (value(level.mobility_x, at.own) * value(p, at.east) +
+                      value(level.mobility_x, at.west) * value(p, at.west)) +
+                     (value(level.mobility_y, at.own) * value(p, at.below) +
+                      value(level.mobility_y, at.above) * value(p, at.above));
+    const V bend = (value(level.weight_x, at.own) * value(d, at.east) +
+                    value(level.weight_x, at.west) * value(d, at.west)) +
+                   (value(level.weight_y, at.own) * value(d, at.below) +
+                    value(level.weight_y, at.above) * value(d, at.above));
+    return {change, value(level.pressure_source, at.own) - tension * bend};
+}
+
+/// p = (q2 + s q1) / (1 + a s), d = q1 - a p in all cells of a colour.
+void relax(MultigridLevel& level, float tension, int colour) {
+    for (int y = 0; y < level.size; ++y) {
+        const Neighbours at = neighbours(level, y, colour);
+        for_each_group(level.half(), [&]<class V>(int k) {
+            const Pulls<V> pull = pulls<V>(level, at, k, V(tension));
+            const int cell = at.own + k;
+            const V p = (pull.pressure + load_as<V>(&level.stiffness[cell]) * pull.change) *
+                        load_as<V>(&level.inverse[cell]);
+            store_as(&level.pressure[cell], p);
+            store_as(&level.change[cell], V(pull.change - load_as<V>(&level.mobility_sum[cell]) * p));
+        });
+    }
+}
+
+void smooth(MultigridLevel& level, float tension, int sweeps) {
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+        for (const int colour : {0, 1})
+            relax(level, tension, colour);
+}
+
+void find_residual(MultigridLevel& level, float tension) {
+    for (int y = 0; y < level.size; ++y)
+        for (const int colour : {0, 1}) {
+            const Neighbours at = neighbours(level, y, colour);
+            for_each_group(level.half(), [&]<class V>(int k) {
+                const Pulls<V> pull = pulls<V>(level, at, k, V(tension));
+                const int cell = at.own + k;
+                const V p = load_as<V>(&level.pressure[cell]), d = load_as<V>(&level.change[cell]);
+                store_as(&level.change_residual[cell],
+                         V(pull.change - d - load_as<V>(&level.mobility_sum[cell]) * p));
+                store_as(&level.pressure_residual[cell],
+                         V(pull.pressure - (p - load_as<V>(&level.stiffness[cell]) * d)));
+            });
+        }
+}
+
+/// Puts row y, given cell by cell, into checkerboard order. `values` points to cell 0.
+void split_row(const MultigridLevel& level, int y, const float* values, std::vector<float>& out) {
+    float* even = out.data() + level.row(y, y & 1);
+    float* odd = out.data() + level.row(y, 1 - (y & 1));
+    for (int k = 0; k < level.half(); ++k) {
+        even[k] = values[2 * k];
+        odd[k] = values[2 * k + 1];
+    }
+}
+void merge_row(const MultigridLevel& level, int y, const std::vector<float>& values, float* out) {
+    const float* even = values.data() + level.row(y, y & 1);
+    const float* odd = values.data() + level.row(y, 1 - (y & 1));
+    for (int k = 0; k < level.half(); ++k) {
+        out[2 * k] = even[k];
+        out[2 * k + 1] = odd[k];
+    }
+}
+
+using PlainRow = std::array<float, kPatchSize + 2>;
+
+/// The mean of the four fine cells.
+void restrict_mean(const MultigridLevel& fine, const std::vector<float>& values,
+                   const MultigridLevel& coarse, std::vector<float>& out) {
+    PlainRow row;
+    for (int y = 0; y < coarse.size; ++y) {
+        const float* top = values.data() + fine.row(2 * y, 0);
+        const float* bottom = values.data() + fine.row(2 * y + 1, 0);
+        const int stride = fine.stride();
+        for_each_group(coarse.size, [&]<class V>(int k) {
+            const V sum = (load_as<V>(top + k) + load_as<V>(top + stride + k)) +
+                          (load_as<V>(bottom + k) + load_as<V>(bottom + stride + k));
+            store_as(row.data() + k, V(V(0.25F) * sum));
+        });
+        split_row(coarse, y, row.data(), out);
+    }
+}
+
+/// Adds the coarse correction: d bilinear, p constant in a coarse cell.
+void prolong(const MultigridLevel& coarse, MultigridLevel& fine) {
+    std::array<PlainRow, 3> change{};
+    PlainRow pressure{}, blend{};
+    const auto read = [&](int y, PlainRow& row) {
+        if (y >= coarse.size) return row.fill(0.0F);
+        merge_row(coarse, y, coarse.change, row.data() + 1);
+    };
+    read(0, change[1]);
+    for (int y = 0; y < coarse.size; ++y) {
+        read(y + 1, change[2]);
+        merge_row(coarse, y, coarse.pressure, pressure.data() + 1);
+        for (const int lower : {0, 1}) {
+            const int fine_y = 2 * y + lower;
+            const PlainRow& here = change[1];
+            const PlainRow& beside = change[lower == 1 ? 2 : 0];
+            for (int x = 0; x < coarse.size + 2; ++x)
+                blend[x] = 0.75F * here[x] + 0.25F * beside[x];
+            const int even = fine.row(fine_y, fine_y & 1), odd = fine.row(fine_y, 1 - (fine_y & 1));
+            for (int x = 0; x < coarse.size; ++x) {
+                fine.change[even + x] += 0.75F * blend[x + 1] + 0.25F * blend[x];
+                fine.change[odd + x] += 0.75F * blend[x + 1] + 0.25F * blend[x + 2];
+                fine.pressure[even + x] += pressure[x + 1];
+                fine.pressure[odd + x] += pressure[x + 1];
+            }
+        }
+        change[0] = change[1];
+        change[1] = change[2];
+    }
+}
+
+/// Coarse coefficients at the faces behind coarse cells -1 .. size - 1: a quarter of the mean over the
+/// two fine faces, with the mobility smoothed along the axis first (a lone shut face must not cut a
+/// coarse cell off).
+template <bool kSmooth>
+void coarsen_x(const MultigridLevel& fine, const std::vector<float>& values,
+               const MultigridLevel& coarse, std::vector<float>& out) {
+    PlainRow row;
+    const float* v = values.data();
+    for (int y = 0; y < coarse.size; ++y) {
+        const float* top = v + fine.row(2 * y, 1);
+        const float* top_beside = v + fine.row(2 * y, 0);
+        const float* bottom = v + fine.row(2 * y + 1, 0);
+        const float* bottom_beside = v + fine.row(2 * y + 1, 1);
+        for (int x = -1; x < coarse.size; ++x) {
+            const float here = top[x] + bottom[x];
+            const float beside =
+                (top_beside[x] + top_beside[x + 1]) + (bottom_beside[x] + bottom_beside[x + 1]);
+            row[x + 1] = 0.125F * (kSmooth ? 0.5F * here + 0.25F * beside : here);
+        }
+        split_row(coarse, y, row.data() + 1, out);
+        out[coarse.row(y, 1 - (y & 1)) - 1] = row[0];
+    }
+}
+template <bool kSmooth>
+void coarsen_y(const MultigridLevel& fine, const std::vector<float>& values,
+               const MultigridLevel& coarse, std::vector<float>& out) {
+    PlainRow row;
+    for (int y = -1; y < coarse.size; ++y) {
+        const auto pair_sum = [&](int fine_y, int x) {
+            if (fine_y < -1 || fine_y > fine.size) return 0.0F;
+            const float* cells = values.data() + fine.row(fine_y, 0) + x;
+            return cells[0] + cells[fine.stride()];
+        };
+        for (int x = 0; x < coarse.size; ++x) {
+            const float here = pair_sum(2 * y + 1, x);
+            const float beside = pair_sum(2 * y, x) + pair_sum(2 * y + 2, x);
+            row[x] = 0.125F * (kSmooth ? 0.5F * here + 0.25F * beside : here);
+        }
+        split_row(coarse, y, row.data(), out);
+    }
+}
+
+/// a = sum of m, s = g + sigma' sum of w and 1 / (1 + a s) of every cell.
+void find_diagonals(MultigridLevel& level, float gravity, float tension) {
+    for (int y = 0; y < level.size; ++y)
+        for (const int colour : {0, 1}) {
+            const Neighbours at = neighbours(level, y, colour);
+            const auto sum = [&](const std::vector<float>& x_faces, const std::vector<float>& y_faces,
+                                 int k, auto zero) {
+                using V = decltype(zero);
+                return V((load_as<V>(&x_faces[at.own + k]) + load_as<V>(&x_faces[at.west + k])) +
+                         (load_as<V>(&y_faces[at.own + k]) + load_as<V>(&y_faces[at.above + k])));
+            };
+            for_each_group(level.half(), [&]<class V>(int k) {
+                const V a = sum(level.mobility_x, level.mobility_y, k, V(0.0F));
+                const V s = V(gravity) + V(tension) * sum(level.weight_x, level.weight_y, k, V(0.0F));
+                store_as(&level.mobility_sum[at.own + k], a);
+                store_as(&level.stiffness[at.own + k], s);
+                store_as(&level.inverse[at.own + k], V(V(1.0F) / (V(1.0F) + a * s)));
+            });
+        }
+}
+
+void clear(std::vector<float>& values) {
+    std::fill(values.begin(), values.end(), 0.0F);
+}
+
+}  // namespace
+
+void prepare_multigrid(const StepConstants& step, LargeScratch& scratch) {
+    const float tension = step.tension * step.inverse_cell * step.inverse_cell;
+    MultigridLevel& finest = scratch.levels[0];
+    for (int y = -1; y < finest.size; ++y) {
+        const int from = window_index(-kOverlap, y - kOverlap);
+        split_row(finest, y, &scratch.mobility_y[from], finest.mobility_y);
+        split_row(finest, y, &scratch.weight_y[from], finest.weight_y);
+        if (y < 0) continue;
+        split_row(finest, y, &scratch.mobility_x[from], finest.mobility_x);
+        split_row(finest, y, &scratch.weight_x[from], finest.weight_x);
+        const int before = finest.row(y, 1 - (y & 1)) - 1;
+        finest.mobility_x[before] = scratch.mobility_x[from - 1];
+        finest.weight_x[before] = scratch.weight_x[from - 1];
+    }
+    find_diagonals(finest, step.gravity_mm_s2, tension);
+    for (int depth = 1; depth < kMultigridLevels; ++depth) {
+        const MultigridLevel& fine = scratch.levels[depth - 1];
+        MultigridLevel& coarse = scratch.levels[depth];
+        coarsen_x<true>(fine, fine.mobility_x, coarse, coarse.mobility_x);
+        coarsen_y<true>(fine, fine.mobility_y, coarse, coarse.mobility_y);
+        coarsen_x<false>(fine, fine.weight_x, coarse, coarse.weight_x);
+        coarsen_y<false>(fine, fine.weight_y, coarse, coarse.weight_y);
+        find_diagonals(coarse, step.gravity_mm_s2, tension);
+    }
+}
+
+void multigrid_cycle(const StepConstants& step, LargeScratch& scratch) {
+    constexpr int kSweeps = 2, kCoarsestSweeps = 6;
+    const float tension = step.tension * step.inverse_cell * step.inverse_cell;
+    for (int depth = 0; depth + 1 < kMultigridLevels; ++depth) {
+        MultigridLevel& fine = scratch.levels[depth];
+        MultigridLevel& coarse = scratch.levels[depth + 1];
+        smooth(fine, tension, kSweeps);
+        find_residual(fine, tension);
+        restrict_mean(fine, fine.change_residual, coarse, coarse.change_source);
+        restrict_mean(fine, fine.pressure_residual, coarse, coarse.pressure_source);
+        clear(coarse.change);
+        clear(coarse.pressure);
+    }
+    smooth(scratch.levels.back(), tension, kCoarsestSweeps);
+    for (int depth = kMultigridLevels - 2; depth >= 0; --depth) {
+        prolong(scratch.levels[depth + 1], scratch.levels[depth]);
+        smooth(scratch.levels[depth], tension, kSweeps);
+    }
+}
+
+}  // namespace pastoso::film::PASTOSO_ISA
