@@ -79,38 +79,47 @@ PASTOSO_FACE_FUNCTION F alpha_drag(const FaceNeighbourhood<F>& face, const StepC
     const F uphill = slope_x * face.u + slope_y * face.v;
     const F norm2 = (slope_x * slope_x + slope_y * slope_y) * (face.u * face.u + face.v * face.v);
     const F flat(2e-4F * step.inverse_cell);
-    const F bend = face.curvature / (lanes::abs(face.curvature) + flat);
-    const F cosine = bend * uphill / (lanes::sqrt(norm2) + F(1e-8F));
-    return F(step.drag_against) +
-           (F(step.drag_along) - F(step.drag_against)) * (F(0.5F) * (F(1.0F) + cosine));
+    const F cosine = face.curvature * uphill /
+                     ((lanes::abs(face.curvature) + flat) * (lanes::sqrt(norm2) + F(1e-8F)));
+    const F mean(0.5F * (step.drag_along + step.drag_against));
+    return mean + F(0.5F * (step.drag_along - step.drag_against)) * cosine;
 }
 
-/// Implicit Bingham drag. With lambda dt = `drag` and the yield velocity y = dt tau_y / (rho h), the
-/// wall shear x = tau_wall / tau_y of the exact film law solves
-///     (1 + drag) x - 3/2 + 1/(2 x^2) = drag |w| / y,
-/// and the velocity is w times the factor returned here, y (x - 1)^2 (x + 1/2) / (drag |w| x^2). Zero
-/// below yield, exactly. Three Newton steps from a start above the root leave 1e-6.
+/// Implicit Bingham drag. With lambda dt = `drag` and the stress at which the film would yield at once,
+/// W = drag |w| / y in units of tau_y (y = dt tau_y / (rho h)), the wall shear x = tau_wall / tau_y of
+/// the exact film law solves
+///     (1 + drag) x - 3/2 + 1/(2 x^2) = W,
+/// or, in the share e = 1 - 1/x of the film that is sheared,
+///     e (W + 3/2 e - 1/2 e^2) = W - drag,
+/// which is as good near yield as far above it. The new velocity is w times (x - 1)^2 (x + 1/2) / (W
+/// x^2), exactly zero below yield. Two Newton steps from the root of the quadratic part leave 1e-6.
 template <class F>
 struct BinghamDrag {
     F factor;         ///< new velocity / w
     F tangent_share;  ///< 1 - 1/x^3: mobility of the yielded film against the Newtonian one
 };
 template <class F>
-PASTOSO_FACE_FUNCTION BinghamDrag<F> bingham_drag(F drag, F speed, F yield_speed) {
-    const F one(1.0F), zero(0.0F);
-    const F target = speed * drag / yield_speed;
-    const F excess = lanes::max(F(target - drag), zero);
-    F x = one + (lanes::sqrt(F(drag * drag + F(6.0F) * excess)) - drag) * F(1.0F / 3.0F);
-    for (int iteration = 0; iteration < 3; ++iteration) {
-        const F inverse = one / x;
-        const F residual = (one + drag) * x - F(1.5F) + F(0.5F) * inverse * inverse - target;
-        const F derivative = one + drag - inverse * inverse * inverse;
-        x = lanes::max(F(x - residual / (derivative + F(1e-12F))), one);
+PASTOSO_FACE_FUNCTION BinghamDrag<F> bingham_drag(F drag, F stress) {
+    const F zero(0.0F), half(0.5F), one(1.0F), three_halves(1.5F), three(3.0F);
+    const F load = lanes::min(stress, F(1e18F));  // keeps the squares below finite
+    const F excess = lanes::max(F(load - drag), zero);
+    F sheared = F(2.0F) * excess / (load + lanes::sqrt(F(load * load + F(6.0F) * excess)) + F(1e-20F));
+    for (int iteration = 0; iteration < 2; ++iteration) {
+        const F residual = (load + (three_halves - half * sheared) * sheared) * sheared - excess;
+        const F derivative = load + (three - three_halves * sheared) * sheared;
+        sheared = sheared - residual / (derivative + F(1e-20F));
     }
-    const F above = x - one;
-    const F inverse = one / x;
-    return {yield_speed * above * above * (x + F(0.5F)) * inverse * inverse / (drag * speed),
-            one - inverse * inverse * inverse};
+    const F plug = one - lanes::min(sheared, one);
+    const F plug3 = plug * plug * plug;
+    // 1/x from the equation once more, where e has lost it to rounding.
+    const F shear = sheared * sheared * (three_halves - half * sheared) * (load + three_halves);
+    return {shear / (load * (one + drag + half * plug3) + F(1e-20F)), one - plug3};
+}
+
+/// The same from |w| and the yield velocity y.
+template <class F>
+PASTOSO_FACE_FUNCTION BinghamDrag<F> bingham_drag(F drag, F speed, F yield_speed) {
+    return bingham_drag(drag, F(drag * speed / yield_speed));
 }
 
 /// A face between wet and dry: the film's edge. It moves out only when the film is thicker than the
@@ -146,62 +155,89 @@ PASTOSO_FACE_FUNCTION ContactFace<F> contact_face(const FaceNeighbourhood<F>& fa
     return edge;
 }
 
+/// Drag rate lambda = k_d nu / (h (h + 3 slip)), 1/s, and its inverse.
+template <class F>
+struct DragRate {
+    F rate, inverse;
+};
+template <class F>
+PASTOSO_FACE_FUNCTION DragRate<F> drag_rate(F coefficient, F thickness, const StepConstants& step) {
+    const F area = thickness * (thickness + F(3.0F * step.slip_mm)) + F(1e-12F);
+    const F quotient = F(1.0F) / (coefficient * area);
+    return {F(step.viscosity_mm2_s) * coefficient * (coefficient * quotient),
+            F(1.0F / step.viscosity_mm2_s) * area * (area * quotient)};
+}
+
+/// Explicit viscosity between neighbouring columns of paint, mm2/s: capped where it would outrun its own
+/// stability limit.
+template <class F>
+PASTOSO_FACE_FUNCTION F lateral_viscosity(F drag_rate, const StepConstants& step) {
+    return lanes::min(F(step.viscosity_mm2_s),
+                      F(step.cell_mm * step.cell_mm / 32.0F) * (F(1.0F / step.dt_s) + drag_rate));
+}
+
+/// The wall stress, in yield stresses, that would stop a film of velocity (u, v) within the step:
+/// drag |w| / y.
+template <class F>
+PASTOSO_FACE_FUNCTION F stopping_stress(F drag, F thickness, F u, F v, const StepConstants& step) {
+    const F speed = lanes::sqrt(F(u * u + v * v)) + F(1e-30F);
+    return speed * drag * thickness * F(1.0F / (step.dt_s * step.yield));
+}
+
 /// New velocity and passing thickness at a face. `force` acts along the axis, `force_across` along the
-/// face.
+/// face. Where no lane needs a branch, it is left out: that changes no bit.
 template <bool kYield, bool kAlphaRange, class F>
 PASTOSO_FACE_FUNCTION FaceFlow<F> face_flow(const FaceNeighbourhood<F>& face, const StepConstants& step,
                                             float force, float force_across) {
     const F zero(0.0F), one(1.0F);
     const F dt(step.dt_s), inverse_cell(step.inverse_cell);
-    const F wet_mm(step.wet_mm);
-    const auto wet_both = (face.h_left > wet_mm) && (face.h_right > wet_mm);
-    const auto wet_one = (face.h_left > wet_mm) != (face.h_right > wet_mm);
+    const auto wet_left = face.h_left > F(step.wet_mm), wet_right = face.h_right > F(step.wet_mm);
+    const auto wet_both = wet_left && wet_right;
+    if (!lanes::any(wet_left || wet_right)) return {zero, zero, zero};
 
-    const ContactFace<F> edge = contact_face(face, step, F(force));
-    const F inner_acceleration = F(force) - (face.pressure_right - face.pressure_left) * inverse_cell;
-    const F acceleration = lanes::select(wet_both, inner_acceleration, edge.acceleration);
+    const bool inside = lanes::all(wet_both);
+    ContactFace<F> edge;
+    F acceleration = F(force) - (face.pressure_right - face.pressure_left) * inverse_cell;
+    if (!inside) {
+        edge = contact_face(face, step, F(force));
+        acceleration = lanes::select(wet_both, acceleration, edge.acceleration);
+    }
     const F kept = face.u - F(step.inertia) * dt * momentum_advection(face, inverse_cell);
     const F driven = kept + dt * acceleration;
 
-    const F inner_thickness = upwind_thickness(face, driven);
-    const F drag_thickness = lanes::select(wet_both, inner_thickness, edge.h_wet);
-    const F edge_thickness =
-        lanes::select(wet_one, lanes::max(F(edge.h_wet - edge.pinned_mm), zero), zero);
-    const F thickness = lanes::select(wet_both, inner_thickness, edge_thickness);
+    F thickness = upwind_thickness(face, driven), drag_thickness = thickness;
+    if (!inside) {
+        const F passing =
+            lanes::select(wet_left || wet_right, lanes::max(F(edge.h_wet - edge.pinned_mm), zero), zero);
+        drag_thickness = lanes::select(wet_both, thickness, edge.h_wet);
+        thickness = lanes::select(wet_both, thickness, passing);
+    }
 
-    F drag_coefficient(step.drag_along);
-    if constexpr (kAlphaRange) drag_coefficient = alpha_drag(face, step);
-    const F drag_rate = drag_coefficient * F(step.viscosity_mm2_s) /
-                        (drag_thickness * (drag_thickness + F(3.0F * step.slip_mm)) + F(1e-12F));
-
-    // Explicit lateral viscosity, capped where it would outrun its own stability limit.
-    const F lateral_viscosity =
-        lanes::min(F(step.viscosity_mm2_s),
-                   F(step.cell_mm * step.cell_mm / 32.0F) * (F(1.0F / step.dt_s) + drag_rate));
+    F coefficient(step.drag_along);
+    if constexpr (kAlphaRange) coefficient = alpha_drag(face, step);
+    const DragRate<F> lambda = drag_rate(coefficient, drag_thickness, step);
     const F laplacian = face.u_back + face.u_front + (face.u_before + face.u_after) - F(4.0F) * face.u;
-    const F unresisted =
-        driven + F(step.lateral) * dt * inverse_cell * inverse_cell * lateral_viscosity * laplacian;
+    const F unresisted = driven + F(step.lateral * step.dt_s * step.inverse_cell * step.inverse_cell) *
+                                      lateral_viscosity(lambda.rate, step) * laplacian;
 
-    const F drag = drag_rate * dt;
-    F factor = one / (one + drag);
-    F tangent_share = one;
+    const F drag = lambda.rate * dt;
+    F factor, tangent_share = one;
     if constexpr (kYield) {
         const F across = face.v + dt * (F(force_across) - F(step.gravity_mm_s2) * face.eta_slope_across);
-        const F speed = lanes::sqrt(F(unresisted * unresisted + across * across)) + F(1e-30F);
-        const F yield_speed = dt * F(step.yield) / (drag_thickness + F(1e-12F));
-        const BinghamDrag<F> bingham = bingham_drag(drag, speed, yield_speed);
+        const BinghamDrag<F> bingham =
+            bingham_drag(drag, stopping_stress(drag, drag_thickness, unresisted, across, step));
         factor = bingham.factor;
         tangent_share = bingham.tangent_share;
+    } else {
+        factor = one / (one + drag);
     }
 
     const F speed_limit(0.5F * step.cell_mm / step.dt_s);
     const auto flows = thickness > zero;
-    FaceFlow<F> flow;
-    flow.velocity =
-        lanes::select(flows, lanes::clamp(F(factor * unresisted), F(-speed_limit), speed_limit), zero);
-    flow.thickness = thickness;
-    flow.mobility = lanes::select(flows, tangent_share * thickness / drag_rate, zero);
-    return flow;
+    return {.velocity = lanes::select(
+                flows, lanes::clamp(F(factor * unresisted), F(-speed_limit), speed_limit), zero),
+            .thickness = thickness,
+            .mobility = lanes::select(flows, tangent_share * thickness * lambda.inverse, zero)};
 }
 
 #undef PASTOSO_FACE_FUNCTION

@@ -62,8 +62,8 @@ void face_slopes(const TileScratch& scratch, const StepConstants& step, int y, i
                                    ((load(eta + left + across) - load(eta + left - across)) +
                                     (load(eta + right + across) - load(eta + right - across)));
         Lanes result = bent<kFullCurvature>(slope, slope_across);
-        if (step.has_contact_angle()) {
-            const auto wet_left = h_left > wet, wet_right = h_right > wet;
+        const auto wet_left = h_left > wet, wet_right = h_right > wet;
+        if (step.has_contact_angle() && !lanes::all(wet_left && wet_right)) {
             const Lanes sum_left = load(&scratch.normal_x[left]) + load(&scratch.normal_y[left]);
             const Lanes sum_right = load(&scratch.normal_x[right]) + load(&scratch.normal_y[right]);
             const Lanes falls = bent<kFullCurvature>(contact_slope(h_left, sum_left, step), zero) *
