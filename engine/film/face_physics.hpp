@@ -184,17 +184,26 @@ PASTOSO_FACE_FUNCTION F stopping_stress(F drag, F thickness, F u, F v, const Ste
     return speed * drag * thickness * F(1.0F / (step.dt_s * step.yield));
 }
 
-/// New velocity and passing thickness at a face. `force` acts along the axis, `force_across` along the
-/// face. Where no lane needs a branch, it is left out: that changes no bit.
+/// What moves the paint through a face and what will resist it, all at the old time.
+template <class F>
+struct FaceDrive {
+    F driven;            ///< velocity under inertia and force, without drag, mm/s
+    F across;            ///< the same along the face; 0 without a yield stress
+    F laplacian;         ///< sum of the neighbouring velocities' differences, mm/s
+    F thickness;         ///< of the film that passes, mm; 0 where nothing can
+    F drag_thickness;    ///< of the film that drags, mm
+    F drag_coefficient;  ///< k_d
+};
+
+/// `force` acts along the axis, `force_across` along the face. A branch that no lane needs is left out,
+/// which changes no bit.
 template <bool kYield, bool kAlphaRange, class F>
-PASTOSO_FACE_FUNCTION FaceFlow<F> face_flow(const FaceNeighbourhood<F>& face, const StepConstants& step,
-                                            float force, float force_across) {
-    const F zero(0.0F), one(1.0F);
-    const F dt(step.dt_s), inverse_cell(step.inverse_cell);
+PASTOSO_FACE_FUNCTION FaceDrive<F> face_drive(const FaceNeighbourhood<F>& face,
+                                              const StepConstants& step, float force,
+                                              float force_across) {
+    const F zero(0.0F), dt(step.dt_s), inverse_cell(step.inverse_cell);
     const auto wet_left = face.h_left > F(step.wet_mm), wet_right = face.h_right > F(step.wet_mm);
     const auto wet_both = wet_left && wet_right;
-    if (!lanes::any(wet_left || wet_right)) return {zero, zero, zero};
-
     const bool inside = lanes::all(wet_both);
     ContactFace<F> edge;
     F acceleration = F(force) - (face.pressure_right - face.pressure_left) * inverse_cell;
@@ -202,42 +211,76 @@ PASTOSO_FACE_FUNCTION FaceFlow<F> face_flow(const FaceNeighbourhood<F>& face, co
         edge = contact_face(face, step, F(force));
         acceleration = lanes::select(wet_both, acceleration, edge.acceleration);
     }
-    const F kept = face.u - F(step.inertia) * dt * momentum_advection(face, inverse_cell);
-    const F driven = kept + dt * acceleration;
-
-    F thickness = upwind_thickness(face, driven), drag_thickness = thickness;
+    FaceDrive<F> drive;
+    drive.driven =
+        face.u - F(step.inertia) * dt * momentum_advection(face, inverse_cell) + dt * acceleration;
+    drive.thickness = drive.drag_thickness = upwind_thickness(face, drive.driven);
     if (!inside) {
         const F passing =
             lanes::select(wet_left || wet_right, lanes::max(F(edge.h_wet - edge.pinned_mm), zero), zero);
-        drag_thickness = lanes::select(wet_both, thickness, edge.h_wet);
-        thickness = lanes::select(wet_both, thickness, passing);
+        drive.drag_thickness = lanes::select(wet_both, drive.thickness, edge.h_wet);
+        drive.thickness = lanes::select(wet_both, drive.thickness, passing);
     }
+    drive.laplacian = face.u_back + face.u_front + (face.u_before + face.u_after) - F(4.0F) * face.u;
+    drive.drag_coefficient = F(step.drag_along);
+    if constexpr (kAlphaRange) drive.drag_coefficient = alpha_drag(face, step);
+    drive.across = zero;
+    if constexpr (kYield)
+        drive.across = face.v + dt * (F(force_across) - F(step.gravity_mm_s2) * face.eta_slope_across);
+    return drive;
+}
 
-    F coefficient(step.drag_along);
-    if constexpr (kAlphaRange) coefficient = alpha_drag(face, step);
-    const DragRate<F> lambda = drag_rate(coefficient, drag_thickness, step);
-    const F laplacian = face.u_back + face.u_front + (face.u_before + face.u_after) - F(4.0F) * face.u;
-    const F unresisted = driven + F(step.lateral * step.dt_s * step.inverse_cell * step.inverse_cell) *
-                                      lateral_viscosity(lambda.rate, step) * laplacian;
+/// What the drag at the new time has to stop.
+template <class F>
+struct FaceDrag {
+    F unresisted;  ///< velocity w without drag, mm/s
+    F drag;        ///< lambda dt
+    F relaxation;  ///< 1 / lambda, s
+    F stress;      ///< W; 0 without a yield stress
+};
+template <bool kYield, class F>
+PASTOSO_FACE_FUNCTION FaceDrag<F> face_drag(const FaceDrive<F>& drive, const StepConstants& step) {
+    const DragRate<F> lambda = drag_rate(drive.drag_coefficient, drive.drag_thickness, step);
+    FaceDrag<F> result;
+    result.unresisted =
+        drive.driven + F(step.lateral * step.dt_s * step.inverse_cell * step.inverse_cell) *
+                           lateral_viscosity(lambda.rate, step) * drive.laplacian;
+    result.drag = lambda.rate * F(step.dt_s);
+    result.relaxation = lambda.inverse;
+    result.stress = F(0.0F);
+    if constexpr (kYield)
+        result.stress =
+            stopping_stress(result.drag, drive.drag_thickness, result.unresisted, drive.across, step);
+    return result;
+}
 
-    const F drag = lambda.rate * dt;
-    F factor, tangent_share = one;
-    if constexpr (kYield) {
-        const F across = face.v + dt * (F(force_across) - F(step.gravity_mm_s2) * face.eta_slope_across);
-        const BinghamDrag<F> bingham =
-            bingham_drag(drag, stopping_stress(drag, drag_thickness, unresisted, across, step));
-        factor = bingham.factor;
-        tangent_share = bingham.tangent_share;
-    } else {
-        factor = one / (one + drag);
-    }
+/// Bingham's drag law, or Newton's, which is 1 / (1 + drag).
+template <bool kYield, class F>
+PASTOSO_FACE_FUNCTION BinghamDrag<F> drag_law(const FaceDrag<F>& face) {
+    if constexpr (kYield) return bingham_drag(face.drag, face.stress);
+    const F one(1.0F);
+    return {one / (one + face.drag), one};
+}
 
-    const F speed_limit(0.5F * step.cell_mm / step.dt_s);
+/// New velocity and passing thickness at a face.
+template <class F>
+PASTOSO_FACE_FUNCTION FaceFlow<F> face_flow(F thickness, const FaceDrag<F>& drag,
+                                            const BinghamDrag<F>& law, const StepConstants& step) {
+    const F zero(0.0F), limit(0.5F * step.cell_mm / step.dt_s);
     const auto flows = thickness > zero;
-    return {.velocity = lanes::select(
-                flows, lanes::clamp(F(factor * unresisted), F(-speed_limit), speed_limit), zero),
+    const F velocity = lanes::clamp(F(law.factor * drag.unresisted), F(-limit), limit);
+    return {.velocity = lanes::select(flows, velocity, zero),
             .thickness = thickness,
-            .mobility = lanes::select(flows, tangent_share * thickness * lambda.inverse, zero)};
+            .mobility = lanes::select(flows, law.tangent_share * thickness * drag.relaxation, zero)};
+}
+
+/// All of it at once.
+template <bool kYield, bool kAlphaRange, class F>
+PASTOSO_FACE_FUNCTION FaceFlow<F> face_flow(const FaceNeighbourhood<F>& face, const StepConstants& step,
+                                            float force, float force_across) {
+    const FaceDrive<F> drive = face_drive<kYield, kAlphaRange>(face, step, force, force_across);
+    const FaceDrag<F> drag = face_drag<kYield>(drive, step);
+    return face_flow(drive.thickness, drag, drag_law<kYield>(drag), step);
 }
 
 #undef PASTOSO_FACE_FUNCTION

@@ -95,16 +95,32 @@ struct FaceKernel {
     FaceArray<float>& velocity;
     FaceArray<std::int32_t>& flux;
 
-    /// Faces 0..63 of a row.
+    /// Faces 0..63 of a row, in a loop for each stage: the chain of dependent divisions through all of
+    /// them is too long for the processor to overlap whole faces.
     void flow_row(int y, LaneExtremes& extremes) const {
-        const std::int32_t* quanta = scratch.block.quanta.data();
-        for (int x = 0; x < kTileSize; x += kLanes) {
-            const int i = block_index(x, y);
-            const FaceFlow<Lanes> flow = flow_through(AlongRow{}, i, extremes);
-            const Ints left(quanta + i, lanes::stdx::element_aligned);
-            const Ints right(quanta + i + axis.along, lanes::stdx::element_aligned);
+        constexpr int kGroups = kTileSize / kLanes;
+        const StepConstants local = step;  // which no store through a pointer can change
+        std::array<FaceDrive<Lanes>, kGroups> drive;
+        std::array<FaceDrag<Lanes>, kGroups> drag;
+        std::array<BinghamDrag<Lanes>, kGroups> law;
+        for (int group = 0; group < kGroups; ++group)
+            drive[group] = face_drive<kYield, kAlphaRange>(
+                neighbourhood(scratch, local, axis, AlongRow{}, block_index(group * kLanes, y)), local,
+                axis.force, axis.force_across);
+        for (int group = 0; group < kGroups; ++group)
+            drag[group] = face_drag<kYield>(drive[group], local);
+        for (int group = 0; group < kGroups; ++group)
+            law[group] = drag_law<kYield>(drag[group]);
+        const std::int32_t* quanta = &scratch.block.quanta[block_index(0, y)];
+        for (int group = 0; group < kGroups; ++group) {
+            const int x = group * kLanes;
+            const FaceFlow<Lanes> flow =
+                face_flow(drive[group].thickness, drag[group], law[group], local);
+            extremes.add(flow);
+            const Ints left(quanta + x, lanes::stdx::element_aligned);
+            const Ints right(quanta + x + axis.along, lanes::stdx::element_aligned);
             store(&velocity[face_index(x, y)], flow.velocity);
-            flux_quanta(flow, step, left, right)
+            flux_quanta(flow, local, left, right)
                 .copy_to(&flux[face_index(x, y)], lanes::stdx::element_aligned);
         }
     }
@@ -114,7 +130,10 @@ struct FaceKernel {
         const std::int32_t* quanta = scratch.block.quanta.data();
         for (int y = 0; y < kTileSize; y += kLanes) {
             const int i = block_index(x, y);
-            const FaceFlow<Lanes> flow = flow_through(AlongColumn{}, i, extremes);
+            const FaceFlow<Lanes> flow =
+                face_flow<kYield, kAlphaRange>(neighbourhood(scratch, step, axis, AlongColumn{}, i),
+                                               step, axis.force, axis.force_across);
+            extremes.add(flow);
             const Ints left([&](int lane) { return quanta[i + lane * kBlockStride]; });
             const Ints right([&](int lane) { return quanta[i + axis.along + lane * kBlockStride]; });
             const Ints quanta_through = flux_quanta(flow, step, left, right);
@@ -128,16 +147,6 @@ struct FaceKernel {
     void clear_row(int y) const {
         std::fill_n(&velocity[face_index(0, y)], kTileSize, 0.0F);
         std::fill_n(&flux[face_index(0, y)], kTileSize, 0);
-    }
-
-  private:
-    template <class Load>
-    [[gnu::always_inline]] FaceFlow<Lanes> flow_through(const Load& load_at, int i,
-                                                        LaneExtremes& extremes) const {
-        const FaceFlow<Lanes> flow = face_flow<kYield, kAlphaRange>(
-            neighbourhood(scratch, step, axis, load_at, i), step, axis.force, axis.force_across);
-        extremes.add(flow);
-        return flow;
     }
 };
 static_assert(kTileSize % kLanes == 0);
