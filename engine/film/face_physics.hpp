@@ -10,11 +10,20 @@
 #pragma once
 
 #include "film/lanes.hpp"
+#include "film/shear_thinning.hpp"
 #include "film/step_constants.hpp"
 
 namespace pastoso::film {
 
 #define PASTOSO_FACE_FUNCTION [[gnu::always_inline]] static inline
+
+/// Which terms the formulas contain; a term that is left out costs nothing.
+struct FaceModel {
+    bool yield = false;
+    bool alpha_range = false;  ///< also right, only slower, where both ends are the same
+    bool horizontal_tension = false;
+    bool shear_thinning = false;
+};
 
 /// What a face needs to know. "left" and "right" are the cells before and behind it along its axis; for
 /// a face of the other direction read "above" and "below".
@@ -171,8 +180,8 @@ PASTOSO_FACE_FUNCTION DragRate<F> drag_rate(F coefficient, F thickness, const St
 /// Explicit viscosity between neighbouring columns of paint, mm2/s: capped where it would outrun its own
 /// stability limit.
 template <class F>
-PASTOSO_FACE_FUNCTION F lateral_viscosity(F drag_rate, const StepConstants& step) {
-    return lanes::min(F(step.viscosity_mm2_s),
+PASTOSO_FACE_FUNCTION F lateral_viscosity(F viscosity, F drag_rate, const StepConstants& step) {
+    return lanes::min(viscosity,
                       F(step.cell_mm * step.cell_mm / 32.0F) * (F(1.0F / step.dt_s) + drag_rate));
 }
 
@@ -192,12 +201,24 @@ struct FaceDrive {
     F laplacian;         ///< sum of the neighbouring velocities' differences, mm/s
     F thickness;         ///< of the film that passes, mm; 0 where nothing can
     F drag_thickness;    ///< of the film that drags, mm
-    F drag_coefficient;  ///< k_d
+    F drag_coefficient;  ///< k_d, times the relative viscosity
+    F viscosity;         ///< nu at the face, mm2/s
 };
+
+/// The paper's horizontal surface tension, chi (sigma/rho) kappa d(eta)/dx / h: a weight chi of 0 is
+/// physical, since grad(Pi) already contains this traction. h is the mean of both cells, at least what
+/// the contact angle pins.
+template <class F>
+PASTOSO_FACE_FUNCTION F horizontal_tension(const FaceNeighbourhood<F>& face, const StepConstants& step) {
+    const F pinned(0.5F * step.cell_mm * step.tan_advancing + step.wet_mm);
+    const F thickness = lanes::max(F(F(0.5F) * (face.h_left + face.h_right)), pinned);
+    const F slope = (face.eta_right - face.eta_left) * F(step.inverse_cell);
+    return F(step.horizontal_tension) * face.curvature * slope / thickness;
+}
 
 /// `force` acts along the axis, `force_across` along the face. A branch that no lane needs is left out,
 /// which changes no bit.
-template <bool kYield, bool kAlphaRange, class F>
+template <FaceModel kModel, class F>
 PASTOSO_FACE_FUNCTION FaceDrive<F> face_drive(const FaceNeighbourhood<F>& face,
                                               const StepConstants& step, float force,
                                               float force_across) {
@@ -207,6 +228,8 @@ PASTOSO_FACE_FUNCTION FaceDrive<F> face_drive(const FaceNeighbourhood<F>& face,
     const bool inside = lanes::all(wet_both);
     ContactFace<F> edge;
     F acceleration = F(force) - (face.pressure_right - face.pressure_left) * inverse_cell;
+    if constexpr (kModel.horizontal_tension)
+        acceleration = acceleration + horizontal_tension(face, step);
     if (!inside) {
         edge = contact_face(face, step, F(force));
         acceleration = lanes::select(wet_both, acceleration, edge.acceleration);
@@ -223,9 +246,16 @@ PASTOSO_FACE_FUNCTION FaceDrive<F> face_drive(const FaceNeighbourhood<F>& face,
     }
     drive.laplacian = face.u_back + face.u_front + (face.u_before + face.u_after) - F(4.0F) * face.u;
     drive.drag_coefficient = F(step.drag_along);
-    if constexpr (kAlphaRange) drive.drag_coefficient = alpha_drag(face, step);
+    if constexpr (kModel.alpha_range) drive.drag_coefficient = alpha_drag(face, step);
+    drive.viscosity = F(step.viscosity_mm2_s);
+    if constexpr (kModel.shear_thinning) {
+        const F speed = lanes::sqrt(F(face.u * face.u + face.v * face.v));
+        const F relative = relative_viscosity<kModel.yield>(speed, drive.drag_thickness, step);
+        drive.drag_coefficient = drive.drag_coefficient * relative;
+        drive.viscosity = drive.viscosity * relative;
+    }
     drive.across = zero;
-    if constexpr (kYield)
+    if constexpr (kModel.yield)
         drive.across = face.v + dt * (F(force_across) - F(step.gravity_mm_s2) * face.eta_slope_across);
     return drive;
 }
@@ -235,29 +265,30 @@ template <class F>
 struct FaceDrag {
     F unresisted;  ///< velocity w without drag, mm/s
     F drag;        ///< lambda dt
-    F relaxation;  ///< 1 / lambda, s
+    F relaxation;  ///< 1 / lambda, s; of power laws their tangent, 1 / (n lambda)
     F stress;      ///< W; 0 without a yield stress
 };
-template <bool kYield, class F>
+template <FaceModel kModel, class F>
 PASTOSO_FACE_FUNCTION FaceDrag<F> face_drag(const FaceDrive<F>& drive, const StepConstants& step) {
     const DragRate<F> lambda = drag_rate(drive.drag_coefficient, drive.drag_thickness, step);
     FaceDrag<F> result;
     result.unresisted =
         drive.driven + F(step.lateral * step.dt_s * step.inverse_cell * step.inverse_cell) *
-                           lateral_viscosity(lambda.rate, step) * drive.laplacian;
+                           lateral_viscosity(drive.viscosity, lambda.rate, step) * drive.laplacian;
     result.drag = lambda.rate * F(step.dt_s);
     result.relaxation = lambda.inverse;
+    if constexpr (kModel.shear_thinning) result.relaxation = lambda.inverse * F(1.0F / step.flow_index);
     result.stress = F(0.0F);
-    if constexpr (kYield)
+    if constexpr (kModel.yield)
         result.stress =
             stopping_stress(result.drag, drive.drag_thickness, result.unresisted, drive.across, step);
     return result;
 }
 
 /// Bingham's drag law, or Newton's, which is 1 / (1 + drag).
-template <bool kYield, class F>
+template <FaceModel kModel, class F>
 PASTOSO_FACE_FUNCTION BinghamDrag<F> drag_law(const FaceDrag<F>& face) {
-    if constexpr (kYield) return bingham_drag(face.drag, face.stress);
+    if constexpr (kModel.yield) return bingham_drag(face.drag, face.stress);
     const F one(1.0F);
     return {one / (one + face.drag), one};
 }
@@ -275,12 +306,12 @@ PASTOSO_FACE_FUNCTION FaceFlow<F> face_flow(F thickness, const FaceDrag<F>& drag
 }
 
 /// All of it at once.
-template <bool kYield, bool kAlphaRange, class F>
+template <FaceModel kModel, class F>
 PASTOSO_FACE_FUNCTION FaceFlow<F> face_flow(const FaceNeighbourhood<F>& face, const StepConstants& step,
                                             float force, float force_across) {
-    const FaceDrive<F> drive = face_drive<kYield, kAlphaRange>(face, step, force, force_across);
-    const FaceDrag<F> drag = face_drag<kYield>(drive, step);
-    return face_flow(drive.thickness, drag, drag_law<kYield>(drag), step);
+    const FaceDrive<F> drive = face_drive<kModel>(face, step, force, force_across);
+    const FaceDrag<F> drag = face_drag<kModel>(drive, step);
+    return face_flow(drive.thickness, drag, drag_law<kModel>(drag), step);
 }
 
 #undef PASTOSO_FACE_FUNCTION

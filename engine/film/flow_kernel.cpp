@@ -87,7 +87,7 @@ struct LaneExtremes {
 };
 
 /// Faces of one axis of a tile: where they come from and where their flow goes.
-template <bool kYield, bool kAlphaRange>
+template <FaceModel kModel>
 struct FaceKernel {
     const TileScratch& scratch;
     const StepConstants& step;
@@ -104,13 +104,13 @@ struct FaceKernel {
         std::array<FaceDrag<Lanes>, kGroups> drag;
         std::array<BinghamDrag<Lanes>, kGroups> law;
         for (int group = 0; group < kGroups; ++group)
-            drive[group] = face_drive<kYield, kAlphaRange>(
+            drive[group] = face_drive<kModel>(
                 neighbourhood(scratch, local, axis, AlongRow{}, block_index(group * kLanes, y)), local,
                 axis.force, axis.force_across);
         for (int group = 0; group < kGroups; ++group)
-            drag[group] = face_drag<kYield>(drive[group], local);
+            drag[group] = face_drag<kModel>(drive[group], local);
         for (int group = 0; group < kGroups; ++group)
-            law[group] = drag_law<kYield>(drag[group]);
+            law[group] = drag_law<kModel>(drag[group]);
         const std::int32_t* quanta = &scratch.block.quanta[block_index(0, y)];
         for (int group = 0; group < kGroups; ++group) {
             const int x = group * kLanes;
@@ -131,8 +131,8 @@ struct FaceKernel {
         for (int y = 0; y < kTileSize; y += kLanes) {
             const int i = block_index(x, y);
             const FaceFlow<Lanes> flow =
-                face_flow<kYield, kAlphaRange>(neighbourhood(scratch, step, axis, AlongColumn{}, i),
-                                               step, axis.force, axis.force_across);
+                face_flow<kModel>(neighbourhood(scratch, step, axis, AlongColumn{}, i), step, axis.force,
+                                  axis.force_across);
             extremes.add(flow);
             const Ints left([&](int lane) { return quanta[i + lane * kBlockStride]; });
             const Ints right([&](int lane) { return quanta[i + axis.along + lane * kBlockStride]; });
@@ -181,9 +181,9 @@ int count_clamped(const StepConstants& step, const FaceArray<float>& velocity, i
     return count;
 }
 
-template <bool kYield, bool kAlphaRange>
+template <FaceModel kModel>
 FlowExtremes flow_all_faces(const StepConstants& step, TileScratch& scratch) {
-    using Kernel = FaceKernel<kYield, kAlphaRange>;
+    using Kernel = FaceKernel<kModel>;
     const HaloBlock& block = scratch.block;
     const float* u = block.velocity_x.data();
     const float* v = block.velocity_y.data();
@@ -209,12 +209,18 @@ FlowExtremes flow_all_faces(const StepConstants& step, TileScratch& scratch) {
     return extremes.reduced();
 }
 
+/// The rare terms, horizontal tension and shear thinning, are compiled with the alpha range only.
+template <bool kYield>
 FlowExtremes flow_faces(const StepConstants& step, TileScratch& scratch) {
-    if (step.has_yield())
-        return step.has_alpha_range() ? flow_all_faces<true, true>(step, scratch)
-                                      : flow_all_faces<true, false>(step, scratch);
-    return step.has_alpha_range() ? flow_all_faces<false, true>(step, scratch)
-                                  : flow_all_faces<false, false>(step, scratch);
+    constexpr FaceModel kPlain{.yield = kYield};
+    constexpr FaceModel kAlpha{.yield = kYield, .alpha_range = true};
+    constexpr FaceModel kTension{.yield = kYield, .alpha_range = true, .horizontal_tension = true};
+    constexpr FaceModel kThinning{
+        .yield = kYield, .alpha_range = true, .horizontal_tension = true, .shear_thinning = true};
+    if (step.is_shear_thinning()) return flow_all_faces<kThinning>(step, scratch);
+    if (step.has_horizontal_tension()) return flow_all_faces<kTension>(step, scratch);
+    return step.has_alpha_range() ? flow_all_faces<kAlpha>(step, scratch)
+                                  : flow_all_faces<kPlain>(step, scratch);
 }
 
 }  // namespace
@@ -222,7 +228,8 @@ FlowExtremes flow_faces(const StepConstants& step, TileScratch& scratch) {
 FlowExtremes tile_flow(const StepConstants& step, int columns, int rows, const ClosedEdges& closed,
                        TileScratch& scratch) {
     if (scratch.block.last_wet_row >= scratch.block.first_wet_row) prepare_pressure(step, scratch);
-    FlowExtremes extremes = flow_faces(step, scratch);
+    FlowExtremes extremes =
+        step.has_yield() ? flow_faces<true>(step, scratch) : flow_faces<false>(step, scratch);
     shut_edges(columns, rows, closed, scratch);
     if (extremes.speed_mm_s >= 0.5F * step.cell_mm / step.dt_s)
         extremes.clamped_faces = count_clamped(step, scratch.velocity_x, -1, 0) +
