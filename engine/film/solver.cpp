@@ -39,6 +39,7 @@ StepLimits make_limits(const Medium& medium, const Gravity& gravity, double cell
     limits.smallest_drag = drag_coefficient(medium.alpha_max);
     limits.force_mm_s2 = std::hypot(gravity.x_mm_s2, gravity.y_mm_s2);
     limits.yield = medium.yield_stress_Pa / medium.density_kg_m3 * 1e6;
+    limits.flow_index = medium.flow_index;
     return limits;
 }
 
@@ -62,6 +63,8 @@ StepConstants make_constants(const Medium& medium, const Gravity& gravity, const
     step.wet_mm = static_cast<float>(1e-4 * cell_mm);
     step.inertia = options.inertia ? 1.0F : 0.0F;
     step.lateral = options.lateral_drag ? 1.0F : 0.0F;
+    step.horizontal_tension = static_cast<float>(options.horizontal_tension * limits.tension);
+    step.flow_index = static_cast<float>(medium.flow_index);
     step.full_curvature = options.full_curvature;
     return step;
 }
@@ -69,6 +72,8 @@ StepConstants make_constants(const Medium& medium, const Gravity& gravity, const
 void check_medium(const Medium& medium) {
     PASTOSO_CHECK_OP(medium.density_kg_m3, >, 0.0);
     PASTOSO_CHECK_OP(medium.viscosity_m2_s, >, 0.0);
+    PASTOSO_CHECK_OP(medium.flow_index, >=, 0.2);
+    PASTOSO_CHECK_OP(medium.flow_index, <=, 1.0);
     PASTOSO_CHECK_OP(medium.alpha_min, >, 1.0 / 3.0);
     PASTOSO_CHECK_OP(medium.alpha_min, <=, medium.alpha_max);
     PASTOSO_CHECK_OP(medium.receding_angle_deg, <=, medium.advancing_angle_deg);

@@ -15,13 +15,14 @@ struct StepLimits {
     double smallest_drag = 3.0;  ///< k_d
     double force_mm_s2 = 0.0;    ///< F along the canvas
     double yield = 0.0;          ///< tau_y/rho, mm2/s2
+    double flow_index = 1.0;     ///< n of Herschel and Bulkley
 
     /// (l + sqrt(l^2 + 4 w^2)) / w^2 with w^2 = h K (g + sigma/rho K), K = 8/cell^2, drag rate l in 1/s.
     double wave_step_s(double thickness_mm, double drag_rate) const;
     /// Depth mean of the steady flow that the body force alone drives in a film of this thickness:
     ///     F h^2 / (k_d nu) (1 - 1/x)^2 (1 + 1/(2x)),  x = F h rho / tau_y.
     double terminal_speed_mm_s(double thickness_mm) const;
-    /// For Newtonian paint of this thickness at rest.
+    /// For Newtonian paint of this thickness at rest; shear-thinning paint is taken at its thinnest.
     double newtonian_step_s(double thickness_mm) const;
     /// For paint whose measured flow is given: its largest mobility h/l (yield stress included) and
     /// thickness bound the waves, its largest speed the advection (a quarter of a cell).
