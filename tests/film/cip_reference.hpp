@@ -21,7 +21,8 @@
 //  - The drag is taken at the new time; everything else in (1) at the old one.
 //  - CIP is Yabe and Aoki's (1991) type A: the cubic through four values and six derivatives.
 //  - Nothing is said of the film's edge. Where h is below `dry_thickness`, the velocity is the mean of
-//    the wet neighbours' (0 without any): with 0 there the front would never advance.
+//    the wet neighbours' (0 without any): with 0 there the front would never advance. The threshold
+//    decides how much volume a moving front loses or gains; 0.3 cells did best of those tried.
 //  - Nothing keeps h positive or the volume: negative h is cut (and counted), and `keep_volume` scales
 //    h to the volume it began with.
 #pragma once
@@ -61,7 +62,7 @@ struct CipPaint {
     double viscosity = 1.0;           ///< nu
     double force_x = 0.0, force_y = 0.0;
     double alpha_min = 1.0, alpha_max = 1.0;
-    double dry_thickness = 1e-3;
+    double dry_thickness = 0.3;
     bool keep_volume = false;
 };
 
