@@ -292,10 +292,13 @@ TEST_P(DripDirection, DoesNotMatter) {
     const DripOutcome along_x = drip(0, GetParam());
     const DripOutcome along_y = drip(90, GetParam());
     EXPECT_DOUBLE_EQ(along_x.tip_mm, along_y.tip_mm);
+    // One alpha: reached 0.1 to 0.2 %. With the range, the sign of the curvature of almost flat paint
+    // decides the drag, and a drop higher by 1/40000 ends 0.3 % elsewhere: six such drops reached 0.4
+    // to 1.1 %.
+    const double tolerance = GetParam() ? 0.015 : 0.005;
     for (const double angle : {30.0, 45.0}) {
         const DripOutcome slanted = drip(angle, GetParam());
-        EXPECT_NEAR(slanted.centroid_mm / along_x.centroid_mm, 1.0, 0.005)
-            << angle;  // reached 0.2 to 0.4 %
+        EXPECT_NEAR(slanted.centroid_mm / along_x.centroid_mm, 1.0, tolerance) << angle;
         EXPECT_NEAR(slanted.tip_mm, along_x.tip_mm, 2.0) << angle;
     }
     EXPECT_GT(along_x.centroid_mm, 10.0);
