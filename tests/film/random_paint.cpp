@@ -43,14 +43,23 @@ void choose_edges(EdgeKind kind, Dice& dice, Scene& scene) {
     scene.edge_y = kind == EdgeKind::Mixed ? dice.edge() : same;
 }
 
-void choose_properties(Dice& dice, Scene& scene) {
+/// The tilt. Two limits keep paint below the 64 mm that a cell can count, which is the whole range of
+/// the solver: on walls, a film as wide as a canvas rises to extent * F/g; and a film that falls faster
+/// than its own waves (Froude number above 1) breaks into roll waves that climb onto each other without
+/// end.
+void choose_force(double thickness, Dice& dice, Scene& scene) {
+    const double wave_speed = std::sqrt(scene.gravity * thickness);
+    const double fastest_fall = scene.gravity * thickness * thickness / (3 * scene.viscosity);
+    const double largest = scene.gravity * std::min(1.0, wave_speed / fastest_fall);
+    scene.force_x = dice.between(-1, 1) * largest * (scene.edge_x == Edge::Wall ? 0.2 : 1.0);
+    scene.force_y = dice.between(-1, 1) * largest * (scene.edge_y == Edge::Wall ? 0.2 : 1.0);
+}
+
+void choose_properties(double thickness, Dice& dice, Scene& scene) {
     scene.gravity = dice.decades(0.1, 20);
     scene.viscosity = dice.decades(1e-2, 100);
     scene.tension = dice.decades(0.1, 50);
-    // Leaning on walls, a film as wide as a canvas rises to extent * F/g: kept below the 64 mm that a
-    // cell can count.
-    scene.force_x = dice.between(-1, 1) * scene.gravity * (scene.edge_x == Edge::Wall ? 0.2 : 1.0);
-    scene.force_y = dice.between(-1, 1) * scene.gravity * (scene.edge_y == Edge::Wall ? 0.2 : 1.0);
+    choose_force(thickness, dice, scene);
     if (dice.coin()) scene.yield = dice.decades(0.01, 3);
     if (dice.coin()) {
         scene.tan_advancing = dice.between(0.2, 1.2);
@@ -165,8 +174,8 @@ RandomPaint random_paint(std::uint32_t seed, EdgeKind edges) {
     paint.scene.width = dice.uniform() < 0.7 ? 40 : 70;
     paint.scene.height = dice.uniform() < 0.7 ? 40 : 67;
     choose_edges(edges, dice, paint.scene);
-    choose_properties(dice, paint.scene);
     const double thickness = dice.decades(0.2, 5);
+    choose_properties(thickness, dice, paint.scene);
     paint.largest_mm = 2 * thickness;
     choose_neglect(paint.largest_mm, dice, paint.scene);
     paint.thickness = [seed, thickness](int x, int y) {
