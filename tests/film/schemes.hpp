@@ -3,6 +3,7 @@
 
 #include "film/solver.hpp"
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,11 @@ struct Scheme {
     double step_in_limits = 0.7;  ///< length of a step, in explicit stability limits
     EnergyLevels energy_levels = EnergyLevels::Staggered;
 };
+
+/// In place of its bytes, where a test fails.
+inline void PrintTo(const Scheme& scheme, std::ostream* stream) {
+    *stream << scheme.name;
+}
 
 inline std::vector<Scheme> all_schemes() {
     return {{.name = "Explicit", .options = {}}};
