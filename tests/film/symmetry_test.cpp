@@ -104,7 +104,7 @@ std::unique_ptr<Bench> run(const Scheme& scheme, const Scene& scene, const Turn&
     bench->tint(0, at([](int x, int y) { return 100 * noise(x, y, 4); }));
     bench->tint(9, at([](int x, int) { return x < 40 ? 0.02 : 30.0; }));
     const double dt = scheme.step_in_limits * bench->solver->stable_step_s(4.0);
-    for (int step = 0; step < 150; ++step)
+    for (int step = 0; step < 80; ++step)
         bench->solver->advance(dt);
     return bench;
 }
