@@ -132,7 +132,7 @@ PASTOSO_FACE_FUNCTION BinghamDrag<F> bingham_drag(F drag, F speed, F yield_speed
 }
 
 /// A face between wet and dry: the film's edge. It moves out only when the film is thicker than the
-/// contact angle pins, stands above the dry support, and is driven outwards.
+/// contact angle pins, stands above the dry cell (and the trace of film in it), and is driven outwards.
 template <class F>
 struct ContactFace {
     F acceleration;  ///< drive, mm/s2, signed along the axis
@@ -150,9 +150,9 @@ PASTOSO_FACE_FUNCTION ContactFace<F> contact_face(const FaceNeighbourhood<F>& fa
     edge.h_wet = lanes::select(wet_left, face.h_left, face.h_right);
     const F normal = lanes::select(wet_left, face.normal_left, face.normal_right);
     const F eta_wet = lanes::select(wet_left, face.eta_left, face.eta_right);
-    const F support_dry = lanes::select(wet_left, face.support_right, face.support_left);
+    const F eta_dry = lanes::select(wet_left, face.eta_right, face.eta_left);
     edge.pinned_mm = F(0.5F * step.cell_mm * step.tan_advancing) * normal;
-    const F drop = eta_wet - support_dry;
+    const F drop = eta_wet - eta_dry;
     const F slope = F(2.0F * step.inverse_cell) * edge.h_wet / lanes::max(normal, one);
     const F spill = lanes::max(F(slope * slope - F(step.tan_advancing * step.tan_advancing)), zero);
     const F push = F(step.gravity_mm_s2 * step.inverse_cell) * drop +

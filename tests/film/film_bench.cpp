@@ -27,7 +27,7 @@ Medium medium_of(const Scene& scene) {
 }
 
 SolverOptions options_of(const Scene& scene) {
-    SolverOptions options;
+    SolverOptions options = scene.solver;
     options.edge_x = scene.edge_x;
     options.edge_y = scene.edge_y;
     options.inertia = scene.inertia;
@@ -39,6 +39,17 @@ SolverOptions options_of(const Scene& scene) {
 }
 
 }  // namespace
+
+std::string name_of(Edge edge) {
+    switch (edge) {
+        case Edge::Periodic:
+            return "Periodic";
+        case Edge::Wall:
+            return "Wall";
+        default:
+            return "Open";
+    }
+}
 
 Bench::Bench(const Scene& wanted)
     : scene(wanted),

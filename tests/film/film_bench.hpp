@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace pastoso::film::test {
 
@@ -27,7 +28,11 @@ struct Scene {
     Edge edge_x = Edge::Periodic, edge_y = Edge::Periodic;
     bool inertia = true, lateral = true, full_curvature = false, sleeping = false;
     int threads = 1;
+    SolverOptions solver = {};  ///< what the fields above do not say, the scheme above all
 };
+
+/// For test names.
+std::string name_of(Edge edge);
 
 class Bench {
   public:

@@ -1,6 +1,5 @@
 // The slower half of the validation: many steps, fine grids, many random paints. Label `long`.
 #include "film/film_bench.hpp"
-#include "film/random_paint.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -127,13 +126,6 @@ TEST(Conservation, IsExactOverAHundredThousandSteps) {
     const Totals after = totals(bench.state);
     EXPECT_EQ(after.thickness, before.thickness);
     EXPECT_EQ(after.pigment, before.pigment);
-}
-
-TEST(RandomPaints, TwoHundredAndFortyLongRuns) {
-    int late_clamps = 0;
-    for (std::uint32_t seed = 1000; seed < 1240; ++seed)
-        late_clamps += run_random_paint(seed, 1500) ? 1 : 0;
-    EXPECT_LE(late_clamps, 12);
 }
 
 }  // namespace
