@@ -91,6 +91,12 @@ void write_image(const std::filesystem::path& path, const shade::LinearImage& im
     write_pixels(path, pixels_of(image, kPastosoFloat, px_per_mm));
 }
 
+void write_image(const std::filesystem::path& path, const GreyImage& image, double px_per_mm) {
+    PASTOSO_CHECK_OP(image.values.size(), ==, std::size_t{1} * image.width * image.height);
+    write_pixels(path, {image.values.data(), image.width, image.height, 1, kPastosoData, px_per_mm,
+                        nullptr, "Pastoso"});
+}
+
 GreyImage read_grey_image(const std::filesystem::path& path) {
     check_readable(path);
     const ImagesLibrary& library = images_library();
