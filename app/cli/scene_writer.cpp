@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 namespace pastoso::cli {
 namespace {
@@ -24,20 +26,25 @@ bool is_among(double time_s, const std::vector<double>& times, double within) {
                        [&](double time) { return std::abs(time - time_s) <= within; });
 }
 
+/// The times that are asked for, and those of the series that are not among them but for rounding.
 std::vector<double> stops_of(const io::SceneRun& run) {
-    const double end_s = run.scene.duration_s;
-    std::vector<double> stops = {0.0, end_s};
-    for (long i = 1; static_cast<double>(i) * run.output.series_every_s < end_s; ++i)
-        stops.push_back(static_cast<double>(i) * run.output.series_every_s);
+    const double end_s = run.scene.duration_s, same = tolerance(end_s);
+    std::vector<double> asked = {0.0, end_s};
     for (const auto* times :
          {&run.output.pictures_at_s, &run.output.heights_at_s, &run.output.profiles_at_s})
-        stops.insert(stops.end(), times->begin(), times->end());
-    if (run.output.magnification) stops.push_back(run.output.magnification->at_s);
-    std::sort(stops.begin(), stops.end());
-    const double same = tolerance(end_s);
-    stops.erase(
-        std::unique(stops.begin(), stops.end(), [same](double a, double b) { return b - a <= same; }),
-        stops.end());
+        asked.insert(asked.end(), times->begin(), times->end());
+    if (run.output.magnification) asked.push_back(run.output.magnification->at_s);
+    std::sort(asked.begin(), asked.end());
+    asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
+
+    std::vector<double> series;
+    for (long i = 1; static_cast<double>(i) * run.output.series_every_s < end_s - same; ++i) {
+        const double time_s = static_cast<double>(i) * run.output.series_every_s;
+        const auto next = std::lower_bound(asked.begin(), asked.end(), time_s - same);
+        if (*next > time_s + same) series.push_back(time_s);
+    }
+    std::vector<double> stops;
+    std::merge(asked.begin(), asked.end(), series.begin(), series.end(), std::back_inserter(stops));
     return stops;
 }
 

@@ -20,7 +20,8 @@ class Cells {
           periodic_x_(options.edge_x == Edge::Periodic),
           periodic_y_(options.edge_y == Edge::Periodic) {}
 
-    double h(int x, int y) const { return thickness_mm(film_.thickness.at(x, y)); }
+    /// Exact, unlike thickness_mm().
+    double h(int x, int y) const { return film_.thickness.at(x, y) * kThicknessQuantum_mm; }
     double c(int x, int y) const { return film_.support_mm.at(x, y); }
     double eta(int x, int y) const { return h(x, y) + c(x, y); }
 
@@ -65,7 +66,7 @@ double area_of(double slope2, bool full_curvature) {
 }
 
 struct Sums {
-    double volume = 0.0, moment_x = 0.0, moment_y = 0.0, max_h = 0.0;
+    double moment_x = 0.0, moment_y = 0.0, max_h = 0.0;
     double kinetic = 0.0, gravity = 0.0, surface = 0.0;
     grid::Rect wet;
 };
@@ -95,7 +96,6 @@ Measures measure(const FilmState& film, const Medium& medium, const Gravity& gra
     for_each_painted_cell(film, [&](int x, int y) {
         const double h = cells.h(x, y);
         if (h == 0.0) return;
-        sums.volume += h;
         sums.moment_x += h * (x + 0.5);
         sums.moment_y += h * (y + 0.5);
         sums.max_h = std::max(sums.max_h, h);
@@ -108,15 +108,16 @@ Measures measure(const FilmState& film, const Medium& medium, const Gravity& gra
         sums.wet = grid::bounding_box(sums.wet, {x, y, x + 1, y + 1});
     });
 
+    // Whole quanta, so that equal volumes are equal numbers whatever the order of the cells.
+    const double volume = static_cast<double>(totals(film).thickness) * kThicknessQuantum_mm;
     const double cell_mm = film.cell_mm, cell_area_mm2 = cell_mm * cell_mm;
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     Measures measures;
-    measures.volume_mm3 = sums.volume * cell_area_mm2;
+    measures.volume_mm3 = volume * cell_area_mm2;
     measures.max_h_mm = sums.max_h;
     measures.centroid = {kNone, kNone};
-    if (sums.volume > 0.0)
-        measures.centroid = {cell_mm * sums.moment_x / sums.volume,
-                             cell_mm * sums.moment_y / sums.volume};
+    if (volume > 0.0)
+        measures.centroid = {cell_mm * sums.moment_x / volume, cell_mm * sums.moment_y / volume};
     measures.wet_box = {kNone, kNone, kNone, kNone};
     if (!sums.wet.empty())
         measures.wet_box = {cell_mm * sums.wet.x0, cell_mm * sums.wet.y0, cell_mm * sums.wet.x1,

@@ -129,11 +129,12 @@ std::vector<double> sorted_or(const JsonPlace& parent, const std::string& key, d
 }
 
 shade::Lighting read_light(const JsonPlace& place) {
-    place.allow_only({"azimuth_deg", "elevation_deg", "ambient"});
+    place.allow_only({"azimuth_deg", "elevation_deg", "ambient", "wet_roughness"});
     shade::Lighting light;
     light.azimuth_deg = number_between_or(place, "azimuth_deg", -360.0, 360.0, light.azimuth_deg);
     light.elevation_deg = number_between_or(place, "elevation_deg", 5.0, 90.0, light.elevation_deg);
     light.ambient = number_between_or(place, "ambient", 0.0, 1.0, light.ambient);
+    light.wet_roughness = number_between_or(place, "wet_roughness", 0.05, 1.0, light.wet_roughness);
     return light;
 }
 
