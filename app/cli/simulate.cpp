@@ -30,6 +30,18 @@ io::SceneFile load_scene(const SimulateOptions& options) {
     return file;
 }
 
+/// Makes every film once, so that what cannot be made is refused before anything is written.
+void check_runs(const io::SceneFile& file, const std::string& label, core::ThreadPool& pool) {
+    for (const io::SceneRun& run : file.runs) {
+        try {
+            const film::Simulation trial(run.scene, pool);
+        } catch (const core::InputError& error) {
+            const std::string place = run.name.empty() ? label : label + ", run \"" + run.name + "\"";
+            throw core::InputError(place + ": " + error.what());
+        }
+    }
+}
+
 fs::path folder_of(const io::SceneRun& run, const fs::path& folder) {
     return run.name.empty() ? folder : folder / run.name;
 }
@@ -105,8 +117,9 @@ void run_simulate(const SimulateOptions& options) {
     const Stopwatch wall;
     watch_for_interrupts();
     const io::SceneFile file = load_scene(options);
-    make_folders(file, options);
     core::ThreadPool pool(options.threads.value_or(file.threads));
+    check_runs(file, options.scene, pool);
+    make_folders(file, options);
     Progress progress("simulating", Progress::style_for_stderr(options.quiet));
     Course course{progress};
     for (const io::SceneRun& run : file.runs)

@@ -56,27 +56,24 @@ std::size_t foremost(const Strips& strips) {
     return strip;
 }
 
-struct Circle {
-    double tip = 0.0, radius = 0.0;
-};
+/// Where w^2, which is linear near a round tip, would vanish, continued from the two strips behind the
+/// foremost one (itself partly dry); not beyond the foremost.
+double tip_of(const Strips& strips, std::size_t end) {
+    const double width2 = strips.width[end - 1] * strips.width[end - 1];
+    const double rise = strips.width[end - 2] * strips.width[end - 2] - width2;
+    const double limit = strips.centre(end) + 0.5;
+    return rise > 0.0 ? std::min(limit, strips.centre(end - 1) + width2 / rise) : limit;
+}
 
-/// (w/2)^2 = 2 R (p - s) - (p - s)^2 with the tip p makes (w/2)^2 + s^2 linear in s, a + b s with
-/// b = 2 (p - R) and a = p (2 R - p); a straight line is fitted over the strips [begin, end).
-Circle fit_circle(const Strips& strips, std::size_t begin, std::size_t end) {
-    const double origin = strips.centre(begin), count = static_cast<double>(end - begin);
-    double sum_s = 0.0, sum_y = 0.0, sum_ss = 0.0, sum_sy = 0.0;
+/// Least squares of (w/2)^2 + d^2 = 2 R d over the strips [begin, end), d being the distance to the tip.
+double radius_of(const Strips& strips, std::size_t begin, std::size_t end, double tip) {
+    double sum_dd = 0.0, sum_dy = 0.0;
     for (std::size_t i = begin; i < end; ++i) {
-        const double s = strips.centre(i) - origin;
-        const double y = 0.25 * strips.width[i] * strips.width[i] + s * s;
-        sum_s += s;
-        sum_y += y;
-        sum_ss += s * s;
-        sum_sy += s * y;
+        const double d = tip - strips.centre(i);
+        sum_dd += d * d;
+        sum_dy += d * (0.25 * strips.width[i] * strips.width[i] + d * d);
     }
-    const double b = (count * sum_sy - sum_s * sum_y) / (count * sum_ss - sum_s * sum_s);
-    const double a = (sum_y - b * sum_s) / count;
-    const double radius = std::sqrt(std::max(0.0, 0.25 * b * b + a));
-    return {origin + 0.5 * b + radius, radius};
+    return 0.5 * sum_dy / sum_dd;
 }
 
 }  // namespace
@@ -92,23 +89,23 @@ std::optional<Front> front_of(const FilmState& film, const Gravity& gravity) {
     const double width = *std::max_element(strips.width.begin(), strips.width.end());
     if (width < kSmallestWidth_cells) return std::nullopt;
 
-    // The strip at the tip is partly dry; the fit begins behind it.
     const std::size_t end = foremost(strips);
     const auto depth = static_cast<std::size_t>(std::max(3.0, std::round(0.25 * width)));
     if (end < depth + 1) return std::nullopt;
-    const Circle circle = fit_circle(strips, end - depth, end);
+    const double tip = tip_of(strips, end);
+    const double radius = radius_of(strips, end - depth, end, tip);
 
     double area = 0.0, thickness = 0.0;
     for (std::size_t i = 0; i < strips.width.size(); ++i) {
-        const double inside = std::clamp(strips.centre(i) + 0.5 - (circle.tip - 0.5 * width), 0.0, 1.0);
+        const double inside = std::clamp(strips.centre(i) + 0.5 - (tip - 0.5 * width), 0.0, 1.0);
         area += inside * strips.width[i];
         if (inside > 0.0) thickness = std::max(thickness, strips.thickness_mm[i]);
     }
     Front front;
-    front.tip_mm = circle.tip * film.cell_mm;
+    front.tip_mm = tip * film.cell_mm;
     front.width_mm = width * film.cell_mm;
-    front.radius_mm = circle.radius * film.cell_mm;
-    front.roundness = 2.0 * circle.radius / width;
+    front.radius_mm = radius * film.cell_mm;
+    front.roundness = 2.0 * radius / width;
     front.fullness = area / (core::kPi * width * width / 8.0);
     front.thickness_mm = thickness;
     return front;

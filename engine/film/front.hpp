@@ -11,10 +11,9 @@ namespace pastoso::film {
 /// w(s) the width of the wet area across. Cells count as wet in proportion to h / h_edge up to 1, with
 /// h_edge a tenth of the largest thickness, so that thin trails do not count.
 struct Front {
-    double tip_mm = 0.0;    ///< position of the tip along F, from the canvas' upper left corner
+    double tip_mm = 0.0;    ///< position of the foremost wet point along F, from the upper left corner
     double width_mm = 0.0;  ///< W, the largest w(s)
-    /// R of the circle w^2 = 4 (2 R s - s^2) that fits the foremost quarter of W best, which also
-    /// gives the tip.
+    /// R of the circle through the tip, (w/2)^2 + s^2 = 2 R s, that fits the foremost quarter of W best.
     double radius_mm = 0.0;
     double roundness =
         0.0;  ///< 2 R / W: 1 for a strip with a semicircle as its end, less where it tapers

@@ -43,6 +43,7 @@ bool holds(const Format& format, int sample_type) {
 
 const char* describe(int sample_type) {
     if (sample_type == kPastosoUint8) return "8-bit";
+    if (sample_type == kPastosoData) return "single-precision";
     return sample_type == kPastosoUint16 ? "16-bit" : "linear";
 }
 

@@ -283,7 +283,9 @@ film::Medium read_scene_paint(const JsonPlace& place, const SceneContext& contex
     if (const auto like = place.optional_entry("like")) base = find_medium(*like);
     Json numbers = Json::object();
     for (const auto& item : place.value().items()) {
-        if (item.key() != "like") numbers[item.key()] = place.entry(item.key().c_str()).number();
+        if (item.key() == "like") continue;
+        place.entry(item.key().c_str()).number();
+        numbers[item.key()] = item.value();
     }
     film::Medium medium;
     place.guard([&] { medium = film::parse_medium(numbers.dump(), "this paint", base); });
