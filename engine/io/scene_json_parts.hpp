@@ -1,8 +1,9 @@
-// Parts of a scene file: support, film, paint and forces.
+// Parts of a scene file: a run with its support, film, paint and forces.
 #pragma once
 
 #include "film/scene.hpp"
 #include "io/json_place.hpp"
+#include "io/scene_json.hpp"
 
 #include <filesystem>
 #include <string>
@@ -38,5 +39,8 @@ film::Medium read_scene_paint(const JsonPlace& place, const SceneContext& contex
 /// From the entries "tilt" or "gravity" of a scene; without them a flat canvas under gravity, or, in
 /// cell units, no force at all.
 film::Gravity read_forces(const JsonPlace& scene, const SceneContext& context);
+
+/// A whole scene but for its name; the entries that stand once for the file are allowed beside it.
+SceneRun read_run(const JsonPlace& place, const SceneContext& context);
 
 }  // namespace pastoso::io
