@@ -2,6 +2,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/options.hpp"
 #include "cli/replay.hpp"
+#include "cli/simulate.hpp"
 #include "cli/usage_error.hpp"
 #include "core/error.hpp"
 
@@ -102,6 +103,34 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
         "--paint PB29=1+PW6=0.5 PY35 \\\n      --canvas 300x200mm --tilt 60 --seconds 8 -o out.png");
 }
 
+void add_simulate(CLI::App& app, SimulateOptions& options) {
+    CLI::App& command = *app.add_subcommand(
+        "simulate", "Let a film of paint run without a brush, and write what is measured and seen");
+    command
+        .add_option("SCENE", options.scene,
+                    "A scene file (.json), or the name of a scene that comes with the program")
+        ->required();
+    command.add_option("-o,--output", options.output, "Folder for tables, heights and pictures")
+        ->type_name("DIR")
+        ->required();
+    command
+        .add_option("--seconds", options.seconds,
+                    "Stop after this time; what the scene asks for later is left out")
+        ->type_name("S")
+        ->check(CLI::Range(0.0, 1e6));
+    command
+        .add_option("--threads", options.threads,
+                    "Threads to use; 0: one per processor (default: the scene's own)")
+        ->type_name("N")
+        ->check(CLI::Range(0, 256));
+    command.add_option("--stats", options.stats, "Write times and counts as one JSON object")
+        ->type_name("FILE");
+    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+    command.footer(
+        "docs/scene-format.md describes scene files. Scenes that come with the program: paper-fig2 to "
+        "paper-fig6.\nExample:\n  pastoso-cli simulate paper-fig2 -o fig2");
+}
+
 void add_info(CLI::App& app, InfoOptions& options) {
     CLI::App& command =
         *app.add_subcommand("info", "Describe a recording or an image, or the program itself");
@@ -112,17 +141,19 @@ void add_info(CLI::App& app, InfoOptions& options) {
 
 int run(int argc, char** argv) {
     ReplayOptions replay;
+    SimulateOptions simulate;
     InfoOptions info;
     CLI::App app("Paints with thick wet paint, without a screen.", "pastoso-cli");
     app.set_version_flag("--version", "pastoso-cli " PASTOSO_VERSION);
     app.require_subcommand(1);
     app.footer("Example:\n  pastoso-cli replay strokes.json -o picture.png");
     add_replay(app, replay);
+    add_simulate(app, simulate);
     add_info(app, info);
     const std::string first = argc > 1 ? argv[1] : "-";
     const auto is_named = [&](const CLI::App* command) { return command->get_name() == first; };
     if (!first.starts_with('-') && app.get_subcommands(is_named).empty()) {
-        throw UsageError("there is no subcommand \"" + first + "\", only replay and info.");
+        throw UsageError("there is no subcommand \"" + first + "\", only replay, simulate and info.");
     }
     try {
         app.parse(argc, argv);
@@ -133,6 +164,8 @@ int run(int argc, char** argv) {
     }
     if (app.got_subcommand("replay"))
         run_replay(replay);
+    else if (app.got_subcommand("simulate"))
+        run_simulate(simulate);
     else
         run_info(info);
     return kDone;

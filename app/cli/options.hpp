@@ -32,6 +32,15 @@ struct ReplayOptions {
     bool quiet = false;
 };
 
+struct SimulateOptions {
+    std::string scene;   ///< a file, or the name of a scene that comes with the program
+    std::string output;  ///< folder
+    std::optional<double> seconds;
+    std::optional<int> threads;
+    std::string stats;
+    bool quiet = false;
+};
+
 struct InfoOptions {
     std::string file;  ///< empty: about the program itself
 };

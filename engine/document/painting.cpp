@@ -19,9 +19,6 @@ namespace {
 
 constexpr const char* kFirstMedium = "heavy-body oil";
 
-/// Internal reflectance of a canvas primed with white gesso, a little yellow in the violet.
-constexpr pigment::Bands kPrimedGround = {0.90F, 0.93F, 0.93F, 0.93F, 0.93F, 0.93F};
-
 grid::TiledField<float> support_by_name(const CanvasSettings& settings) {
     check_canvas_fits(settings, available_memory_bytes());
     return film::named_support(settings.support, canvas_shape(settings), 1.0 / settings.px_per_mm,

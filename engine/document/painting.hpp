@@ -16,6 +16,9 @@
 
 namespace pastoso::document {
 
+/// Internal reflectance of a canvas primed with white gesso, a little yellow in the violet.
+inline constexpr pigment::Bands kPrimedGround = {0.90F, 0.93F, 0.93F, 0.93F, 0.93F, 0.93F};
+
 /// What the renderer needs, shared with the painting copy-on-write: taking one costs a few microseconds
 /// and it may be read on any thread while the painting goes on.
 struct Snapshot {

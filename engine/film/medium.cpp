@@ -135,6 +135,17 @@ std::vector<Medium> parse_media(std::string_view json_text, const std::string& n
     return media;
 }
 
+Medium parse_medium(std::string_view json_object, const std::string& place, const Medium& otherwise) {
+    const Json given = parse_json(json_object, place);
+    if (!given.is_object()) throw core::InputError(place + ": is not an object in braces.");
+    Json entry = {{"name", otherwise.name.empty() ? "by numbers" : otherwise.name},
+                  {"description", "Given by its numbers."}};
+    for (const NumberField& field : kNumberFields)
+        entry[field.key] = otherwise.*field.member;
+    entry.update(given);
+    return read_medium(entry, place);
+}
+
 const std::vector<Medium>& bundled_media() {
     static const std::vector<Medium> media = [] {
         const auto path = core::resource_path("media.json");

@@ -32,6 +32,10 @@ struct Medium {
 /// errors. Throws InputError that names the entry, the field and the value.
 std::vector<Medium> parse_media(std::string_view json_text, const std::string& name);
 
+/// One medium from a JSON object with any of the number fields of such an entry; those left out are as
+/// in `otherwise`. Throws InputError "PLACE ...: " that names the field and the value.
+Medium parse_medium(std::string_view json_object, const std::string& place, const Medium& otherwise);
+
 /// The media that come with the program, in the order of the file.
 const std::vector<Medium>& bundled_media();
 

@@ -1,6 +1,7 @@
 #include "film/solver.hpp"
 
 #include "core/check.hpp"
+#include "core/error.hpp"
 #include "core/units.hpp"
 #include "film/halo_block.hpp"
 #include "film/large_step.hpp"
@@ -345,6 +346,10 @@ bool Solver::Parts::advance(double seconds, const std::function<bool()>& give_up
 Solver::Solver(FilmState& state, const Medium& medium, const SolverOptions& options,
                core::ThreadPool& pool)
     : parts_(std::make_unique<Parts>(state, medium, options, pool)) {
+    if (options.scheme == Scheme::LargeStep) {
+        throw core::InputError(
+            "The scheme \"large-step\" is not in this version; the schemes are auto and explicit.");
+    }
     wake_all();
 }
 

@@ -35,7 +35,15 @@ struct Gravity {
 };
 Gravity tilted_gravity(double tilt_deg, double direction_deg = 90.0);
 
+/// How time steps are taken.
+enum class Scheme {
+    Auto,       ///< whichever is cheaper
+    Explicit,   ///< steps below the limit of stable_step_s()
+    LargeStep,  ///< implicit steps far beyond it
+};
+
 struct SolverOptions {
+    Scheme scheme = Scheme::Auto;
     Edge edge_x = Edge::Open;
     Edge edge_y = Edge::Open;
     Scheme scheme = Scheme::Auto;
@@ -67,6 +75,7 @@ struct AdvanceReport {
 /// changed cells are then announced with wake().
 class Solver {
   public:
+    /// Throws InputError when this program cannot do `options.scheme`.
     Solver(FilmState& state, const Medium& medium, const SolverOptions& options, core::ThreadPool& pool);
     ~Solver();
 

@@ -43,6 +43,7 @@ bool holds(const Format& format, int sample_type) {
 
 const char* describe(int sample_type) {
     if (sample_type == kPastosoUint8) return "8-bit";
+    if (sample_type == kPastosoData) return "single-precision";
     return sample_type == kPastosoUint16 ? "16-bit" : "linear";
 }
 
@@ -89,6 +90,12 @@ void write_image(const std::filesystem::path& path, const Image16& image, double
 
 void write_image(const std::filesystem::path& path, const shade::LinearImage& image, double px_per_mm) {
     write_pixels(path, pixels_of(image, kPastosoFloat, px_per_mm));
+}
+
+void write_image(const std::filesystem::path& path, const GreyImage& image, double px_per_mm) {
+    PASTOSO_CHECK_OP(image.values.size(), ==, std::size_t{1} * image.width * image.height);
+    write_pixels(path, {image.values.data(), image.width, image.height, 1, kPastosoData, px_per_mm,
+                        nullptr, "Pastoso"});
 }
 
 GreyImage read_grey_image(const std::filesystem::path& path) {

@@ -15,7 +15,7 @@ struct Image16 {
     std::vector<std::uint16_t> rgb;
 };
 
-/// One value a pixel, row by row from the top; what the file calls black is 0 and white 1.
+/// One value a pixel, row by row from the top; what a picture file calls black is 0 and white 1.
 struct GreyImage {
     int width = 0, height = 0;
     std::vector<float> values;
@@ -27,12 +27,14 @@ struct GreyImage {
 void check_image_path(const std::filesystem::path& path);
 
 /// These write aside and rename. `px_per_mm` is kept in the file as its print resolution (0: none).
-/// Eight bits: PNG, TIFF and JPEG. Sixteen bits: PNG and TIFF. Linear values: EXR with halves.
+/// Eight bits: PNG, TIFF and JPEG. Sixteen bits: PNG and TIFF. Linear values: EXR with halves. One value
+/// a pixel, for data such as heights: EXR with single precision.
 /// Throw InputError when the format does not hold such values or the file cannot be written.
 void write_image(const std::filesystem::path& path, const shade::Image8& image, double px_per_mm = 0.0);
 void write_image(const std::filesystem::path& path, const Image16& image, double px_per_mm = 0.0);
 void write_image(const std::filesystem::path& path, const shade::LinearImage& image,
                  double px_per_mm = 0.0);
+void write_image(const std::filesystem::path& path, const GreyImage& image, double px_per_mm = 0.0);
 
 /// Whether `path` names a format of linear values (EXR).
 bool is_linear_format(const std::filesystem::path& path);

@@ -8,15 +8,20 @@
 extern "C" {
 
 /// Raised whenever a declaration below changes; a module of another number is refused.
-inline constexpr int kPastosoImagesAbi = 1;
+inline constexpr int kPastosoImagesAbi = 2;
 
-enum PastosoSampleType { kPastosoUint8 = 0, kPastosoUint16 = 1, kPastosoFloat = 2 };
+enum PastosoSampleType {
+    kPastosoUint8 = 0,
+    kPastosoUint16 = 1,
+    kPastosoFloat = 2,  ///< stored as halves
+    kPastosoData = 3,   ///< floats that are no colours, stored as they are
+};
 
 /// Rows from the top without gaps, channels interleaved. Integers are encoded sRGB, floats linear.
 struct PastosoPixels {
     const void* data;
     int width, height, channels;
-    int sample_type;     ///< PastosoSampleType; floats are stored as halves
+    int sample_type;     ///< PastosoSampleType
     double px_per_mm;    ///< for the file's resolution entry; 0: left out
     const char* format;  ///< OpenImageIO's name of the file format
     const char* software;

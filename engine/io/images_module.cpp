@@ -33,10 +33,14 @@ OIIO::TypeDesc type_of(int sample_type) {
     return sample_type == kPastosoUint16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::FLOAT;
 }
 
+OIIO::TypeDesc stored_type_of(int sample_type) {
+    return sample_type == kPastosoFloat ? OIIO::TypeDesc(OIIO::TypeDesc::HALF) : type_of(sample_type);
+}
+
 OIIO::ImageSpec spec_of(const PastosoPixels& pixels) {
-    const bool linear = pixels.sample_type == kPastosoFloat;
+    const bool linear = pixels.sample_type == kPastosoFloat || pixels.sample_type == kPastosoData;
     OIIO::ImageSpec spec(pixels.width, pixels.height, pixels.channels,
-                         linear ? OIIO::TypeDesc(OIIO::TypeDesc::HALF) : type_of(pixels.sample_type));
+                         stored_type_of(pixels.sample_type));
     spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
     spec.attribute("Software", pixels.software);
     spec.attribute("CompressionQuality", 95);

@@ -26,6 +26,7 @@ class JsonPlace {
         : value_(&value), file_(&file), path_(std::move(path)) {}
 
     const Json& value() const { return *value_; }
+    const std::string& file() const { return *file_; }
     const std::string& path() const { return path_; }
 
     [[noreturn]] void fail(const std::string& message) const;

@@ -9,8 +9,10 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 TEST(CliHelp, EverySubcommandHasHelpWithAnExample) {
-    for (const std::vector<std::string>& arguments :
-         {std::vector<std::string>{"--help"}, {"replay", "--help"}, {"info", "--help"}}) {
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
+                                                      {"replay", "--help"},
+                                                      {"simulate", "--help"},
+                                                      {"info", "--help"}}) {
         const RunResult run = run_cli(arguments);
         EXPECT_EQ(run.status, 0);
         EXPECT_EQ(run.errors, "");

@@ -120,6 +120,32 @@ TEST(BundledMedia, OilStandsOnAnUprightCanvasAndHousePaintRuns) {
     EXPECT_LT(standing_thickness_mm(house), house.typical_thickness_mm);
 }
 
+TEST(ParseMedium, NumbersLeftOutAreTheOtherMediums) {
+    const Medium& oil = find_medium("heavy-body oil");
+    const Medium thin = parse_medium(R"({"viscosity_m2_s": 0.02, "alpha_min": 0.5})", "a.json", oil);
+    EXPECT_EQ(thin.viscosity_m2_s, 0.02);
+    EXPECT_EQ(thin.alpha_min, 0.5);
+    EXPECT_EQ(thin.yield_stress_Pa, oil.yield_stress_Pa);
+    EXPECT_EQ(thin.name, oil.name);
+    EXPECT_EQ(parse_medium("{}", "a.json", {}).density_kg_m3, Medium{}.density_kg_m3);
+}
+
+TEST(ParseMedium, RefusesUnknownAndOddNumbers) {
+    const auto error = [](const char* text) -> std::string {
+        try {
+            parse_medium(text, "a.json", {});
+        } catch (const pastoso::core::InputError& problem) {
+            return problem.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(error(R"({"viscosity_m2_s": 7})"),
+                HasSubstr("viscosity_m2_s is 7, it must be a number"));
+    EXPECT_THAT(error(R"({"stickiness": 7})"), HasSubstr("there is no field \"stickiness\""));
+    EXPECT_THAT(error(R"({"alpha_min": 1.5})"), HasSubstr("must not be larger than alpha_max"));
+    EXPECT_THAT(error("[]"), HasSubstr("a.json: is not an object in braces."));
+}
+
 TEST(FindMedium, IgnoresCase) {
     EXPECT_EQ(find_medium("House PAINT").name, "house paint");
 }

@@ -53,6 +53,15 @@ TEST_F(ImageTest, ExrKeepsLinearHalves) {
     EXPECT_THAT(back.values, testing::Pointwise(testing::FloatNear(1e-6F), {0.5F, 3.25F}));
 }
 
+TEST_F(ImageTest, ExrKeepsDataInSinglePrecision) {
+    // Beyond the 11 bits and the largest value of halves.
+    const GreyImage heights{3, 1, {0.1F, 1.0F + 0x1p-23F, 70000.0F}};
+    write_image(folder / "a.exr", heights);
+    EXPECT_EQ(read_grey_image(folder / "a.exr").values, heights.values);
+    EXPECT_THAT(error_of([&] { write_image(folder / "a.png", heights); }),
+                HasSubstr(".png files do not hold"));
+}
+
 TEST_F(ImageTest, ColourIsReadAsLuminance) {
     write_image(folder / "a.png", shade::Image8{3, 1, {255, 0, 0, 0, 255, 0, 0, 0, 255}});
     EXPECT_THAT(read_grey_image(folder / "a.png").values,

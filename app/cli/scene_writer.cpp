@@ -1,0 +1,150 @@
+#include "cli/scene_writer.hpp"
+
+#include "cli/stopwatch.hpp"
+#include "core/text_file.hpp"
+#include "document/number_text.hpp"
+#include "document/painting.hpp"
+#include "io/image.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+
+namespace pastoso::cli {
+namespace {
+
+using document::number_text;
+
+/// Times nearer to each other than this are the same.
+double tolerance(double duration_s) {
+    return 1e-9 * std::max(duration_s, 1e-3);
+}
+
+bool is_among(double time_s, const std::vector<double>& times, double within) {
+    return std::any_of(times.begin(), times.end(),
+                       [&](double time) { return std::abs(time - time_s) <= within; });
+}
+
+/// The times that are asked for, and those of the series that are not among them but for rounding.
+std::vector<double> stops_of(const io::SceneRun& run) {
+    const double end_s = run.scene.duration_s, same = tolerance(end_s);
+    std::vector<double> asked = {0.0, end_s};
+    for (const auto* times :
+         {&run.output.pictures_at_s, &run.output.heights_at_s, &run.output.profiles_at_s})
+        asked.insert(asked.end(), times->begin(), times->end());
+    if (run.output.magnification) asked.push_back(run.output.magnification->at_s);
+    std::sort(asked.begin(), asked.end());
+    asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
+
+    std::vector<double> series;
+    for (long i = 1; static_cast<double>(i) * run.output.series_every_s < end_s - same; ++i) {
+        const double time_s = static_cast<double>(i) * run.output.series_every_s;
+        const auto next = std::lower_bound(asked.begin(), asked.end(), time_s - same);
+        if (*next > time_s + same) series.push_back(time_s);
+    }
+    std::vector<double> stops;
+    std::merge(asked.begin(), asked.end(), series.begin(), series.end(), std::back_inserter(stops));
+    return stops;
+}
+
+io::GreyImage map_of(const grid::Shape& shape, const std::function<float(int, int)>& value) {
+    io::GreyImage map{shape.width, shape.height, {}};
+    for (int y = 0; y < shape.height; ++y)
+        for (int x = 0; x < shape.width; ++x)
+            map.values.push_back(value(x, y));
+    return map;
+}
+
+std::string file_name(const char* what, double time_s, const char* extension) {
+    return what + ("-" + number_text(time_s)) + "s" + extension;
+}
+
+}  // namespace
+
+SceneWriter::SceneWriter(const io::SceneRun& run, bool cell_units, std::filesystem::path folder,
+                         core::ThreadPool& pool)
+    : run_(run),
+      cell_units_(cell_units),
+      folder_(std::move(folder)),
+      pool_(pool),
+      stops_(stops_of(run)) {}
+
+void SceneWriter::write_due(const film::Simulation& simulation) {
+    const io::SceneOutput& output = run_.output;
+    const double now_s = simulation.time_s(), same = tolerance(run_.scene.duration_s);
+    note_series(simulation);
+    if (is_among(now_s, output.profiles_at_s, same)) note_profiles(simulation);
+    if (is_among(now_s, output.pictures_at_s, same)) write_picture(simulation);
+    if (is_among(now_s, output.heights_at_s, same)) write_height(simulation);
+    if (output.magnification && std::abs(output.magnification->at_s - now_s) <= same)
+        write_magnified(simulation);
+}
+
+void SceneWriter::write_tables() {
+    times_.io_s += seconds_of([&] {
+        const bool open =
+            run_.scene.solver.edge_x == film::Edge::Open || run_.scene.solver.edge_y == film::Edge::Open;
+        core::write_text_file(folder_ / "series.csv", io::series_csv(series_, cell_units_, open));
+        if (!run_.output.lines_along_x_mm.empty())
+            core::write_text_file(folder_ / "profile_x.csv",
+                                  io::profile_csv(film::Axis::X, lines_x_, cell_units_));
+        if (!run_.output.lines_along_y_mm.empty())
+            core::write_text_file(folder_ / "profile_y.csv",
+                                  io::profile_csv(film::Axis::Y, lines_y_, cell_units_));
+    });
+}
+
+shade::Image8 SceneWriter::render(const film::FilmState& film, const grid::Rect& cells, double scale) {
+    shade::Image8 image;
+    times_.shade_s += seconds_of([&] {
+        const shade::RenderSettings settings{scale, run_.output.lighting};
+        image =
+            shade::encode_srgb8(shade::render(film, document::kPrimedGround, cells, settings, pool_));
+    });
+    return image;
+}
+
+void SceneWriter::save(const std::string& name, const shade::Image8& image, double scale) {
+    times_.io_s += seconds_of(
+        [&] { io::write_image(folder_ / name, image, cell_units_ ? 0.0 : scale / run_.scene.cell_mm); });
+}
+
+void SceneWriter::note_series(const film::Simulation& simulation) {
+    series_.push_back({simulation.time_s(), simulation.measures(), simulation.runoff_mm3(),
+                       simulation.report().clamped_faces, simulation.report().steps});
+}
+
+void SceneWriter::note_profiles(const film::Simulation& simulation) {
+    for (const double y_mm : run_.output.lines_along_x_mm)
+        lines_x_.push_back({simulation.time_s(), y_mm, simulation.profile(film::Axis::X, y_mm)});
+    for (const double x_mm : run_.output.lines_along_y_mm)
+        lines_y_.push_back({simulation.time_s(), x_mm, simulation.profile(film::Axis::Y, x_mm)});
+}
+
+void SceneWriter::write_picture(const film::Simulation& simulation) {
+    const std::string name = file_name("picture", simulation.time_s(), ".png");
+    const double scale = run_.output.picture_scale;
+    pictures_.push_back(render(simulation.film(), run_.scene.shape.cells(), scale));
+    save(name, pictures_.back(), scale);
+    moments_.push_back({simulation.time_s(), name, simulation.measures(), simulation.front()});
+}
+
+void SceneWriter::write_height(const film::Simulation& simulation) {
+    const film::FilmState& film = simulation.film();
+    const io::GreyImage heights =
+        map_of(film.shape, [&](int x, int y) { return film::thickness_mm(film.thickness.at(x, y)); });
+    times_.io_s += seconds_of(
+        [&] { io::write_image(folder_ / file_name("height", simulation.time_s(), ".exr"), heights); });
+}
+
+void SceneWriter::write_magnified(const film::Simulation& simulation) {
+    constexpr int kGap_px = 16;
+    const io::Magnification& part = *run_.output.magnification;
+    const shade::Image8 interpolated = render(simulation.film(), part.cells, part.scale);
+    const shade::Image8 scaled = shade::enlarged(render(simulation.film(), part.cells, 1.0), part.scale);
+    save(file_name("magnified", simulation.time_s(), ".png"),
+         shade::arranged({{interpolated, scaled}}, kGap_px), part.scale);
+}
+
+}  // namespace pastoso::cli

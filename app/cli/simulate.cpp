@@ -1,0 +1,143 @@
+#include "cli/simulate.hpp"
+
+#include "cli/interrupt.hpp"
+#include "cli/progress.hpp"
+#include "cli/scene_report.hpp"
+#include "cli/scene_writer.hpp"
+#include "cli/stopwatch.hpp"
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "io/files.hpp"
+#include "io/image.hpp"
+
+#include <cstdio>
+
+namespace pastoso::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSheetGap_px = 8;
+/// Larger sheets are of no use to look at.
+constexpr double kMaxSheetPixels = 6e7;
+
+io::SceneFile load_scene(const SimulateOptions& options) {
+    io::SceneFile file = io::read_scene(options.scene);
+    if (options.seconds) {
+        for (io::SceneRun& run : file.runs)
+            io::shorten(run, *options.seconds);
+    }
+    return file;
+}
+
+/// Makes every film once, so that what cannot be made is refused before anything is written.
+void check_runs(const io::SceneFile& file, const std::string& label, core::ThreadPool& pool) {
+    for (const io::SceneRun& run : file.runs) {
+        try {
+            const film::Simulation trial(run.scene, pool);
+        } catch (const core::InputError& error) {
+            const std::string place = run.name.empty() ? label : label + ", run \"" + run.name + "\"";
+            throw core::InputError(place + ": " + error.what());
+        }
+    }
+}
+
+fs::path folder_of(const io::SceneRun& run, const fs::path& folder) {
+    return run.name.empty() ? folder : folder / run.name;
+}
+
+void make_folders(const io::SceneFile& file, const SimulateOptions& options) {
+    if (!options.stats.empty()) io::check_writable(options.stats);
+    io::make_folder(options.output);
+    for (const io::SceneRun& run : file.runs)
+        io::make_folder(folder_of(run, options.output));
+}
+
+/// How far all runs together are.
+struct Course {
+    Progress& progress;
+    double passed_s = 0.0, all_s = 0.0;
+
+    void update(double run_s) const { progress.update(all_s > 0.0 ? (passed_s + run_s) / all_s : 1.0); }
+};
+
+RunOutcome play(film::Simulation& simulation, SceneWriter& writer, const Course& course) {
+    RunOutcome outcome;
+    for (const double stop_s : writer.stops()) {
+        outcome.film_s += seconds_of([&] { simulation.advance_to(stop_s, stop_if_interrupted); });
+        writer.write_due(simulation);
+        course.update(stop_s);
+    }
+    stop_if_interrupted();
+    writer.write_tables();
+    return outcome;
+}
+
+RunOutcome play_run(const io::SceneRun& run, bool cell_units, const fs::path& folder,
+                    const Course& course, core::ThreadPool& pool) {
+    film::Simulation simulation(run.scene, pool);
+    SceneWriter writer(run, cell_units, folder, pool);
+    RunOutcome outcome = play(simulation, writer, course);
+    outcome.name = run.name;
+    outcome.moments = writer.moments();
+    outcome.series = writer.series();
+    outcome.pictures = writer.pictures();
+    outcome.times = writer.times();
+    outcome.film = simulation.report();
+    outcome.state_hash = film::state_hash(simulation.film());
+    return outcome;
+}
+
+/// All pictures on one sheet: a row for every run, or the single run's pictures in one.
+void write_sheet(const std::vector<RunOutcome>& outcomes, const fs::path& path) {
+    std::vector<std::vector<shade::Image8>> rows;
+    std::size_t count = 0;
+    double pixels = 0.0;
+    for (const RunOutcome& outcome : outcomes) {
+        rows.push_back(outcome.pictures);
+        count += outcome.pictures.size();
+        for (const shade::Image8& picture : outcome.pictures)
+            pixels += static_cast<double>(picture.width) * picture.height;
+    }
+    if (count > 1 && pixels <= kMaxSheetPixels)
+        io::write_image(path, shade::arranged(rows, kSheetGap_px));
+}
+
+void print_summary(const io::SceneFile& file, const std::vector<RunOutcome>& outcomes,
+                   const SimulateOptions& options, double wall_s) {
+    if (!file.title.empty()) std::printf("%s\n", file.title.c_str());
+    std::fputs(report_table(file, outcomes).c_str(), stdout);
+    std::printf("%s: tables, pictures and heights, in %.1f s\n", options.output.c_str(), wall_s);
+    if (!options.stats.empty()) std::printf("%s: figures\n", options.stats.c_str());
+}
+
+}  // namespace
+
+void run_simulate(const SimulateOptions& options) {
+    const Stopwatch wall;
+    watch_for_interrupts();
+    const io::SceneFile file = load_scene(options);
+    core::ThreadPool pool(options.threads.value_or(file.threads));
+    check_runs(file, options.scene, pool);
+    make_folders(file, options);
+    Progress progress("simulating", Progress::style_for_stderr(options.quiet));
+    Course course{progress};
+    for (const io::SceneRun& run : file.runs)
+        course.all_s += run.scene.duration_s;
+
+    std::vector<RunOutcome> outcomes;
+    for (const io::SceneRun& run : file.runs) {
+        outcomes.push_back(play_run(run, file.cell_units, folder_of(run, options.output), course, pool));
+        course.passed_s += run.scene.duration_s;
+    }
+    const fs::path folder = options.output;
+    write_sheet(outcomes, folder / "pictures.png");
+    core::write_text_file(folder / "report.json", report_json(file, outcomes));
+    const double wall_s = wall.seconds();
+    if (!options.stats.empty())
+        core::write_text_file(options.stats, simulate_stats_json(outcomes, pool.thread_count(), wall_s));
+    progress.clear();
+    print_summary(file, outcomes, options, wall_s);
+}
+
+}  // namespace pastoso::cli

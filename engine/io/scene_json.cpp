@@ -1,0 +1,145 @@
+#include "io/scene_json.hpp"
+
+#include "core/resources.hpp"
+#include "core/text_file.hpp"
+#include "io/scene_json_parts.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace pastoso::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxFileBytes = std::size_t{16} << 20;
+
+void check_header(const JsonPlace& root) {
+    const bool has_format = root.value().is_object() && root.value().contains("format");
+    const Json* format = has_format ? &root.entry("format").value() : nullptr;
+    if (format == nullptr || !format->is_string() || format->get<std::string>() != "pastoso-scene")
+        root.fail("this is not a scene; it would begin with \"format\": \"pastoso-scene\".");
+    const std::int64_t version = root.entry("version").integer(1, INT32_MAX);
+    if (version > kSceneFormatVersion) {
+        root.fail("this was written for a newer Pastoso (scene format " + std::to_string(version) +
+                  "; this program reads up to " + std::to_string(kSceneFormatVersion) + ").");
+    }
+}
+
+/// Names of runs name folders.
+std::string read_run_name(const JsonPlace& place) {
+    const std::string name = place.text();
+    const bool plain =
+        !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), [](char letter) {
+            return (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') || letter == '-';
+        });
+    if (!plain) place.fail("a run is named by up to 64 small letters, digits and hyphens.");
+    return name;
+}
+
+/// Each run is the file without "runs", changed by the run's own entries (RFC 7386).
+std::vector<SceneRun> read_runs(const JsonPlace& runs, const Json& file, const SceneContext& context) {
+    if (runs.size() == 0) runs.fail("at least one run is needed.");
+    std::vector<SceneRun> all;
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const JsonPlace place = runs.element(i);
+        const std::string name = read_run_name(place.entry("name"));
+        if (!names.insert(name).second) place.fail("there is another run \"" + name + "\".");
+        for (const char* key : {"format", "version", "title", "cell_units", "threads", "runs"}) {
+            if (place.optional_entry(key))
+                place.fail(std::string("\"") + key + "\" stands once for the whole file.");
+        }
+        Json merged = file, change = place.value();
+        merged.erase("runs");
+        change.erase("name");
+        merged.merge_patch(change);
+        const std::string label = runs.file() + ", run \"" + name + "\"";
+        all.push_back(read_run(JsonPlace(merged, label), context));
+        all.back().name = name;
+    }
+    return all;
+}
+
+std::string bundled_scene_names() {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(core::resource_path("scenes")))
+        if (entry.path().extension() == ".json") names.insert(entry.path().stem().string());
+    std::string text;
+    for (const std::string& name : names)
+        text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+fs::path scene_path(const std::string& path_or_name) {
+    std::error_code ignored;
+    const fs::path path = path_or_name;
+    if (path.has_extension() || path.has_parent_path() || fs::exists(path, ignored)) return path;
+    const fs::path bundled = core::resource_path("scenes") / (path_or_name + ".json");
+    if (!fs::exists(bundled, ignored)) {
+        throw core::InputError("There is no scene \"" + path_or_name +
+                               "\"; give a file ending in .json, or one of: " + bundled_scene_names() +
+                               ".");
+    }
+    return bundled;
+}
+
+/// Runs are made by copying, which would run out of stack on a file that nests without end.
+void check_nesting(std::string_view text, const std::string& name) {
+    constexpr int kDeepest = 32;
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char letter = text[i];
+        if (quoted && letter == '\\')
+            ++i;
+        else if (letter == '"')
+            quoted = !quoted;
+        else if (!quoted && (letter == '[' || letter == '{'))
+            ++depth;
+        else if (!quoted && (letter == ']' || letter == '}'))
+            --depth;
+        if (depth > kDeepest)
+            throw core::InputError(name + ": lists and objects stand more than " +
+                                   std::to_string(kDeepest) + " deep in each other.");
+    }
+}
+
+void drop_later(std::vector<double>& times, double seconds) {
+    std::erase_if(times, [seconds](double time) { return time > seconds; });
+}
+
+}  // namespace
+
+SceneFile scene_from_json(std::string_view text, const std::string& name, const fs::path& folder) {
+    check_nesting(text, name);
+    const Json json = parse_json(text, name);
+    const JsonPlace root(json, name);
+    check_header(root);
+    SceneFile file;
+    if (const auto title = root.optional_entry("title")) file.title = title->text();
+    file.cell_units = flag_or(root, "cell_units", false);
+    if (const auto threads = root.optional_entry("threads"))
+        file.threads = static_cast<int>(threads->integer(0, 256));
+    const SceneContext context{{file.cell_units}, folder};
+    if (const auto runs = root.optional_entry("runs"))
+        file.runs = read_runs(*runs, json, context);
+    else
+        file.runs.push_back(read_run(root, context));
+    return file;
+}
+
+SceneFile read_scene(const std::string& path_or_name) {
+    const fs::path path = scene_path(path_or_name);
+    return scene_from_json(core::read_text_file(path, kMaxFileBytes), path.string(), path.parent_path());
+}
+
+void shorten(SceneRun& run, double seconds) {
+    run.scene.duration_s = std::min(run.scene.duration_s, seconds);
+    for (auto* times : {&run.output.pictures_at_s, &run.output.heights_at_s, &run.output.profiles_at_s})
+        drop_later(*times, seconds);
+    if (run.output.magnification && run.output.magnification->at_s > seconds)
+        run.output.magnification.reset();
+}
+
+}  // namespace pastoso::io

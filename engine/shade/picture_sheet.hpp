@@ -1,0 +1,18 @@
+// Pictures beside each other, for looking at several at once.
+#pragma once
+
+#include "shade/render.hpp"
+
+#include <vector>
+
+namespace pastoso::shade {
+
+/// The picture `factor` times larger, every pixel interpolated linearly between the centres of the four
+/// around it (on the encoded values, as image viewers do); beyond the outermost centres their values.
+Image8 enlarged(const Image8& picture, int factor);
+
+/// Rows of pictures with white between them. Columns are as wide and rows as high as their largest
+/// picture; smaller ones stand at the upper left.
+Image8 arranged(const std::vector<std::vector<Image8>>& rows, int gap_px);
+
+}  // namespace pastoso::shade
