@@ -18,7 +18,7 @@ constexpr double kBytesPerGiB = 1024.0 * 1024.0 * 1024.0;
 
 /// One set of the film's fields.
 constexpr std::size_t kFilmBytesPerCell =
-    sizeof(std::int32_t) + sizeof(film::PigmentCell) + 3 * sizeof(float);
+    sizeof(std::int32_t) + sizeof(film::PaintCell) + 3 * sizeof(float);
 
 /// The film twice (the live one and a snapshot of it), the solver's old and new velocities, and the
 /// picture with its interpolated surface.

@@ -10,6 +10,7 @@
 #include "document/paint_mixing.hpp"
 #include "film/support.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <utility>
@@ -38,22 +39,24 @@ film::FilmState bare_canvas(const CanvasSettings& settings, grid::TiledField<flo
 brush::Contents contents_of(const film::Totals& totals, double cell_mm) {
     brush::Contents contents;
     contents.volume_mm3 = film::volume_mm3(totals.thickness, cell_mm);
-    for (int k = 0; k < pigment::kChannels; ++k) {
-        contents.pigment[k] =
-            static_cast<double>(totals.pigment[k]) * film::kPigmentQuantum * cell_mm * cell_mm;
+    for (int k = 0; k < film::kPaintChannels; ++k) {
+        contents.paint[k] =
+            static_cast<double>(totals.paint[k]) * film::kPaintQuantum * cell_mm * cell_mm;
     }
     return contents;
 }
 
 film::Totals difference(film::Totals a, const film::Totals& b) {
     a.thickness -= b.thickness;
-    for (int k = 0; k < pigment::kChannels; ++k)
-        a.pigment[k] -= b.pigment[k];
+    for (int k = 0; k < film::kPaintChannels; ++k)
+        a.paint[k] -= b.paint[k];
     return a;
 }
 
 Account::Amount amount(const brush::Contents& contents) {
-    return {contents.volume_mm3, contents.pigment};
+    Account::Amount result{.volume_mm3 = contents.volume_mm3};
+    std::copy_n(contents.paint.begin(), pigment::kChannels, result.pigment.begin());
+    return result;
 }
 
 /// Adds the time until the end of the scope to a sum.
@@ -77,7 +80,8 @@ struct Painting::Parts {
     Parts(const CanvasSettings& canvas, grid::TiledField<float> support_mm, core::ThreadPool& pool)
         : settings(canvas),
           film(bare_canvas(canvas, std::move(support_mm))),
-          solver(film, film::find_medium(kFirstMedium), film::SolverOptions{}, pool) {
+          medium(film::find_medium(kFirstMedium)),
+          solver(film, medium, film::SolverOptions{}, pool) {
         solver.set_gravity(film::tilted_gravity(0.0));
     }
 
@@ -91,12 +95,13 @@ struct Painting::Parts {
     void operator()(const LoadPaint& load) {
         if (!brush) throw core::InputError("there is no brush in hand to take paint with.");
         end_stroke();
-        const pigment::Coefficients first = coefficients_of(load.paint);
+        const film::PaintCoefficients first = mixed_paint(load.paint, medium);
         if (load.second.ingredients.empty()) {
             taken += brush->load(first, load.fill);
         } else {
-            taken += brush->load(brush::MixedLoad{first, coefficients_of(load.second), load.second_share,
-                                                  load.share_variation, load.side_by_side},
+            const film::PaintCoefficients second = mixed_paint(load.second, medium);
+            taken += brush->load(brush::MixedLoad{first, second, load.second_share, load.share_variation,
+                                                  load.side_by_side},
                                  load.fill);
         }
         ++brush_use;
@@ -107,7 +112,10 @@ struct Painting::Parts {
         wipe_brush();
     }
 
-    void operator()(const UseMedium& medium) { solver.set_medium(film::find_medium(medium.name)); }
+    void operator()(const UseMedium& use) {
+        medium = film::find_medium(use.name);
+        solver.set_medium(medium);
+    }
     void operator()(const TiltCanvas& tilt) {
         solver.set_gravity(film::tilted_gravity(tilt.tilt_deg, tilt.direction_deg));
     }
@@ -178,6 +186,7 @@ struct Painting::Parts {
 
     CanvasSettings settings;
     film::FilmState film;
+    film::Medium medium;  ///< in hand: what the next load is mixed with
     film::Solver solver;
     std::optional<brush::Brush> brush;
     std::optional<brush::Stroke> stroke;

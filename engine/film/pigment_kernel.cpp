@@ -9,19 +9,19 @@ using grid::kTileSize;
 
 using Quad = lanes::stdx::resize_simd_t<4, lanes::stdx::native_simd<float>>;
 using IntQuad = lanes::stdx::rebind_simd_t<std::int32_t, Quad>;
-constexpr int kQuads = pigment::kChannels / 4;
-static_assert(kQuads * 4 == pigment::kChannels);
+constexpr int kQuads = kPaintChannels / 4;
+static_assert(kQuads * 4 == kPaintChannels);
 
 struct ChannelInts {
     std::array<IntQuad, kQuads> quads;
 
-    [[gnu::always_inline]] static ChannelInts load(const PigmentCell& cell) {
+    [[gnu::always_inline]] static ChannelInts load(const PaintCell& cell) {
         ChannelInts result;
         for (int q = 0; q < kQuads; ++q)
             result.quads[q] = IntQuad(cell.data() + 4 * q, lanes::stdx::element_aligned);
         return result;
     }
-    [[gnu::always_inline]] void store(PigmentCell& cell) const {
+    [[gnu::always_inline]] void store(PaintCell& cell) const {
         for (int q = 0; q < kQuads; ++q)
             quads[q].copy_to(cell.data() + 4 * q, lanes::stdx::element_aligned);
     }
@@ -82,27 +82,27 @@ struct PigmentFluxes {
     }
     [[gnu::always_inline]] ChannelInts through_x(int x, int y) const {
         return through(scratch.flux_x[face_index(x, y)], block_index(x, y), concentration_index(x, y), 1,
-                       pigment::kChannels);
+                       kPaintChannels);
     }
     [[gnu::always_inline]] ChannelInts through_y(int x, int y) const {
         return through(scratch.flux_y[face_index(x, y)], block_index(x, y), concentration_index(x, y),
-                       kBlockStride, pigment::kChannels * kConcentrationSide);
+                       kBlockStride, kPaintChannels * kConcentrationSide);
     }
 };
 
 void add_runoff(const ChannelInts& outward, PigmentTotals& totals) {
-    for (int k = 0; k < pigment::kChannels; ++k)
+    for (int k = 0; k < kPaintChannels; ++k)
         totals[k] += outward.quads[k / 4][k % 4];
 }
 
 }  // namespace
 
 PigmentTotals transport_pigment(const TileScratch& scratch, const float* concentrations, int columns,
-                                int rows, const OpenEdges& runoff_edges, const PigmentCell* before,
-                                PigmentCell* after) {
+                                int rows, const OpenEdges& runoff_edges, const PaintCell* before,
+                                PaintCell* after) {
     const PigmentFluxes fluxes{scratch, concentrations};
     PigmentTotals runoff{};
-    std::array<PigmentCell, kTileSize> from_above;
+    std::array<PaintCell, kTileSize> from_above;
     for (int x = 0; x < columns; ++x) {
         const ChannelInts top = fluxes.through_y(x, -1);
         if (runoff_edges.top) add_runoff(-top, runoff);
@@ -129,7 +129,7 @@ PigmentTotals transport_pigment(const TileScratch& scratch, const float* concent
     return runoff;
 }
 
-void concentrate(const PigmentCell* pigment, const std::int32_t* thickness, int count, float* out) {
+void concentrate(const PaintCell* pigment, const std::int32_t* thickness, int count, float* out) {
     // Two quanta and one part in a million stay behind: the four roundings of a cell's outflows and the
     // rounding of the product then never take more than it holds.
     constexpr float kShare = 1.0F - 0x1p-20F;
@@ -139,7 +139,7 @@ void concentrate(const PigmentCell* pigment, const std::int32_t* thickness, int 
         for (int q = 0; q < kQuads; ++q) {
             const IntQuad movable = lanes::stdx::max(IntQuad(held.quads[q] - IntQuad(2)), IntQuad(0));
             const Quad concentration = lanes::stdx::static_simd_cast<Quad>(movable) * Quad(inverse);
-            concentration.copy_to(out + cell * pigment::kChannels + 4 * q, lanes::stdx::element_aligned);
+            concentration.copy_to(out + cell * kPaintChannels + 4 * q, lanes::stdx::element_aligned);
         }
     }
 }

@@ -142,10 +142,10 @@ struct Solver::Parts {
 
     /// Clear paint carries nothing: true when this tile or one beside it holds pigment.
     bool pigment_in_reach(int tile) const {
-        if (!state.pigment.is_background(tile)) return true;
+        if (!state.paint.is_background(tile)) return true;
         for (int side = 0; side < kSideCount; ++side) {
             const int other = activity.neighbour(tile, static_cast<Side>(side));
-            if (other >= 0 && !state.pigment.is_background(other)) return true;
+            if (other >= 0 && !state.paint.is_background(other)) return true;
         }
         return false;
     }
@@ -191,12 +191,12 @@ TilePlace Solver::Parts::place_of(int tile) const {
 void Solver::Parts::commit(int tile, float dt_s, TileResult& result, AdvanceReport& report) {
     if (activity.window_begins(tile)) window_start[tile] = state.thickness.block(tile);
     if (result.thickness) state.thickness.replace(tile, std::move(result.thickness));
-    if (result.pigment) state.pigment.replace(tile, std::move(result.pigment));
+    if (result.paint) state.paint.replace(tile, std::move(result.paint));
     if (result.velocity_x) state.velocity_x.replace(tile, std::move(result.velocity_x));
     if (result.velocity_y) state.velocity_y.replace(tile, std::move(result.velocity_y));
     runoff.thickness += result.runoff.thickness;
-    for (int k = 0; k < pigment::kChannels; ++k)
-        runoff.pigment[k] += result.runoff.pigment[k];
+    for (int k = 0; k < kPaintChannels; ++k)
+        runoff.paint[k] += result.runoff.paint[k];
     const grid::Rect cells = state.shape.tile_cells(tile);
     report.cells_stepped += static_cast<std::int64_t>(cells.width()) * cells.height();
     report.clamped_faces += result.extremes.clamped_faces;

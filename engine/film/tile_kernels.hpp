@@ -11,8 +11,8 @@
                            TileScratch& scratch);                                                       \
     PigmentTotals transport_pigment(const TileScratch& scratch, const float* concentrations,            \
                                     int columns, int rows, const OpenEdges& runoff_edges,               \
-                                    const PigmentCell* before, PigmentCell* after);                     \
-    void concentrate(const PigmentCell* pigment, const std::int32_t* thickness, int count, float* out); \
+                                    const PaintCell* before, PaintCell* after);                         \
+    void concentrate(const PaintCell* pigment, const std::int32_t* thickness, int count, float* out);   \
     }
 
 PASTOSO_DECLARE_FILM_KERNELS(baseline)

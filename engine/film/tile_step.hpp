@@ -57,21 +57,21 @@ using TileFlow = FlowExtremes (*)(const StepConstants& step, int columns, int ro
 /// crossed the edges given as open in `runoff_edges`.
 inline constexpr int kConcentrationHalo = 2;
 inline constexpr int kConcentrationSide = grid::kTileSize + 2 * kConcentrationHalo;
-inline constexpr int kConcentrationCount = kConcentrationSide * kConcentrationSide * pigment::kChannels;
+inline constexpr int kConcentrationCount = kConcentrationSide * kConcentrationSide * kPaintChannels;
 constexpr int concentration_index(int x, int y) {
-    return ((y + kConcentrationHalo) * kConcentrationSide + x + kConcentrationHalo) * pigment::kChannels;
+    return ((y + kConcentrationHalo) * kConcentrationSide + x + kConcentrationHalo) * kPaintChannels;
 }
 struct OpenEdges {
     bool left = false, right = false, top = false, bottom = false;
 };
-using PigmentTotals = std::array<std::int64_t, pigment::kChannels>;
+using PigmentTotals = std::array<std::int64_t, kPaintChannels>;
 using PigmentTransport = PigmentTotals (*)(const TileScratch& scratch, const float* concentrations,
                                            int columns, int rows, const OpenEdges& runoff_edges,
-                                           const PigmentCell* before, PigmentCell* after);
+                                           const PaintCell* before, PaintCell* after);
 
 /// Pigment quanta per thickness quantum of `count` neighbouring cells, a hair below the exact ratio so
 /// that rounding never overdraws a cell; 0 where there is no paint.
-using Concentrate = void (*)(const PigmentCell* pigment, const std::int32_t* thickness, int count,
+using Concentrate = void (*)(const PaintCell* pigment, const std::int32_t* thickness, int count,
                              float* out);
 
 struct TileKernels {

@@ -85,11 +85,10 @@ void move_pigment(const FilmState& state, const TilePlace& place, WorkerScratch&
     gather_concentrations(state, place.columns, place.rows, place.tile_x, tile_kernels().concentrate,
                           worker.concentrations.data());
     const bool whole = columns == kTileSize && rows == kTileSize;
-    result.pigment =
-        whole ? TileBlock<PigmentCell>::uninitialised() : TileBlock<PigmentCell>::filled({});
-    result.runoff.pigment = tile_kernels().transport(
-        worker.tile, worker.concentrations.data(), columns, rows, place.runoff_edges,
-        state.pigment.read(place.tile), result.pigment.write());
+    result.paint = whole ? TileBlock<PaintCell>::uninitialised() : TileBlock<PaintCell>::filled({});
+    result.runoff.paint =
+        tile_kernels().transport(worker.tile, worker.concentrations.data(), columns, rows,
+                                 place.runoff_edges, state.paint.read(place.tile), result.paint.write());
 }
 
 void move_paint(const FilmState& state, const TilePlace& place, WorkerScratch& worker,

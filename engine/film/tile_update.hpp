@@ -31,7 +31,7 @@ struct TilePlace {
 /// What a step makes of a tile. An empty block means that the field did not change.
 struct TileResult {
     grid::TileBlock<std::int32_t> thickness;
-    grid::TileBlock<PigmentCell> pigment;
+    grid::TileBlock<PaintCell> paint;
     grid::TileBlock<float> velocity_x, velocity_y;
     FlowExtremes extremes;
     std::optional<TileMotion> motion;

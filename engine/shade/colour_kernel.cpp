@@ -15,7 +15,7 @@ struct Group {
     alignas(64) float red[kGroup], green[kGroup], blue[kGroup], wetness[kGroup];
 };
 
-void load(const film::PigmentCell* pigment, const std::int32_t* thickness, int count, Group& group) {
+void load(const film::PaintCell* pigment, const std::int32_t* thickness, int count, Group& group) {
     constexpr auto kToGloss = static_cast<float>(1.0 / kGlossyThickness_mm);
     for (int i = 0; i < count; ++i) {
         for (int k = 0; k < pigment::kChannels; ++k) {
@@ -51,7 +51,7 @@ void store(const Group& group, int count, CellColour* out) {
 
 }  // namespace
 
-void colour_cells(const film::PigmentCell* pigment, const std::int32_t* thickness, int count,
+void colour_cells(const film::PaintCell* pigment, const std::int32_t* thickness, int count,
                   const pigment::Bands& ground, CellColour* out) {
     Group group;
     for (int first = 0; first < count; first += kGroup) {

@@ -14,7 +14,7 @@ namespace pastoso::shade {
 
 struct Kernels {
     /// The colours of `count` cells that follow one another in memory.
-    void (*colour_cells)(const film::PigmentCell* pigment, const std::int32_t* thickness, int count,
+    void (*colour_cells)(const film::PaintCell* pigment, const std::int32_t* thickness, int count,
                          const pigment::Bands& ground, CellColour* out);
 
     /// Adds to each of `count` cells an eighth of cos^2 of the horizon's angle in one direction

@@ -7,7 +7,7 @@ namespace pastoso::shade {
 
 void tile_colours(const film::FilmState& film, int tile, const pigment::Bands& ground, CellColour* out) {
     kernels(core::best_isa())
-        .colour_cells(film.pigment.read(tile), film.thickness.read(tile), grid::kTileCells, ground, out);
+        .colour_cells(film.paint.read(tile), film.thickness.read(tile), grid::kTileCells, ground, out);
 }
 
 void cell_colours(const film::FilmState& film, const grid::Rect& cells, const pigment::Bands& ground,
@@ -16,7 +16,7 @@ void cell_colours(const film::FilmState& film, const grid::Rect& cells, const pi
     const auto fill = [&](const grid::Rect& part, CellColour* target, int target_stride) {
         gather_cells(film.shape, part, target, target_stride,
                      [&](int tile, int cell, int count, CellColour* to) {
-                         kernel.colour_cells(film.pigment.read(tile) + cell,
+                         kernel.colour_cells(film.paint.read(tile) + cell,
                                              film.thickness.read(tile) + cell, count, ground, to);
                      });
     };

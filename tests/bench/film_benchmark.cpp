@@ -33,10 +33,10 @@ FilmState wavy_film(int n, bool pigment) {
             const double h = 1 + 0.2 * std::sin(x * 0.3) * std::cos(y * 0.2);
             state.thickness.set(x, y, static_cast<std::int32_t>(h / kThicknessQuantum_mm));
             if (!pigment) continue;
-            PigmentCell cell;
-            for (int k = 0; k < pigment::kChannels; ++k)
-                cell[k] = static_cast<std::int32_t>((50 + x % 7) * h / kPigmentQuantum);
-            state.pigment.set(x, y, cell);
+            PaintCell cell;
+            for (int k = 0; k < kPaintChannels; ++k)
+                cell[k] = static_cast<std::int32_t>((50 + x % 7) * h / kPaintQuantum);
+            state.paint.set(x, y, cell);
         }
     return state;
 }

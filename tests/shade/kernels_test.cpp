@@ -32,7 +32,7 @@ TEST_P(EveryIsa, ColoursCellsAlike) {
     const film::FilmState film = test::random_canvas({64, 64}, 4);
     const auto colours = [&](core::Isa isa) {
         std::vector<CellColour> result(grid::kTileCells - 3);
-        kernels(isa).colour_cells(film.pigment.read(0), film.thickness.read(0), grid::kTileCells - 3,
+        kernels(isa).colour_cells(film.paint.read(0), film.thickness.read(0), grid::kTileCells - 3,
                                   test::kGround, result.data());
         return result;
     };

@@ -54,12 +54,12 @@ TEST(TileColours, FollowTheDoublePrecisionFormulaInEveryCell) {
     std::vector<CellColour> colours(grid::kTileCells);
     tile_colours(film, 0, test::kGround, colours.data());
     for (int cell = 0; cell < grid::kTileCells; ++cell) {
-        const film::PigmentCell& pigment = film.pigment.read(0)[cell];
+        const film::PaintCell& pigment = film.paint.read(0)[cell];
         pigment::Bands internal{};
         for (int band = 0; band < pigment::kBands; ++band) {
             internal[band] = static_cast<float>(pigment::layer_reflectance<double>(
-                pigment[band] * film::kPigmentQuantum,
-                pigment[pigment::kBands + band] * film::kPigmentQuantum, test::kGround[band]));
+                pigment[band] * film::kPaintQuantum,
+                pigment[pigment::kBands + band] * film::kPaintQuantum, test::kGround[band]));
         }
         // The largest error of the single-precision layer formula, 3e-5, through the surface (slope 1 to
         // 3).
