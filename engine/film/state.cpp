@@ -56,6 +56,12 @@ Totals totals(const FilmState& state) {
     return sums;
 }
 
+bool has_wet_paint(const FilmState& state) {
+    for (int tile = 0; tile < state.shape.tile_count(); ++tile)
+        if (!state.thickness.is_background(tile)) return true;
+    return false;
+}
+
 double volume_mm3(std::int64_t thickness_quanta, double cell_mm) {
     return static_cast<double>(thickness_quanta) * kThicknessQuantum_mm * cell_mm * cell_mm;
 }
@@ -83,6 +89,12 @@ std::uint64_t state_hash(const FilmState& state) {
     add_field(state.velocity_x, hash);
     add_field(state.velocity_y, hash);
     add_field(state.support_mm, hash);
+    add_field(state.strata.soluble_thickness, hash);
+    add_field(state.strata.soluble_pigment, hash);
+    add_field(state.strata.ground, hash);
+    hash.add_value(state.strata.fixed);
+    hash.add_value(state.strata.evaporated);
+    hash.add_value(state.varied);
     return hash.value();
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/hash.hpp"
 #include "film/paint_cell.hpp"
+#include "film/strata.hpp"
 #include "grid/tiled_field.hpp"
 
 #include <array>
@@ -33,7 +34,8 @@ struct FilmState {
           paint(canvas),
           velocity_x(canvas),
           velocity_y(canvas),
-          support_mm(canvas) {}
+          support_mm(canvas),
+          strata(canvas) {}
 
     grid::Shape shape;
     double cell_mm = 0.25;
@@ -43,6 +45,12 @@ struct FilmState {
     grid::TiledField<float> velocity_x;  ///< depth mean at the face between (x, y) and (x+1, y), mm/s
     grid::TiledField<float> velocity_y;  ///< depth mean at the face between (x, y) and (x, y+1), mm/s
     grid::TiledField<float> support_mm;  ///< c, height of the dry surface below the paint
+
+    Strata strata;  ///< dried paint on the bare support
+
+    /// False as long as all paint has the viscosity and the yield stress of the solver's medium. True:
+    /// what each cell carries is looked at.
+    bool varied = false;
 };
 
 /// Sums over the canvas, exact: sum over the cells of the integers.
@@ -54,6 +62,9 @@ Totals totals(const FilmState& state);
 
 /// Volume in mm3 of a total of thickness quanta.
 double volume_mm3(std::int64_t thickness_quanta, double cell_mm);
+
+/// False when no cell can hold wet paint (nothing was painted, or all of it has dried).
+bool has_wet_paint(const FilmState& state);
 
 /// The number of cells that hold more than a trace (1e-4 cell sizes) of wet paint.
 std::int64_t wet_cell_count(const FilmState& state);
