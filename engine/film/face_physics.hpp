@@ -10,11 +10,20 @@
 #pragma once
 
 #include "film/lanes.hpp"
+#include "film/shear_thinning.hpp"
 #include "film/step_constants.hpp"
 
 namespace pastoso::film {
 
 #define PASTOSO_FACE_FUNCTION [[gnu::always_inline]] static inline
+
+/// Which terms the formulas contain; a term that is left out costs nothing.
+struct FaceModel {
+    bool yield = false;
+    bool alpha_range = false;  ///< also right, only slower, where both ends are the same
+    bool horizontal_tension = false;
+    bool shear_thinning = false;
+};
 
 /// What a face needs to know. "left" and "right" are the cells before and behind it along its axis; for
 /// a face of the other direction read "above" and "below".
@@ -79,38 +88,47 @@ PASTOSO_FACE_FUNCTION F alpha_drag(const FaceNeighbourhood<F>& face, const StepC
     const F uphill = slope_x * face.u + slope_y * face.v;
     const F norm2 = (slope_x * slope_x + slope_y * slope_y) * (face.u * face.u + face.v * face.v);
     const F flat(2e-4F * step.inverse_cell);
-    const F bend = face.curvature / (lanes::abs(face.curvature) + flat);
-    const F cosine = bend * uphill / (lanes::sqrt(norm2) + F(1e-8F));
-    return F(step.drag_against) +
-           (F(step.drag_along) - F(step.drag_against)) * (F(0.5F) * (F(1.0F) + cosine));
+    const F cosine = face.curvature * uphill /
+                     ((lanes::abs(face.curvature) + flat) * (lanes::sqrt(norm2) + F(1e-8F)));
+    const F mean(0.5F * (step.drag_along + step.drag_against));
+    return mean + F(0.5F * (step.drag_along - step.drag_against)) * cosine;
 }
 
-/// Implicit Bingham drag. With lambda dt = `drag` and the yield velocity y = dt tau_y / (rho h), the
-/// wall shear x = tau_wall / tau_y of the exact film law solves
-///     (1 + drag) x - 3/2 + 1/(2 x^2) = drag |w| / y,
-/// and the velocity is w times the factor returned here, y (x - 1)^2 (x + 1/2) / (drag |w| x^2). Zero
-/// below yield, exactly. Three Newton steps from a start above the root leave 1e-6.
+/// Implicit Bingham drag. With lambda dt = `drag` and the stress at which the film would yield at once,
+/// W = drag |w| / y in units of tau_y (y = dt tau_y / (rho h)), the wall shear x = tau_wall / tau_y of
+/// the exact film law solves
+///     (1 + drag) x - 3/2 + 1/(2 x^2) = W,
+/// or, in the share e = 1 - 1/x of the film that is sheared,
+///     e (W + 3/2 e - 1/2 e^2) = W - drag,
+/// which is as good near yield as far above it. The new velocity is w times (x - 1)^2 (x + 1/2) / (W
+/// x^2), exactly zero below yield. Two Newton steps from the root of the quadratic part leave 1e-6.
 template <class F>
 struct BinghamDrag {
     F factor;         ///< new velocity / w
     F tangent_share;  ///< 1 - 1/x^3: mobility of the yielded film against the Newtonian one
 };
 template <class F>
-PASTOSO_FACE_FUNCTION BinghamDrag<F> bingham_drag(F drag, F speed, F yield_speed) {
-    const F one(1.0F), zero(0.0F);
-    const F target = speed * drag / yield_speed;
-    const F excess = lanes::max(F(target - drag), zero);
-    F x = one + (lanes::sqrt(F(drag * drag + F(6.0F) * excess)) - drag) * F(1.0F / 3.0F);
-    for (int iteration = 0; iteration < 3; ++iteration) {
-        const F inverse = one / x;
-        const F residual = (one + drag) * x - F(1.5F) + F(0.5F) * inverse * inverse - target;
-        const F derivative = one + drag - inverse * inverse * inverse;
-        x = lanes::max(F(x - residual / (derivative + F(1e-12F))), one);
+PASTOSO_FACE_FUNCTION BinghamDrag<F> bingham_drag(F drag, F stress) {
+    const F zero(0.0F), half(0.5F), one(1.0F), three_halves(1.5F), three(3.0F);
+    const F load = lanes::min(stress, F(1e18F));  // keeps the squares below finite
+    const F excess = lanes::max(F(load - drag), zero);
+    F sheared = F(2.0F) * excess / (load + lanes::sqrt(F(load * load + F(6.0F) * excess)) + F(1e-20F));
+    for (int iteration = 0; iteration < 2; ++iteration) {
+        const F residual = (load + (three_halves - half * sheared) * sheared) * sheared - excess;
+        const F derivative = load + (three - three_halves * sheared) * sheared;
+        sheared = sheared - residual / (derivative + F(1e-20F));
     }
-    const F above = x - one;
-    const F inverse = one / x;
-    return {yield_speed * above * above * (x + F(0.5F)) * inverse * inverse / (drag * speed),
-            one - inverse * inverse * inverse};
+    const F plug = one - lanes::min(sheared, one);
+    const F plug3 = plug * plug * plug;
+    // 1/x from the equation once more, where e has lost it to rounding.
+    const F shear = sheared * sheared * (three_halves - half * sheared) * (load + three_halves);
+    return {shear / (load * (one + drag + half * plug3) + F(1e-20F)), one - plug3};
+}
+
+/// The same from |w| and the yield velocity y.
+template <class F>
+PASTOSO_FACE_FUNCTION BinghamDrag<F> bingham_drag(F drag, F speed, F yield_speed) {
+    return bingham_drag(drag, F(drag * speed / yield_speed));
 }
 
 /// A face between wet and dry: the film's edge. It moves out only when the film is thicker than the
@@ -146,62 +164,154 @@ PASTOSO_FACE_FUNCTION ContactFace<F> contact_face(const FaceNeighbourhood<F>& fa
     return edge;
 }
 
-/// New velocity and passing thickness at a face. `force` acts along the axis, `force_across` along the
-/// face.
-template <bool kYield, bool kAlphaRange, class F>
+/// Drag rate lambda = k_d nu / (h (h + 3 slip)), 1/s, and its inverse.
+template <class F>
+struct DragRate {
+    F rate, inverse;
+};
+template <class F>
+PASTOSO_FACE_FUNCTION DragRate<F> drag_rate(F coefficient, F thickness, const StepConstants& step) {
+    const F area = thickness * (thickness + F(3.0F * step.slip_mm)) + F(1e-12F);
+    const F quotient = F(1.0F) / (coefficient * area);
+    return {F(step.viscosity_mm2_s) * coefficient * (coefficient * quotient),
+            F(1.0F / step.viscosity_mm2_s) * area * (area * quotient)};
+}
+
+/// Explicit viscosity between neighbouring columns of paint, mm2/s: capped where it would outrun its own
+/// stability limit.
+template <class F>
+PASTOSO_FACE_FUNCTION F lateral_viscosity(F viscosity, F drag_rate, const StepConstants& step) {
+    return lanes::min(viscosity,
+                      F(step.cell_mm * step.cell_mm / 32.0F) * (F(1.0F / step.dt_s) + drag_rate));
+}
+
+/// The wall stress, in yield stresses, that would stop a film of velocity (u, v) within the step:
+/// drag |w| / y.
+template <class F>
+PASTOSO_FACE_FUNCTION F stopping_stress(F drag, F thickness, F u, F v, const StepConstants& step) {
+    const F speed = lanes::sqrt(F(u * u + v * v)) + F(1e-30F);
+    return speed * drag * thickness * F(1.0F / (step.dt_s * step.yield));
+}
+
+/// What moves the paint through a face and what will resist it, all at the old time.
+template <class F>
+struct FaceDrive {
+    F driven;            ///< velocity under inertia and force, without drag, mm/s
+    F across;            ///< the same along the face; 0 without a yield stress
+    F laplacian;         ///< sum of the neighbouring velocities' differences, mm/s
+    F thickness;         ///< of the film that passes, mm; 0 where nothing can
+    F drag_thickness;    ///< of the film that drags, mm
+    F drag_coefficient;  ///< k_d, times the relative viscosity
+    F viscosity;         ///< nu at the face, mm2/s
+};
+
+/// The paper's horizontal surface tension, chi (sigma/rho) kappa d(eta)/dx / h: a weight chi of 0 is
+/// physical, since grad(Pi) already contains this traction. h is the mean of both cells, at least what
+/// the contact angle pins.
+template <class F>
+PASTOSO_FACE_FUNCTION F horizontal_tension(const FaceNeighbourhood<F>& face, const StepConstants& step) {
+    const F pinned(0.5F * step.cell_mm * step.tan_advancing + step.wet_mm);
+    const F thickness = lanes::max(F(F(0.5F) * (face.h_left + face.h_right)), pinned);
+    const F slope = (face.eta_right - face.eta_left) * F(step.inverse_cell);
+    return F(step.horizontal_tension) * face.curvature * slope / thickness;
+}
+
+/// `force` acts along the axis, `force_across` along the face. A branch that no lane needs is left out,
+/// which changes no bit.
+template <FaceModel kModel, class F>
+PASTOSO_FACE_FUNCTION FaceDrive<F> face_drive(const FaceNeighbourhood<F>& face,
+                                              const StepConstants& step, float force,
+                                              float force_across) {
+    const F zero(0.0F), dt(step.dt_s), inverse_cell(step.inverse_cell);
+    const auto wet_left = face.h_left > F(step.wet_mm), wet_right = face.h_right > F(step.wet_mm);
+    const auto wet_both = wet_left && wet_right;
+    const bool inside = lanes::all(wet_both);
+    ContactFace<F> edge;
+    F acceleration = F(force) - (face.pressure_right - face.pressure_left) * inverse_cell;
+    if constexpr (kModel.horizontal_tension)
+        acceleration = acceleration + horizontal_tension(face, step);
+    if (!inside) {
+        edge = contact_face(face, step, F(force));
+        acceleration = lanes::select(wet_both, acceleration, edge.acceleration);
+    }
+    FaceDrive<F> drive;
+    drive.driven =
+        face.u - F(step.inertia) * dt * momentum_advection(face, inverse_cell) + dt * acceleration;
+    drive.thickness = drive.drag_thickness = upwind_thickness(face, drive.driven);
+    if (!inside) {
+        const F passing =
+            lanes::select(wet_left || wet_right, lanes::max(F(edge.h_wet - edge.pinned_mm), zero), zero);
+        drive.drag_thickness = lanes::select(wet_both, drive.thickness, edge.h_wet);
+        drive.thickness = lanes::select(wet_both, drive.thickness, passing);
+    }
+    drive.laplacian = face.u_back + face.u_front + (face.u_before + face.u_after) - F(4.0F) * face.u;
+    drive.drag_coefficient = F(step.drag_along);
+    if constexpr (kModel.alpha_range) drive.drag_coefficient = alpha_drag(face, step);
+    drive.viscosity = F(step.viscosity_mm2_s);
+    if constexpr (kModel.shear_thinning) {
+        const F speed = lanes::sqrt(F(face.u * face.u + face.v * face.v));
+        const F relative = relative_viscosity<kModel.yield>(speed, drive.drag_thickness, step);
+        drive.drag_coefficient = drive.drag_coefficient * relative;
+        drive.viscosity = drive.viscosity * relative;
+    }
+    drive.across = zero;
+    if constexpr (kModel.yield)
+        drive.across = face.v + dt * (F(force_across) - F(step.gravity_mm_s2) * face.eta_slope_across);
+    return drive;
+}
+
+/// What the drag at the new time has to stop.
+template <class F>
+struct FaceDrag {
+    F unresisted;  ///< velocity w without drag, mm/s
+    F drag;        ///< lambda dt
+    F relaxation;  ///< 1 / lambda, s; of power laws their tangent, 1 / (n lambda)
+    F stress;      ///< W; 0 without a yield stress
+};
+template <FaceModel kModel, class F>
+PASTOSO_FACE_FUNCTION FaceDrag<F> face_drag(const FaceDrive<F>& drive, const StepConstants& step) {
+    const DragRate<F> lambda = drag_rate(drive.drag_coefficient, drive.drag_thickness, step);
+    FaceDrag<F> result;
+    result.unresisted =
+        drive.driven + F(step.lateral * step.dt_s * step.inverse_cell * step.inverse_cell) *
+                           lateral_viscosity(drive.viscosity, lambda.rate, step) * drive.laplacian;
+    result.drag = lambda.rate * F(step.dt_s);
+    result.relaxation = lambda.inverse;
+    if constexpr (kModel.shear_thinning) result.relaxation = lambda.inverse * F(1.0F / step.flow_index);
+    result.stress = F(0.0F);
+    if constexpr (kModel.yield)
+        result.stress =
+            stopping_stress(result.drag, drive.drag_thickness, result.unresisted, drive.across, step);
+    return result;
+}
+
+/// Bingham's drag law, or Newton's, which is 1 / (1 + drag).
+template <FaceModel kModel, class F>
+PASTOSO_FACE_FUNCTION BinghamDrag<F> drag_law(const FaceDrag<F>& face) {
+    if constexpr (kModel.yield) return bingham_drag(face.drag, face.stress);
+    const F one(1.0F);
+    return {one / (one + face.drag), one};
+}
+
+/// New velocity and passing thickness at a face.
+template <class F>
+PASTOSO_FACE_FUNCTION FaceFlow<F> face_flow(F thickness, const FaceDrag<F>& drag,
+                                            const BinghamDrag<F>& law, const StepConstants& step) {
+    const F zero(0.0F), limit(0.5F * step.cell_mm / step.dt_s);
+    const auto flows = thickness > zero;
+    const F velocity = lanes::clamp(F(law.factor * drag.unresisted), F(-limit), limit);
+    return {.velocity = lanes::select(flows, velocity, zero),
+            .thickness = thickness,
+            .mobility = lanes::select(flows, law.tangent_share * thickness * drag.relaxation, zero)};
+}
+
+/// All of it at once.
+template <FaceModel kModel, class F>
 PASTOSO_FACE_FUNCTION FaceFlow<F> face_flow(const FaceNeighbourhood<F>& face, const StepConstants& step,
                                             float force, float force_across) {
-    const F zero(0.0F), one(1.0F);
-    const F dt(step.dt_s), inverse_cell(step.inverse_cell);
-    const F wet_mm(step.wet_mm);
-    const auto wet_both = (face.h_left > wet_mm) && (face.h_right > wet_mm);
-    const auto wet_one = (face.h_left > wet_mm) != (face.h_right > wet_mm);
-
-    const ContactFace<F> edge = contact_face(face, step, F(force));
-    const F inner_acceleration = F(force) - (face.pressure_right - face.pressure_left) * inverse_cell;
-    const F acceleration = lanes::select(wet_both, inner_acceleration, edge.acceleration);
-    const F kept = face.u - F(step.inertia) * dt * momentum_advection(face, inverse_cell);
-    const F driven = kept + dt * acceleration;
-
-    const F inner_thickness = upwind_thickness(face, driven);
-    const F drag_thickness = lanes::select(wet_both, inner_thickness, edge.h_wet);
-    const F edge_thickness =
-        lanes::select(wet_one, lanes::max(F(edge.h_wet - edge.pinned_mm), zero), zero);
-    const F thickness = lanes::select(wet_both, inner_thickness, edge_thickness);
-
-    F drag_coefficient(step.drag_along);
-    if constexpr (kAlphaRange) drag_coefficient = alpha_drag(face, step);
-    const F drag_rate = drag_coefficient * F(step.viscosity_mm2_s) /
-                        (drag_thickness * (drag_thickness + F(3.0F * step.slip_mm)) + F(1e-12F));
-
-    // Explicit lateral viscosity, capped where it would outrun its own stability limit.
-    const F lateral_viscosity =
-        lanes::min(F(step.viscosity_mm2_s),
-                   F(step.cell_mm * step.cell_mm / 32.0F) * (F(1.0F / step.dt_s) + drag_rate));
-    const F laplacian = face.u_back + face.u_front + (face.u_before + face.u_after) - F(4.0F) * face.u;
-    const F unresisted =
-        driven + F(step.lateral) * dt * inverse_cell * inverse_cell * lateral_viscosity * laplacian;
-
-    const F drag = drag_rate * dt;
-    F factor = one / (one + drag);
-    F tangent_share = one;
-    if constexpr (kYield) {
-        const F across = face.v + dt * (F(force_across) - F(step.gravity_mm_s2) * face.eta_slope_across);
-        const F speed = lanes::sqrt(F(unresisted * unresisted + across * across)) + F(1e-30F);
-        const F yield_speed = dt * F(step.yield) / (drag_thickness + F(1e-12F));
-        const BinghamDrag<F> bingham = bingham_drag(drag, speed, yield_speed);
-        factor = bingham.factor;
-        tangent_share = bingham.tangent_share;
-    }
-
-    const F speed_limit(0.5F * step.cell_mm / step.dt_s);
-    const auto flows = thickness > zero;
-    FaceFlow<F> flow;
-    flow.velocity =
-        lanes::select(flows, lanes::clamp(F(factor * unresisted), F(-speed_limit), speed_limit), zero);
-    flow.thickness = thickness;
-    flow.mobility = lanes::select(flows, tangent_share * thickness / drag_rate, zero);
-    return flow;
+    const FaceDrive<F> drive = face_drive<kModel>(face, step, force, force_across);
+    const FaceDrag<F> drag = face_drag<kModel>(drive, step);
+    return face_flow(drive.thickness, drag, drag_law<kModel>(drag), step);
 }
 
 #undef PASTOSO_FACE_FUNCTION

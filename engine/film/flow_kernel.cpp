@@ -3,10 +3,14 @@
 #include "film/lane_groups.hpp"
 #include "film/tile_kernels.hpp"
 
+#include <algorithm>
+
 namespace pastoso::film::PASTOSO_ISA {
 namespace {
 
 using grid::kTileSize;
+
+using Ints = lanes::stdx::rebind_simd_t<std::int32_t, Lanes>;
 
 /// The two directions of faces, told apart by index strides into the block.
 struct Axis {
@@ -16,87 +20,136 @@ struct Axis {
     float force, force_across;
 };
 
-FaceNeighbourhood<Lanes> neighbourhood(const TileScratch& scratch, const StepConstants& step,
-                                       const Axis& axis, int i) {
+template <class Load>
+[[gnu::always_inline]] inline FaceNeighbourhood<Lanes> neighbourhood(const TileScratch& scratch,
+                                                                     const StepConstants& step,
+                                                                     const Axis& axis,
+                                                                     const Load& load_at, int i) {
     const HaloBlock& block = scratch.block;
     const int s = axis.along, t = axis.across;
     const float* eta = block.eta.data();
     const float* u = axis.velocity;
     const float* v = axis.velocity_across;
     FaceNeighbourhood<Lanes> face;
-    face.h_left = load(&block.thickness[i]);
-    face.h_right = load(&block.thickness[i + s]);
-    face.support_left = load(&block.support[i]);
-    face.support_right = load(&block.support[i + s]);
-    face.eta_left2 = load(eta + i - s);
-    face.eta_left = load(eta + i);
-    face.eta_right = load(eta + i + s);
-    face.eta_right2 = load(eta + i + 2 * s);
+    face.h_left = load_at(&block.thickness[i]);
+    face.h_right = load_at(&block.thickness[i + s]);
+    face.support_left = load_at(&block.support[i]);
+    face.support_right = load_at(&block.support[i + s]);
+    face.eta_left2 = load_at(eta + i - s);
+    face.eta_left = load_at(eta + i);
+    face.eta_right = load_at(eta + i + s);
+    face.eta_right2 = load_at(eta + i + 2 * s);
     face.eta_slope_across =
-        Lanes(0.25F * step.inverse_cell) *
-        ((load(eta + i + t) - load(eta + i - t)) + (load(eta + i + s + t) - load(eta + i + s - t)));
-    face.pressure_left = load(&scratch.pressure[i]);
-    face.pressure_right = load(&scratch.pressure[i + s]);
-    face.curvature = Lanes(0.5F) * (load(&scratch.curvature[i]) + load(&scratch.curvature[i + s]));
-    face.normal_left = load(&scratch.normal_x[i]) + load(&scratch.normal_y[i]);
-    face.normal_right = load(&scratch.normal_x[i + s]) + load(&scratch.normal_y[i + s]);
-    face.u = load(u + i);
-    face.u_back = load(u + i - s);
-    face.u_front = load(u + i + s);
-    face.u_before = load(u + i - t);
-    face.u_after = load(u + i + t);
-    face.v = Lanes(0.25F) * ((load(v + i) + load(v + i + s)) + (load(v + i - t) + load(v + i + s - t)));
+        Lanes(0.25F * step.inverse_cell) * ((load_at(eta + i + t) - load_at(eta + i - t)) +
+                                            (load_at(eta + i + s + t) - load_at(eta + i + s - t)));
+    face.pressure_left = load_at(&scratch.pressure[i]);
+    face.pressure_right = load_at(&scratch.pressure[i + s]);
+    face.curvature = Lanes(0.5F) * (load_at(&scratch.curvature[i]) + load_at(&scratch.curvature[i + s]));
+    face.normal_left = load_at(&scratch.normal_x[i]) + load_at(&scratch.normal_y[i]);
+    face.normal_right = load_at(&scratch.normal_x[i + s]) + load_at(&scratch.normal_y[i + s]);
+    face.u = load_at(u + i);
+    face.u_back = load_at(u + i - s);
+    face.u_front = load_at(u + i + s);
+    face.u_before = load_at(u + i - t);
+    face.u_after = load_at(u + i + t);
+    face.v = Lanes(0.25F) *
+             ((load_at(v + i) + load_at(v + i + s)) + (load_at(v + i - t) + load_at(v + i + s - t)));
     return face;
 }
 
-/// Thickness quanta carried in a step: |velocity| thickness dt / cell, rounded half away from zero.
-template <class Ints>
-Ints flux_quanta(const FaceFlow<Lanes>& flow, const StepConstants& step) {
+/// Thickness quanta carried in a step: |velocity| thickness dt / cell, rounded half away from zero, at
+/// most a quarter of the cell that they leave.
+[[gnu::always_inline]] inline Ints flux_quanta(const FaceFlow<Lanes>& flow, const StepConstants& step,
+                                               const Ints& quanta_left, const Ints& quanta_right) {
     const Lanes scale(step.dt_s * step.inverse_cell * static_cast<float>(1.0 / kThicknessQuantum_mm));
     const Lanes exact = flow.velocity * flow.thickness * scale;
-    return lanes::stdx::static_simd_cast<Ints>(Lanes(exact + lanes::copysign(Lanes(0.5F), exact)));
+    const Ints wanted =
+        lanes::stdx::static_simd_cast<Ints>(Lanes(exact + lanes::copysign(Lanes(0.5F), exact)));
+    return lanes::stdx::max(lanes::stdx::min(wanted, Ints(quanta_left >> 2)),
+                            Ints(-(quanta_right >> 2)));
 }
 
-template <bool kYield, bool kAlphaRange>
-void flow_row(const TileScratch& scratch, const StepConstants& step, const Axis& axis, int first_x,
-              int y, FaceArray<float>& velocity, FaceArray<std::int32_t>& flux, FlowExtremes& extremes) {
-    using Ints = lanes::stdx::rebind_simd_t<std::int32_t, Lanes>;
-    Lanes mobility(0.0F), thickness(0.0F), speed(0.0F);
-    for_each_lane_group(first_x, kTileSize, [&](int x) {
-        const FaceNeighbourhood<Lanes> face = neighbourhood(scratch, step, axis, block_index(x, y));
-        const FaceFlow<Lanes> flow =
-            face_flow<kYield, kAlphaRange>(face, step, axis.force, axis.force_across);
-        store(&velocity[face_index(x, y)], flow.velocity);
-        flux_quanta<Ints>(flow, step).copy_to(&flux[face_index(x, y)], lanes::stdx::element_aligned);
+/// The largest values met so far, lane by lane.
+struct LaneExtremes {
+    Lanes mobility{0.0F}, thickness{0.0F}, speed{0.0F};
+
+    [[gnu::always_inline]] void add(const FaceFlow<Lanes>& flow) {
         mobility = lanes::max(mobility, flow.mobility);
         speed = lanes::max(speed, lanes::abs(flow.velocity));
         thickness = lanes::max(thickness,
                                lanes::select(flow.velocity == Lanes(0.0F), Lanes(0.0F), flow.thickness));
-    });
-    extremes.mobility = lanes::max(extremes.mobility, lanes::stdx::hmax(mobility));
-    extremes.thickness_mm = lanes::max(extremes.thickness_mm, lanes::stdx::hmax(thickness));
-    extremes.speed_mm_s = lanes::max(extremes.speed_mm_s, lanes::stdx::hmax(speed));
-}
-
-void clear_face_row(int y, FaceArray<float>& velocity, FaceArray<std::int32_t>& flux) {
-    for (int x = -1; x < kTileSize; ++x) {
-        velocity[face_index(x, y)] = 0.0F;
-        flux[face_index(x, y)] = 0;
     }
-}
-
-/// A quarter of the cell it leaves is the most that a flux may take.
-void limit_fluxes(const BlockArray<std::int32_t>& quanta, int axis, int first_x, int y,
-                  FaceArray<std::int32_t>& flux) {
-    const std::int32_t* cell = &quanta[block_index(first_x, y)];
-    std::int32_t* f = &flux[face_index(first_x, y)];
-    const int count = kTileSize - first_x;
-    for (int k = 0; k < count; ++k) {
-        const std::int32_t forward = cell[k] >> 2, backward = -(cell[k + axis] >> 2);
-        const std::int32_t capped = f[k] < forward ? f[k] : forward;
-        f[k] = capped > backward ? capped : backward;
+    FlowExtremes reduced() const {
+        return {.mobility = lanes::stdx::hmax(mobility),
+                .thickness_mm = lanes::stdx::hmax(thickness),
+                .speed_mm_s = lanes::stdx::hmax(speed)};
     }
-}
+};
+
+/// Faces of one axis of a tile: where they come from and where their flow goes.
+template <FaceModel kModel>
+struct FaceKernel {
+    const TileScratch& scratch;
+    const StepConstants& step;
+    Axis axis;
+    FaceArray<float>& velocity;
+    FaceArray<std::int32_t>& flux;
+
+    /// Faces 0..63 of a row, in a loop for each stage: the chain of dependent divisions through all of
+    /// them is too long for the processor to overlap whole faces.
+    void flow_row(int y, LaneExtremes& extremes) const {
+        constexpr int kGroups = kTileSize / kLanes;
+        const StepConstants local = step;  // which no store through a pointer can change
+        std::array<FaceDrive<Lanes>, kGroups> drive;
+        std::array<FaceDrag<Lanes>, kGroups> drag;
+        std::array<BinghamDrag<Lanes>, kGroups> law;
+        for (int group = 0; group < kGroups; ++group)
+            drive[group] = face_drive<kModel>(
+                neighbourhood(scratch, local, axis, AlongRow{}, block_index(group * kLanes, y)), local,
+                axis.force, axis.force_across);
+        for (int group = 0; group < kGroups; ++group)
+            drag[group] = face_drag<kModel>(drive[group], local);
+        for (int group = 0; group < kGroups; ++group)
+            law[group] = drag_law<kModel>(drag[group]);
+        const std::int32_t* quanta = &scratch.block.quanta[block_index(0, y)];
+        for (int group = 0; group < kGroups; ++group) {
+            const int x = group * kLanes;
+            const FaceFlow<Lanes> flow =
+                face_flow(drive[group].thickness, drag[group], law[group], local);
+            extremes.add(flow);
+            const Ints left(quanta + x, lanes::stdx::element_aligned);
+            const Ints right(quanta + x + axis.along, lanes::stdx::element_aligned);
+            store(&velocity[face_index(x, y)], flow.velocity);
+            flux_quanta(flow, local, left, right)
+                .copy_to(&flux[face_index(x, y)], lanes::stdx::element_aligned);
+        }
+    }
+
+    /// Faces 0..63 of a column.
+    void flow_column(int x, LaneExtremes& extremes) const {
+        const std::int32_t* quanta = scratch.block.quanta.data();
+        for (int y = 0; y < kTileSize; y += kLanes) {
+            const int i = block_index(x, y);
+            const FaceFlow<Lanes> flow =
+                face_flow<kModel>(neighbourhood(scratch, step, axis, AlongColumn{}, i), step, axis.force,
+                                  axis.force_across);
+            extremes.add(flow);
+            const Ints left([&](int lane) { return quanta[i + lane * kBlockStride]; });
+            const Ints right([&](int lane) { return quanta[i + axis.along + lane * kBlockStride]; });
+            const Ints quanta_through = flux_quanta(flow, step, left, right);
+            for (int lane = 0; lane < kLanes; ++lane) {
+                velocity[face_index(x, y + lane)] = flow.velocity[lane];
+                flux[face_index(x, y + lane)] = quanta_through[lane];
+            }
+        }
+    }
+
+    void clear_row(int y) const {
+        std::fill_n(&velocity[face_index(0, y)], kTileSize, 0.0F);
+        std::fill_n(&flux[face_index(0, y)], kTileSize, 0);
+    }
+};
+static_assert(kTileSize % kLanes == 0);
 
 void shut(int x, int y, FaceArray<float>& velocity, FaceArray<std::int32_t>& flux) {
     velocity[face_index(x, y)] = 0.0F;
@@ -128,55 +181,55 @@ int count_clamped(const StepConstants& step, const FaceArray<float>& velocity, i
     return count;
 }
 
-template <bool kYield, bool kAlphaRange>
+template <FaceModel kModel>
 FlowExtremes flow_all_faces(const StepConstants& step, TileScratch& scratch) {
+    using Kernel = FaceKernel<kModel>;
     const HaloBlock& block = scratch.block;
-    const Axis x_axis{1,
-                      kBlockStride,
-                      block.velocity_x.data(),
-                      block.velocity_y.data(),
-                      step.force_x_mm_s2,
-                      step.force_y_mm_s2};
-    const Axis y_axis{
-        kBlockStride,      1, block.velocity_y.data(), block.velocity_x.data(), step.force_y_mm_s2,
-        step.force_x_mm_s2};
+    const float* u = block.velocity_x.data();
+    const float* v = block.velocity_y.data();
+    const float force_x = step.force_x_mm_s2, force_y = step.force_y_mm_s2;
+    const Kernel x_faces{
+        scratch, step, {1, kBlockStride, u, v, force_x, force_y}, scratch.velocity_x, scratch.flux_x};
+    const Kernel y_faces{
+        scratch, step, {kBlockStride, 1, v, u, force_y, force_x}, scratch.velocity_y, scratch.flux_y};
     const int first = block.first_wet_row, last = block.last_wet_row;
-    FlowExtremes extremes;
+    LaneExtremes extremes;
     for (int y = -1; y < kTileSize; ++y) {
-        if (y >= first - 1 && y <= last) {
-            flow_row<kYield, kAlphaRange>(scratch, step, y_axis, 0, y, scratch.velocity_y,
-                                          scratch.flux_y, extremes);
-            limit_fluxes(block.quanta, kBlockStride, 0, y, scratch.flux_y);
-        } else {
-            clear_face_row(y, scratch.velocity_y, scratch.flux_y);
-        }
-        if (y >= first && y <= last && y >= 0) {
-            flow_row<kYield, kAlphaRange>(scratch, step, x_axis, -1, y, scratch.velocity_x,
-                                          scratch.flux_x, extremes);
-            limit_fluxes(block.quanta, 1, -1, y, scratch.flux_x);
-        } else {
-            clear_face_row(y, scratch.velocity_x, scratch.flux_x);
-        }
+        if (y >= first - 1 && y <= last)
+            y_faces.flow_row(y, extremes);
+        else
+            y_faces.clear_row(y);
+        if (y < 0) continue;
+        if (y >= first && y <= last)
+            x_faces.flow_row(y, extremes);
+        else
+            x_faces.clear_row(y);
     }
-    return extremes;
+    x_faces.flow_column(-1, extremes);
+    return extremes.reduced();
 }
 
+/// The rare terms, horizontal tension and shear thinning, are compiled with the alpha range only.
+template <bool kYield>
 FlowExtremes flow_faces(const StepConstants& step, TileScratch& scratch) {
-    if (step.has_yield())
-        return step.has_alpha_range() ? flow_all_faces<true, true>(step, scratch)
-                                      : flow_all_faces<true, false>(step, scratch);
-    return step.has_alpha_range() ? flow_all_faces<false, true>(step, scratch)
-                                  : flow_all_faces<false, false>(step, scratch);
+    constexpr FaceModel kPlain{.yield = kYield};
+    constexpr FaceModel kAlpha{.yield = kYield, .alpha_range = true};
+    constexpr FaceModel kTension{.yield = kYield, .alpha_range = true, .horizontal_tension = true};
+    constexpr FaceModel kThinning{
+        .yield = kYield, .alpha_range = true, .horizontal_tension = true, .shear_thinning = true};
+    if (step.is_shear_thinning()) return flow_all_faces<kThinning>(step, scratch);
+    if (step.has_horizontal_tension()) return flow_all_faces<kTension>(step, scratch);
+    return step.has_alpha_range() ? flow_all_faces<kAlpha>(step, scratch)
+                                  : flow_all_faces<kPlain>(step, scratch);
 }
-
-// The twelve channels of a cell as three registers of four: this width exists on every instruction set.
 
 }  // namespace
 
 FlowExtremes tile_flow(const StepConstants& step, int columns, int rows, const ClosedEdges& closed,
                        TileScratch& scratch) {
     if (scratch.block.last_wet_row >= scratch.block.first_wet_row) prepare_pressure(step, scratch);
-    FlowExtremes extremes = flow_faces(step, scratch);
+    FlowExtremes extremes =
+        step.has_yield() ? flow_faces<true>(step, scratch) : flow_faces<false>(step, scratch);
     shut_edges(columns, rows, closed, scratch);
     if (extremes.speed_mm_s >= 0.5F * step.cell_mm / step.dt_s)
         extremes.clamped_faces = count_clamped(step, scratch.velocity_x, -1, 0) +

@@ -1,6 +1,7 @@
 // Rows of cells in groups of one SIMD register: shared by the kernels of one instruction set.
 #pragma once
 
+#include "film/halo_block.hpp"
 #include "film/lanes.hpp"
 
 namespace pastoso::film::PASTOSO_ISA {
@@ -15,6 +16,17 @@ Lanes load(const float* values) {
 void store(float* values, Lanes lanes) {
     lanes.copy_to(values, lanes::stdx::element_aligned);
 }
+
+/// The lanes of a register are neighbours in a row of a block, ...
+struct AlongRow {
+    Lanes operator()(const float* values) const { return load(values); }
+};
+/// ... or in a column.
+struct AlongColumn {
+    Lanes operator()(const float* values) const {
+        return Lanes([values](int lane) { return values[lane * kBlockStride]; });
+    }
+};
 
 /// Calls body(x) for groups of kLanes neighbouring cells that cover [first, last); the final group is
 /// moved back to end at `last`, so that nothing beyond is touched.

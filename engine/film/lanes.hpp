@@ -31,6 +31,12 @@ PASTOSO_LANE_FUNCTION float copysign(float magnitude, float sign) {
 PASTOSO_LANE_FUNCTION float select(bool condition, float a, float b) {
     return condition ? a : b;
 }
+PASTOSO_LANE_FUNCTION bool all(bool condition) {
+    return condition;
+}
+PASTOSO_LANE_FUNCTION bool any(bool condition) {
+    return condition;
+}
 
 template <class Abi>
 PASTOSO_LANE_FUNCTION stdx::simd<float, Abi> min(stdx::simd<float, Abi> a, stdx::simd<float, Abi> b) {
@@ -58,6 +64,15 @@ PASTOSO_LANE_FUNCTION stdx::simd<float, Abi> select(stdx::simd_mask<float, Abi> 
                                                     stdx::simd<float, Abi> a, stdx::simd<float, Abi> b) {
     stdx::where(condition, b) = a;
     return b;
+}
+
+template <class Abi>
+PASTOSO_LANE_FUNCTION bool all(stdx::simd_mask<float, Abi> condition) {
+    return stdx::all_of(condition);
+}
+template <class Abi>
+PASTOSO_LANE_FUNCTION bool any(stdx::simd_mask<float, Abi> condition) {
+    return stdx::any_of(condition);
 }
 
 template <class F>

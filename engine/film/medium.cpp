@@ -19,11 +19,13 @@ struct NumberField {
     const char* key;
     double Medium::*member;
     double least, most;
+    bool optional = false;  ///< the member keeps its default where the entry does not name it
 };
 
 constexpr std::array kNumberFields = {
     NumberField{"density_kg_m3", &Medium::density_kg_m3, 800.0, 2500.0},
     NumberField{"viscosity_m2_s", &Medium::viscosity_m2_s, 1e-6, 1.0},
+    NumberField{"flow_index", &Medium::flow_index, 0.2, 1.0, true},
     NumberField{"yield_stress_Pa", &Medium::yield_stress_Pa, 0.0, 200.0},
     NumberField{"surface_tension_N_m", &Medium::surface_tension_N_m, 0.02, 0.07},
     NumberField{"advancing_angle_deg", &Medium::advancing_angle_deg, 0.0, 60.0},
@@ -66,6 +68,8 @@ class EntryReader {
         return value.get<double>();
     }
 
+    bool has(const char* key) const { return entry_.contains(key); }
+
     void refuse_unknown_fields() const {
         for (const auto& [key, value] : entry_.items()) {
             const bool known = key == "name" || key == "description" ||
@@ -98,7 +102,7 @@ Medium read_medium(const Json& entry, const std::string& place) {
     const EntryReader named(entry, place + " (\"" + medium.name + "\")");
     medium.description = named.text("description");
     for (const NumberField& field : kNumberFields)
-        medium.*field.member = named.number(field);
+        if (!field.optional || named.has(field.key)) medium.*field.member = named.number(field);
     named.refuse_unknown_fields();
     if (medium.receding_angle_deg > medium.advancing_angle_deg) {
         named.fail("receding_angle_deg is " + number_text(medium.receding_angle_deg) +

@@ -13,9 +13,12 @@ namespace pastoso::film {
 /// model was tried; outside them it stays stable but need not look like paint.
 struct Medium {
     std::string name;
-    std::string description;            ///< one sentence for the painter
-    double density_kg_m3 = 1200.0;      ///< 800 to 2500
-    double viscosity_m2_s = 0.003;      ///< kinematic, 1e-6 (water) to 1 (stiff paste)
+    std::string description;        ///< one sentence for the painter
+    double density_kg_m3 = 1200.0;  ///< 800 to 2500
+    double viscosity_m2_s = 0.003;  ///< kinematic, 1e-6 (water) to 1 (stiff paste)
+    /// n of Herschel and Bulkley, 0.2 to 1: below 1 the paint thins as it is sheared, and the viscosity
+    /// is that at a wall shear rate of 1/s. Followed from 1e-3 to 1e4 1/s.
+    double flow_index = 1.0;
     double yield_stress_Pa = 0.0;       ///< 0 (runs for ever) to 200 (stands in peaks)
     double surface_tension_N_m = 0.03;  ///< 0.02 to 0.07
     double advancing_angle_deg = 27.0;  ///< contact angle at which the edge moves out, 0 to 60

@@ -40,8 +40,8 @@ struct ChannelInts {
 /// The slope of the concentration at the donor cell: the smaller of both sides' where they agree in
 /// sign.
 [[gnu::always_inline]] inline Quad minmod(Quad a, Quad b) {
-    const Quad smaller = lanes::min(lanes::abs(a), lanes::abs(b));
-    return lanes::select(a * b > Quad(0.0F), lanes::copysign(smaller, a), Quad(0.0F));
+    const Quad zero(0.0F);
+    return lanes::max(lanes::min(a, b), zero) + lanes::min(lanes::max(a, b), zero);
 }
 
 /// Thinner than this (0.03 um), a concentration says nothing.

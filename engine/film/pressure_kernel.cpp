@@ -7,12 +7,20 @@ namespace {
 
 using grid::kTileSize;
 
+/// Whether the cells and their four neighbours are all wet: then none of them has a contact line.
+[[gnu::always_inline]] inline bool inside_film(const float* h, Lanes wet) {
+    const Lanes beside = lanes::min(load(h - 1), load(h + 1));
+    const Lanes above_below = lanes::min(load(h - kBlockStride), load(h + kBlockStride));
+    return lanes::all(lanes::min(load(h), lanes::min(beside, above_below)) > wet);
+}
+
 /// |n_x| and |n_y| of the outline's normal by a 3 x 3 Sobel filter of the thickness: the contact angle
-/// then acts alike in every direction.
-void outline_normals(const HaloBlock& block, int y, TileScratch& scratch) {
+/// then acts alike in every direction. Inside the film, where nobody asks for them, they are left out.
+void outline_normals(const HaloBlock& block, float wet_mm, int y, TileScratch& scratch) {
     const float* h = block.thickness.data();
     for_each_lane_group(-2, kTileSize + 2, [&](int x) {
         const int i = block_index(x, y);
+        if (inside_film(h + i, Lanes(wet_mm))) return;
         const int above = i - kBlockStride, below = i + kBlockStride;
         const Lanes two(2.0F);
         const Lanes gradient_x =
@@ -62,8 +70,8 @@ void face_slopes(const TileScratch& scratch, const StepConstants& step, int y, i
                                    ((load(eta + left + across) - load(eta + left - across)) +
                                     (load(eta + right + across) - load(eta + right - across)));
         Lanes result = bent<kFullCurvature>(slope, slope_across);
-        if (step.has_contact_angle()) {
-            const auto wet_left = h_left > wet, wet_right = h_right > wet;
+        const auto wet_left = h_left > wet, wet_right = h_right > wet;
+        if (step.has_contact_angle() && !lanes::all(wet_left && wet_right)) {
             const Lanes sum_left = load(&scratch.normal_x[left]) + load(&scratch.normal_y[left]);
             const Lanes sum_right = load(&scratch.normal_x[right]) + load(&scratch.normal_y[right]);
             const Lanes falls = bent<kFullCurvature>(contact_slope(h_left, sum_left, step), zero) *
@@ -105,7 +113,7 @@ void prepare(const StepConstants& step, TileScratch& scratch) {
     const int last = smaller(scratch.block.last_wet_row + 1, kTileSize);
     if (step.has_contact_angle())
         for (int y = first - 1; y <= last + 1; ++y)
-            outline_normals(scratch.block, y, scratch);
+            outline_normals(scratch.block, step.wet_mm, y, scratch);
     for (int y = first; y <= last; ++y)
         face_slopes<kFullCurvature>(scratch, step, y, 1, kBlockStride, scratch.normal_x.data(),
                                     scratch.slope_x.data());

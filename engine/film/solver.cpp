@@ -31,6 +31,7 @@ StepLimits make_limits(const Medium& medium, const Gravity& gravity, double cell
     limits.tension = medium.surface_tension_N_m / medium.density_kg_m3 * 1e9;
     limits.viscosity_mm2_s = medium.viscosity_m2_s * 1e6;
     limits.smallest_drag = drag_coefficient(medium.alpha_max);
+    limits.flow_index = medium.flow_index;
     return limits;
 }
 
@@ -54,6 +55,8 @@ StepConstants make_constants(const Medium& medium, const Gravity& gravity, const
     step.wet_mm = static_cast<float>(1e-4 * cell_mm);
     step.inertia = options.inertia ? 1.0F : 0.0F;
     step.lateral = options.lateral_drag ? 1.0F : 0.0F;
+    step.horizontal_tension = static_cast<float>(options.horizontal_tension * limits.tension);
+    step.flow_index = static_cast<float>(medium.flow_index);
     step.full_curvature = options.full_curvature;
     return step;
 }
@@ -61,6 +64,8 @@ StepConstants make_constants(const Medium& medium, const Gravity& gravity, const
 void check_medium(const Medium& medium) {
     PASTOSO_CHECK_OP(medium.density_kg_m3, >, 0.0);
     PASTOSO_CHECK_OP(medium.viscosity_m2_s, >, 0.0);
+    PASTOSO_CHECK_OP(medium.flow_index, >=, 0.2);
+    PASTOSO_CHECK_OP(medium.flow_index, <=, 1.0);
     PASTOSO_CHECK_OP(medium.alpha_min, >, 1.0 / 3.0);
     PASTOSO_CHECK_OP(medium.alpha_min, <=, medium.alpha_max);
     PASTOSO_CHECK_OP(medium.receding_angle_deg, <=, medium.advancing_angle_deg);

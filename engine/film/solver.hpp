@@ -31,8 +31,9 @@ Gravity tilted_gravity(double tilt_deg, double direction_deg = 90.0);
 struct SolverOptions {
     Edge edge_x = Edge::Open;
     Edge edge_y = Edge::Open;
-    bool inertia = true;         ///< advection of momentum
-    bool lateral_drag = true;    ///< viscosity between neighbouring columns of paint
+    bool inertia = true;              ///< advection of momentum
+    bool lateral_drag = true;         ///< viscosity between neighbouring columns of paint
+    double horizontal_tension = 0.0;  ///< weight chi of the paper's horizontal surface tension, 0 to 1
     bool full_curvature = true;  ///< curvature of the surface with its slope, not for small slopes only
     bool sleeping = true;        ///< tiles at rest are left out until something wakes them
     double fixed_step_s = 0.0;   ///< 0: the step follows the stability limit

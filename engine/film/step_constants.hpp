@@ -3,6 +3,11 @@
 
 namespace pastoso::film {
 
+/// Shear rates at the wall, 1/s, that the viscosity follows; beyond them it stays what it is there.
+/// Paint at rest thus has a viscosity, and none loses it all.
+inline constexpr float kSlowestShear = 1e-3F;
+inline constexpr float kFastestShear = 1e4F;
+
 struct StepConstants {
     float cell_mm = 1.0F;
     float inverse_cell = 1.0F;
@@ -12,12 +17,14 @@ struct StepConstants {
     float force_x_mm_s2 = 0.0F;  ///< F, along the canvas
     float force_y_mm_s2 = 0.0F;
     float tension = 0.0F;          ///< sigma/rho, mm3/s2
-    float viscosity_mm2_s = 1.0F;  ///< nu
+    float viscosity_mm2_s = 1.0F;  ///< nu; with shear thinning K/rho, at a shear rate of 1/s
+    float flow_index = 1.0F;       ///< n of Herschel and Bulkley
     float yield = 0.0F;            ///< tau_y/rho, mm2/s2
 
     float drag_against = 3.0F;  ///< k_d = 6/(3 alpha - 1) where tension opposes the flow (alpha_min)
     float drag_along = 3.0F;    ///< k_d where tension drives it (alpha_max)
     float slip_mm = 0.0F;
+    float horizontal_tension = 0.0F;  ///< chi sigma/rho, mm3/s2
 
     float tan_advancing = 0.0F;  ///< slopes of the contact angles; 0: perfectly wetting, edges are free
     float tan_receding = 0.0F;
@@ -30,6 +37,8 @@ struct StepConstants {
     bool has_contact_angle() const { return tan_advancing > 0.0F; }
     bool has_yield() const { return yield > 0.0F; }
     bool has_alpha_range() const { return drag_against != drag_along; }
+    bool has_horizontal_tension() const { return horizontal_tension != 0.0F; }
+    bool is_shear_thinning() const { return flow_index != 1.0F; }
 };
 
 }  // namespace pastoso::film

@@ -10,6 +10,11 @@ namespace {
 constexpr double kUnlimited = std::numeric_limits<double>::max();
 constexpr double kAdvectionCourant = 0.25;
 
+double thinnest_viscosity(double flow_index) {
+    if (flow_index == 1.0) return 1.0;
+    return (2.0 * flow_index + 1.0) / (3.0 * flow_index) * std::pow(kFastestShear, flow_index - 1.0);
+}
+
 }  // namespace
 
 double StepLimits::wave_step_s(double thickness_mm, double drag_rate) const {
@@ -21,7 +26,8 @@ double StepLimits::wave_step_s(double thickness_mm, double drag_rate) const {
 
 double StepLimits::newtonian_step_s(double thickness_mm) const {
     if (thickness_mm <= 0.0) return kUnlimited;
-    return wave_step_s(thickness_mm, smallest_drag * viscosity_mm2_s / (thickness_mm * thickness_mm));
+    const double least_viscosity = viscosity_mm2_s * thinnest_viscosity(flow_index);
+    return wave_step_s(thickness_mm, smallest_drag * least_viscosity / (thickness_mm * thickness_mm));
 }
 
 double StepLimits::flowing_step_s(const FlowExtremes& extremes) const {

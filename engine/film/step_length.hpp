@@ -13,10 +13,11 @@ struct StepLimits {
     double tension = 0.0;  ///< sigma/rho, mm3/s2
     double viscosity_mm2_s = 1.0;
     double smallest_drag = 3.0;  ///< k_d
+    double flow_index = 1.0;     ///< n of Herschel and Bulkley
 
     /// (l + sqrt(l^2 + 4 w^2)) / w^2 with w^2 = h K (g + sigma/rho K), K = 8/cell^2, drag rate l in 1/s.
     double wave_step_s(double thickness_mm, double drag_rate) const;
-    /// For Newtonian paint of this thickness at rest.
+    /// For Newtonian paint of this thickness at rest; shear-thinning paint is taken at its thinnest.
     double newtonian_step_s(double thickness_mm) const;
     /// For paint whose measured flow is given: its largest mobility h/l (yield stress included) and
     /// thickness bound the waves, its largest speed the advection (a quarter of a cell).

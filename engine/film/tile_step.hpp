@@ -74,10 +74,21 @@ using PigmentTransport = PigmentTotals (*)(const TileScratch& scratch, const flo
 using Concentrate = void (*)(const PaintCell* pigment, const std::int32_t* thickness, int count,
                              float* out);
 
+/// h_new = h - div(flux) in whole quanta for all 64 x 64 cells; what it writes beyond the canvas means
+/// nothing.
+using ApplyFluxes = void (*)(const TileScratch& scratch, std::int32_t* after);
+
+/// The largest |after - before| of each column over the given rows of a tile.
+using ColumnChanges = std::array<std::int32_t, grid::kTileSize>;
+using LargestChanges = void (*)(const std::int32_t* before, const std::int32_t* after, int first_row,
+                                int last_row, ColumnChanges& changes);
+
 struct TileKernels {
     TileFlow flow = nullptr;
     PigmentTransport transport = nullptr;
     Concentrate concentrate = nullptr;
+    ApplyFluxes apply_fluxes = nullptr;
+    LargestChanges largest_changes = nullptr;
 };
 
 /// The kernels for an instruction set, or for the widest one below it that was compiled in.

@@ -3,7 +3,6 @@
 #include "film/concentration_block.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace pastoso::film {
 namespace {
@@ -18,44 +17,37 @@ bool any_flux(const FaceArray<std::int32_t>& flux, int first_x, int first_y, int
     return false;
 }
 
-/// h_new = h - div(flux), in whole quanta.
-TileBlock<std::int32_t> apply_fluxes(const TileScratch& scratch, int columns, int rows) {
-    TileBlock<std::int32_t> block = TileBlock<std::int32_t>::filled(0);
-    std::int32_t* out = block.write();
-    for (int y = 0; y < rows; ++y) {
-        for (int x = 0; x < columns; ++x) {
-            const int face = face_index(x, y);
-            out[y * kTileSize + x] = scratch.block.quanta[block_index(x, y)] +
-                                     (scratch.flux_x[face - 1] - scratch.flux_x[face]) +
-                                     (scratch.flux_y[face - kFaceStride] - scratch.flux_y[face]);
-        }
+void clear_beyond(std::int32_t* values, int columns, int rows) {
+    for (int y = 0; y < kTileSize; ++y) {
+        const int first = y < rows ? columns : 0;
+        std::fill(values + y * kTileSize + first, values + (y + 1) * kTileSize, 0);
     }
+}
+
+TileBlock<std::int32_t> apply_fluxes(const TileScratch& scratch, int columns, int rows) {
+    TileBlock<std::int32_t> block = TileBlock<std::int32_t>::uninitialised();
+    tile_kernels().apply_fluxes(scratch, block.write());
+    clear_beyond(block.write(), columns, rows);
     return block;
 }
 
 /// How far apart two thicknesses of a tile are, anywhere and within a halo's width of each side.
 TileMotion motion_between(const std::int32_t* before, const std::int32_t* after, int columns, int rows) {
-    std::array<std::int32_t, kTileSize> column_change{};
-    std::array<std::int32_t, kTileSize> row_change{};
-    for (int y = 0; y < rows; ++y) {
-        for (int x = 0; x < columns; ++x) {
-            const int cell = y * kTileSize + x;
-            const std::int32_t change = std::abs(after[cell] - before[cell]);
-            column_change[x] = std::max(column_change[x], change);
-            row_change[y] = std::max(row_change[y], change);
-        }
-    }
-    const auto largest = [](const auto& changes, int first, int last) {
-        std::int32_t result = 0;
-        for (int i = std::max(first, 0); i < last; ++i)
-            result = std::max(result, changes[i]);
-        return thickness_mm(result);
+    ColumnChanges changes;
+    const auto largest = [&](int first, int last) {
+        return thickness_mm(
+            *std::max_element(changes.begin() + std::max(first, 0), changes.begin() + last));
     };
-    return {.largest_mm = largest(row_change, 0, rows),
-            .near_side_mm = {largest(column_change, 0, std::min(kHalo, columns)),
-                             largest(column_change, columns - kHalo, columns),
-                             largest(row_change, 0, std::min(kHalo, rows)),
-                             largest(row_change, rows - kHalo, rows)}};
+    TileMotion motion;
+    tile_kernels().largest_changes(before, after, 0, rows, changes);
+    motion.largest_mm = largest(0, columns);
+    motion.near_side_mm[kLeft] = largest(0, std::min(kHalo, columns));
+    motion.near_side_mm[kRight] = largest(columns - kHalo, columns);
+    tile_kernels().largest_changes(before, after, 0, std::min(kHalo, rows), changes);
+    motion.near_side_mm[kTop] = largest(0, columns);
+    tile_kernels().largest_changes(before, after, std::max(rows - kHalo, 0), rows, changes);
+    motion.near_side_mm[kBottom] = largest(0, columns);
+    return motion;
 }
 
 TileBlock<float> velocity_block(const FaceArray<float>& velocity) {

@@ -17,6 +17,7 @@ Medium medium_of(const Scene& scene) {
     medium.viscosity_m2_s = scene.viscosity * 1e-6;
     medium.surface_tension_N_m = scene.tension * 1e-9 * kDensity_kg_m3;
     medium.yield_stress_Pa = scene.yield * 1e-6 * kDensity_kg_m3;
+    medium.flow_index = scene.flow_index;
     medium.alpha_min = scene.alpha_min;
     medium.alpha_max = scene.alpha_max;
     medium.advancing_angle_deg = core::degrees(std::atan(scene.tan_advancing));
@@ -31,6 +32,7 @@ SolverOptions options_of(const Scene& scene) {
     options.edge_y = scene.edge_y;
     options.inertia = scene.inertia;
     options.lateral_drag = scene.lateral;
+    options.horizontal_tension = scene.horizontal_tension;
     options.full_curvature = scene.full_curvature;
     options.sleeping = scene.sleeping;
     return options;

@@ -22,6 +22,8 @@ struct Scene {
     double alpha_min = 1.0, alpha_max = 1.0;
     double tan_advancing = 0.0, tan_receding = 0.0;
     double slip_cells = 0.0;
+    double horizontal_tension = 0.0;  ///< chi
+    double flow_index = 1.0;
     Edge edge_x = Edge::Periodic, edge_y = Edge::Periodic;
     bool inertia = true, lateral = true, full_curvature = false, sleeping = false;
     int threads = 1;

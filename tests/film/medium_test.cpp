@@ -49,6 +49,15 @@ TEST(Media, AreReadFieldByField) {
     EXPECT_TRUE(parse_media("[]", "test").empty());
 }
 
+TEST(Media, TheFlowIndexMayBeLeftOut) {
+    EXPECT_EQ(parse_media(kGood, "test")[0].flow_index, 1.0);
+    const std::string thinning =
+        changed("\"yield_stress_Pa\"", "\"flow_index\": 0.4, \"yield_stress_Pa\"");
+    EXPECT_EQ(parse_media(thinning, "test")[0].flow_index, 0.4);
+    EXPECT_THAT(error_of(changed("\"yield_stress_Pa\"", "\"flow_index\": 1.5, \"yield_stress_Pa\"")),
+                HasSubstr("flow_index is 1.5, it must be a number from 0.2 to 1.0."));
+}
+
 TEST(Media, ErrorsNameTheFileTheEntryTheFieldAndTheValue) {
     EXPECT_EQ(error_of(changed("\"yield_stress_Pa\": 10", "\"yield_stress_Pa\": -3")),
               "my media.json, entry 1 (\"tar\"): yield_stress_Pa is -3, it must be a number from 0.0 to "
