@@ -20,7 +20,7 @@ struct Axis {
     float force, force_across;
 };
 
-template <class Load>
+template <FaceModel kModel, class Load>
 [[gnu::always_inline]] inline FaceNeighbourhood<Lanes> neighbourhood(const TileScratch& scratch,
                                                                      const StepConstants& step,
                                                                      const Axis& axis,
@@ -54,6 +54,12 @@ template <class Load>
     face.u_after = load_at(u + i + t);
     face.v = Lanes(0.25F) *
              ((load_at(v + i) + load_at(v + i + s)) + (load_at(v + i - t) + load_at(v + i + s - t)));
+    if constexpr (kModel.varied) {
+        face.viscosity_left = load_at(&block.viscosity[i]);
+        face.viscosity_right = load_at(&block.viscosity[i + s]);
+        face.yield_left = load_at(&block.yield[i]);
+        face.yield_right = load_at(&block.yield[i + s]);
+    }
     return face;
 }
 
@@ -100,13 +106,13 @@ struct FaceKernel {
     void flow_row(int y, LaneExtremes& extremes) const {
         constexpr int kGroups = kTileSize / kLanes;
         const StepConstants local = step;  // which no store through a pointer can change
-        std::array<FaceDrive<Lanes>, kGroups> drive;
+        std::array<FaceDrive<kModel, Lanes>, kGroups> drive;
         std::array<FaceDrag<Lanes>, kGroups> drag;
         std::array<BinghamDrag<Lanes>, kGroups> law;
         for (int group = 0; group < kGroups; ++group)
             drive[group] = face_drive<kModel>(
-                neighbourhood(scratch, local, axis, AlongRow{}, block_index(group * kLanes, y)), local,
-                axis.force, axis.force_across);
+                neighbourhood<kModel>(scratch, local, axis, AlongRow{}, block_index(group * kLanes, y)),
+                local, axis.force, axis.force_across);
         for (int group = 0; group < kGroups; ++group)
             drag[group] = face_drag<kModel>(drive[group], local);
         for (int group = 0; group < kGroups; ++group)
@@ -131,8 +137,8 @@ struct FaceKernel {
         for (int y = 0; y < kTileSize; y += kLanes) {
             const int i = block_index(x, y);
             const FaceFlow<Lanes> flow =
-                face_flow<kModel>(neighbourhood(scratch, step, axis, AlongColumn{}, i), step, axis.force,
-                                  axis.force_across);
+                face_flow<kModel>(neighbourhood<kModel>(scratch, step, axis, AlongColumn{}, i), step,
+                                  axis.force, axis.force_across);
             extremes.add(flow);
             const Ints left([&](int lane) { return quanta[i + lane * kBlockStride]; });
             const Ints right([&](int lane) { return quanta[i + axis.along + lane * kBlockStride]; });
@@ -223,13 +229,29 @@ FlowExtremes flow_faces(const StepConstants& step, TileScratch& scratch) {
                                   : flow_all_faces<kPlain>(step, scratch);
 }
 
+/// Each cell may have a yield stress, and many do.
+FlowExtremes flow_varied_faces(const StepConstants& step, TileScratch& scratch) {
+    constexpr FaceModel kVaried{.yield = true, .alpha_range = true, .varied = true};
+    constexpr FaceModel kAll{.yield = true,
+                             .alpha_range = true,
+                             .horizontal_tension = true,
+                             .shear_thinning = true,
+                             .varied = true};
+    const bool rare = step.is_shear_thinning() || step.has_horizontal_tension();
+    return rare ? flow_all_faces<kAll>(step, scratch) : flow_all_faces<kVaried>(step, scratch);
+}
+
+FlowExtremes flow_all(const StepConstants& step, TileScratch& scratch) {
+    if (step.varied) return flow_varied_faces(step, scratch);
+    return step.has_yield() ? flow_faces<true>(step, scratch) : flow_faces<false>(step, scratch);
+}
+
 }  // namespace
 
 FlowExtremes tile_flow(const StepConstants& step, int columns, int rows, const ClosedEdges& closed,
                        TileScratch& scratch) {
     if (scratch.block.last_wet_row >= scratch.block.first_wet_row) prepare_pressure(step, scratch);
-    FlowExtremes extremes =
-        step.has_yield() ? flow_faces<true>(step, scratch) : flow_faces<false>(step, scratch);
+    FlowExtremes extremes = flow_all(step, scratch);
     shut_edges(columns, rows, closed, scratch);
     if (extremes.speed_mm_s >= 0.5F * step.cell_mm / step.dt_s)
         extremes.clamped_faces = count_clamped(step, scratch.velocity_x, -1, 0) +

@@ -8,6 +8,7 @@
 #include "film/tile_update.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -46,6 +47,7 @@ StepConstants make_constants(const Medium& medium, const Gravity& gravity, const
     step.force_y_mm_s2 = static_cast<float>(gravity.y_mm_s2);
     step.tension = static_cast<float>(limits.tension);
     step.viscosity_mm2_s = static_cast<float>(limits.viscosity_mm2_s);
+    step.yield_per_Pa = static_cast<float>(1e6 / medium.density_kg_m3);
     step.yield = static_cast<float>(medium.yield_stress_Pa / medium.density_kg_m3 * 1e6);
     step.drag_against = static_cast<float>(drag_coefficient(medium.alpha_min));
     step.drag_along = static_cast<float>(drag_coefficient(medium.alpha_max));
@@ -159,6 +161,7 @@ struct Solver::Parts {
     void commit(int tile, float dt_s, TileResult& result, AdvanceReport& report);
     void put_to_sleep(int tile);
     AdvanceReport step(double dt_s);
+    double resting_step_s(int tile) const;
     double stable_step_s() const;
     /// False when `give_up` said so before the time had passed.
     bool advance(double seconds, const std::function<bool()>& give_up, AdvanceReport& report);
@@ -220,6 +223,7 @@ AdvanceReport Solver::Parts::step(double dt_s) {
     const std::vector<int> tiles = activity.awake_tiles();
     StepConstants step = constants;
     step.dt_s = static_cast<float>(dt_s);
+    step.varied = state.varied;
     std::vector<TileResult> results(tiles.size());
     pool.run(tiles.size(), [&](std::size_t index, int worker) {
         results[index] = update_tile(state, place_of(tiles[index]), step, *scratch[worker]);
@@ -232,13 +236,27 @@ AdvanceReport Solver::Parts::step(double dt_s) {
     return report;
 }
 
+double Solver::Parts::resting_step_s(int tile) const {
+    const double thickest_mm = thickness_mm(thickest_quanta(state, tile));
+    if (!state.varied) return limits.newtonian_step_s(thickest_mm);
+    std::array<float, kTileCells> viscosity{}, yield{};
+    const std::int32_t* thickness = state.thickness.read(tile);
+    tile_kernels().rheology(state.paint.read(tile), thickness, kTileCells, 1.0F, viscosity.data(),
+                            yield.data());
+    double largest = 0.0;
+    for (int cell = 0; cell < kTileCells; ++cell) {
+        const double h = thickness_mm(thickness[cell]);
+        largest = std::max(largest, h * h * h / viscosity[cell]);
+    }
+    return limits.resting_step_s(thickest_mm, largest);
+}
+
 double Solver::Parts::stable_step_s() const {
     double limit = std::numeric_limits<double>::max();
     for (const int tile : activity.awake_tiles()) {
         const TileActivity& flow = activity.tile(tile);
-        limit = std::min(limit, flow.changed_from_outside
-                                    ? limits.newtonian_step_s(thickness_mm(thickest_quanta(state, tile)))
-                                    : limits.flowing_step_s(flow.extremes));
+        limit = std::min(limit, flow.changed_from_outside ? resting_step_s(tile)
+                                                          : limits.flowing_step_s(flow.extremes));
     }
     return kStepSafety * limit;
 }

@@ -83,12 +83,17 @@ using ColumnChanges = std::array<std::int32_t, grid::kTileSize>;
 using LargestChanges = void (*)(const std::int32_t* before, const std::int32_t* after, int first_row,
                                 int last_row, ColumnChanges& changes);
 
+/// nu, mm2/s, and tau_y/rho, mm2/s2, of `count` neighbouring cells.
+using CellRheology = void (*)(const PaintCell* paint, const std::int32_t* thickness, int count,
+                              float yield_per_Pa, float* viscosity, float* yield);
+
 struct TileKernels {
     TileFlow flow = nullptr;
     PigmentTransport transport = nullptr;
     Concentrate concentrate = nullptr;
     ApplyFluxes apply_fluxes = nullptr;
     LargestChanges largest_changes = nullptr;
+    CellRheology rheology = nullptr;
 };
 
 /// The kernels for an instruction set, or for the widest one below it that was compiled in.

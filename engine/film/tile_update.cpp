@@ -1,6 +1,7 @@
 #include "film/tile_update.hpp"
 
 #include "film/concentration_block.hpp"
+#include "film/rheology_block.hpp"
 
 #include <algorithm>
 
@@ -99,6 +100,9 @@ TileResult update_tile(const FilmState& state, const TilePlace& place, const Ste
     const int columns = place.columns.extent, rows = place.rows.extent;
     TileResult result;
     gather(state, place.columns, place.rows, place.tile_x, step.wet_mm, worker.tile.block);
+    if (step.varied)
+        gather_rheology(state, place.columns, place.rows, place.tile_x, step.yield_per_Pa,
+                        tile_kernels().rheology, worker.tile.block);
     result.extremes = tile_kernels().flow(step, columns, rows, place.closed, worker.tile);
     if (result.extremes.speed_mm_s > 0.0F || !state.velocity_x.is_background(place.tile)) {
         result.velocity_x = velocity_block(worker.tile.velocity_x);

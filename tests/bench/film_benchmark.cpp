@@ -11,7 +11,8 @@ namespace pastoso::film {
 namespace {
 
 struct Flow {
-    bool alpha_range = false, yield_and_curvature = false, pigment = false, shear_thinning = false;
+    bool alpha_range = false, yield_and_curvature = false, pigment = false, shear_thinning = false,
+         varied = false;
 };
 
 Medium medium_of(const Flow& flow) {
@@ -43,10 +44,23 @@ FilmState wavy_film(int n, bool pigment) {
     return state;
 }
 
+/// Nearly the medium's own consistency, different from cell to cell.
+void vary(FilmState& state) {
+    for (int y = 0; y < state.shape.height; ++y)
+        for (int x = 0; x < state.shape.width; ++x) {
+            PaintCell cell = state.paint.at(x, y);
+            cell[kViscosityChannel] = static_cast<std::int32_t>(0.1 * (x % 7) / kPaintQuantum);
+            cell[kYieldChannel] = 1 + y % 2;
+            state.paint.set(x, y, cell);
+        }
+    state.varied = true;
+}
+
 void step_film(benchmark::State& run, const Flow& flow) {
     const int n = static_cast<int>(run.range(0));
     core::ThreadPool pool(static_cast<int>(run.range(1)));
     FilmState state = wavy_film(n, flow.pigment);
+    if (flow.varied) vary(state);
     SolverOptions options;
     options.edge_x = options.edge_y = Edge::Periodic;
     options.full_curvature = flow.yield_and_curvature;
@@ -76,6 +90,10 @@ BENCHMARK_CAPTURE(step_film, alpha_yield_curvature,
     ->Apply(all_sizes);
 BENCHMARK_CAPTURE(step_film, alpha_yield_curvature_pigment,
                   Flow{.alpha_range = true, .yield_and_curvature = true, .pigment = true})
+    ->Apply(plain_sizes);
+BENCHMARK_CAPTURE(step_film, alpha_yield_curvature_pigment_varied,
+                  Flow{
+                      .alpha_range = true, .yield_and_curvature = true, .pigment = true, .varied = true})
     ->Apply(plain_sizes);
 BENCHMARK_CAPTURE(step_film, alpha_yield_curvature_thinning,
                   Flow{.alpha_range = true, .yield_and_curvature = true, .shear_thinning = true})
