@@ -48,6 +48,7 @@ void print_program() {
 }
 
 std::string paint_text(const document::PaintRecipe& paint) {
+    if (paint.ingredients.empty()) return "clear";
     std::string text;
     for (const document::Ingredient& ingredient : paint.ingredients) {
         if (!text.empty()) text += "+";

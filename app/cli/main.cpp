@@ -26,9 +26,9 @@ void add_paint_options(CLI::App& command, ReplayOptions& options) {
         ->type_name("MM");
     command
         .add_option("--paint", options.paints,
-                    "Text recordings: PB29, or a mixture by parts PB29=1+PW6=0.5, or thinned PB29@0.3; "
-                    "several are "
-                    "taken in turn, one a stroke, the brush being cleaned in between")
+                    "Text recordings: PB29, or a mixture by parts PB29=1+PW6=0.5, or thinned PB29@0.3, "
+                    "or clear for the medium alone; several are taken in turn, one a stroke, the brush "
+                    "being cleaned in between")
         ->type_name("PAINT");
     command.add_flag(
         "--fit", options.fit,
@@ -58,6 +58,10 @@ void add_canvas_options(CLI::App& command, ReplayOptions& options) {
         .add_option("--tilt-direction", options.tilt_direction_deg,
                     "Where down points: 0 right, 90 lower edge (default: 90)")
         ->type_name("DEG");
+    command
+        .add_option("--drying", options.drying_speed,
+                    "Seconds of drying in a second of painting, 0 (text recordings) to 100000")
+        ->type_name("SPEED");
     command
         .add_option("--seconds", options.seconds,
                     "How long the paint runs after the last event (text recordings: 2)")

@@ -21,6 +21,7 @@ struct ReplayOptions {
     std::optional<double> relief_mm;
     std::optional<double> tilt_deg;
     std::optional<double> tilt_direction_deg;
+    std::optional<double> drying_speed;
     std::optional<double> seconds;
     bool fit = false;
     int threads = 0;

@@ -49,6 +49,10 @@ document::TiltCanvas tilt_of(const ReplayOptions& options) {
     return tilt;
 }
 
+document::SetDrying drying_of(const ReplayOptions& options) {
+    return {{.speed = options.drying_speed.value_or(0.0)}};
+}
+
 /// Puts `action` at the start, in the place of all others of its kind.
 template <class Kind>
 void replace_all(Recording& recording, const Kind& action) {
@@ -73,6 +77,7 @@ Recording load_json(const ReplayOptions& options) {
     override_canvas(recording.canvas, options);
     if (options.medium) replace_all(recording, document::UseMedium{*options.medium});
     if (options.tilt_deg || options.tilt_direction_deg) replace_all(recording, tilt_of(options));
+    if (options.drying_speed) replace_all(recording, drying_of(options));
     if (options.seconds) set_seconds_after(recording, *options.seconds);
     return recording;
 }
@@ -102,7 +107,9 @@ Recording load_text(const ReplayOptions& options) {
                                ": every stroke misses the canvas; positions are taken as "
                                "millimetres from its upper left corner unless --fit is given.");
     }
-    return io::recording_from_trace(trace, setup);
+    Recording recording = io::recording_from_trace(trace, setup);
+    if (options.drying_speed) replace_all(recording, drying_of(options));
+    return recording;
 }
 
 }  // namespace

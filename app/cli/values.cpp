@@ -70,6 +70,7 @@ document::PaintRecipe parse_paint(const std::string& text) {
         if (!strength) refuse_paint(text);
         paint.strength = *strength;
     }
+    if (mixture == "clear") return paint;
     if (mixture.empty() || mixture.ends_with('+')) refuse_paint(text);
     while (!mixture.empty())
         paint.ingredients.push_back(parse_ingredient(take_until(mixture, '+'), text));

@@ -16,7 +16,8 @@ struct CanvasSize {
 CanvasSize parse_canvas_size(const std::string& text);
 
 /// "PB29", a mixture "PB29=1+PW6=0.5" (parts by volume), either followed by "@0.3": thinned to that
-/// share of paint in clear medium. Throws UsageError otherwise. The names are not looked up.
+/// share of paint in clear medium; "clear": the medium alone. Throws UsageError otherwise. The names are
+/// not looked up.
 document::PaintRecipe parse_paint(const std::string& text);
 
 }  // namespace pastoso::cli

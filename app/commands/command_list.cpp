@@ -31,6 +31,8 @@ constexpr std::array kCommands = {
                 "Flat brushes stand across their path, where the pen does not tell its rotation", true},
     CommandText{Command::Pause, "&Paint", "&Pause the paint", "P",
                 "Wet paint stands still until you go on", true},
+    CommandText{Command::DryNow, "&Paint", "&Dry now", "D",
+                "All wet paint dries at once: paint over it without stirring it up"},
     CommandText{Command::FitCanvas, "&View", "&Fit the canvas", "Ctrl+0", "Show the whole canvas"},
     CommandText{Command::ActualPixels, "&View", "&Actual pixels", "1",
                 "One screen pixel for every pixel of the saved picture"},

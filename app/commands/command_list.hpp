@@ -21,6 +21,7 @@ enum class Command {
     ReloadEachStroke,
     TurnWithStroke,
     Pause,
+    DryNow,
     FitCanvas,
     ActualPixels,
     ZoomIn,

@@ -108,10 +108,10 @@ void MainWindow::show_enabled(const session::Status& status) {
 void MainWindow::show_hand() {
     const tools::Hand& hand = easel_->hand();
     brushes_->show_brush(QString::fromStdString(hand.brush), hand.brush_width_mm);
-    if (!hand.paint.ingredients.empty()) {
-        paints_->show_paint(QString::fromStdString(hand.paint.ingredients.front().pigment));
-    }
+    const auto& mix = hand.paint.ingredients;
+    paints_->show_paint(mix.empty() ? QString() : QString::fromStdString(mix.front().pigment));
     stand_->show_tilt(hand.tilt.tilt_deg, hand.tilt.direction_deg);
+    stand_->show_drying(hand.air.speed);
     medium_->setCurrentText(QString::fromStdString(hand.medium));
     commands_.action(commands::Command::ReloadEachStroke)->setChecked(hand.reload_each_stroke);
     commands_.action(commands::Command::TurnWithStroke)->setChecked(hand.turn_with_stroke);

@@ -31,13 +31,17 @@ void MainWindow::connect_panels() {
         show_hand();
     });
     connect(paints_, &panels::PaintPanel::paint_chosen, this, [this](const QString& pigment) {
-        easel_->choose_paint({{{pigment.toStdString(), 1.0}}, 1.0});
+        document::PaintRecipe paint;
+        if (!pigment.isEmpty()) paint.ingredients = {{pigment.toStdString(), 1.0}};
+        easel_->choose_paint(paint);
         show_hand();
     });
     connect(medium_, &QComboBox::activated, this,
             [this] { easel_->use_medium(medium_->currentText().toStdString()); });
     connect(stand_, &panels::EaselPanel::tilted, this,
             [this](double tilt_deg, double direction_deg) { easel_->tilt(tilt_deg, direction_deg); });
+    connect(stand_, &panels::EaselPanel::drying_changed, this,
+            [this](double speed) { easel_->set_drying_speed(speed); });
     connect(stand_, &panels::EaselPanel::light_moved, this,
             [this](double elevation_deg, double azimuth_deg) {
                 shade::Lighting lighting = canvas_->lighting();
@@ -62,6 +66,7 @@ void MainWindow::connect_commands() {
     commands_.on(Command::Redo, [this](bool) { easel_->redo(); });
     commands_.on(Command::ReloadBrush, [this](bool) { easel_->reload(); });
     commands_.on(Command::CleanBrush, [this](bool) { easel_->clean(); });
+    commands_.on(Command::DryNow, [this](bool) { easel_->dry_now(); });
     commands_.on(Command::ReloadEachStroke,
                  [this](bool reload) { easel_->set_reload_each_stroke(reload); });
     commands_.on(Command::TurnWithStroke, [this](bool turn) { easel_->set_turn_with_stroke(turn); });

@@ -43,13 +43,14 @@ std::vector<panels::PaintEntry> paint_entries() {
         entries.push_back({QString::fromStdString(pigment.ci_name), QString::fromStdString(pigment.name),
                            colour(swatch.masstone), colour(swatch.tint)});
     }
+    entries.push_back({QString(), QObject::tr("Clear medium"), QColor(232, 230, 224), Qt::white});
     return entries;
 }
 
 QComboBox* make_medium_box() {
     auto* box = new QComboBox;
     box->setFocusPolicy(Qt::NoFocus);
-    box->setToolTip(QObject::tr("How the paint flows: all paint on the canvas changes with it"));
+    box->setToolTip(QObject::tr("How the next paint flows; what lies on the canvas keeps its own way"));
     for (const film::Medium& medium : film::bundled_media()) {
         box->addItem(QString::fromStdString(medium.name));
         box->setItemData(box->count() - 1, QString::fromStdString(medium.description), Qt::ToolTipRole);
@@ -93,6 +94,7 @@ void MainWindow::make_tool_bar() {
     medium_ = make_medium_box();
     bar->addWidget(medium_);
     add_button(commands::Command::Pause, tr("Pause"));
+    add_button(commands::Command::DryNow, tr("Dry now"));
     bar->addSeparator();
     add_button(commands::Command::SavePicture, tr("Save picture"));
 }

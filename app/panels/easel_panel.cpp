@@ -4,10 +4,12 @@
 #include "panels/section.hpp"
 #include "panels/tilt_dial.hpp"
 
+#include <array>
 #include <cmath>
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QSlider>
 #include <QVBoxLayout>
 
 namespace pastoso::panels {
@@ -15,6 +17,27 @@ namespace {
 
 QString degrees_text(double degrees) {
     return QString::number(std::lround(degrees)) + QChar(0xB0);
+}
+
+/// What the drying slider stops at.
+struct DryingStop {
+    double speed;
+    const char* words;
+};
+constexpr std::array kDryingStops = {DryingStop{0.0, QT_TR_NOOP("never")},
+                                     DryingStop{1.0, QT_TR_NOOP("real time")},
+                                     DryingStop{10.0, QT_TR_NOOP("10 times")},
+                                     DryingStop{60.0, QT_TR_NOOP("a minute a second")},
+                                     DryingStop{600.0, QT_TR_NOOP("10 min a second")},
+                                     DryingStop{3600.0, QT_TR_NOOP("an hour a second")},
+                                     DryingStop{86400.0, QT_TR_NOOP("a day a second")}};
+
+/// The last stop that is not faster.
+int drying_stop(double speed) {
+    int stop = 0;
+    while (stop + 1 < static_cast<int>(kDryingStops.size()) && kDryingStops[stop + 1].speed <= speed)
+        ++stop;
+    return stop;
 }
 
 /// An arrow for one of eight directions, 0 to the right, 90 down.
@@ -31,15 +54,25 @@ EaselPanel::EaselPanel(QWidget* parent)
       tilt_(new TiltDial),
       light_(new LightDial),
       tilt_reading_(new QLabel),
-      light_reading_(new QLabel) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
+      light_reading_(new QLabel),
+      drying_(new QSlider(Qt::Horizontal)),
+      drying_reading_(new QLabel) {
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(8);
+    auto* row = new QHBoxLayout;
     row->setSpacing(8);
+    rows->addLayout(row);
+    rows->addWidget(drying_row());
     row->addWidget(column(tr("Tilt"), tilt_, tilt_reading_));
     row->addWidget(column(tr("Light"), light_, light_reading_));
     connect(tilt_, &DirectionDial::dragged, this, [this](double angle_deg, double azimuth_deg) {
         write_readings();
         Q_EMIT tilted(angle_deg, azimuth_deg);
+    });
+    connect(drying_, &QSlider::valueChanged, this, [this](int stop) {
+        write_readings();
+        Q_EMIT drying_changed(kDryingStops[stop].speed);
     });
     connect(light_, &DirectionDial::dragged, this, [this] {
         write_readings();
@@ -60,6 +93,27 @@ QWidget* EaselPanel::column(const QString& heading, QWidget* dial, QLabel* readi
     return widget;
 }
 
+QWidget* EaselPanel::drying_row() {
+    auto* widget = new QWidget;
+    auto* layout = section(widget, tr("Drying"));
+    layout->setSpacing(3);
+    drying_->setObjectName(QStringLiteral("drying"));
+    drying_->setRange(0, static_cast<int>(kDryingStops.size()) - 1);
+    drying_->setPageStep(1);
+    drying_->setToolTip(tr("How fast wet paint dries; D dries it at once"));
+    keep_keys_for_canvas(drying_);
+    drying_reading_->setObjectName(QStringLiteral("reading"));
+    layout->addWidget(drying_);
+    layout->addWidget(drying_reading_);
+    return widget;
+}
+
+void EaselPanel::show_drying(double speed) {
+    const QSignalBlocker quiet(drying_);
+    drying_->setValue(drying_stop(speed));
+    write_readings();
+}
+
 void EaselPanel::show_tilt(double tilt_deg, double direction_deg) {
     tilt_->set(tilt_deg, direction_deg);
     write_readings();
@@ -75,6 +129,7 @@ void EaselPanel::write_readings() {
     tilt_reading_->setText(
         flat ? tr("flat") : degrees_text(tilt_->angle_deg()) + ' ' + arrow_text(tilt_->azimuth_deg()));
     light_reading_->setText(degrees_text(light_->elevation_deg()) + tr(" high"));
+    drying_reading_->setText(tr(kDryingStops[drying_->value()].words));
 }
 
 }  // namespace pastoso::panels

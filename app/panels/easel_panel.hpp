@@ -1,4 +1,4 @@
-// How the canvas stands and where the lamp is.
+// How the canvas stands, where the lamp is and how fast paint dries.
 #pragma once
 
 #include "shade/render.hpp"
@@ -6,6 +6,7 @@
 #include <QWidget>
 
 class QLabel;
+class QSlider;
 
 namespace pastoso::panels {
 
@@ -23,18 +24,25 @@ class EaselPanel : public QWidget {
     /// Shows where the light comes from, without a signal.
     void show_light(const shade::Lighting& lighting);
 
+    /// Shows how fast paint dries, without a signal.
+    void show_drying(double speed);
+
   Q_SIGNALS:
     void tilted(double tilt_deg, double direction_deg);
     void light_moved(double elevation_deg, double azimuth_deg);
+    void drying_changed(double speed);
 
   private:
     QWidget* column(const QString& heading, QWidget* dial, QLabel* reading);
+    QWidget* drying_row();
     void write_readings();
 
     TiltDial* tilt_ = nullptr;
     LightDial* light_ = nullptr;
     QLabel* tilt_reading_ = nullptr;
     QLabel* light_reading_ = nullptr;
+    QSlider* drying_ = nullptr;
+    QLabel* drying_reading_ = nullptr;
 };
 
 }  // namespace pastoso::panels

@@ -48,7 +48,9 @@ PaintPanel::PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent)
         auto* item = new QListWidgetItem(swatch_icon(paint, devicePixelRatioF()), paint.name, list_);
         item->setData(Qt::UserRole, paint.pigment);
         item->setToolTip(
-            tr("%1 (%2): from the tube, and mixed with white").arg(paint.name, paint.pigment));
+            paint.pigment.isEmpty()
+                ? tr("The medium without pigment, for example thinner")
+                : tr("%1 (%2): from the tube, and mixed with white").arg(paint.name, paint.pigment));
     }
     connect(list_, &QListWidget::itemClicked, this,
             [this](QListWidgetItem* item) { Q_EMIT paint_chosen(item->data(Qt::UserRole).toString()); });

@@ -12,7 +12,7 @@ class QListWidget;
 namespace pastoso::panels {
 
 struct PaintEntry {
-    QString pigment;  ///< Colour Index name
+    QString pigment;  ///< Colour Index name, empty for the medium alone
     QString name;
     QColor masstone;  ///< thick, as it comes from the tube
     QColor tint;      ///< with white, where a dark pigment shows its hue

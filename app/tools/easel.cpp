@@ -14,6 +14,7 @@ Easel::Easel(Hand hand, Post post, std::function<void()> note_hand)
 void Easel::set_up() {
     post_(UseMedium{hand_.medium});
     post_(hand_.tilt);
+    post_(SetDrying{hand_.air});
     take_brush(hand_.brush, hand_.brush_width_mm);
 }
 
@@ -48,14 +49,25 @@ void Easel::clean() {
 }
 
 void Easel::use_medium(const std::string& name) {
-    end_stroke();
+    clean();
     hand_.medium = name;
     post_(UseMedium{name});
+    reload();
 }
 
 void Easel::tilt(double tilt_deg, double direction_deg) {
     hand_.tilt = {tilt_deg, direction_deg};
     post_(hand_.tilt);
+}
+
+void Easel::set_drying_speed(double speed) {
+    hand_.air.speed = speed;
+    post_(SetDrying{hand_.air});
+}
+
+void Easel::dry_now() {
+    end_stroke();
+    post_(DryNow{});
 }
 
 void Easel::set_reload_each_stroke(bool reload) {

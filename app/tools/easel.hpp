@@ -36,8 +36,8 @@ class Easel {
     /// moves.
     Easel(Hand hand, Post post, std::function<void()> note_hand = {});
 
-    /// Takes the brush, pours the medium, tilts the canvas and dips the brush: for a canvas that knows
-    /// nothing yet.
+    /// Pours the medium, tilts the canvas, lets the air move, takes the brush and dips it: for a canvas
+    /// that knows nothing yet.
     void set_up();
 
     /// Takes over what somebody else (a replay) does to brush, paint, medium and tilt; posts nothing.
@@ -51,8 +51,10 @@ class Easel {
     void choose_paint(const document::PaintRecipe& paint);  ///< cleans the brush and dips it
     void reload();                                          ///< the same with the present paint
     void clean();
-    void use_medium(const std::string& name);
+    void use_medium(const std::string& name);  ///< cleans the brush and dips it in paint of that kind
     void tilt(double tilt_deg, double direction_deg);
+    void set_drying_speed(double speed);
+    void dry_now();
     void set_reload_each_stroke(bool reload);
     void set_turn_with_stroke(bool turn);
     void undo();

@@ -20,6 +20,7 @@ struct HandChange {
     void operator()(const document::LoadPaint& dip) const { hand.paint = dip.paint; }
     void operator()(const document::UseMedium& medium) const { hand.medium = medium.name; }
     void operator()(const document::TiltCanvas& tilt) const { hand.tilt = tilt; }
+    void operator()(const document::SetDrying& drying) const { hand.air = drying.air; }
     template <class Other>
     void operator()(const Other&) const {}
 };

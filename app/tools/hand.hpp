@@ -17,6 +17,7 @@ struct Hand {
     document::PaintRecipe paint{{{"PB29", 1.0}}, 1.0};
     std::string medium = "heavy-body oil";
     document::TiltCanvas tilt{60.0, 90.0};
+    film::DryingAir air;
     bool reload_each_stroke = true;  ///< a clean brush full of `paint` at every touch
     bool turn_with_stroke = true;    ///< a pen that does not tell its rotation turns across its path
 };

@@ -64,7 +64,7 @@ std::vector<int> changed_tiles(const document::Snapshot* shown, const document::
     const film::FilmState& film = next.film;
     for (int tile = 0; tile < film.shape.tile_count(); ++tile) {
         if (shown != nullptr && film.thickness.shares_tile(shown->film.thickness, tile) &&
-            film.pigment.shares_tile(shown->film.pigment, tile) &&
+            film.paint.shares_tile(shown->film.paint, tile) &&
             film.support_mm.shares_tile(shown->film.support_mm, tile)) {
             continue;
         }

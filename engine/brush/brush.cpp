@@ -25,7 +25,7 @@ double mixed_share(const MixedLoad& paint, const Tip& tip, std::uint32_t index) 
     return std::clamp(paint.second_share + 2.0 * paint.share_variation * deviation, 0.0, 1.0);
 }
 
-void check_paint(const pigment::Coefficients& paint) {
+void check_paint(const film::PaintCoefficients& paint) {
     for (const float coefficient : paint) {
         PASTOSO_CHECK(coefficient >= 0.0F && coefficient <= kStrongestPaint_per_mm);
     }
@@ -34,8 +34,8 @@ void check_paint(const pigment::Coefficients& paint) {
 Contents paint_of(const MixedLoad& paint, double second_share, double volume_mm3) {
     Contents result;
     result.volume_mm3 = volume_mm3;
-    for (int k = 0; k < pigment::kChannels; ++k) {
-        result.pigment[k] =
+    for (int k = 0; k < film::kPaintChannels; ++k) {
+        result.paint[k] =
             volume_mm3 * (paint.first[k] * (1.0 - second_share) + paint.second[k] * second_share);
     }
     return result;
@@ -46,7 +46,7 @@ Contents paint_of(const MixedLoad& paint, double second_share, double volume_mm3
 Brush::Brush(const Preset& kind, double width_mm, std::uint32_t seed)
     : preset(resized(kind, width_mm)), tip(make_tip(preset, seed)), held(tip.bristles.size()) {}
 
-Contents Brush::load(const pigment::Coefficients& paint, double fill) {
+Contents Brush::load(const film::PaintCoefficients& paint, double fill) {
     return load(MixedLoad{paint, paint, 0.0, 0.0, false}, fill);
 }
 

@@ -12,7 +12,7 @@ namespace pastoso::brush {
 
 /// Two paints taken up at once.
 struct MixedLoad {
-    pigment::Coefficients first{}, second{};
+    film::PaintCoefficients first{}, second{};
     double second_share = 0.5;     ///< mean over the bristles, 0 to 1
     double share_variation = 0.0;  ///< 0: every bristle the same, 1: from all of one to all of the other
     bool side_by_side = false;     ///< one half of the width each, instead of a mean share
@@ -27,7 +27,7 @@ struct Brush {
     /// Dips the brush: every bristle that holds less than `fill` of what it can take (0 to 1.2; thin
     /// bristles take less) is topped up with paint of these coefficients (each 0 to
     /// kStrongestPaint_per_mm), up to the preset's overflow. Returns the paint taken.
-    Contents load(const pigment::Coefficients& paint, double fill);
+    Contents load(const film::PaintCoefficients& paint, double fill);
     Contents load(const MixedLoad& paint, double fill);
 
     /// Takes all paint off and returns it.

@@ -106,17 +106,17 @@ float scale_to(double available, std::int64_t wanted) {
                : 1.0F;
 }
 
-/// The held paint as pigment quanta per thickness quantum. A trace of pigment that the roundings up in
+/// The held paint as carried quanta per thickness quantum. A trace that the roundings up in
 /// all cells could overdraw stays where it is.
-std::array<float, pigment::kChannels> given_pigment(const Contents& held, double kept_share, int cells,
-                                                    double cell_area_mm2) {
-    constexpr double kQuantumRatio = film::kThicknessQuantum_mm / film::kPigmentQuantum;
-    const double trace = cells * film::kPigmentQuantum * cell_area_mm2;
+film::PaintCoefficients given_paint(const Contents& held, double kept_share, int cells,
+                                    double cell_area_mm2) {
+    constexpr double kQuantumRatio = film::kThicknessQuantum_mm / film::kPaintQuantum;
+    const double trace = cells * film::kPaintQuantum * cell_area_mm2;
     const double per_mm3 = 1.0 / held.volume_mm3;
-    std::array<float, pigment::kChannels> given{};
-    for (int k = 0; k < pigment::kChannels; ++k) {
-        if (kept_share * held.pigment[k] <= trace) continue;
-        const double per_mm = std::min<double>(held.pigment[k] * per_mm3, kStrongestPaint_per_mm);
+    film::PaintCoefficients given{};
+    for (int k = 0; k < film::kPaintChannels; ++k) {
+        if (kept_share * held.paint[k] <= trace) continue;
+        const double per_mm = std::min<double>(held.paint[k] * per_mm3, kStrongestPaint_per_mm);
         given[k] = static_cast<float>(per_mm * kQuantumRatio);
     }
     return given;
@@ -125,9 +125,8 @@ std::array<float, pigment::kChannels> given_pigment(const Contents& held, double
 void take_from(Contents& held, const ChangeSums& gained, double cell_area_mm2) {
     held.volume_mm3 -=
         static_cast<double>(gained.thickness) * (film::kThicknessQuantum_mm * cell_area_mm2);
-    for (int k = 0; k < pigment::kChannels; ++k) {
-        held.pigment[k] -=
-            static_cast<double>(gained.pigment[k]) * (film::kPigmentQuantum * cell_area_mm2);
+    for (int k = 0; k < film::kPaintChannels; ++k) {
+        held.paint[k] -= static_cast<double>(gained.paint[k]) * (film::kPaintQuantum * cell_area_mm2);
     }
 }
 
@@ -188,12 +187,12 @@ grid::Rect apply_batch(const CellBatch& batch, const WantedSums& wanted, double 
     rule.deposit_scale = scale_to(deposit_share * held_quanta, wanted.deposit);
     rule.swap_scale = scale_to(swap_share * held_quanta, wanted.swap);
     if (!empty)
-        rule.given = given_pigment(held, 1.0 - deposit_share - swap_share, batch.count(), cell_area_mm2);
+        rule.given = given_paint(held, 1.0 - deposit_share - swap_share, batch.count(), cell_area_mm2);
     rule.dither_seed = dither_seed;
     ChangeSums gained;
     for (const CellBatch::TilePart& part : batch.parts()) {
         if (!changes_anything(batch, part)) continue;
-        const TileCells cells = {film.thickness.write(part.tile), film.pigment.write(part.tile),
+        const TileCells cells = {film.thickness.write(part.tile), film.paint.write(part.tile),
                                  batch.cell.data() + part.begin,  batch.change.data() + part.begin,
                                  batch.swap.data() + part.begin,  part.end - part.begin};
         transfer_kernels().apply(rule, cells, gained);

@@ -86,8 +86,8 @@ PASTOSO_KERNEL_INLINE float dither(std::uint32_t cell, std::uint32_t seed) {
     return static_cast<float>((cell * 0x9E3779B9U + seed) >> 8) * 0x1p-24F;
 }
 
-/// The twelve channels as three groups of four, which every instruction set has registers for.
-constexpr int kLanes = 4, kGroups = pigment::kChannels / kLanes;
+/// The channels as groups of four, which every instruction set has registers for.
+constexpr int kLanes = 4, kGroups = film::kPaintChannels / kLanes;
 using FloatLanes [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = float;
 using IntLanes [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = std::int32_t;
 using WideLanes [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = std::int64_t;
@@ -135,7 +135,7 @@ void apply(const ApplyRule& rule, const TileCells& cells, ChangeSums& sums) {
         sums.any = true;
         sums.thickness += change;
         cells.thickness[cell] = h + change;
-        auto* pigment = reinterpret_cast<IntLanes*>(cells.pigment[cell].data());
+        auto* pigment = reinterpret_cast<IntLanes*>(cells.paint[cell].data());
         if (h + change == 0) {
             take_all_pigment(pigment, gains);
             continue;
@@ -146,8 +146,8 @@ void apply(const ApplyRule& rule, const TileCells& cells, ChangeSums& sums) {
         exchange_pigment(pigment, given, out_share, gained,
                          dither(static_cast<std::uint32_t>(cell), rule.dither_seed), gains);
     }
-    for (int k = 0; k < pigment::kChannels; ++k)
-        sums.pigment[k] += gains[k / kLanes][k % kLanes];
+    for (int k = 0; k < film::kPaintChannels; ++k)
+        sums.paint[k] += gains[k / kLanes][k % kLanes];
 }
 
 }  // namespace pastoso::brush::PASTOSO_ISA

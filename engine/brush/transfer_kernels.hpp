@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/isa.hpp"
-#include "pigment/bands.hpp"
+#include "film/paint_cell.hpp"
 
 #include <array>
 #include <cstdint>
@@ -49,21 +49,21 @@ struct WantedSums {
 struct ApplyRule {
     float deposit_scale = 1.0F;
     float swap_scale = 1.0F;
-    std::array<float, pigment::kChannels> given{};  ///< pigment quanta per thickness quantum
+    film::PaintCoefficients given{};  ///< carried quanta per thickness quantum
     std::uint32_t dither_seed = 0;
 };
 
 /// What the cells of a batch gained, quanta.
 struct ChangeSums {
     std::int64_t thickness = 0;
-    std::array<std::int64_t, pigment::kChannels> pigment{};
+    std::array<std::int64_t, film::kPaintChannels> paint{};
     bool any = false;  ///< something changed, even if the sums are 0
 };
 
 /// One tile's cells of a batch.
 struct TileCells {
     std::int32_t* thickness;
-    std::array<std::int32_t, pigment::kChannels>* pigment;
+    film::PaintCell* paint;
     const std::int32_t* cell;
     const std::int32_t* change;
     const std::int32_t* swap;

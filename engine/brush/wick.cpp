@@ -10,10 +10,10 @@ void exchange(Contents& a, Contents& b, double share_of_a, double share_of_b) {
     const double volume_mm3 = a.volume_mm3 * share_of_a - b.volume_mm3 * share_of_b;
     a.volume_mm3 -= volume_mm3;
     b.volume_mm3 += volume_mm3;
-    for (int k = 0; k < pigment::kChannels; ++k) {
-        const double amount = a.pigment[k] * share_of_a - b.pigment[k] * share_of_b;
-        a.pigment[k] -= amount;
-        b.pigment[k] += amount;
+    for (int k = 0; k < film::kPaintChannels; ++k) {
+        const double amount = a.paint[k] * share_of_a - b.paint[k] * share_of_b;
+        a.paint[k] -= amount;
+        b.paint[k] += amount;
     }
 }
 

@@ -32,7 +32,7 @@ struct Checker {
     }
     void operator()(const LoadPaint& load) const {
         check_paint(load.paint);
-        if (!load.second.ingredients.empty()) check_paint(load.second);
+        check_paint(load.second);
         check_between("share of the second paint", load.second_share, 0.0, 1.0);
         check_between("variation of the share", load.share_variation, 0.0, 1.0);
         check_between("fill of the brush", load.fill, 0.0, 1.2);
@@ -42,9 +42,18 @@ struct Checker {
         check_between("tilt of the canvas", tilt.tilt_deg, 0.0, 90.0);
         check_between("direction of the tilt", tilt.direction_deg, -360.0, 360.0);
     }
+    void operator()(const SetDrying& drying) const {
+        const film::DryingAir& air = drying.air;
+        check_between("speed of drying", air.speed, 0.0, kFastestDrying);
+        check_between("strength of the fan", air.fan, 1.0, 1000.0);
+        check_between("x of the fan in mm", air.fan_x_mm, -kMaxPenPosition_mm, kMaxPenPosition_mm);
+        check_between("y of the fan in mm", air.fan_y_mm, -kMaxPenPosition_mm, kMaxPenPosition_mm);
+        check_between("radius of the fan in mm", air.fan_radius_mm, 0.0, kMaxPenPosition_mm);
+    }
     void operator()(const PenDown& pen) const { check_sample(pen.sample); }
     void operator()(const PenMove& pen) const { check_sample(pen.sample); }
     void operator()(const CleanBrush&) const {}
+    void operator()(const DryNow&) const {}
     void operator()(const PenUp&) const {}
     void operator()(const Undo&) const {}
     void operator()(const Redo&) const {}
@@ -73,7 +82,6 @@ void check_time_order(const brush::PenSample& previous, const brush::PenSample& 
 }
 
 void check_paint(const PaintRecipe& paint) {
-    if (paint.ingredients.empty()) throw core::InputError("a paint needs at least one pigment.");
     for (const Ingredient& ingredient : paint.ingredients) {
         pigment::find_pigment(ingredient.pigment);
         const std::string parts = "number of parts of " + ingredient.pigment;

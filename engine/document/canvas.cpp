@@ -18,11 +18,15 @@ constexpr double kBytesPerGiB = 1024.0 * 1024.0 * 1024.0;
 
 /// One set of the film's fields.
 constexpr std::size_t kFilmBytesPerCell =
-    sizeof(std::int32_t) + sizeof(film::PigmentCell) + 3 * sizeof(float);
+    sizeof(std::int32_t) + sizeof(film::PaintCell) + 3 * sizeof(float);
+
+/// What lies dry below it; snapshots share most of it.
+constexpr std::size_t kStrataBytesPerCell =
+    sizeof(std::int32_t) + sizeof(film::PigmentCell) + sizeof(pigment::Bands);
 
 /// The film twice (the live one and a snapshot of it), the solver's old and new velocities, and the
 /// picture with its interpolated surface.
-constexpr std::size_t kBytesPerCell = 2 * kFilmBytesPerCell + 16 + 48;
+constexpr std::size_t kBytesPerCell = 2 * kFilmBytesPerCell + kStrataBytesPerCell + 16 + 48;
 
 void check_between(const char* what, double value, double least, double most, const char* unit) {
     if (value >= least && value <= most) return;

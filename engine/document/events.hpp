@@ -3,6 +3,7 @@
 #pragma once
 
 #include "brush/pen_sample.hpp"
+#include "film/drying_air.hpp"
 
 #include <cstdint>
 #include <string>
@@ -24,7 +25,7 @@ struct Ingredient {
 
 /// A mixture of pigments thinned with clear medium.
 struct PaintRecipe {
-    std::vector<Ingredient> ingredients;
+    std::vector<Ingredient> ingredients;  ///< none: the medium alone
     double strength =
         1.0;  ///< share of pigmented paint in the volume, the rest is clear medium; 0 < s <= 1
     friend bool operator==(const PaintRecipe&, const PaintRecipe&) = default;
@@ -48,7 +49,9 @@ struct LoadPaint {  ///< dips the brush
 struct CleanBrush {  ///< wipes everything off the brush, into the waste account
     friend bool operator==(const CleanBrush&, const CleanBrush&) = default;
 };
-struct UseMedium {  ///< changes the flow properties of all the paint
+/// Takes another medium in hand. Paint loaded from now on brings its viscosity, yield stress, solids and
+/// drying time along; the other properties of the medium become those of all wet paint.
+struct UseMedium {
     std::string name;
     friend bool operator==(const UseMedium&, const UseMedium&) = default;
 };
@@ -56,6 +59,13 @@ struct TiltCanvas {
     double tilt_deg = 0.0;        ///< 0 flat, 90 upright
     double direction_deg = 90.0;  ///< where down points on the canvas: 0 right, 90 to the lower edge
     friend bool operator==(const TiltCanvas&, const TiltCanvas&) = default;
+};
+struct SetDrying {  ///< how fast paint dries from now on
+    film::DryingAir air;
+    friend bool operator==(const SetDrying&, const SetDrying&) = default;
+};
+struct DryNow {  ///< all wet paint becomes dry at once
+    friend bool operator==(const DryNow&, const DryNow&) = default;
 };
 struct PenDown {
     brush::PenSample sample;
@@ -75,8 +85,8 @@ struct Redo {
     friend bool operator==(const Redo&, const Redo&) = default;
 };
 
-using Action = std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCanvas, PenDown, PenMove,
-                            PenUp, Undo, Redo>;
+using Action = std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCanvas, SetDrying, DryNow,
+                            PenDown, PenMove, PenUp, Undo, Redo>;
 
 struct Event {
     std::int64_t tick = 0;  ///< the number of ticks that had passed when it happened

@@ -18,10 +18,13 @@ std::size_t unshared_field_bytes(const grid::TiledField<T>& older, const grid::T
 
 std::size_t unshared_bytes(const film::FilmState& older, const film::FilmState& newer) {
     return unshared_field_bytes(older.thickness, newer.thickness) +
-           unshared_field_bytes(older.pigment, newer.pigment) +
+           unshared_field_bytes(older.paint, newer.paint) +
            unshared_field_bytes(older.velocity_x, newer.velocity_x) +
            unshared_field_bytes(older.velocity_y, newer.velocity_y) +
-           unshared_field_bytes(older.support_mm, newer.support_mm);
+           unshared_field_bytes(older.support_mm, newer.support_mm) +
+           unshared_field_bytes(older.strata.soluble_thickness, newer.strata.soluble_thickness) +
+           unshared_field_bytes(older.strata.soluble_pigment, newer.strata.soluble_pigment) +
+           unshared_field_bytes(older.strata.ground, newer.strata.ground);
 }
 
 void History::set_budget(std::size_t bytes) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace pastoso::document {
@@ -16,6 +17,7 @@ namespace pastoso::document {
 struct Moment {
     film::FilmState film;
     std::optional<brush::Brush> brush;
+    std::string medium;           ///< in hand
     std::uint64_t brush_use = 0;  ///< tells whether the brush was loaded, cleaned or changed since
     brush::Contents taken;        ///< from the tubes until then
     brush::Contents wiped;        ///< off the brush until then

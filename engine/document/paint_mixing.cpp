@@ -6,7 +6,8 @@
 
 namespace pastoso::document {
 
-pigment::Coefficients coefficients_of(const PaintRecipe& paint) {
+film::PaintCoefficients mixed_paint(const PaintRecipe& paint, const film::Medium& medium) {
+    if (paint.ingredients.empty()) return film::paint_coefficients({}, medium);
     std::vector<pigment::Portion> portions;
     portions.reserve(paint.ingredients.size());
     for (const Ingredient& ingredient : paint.ingredients) {
@@ -15,7 +16,7 @@ pigment::Coefficients coefficients_of(const PaintRecipe& paint) {
     pigment::Coefficients coefficients = pigment::mix(portions);
     for (float& value : coefficients)
         value *= static_cast<float>(paint.strength);
-    return coefficients;
+    return film::paint_coefficients(coefficients, medium);
 }
 
 }  // namespace pastoso::document

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "document/events.hpp"
-#include "pigment/bands.hpp"
+#include "film/medium.hpp"
+#include "film/paint_cell.hpp"
 
 namespace pastoso::document {
 
-/// The mean of the ingredients' coefficients by volume, times the recipe's strength: clear medium adds
-/// volume and no colour. The recipe passed check_paint().
-pigment::Coefficients coefficients_of(const PaintRecipe& paint);
+/// The mean of the ingredients' coefficients by volume, times the recipe's strength (clear medium adds
+/// volume and no colour), in a medium. The recipe passed check_paint(); one without ingredients is the
+/// medium alone.
+film::PaintCoefficients mixed_paint(const PaintRecipe& paint, const film::Medium& medium);
 
 }  // namespace pastoso::document

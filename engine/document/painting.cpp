@@ -8,8 +8,10 @@
 #include "document/canvas.hpp"
 #include "document/history.hpp"
 #include "document/paint_mixing.hpp"
+#include "film/ageing.hpp"
 #include "film/support.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <utility>
@@ -35,22 +37,34 @@ film::FilmState bare_canvas(const CanvasSettings& settings, grid::TiledField<flo
 brush::Contents contents_of(const film::Totals& totals, double cell_mm) {
     brush::Contents contents;
     contents.volume_mm3 = film::volume_mm3(totals.thickness, cell_mm);
-    for (int k = 0; k < pigment::kChannels; ++k) {
-        contents.pigment[k] =
-            static_cast<double>(totals.pigment[k]) * film::kPigmentQuantum * cell_mm * cell_mm;
+    for (int k = 0; k < film::kPaintChannels; ++k) {
+        contents.paint[k] =
+            static_cast<double>(totals.paint[k]) * film::kPaintQuantum * cell_mm * cell_mm;
     }
     return contents;
 }
 
+Account::Amount dried_amount(const film::Strata& strata, double cell_mm) {
+    const film::DriedTotals totals = film::dried_totals(strata);
+    Account::Amount amount{.volume_mm3 = film::volume_mm3(totals.thickness, cell_mm)};
+    for (int k = 0; k < pigment::kChannels; ++k) {
+        amount.pigment[k] =
+            static_cast<double>(totals.pigment[k]) * film::kPaintQuantum * cell_mm * cell_mm;
+    }
+    return amount;
+}
+
 film::Totals difference(film::Totals a, const film::Totals& b) {
     a.thickness -= b.thickness;
-    for (int k = 0; k < pigment::kChannels; ++k)
-        a.pigment[k] -= b.pigment[k];
+    for (int k = 0; k < film::kPaintChannels; ++k)
+        a.paint[k] -= b.paint[k];
     return a;
 }
 
 Account::Amount amount(const brush::Contents& contents) {
-    return {contents.volume_mm3, contents.pigment};
+    Account::Amount result{.volume_mm3 = contents.volume_mm3};
+    std::copy_n(contents.paint.begin(), pigment::kChannels, result.pigment.begin());
+    return result;
 }
 
 /// Adds the time until the end of the scope to a sum.
@@ -71,10 +85,12 @@ class ScopedTimer {
 
 /// Applies actions by std::visit; the actions have passed check_action().
 struct Painting::Parts {
-    Parts(const CanvasSettings& canvas, grid::TiledField<float> support_mm, core::ThreadPool& pool)
+    Parts(const CanvasSettings& canvas, grid::TiledField<float> support_mm, core::ThreadPool& threads)
         : settings(canvas),
+          pool(threads),
           film(bare_canvas(canvas, std::move(support_mm))),
-          solver(film, film::find_medium(kFirstMedium), film::SolverOptions{}, pool) {
+          medium(film::find_medium(kFirstMedium)),
+          solver(film, medium, film::SolverOptions{}, threads) {
         solver.set_gravity(film::tilted_gravity(0.0));
     }
 
@@ -88,12 +104,13 @@ struct Painting::Parts {
     void operator()(const LoadPaint& load) {
         if (!brush) throw core::InputError("there is no brush in hand to take paint with.");
         end_stroke();
-        const pigment::Coefficients first = coefficients_of(load.paint);
+        const film::PaintCoefficients first = mixed_paint(load.paint, medium);
         if (load.second.ingredients.empty()) {
             taken += brush->load(first, load.fill);
         } else {
-            taken += brush->load(brush::MixedLoad{first, coefficients_of(load.second), load.second_share,
-                                                  load.share_variation, load.side_by_side},
+            const film::PaintCoefficients second = mixed_paint(load.second, medium);
+            taken += brush->load(brush::MixedLoad{first, second, load.second_share, load.share_variation,
+                                                  load.side_by_side},
                                  load.fill);
         }
         ++brush_use;
@@ -104,9 +121,22 @@ struct Painting::Parts {
         wipe_brush();
     }
 
-    void operator()(const UseMedium& medium) { solver.set_medium(film::find_medium(medium.name)); }
+    void operator()(const UseMedium& use) {
+        const film::Medium& next = film::find_medium(use.name);
+        if (next.name != medium.name) film.varied = film::has_wet_paint(film) || brush_holds_paint();
+        medium = next;
+        solver.set_medium(medium);
+    }
     void operator()(const TiltCanvas& tilt) {
         solver.set_gravity(film::tilted_gravity(tilt.tilt_deg, tilt.direction_deg));
+    }
+
+    void operator()(const SetDrying& drying) { air = drying.air; }
+
+    void operator()(const DryNow&) {
+        end_stroke();
+        history.remember(moment());
+        film::dry_now(film, kPrimedGround, pool);
     }
 
     void operator()(const PenDown& pen) {
@@ -153,14 +183,20 @@ struct Painting::Parts {
         ++brush_use;
     }
 
+    bool brush_holds_paint() const { return brush && brush->contents().volume_mm3 > 0.0; }
+
+    /// What a tick brings besides the flow.
+    void age() { ageing.tick(kTick_s, air, kPrimedGround, film, pool); }
+
     film::Totals run_off() const { return difference(solver.runoff(), forgotten_run_off); }
 
-    Moment moment() const { return {film, brush, brush_use, taken, wiped, run_off()}; }
+    Moment moment() const { return {film, brush, medium.name, brush_use, taken, wiped, run_off()}; }
 
     /// A brush that was not touched since then gets back what it held. Any other stays in hand as it is,
     /// as if it had been filled afresh, and what was on the old one counts as wiped off.
     void return_to(const Moment& then) {
         film = then.film;
+        if (then.medium != medium.name) film.varied = true;
         taken = then.taken;
         wiped = then.wiped;
         forgotten_run_off = difference(solver.runoff(), then.run_off);
@@ -174,8 +210,12 @@ struct Painting::Parts {
     }
 
     CanvasSettings settings;
+    core::ThreadPool& pool;
     film::FilmState film;
+    film::Medium medium;  ///< in hand: what the next load is mixed with
     film::Solver solver;
+    film::DryingAir air;
+    film::AgeingClock ageing;
     std::optional<brush::Brush> brush;
     std::optional<brush::Stroke> stroke;
     brush::PenSample last_sample;
@@ -208,6 +248,7 @@ void Painting::apply(const Action& action) {
 void Painting::advance_tick() {
     const ScopedTimer timer(parts_->times.film_s);
     parts_->film_report.add(parts_->solver.advance(kTick_s));
+    parts_->age();
     ++parts_->tick;
 }
 
@@ -216,6 +257,7 @@ bool Painting::advance_tick_unless(const std::function<bool()>& give_up) {
     const auto report = parts_->solver.advance_unless(give_up, kTick_s);
     if (!report) return false;
     parts_->film_report.add(*report);
+    parts_->age();
     ++parts_->tick;
     return true;
 }
@@ -250,7 +292,9 @@ Account Painting::account() const {
     const double cell_mm = parts_->film.cell_mm;
     brush::Contents ledger = parts_->wiped;
     ledger += contents_of(parts_->run_off(), cell_mm);
+    ledger.volume_mm3 += film::volume_mm3(parts_->film.strata.evaporated, cell_mm);
     return {amount(parts_->taken), amount(contents_of(film::totals(parts_->film), cell_mm)),
+            dried_amount(parts_->film.strata, cell_mm),
             parts_->brush ? amount(parts_->brush->contents()) : Account::Amount{}, amount(ledger)};
 }
 

@@ -33,12 +33,13 @@ struct Account {
         double volume_mm3 = 0.0;
         std::array<double, pigment::kChannels> pigment{};
     };
-    Amount taken;  ///< loaded from the tubes so far
-    Amount canvas;
+    Amount taken;   ///< loaded from the tubes so far
+    Amount canvas;  ///< wet
+    Amount dried;   ///< on the canvas too
     Amount brush;
-    Amount ledger;  ///< wiped off, or run off the edges
+    Amount ledger;  ///< wiped off, run off the edges, or evaporated
 
-    double volume_error_rel() const;   ///< |canvas + brush + ledger - taken| / taken
+    double volume_error_rel() const;   ///< |canvas + dried + brush + ledger - taken| / taken
     double pigment_error_rel() const;  ///< the largest of the channels, relative to that channel's taken
 };
 
@@ -64,8 +65,8 @@ class Painting {
     /// as it was. PenMove and PenUp without a stroke, Undo and Redo with nothing to return to do
     /// nothing. Whatever touches the brush, and Undo and Redo, end a stroke in progress first.
     ///
-    /// Undo brings back film and account as they were before the last stroke. The brush gets back what
-    /// it held then, unless it was taken, loaded or cleaned since: then it stays as it is.
+    /// Undo brings back film and account as they were before the last stroke or DryNow. The brush gets
+    /// back what it held then, unless it was taken, loaded or cleaned since: then it stays as it is.
     void apply(const Action& action);
 
     /// Lets one tick (kTick_s) of paint time pass.

@@ -12,18 +12,18 @@ void gather_row(const FilmState& state, const HaloMap& columns, const HaloSource
     const int first_tile = row.tile * state.shape.tiles_x();
     const auto one_cell = [&](int x) {
         const HaloSource& column = columns.cells[x + kHalo];
-        float* cell_out = out + x * pigment::kChannels;
+        float* cell_out = out + x * kPaintChannels;
         if (column.outside) {
-            std::fill_n(cell_out, pigment::kChannels, 0.0F);
+            std::fill_n(cell_out, kPaintChannels, 0.0F);
             return;
         }
         const int tile = first_tile + column.tile;
         const int cell = row.cell * kTileSize + column.cell;
-        concentrate(state.pigment.read(tile) + cell, state.thickness.read(tile) + cell, 1, cell_out);
+        concentrate(state.paint.read(tile) + cell, state.thickness.read(tile) + cell, 1, cell_out);
     };
     const int tile = first_tile + tile_x;
     const int first_cell = row.cell * kTileSize;
-    concentrate(state.pigment.read(tile) + first_cell, state.thickness.read(tile) + first_cell,
+    concentrate(state.paint.read(tile) + first_cell, state.thickness.read(tile) + first_cell,
                 columns.extent, out);
     for (int x = -kConcentrationHalo; x < 0; ++x)
         one_cell(x);
@@ -39,7 +39,7 @@ void gather_concentrations(const FilmState& state, const HaloMap& columns, const
         const HaloSource& row = rows.cells[y + kHalo];
         if (row.outside)
             std::fill_n(out + concentration_index(-kConcentrationHalo, y),
-                        kConcentrationSide * pigment::kChannels, 0.0F);
+                        kConcentrationSide * kPaintChannels, 0.0F);
         else
             gather_row(state, columns, row, tile_x, concentrate, out + concentration_index(0, y));
     }

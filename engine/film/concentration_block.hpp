@@ -1,4 +1,5 @@
-// Pigment concentrations of a tile and two cells around it: what the pigment transport of a tile reads.
+// Concentrations of what a tile's paint carries, of the tile and two cells around it: what the pigment
+// transport of a tile reads.
 #pragma once
 
 #include "film/halo_block.hpp"

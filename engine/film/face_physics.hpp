@@ -23,6 +23,7 @@ struct FaceModel {
     bool alpha_range = false;  ///< also right, only slower, where both ends are the same
     bool horizontal_tension = false;
     bool shear_thinning = false;
+    bool varied = false;  ///< every cell has its own viscosity and yield stress
 };
 
 /// What a face needs to know. "left" and "right" are the cells before and behind it along its axis; for
@@ -37,9 +38,53 @@ struct FaceNeighbourhood {
     F curvature;                      ///< mean kappa of both cells, 1/mm
     F normal_left, normal_right;      ///< |n_x| + |n_y| of the film's outline, 1..sqrt(2)
     F u, u_back, u_front, u_before,
-        u_after;  ///< old velocity here, one face along the axis, one face across
-    F v;          ///< old velocity along the face, mean of the four around it
+        u_after;                        ///< old velocity here, one face along the axis, one face across
+    F v;                                ///< old velocity along the face, mean of the four around it
+    F viscosity_left, viscosity_right;  ///< mm2/s; of varied paint only
+    F yield_left, yield_right;          ///< tau_y/rho, mm2/s2; of varied paint only
 };
+
+/// The consistency of the paint at a face. Uniform paint has the step's and stores nothing.
+template <class F, bool kVaried>
+struct FacePaint {
+    static F viscosity(const StepConstants& step) { return F(step.viscosity_mm2_s); }
+    static F fluidity(const StepConstants& step) { return F(1.0F / step.viscosity_mm2_s); }
+    static F against_yield(const StepConstants& step) { return F(step.viscosity_mm2_s / step.yield); }
+    static F over_yield_in_step(F impulse, const StepConstants& step) {
+        return impulse * F(1.0F / (step.dt_s * step.yield));
+    }
+};
+template <class F>
+struct FacePaint<F, true> {
+    F nu, tau;  ///< mm2/s, mm2/s2
+
+    F viscosity(const StepConstants&) const { return nu; }
+    F fluidity(const StepConstants&) const { return F(1.0F) / nu; }
+    F against_yield(const StepConstants&) const { return nu / tau; }
+    F over_yield_in_step(F impulse, const StepConstants& step) const {
+        return impulse / (F(step.dt_s) * tau);
+    }
+};
+
+/// What flows through a face is taken as an equal mixture of both cells: the mean of ln nu and that of
+/// tau_y, as anywhere else (paint_cell.hpp). At the film's edge it is the wet cell's paint. A trace of
+/// yield stress stands for none.
+template <FaceModel kModel, class F>
+PASTOSO_FACE_FUNCTION FacePaint<F, kModel.varied> face_paint(const FaceNeighbourhood<F>& face,
+                                                             const StepConstants& step) {
+    if constexpr (!kModel.varied) {
+        return {};
+    } else {
+        const auto wet_left = face.h_left > F(step.wet_mm), wet_right = face.h_right > F(step.wet_mm);
+        const auto wet_both = wet_left && wet_right;
+        const F nu = lanes::sqrt(F(face.viscosity_left * face.viscosity_right));
+        const F tau = F(0.5F) * (face.yield_left + face.yield_right);
+        const F edge_nu = lanes::select(wet_left, face.viscosity_left, face.viscosity_right);
+        const F edge_tau = lanes::select(wet_left, face.yield_left, face.yield_right);
+        return {lanes::select(wet_both, nu, edge_nu),
+                lanes::max(F(lanes::select(wet_both, tau, edge_tau)), F(1e-9F))};
+    }
+}
 
 template <class F>
 struct FaceFlow {
@@ -170,11 +215,11 @@ struct DragRate {
     F rate, inverse;
 };
 template <class F>
-PASTOSO_FACE_FUNCTION DragRate<F> drag_rate(F coefficient, F thickness, const StepConstants& step) {
+PASTOSO_FACE_FUNCTION DragRate<F> drag_rate(F coefficient, F thickness, F viscosity, F fluidity,
+                                            const StepConstants& step) {
     const F area = thickness * (thickness + F(3.0F * step.slip_mm)) + F(1e-12F);
     const F quotient = F(1.0F) / (coefficient * area);
-    return {F(step.viscosity_mm2_s) * coefficient * (coefficient * quotient),
-            F(1.0F / step.viscosity_mm2_s) * area * (area * quotient)};
+    return {viscosity * coefficient * (coefficient * quotient), fluidity * area * (area * quotient)};
 }
 
 /// Explicit viscosity between neighbouring columns of paint, mm2/s: capped where it would outrun its own
@@ -187,14 +232,15 @@ PASTOSO_FACE_FUNCTION F lateral_viscosity(F viscosity, F drag_rate, const StepCo
 
 /// The wall stress, in yield stresses, that would stop a film of velocity (u, v) within the step:
 /// drag |w| / y.
-template <class F>
-PASTOSO_FACE_FUNCTION F stopping_stress(F drag, F thickness, F u, F v, const StepConstants& step) {
+template <class F, class Paint>
+PASTOSO_FACE_FUNCTION F stopping_stress(F drag, F thickness, F u, F v, const Paint& paint,
+                                        const StepConstants& step) {
     const F speed = lanes::sqrt(F(u * u + v * v)) + F(1e-30F);
-    return speed * drag * thickness * F(1.0F / (step.dt_s * step.yield));
+    return paint.over_yield_in_step(F(speed * drag * thickness), step);
 }
 
 /// What moves the paint through a face and what will resist it, all at the old time.
-template <class F>
+template <FaceModel kModel, class F>
 struct FaceDrive {
     F driven;            ///< velocity under inertia and force, without drag, mm/s
     F across;            ///< the same along the face; 0 without a yield stress
@@ -203,6 +249,7 @@ struct FaceDrive {
     F drag_thickness;    ///< of the film that drags, mm
     F drag_coefficient;  ///< k_d, times the relative viscosity
     F viscosity;         ///< nu at the face, mm2/s
+    [[no_unique_address]] FacePaint<F, kModel.varied> paint;
 };
 
 /// The paper's horizontal surface tension, chi (sigma/rho) kappa d(eta)/dx / h: a weight chi of 0 is
@@ -219,9 +266,9 @@ PASTOSO_FACE_FUNCTION F horizontal_tension(const FaceNeighbourhood<F>& face, con
 /// `force` acts along the axis, `force_across` along the face. A branch that no lane needs is left out,
 /// which changes no bit.
 template <FaceModel kModel, class F>
-PASTOSO_FACE_FUNCTION FaceDrive<F> face_drive(const FaceNeighbourhood<F>& face,
-                                              const StepConstants& step, float force,
-                                              float force_across) {
+PASTOSO_FACE_FUNCTION FaceDrive<kModel, F> face_drive(const FaceNeighbourhood<F>& face,
+                                                      const StepConstants& step, float force,
+                                                      float force_across) {
     const F zero(0.0F), dt(step.dt_s), inverse_cell(step.inverse_cell);
     const auto wet_left = face.h_left > F(step.wet_mm), wet_right = face.h_right > F(step.wet_mm);
     const auto wet_both = wet_left && wet_right;
@@ -234,7 +281,8 @@ PASTOSO_FACE_FUNCTION FaceDrive<F> face_drive(const FaceNeighbourhood<F>& face,
         edge = contact_face(face, step, F(force));
         acceleration = lanes::select(wet_both, acceleration, edge.acceleration);
     }
-    FaceDrive<F> drive;
+    FaceDrive<kModel, F> drive;
+    drive.paint = face_paint<kModel>(face, step);
     drive.driven =
         face.u - F(step.inertia) * dt * momentum_advection(face, inverse_cell) + dt * acceleration;
     drive.thickness = drive.drag_thickness = upwind_thickness(face, drive.driven);
@@ -247,10 +295,11 @@ PASTOSO_FACE_FUNCTION FaceDrive<F> face_drive(const FaceNeighbourhood<F>& face,
     drive.laplacian = face.u_back + face.u_front + (face.u_before + face.u_after) - F(4.0F) * face.u;
     drive.drag_coefficient = F(step.drag_along);
     if constexpr (kModel.alpha_range) drive.drag_coefficient = alpha_drag(face, step);
-    drive.viscosity = F(step.viscosity_mm2_s);
+    drive.viscosity = drive.paint.viscosity(step);
     if constexpr (kModel.shear_thinning) {
         const F speed = lanes::sqrt(F(face.u * face.u + face.v * face.v));
-        const F relative = relative_viscosity<kModel.yield>(speed, drive.drag_thickness, step);
+        const F relative = relative_viscosity<kModel.yield>(speed, drive.drag_thickness,
+                                                            drive.paint.against_yield(step), step);
         drive.drag_coefficient = drive.drag_coefficient * relative;
         drive.viscosity = drive.viscosity * relative;
     }
@@ -269,8 +318,10 @@ struct FaceDrag {
     F stress;      ///< W; 0 without a yield stress
 };
 template <FaceModel kModel, class F>
-PASTOSO_FACE_FUNCTION FaceDrag<F> face_drag(const FaceDrive<F>& drive, const StepConstants& step) {
-    const DragRate<F> lambda = drag_rate(drive.drag_coefficient, drive.drag_thickness, step);
+PASTOSO_FACE_FUNCTION FaceDrag<F> face_drag(const FaceDrive<kModel, F>& drive,
+                                            const StepConstants& step) {
+    const DragRate<F> lambda = drag_rate(drive.drag_coefficient, drive.drag_thickness,
+                                         drive.paint.viscosity(step), drive.paint.fluidity(step), step);
     FaceDrag<F> result;
     result.unresisted =
         drive.driven + F(step.lateral * step.dt_s * step.inverse_cell * step.inverse_cell) *
@@ -280,8 +331,8 @@ PASTOSO_FACE_FUNCTION FaceDrag<F> face_drag(const FaceDrive<F>& drive, const Ste
     if constexpr (kModel.shear_thinning) result.relaxation = lambda.inverse * F(1.0F / step.flow_index);
     result.stress = F(0.0F);
     if constexpr (kModel.yield)
-        result.stress =
-            stopping_stress(result.drag, drive.drag_thickness, result.unresisted, drive.across, step);
+        result.stress = stopping_stress(result.drag, drive.drag_thickness, result.unresisted,
+                                        drive.across, drive.paint, step);
     return result;
 }
 
@@ -309,7 +360,7 @@ PASTOSO_FACE_FUNCTION FaceFlow<F> face_flow(F thickness, const FaceDrag<F>& drag
 template <FaceModel kModel, class F>
 PASTOSO_FACE_FUNCTION FaceFlow<F> face_flow(const FaceNeighbourhood<F>& face, const StepConstants& step,
                                             float force, float force_across) {
-    const FaceDrive<F> drive = face_drive<kModel>(face, step, force, force_across);
+    const FaceDrive<kModel, F> drive = face_drive<kModel>(face, step, force, force_across);
     const FaceDrag<F> drag = face_drag<kModel>(drive, step);
     return face_flow(drive.thickness, drag, drag_law<kModel>(drag), step);
 }

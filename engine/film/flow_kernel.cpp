@@ -1,6 +1,5 @@
 // Compiled once per instruction set; see pastoso_add_kernels.
-#include "film/face_physics.hpp"
-#include "film/lane_groups.hpp"
+#include "film/face_loading.hpp"
 #include "film/tile_kernels.hpp"
 
 #include <algorithm>
@@ -11,51 +10,6 @@ namespace {
 using grid::kTileSize;
 
 using Ints = lanes::stdx::rebind_simd_t<std::int32_t, Lanes>;
-
-/// The two directions of faces, told apart by index strides into the block.
-struct Axis {
-    int along, across;
-    const float* velocity;         ///< old, of this component
-    const float* velocity_across;  ///< old, of the other
-    float force, force_across;
-};
-
-template <class Load>
-[[gnu::always_inline]] inline FaceNeighbourhood<Lanes> neighbourhood(const TileScratch& scratch,
-                                                                     const StepConstants& step,
-                                                                     const Axis& axis,
-                                                                     const Load& load_at, int i) {
-    const HaloBlock& block = scratch.block;
-    const int s = axis.along, t = axis.across;
-    const float* eta = block.eta.data();
-    const float* u = axis.velocity;
-    const float* v = axis.velocity_across;
-    FaceNeighbourhood<Lanes> face;
-    face.h_left = load_at(&block.thickness[i]);
-    face.h_right = load_at(&block.thickness[i + s]);
-    face.support_left = load_at(&block.support[i]);
-    face.support_right = load_at(&block.support[i + s]);
-    face.eta_left2 = load_at(eta + i - s);
-    face.eta_left = load_at(eta + i);
-    face.eta_right = load_at(eta + i + s);
-    face.eta_right2 = load_at(eta + i + 2 * s);
-    face.eta_slope_across =
-        Lanes(0.25F * step.inverse_cell) * ((load_at(eta + i + t) - load_at(eta + i - t)) +
-                                            (load_at(eta + i + s + t) - load_at(eta + i + s - t)));
-    face.pressure_left = load_at(&scratch.pressure[i]);
-    face.pressure_right = load_at(&scratch.pressure[i + s]);
-    face.curvature = Lanes(0.5F) * (load_at(&scratch.curvature[i]) + load_at(&scratch.curvature[i + s]));
-    face.normal_left = load_at(&scratch.normal_x[i]) + load_at(&scratch.normal_y[i]);
-    face.normal_right = load_at(&scratch.normal_x[i + s]) + load_at(&scratch.normal_y[i + s]);
-    face.u = load_at(u + i);
-    face.u_back = load_at(u + i - s);
-    face.u_front = load_at(u + i + s);
-    face.u_before = load_at(u + i - t);
-    face.u_after = load_at(u + i + t);
-    face.v = Lanes(0.25F) *
-             ((load_at(v + i) + load_at(v + i + s)) + (load_at(v + i - t) + load_at(v + i + s - t)));
-    return face;
-}
 
 /// Thickness quanta carried in a step: |velocity| thickness dt / cell, rounded half away from zero, at
 /// most a quarter of the cell that they leave.
@@ -100,13 +54,13 @@ struct FaceKernel {
     void flow_row(int y, LaneExtremes& extremes) const {
         constexpr int kGroups = kTileSize / kLanes;
         const StepConstants local = step;  // which no store through a pointer can change
-        std::array<FaceDrive<Lanes>, kGroups> drive;
+        std::array<FaceDrive<kModel, Lanes>, kGroups> drive;
         std::array<FaceDrag<Lanes>, kGroups> drag;
         std::array<BinghamDrag<Lanes>, kGroups> law;
         for (int group = 0; group < kGroups; ++group)
             drive[group] = face_drive<kModel>(
-                neighbourhood(scratch, local, axis, AlongRow{}, block_index(group * kLanes, y)), local,
-                axis.force, axis.force_across);
+                neighbourhood<kModel>(scratch, local, axis, AlongRow{}, block_index(group * kLanes, y)),
+                local, axis.force, axis.force_across);
         for (int group = 0; group < kGroups; ++group)
             drag[group] = face_drag<kModel>(drive[group], local);
         for (int group = 0; group < kGroups; ++group)
@@ -131,8 +85,8 @@ struct FaceKernel {
         for (int y = 0; y < kTileSize; y += kLanes) {
             const int i = block_index(x, y);
             const FaceFlow<Lanes> flow =
-                face_flow<kModel>(neighbourhood(scratch, step, axis, AlongColumn{}, i), step, axis.force,
-                                  axis.force_across);
+                face_flow<kModel>(neighbourhood<kModel>(scratch, step, axis, AlongColumn{}, i), step,
+                                  axis.force, axis.force_across);
             extremes.add(flow);
             const Ints left([&](int lane) { return quanta[i + lane * kBlockStride]; });
             const Ints right([&](int lane) { return quanta[i + axis.along + lane * kBlockStride]; });
@@ -209,27 +163,13 @@ FlowExtremes flow_all_faces(const StepConstants& step, TileScratch& scratch) {
     return extremes.reduced();
 }
 
-/// The rare terms, horizontal tension and shear thinning, are compiled with the alpha range only.
-template <bool kYield>
-FlowExtremes flow_faces(const StepConstants& step, TileScratch& scratch) {
-    constexpr FaceModel kPlain{.yield = kYield};
-    constexpr FaceModel kAlpha{.yield = kYield, .alpha_range = true};
-    constexpr FaceModel kTension{.yield = kYield, .alpha_range = true, .horizontal_tension = true};
-    constexpr FaceModel kThinning{
-        .yield = kYield, .alpha_range = true, .horizontal_tension = true, .shear_thinning = true};
-    if (step.is_shear_thinning()) return flow_all_faces<kThinning>(step, scratch);
-    if (step.has_horizontal_tension()) return flow_all_faces<kTension>(step, scratch);
-    return step.has_alpha_range() ? flow_all_faces<kAlpha>(step, scratch)
-                                  : flow_all_faces<kPlain>(step, scratch);
-}
-
 }  // namespace
 
 FlowExtremes tile_flow(const StepConstants& step, int columns, int rows, const ClosedEdges& closed,
                        TileScratch& scratch) {
     if (scratch.block.last_wet_row >= scratch.block.first_wet_row) prepare_pressure(step, scratch);
     FlowExtremes extremes =
-        step.has_yield() ? flow_faces<true>(step, scratch) : flow_faces<false>(step, scratch);
+        with_face_model(step, [&]<FaceModel kModel>() { return flow_all_faces<kModel>(step, scratch); });
     shut_edges(columns, rows, closed, scratch);
     if (extremes.speed_mm_s >= 0.5F * step.cell_mm / step.dt_s)
         extremes.clamped_faces = count_clamped(step, scratch.velocity_x, -1, 0) +

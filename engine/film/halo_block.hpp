@@ -49,6 +49,8 @@ struct HaloBlock {
     alignas(64) BlockArray<float> velocity_x;
     alignas(64) BlockArray<float> velocity_y;
     alignas(64) BlockArray<std::int32_t> quanta;  ///< thickness
+    alignas(64) BlockArray<float> viscosity;      ///< mm2/s; of varied paint only (rheology_block.hpp)
+    alignas(64) BlockArray<float> yield;          ///< tau_y/rho, mm2/s2; likewise
     int first_wet_row = 0, last_wet_row = -1;     ///< rows of the block with more than `wet_mm`
 };
 

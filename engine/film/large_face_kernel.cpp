@@ -1,6 +1,5 @@
 // Compiled once per instruction set; see pastoso_add_kernels.
-#include "film/face_physics.hpp"
-#include "film/lane_groups.hpp"
+#include "film/face_loading.hpp"
 #include "film/large_kernels.hpp"
 #include "film/tile_kernels.hpp"
 
@@ -9,51 +8,11 @@ namespace {
 
 using grid::kTileSize;
 
-/// The two directions of faces, told apart by index strides into the block.
-struct Axis {
-    int along, across;
-    const float* velocity;         ///< old, of this component
-    const float* velocity_across;  ///< old, of the other
-    float force, force_across;
-};
-
-FaceNeighbourhood<Lanes> neighbourhood(const TileScratch& scratch, const StepConstants& step,
-                                       const Axis& axis, int i) {
-    const HaloBlock& block = scratch.block;
-    const int s = axis.along, t = axis.across;
-    const float* eta = block.eta.data();
-    const float* u = axis.velocity;
-    const float* v = axis.velocity_across;
-    FaceNeighbourhood<Lanes> face;
-    face.h_left = load(&block.thickness[i]);
-    face.h_right = load(&block.thickness[i + s]);
-    face.support_left = load(&block.support[i]);
-    face.support_right = load(&block.support[i + s]);
-    face.eta_left2 = load(eta + i - s);
-    face.eta_left = load(eta + i);
-    face.eta_right = load(eta + i + s);
-    face.eta_right2 = load(eta + i + 2 * s);
-    face.eta_slope_across =
-        Lanes(0.25F * step.inverse_cell) *
-        ((load(eta + i + t) - load(eta + i - t)) + (load(eta + i + s + t) - load(eta + i + s - t)));
-    face.pressure_left = load(&scratch.pressure[i]);
-    face.pressure_right = load(&scratch.pressure[i + s]);
-    face.curvature = Lanes(0.5F) * (load(&scratch.curvature[i]) + load(&scratch.curvature[i + s]));
-    face.normal_left = load(&scratch.normal_x[i]) + load(&scratch.normal_y[i]);
-    face.normal_right = load(&scratch.normal_x[i + s]) + load(&scratch.normal_y[i + s]);
-    face.u = load(u + i);
-    face.u_back = load(u + i - s);
-    face.u_front = load(u + i + s);
-    face.u_before = load(u + i - t);
-    face.u_after = load(u + i + t);
-    face.v = Lanes(0.25F) * ((load(v + i) + load(v + i + s)) + (load(v + i - t) + load(v + i + s - t)));
-    return face;
-}
-
 /// The momentum that arrives at a face, as a convex average of the old velocities around it: upwind
 /// advection taken implicitly in the face's own velocity, then lateral viscosity likewise. No step is
 /// too long for it.
-Lanes carried_velocity(const FaceNeighbourhood<Lanes>& face, const StepConstants& step) {
+Lanes carried_velocity(const FaceNeighbourhood<Lanes>& face, Lanes viscosity,
+                       const StepConstants& step) {
     const Lanes zero(0.0F), one(1.0F);
     const Lanes courant(step.inertia * step.dt_s * step.inverse_cell);
     const Lanes forward = lanes::max(face.u, zero), backward = lanes::max(Lanes(-face.u), zero);
@@ -62,8 +21,8 @@ Lanes carried_velocity(const FaceNeighbourhood<Lanes>& face, const StepConstants
         forward * face.u_back + backward * face.u_front + down * face.u_before + up * face.u_after;
     const Lanes advected =
         (face.u + courant * arriving) / (one + courant * (lanes::abs(face.u) + lanes::abs(face.v)));
-    const Lanes exchange(step.lateral * step.viscosity_mm2_s * step.dt_s * step.inverse_cell *
-                         step.inverse_cell);
+    const Lanes exchange =
+        viscosity * Lanes(step.lateral * step.dt_s * step.inverse_cell * step.inverse_cell);
     const Lanes around = face.u_back + face.u_front + (face.u_before + face.u_after);
     return (advected + exchange * around) / (one + Lanes(4.0F) * exchange);
 }
@@ -84,31 +43,32 @@ Lanes softly_limited(Lanes velocity, const StepConstants& step) {
     return velocity * Lanes(kFree) * (Lanes(2.0F) - Lanes(kFree) / courant) / courant;
 }
 
-/// The drag factor that makes a given velocity its own answer: with u = |velocity| and the yield
-/// velocity y, the wall shear x of the film law solves x - 3/2 + 1/(2 x^2) = drag u / y, and the factor
-/// is u / (u + y x). Fixing the factor of the last solution lowers the exact dissipation with every
-/// pass, where fixing that of the last pressure would swing between flowing and arrested.
-Lanes factor_of_flow(Lanes drag, Lanes speed, Lanes yield_speed) {
+/// The drag factor that makes a given flow its own answer. With the stress t = drag |u| / y that the
+/// velocity u stands for (y = dt tau_y / (rho h)), the wall shear x of the film law solves x - 3/2 +
+/// 1/(2 x^2) = t, and the factor is t / (t + drag x). Fixing the factor of the last solution lowers the
+/// exact dissipation with every pass, where fixing that of the last pressure would swing between flowing
+/// and arrested.
+Lanes factor_of_flow(Lanes drag, Lanes stress) {
     const Lanes one(1.0F), half(0.5F);
-    const Lanes target = drag * speed / yield_speed;
-    Lanes x = one + target + lanes::sqrt(Lanes(target * Lanes(2.0F / 3.0F)));
+    Lanes x = one + stress + lanes::sqrt(Lanes(stress * Lanes(2.0F / 3.0F)));
     for (int iteration = 0; iteration < 4; ++iteration) {
         const Lanes inverse = one / x;
-        const Lanes residual = x - Lanes(1.5F) + half * inverse * inverse - target;
+        const Lanes residual = x - Lanes(1.5F) + half * inverse * inverse - stress;
         const Lanes derivative = one - inverse * inverse * inverse;
         x = lanes::max(Lanes(x - residual / (derivative + Lanes(1e-12F))), one);
     }
-    return speed / (speed + yield_speed * x);
+    return stress / (stress + drag * x);
 }
 
 struct LargeFace {
     Lanes star, depth, mobility;
 };
 
-/// A face between two wet cells gets the velocity but for the new pressure, u* = D (w + dt F), and the
+/// A face that flows freely gets the velocity but for the new pressure, u* = D (w + dt F), and the
 /// mobility dt^2 D h_f / dx^2 of u = u* - D dt grad p, where D is the drag factor at the pressure
-/// gradient of the last step. A face at the film's edge is explicit.
-template <bool kYield, bool kAlphaRange>
+/// gradient of the last step; or, where `flowing` gives the velocity found so far, the factor that
+/// belongs to it. A face at an edge that a contact angle holds is explicit.
+template <FaceModel kModel>
 LargeFace large_face(const FaceNeighbourhood<Lanes>& face, Lanes lag_gradient, const Lanes* flowing,
                      const StepConstants& step, const Axis& axis) {
     const Lanes zero(0.0F), one(1.0F);
@@ -119,41 +79,51 @@ LargeFace large_face(const FaceNeighbourhood<Lanes>& face, Lanes lag_gradient, c
     const auto at_edge = (wet_left || wet_right) && !inner;
 
     const ContactFace<Lanes> edge = contact_face(face, step, force);
-    const Lanes carried = saturated(carried_velocity(face, step), step);
-    const Lanes inner_depth = upwind_thickness(face, Lanes(carried + dt * (force - lag_gradient)));
+    const auto paint = face_paint<kModel>(face, step);
+    Lanes push = force;
+    if constexpr (kModel.horizontal_tension) push = push + horizontal_tension(face, step);
+    const Lanes carried = saturated(carried_velocity(face, paint.viscosity(step), step), step);
+    const Lanes guess = carried + dt * (push - lag_gradient);
+    const auto donor_wet = (guess > zero && wet_left) || (guess < zero && wet_right);
+    const Lanes inner_depth = lanes::select(donor_wet, upwind_thickness(face, guess), zero);
     const Lanes drag_depth = lanes::select(inner, inner_depth, edge.h_wet);
     const Lanes edge_depth =
         lanes::select(at_edge, lanes::max(Lanes(edge.h_wet - edge.pinned_mm), zero), zero);
 
-    Lanes drag_coefficient(step.drag_along);
-    if constexpr (kAlphaRange) drag_coefficient = alpha_drag(face, step);
-    const Lanes drag_rate = drag_coefficient * Lanes(step.viscosity_mm2_s) /
-                            (drag_depth * (drag_depth + Lanes(3.0F * step.slip_mm)) + Lanes(1e-12F));
-    const Lanes drag = lanes::min(Lanes(drag_rate * dt), Lanes(1e12F));
+    Lanes coefficient(step.drag_along);
+    if constexpr (kModel.alpha_range) coefficient = alpha_drag(face, step);
+    if constexpr (kModel.shear_thinning) {
+        const Lanes along = flowing != nullptr ? *flowing : face.u;
+        const Lanes speed = lanes::sqrt(Lanes(along * along + face.v * face.v));
+        coefficient = coefficient * relative_viscosity<kModel.yield>(speed, drag_depth,
+                                                                     paint.against_yield(step), step);
+    }
+    const DragRate<Lanes> lambda =
+        drag_rate(coefficient, drag_depth, paint.viscosity(step), paint.fluidity(step), step);
+    const Lanes drag = lanes::min(Lanes(lambda.rate * dt), Lanes(1e12F));
 
     // A film that the body force alone would carry more than a fifth of a cell a step runs slower than
     // real.
     const float force_norm =
         lanes::sqrt(axis.force * axis.force + axis.force_across * axis.force_across) + 1e-30F;
     const Lanes followed =
-        lanes::min(one, Lanes(Lanes(0.2F * step.cell_mm / (step.dt_s * force_norm)) * drag_rate));
-    const Lanes driven = carried + dt * force * followed;
+        lanes::min(one, Lanes(Lanes(0.2F * step.cell_mm / (step.dt_s * force_norm)) * lambda.rate));
+    const Lanes driven = carried + dt * (push - force + force * followed);
     const Lanes unresisted =
         lanes::select(inner, Lanes(driven - dt * lag_gradient), Lanes(carried + dt * edge.acceleration));
     Lanes factor = one / (one + drag);
-    if constexpr (kYield) {
+    if constexpr (kModel.yield) {
         const Lanes across =
             face.v + dt * (Lanes(axis.force_across) - Lanes(step.gravity_mm_s2) * face.eta_slope_across);
-        const Lanes speed =
-            lanes::sqrt(Lanes(unresisted * unresisted + across * across)) + Lanes(1e-30F);
-        const Lanes yield_speed = dt * Lanes(step.yield) / (drag_depth + Lanes(1e-12F));
-        // Newton's iteration needs a bounded target: far above yield the factor has its Newtonian limit.
-        const Lanes farthest = Lanes(60.0F) * (one + drag) / drag * yield_speed;
-        factor = bingham_drag(drag, lanes::min(speed, farthest), yield_speed).factor;
+        factor = bingham_drag(drag, stopping_stress(drag, drag_depth, unresisted, across, paint, step))
+                     .factor;
         if (flowing != nullptr) {
+            const Lanes speed =
+                lanes::sqrt(Lanes(unresisted * unresisted + across * across)) + Lanes(1e-30F);
             const Lanes share = lanes::max(Lanes(lanes::abs(unresisted) / speed), Lanes(0.1F));
-            const Lanes refined = factor_of_flow(drag, Lanes(lanes::abs(*flowing) / share), yield_speed);
-            factor = lanes::select(inner && *flowing != zero, refined, factor);
+            const Lanes stress =
+                stopping_stress(drag, drag_depth, Lanes(*flowing / share), zero, paint, step);
+            factor = lanes::select(inner && *flowing != zero, factor_of_flow(drag, stress), factor);
         }
     }
 
@@ -175,7 +145,7 @@ struct LargeFaces {
 /// Assembles the faces of a row; `refine` takes the drag of yielding faces from `velocity`, the solution
 /// so far. Returns by what part a face's flux is about to change through that, fluxes of less than 1/200
 /// cell a step counting as that much.
-template <bool kYield, bool kAlphaRange>
+template <FaceModel kModel>
 float face_row(const TileScratch& scratch, const float* lag, bool refine, const StepConstants& step,
                const Axis& axis, int first_x, int y, const LargeFaces& faces) {
     constexpr float kTraceFlux = 0.005F;
@@ -183,12 +153,12 @@ float face_row(const TileScratch& scratch, const float* lag, bool refine, const 
     Lanes change(0.0F);
     for_each_lane_group(first_x, kTileSize, [&](int x) {
         const int i = block_index(x, y), f = face_index(x, y);
-        const FaceNeighbourhood<Lanes> face = neighbourhood(scratch, step, axis, i);
+        const FaceNeighbourhood<Lanes> face = neighbourhood<kModel>(scratch, step, axis, AlongRow{}, i);
         const Lanes lag_gradient =
             (load(lag + i + axis.along) - load(lag + i)) * Lanes(step.inverse_cell);
         const Lanes flowing = refine ? load(&faces.velocity[f]) : Lanes(0.0F);
         const LargeFace result =
-            large_face<kYield, kAlphaRange>(face, lag_gradient, refine ? &flowing : nullptr, step, axis);
+            large_face<kModel>(face, lag_gradient, refine ? &flowing : nullptr, step, axis);
         if (refine) {
             const Lanes before = load(&faces.mobility[f]);
             const Lanes ratio = lanes::abs(Lanes(result.mobility - before)) / (before + Lanes(1e-30F));
@@ -246,7 +216,7 @@ void weight_row(const TileScratch& scratch, const StepConstants& step, int first
     });
 }
 
-template <bool kYield, bool kAlphaRange>
+template <FaceModel kModel>
 float assemble_faces(const StepConstants& step, const float* lag, bool refine, TileScratch& scratch,
                      LargeTile& tile) {
     const HaloBlock& block = scratch.block;
@@ -272,15 +242,15 @@ float assemble_faces(const StepConstants& step, const float* lag, bool refine, T
     float change = 0.0F;
     for (int y = -1; y < kTileSize; ++y) {
         if (y >= first - 1 && y <= last) {
-            change = lanes::max(change, face_row<kYield, kAlphaRange>(scratch, lag, refine, step, y_axis,
-                                                                      0, y, y_faces));
+            change =
+                lanes::max(change, face_row<kModel>(scratch, lag, refine, step, y_axis, 0, y, y_faces));
             weights(scratch, step, 0, y, kBlockStride, 1, scratch.normal_y.data(), tile.weight_y);
         } else {
             clear(y_faces, y);
         }
         if (y >= first && y <= last && y >= 0) {
-            change = lanes::max(change, face_row<kYield, kAlphaRange>(scratch, lag, refine, step, x_axis,
-                                                                      -1, y, x_faces));
+            change =
+                lanes::max(change, face_row<kModel>(scratch, lag, refine, step, x_axis, -1, y, x_faces));
             weights(scratch, step, -1, y, 1, kBlockStride, scratch.normal_x.data(), tile.weight_x);
         } else {
             clear(x_faces, y);
@@ -355,11 +325,9 @@ float assemble_large_tile(const StepConstants& step, int columns, int rows, cons
             const Lanes rest = defined ? load(&scratch.pressure[i]) : Lanes(0.0F);
             store(&lag[i], lanes::select(last != Lanes(0.0F), last, rest));
         });
-    const auto assemble = step.has_yield()         ? step.has_alpha_range() ? assemble_faces<true, true>
-                                                                            : assemble_faces<true, false>
-                                  : step.has_alpha_range() ? assemble_faces<false, true>
-                                                   : assemble_faces<false, false>;
-    const float change = assemble(step, lag.data(), refine, scratch, tile);
+    const float change = with_face_model(step, [&]<FaceModel kModel>() {
+        return assemble_faces<kModel>(step, lag.data(), refine, scratch, tile);
+    });
     shut_edges(columns, rows, closed, tile);
     cut_response(columns, rows, edges, tile);
     find_source(step, tile);

@@ -76,7 +76,7 @@ void find_large_velocities(const StepConstants& step, bool carrying, const Large
 }
 
 Shortage share_outflow(const StepConstants& step, int columns, int rows, const std::int32_t* thickness,
-                       const LargeScratch& scratch, const LargeTile& tile, CellArray& share) {
+                       const LargeScratch& scratch, LargeTile& tile) {
     // A hair less than a cell holds and receives, so that the rounding at its four faces cannot overdraw
     // it.
     constexpr float kQuantum = static_cast<float>(kThicknessQuantum_mm);
@@ -101,7 +101,8 @@ Shortage share_outflow(const StepConstants& step, int columns, int rows, const s
             const Lanes held = lanes::stdx::static_simd_cast<Lanes>(quanta) * usable;
             const Lanes supply = rise(held + Lanes(0.999F) * in - rounding);
             const Lanes part = lanes::min(one, Lanes((supply + tiny) / (out + tiny)));
-            store(&share[cell], part);
+            store(&tile.next_share[cell], part);
+            store(&tile.supply[cell], Lanes((rise(held - rounding) + tiny) / (out * part + tiny)));
             const auto cut =
                 part < Lanes(0.9F) && lane_number + Lanes(static_cast<float>(x)) < last_column;
             if (y >= rows) continue;

@@ -22,7 +22,7 @@
                                LargeTile& tile);                                                      \
     Shortage share_outflow(const StepConstants& step, int columns, int rows,                          \
                            const std::int32_t* thickness, const LargeScratch& scratch,                \
-                           const LargeTile& tile, CellArray& share);                                  \
+                           LargeTile& tile);                                                          \
     FlowExtremes find_large_fluxes(const StepConstants& step, const LargeScratch& large,              \
                                    const LargeTile& tile, TileScratch& scratch);                      \
     }

@@ -116,7 +116,7 @@ float LargeStepper::Pass::assemble(bool refine) {
     std::vector<float> changes(places.size());
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch& worker) {
         const TilePlace& place = places[index];
-        gather(state, place.columns, place.rows, place.tile_x, constants.wet_mm, worker.tile.block);
+        gather_tile(state, place, constants, worker);
         gather_window(columns(place).next_cells, rows(place).next_cells, kTileSize + 2, kBlockStride,
                       cells(&LargeTile::last_pressure), &large.lagged_pressure[block_index(-1, -1)]);
         changes[index] =
@@ -194,7 +194,7 @@ void LargeStepper::Pass::find_velocities(bool carrying) {
 /// rest where its yield stress holds it.
 void LargeStepper::Pass::solve_yielding(LargeStepReport& report) {
     solve(report);
-    if (!constants.has_yield()) return;
+    if (!constants.has_yield() && !constants.varied && !constants.is_shear_thinning()) return;
     for (int pass = 0; pass < kMostRefinements; ++pass) {
         find_velocities(false);
         if (assemble(true) <= kSteadyFlux) return;
@@ -213,9 +213,8 @@ Shortage LargeStepper::Pass::share_outflow() {
             else
                 gather_next(places[index], cells(&LargeTile::share), large.share);
             const TilePlace& place = places[index];
-            shortages[index] =
-                kernels.share_outflow(constants, place.columns.extent, place.rows.extent,
-                                      state.thickness.read(place.tile), large, tile, tile.next_share);
+            shortages[index] = kernels.share_outflow(constants, place.columns.extent, place.rows.extent,
+                                                     state.thickness.read(place.tile), large, tile);
         });
         for_each_tile([](std::size_t, LargeTile& tile, LargeScratch&, WorkerScratch&) {
             tile.share = tile.next_share;
@@ -250,9 +249,12 @@ std::vector<TileResult> LargeStepper::Pass::finish() {
     std::vector<TileResult> results(places.size());
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch& worker) {
         const TilePlace& place = places[index];
-        gather(state, place.columns, place.rows, place.tile_x, constants.wet_mm, worker.tile.block);
+        gather_tile(state, place, constants, worker);
         gather_next(place, cells(&LargeTile::share), large.share);
         tile.last_pressure = tile.pressure;
+        worker.tile.large_fluxes = true;
+        gather_window(columns(place).next_cells, rows(place).next_cells, kTileSize + 2, kBlockStride,
+                      cells(&LargeTile::supply), &worker.tile.supply[block_index(-1, -1)]);
         const FlowExtremes extremes = kernels.fluxes(constants, large, tile, worker.tile);
         results[index] = collect_tile(state, place, extremes, worker);
     });

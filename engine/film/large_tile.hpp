@@ -44,6 +44,7 @@ struct LargeTile {
     alignas(64) CellArray last_pressure;  ///< p of the last step, 0 where unknown
     alignas(64) CellArray share;          ///< of a cell's outflow that is granted, 0..1
     alignas(64) CellArray next_share;     ///< the same after the pass under way
+    alignas(64) CellArray supply;         ///< what a cell holds over what leaves it in the step
     float residual = 0.0F;                ///< found by the last sweep
     bool stubborn = false;                ///< a single V-cycle does not get hold of its residual
 };

@@ -31,7 +31,7 @@ struct LargeKernels {
     /// granted to give it.
     Shortage (*share_outflow)(const StepConstants& step, int columns, int rows,
                               const std::int32_t* thickness, const LargeScratch& scratch,
-                              const LargeTile& tile, CellArray& share);
+                              LargeTile& tile);
     /// Multiplies star and mobility of each face by the share that its donor cell grants.
     void (*slow_limited_faces)(const StepConstants& step, const LargeScratch& large, LargeTile& tile);
     /// Velocities and whole quanta of flux, into `scratch`.

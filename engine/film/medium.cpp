@@ -24,7 +24,7 @@ struct NumberField {
 
 constexpr std::array kNumberFields = {
     NumberField{"density_kg_m3", &Medium::density_kg_m3, 800.0, 2500.0},
-    NumberField{"viscosity_m2_s", &Medium::viscosity_m2_s, 1e-5, 1.0},
+    NumberField{"viscosity_m2_s", &Medium::viscosity_m2_s, 1e-6, 1.0},
     NumberField{"flow_index", &Medium::flow_index, 0.2, 1.0, true},
     NumberField{"yield_stress_Pa", &Medium::yield_stress_Pa, 0.0, 200.0},
     NumberField{"surface_tension_N_m", &Medium::surface_tension_N_m, 0.02, 0.07},
@@ -34,7 +34,12 @@ constexpr std::array kNumberFields = {
     NumberField{"alpha_min", &Medium::alpha_min, 0.4, 2.0},
     NumberField{"alpha_max", &Medium::alpha_max, 0.4, 2.0},
     NumberField{"typical_thickness_mm", &Medium::typical_thickness_mm, 0.01, 10.0},
+    NumberField{"solid_fraction", &Medium::solid_fraction, 0.0, 1.0},
+    NumberField{"touch_dry_s", &Medium::touch_dry_s, 1.0, 1e7},
 };
+
+/// 1000 hours a millimetre: keeps the drying time of the thickest paint within its channel.
+constexpr double kSlowestDrying_s_mm = 3.6e6;
 
 std::string number_text(double value) {
     return Json(value).dump();
@@ -107,6 +112,11 @@ Medium read_medium(const Json& entry, const std::string& place) {
     if (medium.alpha_min > medium.alpha_max) {
         named.fail("alpha_min is " + number_text(medium.alpha_min) +
                    ", it must not be larger than alpha_max, " + number_text(medium.alpha_max) + ".");
+    }
+    if (medium.touch_dry_s > kSlowestDrying_s_mm * medium.typical_thickness_mm) {
+        named.fail("touch_dry_s is " + number_text(medium.touch_dry_s) +
+                   ", it must not be larger than typical_thickness_mm times " +
+                   number_text(kSlowestDrying_s_mm) + ".");
     }
     return medium;
 }

@@ -8,13 +8,14 @@
 
 namespace pastoso::film {
 
-/// Flow properties of a paint. The ranges are where the model was tried; outside them it stays stable
-/// but need not look like paint.
+/// Properties of a paint, and what paint brings with it wherever it goes (paint_cell.hpp): viscosity,
+/// yield stress, solids and drying time. The others are the film's as a whole. The ranges are where the
+/// model was tried; outside them it stays stable but need not look like paint.
 struct Medium {
     std::string name;
     std::string description;        ///< one sentence for the painter
     double density_kg_m3 = 1200.0;  ///< 800 to 2500
-    double viscosity_m2_s = 0.003;  ///< kinematic, 1e-5 (inky) to 1 (stiff paste)
+    double viscosity_m2_s = 0.003;  ///< kinematic, 1e-6 (water) to 1 (stiff paste)
     /// n of Herschel and Bulkley, 0.2 to 1: below 1 the paint thins as it is sheared, and the viscosity
     /// is that at a wall shear rate of 1/s. Followed from 1e-3 to 1e4 1/s.
     double flow_index = 1.0;
@@ -25,7 +26,9 @@ struct Medium {
     double slip_cells = 0.2;            ///< Navier slip length at the support, cell sizes
     double alpha_min = 1.0;  ///< where the velocity profile peaks, in h: tension against the flow
     double alpha_max = 1.0;  ///< tension with the flow; 1/3 < alpha_min <= alpha_max
-    double typical_thickness_mm = 0.5;  ///< what a loaded brush leaves, for the interface
+    double typical_thickness_mm = 0.5;  ///< what a loaded brush leaves
+    double solid_fraction = 1.0;        ///< thickness that stays when it dries, 0 to 1 of the wet one
+    double touch_dry_s = 3600.0;        ///< until a film of the typical thickness is touch-dry, 1 to 1e7
 };
 
 /// Reads a JSON array of media (resources/media.json shows the form). `name` is the file's name for

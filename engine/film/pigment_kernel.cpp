@@ -9,19 +9,19 @@ using grid::kTileSize;
 
 using Quad = lanes::stdx::resize_simd_t<4, lanes::stdx::native_simd<float>>;
 using IntQuad = lanes::stdx::rebind_simd_t<std::int32_t, Quad>;
-constexpr int kQuads = pigment::kChannels / 4;
-static_assert(kQuads * 4 == pigment::kChannels);
+constexpr int kQuads = kPaintChannels / 4;
+static_assert(kQuads * 4 == kPaintChannels);
 
 struct ChannelInts {
     std::array<IntQuad, kQuads> quads;
 
-    [[gnu::always_inline]] static ChannelInts load(const PigmentCell& cell) {
+    [[gnu::always_inline]] static ChannelInts load(const PaintCell& cell) {
         ChannelInts result;
         for (int q = 0; q < kQuads; ++q)
             result.quads[q] = IntQuad(cell.data() + 4 * q, lanes::stdx::element_aligned);
         return result;
     }
-    [[gnu::always_inline]] void store(PigmentCell& cell) const {
+    [[gnu::always_inline]] void store(PaintCell& cell) const {
         for (int q = 0; q < kQuads; ++q)
             quads[q].copy_to(cell.data() + 4 * q, lanes::stdx::element_aligned);
     }
@@ -48,6 +48,7 @@ struct ChannelInts {
 constexpr std::int32_t kTraceQuanta = 1 << 10;
 
 /// Reads the fluxes and concentrations of a tile and says what pigment passes a face.
+template <bool kLargeFluxes>
 struct PigmentFluxes {
     const TileScratch& scratch;
     const float* concentrations;
@@ -55,7 +56,9 @@ struct PigmentFluxes {
     /// The signed pigment that `flux` thickness quanta take with them from the cell before the face to
     /// the one behind it. `block_step` and `concentration_step` lead from one to the other. With the
     /// flux at most a quarter of its cell and |slope| <= concentration, the four outflows f/4 (1 + (1 -
-    /// f)/2), f = 4 flux / cell, never exceed what the cell holds.
+    /// f)/2), f = 4 flux / cell, never exceed what the cell holds. A large step may take more: then the
+    /// slope counts only where half the cell stays, and a cell that gives more than it holds gives its
+    /// own pigment in equal parts to all of it.
     [[gnu::always_inline]] ChannelInts through(std::int32_t flux, int cell, int concentration,
                                                int block_step, int concentration_step) const {
         if (flux == 0) return {};
@@ -68,13 +71,20 @@ struct PigmentFluxes {
         const float amount = static_cast<float>(forward ? flux : -flux);
         const bool smooth =
             quanta[downwind_step] > kTraceQuanta && quanta[-downwind_step] > kTraceQuanta;
-        const float reach = smooth ? 0.5F - 2.0F * amount / static_cast<float>(*quanta) : 0.0F;
+        float reach = 0.5F - 2.0F * amount / static_cast<float>(*quanta);
+        float own = amount;
+        if constexpr (kLargeFluxes) {
+            const float supply = scratch.supply[quanta - scratch.block.quanta.data()];
+            reach = supply >= 2.0F ? 0.5F - 0.5F * amount / static_cast<float>(*quanta) : 0.0F;
+            own = amount * lanes::min(supply, 1.0F);
+        }
+        if (!smooth) reach = 0.0F;
         ChannelInts carried;
         for (int q = 0; q < kQuads; ++q) {
             const Quad here = load_quad(donor + 4 * q);
             const Quad slope = minmod(here - load_quad(donor + 4 * q - to_downwind),
                                       load_quad(donor + 4 * q + to_downwind) - here);
-            const Quad exact = Quad(amount) * (here + Quad(reach) * slope) + Quad(0.5F);
+            const Quad exact = Quad(own) * (here + Quad(reach) * slope) + Quad(0.5F);
             const IntQuad rounded = lanes::stdx::static_simd_cast<IntQuad>(exact);
             carried.quads[q] = forward ? rounded : -rounded;
         }
@@ -82,27 +92,24 @@ struct PigmentFluxes {
     }
     [[gnu::always_inline]] ChannelInts through_x(int x, int y) const {
         return through(scratch.flux_x[face_index(x, y)], block_index(x, y), concentration_index(x, y), 1,
-                       pigment::kChannels);
+                       kPaintChannels);
     }
     [[gnu::always_inline]] ChannelInts through_y(int x, int y) const {
         return through(scratch.flux_y[face_index(x, y)], block_index(x, y), concentration_index(x, y),
-                       kBlockStride, pigment::kChannels * kConcentrationSide);
+                       kBlockStride, kPaintChannels * kConcentrationSide);
     }
 };
 
 void add_runoff(const ChannelInts& outward, PigmentTotals& totals) {
-    for (int k = 0; k < pigment::kChannels; ++k)
+    for (int k = 0; k < kPaintChannels; ++k)
         totals[k] += outward.quads[k / 4][k % 4];
 }
 
-}  // namespace
-
-PigmentTotals transport_pigment(const TileScratch& scratch, const float* concentrations, int columns,
-                                int rows, const OpenEdges& runoff_edges, const PigmentCell* before,
-                                PigmentCell* after) {
-    const PigmentFluxes fluxes{scratch, concentrations};
+template <bool kLargeFluxes>
+PigmentTotals transport(const PigmentFluxes<kLargeFluxes>& fluxes, int columns, int rows,
+                        const OpenEdges& runoff_edges, const PaintCell* before, PaintCell* after) {
     PigmentTotals runoff{};
-    std::array<PigmentCell, kTileSize> from_above;
+    std::array<PaintCell, kTileSize> from_above;
     for (int x = 0; x < columns; ++x) {
         const ChannelInts top = fluxes.through_y(x, -1);
         if (runoff_edges.top) add_runoff(-top, runoff);
@@ -129,7 +136,19 @@ PigmentTotals transport_pigment(const TileScratch& scratch, const float* concent
     return runoff;
 }
 
-void concentrate(const PigmentCell* pigment, const std::int32_t* thickness, int count, float* out) {
+}  // namespace
+
+PigmentTotals transport_pigment(const TileScratch& scratch, const float* concentrations, int columns,
+                                int rows, const OpenEdges& runoff_edges, const PaintCell* before,
+                                PaintCell* after) {
+    if (scratch.large_fluxes)
+        return transport(PigmentFluxes<true>{scratch, concentrations}, columns, rows, runoff_edges,
+                         before, after);
+    return transport(PigmentFluxes<false>{scratch, concentrations}, columns, rows, runoff_edges, before,
+                     after);
+}
+
+void concentrate(const PaintCell* pigment, const std::int32_t* thickness, int count, float* out) {
     // Two quanta and one part in a million stay behind: the four roundings of a cell's outflows and the
     // rounding of the product then never take more than it holds.
     constexpr float kShare = 1.0F - 0x1p-20F;
@@ -139,7 +158,7 @@ void concentrate(const PigmentCell* pigment, const std::int32_t* thickness, int 
         for (int q = 0; q < kQuads; ++q) {
             const IntQuad movable = lanes::stdx::max(IntQuad(held.quads[q] - IntQuad(2)), IntQuad(0));
             const Quad concentration = lanes::stdx::static_simd_cast<Quad>(movable) * Quad(inverse);
-            concentration.copy_to(out + cell * pigment::kChannels + 4 * q, lanes::stdx::element_aligned);
+            concentration.copy_to(out + cell * kPaintChannels + 4 * q, lanes::stdx::element_aligned);
         }
     }
 }

@@ -5,6 +5,7 @@
 #include "film/scene_forms.hpp"
 #include "film/support_sampling.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -69,15 +70,19 @@ struct ReliefMaker {
     throw core::InputError(text);
 }
 
-/// Adds thickness in mm and optical thicknesses, before they are rounded to quanta.
+/// Adds thickness in mm and what the paint carries, before they are rounded to quanta.
 struct Pile {
     double thickness_mm = 0.0;
-    std::array<double, pigment::kChannels> pigment{};
+    std::array<double, kPaintChannels> paint{};
 
-    void add(double added_mm, const pigment::Coefficients& coefficients) {
+    void add(double added_mm, const PaintCoefficients& coefficients) {
         thickness_mm += added_mm;
-        for (int k = 0; k < pigment::kChannels; ++k)
-            pigment[k] += added_mm * static_cast<double>(coefficients[k]);
+        for (int k = 0; k < kPaintChannels; ++k)
+            paint[k] += added_mm * static_cast<double>(coefficients[k]);
+    }
+    bool is_coloured() const {
+        return std::any_of(paint.begin(), paint.begin() + kPigmentChannels,
+                           [](double amount) { return amount > 0.0; });
     }
 };
 
@@ -91,19 +96,19 @@ void store(const Pile& pile, int x, int y, FilmState& film) {
     const std::int32_t thickness = in_quanta(pile.thickness_mm, kThicknessQuantum_mm);
     if (thickness == 0) return;
     film.thickness.set(x, y, thickness);
-    PigmentCell cell{};
-    bool coloured = false;
-    for (int k = 0; k < pigment::kChannels; ++k) {
-        cell[k] = in_quanta(pile.pigment[k], kPigmentQuantum);
-        coloured = coloured || cell[k] != 0;
-    }
-    if (coloured) film.pigment.set(x, y, cell);
+    if (!film.varied && !pile.is_coloured()) return;
+    PaintCell cell;
+    for (int k = 0; k < kPaintChannels; ++k)
+        cell[k] = in_quanta(pile.paint[k], kPaintQuantum);
+    film.paint.set(x, y, cell);
 }
 
 /// A primitive with what is worked out once for all rows.
 struct Layer {
     Layer(const Primitive& wanted, const Scene& scene)
-        : primitive(wanted), reach(reach_of(wanted.form, scene.shape, scene.cell_mm)) {
+        : primitive(wanted),
+          paint(paint_coefficients(wanted.pigment, wanted.medium.value_or(scene.medium))),
+          reach(reach_of(wanted.form, scene.shape, scene.cell_mm)) {
         if (const auto* map = std::get_if<GreyMap>(&wanted.form))
             image_mm =
                 image_support(scene.shape, map->grey, map->width, map->height, wanted.thickness_mm);
@@ -116,6 +121,7 @@ struct Layer {
     }
 
     const Primitive& primitive;
+    PaintCoefficients paint;
     grid::Rect reach;
     grid::TiledField<float> image_mm;
 };
@@ -125,7 +131,7 @@ void pile_up_row(const std::vector<Layer>& layers, int y, double cell_mm, std::v
     for (const Layer& layer : layers) {
         if (y < layer.reach.y0 || y >= layer.reach.y1) continue;
         for (int x = layer.reach.x0; x < layer.reach.x1; ++x)
-            row[x].add(layer.thickness_in(x, y, cell_mm), layer.primitive.pigment);
+            row[x].add(layer.thickness_in(x, y, cell_mm), layer.paint);
     }
 }
 
@@ -155,6 +161,8 @@ grid::TiledField<float> make_support(const Scene& scene) {
 FilmState make_film(const Scene& scene) {
     FilmState film(scene.shape, scene.cell_mm);
     film.support_mm = make_support(scene);
+    film.varied = std::any_of(scene.film.begin(), scene.film.end(),
+                              [](const Primitive& primitive) { return primitive.medium.has_value(); });
     std::vector<Layer> layers;
     for (const Primitive& primitive : scene.film)
         layers.emplace_back(primitive, scene);

@@ -12,9 +12,9 @@ namespace pastoso::film {
 ///     gamma^(n-1) (n+1)/n (1/2 - e/6) / (1 - q e),   q = n / (2n + 1),
 /// where e = K gamma^n / (tau_y + K gamma^n) is the sheared share of the film and gamma the shear rate
 /// at the wall, from |u| = h gamma n/(n+1) e (1 - q e). Without a yield stress e = 1. With one, gamma
-/// comes from Newton steps in its logarithm.
+/// comes from Newton steps in its logarithm; `against_yield` is K / tau_y.
 template <bool kYield, class F>
-[[gnu::always_inline]] static inline F relative_viscosity(F speed, F thickness,
+[[gnu::always_inline]] static inline F relative_viscosity(F speed, F thickness, F against_yield,
                                                           const StepConstants& step) {
     const F one(1.0F), tiny(1e-30F);
     const float index = step.flow_index;
@@ -25,7 +25,7 @@ template <bool kYield, class F>
     F rate = lanes::clamp(F(whole_film - lanes::log2(F(one - q))), slowest, fastest);
     if constexpr (kYield) {
         for (int iteration = 0; iteration < 4; ++iteration) {
-            const F stress = F(step.viscosity_mm2_s / step.yield) * lanes::exp2(F(n * rate));
+            const F stress = against_yield * lanes::exp2(F(n * rate));
             sheared = stress / (one + stress);
             const F wanted = whole_film - lanes::log2(F(sheared * (one - q * sheared) + tiny));
             rate =

@@ -1,7 +1,6 @@
 #include "film/solver.hpp"
 
 #include "core/check.hpp"
-#include "core/error.hpp"
 #include "core/units.hpp"
 #include "film/halo_block.hpp"
 #include "film/large_step.hpp"
@@ -10,6 +9,7 @@
 #include "film/tile_update.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -55,6 +55,7 @@ StepConstants make_constants(const Medium& medium, const Gravity& gravity, const
     step.force_y_mm_s2 = static_cast<float>(gravity.y_mm_s2);
     step.tension = static_cast<float>(limits.tension);
     step.viscosity_mm2_s = static_cast<float>(limits.viscosity_mm2_s);
+    step.yield_per_Pa = static_cast<float>(1e6 / medium.density_kg_m3);
     step.yield = static_cast<float>(medium.yield_stress_Pa / medium.density_kg_m3 * 1e6);
     step.drag_against = static_cast<float>(drag_coefficient(medium.alpha_min));
     step.drag_along = static_cast<float>(drag_coefficient(medium.alpha_max));
@@ -164,10 +165,10 @@ struct Solver::Parts {
 
     /// Clear paint carries nothing: true when this tile or one beside it holds pigment.
     bool pigment_in_reach(int tile) const {
-        if (!state.pigment.is_background(tile)) return true;
+        if (!state.paint.is_background(tile)) return true;
         for (int side = 0; side < kSideCount; ++side) {
             const int other = activity.neighbour(tile, static_cast<Side>(side));
-            if (other >= 0 && !state.pigment.is_background(other)) return true;
+            if (other >= 0 && !state.paint.is_background(other)) return true;
         }
         return false;
     }
@@ -188,6 +189,7 @@ struct Solver::Parts {
         bool large;
     };
     Plan plan(double seconds) const;
+    double resting_step_s(int tile) const;
     double stable_step_s() const;
     /// False when `give_up` said so before the time had passed.
     bool advance(double seconds, const std::function<bool()>& give_up, AdvanceReport& report);
@@ -228,12 +230,12 @@ TilePlace Solver::Parts::place_of(int tile) const {
 void Solver::Parts::commit(int tile, float dt_s, TileResult& result, AdvanceReport& report) {
     if (activity.window_begins(tile)) window_start[tile] = state.thickness.block(tile);
     if (result.thickness) state.thickness.replace(tile, std::move(result.thickness));
-    if (result.pigment) state.pigment.replace(tile, std::move(result.pigment));
+    if (result.paint) state.paint.replace(tile, std::move(result.paint));
     if (result.velocity_x) state.velocity_x.replace(tile, std::move(result.velocity_x));
     if (result.velocity_y) state.velocity_y.replace(tile, std::move(result.velocity_y));
     runoff.thickness += result.runoff.thickness;
-    for (int k = 0; k < pigment::kChannels; ++k)
-        runoff.pigment[k] += result.runoff.pigment[k];
+    for (int k = 0; k < kPaintChannels; ++k)
+        runoff.paint[k] += result.runoff.paint[k];
     const grid::Rect cells = state.shape.tile_cells(tile);
     report.cells_stepped += static_cast<std::int64_t>(cells.width()) * cells.height();
     report.clamped_faces += result.extremes.clamped_faces;
@@ -263,6 +265,7 @@ AdvanceReport Solver::Parts::explicit_step(double dt_s) {
     const std::vector<int> tiles = activity.awake_tiles();
     StepConstants step = constants;
     step.dt_s = static_cast<float>(dt_s);
+    step.varied = state.varied;
     std::vector<TileResult> results(tiles.size());
     pool.run(tiles.size(), [&](std::size_t index, int worker) {
         results[index] = update_tile(state, place_of(tiles[index]), step, *scratch[worker]);
@@ -274,6 +277,7 @@ AdvanceReport Solver::Parts::large_step(double dt_s, int halvings) {
     const std::vector<int> tiles = activity.awake_tiles();
     StepConstants step = constants;
     step.dt_s = static_cast<float>(dt_s);
+    step.varied = state.varied;
     std::vector<TilePlace> places;
     for (const int tile : tiles)
         places.push_back(place_of(tile));
@@ -292,6 +296,21 @@ AdvanceReport Solver::Parts::large_step(double dt_s, int halvings) {
     report.sweeps = solved.sweeps;
     report.largest_residual = solved.residual;
     return report;
+}
+
+double Solver::Parts::resting_step_s(int tile) const {
+    const double thickest_mm = thickness_mm(thickest_quanta(state, tile));
+    if (!state.varied) return limits.newtonian_step_s(thickest_mm);
+    std::array<float, kTileCells> viscosity{}, yield{};
+    const std::int32_t* thickness = state.thickness.read(tile);
+    tile_kernels().rheology(state.paint.read(tile), thickness, kTileCells, 1.0F, viscosity.data(),
+                            yield.data());
+    double largest = 0.0;
+    for (int cell = 0; cell < kTileCells; ++cell) {
+        const double h = thickness_mm(thickness[cell]);
+        largest = std::max(largest, h * h * h / viscosity[cell]);
+    }
+    return limits.resting_step_s(thickest_mm, largest);
 }
 
 double Solver::Parts::thickest_mm() const {
@@ -320,9 +339,8 @@ double Solver::Parts::stable_step_s() const {
     double limit = std::numeric_limits<double>::max();
     for (const int tile : activity.awake_tiles()) {
         const TileActivity& flow = activity.tile(tile);
-        limit = std::min(limit, flow.changed_from_outside
-                                    ? limits.newtonian_step_s(thickness_mm(thickest_quanta(state, tile)))
-                                    : limits.flowing_step_s(flow.extremes));
+        limit = std::min(limit, flow.changed_from_outside ? resting_step_s(tile)
+                                                          : limits.flowing_step_s(flow.extremes));
     }
     return kStepSafety * limit;
 }
@@ -346,10 +364,6 @@ bool Solver::Parts::advance(double seconds, const std::function<bool()>& give_up
 Solver::Solver(FilmState& state, const Medium& medium, const SolverOptions& options,
                core::ThreadPool& pool)
     : parts_(std::make_unique<Parts>(state, medium, options, pool)) {
-    if (options.scheme == Scheme::LargeStep) {
-        throw core::InputError(
-            "The scheme \"large-step\" is not in this version; the schemes are auto and explicit.");
-    }
     wake_all();
 }
 

@@ -35,15 +35,7 @@ struct Gravity {
 };
 Gravity tilted_gravity(double tilt_deg, double direction_deg = 90.0);
 
-/// How time steps are taken.
-enum class Scheme {
-    Auto,       ///< whichever is cheaper
-    Explicit,   ///< steps below the limit of stable_step_s()
-    LargeStep,  ///< implicit steps far beyond it
-};
-
 struct SolverOptions {
-    Scheme scheme = Scheme::Auto;
     Edge edge_x = Edge::Open;
     Edge edge_y = Edge::Open;
     Scheme scheme = Scheme::Auto;

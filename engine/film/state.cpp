@@ -26,11 +26,11 @@ void add_thickness(const FilmState& state, int tile, Totals& sums) {
 }
 
 void add_pigment(const FilmState& state, int tile, Totals& sums) {
-    if (state.pigment.is_background(tile)) return;
-    for_each_tile_row(state.pigment, tile, [&](const PigmentCell* cells, int count) {
+    if (state.paint.is_background(tile)) return;
+    for_each_tile_row(state.paint, tile, [&](const PaintCell* cells, int count) {
         for (int x = 0; x < count; ++x) {
-            for (int channel = 0; channel < pigment::kChannels; ++channel) {
-                sums.pigment[channel] += cells[x][channel];
+            for (int channel = 0; channel < kPaintChannels; ++channel) {
+                sums.paint[channel] += cells[x][channel];
             }
         }
     });
@@ -56,6 +56,12 @@ Totals totals(const FilmState& state) {
     return sums;
 }
 
+bool has_wet_paint(const FilmState& state) {
+    for (int tile = 0; tile < state.shape.tile_count(); ++tile)
+        if (!state.thickness.is_background(tile)) return true;
+    return false;
+}
+
 double volume_mm3(std::int64_t thickness_quanta, double cell_mm) {
     return static_cast<double>(thickness_quanta) * kThicknessQuantum_mm * cell_mm * cell_mm;
 }
@@ -79,10 +85,16 @@ std::uint64_t state_hash(const FilmState& state) {
     hash.add_value(state.shape.height);
     hash.add_value(state.cell_mm);
     add_field(state.thickness, hash);
-    add_field(state.pigment, hash);
+    add_field(state.paint, hash);
     add_field(state.velocity_x, hash);
     add_field(state.velocity_y, hash);
     add_field(state.support_mm, hash);
+    add_field(state.strata.soluble_thickness, hash);
+    add_field(state.strata.soluble_pigment, hash);
+    add_field(state.strata.ground, hash);
+    hash.add_value(state.strata.fixed);
+    hash.add_value(state.strata.evaporated);
+    hash.add_value(state.varied);
     return hash.value();
 }
 

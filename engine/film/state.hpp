@@ -2,8 +2,9 @@
 #pragma once
 
 #include "core/hash.hpp"
+#include "film/paint_cell.hpp"
+#include "film/strata.hpp"
 #include "grid/tiled_field.hpp"
-#include "pigment/bands.hpp"
 
 #include <array>
 #include <cstdint>
@@ -15,22 +16,13 @@ namespace pastoso::film {
 /// pm a quantum; at most 64 mm a cell.
 inline constexpr double kThicknessQuantum_mm = 0x1p-25;
 
-/// The same for pigment: optical thickness K h or S h (no unit), at most 16384 a cell.
-inline constexpr double kPigmentQuantum = 0x1p-17;
-
 /// The thickest wet paint a tool may build up in a cell: keeps the strongest pigment of the palette
-/// (1043 per mm) below the largest optical thickness.
+/// (1043 per mm) within the range of its channel.
 inline constexpr double kMaxThickness_mm = 15.0;
 
 inline constexpr float thickness_mm(std::int32_t quanta) {
     return static_cast<float>(quanta) * static_cast<float>(kThicknessQuantum_mm);
 }
-inline constexpr float optical_thickness(std::int32_t quanta) {
-    return static_cast<float>(quanta) * static_cast<float>(kPigmentQuantum);
-}
-
-/// The pigment in a cell: K_k h in entries 0..5, S_k h in 6..11, in quanta of kPigmentQuantum, all >= 0.
-using PigmentCell = std::array<std::int32_t, pigment::kChannels>;
 
 /// All fields have the shape of the canvas. Copying a state is cheap and gives a snapshot.
 struct FilmState {
@@ -39,30 +31,40 @@ struct FilmState {
         : shape(canvas),
           cell_mm(cell_size_mm),
           thickness(canvas),
-          pigment(canvas),
+          paint(canvas),
           velocity_x(canvas),
           velocity_y(canvas),
-          support_mm(canvas) {}
+          support_mm(canvas),
+          strata(canvas) {}
 
     grid::Shape shape;
     double cell_mm = 0.25;
 
     grid::TiledField<std::int32_t> thickness;  ///< h, mean over the cell, quanta, >= 0
-    grid::TiledField<PigmentCell> pigment;
+    grid::TiledField<PaintCell> paint;         ///< what the wet paint of the cell carries
     grid::TiledField<float> velocity_x;  ///< depth mean at the face between (x, y) and (x+1, y), mm/s
     grid::TiledField<float> velocity_y;  ///< depth mean at the face between (x, y) and (x, y+1), mm/s
     grid::TiledField<float> support_mm;  ///< c, height of the dry surface below the paint
+
+    Strata strata;  ///< dried paint on the bare support
+
+    /// False as long as all paint has the viscosity and the yield stress of the solver's medium. True:
+    /// what each cell carries is looked at.
+    bool varied = false;
 };
 
 /// Sums over the canvas, exact: sum over the cells of the integers.
 struct Totals {
     std::int64_t thickness = 0;
-    std::array<std::int64_t, pigment::kChannels> pigment{};
+    std::array<std::int64_t, kPaintChannels> paint{};
 };
 Totals totals(const FilmState& state);
 
 /// Volume in mm3 of a total of thickness quanta.
 double volume_mm3(std::int64_t thickness_quanta, double cell_mm);
+
+/// False when no cell can hold wet paint (nothing was painted, or all of it has dried).
+bool has_wet_paint(const FilmState& state);
 
 /// The number of cells that hold more than a trace (1e-4 cell sizes) of wet paint.
 std::int64_t wet_cell_count(const FilmState& state);

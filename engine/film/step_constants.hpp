@@ -20,6 +20,8 @@ struct StepConstants {
     float viscosity_mm2_s = 1.0F;  ///< nu; with shear thinning K/rho, at a shear rate of 1/s
     float flow_index = 1.0F;       ///< n of Herschel and Bulkley
     float yield = 0.0F;            ///< tau_y/rho, mm2/s2
+    float yield_per_Pa = 1.0F;     ///< 1/rho in these units
+    bool varied = false;           ///< each cell has a viscosity and a yield stress of its own instead
 
     float drag_against = 3.0F;  ///< k_d = 6/(3 alpha - 1) where tension opposes the flow (alpha_min)
     float drag_along = 3.0F;    ///< k_d where tension drives it (alpha_max)

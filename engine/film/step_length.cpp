@@ -39,6 +39,12 @@ double StepLimits::newtonian_step_s(double thickness_mm) const {
     return wave_step_s(thickness_mm, smallest_drag * least_viscosity / (thickness_mm * thickness_mm));
 }
 
+double StepLimits::resting_step_s(double thickest_mm, double largest_h3_per_viscosity) const {
+    if (largest_h3_per_viscosity <= 0.0) return kUnlimited;
+    const double drag = smallest_drag * thinnest_viscosity(flow_index);
+    return wave_step_s(thickest_mm, thickest_mm * drag / largest_h3_per_viscosity);
+}
+
 double StepLimits::flowing_step_s(const FlowExtremes& extremes) const {
     if (extremes.mobility <= 0.0F) return kUnlimited;
     const double drag_rate = extremes.thickness_mm / extremes.mobility;

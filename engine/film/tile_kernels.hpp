@@ -11,8 +11,10 @@
                            TileScratch& scratch);                                                       \
     PigmentTotals transport_pigment(const TileScratch& scratch, const float* concentrations,            \
                                     int columns, int rows, const OpenEdges& runoff_edges,               \
-                                    const PigmentCell* before, PigmentCell* after);                     \
-    void concentrate(const PigmentCell* pigment, const std::int32_t* thickness, int count, float* out); \
+                                    const PaintCell* before, PaintCell* after);                         \
+    void concentrate(const PaintCell* pigment, const std::int32_t* thickness, int count, float* out);   \
+    void cell_rheology(const PaintCell* paint, const std::int32_t* thickness, int count,                \
+                       float yield_per_Pa, float* viscosity, float* yield);                             \
     void apply_fluxes(const TileScratch& scratch, std::int32_t* after);                                 \
     void largest_changes(const std::int32_t* before, const std::int32_t* after, int first_row,          \
                          int last_row, ColumnChanges& changes);                                         \

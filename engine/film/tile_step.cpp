@@ -10,17 +10,17 @@ TileKernels tile_kernels_for([[maybe_unused]] core::Isa isa) {
         case core::Isa::Avx512:
             // Pigment goes by quads of channels: a step measured 26 ns a cell with AVX2 code, 35 with
             // AVX-512's masks.
-            return {avx512::tile_flow, avx2::transport_pigment, avx2::concentrate, avx512::apply_fluxes,
-                    avx512::largest_changes};
+            return {avx512::tile_flow,    avx2::transport_pigment, avx2::concentrate,
+                    avx512::apply_fluxes, avx512::largest_changes, avx512::cell_rheology};
         case core::Isa::Avx2:
-            return {avx2::tile_flow, avx2::transport_pigment, avx2::concentrate, avx2::apply_fluxes,
-                    avx2::largest_changes};
+            return {avx2::tile_flow,    avx2::transport_pigment, avx2::concentrate,
+                    avx2::apply_fluxes, avx2::largest_changes,   avx2::cell_rheology};
         case core::Isa::Baseline:
             break;
     }
 #endif
-    return {baseline::tile_flow, baseline::transport_pigment, baseline::concentrate,
-            baseline::apply_fluxes, baseline::largest_changes};
+    return {baseline::tile_flow,    baseline::transport_pigment, baseline::concentrate,
+            baseline::apply_fluxes, baseline::largest_changes,   baseline::cell_rheology};
 }
 
 const TileKernels& tile_kernels() {

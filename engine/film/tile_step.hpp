@@ -22,6 +22,9 @@ using FaceArray = std::array<T, kFaceCount>;
 /// What one thread needs to step a tile; reused from tile to tile.
 struct TileScratch {
     HaloBlock block;
+    bool large_fluxes = false;  ///< fluxes may take more than a quarter of their cell
+    /// With large fluxes: what a cell holds over what leaves it in the step.
+    alignas(64) BlockArray<float> supply;
     alignas(64) BlockArray<float> normal_x, normal_y;  ///< |n| components of the film's outline
     alignas(64) BlockArray<float> slope_x, slope_y;    ///< contact-aware surface slopes at the faces
     alignas(64) BlockArray<float> pressure;            ///< Pi, mm2/s2
@@ -57,21 +60,21 @@ using TileFlow = FlowExtremes (*)(const StepConstants& step, int columns, int ro
 /// crossed the edges given as open in `runoff_edges`.
 inline constexpr int kConcentrationHalo = 2;
 inline constexpr int kConcentrationSide = grid::kTileSize + 2 * kConcentrationHalo;
-inline constexpr int kConcentrationCount = kConcentrationSide * kConcentrationSide * pigment::kChannels;
+inline constexpr int kConcentrationCount = kConcentrationSide * kConcentrationSide * kPaintChannels;
 constexpr int concentration_index(int x, int y) {
-    return ((y + kConcentrationHalo) * kConcentrationSide + x + kConcentrationHalo) * pigment::kChannels;
+    return ((y + kConcentrationHalo) * kConcentrationSide + x + kConcentrationHalo) * kPaintChannels;
 }
 struct OpenEdges {
     bool left = false, right = false, top = false, bottom = false;
 };
-using PigmentTotals = std::array<std::int64_t, pigment::kChannels>;
+using PigmentTotals = std::array<std::int64_t, kPaintChannels>;
 using PigmentTransport = PigmentTotals (*)(const TileScratch& scratch, const float* concentrations,
                                            int columns, int rows, const OpenEdges& runoff_edges,
-                                           const PigmentCell* before, PigmentCell* after);
+                                           const PaintCell* before, PaintCell* after);
 
 /// Pigment quanta per thickness quantum of `count` neighbouring cells, a hair below the exact ratio so
 /// that rounding never overdraws a cell; 0 where there is no paint.
-using Concentrate = void (*)(const PigmentCell* pigment, const std::int32_t* thickness, int count,
+using Concentrate = void (*)(const PaintCell* pigment, const std::int32_t* thickness, int count,
                              float* out);
 
 /// h_new = h - div(flux) in whole quanta for all 64 x 64 cells; what it writes beyond the canvas means
@@ -83,12 +86,17 @@ using ColumnChanges = std::array<std::int32_t, grid::kTileSize>;
 using LargestChanges = void (*)(const std::int32_t* before, const std::int32_t* after, int first_row,
                                 int last_row, ColumnChanges& changes);
 
+/// nu, mm2/s, and tau_y/rho, mm2/s2, of `count` neighbouring cells.
+using CellRheology = void (*)(const PaintCell* paint, const std::int32_t* thickness, int count,
+                              float yield_per_Pa, float* viscosity, float* yield);
+
 struct TileKernels {
     TileFlow flow = nullptr;
     PigmentTransport transport = nullptr;
     Concentrate concentrate = nullptr;
     ApplyFluxes apply_fluxes = nullptr;
     LargestChanges largest_changes = nullptr;
+    CellRheology rheology = nullptr;
 };
 
 /// The kernels for an instruction set, or for the widest one below it that was compiled in.

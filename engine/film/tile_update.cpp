@@ -1,6 +1,7 @@
 #include "film/tile_update.hpp"
 
 #include "film/concentration_block.hpp"
+#include "film/rheology_block.hpp"
 
 #include <algorithm>
 
@@ -77,11 +78,10 @@ void move_pigment(const FilmState& state, const TilePlace& place, WorkerScratch&
     gather_concentrations(state, place.columns, place.rows, place.tile_x, tile_kernels().concentrate,
                           worker.concentrations.data());
     const bool whole = columns == kTileSize && rows == kTileSize;
-    result.pigment =
-        whole ? TileBlock<PigmentCell>::uninitialised() : TileBlock<PigmentCell>::filled({});
-    result.runoff.pigment = tile_kernels().transport(
-        worker.tile, worker.concentrations.data(), columns, rows, place.runoff_edges,
-        state.pigment.read(place.tile), result.pigment.write());
+    result.paint = whole ? TileBlock<PaintCell>::uninitialised() : TileBlock<PaintCell>::filled({});
+    result.runoff.paint =
+        tile_kernels().transport(worker.tile, worker.concentrations.data(), columns, rows,
+                                 place.runoff_edges, state.paint.read(place.tile), result.paint.write());
 }
 
 void move_paint(const FilmState& state, const TilePlace& place, WorkerScratch& worker,
@@ -110,9 +110,18 @@ TileResult collect_tile(const FilmState& state, const TilePlace& place, const Fl
     return result;
 }
 
+void gather_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
+                 WorkerScratch& worker) {
+    gather(state, place.columns, place.rows, place.tile_x, step.wet_mm, worker.tile.block);
+    if (step.varied)
+        gather_rheology(state, place.columns, place.rows, place.tile_x, step.yield_per_Pa,
+                        tile_kernels().rheology, worker.tile.block);
+}
+
 TileResult update_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
                        WorkerScratch& worker) {
-    gather(state, place.columns, place.rows, place.tile_x, step.wet_mm, worker.tile.block);
+    gather_tile(state, place, step, worker);
+    worker.tile.large_fluxes = false;
     const FlowExtremes extremes =
         tile_kernels().flow(step, place.columns.extent, place.rows.extent, place.closed, worker.tile);
     return collect_tile(state, place, extremes, worker);

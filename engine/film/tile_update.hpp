@@ -33,7 +33,7 @@ struct TilePlace {
 /// What a step makes of a tile. An empty block means that the field did not change.
 struct TileResult {
     grid::TileBlock<std::int32_t> thickness;
-    grid::TileBlock<PigmentCell> pigment;
+    grid::TileBlock<PaintCell> paint;
     grid::TileBlock<float> velocity_x, velocity_y;
     FlowExtremes extremes;
     std::optional<TileMotion> motion;
@@ -43,6 +43,10 @@ struct TileResult {
 /// What the velocities and fluxes in the worker's scratch, and the block gathered there, make of a tile.
 TileResult collect_tile(const FilmState& state, const TilePlace& place, const FlowExtremes& extremes,
                         WorkerScratch& worker);
+
+/// Gathers what a step of the tile reads into the worker's scratch.
+void gather_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
+                 WorkerScratch& worker);
 
 /// One explicit step.
 TileResult update_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,

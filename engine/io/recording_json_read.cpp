@@ -90,6 +90,17 @@ document::Action read_medium(const JsonPlace& place) {
     return document::UseMedium{place.entry("name").text()};
 }
 
+document::Action read_drying(const JsonPlace& place) {
+    place.allow_only({"speed", "fan", "fan_x_mm", "fan_y_mm", "fan_radius_mm"});
+    film::DryingAir air;
+    air.speed = place.entry("speed").number();
+    air.fan = number_or(place, "fan", air.fan);
+    air.fan_x_mm = number_or(place, "fan_x_mm", air.fan_x_mm);
+    air.fan_y_mm = number_or(place, "fan_y_mm", air.fan_y_mm);
+    air.fan_radius_mm = number_or(place, "fan_radius_mm", air.fan_radius_mm);
+    return document::SetDrying{air};
+}
+
 template <class Plain>
 document::Action read_plain(const JsonPlace& place) {
     place.allow_only({});
@@ -106,6 +117,8 @@ constexpr Kind kKinds[] = {
     {"clean_brush", read_plain<document::CleanBrush>},
     {"use_medium", read_medium},
     {"tilt_canvas", read_tilt},
+    {"set_drying", read_drying},
+    {"dry_now", read_plain<document::DryNow>},
     {"undo", read_plain<document::Undo>},
     {"redo", read_plain<document::Redo>},
 };
@@ -164,8 +177,8 @@ class EventReader {
             return;
         }
         entry.fail(
-            "expected one of stroke, take_brush, load_paint, clean_brush, use_medium, tilt_canvas, undo "
-            "and redo beside the tick.");
+            "expected one of stroke, take_brush, load_paint, clean_brush, use_medium, tilt_canvas, "
+            "set_drying, dry_now, undo and redo beside the tick.");
     }
 
     void read_stroke(const JsonPlace& stroke, std::int64_t first_tick) {

@@ -42,6 +42,15 @@ Json brush_json(const document::TakeBrush& take) {
     return json;
 }
 
+Json drying_json(const film::DryingAir& air) {
+    Json json{{"speed", air.speed}};
+    if (air.fan != 1.0) json["fan"] = air.fan;
+    if (air.fan_x_mm != 0.0) json["fan_x_mm"] = air.fan_x_mm;
+    if (air.fan_y_mm != 0.0) json["fan_y_mm"] = air.fan_y_mm;
+    if (air.fan_radius_mm != 0.0) json["fan_radius_mm"] = air.fan_radius_mm;
+    return json;
+}
+
 /// Time, x, y and pressure; the angles only as far as they are not 0.
 Json sample_json(const brush::PenSample& sample) {
     Json json = Json::array({sample.time_s, sample.x_mm, sample.y_mm, sample.pressure});
@@ -134,6 +143,8 @@ class EntryWriter {
     void operator()(const document::TiltCanvas& tilt) {
         put("tilt_canvas", Json{{"tilt_deg", tilt.tilt_deg}, {"direction_deg", tilt.direction_deg}});
     }
+    void operator()(const document::SetDrying& drying) { put("set_drying", drying_json(drying.air)); }
+    void operator()(const document::DryNow&) { put("dry_now", Json::object()); }
     void operator()(const document::Undo&) { put("undo", Json::object()); }
     void operator()(const document::Redo&) { put("redo", Json::object()); }
 

@@ -5,6 +5,8 @@
 #include "io/image.hpp"
 #include "io/scene_json_parts.hpp"
 
+#include <algorithm>
+
 namespace pastoso::io {
 namespace {
 
@@ -123,7 +125,7 @@ film::Form read_form(const JsonPlace& place, const SceneContext& context) {
     const std::string name = kind.text();
     const auto allow = [&](const std::string& a, const std::string& b = "kind",
                            const std::string& c = "kind") {
-        place.allow_only({"kind", thickness, "pigment", "strength", a, b, c});
+        place.allow_only({"kind", thickness, "pigment", "strength", "paint", a, b, c});
     };
     if (name == "slab") {
         allow("kind");
@@ -180,7 +182,10 @@ pigment::Coefficients read_pigment(const JsonPlace& primitive) {
         }
     }
     pigment->guard([&] { document::check_paint(recipe); });
-    return document::coefficients_of(recipe);
+    const film::PaintCoefficients paint = document::mixed_paint(recipe, film::Medium{});
+    pigment::Coefficients colour;
+    std::copy_n(paint.begin(), colour.size(), colour.begin());
+    return colour;
 }
 
 film::Primitive read_primitive(const JsonPlace& place, const SceneContext& context) {
@@ -189,6 +194,8 @@ film::Primitive read_primitive(const JsonPlace& place, const SceneContext& conte
     primitive.form = read_form(place, context);
     primitive.thickness_mm = number_between(place.entry(thickness.c_str()), 0.0, film::kMaxThickness_mm);
     primitive.pigment = read_pigment(place);
+    if (const auto paint = place.optional_entry("paint"))
+        primitive.medium = read_scene_paint(*paint, context);
     if (const auto* cap = std::get_if<film::SphericalCap>(&primitive.form)) {
         if (primitive.thickness_mm <= 0.0 || primitive.thickness_mm > cap->radius_mm) {
             place.fail(

@@ -12,16 +12,38 @@ constexpr int kGroup = 64;
 
 struct Group {
     alignas(64) float optical_thickness[pigment::kChannels][kGroup];
+    alignas(64) float ground[pigment::kBands][kGroup];
     alignas(64) float red[kGroup], green[kGroup], blue[kGroup], wetness[kGroup];
 };
 
-void load(const film::PigmentCell* pigment, const std::int32_t* thickness, int count, Group& group) {
-    constexpr auto kToGloss = static_cast<float>(1.0 / kGlossyThickness_mm);
+template <class Cell>
+void load_pigment(const Cell* cells, int count, Group& group) {
     for (int i = 0; i < count; ++i) {
-        for (int k = 0; k < pigment::kChannels; ++k) {
-            group.optical_thickness[k][i] = film::optical_thickness(pigment[i][k]);
-        }
+        for (int k = 0; k < pigment::kChannels; ++k)
+            group.optical_thickness[k][i] = film::optical_thickness(cells[i][k]);
     }
+}
+
+/// The reflectance of all that lies below the wet paint.
+void load_ground(const CellStack& cells, int first, int count, const pigment::Bands& bare,
+                 Group& group) {
+    for (int i = 0; i < count; ++i) {
+        const pigment::Bands& ground = cells.ground == nullptr ? bare : cells.ground[first + i];
+        for (int band = 0; band < pigment::kBands; ++band)
+            group.ground[band][i] = ground[band];
+    }
+    if (cells.soluble == nullptr) return;
+    load_pigment(cells.soluble + first, count, group);
+    for (int band = 0; band < pigment::kBands; ++band) {
+        const float* kh = group.optical_thickness[band];
+        const float* sh = group.optical_thickness[pigment::kBands + band];
+        for (int i = 0; i < count; ++i)
+            group.ground[band][i] = pigment::layer_reflectance(kh[i], sh[i], group.ground[band][i]);
+    }
+}
+
+void start_colours(const std::int32_t* thickness, int count, Group& group) {
+    constexpr auto kToGloss = static_cast<float>(1.0 / kGlossyThickness_mm);
     for (int i = 0; i < count; ++i) {
         const float t = clamp_to_unit(film::thickness_mm(thickness[i]) * kToGloss);
         group.wetness[i] = t * t * (3.0F - 2.0F * t);
@@ -29,14 +51,15 @@ void load(const film::PigmentCell* pigment, const std::int32_t* thickness, int c
     }
 }
 
-void add_band(int band, float ground, int count, Group& group) {
+void add_band(int band, int count, Group& group) {
+    const float* ground = group.ground[band];
     const float* kh = group.optical_thickness[band];
     const float* sh = group.optical_thickness[pigment::kBands + band];
     const float to_red = pigment::kBandsToLinearSrgb[0][band];
     const float to_green = pigment::kBandsToLinearSrgb[1][band];
     const float to_blue = pigment::kBandsToLinearSrgb[2][band];
     for (int i = 0; i < count; ++i) {
-        const float internal = pigment::layer_reflectance(kh[i], sh[i], ground);
+        const float internal = pigment::layer_reflectance(kh[i], sh[i], ground[i]);
         const float reflectance = pigment::through_surface(internal);
         group.red[i] += to_red * reflectance;
         group.green[i] += to_green * reflectance;
@@ -51,14 +74,16 @@ void store(const Group& group, int count, CellColour* out) {
 
 }  // namespace
 
-void colour_cells(const film::PigmentCell* pigment, const std::int32_t* thickness, int count,
-                  const pigment::Bands& ground, CellColour* out) {
+void colour_cells(const CellStack& cells, int count, const pigment::Bands& bare_ground,
+                  CellColour* out) {
     Group group;
     for (int first = 0; first < count; first += kGroup) {
         const int size = std::min(kGroup, count - first);
-        load(pigment + first, thickness + first, size, group);
+        load_ground(cells, first, size, bare_ground, group);
+        load_pigment(cells.paint + first, size, group);
+        start_colours(cells.thickness + first, size, group);
         for (int band = 0; band < pigment::kBands; ++band)
-            add_band(band, ground[band], size, group);
+            add_band(band, size, group);
         store(group, size, out + first);
     }
 }

@@ -2,8 +2,8 @@
 
 #define PASTOSO_DECLARE_SHADE_KERNELS(isa)                                                              \
     namespace isa {                                                                                     \
-    void colour_cells(const film::PigmentCell* pigment, const std::int32_t* thickness, int count,       \
-                      const pigment::Bands& ground, CellColour* out);                                   \
+    void colour_cells(const CellStack& cells, int count, const pigment::Bands& bare_ground,             \
+                      CellColour* out);                                                                 \
     void add_horizon(const HorizonLook& look, const float* height, int count, float* out);              \
     void raise_shadow(const float* near, const float* far, float far_share, float drop_mm, int count,   \
                       float* out);                                                                      \

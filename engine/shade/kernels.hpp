@@ -12,10 +12,18 @@
 
 namespace pastoso::shade {
 
+/// Neighbouring cells from the wet paint down; what lies dry may be null where there is none.
+struct CellStack {
+    const film::PaintCell* paint;
+    const std::int32_t* thickness;
+    const film::PigmentCell* soluble;
+    const pigment::Bands* ground;
+};
+
 struct Kernels {
-    /// The colours of `count` cells that follow one another in memory.
-    void (*colour_cells)(const film::PigmentCell* pigment, const std::int32_t* thickness, int count,
-                         const pigment::Bands& ground, CellColour* out);
+    /// The colours of `count` cells.
+    void (*colour_cells)(const CellStack& cells, int count, const pigment::Bands& bare_ground,
+                         CellColour* out);
 
     /// Adds to each of `count` cells an eighth of cos^2 of the horizon's angle in one direction
     /// (sky.hpp).

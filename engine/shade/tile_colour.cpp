@@ -4,10 +4,22 @@
 #include "shade/kernels.hpp"
 
 namespace pastoso::shade {
+namespace {
+
+/// The cells of a tile from number `first` on.
+CellStack cell_stack(const film::FilmState& film, int tile, int first) {
+    const film::Strata& strata = film.strata;
+    const bool soluble = !strata.soluble_pigment.is_background(tile);
+    const bool ground = !strata.ground.is_background(tile);
+    return {film.paint.read(tile) + first, film.thickness.read(tile) + first,
+            soluble ? strata.soluble_pigment.read(tile) + first : nullptr,
+            ground ? strata.ground.read(tile) + first : nullptr};
+}
+
+}  // namespace
 
 void tile_colours(const film::FilmState& film, int tile, const pigment::Bands& ground, CellColour* out) {
-    kernels(core::best_isa())
-        .colour_cells(film.pigment.read(tile), film.thickness.read(tile), grid::kTileCells, ground, out);
+    kernels(core::best_isa()).colour_cells(cell_stack(film, tile, 0), grid::kTileCells, ground, out);
 }
 
 void cell_colours(const film::FilmState& film, const grid::Rect& cells, const pigment::Bands& ground,
@@ -16,8 +28,7 @@ void cell_colours(const film::FilmState& film, const grid::Rect& cells, const pi
     const auto fill = [&](const grid::Rect& part, CellColour* target, int target_stride) {
         gather_cells(film.shape, part, target, target_stride,
                      [&](int tile, int cell, int count, CellColour* to) {
-                         kernel.colour_cells(film.pigment.read(tile) + cell,
-                                             film.thickness.read(tile) + cell, count, ground, to);
+                         kernel.colour_cells(cell_stack(film, tile, cell), count, ground, to);
                      });
     };
     fill_beyond_edges(film.shape, cells, out, stride, fill);

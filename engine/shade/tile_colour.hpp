@@ -1,4 +1,4 @@
-// The colour of every cell: its pigment over the ground, seen under even light.
+// The colour of every cell: its wet paint over what lies dry over the ground, seen under even light.
 #pragma once
 
 #include "film/state.hpp"
@@ -15,8 +15,8 @@ struct CellColour {
 };
 
 /// The colours of a tile's 64 x 64 cells, those beyond the canvas included. `ground` is the internal
-/// reflectance of the bare support. Kubelka-Munk per band, Saunderson once at the air side, then the D65
-/// matrix (pigment/). The same bits with every instruction set.
+/// reflectance of the bare support. Kubelka-Munk per band and layer, Saunderson once at the air side,
+/// then the D65 matrix (pigment/). The same bits with every instruction set.
 void tile_colours(const film::FilmState& film, int tile, const pigment::Bands& ground, CellColour* out);
 
 /// The same for a rectangle of cells; `stride` colours from row to row.

@@ -32,9 +32,9 @@ void add_lump(document::Snapshot& snapshot, int x0, int y0, int size) {
             const double thickness_mm = 0.2 + 0.8 * core::uniform_noise(cell, 7);
             film.thickness.set(x, y,
                                static_cast<std::int32_t>(thickness_mm / film::kThicknessQuantum_mm));
-            film::PigmentCell pigment{};
-            pigment.fill(static_cast<std::int32_t>(2.0 / film::kPigmentQuantum));
-            film.pigment.set(x, y, pigment);
+            film::PaintCell pigment{};
+            pigment.fill(static_cast<std::int32_t>(2.0 / film::kPaintQuantum));
+            film.paint.set(x, y, pigment);
         }
     }
 }

@@ -15,8 +15,8 @@ using ::testing::ElementsAre;
 
 /// Names of the posted actions, in their order.
 std::vector<std::string> names(const std::vector<Action>& actions) {
-    static const char* const kNames[] = {"brush", "load", "clean", "medium", "tilt",
-                                         "down",  "move", "up",    "undo",   "redo"};
+    static const char* const kNames[] = {"brush", "load", "clean", "medium", "tilt", "drying",
+                                         "dry",   "down", "move",  "up",     "undo", "redo"};
     std::vector<std::string> list;
     for (const Action& action : actions)
         list.emplace_back(kNames[action.index()]);
@@ -43,7 +43,7 @@ class EaselTest : public ::testing::Test {
 
 TEST_F(EaselTest, SetsUpAPainterWhoHasReadNothing) {
     easel_.set_up();
-    EXPECT_THAT(posted(), ElementsAre("medium", "tilt", "brush", "clean", "load"));
+    EXPECT_THAT(posted(), ElementsAre("medium", "tilt", "drying", "brush", "clean", "load"));
 }
 
 TEST_F(EaselTest, EveryStrokeStartsWithAFreshBrushUnlessToldOtherwise) {
@@ -72,6 +72,21 @@ TEST_F(EaselTest, AChangeOfToolEndsTheStrokeFirst) {
     easel_.press({});
     easel_.undo();
     EXPECT_THAT(posted(), ElementsAre("down", "up", "undo"));
+}
+
+TEST_F(EaselTest, AnotherMediumComesWithAFreshBrush) {
+    easel_.use_medium("ink glaze");
+    EXPECT_THAT(posted(), ElementsAre("clean", "medium", "clean", "load"));
+    EXPECT_EQ(easel_.hand().medium, "ink glaze");
+}
+
+TEST_F(EaselTest, DryingEndsTheStrokeAndItsSpeedDoesNot) {
+    easel_.set_reload_each_stroke(false);
+    easel_.press({});
+    easel_.set_drying_speed(60.0);
+    easel_.dry_now();
+    EXPECT_THAT(posted(), ElementsAre("down", "drying", "up", "dry"));
+    EXPECT_EQ(easel_.hand().air.speed, 60.0);
 }
 
 TEST_F(EaselTest, TiltingGoesOnDuringAStroke) {

@@ -1,5 +1,6 @@
 // Cost of strokes: processor time per pixel of travel for brushes of several sizes and bristle counts.
 #include "brush/stroke.hpp"
+#include "film/medium.hpp"
 #include "film/support.hpp"
 #include "pigment/palette.hpp"
 
@@ -41,7 +42,8 @@ void paint_stroke(benchmark::State& run, const char* preset_name) {
     const double width_mm = 2 * radius_px / kPxPerMm;
     const int canvas_px = std::max(1024, 6 * radius_px);
     const film::FilmState clean = linen_canvas(canvas_px, std::max(400, 3 * radius_px));
-    const auto& paint = pigment::find_pigment("PB29").coefficients;
+    const film::PaintCoefficients paint = film::paint_coefficients(
+        pigment::find_pigment("PB29").coefficients, film::find_medium("heavy-body oil"));
     for (auto _ : run) {
         run.PauseTiming();
         film::FilmState film = clean;

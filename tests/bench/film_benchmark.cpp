@@ -11,7 +11,8 @@ namespace pastoso::film {
 namespace {
 
 struct Flow {
-    bool alpha_range = false, yield_and_curvature = false, pigment = false, shear_thinning = false;
+    bool alpha_range = false, yield_and_curvature = false, pigment = false, shear_thinning = false,
+         varied = false;
 };
 
 Medium medium_of(const Flow& flow) {
@@ -35,18 +36,31 @@ FilmState wavy_film(int n, bool pigment) {
             const double h = 1 + 0.2 * std::sin(x * 0.3) * std::cos(y * 0.2);
             state.thickness.set(x, y, static_cast<std::int32_t>(h / kThicknessQuantum_mm));
             if (!pigment) continue;
-            PigmentCell cell;
-            for (int k = 0; k < pigment::kChannels; ++k)
-                cell[k] = static_cast<std::int32_t>((50 + x % 7) * h / kPigmentQuantum);
-            state.pigment.set(x, y, cell);
+            PaintCell cell;
+            for (int k = 0; k < kPaintChannels; ++k)
+                cell[k] = static_cast<std::int32_t>((50 + x % 7) * h / kPaintQuantum);
+            state.paint.set(x, y, cell);
         }
     return state;
+}
+
+/// Nearly the medium's own consistency, different from cell to cell.
+void vary(FilmState& state) {
+    for (int y = 0; y < state.shape.height; ++y)
+        for (int x = 0; x < state.shape.width; ++x) {
+            PaintCell cell = state.paint.at(x, y);
+            cell[kViscosityChannel] = static_cast<std::int32_t>(0.1 * (x % 7) / kPaintQuantum);
+            cell[kYieldChannel] = 1 + y % 2;
+            state.paint.set(x, y, cell);
+        }
+    state.varied = true;
 }
 
 void step_film(benchmark::State& run, const Flow& flow) {
     const int n = static_cast<int>(run.range(0));
     core::ThreadPool pool(static_cast<int>(run.range(1)));
     FilmState state = wavy_film(n, flow.pigment);
+    if (flow.varied) vary(state);
     SolverOptions options;
     options.edge_x = options.edge_y = Edge::Periodic;
     options.full_curvature = flow.yield_and_curvature;
@@ -76,6 +90,10 @@ BENCHMARK_CAPTURE(step_film, alpha_yield_curvature,
     ->Apply(all_sizes);
 BENCHMARK_CAPTURE(step_film, alpha_yield_curvature_pigment,
                   Flow{.alpha_range = true, .yield_and_curvature = true, .pigment = true})
+    ->Apply(plain_sizes);
+BENCHMARK_CAPTURE(step_film, alpha_yield_curvature_pigment_varied,
+                  Flow{
+                      .alpha_range = true, .yield_and_curvature = true, .pigment = true, .varied = true})
     ->Apply(plain_sizes);
 BENCHMARK_CAPTURE(step_film, alpha_yield_curvature_thinning,
                   Flow{.alpha_range = true, .yield_and_curvature = true, .shear_thinning = true})

@@ -18,10 +18,10 @@ film::FilmState painted(int width, int height) {
         for (int x = 0; x < width; ++x) {
             const double h = 0.3 + 0.1 * std::sin(x * 0.5) * std::cos(y * 0.1);
             state.thickness.set(x, y, static_cast<std::int32_t>(h / film::kThicknessQuantum_mm));
-            film::PigmentCell cell;
+            film::PaintCell cell;
             for (int k = 0; k < pigment::kChannels; ++k)
-                cell[k] = static_cast<std::int32_t>((10 + 7 * k + x % 5) * h / film::kPigmentQuantum);
-            state.pigment.set(x, y, cell);
+                cell[k] = static_cast<std::int32_t>((10 + 7 * k + x % 5) * h / film::kPaintQuantum);
+            state.paint.set(x, y, cell);
         }
     return state;
 }

@@ -18,7 +18,7 @@ void expect_sound(const film::FilmState& film) {
             const std::int32_t h = film.thickness.at(x, y);
             ASSERT_GE(h, 0);
             ASSERT_LE(h * film::kThicknessQuantum_mm, film::kMaxThickness_mm);
-            for (const std::int32_t pigment : film.pigment.at(x, y)) {
+            for (const std::int32_t pigment : film.paint.at(x, y)) {
                 ASSERT_GE(pigment, 0);
                 if (h == 0) {
                     ASSERT_EQ(pigment, 0);
@@ -31,7 +31,7 @@ void expect_sound(const film::FilmState& film) {
 void expect_sound(const Brush& brush) {
     for (const Contents& held : brush.held) {
         ASSERT_GE(held.volume_mm3, 0.0);
-        for (const double pigment : held.pigment)
+        for (const double pigment : held.paint)
             ASSERT_GE(pigment, 0.0);
     }
 }

@@ -191,7 +191,7 @@ TEST(OverfilledBrush, LeavesNoHaloOnWetPaint) {
         const int y = static_cast<int>((20.0 + side * (reach_mm + 0.3)) * kPxPerMm);
         for (int x = 15 * 8; x < 65 * 8; ++x) {
             const double dark_per_mm =
-                film::optical_thickness(film.pigment.at(x, y)[0]) / studio::thickness_mm(film, x, y);
+                film::optical_thickness(film.paint.at(x, y)[0]) / studio::thickness_mm(film, x, y);
             ASSERT_LT(dark_per_mm, 0.01 * studio::dark_paint()[0]) << x << ", " << y;
         }
     }
@@ -209,10 +209,10 @@ TEST(DirtyBrush, CarriesColourOn) {
         for (int y = cells.y0; y < cells.y1; ++y) {
             for (int x = cells.x0; x < cells.x1; ++x) {
                 sum.volume_mm3 += studio::thickness_mm(film, x, y);
-                sum.pigment[6] += film::optical_thickness(film.pigment.at(x, y)[6]);
+                sum.paint[6] += film::optical_thickness(film.paint.at(x, y)[6]);
             }
         }
-        return (sum.pigment[6] / sum.volume_mm3 - studio::dark_paint()[6]) /
+        return (sum.paint[6] / sum.volume_mm3 - studio::dark_paint()[6]) /
                (studio::light_paint()[6] - studio::dark_paint()[6]);
     };
     EXPECT_GT(light_share(34.0), 0.1);  // just beyond the wet paint

@@ -62,7 +62,7 @@ TEST(Knife, KeepsColourBoundariesCrisp) {
     const auto light_share = [&](double y_mm) {
         const int x = 60 * 8, y = static_cast<int>(y_mm * kPxPerMm);
         const double per_mm =
-            film::optical_thickness(film.pigment.at(x, y)[6]) / studio::thickness_mm(film, x, y);
+            film::optical_thickness(film.paint.at(x, y)[6]) / studio::thickness_mm(film, x, y);
         return (per_mm - studio::dark_paint()[6]) / (studio::light_paint()[6] - studio::dark_paint()[6]);
     };
     // After 40 mm of scraping along the boundary it is still less than a millimetre wide.

@@ -40,14 +40,14 @@ TEST(Load, MixesHalfAndHalfInStreaks) {
     double least = 1.0, most = 0.0;
     const double dark = studio::dark_paint()[0], light = studio::light_paint()[0];
     for (const Contents& held : brush.held) {
-        const double share = (held.pigment[0] / held.volume_mm3 - dark) / (light - dark);
+        const double share = (held.paint[0] / held.volume_mm3 - dark) / (light - dark);
         least = std::min(least, share);
         most = std::max(most, share);
     }
     EXPECT_LT(least, 0.25);
     EXPECT_GT(most, 0.75);
     const Contents sum = brush.contents();
-    EXPECT_NEAR((sum.pigment[0] / sum.volume_mm3 - dark) / (light - dark), 0.5,
+    EXPECT_NEAR((sum.paint[0] / sum.volume_mm3 - dark) / (light - dark), 0.5,
                 0.12);  // noise of the streaks
 }
 
@@ -55,7 +55,7 @@ TEST(Load, PutsTwoPaintsSideBySide) {
     Brush brush(studio::flat_preset(20.0));
     brush.load(MixedLoad{studio::dark_paint(), studio::light_paint(), 0.3, 0.0, true}, 1.0);
     for (std::size_t i = 0; i < brush.held.size(); ++i) {
-        const double per_mm = brush.held[i].pigment[0] / brush.held[i].volume_mm3;
+        const double per_mm = brush.held[i].paint[0] / brush.held[i].volume_mm3;
         const bool left = brush.tip.bristles[i].root_x_mm < 0.0F;
         EXPECT_NEAR(per_mm, left ? studio::dark_paint()[0] : studio::light_paint()[0], 1e-4);
     }

@@ -43,31 +43,33 @@ film::FilmState smooth(double width_mm, double height_mm, double px_per_mm) {
     return {shape_of(width_mm, height_mm, px_per_mm), 1.0 / px_per_mm};
 }
 
-void cover(film::FilmState& film, double thickness_mm, const pigment::Coefficients& paint) {
+void cover(film::FilmState& film, double thickness_mm, const film::PaintCoefficients& paint) {
     cover(film, film.shape.cells(), thickness_mm, paint);
 }
 
 void cover(film::FilmState& film, const grid::Rect& cells, double thickness_mm,
-           const pigment::Coefficients& paint) {
-    film::PigmentCell pigment{};
-    for (int k = 0; k < pigment::kChannels; ++k) {
-        pigment[k] = static_cast<std::int32_t>(thickness_mm * paint[k] / film::kPigmentQuantum);
+           const film::PaintCoefficients& paint) {
+    film::PaintCell pigment{};
+    for (int k = 0; k < film::kPaintChannels; ++k) {
+        pigment[k] = static_cast<std::int32_t>(thickness_mm * paint[k] / film::kPaintQuantum);
     }
     const auto quanta = static_cast<std::int32_t>(thickness_mm / film::kThicknessQuantum_mm);
     for (int y = cells.y0; y < cells.y1; ++y) {
         for (int x = cells.x0; x < cells.x1; ++x) {
             film.thickness.set(x, y, quanta);
-            film.pigment.set(x, y, pigment);
+            film.paint.set(x, y, pigment);
         }
     }
 }
 
-pigment::Coefficients dark_paint() {
-    return {900.0F, 600.0F, 300.0F, 150.0F, 75.0F, 40.0F, 20.0F, 15.0F, 12.0F, 10.0F, 8.0F, 6.0F};
+film::PaintCoefficients dark_paint() {
+    return {900.0F, 600.0F, 300.0F, 150.0F, 75.0F, 40.0F, 20.0F, 15.0F,
+            12.0F,  10.0F,  8.0F,   6.0F,   12.6F, 80.0F, 0.9F,  80.0F};
 }
 
-pigment::Coefficients light_paint() {
-    return {0.0032F, 0.004F, 0.005F, 0.01F, 0.1F, 1.0F, 200.0F, 190.0F, 180.0F, 170.0F, 160.0F, 150.0F};
+film::PaintCoefficients light_paint() {
+    return {0.0032F, 0.004F, 0.005F, 0.01F,  0.1F, 1.0F, 200.0F, 190.0F,
+            180.0F,  170.0F, 160.0F, 150.0F, 4.6F, 0.1F, 0.2F,   1.0F};
 }
 
 Preset linear(const Preset& preset) {
@@ -137,16 +139,16 @@ Contents contents(const film::FilmState& film) {
     const double area_mm2 = film.cell_mm * film.cell_mm;
     Contents result;
     result.volume_mm3 = film::volume_mm3(totals.thickness, film.cell_mm);
-    for (int k = 0; k < pigment::kChannels; ++k) {
-        result.pigment[k] = static_cast<double>(totals.pigment[k]) * film::kPigmentQuantum * area_mm2;
+    for (int k = 0; k < film::kPaintChannels; ++k) {
+        result.paint[k] = static_cast<double>(totals.paint[k]) * film::kPaintQuantum * area_mm2;
     }
     return result;
 }
 
 double balance_error(const Contents& a, const Contents& b) {
     double error = std::abs(a.volume_mm3 / b.volume_mm3 - 1.0);
-    for (int k = 0; k < pigment::kChannels; ++k) {
-        error = std::max(error, std::abs(a.pigment[k] / b.pigment[k] - 1.0));
+    for (int k = 0; k < film::kPaintChannels; ++k) {
+        error = std::max(error, std::abs(a.paint[k] / b.paint[k] - 1.0));
     }
     return error;
 }

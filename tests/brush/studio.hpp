@@ -17,13 +17,13 @@ film::FilmState linen(double width_mm, double height_mm, double px_per_mm = 8.0)
 film::FilmState smooth(double width_mm, double height_mm, double px_per_mm = 8.0);
 
 /// Covers the rectangle of cells (the whole canvas by default) with wet paint.
-void cover(film::FilmState& film, double thickness_mm, const pigment::Coefficients& paint);
+void cover(film::FilmState& film, double thickness_mm, const film::PaintCoefficients& paint);
 void cover(film::FilmState& film, const grid::Rect& cells, double thickness_mm,
-           const pigment::Coefficients& paint);
+           const film::PaintCoefficients& paint);
 
 /// Made-up paints whose channels all differ: one that absorbs much, one that scatters much.
-pigment::Coefficients dark_paint();
-pigment::Coefficients light_paint();
+film::PaintCoefficients dark_paint();
+film::PaintCoefficients light_paint();
 
 /// A preset whose press is the pressure and lean the tangent of the tilt, at every speed: without the
 /// curves.
@@ -46,7 +46,7 @@ void paint(Brush& brush, film::FilmState& film, const Movement& movement, double
 /// All paint on the canvas.
 Contents contents(const film::FilmState& film);
 
-/// Largest difference of volume and of the twelve pigment sums, relative.
+/// Largest difference of volume and of all that the paint carries, relative.
 double balance_error(const Contents& a, const Contents& b);
 
 double volume_mm3(const film::FilmState& film);

@@ -94,11 +94,11 @@ TEST(Exchange, SwapsColourWithoutMovingVolume) {
     film::FilmState film = studio::smooth(8.0, 8.0);
     studio::cover(film, 2.0, studio::light_paint());  // higher than the bristle wants it anywhere
     const double held_mm3 = brush.held[0].volume_mm3;
-    const double light_before = brush.held[0].pigment[6];
+    const double light_before = brush.held[0].paint[6];
     touch(brush, film, contact_at(4.0, 4.0));
     EXPECT_EQ(brush.held[0].volume_mm3, held_mm3);
-    EXPECT_GT(brush.held[0].pigment[6], light_before);
-    EXPECT_GT(film.pigment.at(32, 32)[0], 100);
+    EXPECT_GT(brush.held[0].paint[6], light_before);
+    EXPECT_GT(film.paint.at(32, 32)[0], 100);
 }
 
 TEST(Exchange, PigmentGoesWithTheLastOfThePaint) {
@@ -111,7 +111,7 @@ TEST(Exchange, PigmentGoesWithTheLastOfThePaint) {
         brush.clean();
     }
     EXPECT_EQ(film.thickness.at(32, 32), 0);
-    for (const std::int32_t quanta : film.pigment.at(32, 32))
+    for (const std::int32_t quanta : film.paint.at(32, 32))
         EXPECT_EQ(quanta, 0);
 }
 
@@ -124,8 +124,8 @@ TEST(Exchange, GivesColourWithoutBias) {
     for (int i = 0; i < 40; ++i)
         touch(brush, film, contact_at(2.0 + 0.1 * i, 4.0));
     const Contents given = studio::contents(film);
-    for (int k = 0; k < pigment::kChannels; ++k) {
-        const double per_mm = given.pigment[k] / given.volume_mm3;
+    for (int k = 0; k < film::kPaintChannels; ++k) {
+        const double per_mm = given.paint[k] / given.volume_mm3;
         EXPECT_NEAR(per_mm / studio::light_paint()[k], 1.0, 0.02) << "channel " << k;
     }
 }
@@ -152,7 +152,7 @@ TEST(Exchange, LeavesUntouchedTilesAndSnapshotsAlone) {
     EXPECT_FALSE(film.thickness.shares_tile(snapshot.thickness, 0));
     for (int tile = 1; tile < 4; ++tile) {
         EXPECT_TRUE(film.thickness.is_background(tile));
-        EXPECT_TRUE(film.pigment.is_background(tile));
+        EXPECT_TRUE(film.paint.is_background(tile));
     }
 }
 
@@ -181,7 +181,7 @@ TEST(Exchange, BeyondTheCanvasNothingHappens) {
 TEST(PutDown, HeapsUpNoMoreThanACellMayHold) {
     Contents held;
     held.volume_mm3 = 100.0;
-    for (double& pigment : held.pigment)
+    for (double& pigment : held.paint)
         pigment = 100.0 * kStrongestPaint_per_mm;
     const Contents before = held;
     film::FilmState film = studio::smooth(8.0, 8.0);
@@ -191,7 +191,7 @@ TEST(PutDown, HeapsUpNoMoreThanACellMayHold) {
     for (int y = 0; y < film.shape.height; ++y) {
         for (int x = 0; x < film.shape.width; ++x) {
             thickest_mm = std::max(thickest_mm, studio::thickness_mm(film, x, y));
-            for (const std::int32_t quanta : film.pigment.at(x, y))
+            for (const std::int32_t quanta : film.paint.at(x, y))
                 EXPECT_GE(quanta, 0);
         }
     }
@@ -271,9 +271,9 @@ TEST_P(EveryInstructionSet, GivesTheSameBitsAsTheBaseline) {
         rule.deposit_scale = 0.83F;
         rule.swap_scale = 0.91F;
         rule.dither_seed = seed;
-        for (int k = 0; k < pigment::kChannels; ++k)
+        for (int k = 0; k < film::kPaintChannels; ++k)
             rule.given[k] = 0.37F * static_cast<float>(k * k) / 12.0F;
-        std::vector<film::PigmentCell> expected_pigment(RandomBatch::kCount), actual_pigment;
+        std::vector<film::PaintCell> expected_pigment(RandomBatch::kCount), actual_pigment;
         for (auto& cell : expected_pigment)
             cell.fill(1000003);
         actual_pigment = expected_pigment;
@@ -289,7 +289,7 @@ TEST_P(EveryInstructionSet, GivesTheSameBitsAsTheBaseline) {
         EXPECT_EQ(actual.thickness, expected.thickness) << "seed " << seed;
         EXPECT_EQ(actual_pigment, expected_pigment) << "seed " << seed;
         EXPECT_EQ(changes.thickness, expected_changes.thickness);
-        EXPECT_EQ(changes.pigment, expected_changes.pigment);
+        EXPECT_EQ(changes.paint, expected_changes.paint);
     }
 }
 

@@ -53,7 +53,7 @@ TEST(Canvas, RefusesWhatDoesNotFitIntoMemory) {
     const std::size_t needed = estimated_bytes(canvas_shape(canvas));
     EXPECT_EQ(error_of([&] { check_canvas_fits(canvas, needed); }), "");
     EXPECT_EQ(error_of([&] { check_canvas_fits(canvas, needed - 1); }),
-              "A canvas of 300 x 200 mm at 4 px/mm needs about 0.2 GiB; 0.2 GiB of memory are free.");
+              "A canvas of 300 x 200 mm at 4 px/mm needs about 0.3 GiB; 0.3 GiB of memory are free.");
 }
 
 TEST(Canvas, NeedsMoreForMoreCells) {

@@ -83,7 +83,7 @@ TEST(History, KeepsAtLeastThirtyStrokesOfACommonCanvas) {
     for (int stroke = 0; stroke < 40; ++stroke) {
         for (int tile = 0; tile < film.shape.tile_count() / 10; ++tile) {
             film.thickness.write(tile)[0] = stroke + 1;
-            film.pigment.write(tile)[0][0] = stroke + 1;
+            film.paint.write(tile)[0][0] = stroke + 1;
             film.velocity_x.write(tile)[0] = 1.0F;
             film.velocity_y.write(tile)[0] = 1.0F;
         }

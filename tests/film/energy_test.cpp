@@ -77,6 +77,7 @@ class UnforcedFilm : public testing::TestWithParam<EnergyCase> {};
 
 TEST_P(UnforcedFilm, NeverGainsEnergy) {
     const auto& [scheme, viscosity] = GetParam();
+    if (viscosity < scheme.thinnest_for_energy) GTEST_SKIP() << "the law is not claimed of it";
     int index = 0;
     for (const Edge edge : {Edge::Periodic, Edge::Wall})
         for (const Start start : {Start::Waves, Start::Noise, Start::Patches})

@@ -70,10 +70,10 @@ void Bench::fill(const std::function<double(int, int)>& thickness) {
 void Bench::tint(int channel, const std::function<double(int, int)>& per_mm) {
     for (int y = 0; y < scene.height; ++y)
         for (int x = 0; x < scene.width; ++x) {
-            PigmentCell cell = state.pigment.at(x, y);
+            PaintCell cell = state.paint.at(x, y);
             cell[channel] =
-                static_cast<std::int32_t>(std::lround(per_mm(x, y) * h(x, y) / kPigmentQuantum));
-            state.pigment.set(x, y, cell);
+                static_cast<std::int32_t>(std::lround(per_mm(x, y) * h(x, y) / kPaintQuantum));
+            state.paint.set(x, y, cell);
         }
 }
 

@@ -48,6 +48,8 @@ void fill_randomly(std::uint32_t seed, HaloBlock& block) {
         block.eta[i] = block.thickness[i] + block.support[i];
         block.velocity_x[i] = uniform(random) - 0.5F;
         block.velocity_y[i] = uniform(random) - 0.5F;
+        block.viscosity[i] = 1000.0F + 4000.0F * uniform(random);
+        block.yield[i] = lanes::max(0.0F, 800.0F * uniform(random) - 300.0F);
     }
     block.first_wet_row = -kHalo;
     block.last_wet_row = kTileSize + kHalo - 1;
@@ -103,8 +105,11 @@ TEST(TileKernel, EqualsTheScalarFormulaToTheBit) {
     EXPECT_GT(flowing, 500);
 }
 
-TEST(TileKernel, GivesTheSameBitsOnEveryInstructionSet) {
-    const StepConstants step = oily_constants();
+class TileKernelOfPaint : public testing::TestWithParam<bool> {};
+
+TEST_P(TileKernelOfPaint, GivesTheSameBitsOnEveryInstructionSet) {
+    StepConstants step = oily_constants();
+    step.varied = GetParam();
     const auto reference = std::make_unique<TileScratch>();
     const auto scratch = std::make_unique<TileScratch>();
     for (const std::uint32_t seed : {1U, 2U, 3U}) {
@@ -125,6 +130,8 @@ TEST(TileKernel, GivesTheSameBitsOnEveryInstructionSet) {
         }
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(UniformAndVaried, TileKernelOfPaint, testing::Bool());
 
 // x = 1 is the yield point: (1 + d) x - 3/2 + 1/(2 x^2) = d |w| / y.
 TEST(BinghamDrag, SolvesItsEquation) {

@@ -19,11 +19,11 @@ std::int32_t smallest_thickness(const FilmState& state) {
     return smallest;
 }
 
-std::int32_t smallest_pigment(const FilmState& state) {
+std::int32_t smallest_channel(const FilmState& state) {
     std::int32_t smallest = 0;
     for (int y = 0; y < state.shape.height; ++y)
         for (int x = 0; x < state.shape.width; ++x)
-            for (const std::int32_t channel : state.pigment.at(x, y))
+            for (const std::int32_t channel : state.paint.at(x, y))
                 smallest = std::min(smallest, channel);
     return smallest;
 }
@@ -51,20 +51,22 @@ Scene runny(Edge edge) {
 
 class AnyEdge : public testing::TestWithParam<Edge> {};
 
-TEST_P(AnyEdge, VolumeAndPigmentAreExact) {
+TEST_P(AnyEdge, VolumeAndAllThatPaintCarriesAreExact) {
     Bench bench(runny(GetParam()));
     bench.fill([](int x, int y) { return blob(x, y, 60, 30, 22, 4) + (x < 20 ? 0.4 : 0.0); });
     bench.tint(0, [](int x, int) { return x < 60 ? 100.0 : 3.0; });
     bench.tint(7, [](int, int y) { return y < 30 ? 0.01 : 180.0; });
+    for (int k = kPigmentChannels; k < kPaintChannels; ++k)
+        bench.tint(k, [k](int x, int y) { return 0.2 * k + (x < y ? 3.0 : 0.0); });
     const Totals before = totals(bench.state);
     bench.run(0.04, 60.0);
     Totals after = totals(bench.state);
     after.thickness += bench.solver->runoff().thickness;
     EXPECT_EQ(after.thickness, before.thickness);
-    for (int k = 0; k < pigment::kChannels; ++k)
-        EXPECT_EQ(after.pigment[k] + bench.solver->runoff().pigment[k], before.pigment[k]) << k;
+    for (int k = 0; k < kPaintChannels; ++k)
+        EXPECT_EQ(after.paint[k] + bench.solver->runoff().paint[k], before.paint[k]) << k;
     EXPECT_GE(smallest_thickness(bench.state), 0);
-    EXPECT_GE(smallest_pigment(bench.state), 0);
+    EXPECT_GE(smallest_channel(bench.state), 0);
     EXPECT_EQ(bench.solver->runoff().thickness > 0, GetParam() == Edge::Open);
 }
 INSTANTIATE_TEST_SUITE_P(Edges, AnyEdge, testing::Values(Edge::Periodic, Edge::Wall, Edge::Open),
@@ -79,7 +81,7 @@ TEST(Pigment, UniformColourStaysUniform) {
     for (int y = 0; y < 70; ++y)
         for (int x = 0; x < 90; ++x) {
             const double concentration =
-                optical_thickness(bench.state.pigment.at(x, y)[3]) / bench.h(x, y);
+                optical_thickness(bench.state.paint.at(x, y)[3]) / bench.h(x, y);
             // What stays behind by rule, one part in a million a step, adds up to less than this.
             ASSERT_NEAR(concentration, 40.0, 0.02) << x << ' ' << y;
         }

@@ -125,7 +125,7 @@ TEST(Conservation, IsExactOverAHundredThousandSteps) {
         bench.solver->step(0.05);
     const Totals after = totals(bench.state);
     EXPECT_EQ(after.thickness, before.thickness);
-    EXPECT_EQ(after.pigment, before.pigment);
+    EXPECT_EQ(after.paint, before.paint);
 }
 
 }  // namespace

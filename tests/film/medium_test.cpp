@@ -17,7 +17,8 @@ using testing::HasSubstr;
 constexpr const char* kGood = R"([
   {"name": "tar", "description": "Slow.", "density_kg_m3": 1200, "viscosity_m2_s": 0.5, "yield_stress_Pa": 10,
    "surface_tension_N_m": 0.03, "advancing_angle_deg": 30, "receding_angle_deg": 10, "slip_cells": 0.2,
-   "alpha_min": 1.0, "alpha_max": 1.0, "typical_thickness_mm": 0.5}
+   "alpha_min": 1.0, "alpha_max": 1.0, "typical_thickness_mm": 0.5, "solid_fraction": 0.8,
+   "touch_dry_s": 7200}
 ])";
 
 /// kGood with one piece of text replaced.
@@ -43,6 +44,8 @@ TEST(Media, AreReadFieldByField) {
     EXPECT_EQ(media[0].name, "tar");
     EXPECT_EQ(media[0].viscosity_m2_s, 0.5);
     EXPECT_EQ(media[0].typical_thickness_mm, 0.5);
+    EXPECT_EQ(media[0].solid_fraction, 0.8);
+    EXPECT_EQ(media[0].touch_dry_s, 7200.0);
     EXPECT_TRUE(parse_media("[]", "test").empty());
 }
 
@@ -81,6 +84,8 @@ TEST(Media, ContradictionsAreRefused) {
         HasSubstr("receding_angle_deg is 40.0, it must not be larger than advancing_angle_deg, 30.0"));
     EXPECT_THAT(error_of(changed("\"alpha_min\": 1.0", "\"alpha_min\": 1.5")),
                 HasSubstr("alpha_min is 1.5"));
+    EXPECT_THAT(error_of(changed("7200", "1800001")),
+                HasSubstr("touch_dry_s is 1800001.0, it must not be larger than"));
 }
 
 TEST(Media, WhatIsNotAListOfMediaIsRefused) {
@@ -90,12 +95,12 @@ TEST(Media, WhatIsNotAListOfMediaIsRefused) {
     EXPECT_THAT(error_of("[3]"), HasSubstr("entry 1: is not an object"));
 }
 
-TEST(BundledMedia, AreTheFiveOfTheProgram) {
+TEST(BundledMedia, AreThoseOfTheProgram) {
     std::vector<std::string> names;
     for (const Medium& medium : bundled_media())
         names.push_back(medium.name);
     EXPECT_THAT(names, testing::ElementsAre("heavy-body oil", "soft-body acrylic", "fluid acrylic",
-                                            "house paint", "ink glaze"));
+                                            "house paint", "ink glaze", "thinner"));
 }
 
 TEST(BundledMedia, RunFromStiffToThin) {
@@ -158,7 +163,7 @@ TEST(FindMedium, ListsTheNamesThereAre) {
         EXPECT_STREQ(
             error.what(),
             "There is no medium \"honey\"; the media are: heavy-body oil, soft-body acrylic, fluid "
-            "acrylic, house paint, ink glaze.");
+            "acrylic, house paint, ink glaze, thinner.");
     }
 }
 

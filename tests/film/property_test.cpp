@@ -15,7 +15,9 @@ class AnyPaint : public testing::TestWithParam<PaintCase> {};
 TEST_P(AnyPaint, StaysFiniteExactAndCalm) {
     const auto& [scheme, edges] = GetParam();
     const auto first_seed = static_cast<std::uint32_t>(1000 * (1 + static_cast<int>(edges)));
-    expect_calm(run_random_paints(scheme, edges, {.first_seed = first_seed, .count = 60, .steps = 150}));
+    expect_calm(run_random_paints(
+        scheme, edges,
+        {.first_seed = first_seed, .count = scheme.random_paints, .steps = scheme.random_steps}));
 }
 INSTANTIATE_TEST_SUITE_P(Schemes, AnyPaint,
                          testing::Combine(testing::ValuesIn(all_schemes()),

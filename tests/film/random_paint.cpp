@@ -106,7 +106,7 @@ void expect_sound(const Bench& bench, const RandomPaint& paint) {
         for (int x = 0; x < bench.scene.width; ++x) {
             ASSERT_GE(bench.state.thickness.at(x, y), 0) << x << ' ' << y;
             ASSERT_TRUE(std::isfinite(bench.u(x, y)) && std::isfinite(bench.v(x, y))) << x << ' ' << y;
-            for (const std::int32_t channel : bench.state.pigment.at(x, y))
+            for (const std::int32_t channel : bench.state.paint.at(x, y))
                 ASSERT_GE(channel, 0) << x << ' ' << y;
         }
 }
@@ -115,8 +115,8 @@ void expect_nothing_lost(const Bench& bench, const Totals& before) {
     const Totals now = totals(bench.state);
     const Totals& runoff = bench.solver->runoff();
     EXPECT_EQ(now.thickness + runoff.thickness, before.thickness);
-    for (std::size_t k = 0; k < before.pigment.size(); ++k)
-        EXPECT_EQ(now.pigment[k] + runoff.pigment[k], before.pigment[k]) << "channel " << k;
+    for (std::size_t k = 0; k < before.paint.size(); ++k)
+        EXPECT_EQ(now.paint[k] + runoff.paint[k], before.paint[k]) << "channel " << k;
 }
 
 void lay(const RandomPaint& paint, Bench& bench) {

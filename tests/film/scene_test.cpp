@@ -87,17 +87,17 @@ TEST(SceneFilm, PigmentsAddUpByThickness) {
     first[0] = 2.0F;
     second[0] = 8.0F;
     second[7] = 1.0F;
-    scene.film = {{Slab{}, 0.25, first}, {Slab{}, 0.5, second}, {Slab{}, 0.25, {}}};
+    scene.film = {{Slab{}, 0.25, first, {}}, {Slab{}, 0.5, second, {}}, {Slab{}, 0.25, {}, {}}};
     const FilmState film = make_film(scene);
     EXPECT_EQ(film.thickness.at(3, 3), static_cast<std::int32_t>(1.0 / kThicknessQuantum_mm));
-    EXPECT_FLOAT_EQ(optical_thickness(film.pigment.at(3, 3)[0]), 0.25F * 2.0F + 0.5F * 8.0F);
-    EXPECT_FLOAT_EQ(optical_thickness(film.pigment.at(3, 3)[7]), 0.5F);
-    EXPECT_EQ(film.pigment.at(3, 3)[1], 0);
+    EXPECT_FLOAT_EQ(optical_thickness(film.paint.at(3, 3)[0]), 0.25F * 2.0F + 0.5F * 8.0F);
+    EXPECT_FLOAT_EQ(optical_thickness(film.paint.at(3, 3)[7]), 0.5F);
+    EXPECT_EQ(film.paint.at(3, 3)[1], 0);
 }
 
 TEST(SceneFilm, TooMuchPaintNamesTheCell) {
     Scene scene = bare();
-    scene.film = {{Slab{}, 10, {}}, {Box{{5, 5, 6, 6}}, 5.5, {}}};
+    scene.film = {{Slab{}, 10, {}, {}}, {Box{{5, 5, 6, 6}}, 5.5, {}, {}}};
     try {
         make_film(scene);
         FAIL();

@@ -21,29 +21,29 @@ TEST(FilmState, TotalsAreTheSumsOfTheCells) {
     FilmState state(kShape, 0.25);
     state.thickness.set(0, 0, 5);
     state.thickness.set(99, 69, 7);
-    state.pigment.set(64, 64, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
-    state.pigment.set(0, 0, {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1});
+    state.paint.set(64, 64, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+    state.paint.set(0, 0, {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1});
     const Totals sums = totals(state);
     EXPECT_EQ(sums.thickness, 12);
-    EXPECT_EQ(sums.pigment[0], 2);
-    EXPECT_EQ(sums.pigment[5], 6);
-    EXPECT_EQ(sums.pigment[11], 13);
+    EXPECT_EQ(sums.paint[0], 2);
+    EXPECT_EQ(sums.paint[5], 6);
+    EXPECT_EQ(sums.paint[11], 13);
 }
 
 TEST(FilmState, TotalsDoNotOverflowAtTheFullestCells) {
     FilmState state(kShape, 0.25);
     constexpr std::int32_t kFull = std::numeric_limits<std::int32_t>::max();
-    PigmentCell full;
+    PaintCell full;
     full.fill(kFull);
     for (int y = 0; y < kShape.height; ++y) {
         for (int x = 0; x < kShape.width; ++x) {
             state.thickness.set(x, y, kFull);
-            state.pigment.set(x, y, full);
+            state.paint.set(x, y, full);
         }
     }
     const std::int64_t expected = std::int64_t{kFull} * kShape.width * kShape.height;
     EXPECT_EQ(totals(state).thickness, expected);
-    EXPECT_EQ(totals(state).pigment[7], expected);
+    EXPECT_EQ(totals(state).paint[7], expected);
 }
 
 TEST(FilmState, WhatLiesBeyondTheCanvasDoesNotCount) {
@@ -88,7 +88,7 @@ TEST(StateHash, EveryFieldCounts) {
     state.thickness.set(99, 69, 1);
     EXPECT_NE(state_hash(state), dry);
     state = FilmState(kShape, 0.25);
-    state.pigment.set(99, 69, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1});
+    state.paint.set(99, 69, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1});
     EXPECT_NE(state_hash(state), dry);
     state = FilmState(kShape, 0.25);
     state.velocity_x.set(99, 69, 1e-6F);

@@ -43,6 +43,10 @@ Recording everything() {
         {0, TiltCanvas{35.5, -45}},
         {0, TakeBrush{"flat", 11.5, 7}},
         {0, double_load()},
+        {1, SetDrying{{60, 8, 20, 30.5, 40}}},
+        {1, SetDrying{}},
+        {2, DryNow{}},
+        {2, LoadPaint{}},
         {3, PenDown{{0.05, 1, 2, 0.1, 10, 0, 0}}},
         {3, PenMove{{0.0625, 1.5, 2.25, 0.3, 0, 0, 45}}},
         {4, PenMove{{0.07, 2, 3, 0.5}}},
@@ -133,10 +137,17 @@ TEST(RecordingJson, RefusesOtherJson) {
     EXPECT_EQ(error("{\"format\": \"other\"}"), sentence);
 }
 
+TEST(RecordingJson, ReadsTheFirstVersion) {
+    const Recording recording =
+        recording_from_json(file_with(R"({"tick":3,"use_medium":{"name":"ink glaze"}})"), "s.json");
+    ASSERT_EQ(recording.events.size(), 1U);
+    EXPECT_EQ(std::get<UseMedium>(recording.events[0].action).name, "ink glaze");
+}
+
 TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
     EXPECT_EQ(
-        error(R"({"format":"pastoso-strokes","version":2,"more":[]})"),
-        "s.json: this was written by a newer Pastoso (stroke format 2; this program reads up to 1).");
+        error(R"({"format":"pastoso-strokes","version":3,"more":[]})"),
+        "s.json: this was written by a newer Pastoso (stroke format 3; this program reads up to 2).");
 }
 
 TEST(RecordingJson, NamesWhatIsMissingOrMisspelt) {
@@ -213,8 +224,10 @@ TEST(RecordingJson, RefusesUnknownNamesAndAbsurdValues) {
                 HasSubstr("s.json, events[0].take_brush: "));
     EXPECT_THAT(error(file_with(R"({"tick":0,"load_paint":{"paint":{"mix":[["XX1",1]]}}})")),
                 HasSubstr("XX1"));
-    EXPECT_THAT(error(file_with(R"({"tick":0,"load_paint":{"paint":{"mix":[]}}})")),
-                HasSubstr("a paint needs at least one pigment"));
+    EXPECT_THAT(error(file_with(R"({"tick":0,"set_drying":{"speed":-1}})")),
+                HasSubstr("the speed of drying is -1"));
+    EXPECT_THAT(error(file_with(R"({"tick":0,"set_drying":{"speed":1,"fan":0.5}})")),
+                HasSubstr("the strength of the fan is 0.5"));
     EXPECT_THAT(error(file_with(R"({"tick":0,"load_paint":{"paint":{"mix":[["PB29",0]]}}})")),
                 HasSubstr("the number of parts of PB29 is 0"));
     EXPECT_THAT(

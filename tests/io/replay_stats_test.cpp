@@ -31,6 +31,7 @@ TEST(ReplayStats, IsOneFlatObjectOfExactlyTheseEntries) {
                                             "wet_cells",
                                             "volume_in_mm3",
                                             "volume_canvas_mm3",
+                                            "volume_dried_mm3",
                                             "volume_brush_mm3",
                                             "volume_ledger_mm3",
                                             "volume_error_rel",

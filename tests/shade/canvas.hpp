@@ -29,12 +29,11 @@ inline void set_paint(film::FilmState& film, int x, int y, double thickness_mm,
                       const pigment::Coefficients& paint) {
     film.thickness.set(
         x, y, static_cast<std::int32_t>(std::lround(thickness_mm / film::kThicknessQuantum_mm)));
-    film::PigmentCell cell{};
+    film::PaintCell cell{};
     for (int k = 0; k < pigment::kChannels; ++k) {
-        cell[k] =
-            static_cast<std::int32_t>(std::lround(paint[k] * thickness_mm / film::kPigmentQuantum));
+        cell[k] = static_cast<std::int32_t>(std::lround(paint[k] * thickness_mm / film::kPaintQuantum));
     }
-    film.pigment.set(x, y, cell);
+    film.paint.set(x, y, cell);
 }
 
 /// Uneven support and blue, red and bare cells in random places.
@@ -60,7 +59,7 @@ inline film::FilmState mirrored(const film::FilmState& film) {
             const int from = film.shape.width - 1 - x;
             result.support_mm.set(x, y, film.support_mm.at(from, y));
             result.thickness.set(x, y, film.thickness.at(from, y));
-            result.pigment.set(x, y, film.pigment.at(from, y));
+            result.paint.set(x, y, film.paint.at(from, y));
         }
     }
     return result;

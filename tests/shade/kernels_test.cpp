@@ -30,10 +30,17 @@ void expect_same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 
 TEST_P(EveryIsa, ColoursCellsAlike) {
     const film::FilmState film = test::random_canvas({64, 64}, 4);
+    std::vector<film::PigmentCell> soluble(grid::kTileCells);
+    std::vector<pigment::Bands> ground(grid::kTileCells);
+    for (std::uint32_t i = 0; i < grid::kTileCells; ++i) {
+        soluble[i].fill(static_cast<std::int32_t>(1e6F * core::uniform_noise(i, 8)));
+        ground[i].fill(core::uniform_noise(i, 9));
+    }
     const auto colours = [&](core::Isa isa) {
         std::vector<CellColour> result(grid::kTileCells - 3);
-        kernels(isa).colour_cells(film.pigment.read(0), film.thickness.read(0), grid::kTileCells - 3,
-                                  test::kGround, result.data());
+        kernels(isa).colour_cells(
+            {film.paint.read(0), film.thickness.read(0), soluble.data(), ground.data()},
+            grid::kTileCells - 3, test::kGround, result.data());
         return result;
     };
     expect_same_bits(colours(GetParam()), colours(core::Isa::Baseline));

@@ -54,17 +54,40 @@ TEST(TileColours, FollowTheDoublePrecisionFormulaInEveryCell) {
     std::vector<CellColour> colours(grid::kTileCells);
     tile_colours(film, 0, test::kGround, colours.data());
     for (int cell = 0; cell < grid::kTileCells; ++cell) {
-        const film::PigmentCell& pigment = film.pigment.read(0)[cell];
+        const film::PaintCell& pigment = film.paint.read(0)[cell];
         pigment::Bands internal{};
         for (int band = 0; band < pigment::kBands; ++band) {
             internal[band] = static_cast<float>(pigment::layer_reflectance<double>(
-                pigment[band] * film::kPigmentQuantum,
-                pigment[pigment::kBands + band] * film::kPigmentQuantum, test::kGround[band]));
+                pigment[band] * film::kPaintQuantum,
+                pigment[pigment::kBands + band] * film::kPaintQuantum, test::kGround[band]));
         }
         // The largest error of the single-precision layer formula, 3e-5, through the surface (slope 1 to
         // 3).
         expect_colour(colours[cell], colour_of(internal), 1e-4F);
     }
+}
+
+TEST(TileColours, WetPaintLiesOverDissolvablePaintOverItsOwnGround) {
+    film::FilmState film(grid::Shape{64, 64}, 0.25);
+    test::set_paint(film, 5, 7, 0.05, test::kRed);
+    film::PigmentCell soluble{};
+    for (int k = 0; k < pigment::kChannels; ++k)
+        soluble[k] = static_cast<std::int32_t>(0.03F * test::kBlue[k] / film::kPaintQuantum);
+    film.strata.soluble_pigment.set(5, 7, soluble);
+    const pigment::Bands ground = {0.2F, 0.3F, 0.4F, 0.5F, 0.6F, 0.7F};
+    film.strata.ground.set(5, 7, ground);
+    std::vector<CellColour> colours(grid::kTileCells);
+    tile_colours(film, 0, test::kGround, colours.data());
+    pigment::Bands internal{};
+    for (int band = 0; band < pigment::kBands; ++band) {
+        const int scattering = pigment::kBands + band;
+        const double below = pigment::layer_reflectance<double>(
+            0.03 * test::kBlue[band], 0.03 * test::kBlue[scattering], ground[band]);
+        internal[band] = static_cast<float>(pigment::layer_reflectance<double>(
+            0.05 * test::kRed[band], 0.05 * test::kRed[scattering], below));
+    }
+    // As below, and as much again for the second layer.
+    expect_colour(colours[7 * 64 + 5], colour_of(internal), 2e-4F);
 }
 
 TEST(TileColours, WetnessGrowsSmoothlyWithThickness) {

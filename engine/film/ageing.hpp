@@ -1,0 +1,23 @@
+// What happens to paint besides flowing: it dries, and what is dry is dissolved again.
+#pragma once
+
+#include "film/drying.hpp"
+
+namespace pastoso::film {
+
+/// Both are slow beside the flow and are carried on in intervals, which follow from the ticks alone:
+/// drying when ten seconds of it have come together (at most ten times a second of paint time),
+/// dissolving every second. In between, a canvas costs nothing.
+class AgeingClock {
+  public:
+    /// Lets a tick of paint time pass.
+    void tick(double tick_s, const DryingAir& air, const pigment::Bands& bare_ground, FilmState& state,
+              core::ThreadPool& pool);
+
+  private:
+    double drying_s_ = 0.0;  ///< at the air's speed, not carried out yet
+    int drying_ticks_ = 0;
+    double dissolving_s_ = 0.0;
+};
+
+}  // namespace pastoso::film

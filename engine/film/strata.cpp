@@ -1,0 +1,58 @@
+#include "film/strata.hpp"
+
+#include "pigment/kubelka_munk.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace pastoso::film {
+
+DriedTotals& DriedTotals::operator+=(const DriedTotals& other) {
+    thickness += other.thickness;
+    for (int k = 0; k < kPigmentChannels; ++k)
+        pigment[k] += other.pigment[k];
+    return *this;
+}
+
+bool is_empty(const PigmentCell& pigment, std::int32_t thickness) {
+    return thickness == 0 && std::all_of(pigment.begin(), pigment.end(), [](auto k) { return k == 0; });
+}
+
+void replace_soluble(int tile, bool any, grid::TileBlock<std::int32_t> thickness,
+                     grid::TileBlock<PigmentCell> pigment, Strata& strata) {
+    if (any) {
+        strata.soluble_thickness.replace(tile, std::move(thickness));
+        strata.soluble_pigment.replace(tile, std::move(pigment));
+    } else {
+        strata.soluble_thickness.reset(tile);
+        strata.soluble_pigment.reset(tile);
+    }
+}
+
+DriedTotals dried_totals(const Strata& strata) {
+    DriedTotals sums = strata.fixed;
+    for (int tile = 0; tile < strata.soluble_thickness.tile_count(); ++tile) {
+        if (strata.soluble_thickness.is_background(tile) && strata.soluble_pigment.is_background(tile))
+            continue;
+        const std::int32_t* thickness = strata.soluble_thickness.read(tile);
+        const PigmentCell* pigment = strata.soluble_pigment.read(tile);
+        for (int cell = 0; cell < grid::kTileCells; ++cell) {
+            sums.thickness += thickness[cell];
+            for (int k = 0; k < kPigmentChannels; ++k)
+                sums.pigment[k] += pigment[cell][k];
+        }
+    }
+    return sums;
+}
+
+pigment::Bands layer_over(const std::int32_t* pigment, const pigment::Bands& ground) {
+    pigment::Bands reflectance{};
+    for (int band = 0; band < pigment::kBands; ++band) {
+        reflectance[band] =
+            pigment::layer_reflectance(optical_thickness(pigment[band]),
+                                       optical_thickness(pigment[band + pigment::kBands]), ground[band]);
+    }
+    return reflectance;
+}
+
+}  // namespace pastoso::film
