@@ -20,8 +20,8 @@ inline double natural_log(double x) {
     }
     const double y = (mantissa - 1.0) / (mantissa + 1.0), y2 = y * y;
     double series = 1.0 / 15.0;
-    for (const double odd : {13.0, 11.0, 9.0, 7.0, 5.0, 3.0, 1.0})
-        series = series * y2 + 1.0 / odd;
+    for (const double share : {1.0 / 13.0, 1.0 / 11.0, 1.0 / 9.0, 1.0 / 7.0, 1.0 / 5.0, 1.0 / 3.0, 1.0})
+        series = series * y2 + share;
     return exponent * kLn2 + 2.0 * y * series;
 }
 
@@ -30,8 +30,9 @@ inline double exponential(double x) {
     const double whole = std::floor(x / kLn2 + 0.5);
     const double r = x - whole * kLn2;
     double series = 1.0;
-    for (int n = 12; n >= 1; --n)
-        series = 1.0 + series * r / n;
+    for (const double share : {1.0 / 12, 1.0 / 11, 1.0 / 10, 1.0 / 9, 1.0 / 8, 1.0 / 7, 1.0 / 6, 1.0 / 5,
+                               1.0 / 4, 1.0 / 3, 1.0 / 2, 1.0})
+        series = 1.0 + series * (r * share);
     return std::ldexp(series, static_cast<int>(whole));
 }
 

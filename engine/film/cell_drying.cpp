@@ -10,7 +10,8 @@ namespace {
 
 constexpr auto kBindingQuanta = static_cast<std::int32_t>(kBindingFilm_mm / kThicknessQuantum_mm);
 
-constexpr double kStiffestLog = 23.02585093;  ///< ln(10^4 m2/s / kThinnest_m2_s)
+constexpr double kStiffest_m2_s = 1e4;
+constexpr double kStiffestLog = 23.02585093;  ///< ln(kStiffest_m2_s / kThinnest_m2_s)
 constexpr double kHardest_Pa = 1000.0;
 constexpr double kYieldPerViscosity = 250.0;  ///< Pa per m2/s
 
@@ -20,10 +21,6 @@ double per_mm(std::int32_t carried, std::int32_t thickness) {
 }
 std::int32_t carried(double per_mm, std::int32_t thickness) {
     return static_cast<std::int32_t>(per_mm * thickness / static_cast<double>(kQuantaPerCarried) + 0.5);
-}
-
-double viscosity_m2_s(double logarithm) {
-    return kThinnest_m2_s * core::exponential(logarithm);
 }
 
 /// True when the soluble stratum can take up the pigment without leaving the range of its integers.
@@ -57,22 +54,24 @@ std::int32_t solids(std::int32_t thickness, const PaintCell& paint) {
 
 std::int32_t dry_on(std::int32_t time, std::int32_t& thickness, PaintCell& paint) {
     const std::int32_t left = paint[kDryingChannel] - time;
-    const std::int64_t solvent = thickness - solids(thickness, paint);
-    const auto evaporated = static_cast<std::int32_t>(solvent * time / paint[kDryingChannel]);
+    const double share_left = static_cast<double>(left) / paint[kDryingChannel];
+    const std::int32_t solvent = thickness - solids(thickness, paint);
+    const double share_gone = static_cast<double>(time) / paint[kDryingChannel];
+    const auto evaporated = static_cast<std::int32_t>(solvent * share_gone);  // less than all of it
     const std::int32_t remaining = thickness - evaporated;
 
     const double logarithm = per_mm(paint[kViscosityChannel], thickness);
+    const double viscosity_m2_s =
+        kThinnest_m2_s * core::exponential(std::min(logarithm, kStiffestLog));
+    const double stiffer_log = std::min(logarithm - 2.0 * core::natural_log(share_left), kStiffestLog);
+    const double stiffer_m2_s = std::min(viscosity_m2_s / (share_left * share_left), kStiffest_m2_s);
     const double yield_Pa = per_mm(paint[kYieldChannel], thickness);
-    const double share_left = static_cast<double>(left) / paint[kDryingChannel];
-    const double stiffer =
-        std::max(logarithm, std::min(logarithm - 2.0 * core::natural_log(share_left), kStiffestLog));
-    const double stiffening_m2_s = viscosity_m2_s(stiffer) - viscosity_m2_s(logarithm);
     const double harder_Pa =
-        std::max(yield_Pa, std::min(yield_Pa + kYieldPerViscosity * stiffening_m2_s, kHardest_Pa));
+        std::min(yield_Pa + kYieldPerViscosity * (stiffer_m2_s - viscosity_m2_s), kHardest_Pa);
 
     thickness = remaining;
-    paint[kViscosityChannel] = carried(stiffer, remaining);
-    paint[kYieldChannel] = carried(harder_Pa, remaining);
+    paint[kViscosityChannel] = carried(std::max(stiffer_log, logarithm), remaining);
+    paint[kYieldChannel] = carried(std::max(harder_Pa, yield_Pa), remaining);
     paint[kDryingChannel] = left;
     return evaporated;
 }

@@ -7,40 +7,42 @@ namespace {
 
 using grid::kTileSize;
 
-using Quad = lanes::stdx::resize_simd_t<4, lanes::stdx::native_simd<float>>;
-using IntQuad = lanes::stdx::rebind_simd_t<std::int32_t, Quad>;
-constexpr int kQuads = kPaintChannels / 4;
-static_assert(kQuads * 4 == kPaintChannels);
+/// A cell fills whole registers of every instruction set: four, two or one.
+using Channels = lanes::stdx::native_simd<float>;
+using IntChannels = lanes::stdx::rebind_simd_t<std::int32_t, Channels>;
+constexpr int kWidth = static_cast<int>(Channels::size());
+constexpr int kRegisters = kPaintChannels / kWidth;
+static_assert(kRegisters * kWidth == kPaintChannels);
 
 struct ChannelInts {
-    std::array<IntQuad, kQuads> quads;
+    std::array<IntChannels, kRegisters> registers;
 
     [[gnu::always_inline]] static ChannelInts load(const PaintCell& cell) {
         ChannelInts result;
-        for (int q = 0; q < kQuads; ++q)
-            result.quads[q] = IntQuad(cell.data() + 4 * q, lanes::stdx::element_aligned);
+        for (int q = 0; q < kRegisters; ++q)
+            result.registers[q] = IntChannels(cell.data() + kWidth * q, lanes::stdx::element_aligned);
         return result;
     }
     [[gnu::always_inline]] void store(PaintCell& cell) const {
-        for (int q = 0; q < kQuads; ++q)
-            quads[q].copy_to(cell.data() + 4 * q, lanes::stdx::element_aligned);
+        for (int q = 0; q < kRegisters; ++q)
+            registers[q].copy_to(cell.data() + kWidth * q, lanes::stdx::element_aligned);
     }
     [[gnu::always_inline]] ChannelInts operator-() const {
         ChannelInts result;
-        for (int q = 0; q < kQuads; ++q)
-            result.quads[q] = -quads[q];
+        for (int q = 0; q < kRegisters; ++q)
+            result.registers[q] = -registers[q];
         return result;
     }
 };
 
-[[gnu::always_inline]] inline Quad load_quad(const float* values) {
-    return Quad(values, lanes::stdx::element_aligned);
+[[gnu::always_inline]] inline Channels load_channels(const float* values) {
+    return Channels(values, lanes::stdx::element_aligned);
 }
 
 /// The slope of the concentration at the donor cell: the smaller of both sides' where they agree in
 /// sign.
-[[gnu::always_inline]] inline Quad minmod(Quad a, Quad b) {
-    const Quad zero(0.0F);
+[[gnu::always_inline]] inline Channels minmod(Channels a, Channels b) {
+    const Channels zero(0.0F);
     return lanes::max(lanes::min(a, b), zero) + lanes::min(lanes::max(a, b), zero);
 }
 
@@ -80,13 +82,13 @@ struct PigmentFluxes {
         }
         if (!smooth) reach = 0.0F;
         ChannelInts carried;
-        for (int q = 0; q < kQuads; ++q) {
-            const Quad here = load_quad(donor + 4 * q);
-            const Quad slope = minmod(here - load_quad(donor + 4 * q - to_downwind),
-                                      load_quad(donor + 4 * q + to_downwind) - here);
-            const Quad exact = Quad(own) * (here + Quad(reach) * slope) + Quad(0.5F);
-            const IntQuad rounded = lanes::stdx::static_simd_cast<IntQuad>(exact);
-            carried.quads[q] = forward ? rounded : -rounded;
+        for (int q = 0; q < kRegisters; ++q) {
+            const Channels here = load_channels(donor + kWidth * q);
+            const Channels slope = minmod(here - load_channels(donor + kWidth * q - to_downwind),
+                                          load_channels(donor + kWidth * q + to_downwind) - here);
+            const Channels exact = Channels(own) * (here + Channels(reach) * slope) + Channels(0.5F);
+            const IntChannels rounded = lanes::stdx::static_simd_cast<IntChannels>(exact);
+            carried.registers[q] = forward ? rounded : -rounded;
         }
         return carried;
     }
@@ -102,7 +104,7 @@ struct PigmentFluxes {
 
 void add_runoff(const ChannelInts& outward, PigmentTotals& totals) {
     for (int k = 0; k < kPaintChannels; ++k)
-        totals[k] += outward.quads[k / 4][k % 4];
+        totals[k] += outward.registers[k / kWidth][k % kWidth];
 }
 
 template <bool kLargeFluxes>
@@ -124,8 +126,9 @@ PigmentTotals transport(const PigmentFluxes<kLargeFluxes>& fluxes, int columns, 
             const ChannelInts below = fluxes.through_y(x, y);
             const ChannelInts above = ChannelInts::load(from_above[x]);
             ChannelInts now = ChannelInts::load(before[cell]);
-            for (int q = 0; q < kQuads; ++q)
-                now.quads[q] += (left.quads[q] - right.quads[q]) + (above.quads[q] - below.quads[q]);
+            for (int q = 0; q < kRegisters; ++q)
+                now.registers[q] +=
+                    (left.registers[q] - right.registers[q]) + (above.registers[q] - below.registers[q]);
             now.store(after[cell]);
             below.store(from_above[x]);
             left = right;
@@ -155,10 +158,13 @@ void concentrate(const PaintCell* pigment, const std::int32_t* thickness, int co
     for (int cell = 0; cell < count; ++cell) {
         const float inverse = thickness[cell] > 0 ? kShare / static_cast<float>(thickness[cell]) : 0.0F;
         const ChannelInts held = ChannelInts::load(pigment[cell]);
-        for (int q = 0; q < kQuads; ++q) {
-            const IntQuad movable = lanes::stdx::max(IntQuad(held.quads[q] - IntQuad(2)), IntQuad(0));
-            const Quad concentration = lanes::stdx::static_simd_cast<Quad>(movable) * Quad(inverse);
-            concentration.copy_to(out + cell * kPaintChannels + 4 * q, lanes::stdx::element_aligned);
+        for (int q = 0; q < kRegisters; ++q) {
+            const IntChannels movable =
+                lanes::stdx::max(IntChannels(held.registers[q] - IntChannels(2)), IntChannels(0));
+            const Channels concentration =
+                lanes::stdx::static_simd_cast<Channels>(movable) * Channels(inverse);
+            concentration.copy_to(out + cell * kPaintChannels + kWidth * q,
+                                  lanes::stdx::element_aligned);
         }
     }
 }

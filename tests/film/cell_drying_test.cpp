@@ -69,6 +69,15 @@ TEST(DryOn, PaintNearlyDryStandsStill) {
     EXPECT_GT(standing_mm, cell.thickness * kThicknessQuantum_mm);
 }
 
+TEST(DryOn, TheLastQuantumWaitsUntilTheCellIsDry) {
+    std::int32_t thickness = 1;
+    PaintCell paint{};
+    paint[kDryingChannel] = 1000;
+    EXPECT_EQ(dry_on(999, thickness, paint), 0);
+    EXPECT_EQ(thickness, 1);
+    EXPECT_EQ(paint[kDryingChannel], 1);
+}
+
 TEST(DryOn, StiffensWithinBounds) {
     Cell cell("heavy-body oil", 3.0);
     while (cell.paint[kDryingChannel] > 1)

@@ -1,0 +1,102 @@
+// Several media on one canvas.
+#include "document/painting.hpp"
+#include "document/scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace pastoso::document {
+namespace {
+
+class MediaTest : public testing::Test {
+  protected:
+    core::ThreadPool pool{1};
+    Painting painting{small_canvas(), pool};
+
+    void SetUp() override { painting.apply(TakeBrush{"flat", 8, 1}); }
+
+    void paint_stroke(const char* medium, const LoadPaint& load, double start_s, double y_mm) {
+        painting.apply(CleanBrush{});
+        painting.apply(UseMedium{medium});
+        painting.apply(load);
+        paint_wave(painting, start_s, y_mm);
+    }
+    /// ln(nu / kThinnest_m2_s) of a cell with paint.
+    double log_viscosity(int x, int y) const {
+        return painting.film().paint.at(x, y)[film::kViscosityChannel] * film::kPaintQuantum /
+               film::thickness_mm(painting.film().thickness.at(x, y));
+    }
+    void expect_balance() const {
+        EXPECT_LT(painting.account().volume_error_rel(), 1e-9);
+        EXPECT_LT(painting.account().pigment_error_rel(), 1e-9);
+    }
+};
+
+TEST_F(MediaTest, OneMediumLeavesTheFilmUniform) {
+    paint_stroke("house paint", load_of("PB29"), 0.0, 10.0);
+    EXPECT_FALSE(painting.film().varied);
+    paint_stroke("house paint", load_of("PY35"), 1.0, 14.0);
+    EXPECT_FALSE(painting.film().varied);
+    paint_stroke("ink glaze", load_of("PY35"), 2.0, 14.0);
+    EXPECT_TRUE(painting.film().varied);
+}
+
+TEST_F(MediaTest, ABareCanvasAndACleanBrushStartAnew) {
+    paint_stroke("house paint", load_of("PB29"), 0.0, 10.0);
+    painting.apply(Undo{});
+    painting.apply(CleanBrush{});
+    painting.apply(UseMedium{"heavy-body oil"});
+    EXPECT_FALSE(painting.film().varied);
+    painting.apply(Redo{});
+    EXPECT_TRUE(painting.film().varied) << "what Redo brings back is of another medium";
+}
+
+TEST_F(MediaTest, AnotherMediumInHandDoesNotThinWhatLiesThere) {
+    painting.apply(TiltCanvas{90, 90});
+    paint_stroke("heavy-body oil", load_of("PB29"), 0.0, 10.0);
+    for (int i = 0; i < 30; ++i)
+        painting.advance_tick();
+    const film::FilmState before = painting.film();
+    painting.apply(CleanBrush{});
+    painting.apply(UseMedium{"thinner"});
+    for (int i = 0; i < 30; ++i)
+        painting.advance_tick();
+    std::int64_t moved = 0;
+    for (int y = 0; y < before.shape.height; ++y)
+        for (int x = 0; x < before.shape.width; ++x)
+            moved += std::abs(painting.film().thickness.at(x, y) - before.thickness.at(x, y));
+    // Its edges draw in a little, where the contact angle is another one; as thinner all of it would be
+    // gone.
+    EXPECT_LT(static_cast<double>(moved) / static_cast<double>(film::totals(before).thickness), 0.02);
+}
+
+TEST_F(MediaTest, PaintsMixTheirConsistencyUnderTheBrush) {
+    paint_stroke("heavy-body oil", load_of("PB29"), 0.0, 12.0);
+    const double oil = std::log(0.3 / film::kThinnest_m2_s);
+    EXPECT_NEAR(log_viscosity(60, 33), oil, 1e-3);
+    paint_stroke("thinner", LoadPaint{}, 1.0, 13.0);
+    int mixed = 0;
+    for (int y = 0; y < painting.film().shape.height; ++y)
+        for (int x = 0; x < painting.film().shape.width; ++x) {
+            if (film::thickness_mm(painting.film().thickness.at(x, y)) < 0.01) continue;
+            const double here = log_viscosity(x, y);
+            EXPECT_LT(here, oil + 1e-2);
+            mixed += here > 0.2 * oil && here < 0.95 * oil ? 1 : 0;
+        }
+    EXPECT_GT(mixed, 100);
+    expect_balance();
+}
+
+TEST_F(MediaTest, AnOldRecordingThatChangesItsMediumStillPlays) {
+    const Recording recording = crossing_session();
+    for (const Event& event : recording.events)
+        painting.apply(event.action);
+    painting.apply(UseMedium{"heavy-body oil"});
+    painting.advance_tick();
+    expect_balance();
+}
+
+}  // namespace
+}  // namespace pastoso::document
