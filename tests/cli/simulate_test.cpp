@@ -161,10 +161,6 @@ TEST_F(CliSimulate, ScenesThatCannotRunAreRefusedBeforeAFolderIsMade) {
     scene["film"][0]["thickness_cells"] = 14;
     expect_refusal({"simulate", write("thick.json", scene.dump()), "-o", path("out")}, 1,
                    "thick.json: The thickness of the film is 16 in cell (0, 0)");
-    scene["film"][0]["thickness_cells"] = 1;
-    scene["solver"]["scheme"] = "large-step";
-    expect_refusal({"simulate", write("large.json", scene.dump()), "-o", path("out")}, 1,
-                   "large.json: The scheme \"large-step\" is not in this version");
 }
 
 TEST_F(CliSimulate, InterruptedRunsLeaveWholeFilesOnly) {
