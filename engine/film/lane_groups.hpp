@@ -10,16 +10,16 @@ namespace {
 using Lanes = lanes::stdx::native_simd<float>;
 constexpr int kLanes = static_cast<int>(Lanes::size());
 
-[[maybe_unused]] Lanes load(const float* values) {
+[[maybe_unused, gnu::always_inline]] inline Lanes load(const float* values) {
     return Lanes(values, lanes::stdx::element_aligned);
 }
-[[maybe_unused]] void store(float* values, Lanes lanes) {
+[[maybe_unused, gnu::always_inline]] inline void store(float* values, Lanes lanes) {
     lanes.copy_to(values, lanes::stdx::element_aligned);
 }
 
 /// The lanes of a register are neighbours in a row of a block, ...
 struct AlongRow {
-    Lanes operator()(const float* values) const { return load(values); }
+    [[gnu::always_inline]] Lanes operator()(const float* values) const { return load(values); }
 };
 /// ... or in a column.
 struct AlongColumn {

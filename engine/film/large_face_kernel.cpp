@@ -11,8 +11,8 @@ using grid::kTileSize;
 /// The momentum that arrives at a face, as a convex average of the old velocities around it: upwind
 /// advection taken implicitly in the face's own velocity, then lateral viscosity likewise. No step is
 /// too long for it.
-Lanes carried_velocity(const FaceNeighbourhood<Lanes>& face, Lanes viscosity,
-                       const StepConstants& step) {
+[[gnu::always_inline]] inline Lanes carried_velocity(const FaceNeighbourhood<Lanes>& face,
+                                                     Lanes viscosity, const StepConstants& step) {
     const Lanes zero(0.0F), one(1.0F);
     const Lanes courant(step.inertia * step.dt_s * step.inverse_cell);
     const Lanes forward = lanes::max(face.u, zero), backward = lanes::max(Lanes(-face.u), zero);
@@ -28,7 +28,7 @@ Lanes carried_velocity(const FaceNeighbourhood<Lanes>& face, Lanes viscosity,
 }
 
 /// Bends a velocity smoothly towards one cell a step: w / (1 + (w dt/dx)^8)^(1/8).
-Lanes saturated(Lanes velocity, const StepConstants& step) {
+[[gnu::always_inline]] inline Lanes saturated(Lanes velocity, const StepConstants& step) {
     const Lanes courant = velocity * Lanes(step.dt_s * step.inverse_cell);
     const Lanes two = courant * courant, four = two * two;
     return velocity / lanes::sqrt(lanes::sqrt(lanes::sqrt(Lanes(Lanes(1.0F) + four * four))));
@@ -36,7 +36,7 @@ Lanes saturated(Lanes velocity, const StepConstants& step) {
 
 /// At a film's edge: velocities that would carry more than an eighth of a cell a step are bent towards a
 /// quarter.
-Lanes softly_limited(Lanes velocity, const StepConstants& step) {
+[[gnu::always_inline]] inline Lanes softly_limited(Lanes velocity, const StepConstants& step) {
     constexpr float kFree = 0.125F;
     const Lanes courant =
         lanes::max(Lanes(lanes::abs(velocity) * Lanes(step.dt_s * step.inverse_cell)), Lanes(kFree));
@@ -48,7 +48,7 @@ Lanes softly_limited(Lanes velocity, const StepConstants& step) {
 /// 1/(2 x^2) = t, and the factor is t / (t + drag x). Fixing the factor of the last solution lowers the
 /// exact dissipation with every pass, where fixing that of the last pressure would swing between flowing
 /// and arrested.
-Lanes factor_of_flow(Lanes drag, Lanes stress) {
+[[gnu::always_inline]] inline Lanes factor_of_flow(Lanes drag, Lanes stress) {
     const Lanes one(1.0F), half(0.5F);
     Lanes x = one + stress + lanes::sqrt(Lanes(stress * Lanes(2.0F / 3.0F)));
     for (int iteration = 0; iteration < 4; ++iteration) {
@@ -69,8 +69,9 @@ struct LargeFace {
 /// gradient of the last step; or, where `flowing` gives the velocity found so far, the factor that
 /// belongs to it. A face at an edge that a contact angle holds is explicit.
 template <FaceModel kModel>
-LargeFace large_face(const FaceNeighbourhood<Lanes>& face, Lanes lag_gradient, const Lanes* flowing,
-                     const StepConstants& step, const Axis& axis) {
+[[gnu::always_inline]] inline LargeFace large_face(const FaceNeighbourhood<Lanes>& face,
+                                                   Lanes lag_gradient, const Lanes* flowing,
+                                                   const StepConstants& step, const Axis& axis) {
     const Lanes zero(0.0F), one(1.0F);
     const Lanes dt(step.dt_s), wet_mm(step.wet_mm), force(axis.force);
     const auto wet_left = face.h_left > wet_mm, wet_right = face.h_right > wet_mm;
@@ -148,7 +149,7 @@ struct LargeFaces {
 template <FaceModel kModel>
 float face_row(const TileScratch& scratch, const float* lag, bool refine, const StepConstants& step,
                const Axis& axis, int first_x, int y, const LargeFaces& faces) {
-    constexpr float kTraceFlux = 0.005F;
+    constexpr float kTraceFlux = 0.02F;
     const float per_cell = step.dt_s * step.inverse_cell * step.inverse_cell;
     Lanes change(0.0F);
     for_each_lane_group(first_x, kTileSize, [&](int x) {

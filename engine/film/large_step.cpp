@@ -12,7 +12,7 @@ using grid::kTileSize;
 
 /// A relative change of flux that is not worth another pass with refined yield.
 constexpr float kSteadyFlux = 0.1F;
-constexpr int kMostRefinements = 12;
+constexpr int kMostRefinements = 4;
 /// A thickness error below this, relative to the film, needs no further sweep.
 constexpr float kTolerance = 0.01F;
 /// What a sweep leaves of the error, at most, where the overlap does its work.
@@ -105,7 +105,7 @@ struct LargeStepper::Pass {
     void solve_yielding(LargeStepReport& report);
     std::vector<PatchCover> patch_covers(const TilePlace& place) const;
     float sweep(bool first);
-    void solve(LargeStepReport& report);
+    void solve(bool from_rest, LargeStepReport& report);
     Shortage share_outflow();
     void solve_within_supply(LargeStepReport& report);
     std::vector<TileResult> finish();
@@ -174,10 +174,11 @@ float LargeStepper::Pass::sweep(bool first) {
     return largest(residuals);
 }
 
-void LargeStepper::Pass::solve(LargeStepReport& report) {
+/// Sweeps until the error is small; `from_rest` when no pressure of this step is known yet.
+void LargeStepper::Pass::solve(bool from_rest, LargeStepReport& report) {
     constexpr float kAllowed = kTolerance / kSweepGain;
     for (int count = 0; count < kMostSweeps; ++count) {
-        report.residual = sweep(count == 0);
+        report.residual = sweep(from_rest && count == 0);
         ++report.sweeps;
         if (report.residual <= kAllowed) return;
     }
@@ -193,12 +194,12 @@ void LargeStepper::Pass::find_velocities(bool carrying) {
 /// Solves, and again with the drag of the flow found, until that no longer changes it: paint comes to
 /// rest where its yield stress holds it.
 void LargeStepper::Pass::solve_yielding(LargeStepReport& report) {
-    solve(report);
+    solve(true, report);
     if (!constants.has_yield() && !constants.varied && !constants.is_shear_thinning()) return;
     for (int pass = 0; pass < kMostRefinements; ++pass) {
         find_velocities(false);
         if (assemble(true) <= kSteadyFlux) return;
-        solve(report);
+        solve(false, report);
     }
 }
 
@@ -241,7 +242,7 @@ void LargeStepper::Pass::solve_within_supply(LargeStepReport& report) {
             gather_next(places[index], cells(&LargeTile::share), large.share);
             kernels.slow_limited_faces(constants, large, tile);
         });
-        solve(report);
+        solve(false, report);
     }
 }
 
