@@ -3,6 +3,7 @@
 #include "film/large_tile_kernels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace pastoso::film {
@@ -33,6 +34,51 @@ float largest(const std::vector<float>& values) {
         if (!(value <= result)) result = value;
     return result;
 }
+
+/// The faces that a tile shares with steady tiles, as they were.
+class SharedFaces {
+  public:
+    /// `beside` holds the tiles to the left, right, above and below.
+    SharedFaces(const TilePlace& place, const std::array<LargeTile*, 4>& beside, const LargeTile& tile) {
+        const int right = place.columns.extent - 1, bottom = place.rows.extent - 1;
+        const auto is_steady = [&](int side) {
+            return beside[side] != nullptr && !beside[side]->unsteady;
+        };
+        for (int k = 0; k < kTileSize; ++k) {
+            if (is_steady(0)) keep_x(face_index(-1, k), tile);
+            if (is_steady(1)) keep_x(face_index(right, k), tile);
+            if (is_steady(2)) keep_y(face_index(k, -1), tile);
+            if (is_steady(3)) keep_y(face_index(k, bottom), tile);
+        }
+    }
+    /// Puts them back. Returns whether there were any.
+    bool restore(LargeTile& tile) const {
+        for (const Face& face : x_faces_) {
+            tile.star_x[face.index] = face.star;
+            tile.depth_x[face.index] = face.depth;
+            tile.mobility_x[face.index] = face.mobility;
+        }
+        for (const Face& face : y_faces_) {
+            tile.star_y[face.index] = face.star;
+            tile.depth_y[face.index] = face.depth;
+            tile.mobility_y[face.index] = face.mobility;
+        }
+        return !x_faces_.empty() || !y_faces_.empty();
+    }
+
+  private:
+    struct Face {
+        int index;
+        float star, depth, mobility;
+    };
+    void keep_x(int f, const LargeTile& tile) {
+        x_faces_.push_back({f, tile.star_x[f], tile.depth_x[f], tile.mobility_x[f]});
+    }
+    void keep_y(int f, const LargeTile& tile) {
+        y_faces_.push_back({f, tile.star_y[f], tile.depth_y[f], tile.mobility_y[f]});
+    }
+    std::vector<Face> x_faces_, y_faces_;
+};
 
 }  // namespace
 
@@ -100,7 +146,11 @@ struct LargeStepper::Pass {
                       row_of, &out[window_index(-1, -1)]);
     }
 
-    float assemble(bool refine);
+    float assemble(const TilePlace& place, bool refine, LargeTile& tile, LargeScratch& large,
+                   WorkerScratch& worker) const;
+    void assemble_all();
+    std::array<LargeTile*, 4> beside(const TilePlace& place) const;
+    bool refine();
     void find_velocities(bool carrying);
     void solve_yielding(LargeStepReport& report);
     std::vector<PatchCover> patch_covers(const TilePlace& place) const;
@@ -111,21 +161,65 @@ struct LargeStepper::Pass {
     std::vector<TileResult> finish();
 };
 
-/// Assembles all tiles; see LargeKernels::assemble.
-float LargeStepper::Pass::assemble(bool refine) {
+/// Assembles a tile; see LargeKernels::assemble.
+float LargeStepper::Pass::assemble(const TilePlace& place, bool refine, LargeTile& tile,
+                                   LargeScratch& large, WorkerScratch& worker) const {
+    gather_tile(state, place, constants, worker);
+    gather_window(columns(place).next_cells, rows(place).next_cells, kTileSize + 2, kBlockStride,
+                  cells(&LargeTile::last_pressure), &large.lagged_pressure[block_index(-1, -1)]);
+    tile.residual = std::numeric_limits<float>::max();
+    tile.stubborn = false;
+    return kernels.assemble(constants, place.columns.extent, place.rows.extent, place.closed,
+                            place.canvas_edges, refine, large, worker.tile, tile);
+}
+
+void LargeStepper::Pass::assemble_all() {
+    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch& worker) {
+        assemble(places[index], false, tile, large, worker);
+        tile.unsteady = true;
+    });
+}
+
+/// The tiles to the left, right, above and below, null where none takes part.
+std::array<LargeTile*, 4> LargeStepper::Pass::beside(const TilePlace& place) const {
+    const auto moved = [](int index, int step, int count, bool periodic) {
+        const int next = index + step;
+        return periodic ? (next + count) % count : next;
+    };
+    const int count_x = state.shape.tiles_x(), count_y = state.shape.tiles_y();
+    const int x = place.tile_x, y = place.tile / count_x;
+    const auto at = [&](int tile_x, int tile_y) -> LargeTile* {
+        if (tile_x < 0 || tile_y < 0 || tile_x >= count_x || tile_y >= count_y) return nullptr;
+        const int tile = tile_y * count_x + tile_x;
+        return stepper.taking_part_[tile] ? stepper.tiles_[tile].get() : nullptr;
+    };
+    return {at(moved(x, -1, count_x, stepper.periodic_x_), y),
+            at(moved(x, 1, count_x, stepper.periodic_x_), y),
+            at(x, moved(y, -1, count_y, stepper.periodic_y_)),
+            at(x, moved(y, 1, count_y, stepper.periodic_y_))};
+}
+
+/// Takes the drag of all faces from the flow found, in the unsteady tiles. Faces that they share with a
+/// steady one stay as they are: both must hold the same. Returns false when nothing changes that
+/// matters.
+bool LargeStepper::Pass::refine() {
     std::vector<float> changes(places.size());
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch& worker) {
+        if (!tile.unsteady) return;
         const TilePlace& place = places[index];
-        gather_tile(state, place, constants, worker);
-        gather_window(columns(place).next_cells, rows(place).next_cells, kTileSize + 2, kBlockStride,
-                      cells(&LargeTile::last_pressure), &large.lagged_pressure[block_index(-1, -1)]);
-        changes[index] =
-            kernels.assemble(constants, place.columns.extent, place.rows.extent, place.closed,
-                             place.canvas_edges, refine, large, worker.tile, tile);
-        tile.residual = std::numeric_limits<float>::max();
-        tile.stubborn = false;
+        const SharedFaces kept(place, beside(place), tile);
+        changes[index] = assemble(place, true, tile, large, worker);
+        if (kept.restore(tile)) kernels.find_source(constants, tile);
     });
-    return largest(changes);
+    for (std::size_t index = 0; index < places.size(); ++index)
+        stepper.tiles_[places[index].tile]->unsteady = false;
+    for (std::size_t index = 0; index < places.size(); ++index) {
+        if (changes[index] <= kSteadyFlux) continue;
+        stepper.tiles_[places[index].tile]->unsteady = true;
+        for (LargeTile* tile : beside(places[index]))
+            if (tile != nullptr) tile->unsteady = true;
+    }
+    return !(largest(changes) <= kSteadyFlux);
 }
 
 std::vector<PatchCover> LargeStepper::Pass::patch_covers(const TilePlace& place) const {
@@ -198,7 +292,7 @@ void LargeStepper::Pass::solve_yielding(LargeStepReport& report) {
     if (!constants.has_yield() && !constants.varied && !constants.is_shear_thinning()) return;
     for (int pass = 0; pass < kMostRefinements; ++pass) {
         find_velocities(false);
-        if (assemble(true) <= kSteadyFlux) return;
+        if (!refine()) return;
         solve(false, report);
     }
 }
@@ -263,7 +357,11 @@ std::vector<TileResult> LargeStepper::Pass::finish() {
 }
 
 LargeStepper::LargeStepper(grid::Shape shape, Edge edge_x, Edge edge_y, int thread_count)
-    : shape_(shape), tiles_(shape.tile_count()), taking_part_(shape.tile_count(), 0) {
+    : shape_(shape),
+      periodic_x_(edge_x == Edge::Periodic),
+      periodic_y_(edge_y == Edge::Periodic),
+      tiles_(shape.tile_count()),
+      taking_part_(shape.tile_count(), 0) {
     for (int x = 0; x < shape.tiles_x(); ++x)
         columns_.push_back({window_runs(x, shape.width, edge_x, 1),
                             window_runs(x, shape.width, edge_x, kWindowMargin),
@@ -292,7 +390,7 @@ std::vector<TileResult> LargeStepper::step(const FilmState& state, const std::ve
     }
     Pass pass{*this, state, places, step, pool, workers};
     report = {};
-    pass.assemble(false);
+    pass.assemble_all();
     pass.solve_within_supply(report);
     report.converged = report.residual <= kUsable;
     if (!report.converged && !accept_any) return {};

@@ -46,6 +46,7 @@ class LargeStepper {
     struct Pass;
 
     grid::Shape shape_;
+    bool periodic_x_, periodic_y_;
     std::vector<Windows> columns_, rows_;
     std::vector<std::unique_ptr<LargeTile>> tiles_;
     std::vector<char> taking_part_;

@@ -47,6 +47,7 @@ struct LargeTile {
     alignas(64) CellArray supply;         ///< what a cell holds over what leaves it in the step
     float residual = 0.0F;                ///< found by the last sweep
     bool stubborn = false;                ///< a single V-cycle does not get hold of its residual
+    bool unsteady = false;  ///< its drag, or that of a tile beside it, still changes with its flow
 };
 
 /// Multigrid on a patch: 80, 40, 20 and 10 cells a side.

@@ -13,6 +13,8 @@ struct LargeKernels {
     float (*assemble)(const StepConstants& step, int columns, int rows, const ClosedEdges& closed,
                       const CanvasEdges& edges, bool refine, LargeScratch& large, TileScratch& scratch,
                       LargeTile& tile);
+    /// f = -(dt/dx) div(h_f u*)
+    void (*find_source)(const StepConstants& step, LargeTile& tile);
     /// d = f - A p and the residual Pi + S d - p of the gathered patch. Returns the largest error of
     /// thickness that it stands for in the tile, relative to the film.
     float (*patch_residual)(const StepConstants& step, const std::int32_t* thickness,
