@@ -60,6 +60,25 @@ template <FaceModel kModel, class Load>
     return face;
 }
 
+/// Calls shut_x(face) and shut_y(face) for the faces of a tile through which nothing may flow: those at
+/// closed edges and all beyond the canvas.
+template <class ShutX, class ShutY>
+void for_each_shut_face(int columns, int rows, const ClosedEdges& closed, const ShutX& shut_x,
+                        const ShutY& shut_y) {
+    using grid::kTileSize;
+    for (int y = 0; y < kTileSize; ++y) {
+        if (closed.left) shut_x(face_index(-1, y));
+        const int first_shut = y >= rows ? -1 : columns - (closed.right ? 1 : 0);
+        for (int x = first_shut; x < kTileSize; ++x)
+            shut_x(face_index(x, y));
+    }
+    for (int y = -1; y < kTileSize; ++y) {
+        const bool shut_row = (y == -1 && closed.top) || (y == rows - 1 && closed.bottom) || y >= rows;
+        for (int x = shut_row ? 0 : columns; x < kTileSize; ++x)
+            shut_y(face_index(x, y));
+    }
+}
+
 /// The rare terms, horizontal tension and shear thinning, are compiled with the alpha range only.
 template <bool kYield, class Visit>
 auto with_uniform_model(const StepConstants& step, const Visit& visit) {

@@ -105,24 +105,18 @@ struct FaceKernel {
 };
 static_assert(kTileSize % kLanes == 0);
 
-void shut(int x, int y, FaceArray<float>& velocity, FaceArray<std::int32_t>& flux) {
-    velocity[face_index(x, y)] = 0.0F;
-    flux[face_index(x, y)] = 0;
-}
-
 /// Shuts closed edges and everything beyond the canvas.
 void shut_edges(int columns, int rows, const ClosedEdges& closed, TileScratch& scratch) {
-    for (int y = 0; y < kTileSize; ++y) {
-        if (closed.left) shut(-1, y, scratch.velocity_x, scratch.flux_x);
-        const int first_shut = y >= rows ? -1 : columns - (closed.right ? 1 : 0);
-        for (int x = first_shut; x < kTileSize; ++x)
-            shut(x, y, scratch.velocity_x, scratch.flux_x);
-    }
-    for (int y = -1; y < kTileSize; ++y) {
-        const bool shut_row = (y == -1 && closed.top) || (y == rows - 1 && closed.bottom) || y >= rows;
-        for (int x = shut_row ? 0 : columns; x < kTileSize; ++x)
-            shut(x, y, scratch.velocity_y, scratch.flux_y);
-    }
+    for_each_shut_face(
+        columns, rows, closed,
+        [&](int f) {
+            scratch.velocity_x[f] = 0.0F;
+            scratch.flux_x[f] = 0;
+        },
+        [&](int f) {
+            scratch.velocity_y[f] = 0.0F;
+            scratch.flux_y[f] = 0;
+        });
 }
 
 int count_clamped(const StepConstants& step, const FaceArray<float>& velocity, int first_x,

@@ -144,7 +144,7 @@ struct LargeFaces {
 };
 
 /// Assembles the faces of a row; `refine` takes the drag of yielding faces from `velocity`, the solution
-/// so far. Returns by what part a face's flux is about to change through that, fluxes of less than 1/200
+/// so far. Returns by what part a face's flux is about to change through that, fluxes of less than 1/50
 /// cell a step counting as that much.
 template <FaceModel kModel>
 float face_row(const TileScratch& scratch, const float* lag, bool refine, const StepConstants& step,
@@ -261,24 +261,11 @@ float assemble_faces(const StepConstants& step, const float* lag, bool refine, T
 }
 
 /// Nothing flows through a face at a closed edge or beyond the canvas.
-void shut_face(LargeTile& tile, int face, bool x_face) {
-    (x_face ? tile.star_x : tile.star_y)[face] = 0.0F;
-    (x_face ? tile.depth_x : tile.depth_y)[face] = 0.0F;
-    (x_face ? tile.mobility_x : tile.mobility_y)[face] = 0.0F;
-}
-
 void shut_edges(int columns, int rows, const ClosedEdges& closed, LargeTile& tile) {
-    for (int y = 0; y < kTileSize; ++y) {
-        if (closed.left) shut_face(tile, face_index(-1, y), true);
-        const int first_shut = y >= rows ? -1 : columns - (closed.right ? 1 : 0);
-        for (int x = first_shut; x < kTileSize; ++x)
-            shut_face(tile, face_index(x, y), true);
-    }
-    for (int y = -1; y < kTileSize; ++y) {
-        const bool shut_row = (y == -1 && closed.top) || (y == rows - 1 && closed.bottom) || y >= rows;
-        for (int x = shut_row ? 0 : columns; x < kTileSize; ++x)
-            shut_face(tile, face_index(x, y), false);
-    }
+    for_each_shut_face(
+        columns, rows, closed,
+        [&](int f) { tile.star_x[f] = tile.depth_x[f] = tile.mobility_x[f] = 0.0F; },
+        [&](int f) { tile.star_y[f] = tile.depth_y[f] = tile.mobility_y[f] = 0.0F; });
 }
 
 /// A wall mirrors the surface and beyond an open edge nothing answers: no response across the canvas'

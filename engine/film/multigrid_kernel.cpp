@@ -4,6 +4,7 @@
 // Compiled once per instruction set; see pastoso_add_kernels.
 #include "film/lane_groups.hpp"
 #include "film/large_kernels.hpp"
+#include "film/multigrid_rows.hpp"
 
 namespace pastoso::film::PASTOSO_ISA {
 namespace {
@@ -112,24 +113,6 @@ void find_residual(MultigridLevel& level, float tension) {
                          V(pull.pressure - (p - load_as<V>(&level.stiffness[cell]) * d)));
             });
         }
-}
-
-/// Puts row y, given cell by cell, into checkerboard order. `values` points to cell 0.
-void split_row(const MultigridLevel& level, int y, const float* values, std::vector<float>& out) {
-    float* even = out.data() + level.row(y, y & 1);
-    float* odd = out.data() + level.row(y, 1 - (y & 1));
-    for (int k = 0; k < level.half(); ++k) {
-        even[k] = values[2 * k];
-        odd[k] = values[2 * k + 1];
-    }
-}
-void merge_row(const MultigridLevel& level, int y, const std::vector<float>& values, float* out) {
-    const float* even = values.data() + level.row(y, y & 1);
-    const float* odd = values.data() + level.row(y, 1 - (y & 1));
-    for (int k = 0; k < level.half(); ++k) {
-        out[2 * k] = even[k];
-        out[2 * k + 1] = odd[k];
-    }
 }
 
 using PlainRow = std::array<float, kPatchSize + 2>;

@@ -2,6 +2,7 @@
 // held fixed. Compiled once per instruction set; see pastoso_add_kernels.
 #include "film/lane_groups.hpp"
 #include "film/large_kernels.hpp"
+#include "film/multigrid_rows.hpp"
 
 namespace pastoso::film::PASTOSO_ISA {
 namespace {
@@ -72,26 +73,12 @@ namespace {
 
 /// Puts a window's patch into the finest level's checkerboard order, and back.
 void split_patch(const WindowArray& window, const MultigridLevel& finest, std::vector<float>& out) {
-    for (int y = 0; y < kPatchSize; ++y) {
-        const float* from = &window[window_index(-kOverlap, y - kOverlap)];
-        float* even = &out[finest.row(y, y & 1)];
-        float* odd = &out[finest.row(y, 1 - (y & 1))];
-        for (int k = 0; k < kPatchSize / 2; ++k) {
-            even[k] = from[2 * k];
-            odd[k] = from[2 * k + 1];
-        }
-    }
+    for (int y = 0; y < kPatchSize; ++y)
+        split_row(finest, y, &window[window_index(-kOverlap, y - kOverlap)], out);
 }
 void merge_patch(const MultigridLevel& finest, const std::vector<float>& values, WindowArray& window) {
-    for (int y = 0; y < kPatchSize; ++y) {
-        float* to = &window[window_index(-kOverlap, y - kOverlap)];
-        const float* even = &values[finest.row(y, y & 1)];
-        const float* odd = &values[finest.row(y, 1 - (y & 1))];
-        for (int k = 0; k < kPatchSize / 2; ++k) {
-            to[2 * k] = even[k];
-            to[2 * k + 1] = odd[k];
-        }
-    }
+    for (int y = 0; y < kPatchSize; ++y)
+        merge_row(finest, y, values, &window[window_index(-kOverlap, y - kOverlap)]);
 }
 
 /// The correction that a V-cycle finds for the residual.

@@ -1,6 +1,7 @@
 // The solver against exact solutions of thin-film flow. The tolerances are the "demand" column of the
 // validation table in the film design; what was reached stands beside them.
 #include "film/film_bench.hpp"
+#include "film/thin_film_cases.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -304,35 +305,11 @@ TEST_P(DripDirection, DoesNotMatter) {
 INSTANTIATE_TEST_SUITE_P(AlphaRange, DripDirection, testing::Bool());
 
 // Levelling of large waves under gravity, tension and tilt against a fine grid: order of convergence.
-std::vector<double> level_waves(int n) {
-    constexpr double kLength = 64, kSeconds = 12;
-    const double dx = kLength / n;
-    Bench bench({.width = n,
-                 .height = 1,
-                 .cell_mm = dx,
-                 .gravity = 1,
-                 .force_x = 0.3,
-                 .tension = 0.5,
-                 .inertia = false,
-                 .lateral = false});
-    const auto integral = [](double x) {
-        return x - 0.5 * kLength / (2 * pi) * std::cos(2 * pi * x / kLength) +
-               0.25 * kLength / (4 * pi) * std::sin(4 * pi * x / kLength);
-    };
-    bench.fill([&](int x, int) { return (integral((x + 1) * dx) - integral(x * dx)) / dx; });
-    const double limit = std::min(0.45 * bench.solver->stable_step_s(1.8), 0.1 * dx);
-    bench.run(kSeconds / std::ceil(kSeconds / limit), kSeconds);
-    std::vector<double> h(n);
-    for (int x = 0; x < n; ++x)
-        h[x] = bench.h(x, 0);
-    return h;
-}
-
 TEST(Convergence, SmoothWavesConvergeBeyondFirstOrder) {
-    const std::vector<double> reference = level_waves(512);
+    const std::vector<double> reference = levelled_waves(512);
     double previous = 0;
     for (const int n : {16, 32, 64}) {
-        const std::vector<double> h = level_waves(n);
+        const std::vector<double> h = levelled_waves(n);
         double error = 0;
         for (int x = 0; x < n; ++x) {
             double mean = 0;
