@@ -1,3 +1,4 @@
+#include "arguments/argument_fault.hpp"
 #include "cli/info.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/options.hpp"
@@ -164,7 +165,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success& wanted) {
         return app.exit(wanted);
     } catch (const CLI::ParseError& error) {
-        throw UsageError(std::string(error.what()) + " (pastoso-cli --help shows what there is).");
+        throw UsageError(arguments::argument_fault(app, error));
     }
     if (app.got_subcommand("replay"))
         run_replay(replay);

@@ -1,5 +1,9 @@
 #include "main/arguments.hpp"
 
+#include "arguments/argument_fault.hpp"
+
+#include <cstdio>
+
 #include <CLI/CLI.hpp>
 
 namespace pastoso::main {
@@ -19,8 +23,11 @@ ParsedArguments parse_arguments(int argc, char** argv) {
         ->needs(screenshot);
     try {
         app.parse(argc, argv);
+    } catch (const CLI::Success& wanted) {
+        parsed.exit_status = app.exit(wanted);
     } catch (const CLI::ParseError& error) {
-        parsed.exit_status = app.exit(error) == 0 ? 0 : 2;
+        std::fprintf(stderr, "pastoso: %s\n", arguments::argument_fault(app, error).c_str());
+        parsed.exit_status = 2;
     }
     return parsed;
 }

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <sys/wait.h>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -64,8 +65,13 @@ TEST(Program, SaysTheSameOfADisplayThatIsDead) {
 }
 
 TEST(Program, RefusesUnknownArguments) {
-    EXPECT_NE(run("", "--no-such-option").exit_status, 0);
-    EXPECT_NE(run("", "a.json b.json").exit_status, 0);
+    for (const auto& [arguments, unknown] : {std::pair{"--no-such-option", "--no-such-option"},
+                                             std::pair{"a.json b.json", "b.json"}}) {
+        const Outcome outcome = run("", arguments);
+        EXPECT_EQ(outcome.exit_status, 2);
+        expect_one_sentence(outcome.output);
+        EXPECT_THAT(outcome.output, HasSubstr(unknown));
+    }
 }
 
 class ProgramWithDisplay : public ::testing::Test {

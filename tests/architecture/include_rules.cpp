@@ -34,14 +34,15 @@ const Rules& engine_rules() {
 /// The same for the folders of the window, which may use the whole engine besides.
 const Rules& app_rules() {
     static const Rules rules = {
-        {"cli", {}},
+        {"arguments", {}},
+        {"cli", {"arguments"}},
         {"session", {}},
         {"commands", {"session"}},
         {"tools", {"session"}},
         {"view", {"session", "commands", "tools"}},
         {"panels", {"session", "commands", "tools"}},
         {"dialogs", {"session", "commands", "tools"}},
-        {"main", {"session", "commands", "tools", "view", "panels", "dialogs"}},
+        {"main", {"arguments", "session", "commands", "tools", "view", "panels", "dialogs"}},
     };
     return rules;
 }

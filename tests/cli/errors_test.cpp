@@ -36,7 +36,9 @@ TEST_F(CliErrors, UsageErrorsEndWithStatusTwo) {
     expect_bad_usage({}, "subcommand");
     expect_bad_usage({"paint"}, "there is no subcommand \"paint\"");
     expect_bad_usage({"replay"}, "STROKES");
-    expect_bad_usage({"replay", pen, "--brushes", "x"}, "--brushes");
+    expect_bad_usage({"replay", pen, "--brushes", "x"}, "no place for the argument \"--brushes\"");
+    expect_bad_usage({"replay", "--nonsense"}, "no place for the argument \"--nonsense\"");
+    expect_bad_usage({"replay", pen, "-o", "out.png", "extra"}, "no place for the argument \"extra\"");
     expect_bad_usage({"replay", pen, "--tilt", "steep"}, "steep");
     expect_bad_usage({"replay", pen, "--threads", "-1"}, "-1");
     expect_bad_usage({"replay", pen, "--canvas", "large"}, "--canvas: \"large\" is not a size");
