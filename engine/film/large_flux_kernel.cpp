@@ -8,21 +8,11 @@ namespace {
 
 using grid::kTileSize;
 
-struct Faces {
-    const FaceArray<float>&star, &depth, &mobility, &old;
-    FaceArray<float>& velocity;
-};
-Faces x_faces(LargeTile& tile) {
-    return {tile.star_x, tile.depth_x, tile.mobility_x, tile.old_x, tile.velocity_x};
-}
-Faces y_faces(LargeTile& tile) {
-    return {tile.star_y, tile.depth_y, tile.mobility_y, tile.old_y, tile.velocity_y};
-}
-
 /// What moves the paint. Where drag rules and the velocity changes by less than a factor of two in a
 /// step, that is 2/3 of the new and 1/3 of the old one, which lags half a step behind and so makes slow
 /// changes second order in time. Elsewhere it is the new one.
-Lanes carrying_velocity(const StepConstants& step, const Faces& faces, int f, Lanes now) {
+[[gnu::always_inline]] inline Lanes carrying_velocity(const StepConstants& step, const LargeFaces& faces,
+                                                      int f, Lanes now) {
     const Lanes full(0.5F * step.dt_s * step.dt_s * step.inverse_cell * step.inverse_cell);
     const Lanes old = load(&faces.old[f]), zero(0.0F);
     const Lanes size = lanes::abs(now), old_size = lanes::abs(old);
@@ -31,16 +21,21 @@ Lanes carrying_velocity(const StepConstants& step, const Faces& faces, int f, La
     return now + lanes::select(dragged && steady, Lanes(Lanes(1.0F / 3.0F) * (old - now)), zero);
 }
 
-/// u = u* - (dt/dx) D (p_right - p_left), with dt D h_f / dx = m dx / dt.
+/// u = u* - (dt/dx) D (p_right - p_left), with dt D h_f / dx = m dx / dt. Paint that a yield stress
+/// holds does not flow against what drives it, as the linear answer may.
 void velocity_row(const StepConstants& step, const float* pressure, bool carrying, int along,
-                  int first_x, int y, const Faces& faces) {
+                  int first_x, int y, LargeFaces& faces) {
     const Lanes cell_per_step(step.cell_mm / step.dt_s), zero(0.0F);
+    const Lanes dt_per_cell(step.dt_s * step.inverse_cell);
     for_each_lane_group(first_x, kTileSize, [&](int x) {
         const int f = face_index(x, y), i = window_index(x, y);
         const Lanes passing = load(&faces.depth[f]);
         const Lanes rise = load(pressure + i + along) - load(pressure + i);
-        const Lanes driven = load(&faces.mobility[f]) * cell_per_step * rise / passing;
-        const Lanes now = load(&faces.star[f]) - lanes::select(passing > zero, driven, zero);
+        const Lanes pushed = load(&faces.mobility[f]) * cell_per_step * rise / passing;
+        const Lanes linear = load(&faces.star[f]) - lanes::select(passing > zero, pushed, zero);
+        const Lanes drive = load(&faces.driven[f]) - dt_per_cell * rise;
+        const auto against = load(&faces.resistance[f]) > zero && linear * drive < zero;
+        const Lanes now = lanes::select(against, zero, linear);
         store(&faces.velocity[f], carrying ? carrying_velocity(step, faces, f, now) : now);
     });
 }
@@ -49,18 +44,18 @@ struct Outflow {
     const StepConstants& step;
     const LargeTile& tile;
 
-    Lanes x(int f) const { return flow(tile.velocity_x, tile.depth_x, f); }
-    Lanes y(int f) const { return flow(tile.velocity_y, tile.depth_y, f); }
+    Lanes x(int f) const { return flow(tile.x, f); }
+    Lanes y(int f) const { return flow(tile.y, f); }
     /// Thickness that crosses a face in the step, mm.
-    Lanes flow(const FaceArray<float>& velocity, const FaceArray<float>& depth, int f) const {
-        return Lanes(step.dt_s * step.inverse_cell) * load(&velocity[f]) * load(&depth[f]);
+    [[gnu::always_inline]] Lanes flow(const LargeFaces& faces, int f) const {
+        return Lanes(step.dt_s * step.inverse_cell) * load(&faces.velocity[f]) * load(&faces.depth[f]);
     }
 };
 
-Lanes rise(Lanes value) {
+[[gnu::always_inline]] inline Lanes rise(Lanes value) {
     return lanes::max(value, Lanes(0.0F));
 }
-Lanes fall(Lanes value) {
+[[gnu::always_inline]] inline Lanes fall(Lanes value) {
     return lanes::max(Lanes(-value), Lanes(0.0F));
 }
 
@@ -70,8 +65,8 @@ void find_large_velocities(const StepConstants& step, bool carrying, const Large
                            LargeTile& tile) {
     const float* pressure = scratch.pressure.data();
     for (int y = -1; y < kTileSize; ++y) {
-        velocity_row(step, pressure, carrying, kWindowStride, 0, y, y_faces(tile));
-        if (y >= 0) velocity_row(step, pressure, carrying, 1, -1, y, x_faces(tile));
+        velocity_row(step, pressure, carrying, kWindowStride, 0, y, tile.y);
+        if (y >= 0) velocity_row(step, pressure, carrying, 1, -1, y, tile.x);
     }
 }
 
@@ -114,13 +109,12 @@ Shortage share_outflow(const StepConstants& step, int columns, int rows, const s
 
 namespace {
 
-void slow_row(const LargeScratch& large, int along, int first_x, int y, const FaceArray<float>& velocity,
-              FaceArray<float>& star, FaceArray<float>& mobility) {
+void slow_row(const LargeScratch& large, int along, int first_x, int y, LargeFaces& faces) {
     for (int x = first_x; x < kTileSize; ++x) {
         const int f = face_index(x, y), i = window_index(x, y);
-        const float share = velocity[f] > 0.0F ? large.share[i] : large.share[i + along];
-        star[f] *= share;
-        mobility[f] *= share;
+        const float share = faces.velocity[f] > 0.0F ? large.share[i] : large.share[i + along];
+        faces.star[f] *= share;
+        faces.mobility[f] *= share;
     }
 }
 
@@ -128,8 +122,8 @@ void slow_row(const LargeScratch& large, int along, int first_x, int y, const Fa
 
 void slow_limited_faces(const StepConstants& step, const LargeScratch& large, LargeTile& tile) {
     for (int y = -1; y < kTileSize; ++y) {
-        slow_row(large, kWindowStride, 0, y, tile.velocity_y, tile.star_y, tile.mobility_y);
-        if (y >= 0) slow_row(large, 1, -1, y, tile.velocity_x, tile.star_x, tile.mobility_x);
+        slow_row(large, kWindowStride, 0, y, tile.y);
+        if (y >= 0) slow_row(large, 1, -1, y, tile.x);
     }
     find_source(step, tile);
 }
@@ -137,25 +131,24 @@ void slow_limited_faces(const StepConstants& step, const LargeScratch& large, La
 namespace {
 
 void flux_row(const StepConstants& step, const LargeScratch& large, int along, int first_x, int y,
-              const FaceArray<float>& wanted, const FaceArray<float>& depth,
-              const FaceArray<float>& mobility, FaceArray<float>& velocity,
-              FaceArray<std::int32_t>& flux, FlowExtremes& extremes) {
+              const LargeFaces& faces, FaceArray<float>& velocity, FaceArray<std::int32_t>& flux,
+              FlowExtremes& extremes) {
     using Ints = lanes::stdx::rebind_simd_t<std::int32_t, Lanes>;
     const Lanes scale(step.dt_s * step.inverse_cell * static_cast<float>(1.0 / kThicknessQuantum_mm));
     Lanes speed(0.0F), thickness(0.0F), largest_mobility(0.0F);
     for_each_lane_group(first_x, kTileSize, [&](int x) {
         const int f = face_index(x, y), i = window_index(x, y);
-        const Lanes here = load(&wanted[f]);
+        const Lanes here = load(&faces.velocity[f]);
         const Lanes granted = here * lanes::select(here > Lanes(0.0F), load(&large.share[i]),
                                                    load(&large.share[i + along]));
-        const Lanes exact = granted * load(&depth[f]) * scale;
+        const Lanes exact = granted * load(&faces.depth[f]) * scale;
         const Lanes nearest = exact + lanes::copysign(Lanes(0.5F), exact);
         lanes::stdx::static_simd_cast<Ints>(nearest).copy_to(&flux[f], lanes::stdx::element_aligned);
         store(&velocity[f], granted);
         speed = lanes::max(speed, lanes::abs(granted));
-        largest_mobility = lanes::max(largest_mobility, load(&mobility[f]));
-        thickness =
-            lanes::max(thickness, lanes::select(granted == Lanes(0.0F), Lanes(0.0F), load(&depth[f])));
+        largest_mobility = lanes::max(largest_mobility, load(&faces.mobility[f]));
+        thickness = lanes::max(
+            thickness, lanes::select(granted == Lanes(0.0F), Lanes(0.0F), load(&faces.depth[f])));
     });
     extremes.mobility = lanes::max(extremes.mobility, lanes::stdx::hmax(largest_mobility) *
                                                           step.cell_mm * step.cell_mm / step.dt_s);
@@ -169,11 +162,9 @@ FlowExtremes find_large_fluxes(const StepConstants& step, const LargeScratch& la
                                const LargeTile& tile, TileScratch& scratch) {
     FlowExtremes extremes;
     for (int y = -1; y < kTileSize; ++y) {
-        flux_row(step, large, kWindowStride, 0, y, tile.velocity_y, tile.depth_y, tile.mobility_y,
-                 scratch.velocity_y, scratch.flux_y, extremes);
+        flux_row(step, large, kWindowStride, 0, y, tile.y, scratch.velocity_y, scratch.flux_y, extremes);
         if (y >= 0)
-            flux_row(step, large, 1, -1, y, tile.velocity_x, tile.depth_x, tile.mobility_x,
-                     scratch.velocity_x, scratch.flux_x, extremes);
+            flux_row(step, large, 1, -1, y, tile.x, scratch.velocity_x, scratch.flux_x, extremes);
     }
     return extremes;
 }

@@ -7,8 +7,9 @@
 #define PASTOSO_DECLARE_LARGE_KERNELS(isa)                                                            \
     namespace pastoso::film::isa {                                                                    \
     float assemble_large_tile(const StepConstants& step, int columns, int rows,                       \
-                              const ClosedEdges& closed, const CanvasEdges& edges, bool refine,       \
+                              const ClosedEdges& closed, const CanvasEdges& edges, bool again,        \
                               LargeScratch& large, TileScratch& scratch, LargeTile& tile);            \
+    float refine_yielding(const StepConstants& step, const LargeScratch& large, LargeTile& tile);     \
     void find_source(const StepConstants& step, LargeTile& tile);                                     \
     void slow_limited_faces(const StepConstants& step, const LargeScratch& large, LargeTile& tile);   \
     void prepare_multigrid(const StepConstants& step, LargeScratch& scratch);                         \

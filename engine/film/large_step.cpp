@@ -11,7 +11,7 @@ namespace {
 
 using grid::kTileSize;
 
-/// A relative change of flux that is not worth another pass with refined yield.
+/// A relative error of flux that is not worth another pass with refined drag.
 constexpr float kSteadyFlux = 0.1F;
 constexpr int kMostRefinements = 4;
 /// A thickness error below this, relative to the film, needs no further sweep.
@@ -45,24 +45,16 @@ class SharedFaces {
             return beside[side] != nullptr && !beside[side]->unsteady;
         };
         for (int k = 0; k < kTileSize; ++k) {
-            if (is_steady(0)) keep_x(face_index(-1, k), tile);
-            if (is_steady(1)) keep_x(face_index(right, k), tile);
-            if (is_steady(2)) keep_y(face_index(k, -1), tile);
-            if (is_steady(3)) keep_y(face_index(k, bottom), tile);
+            if (is_steady(0)) keep(tile.x, face_index(-1, k), x_faces_);
+            if (is_steady(1)) keep(tile.x, face_index(right, k), x_faces_);
+            if (is_steady(2)) keep(tile.y, face_index(k, -1), y_faces_);
+            if (is_steady(3)) keep(tile.y, face_index(k, bottom), y_faces_);
         }
     }
     /// Puts them back. Returns whether there were any.
     bool restore(LargeTile& tile) const {
-        for (const Face& face : x_faces_) {
-            tile.star_x[face.index] = face.star;
-            tile.depth_x[face.index] = face.depth;
-            tile.mobility_x[face.index] = face.mobility;
-        }
-        for (const Face& face : y_faces_) {
-            tile.star_y[face.index] = face.star;
-            tile.depth_y[face.index] = face.depth;
-            tile.mobility_y[face.index] = face.mobility;
-        }
+        restore(x_faces_, tile.x);
+        restore(y_faces_, tile.y);
         return !x_faces_.empty() || !y_faces_.empty();
     }
 
@@ -71,11 +63,15 @@ class SharedFaces {
         int index;
         float star, depth, mobility;
     };
-    void keep_x(int f, const LargeTile& tile) {
-        x_faces_.push_back({f, tile.star_x[f], tile.depth_x[f], tile.mobility_x[f]});
+    static void keep(const LargeFaces& faces, int f, std::vector<Face>& kept) {
+        kept.push_back({f, faces.star[f], faces.depth[f], faces.mobility[f]});
     }
-    void keep_y(int f, const LargeTile& tile) {
-        y_faces_.push_back({f, tile.star_y[f], tile.depth_y[f], tile.mobility_y[f]});
+    static void restore(const std::vector<Face>& kept, LargeFaces& faces) {
+        for (const Face& face : kept) {
+            faces.star[face.index] = face.star;
+            faces.depth[face.index] = face.depth;
+            faces.mobility[face.index] = face.mobility;
+        }
     }
     std::vector<Face> x_faces_, y_faces_;
 };
@@ -129,10 +125,10 @@ struct LargeStepper::Pass {
             return tile == nullptr ? nullptr : (tile->*field).data() + y * kTileSize;
         };
     }
-    auto faces(FaceArray<float> LargeTile::*field) const {
-        return [this, field](int tile_x, int tile_y, int y) -> const float* {
+    auto faces(LargeFaces LargeTile::*direction, FaceArray<float> LargeFaces::*field) const {
+        return [this, direction, field](int tile_x, int tile_y, int y) -> const float* {
             const LargeTile* tile = partner(tile_x, tile_y);
-            return tile == nullptr ? nullptr : (tile->*field).data() + face_index(0, y);
+            return tile == nullptr ? nullptr : (tile->*direction.*field).data() + face_index(0, y);
         };
     }
     template <class RowOf>
@@ -146,12 +142,14 @@ struct LargeStepper::Pass {
                       row_of, &out[window_index(-1, -1)]);
     }
 
-    float assemble(const TilePlace& place, bool refine, LargeTile& tile, LargeScratch& large,
+    float assemble(const TilePlace& place, bool again, LargeTile& tile, LargeScratch& large,
                    WorkerScratch& worker) const;
+    float refine(const TilePlace& place, LargeTile& tile, LargeScratch& large,
+                 WorkerScratch& worker) const;
     void assemble_all();
     std::array<LargeTile*, 4> beside(const TilePlace& place) const;
-    bool refine();
-    void find_velocities(bool carrying);
+    bool refine_all();
+    void find_velocities();
     void solve_yielding(LargeStepReport& report);
     std::vector<PatchCover> patch_covers(const TilePlace& place) const;
     float sweep(bool first);
@@ -162,20 +160,30 @@ struct LargeStepper::Pass {
 };
 
 /// Assembles a tile; see LargeKernels::assemble.
-float LargeStepper::Pass::assemble(const TilePlace& place, bool refine, LargeTile& tile,
+float LargeStepper::Pass::assemble(const TilePlace& place, bool again, LargeTile& tile,
                                    LargeScratch& large, WorkerScratch& worker) const {
     gather_tile(state, place, constants, worker);
     gather_window(columns(place).next_cells, rows(place).next_cells, kTileSize + 2, kBlockStride,
-                  cells(&LargeTile::last_pressure), &large.lagged_pressure[block_index(-1, -1)]);
-    tile.residual = std::numeric_limits<float>::max();
-    tile.stubborn = false;
+                  cells(again ? &LargeTile::pressure : &LargeTile::last_pressure),
+                  &large.lagged_pressure[block_index(-1, -1)]);
     return kernels.assemble(constants, place.columns.extent, place.rows.extent, place.closed,
-                            place.canvas_edges, refine, large, worker.tile, tile);
+                            place.canvas_edges, again, large, worker.tile, tile);
+}
+
+/// Takes a tile's drag from the pressure found. Returns by what part a flux was wrong.
+float LargeStepper::Pass::refine(const TilePlace& place, LargeTile& tile, LargeScratch& large,
+                                 WorkerScratch& worker) const {
+    gather_next(place, cells(&LargeTile::pressure), large.pressure);
+    if (!constants.is_shear_thinning()) return kernels.refine(constants, large, tile);
+    kernels.velocities(constants, false, large, tile);
+    return assemble(place, true, tile, large, worker);
 }
 
 void LargeStepper::Pass::assemble_all() {
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch& worker) {
         assemble(places[index], false, tile, large, worker);
+        tile.residual = std::numeric_limits<float>::max();
+        tile.stubborn = false;
         tile.unsteady = true;
     });
 }
@@ -199,27 +207,27 @@ std::array<LargeTile*, 4> LargeStepper::Pass::beside(const TilePlace& place) con
             at(x, moved(y, 1, count_y, stepper.periodic_y_))};
 }
 
-/// Takes the drag of all faces from the flow found, in the unsteady tiles. Faces that they share with a
-/// steady one stay as they are: both must hold the same. Returns false when nothing changes that
-/// matters.
-bool LargeStepper::Pass::refine() {
-    std::vector<float> changes(places.size());
+/// Takes the drag of all faces from the pressure found, in the unsteady tiles. Faces that they share
+/// with a steady one stay as they are: both must hold the same. Returns false when no flux was wrong by
+/// much.
+bool LargeStepper::Pass::refine_all() {
+    std::vector<float> errors(places.size());
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch& worker) {
         if (!tile.unsteady) return;
         const TilePlace& place = places[index];
         const SharedFaces kept(place, beside(place), tile);
-        changes[index] = assemble(place, true, tile, large, worker);
+        errors[index] = refine(place, tile, large, worker);
         if (kept.restore(tile)) kernels.find_source(constants, tile);
     });
     for (std::size_t index = 0; index < places.size(); ++index)
         stepper.tiles_[places[index].tile]->unsteady = false;
     for (std::size_t index = 0; index < places.size(); ++index) {
-        if (changes[index] <= kSteadyFlux) continue;
+        if (errors[index] <= kSteadyFlux) continue;
         stepper.tiles_[places[index].tile]->unsteady = true;
         for (LargeTile* tile : beside(places[index]))
             if (tile != nullptr) tile->unsteady = true;
     }
-    return !(largest(changes) <= kSteadyFlux);
+    return !(largest(errors) <= kSteadyFlux);
 }
 
 std::vector<PatchCover> LargeStepper::Pass::patch_covers(const TilePlace& place) const {
@@ -247,10 +255,10 @@ float LargeStepper::Pass::sweep(bool first) {
         gather_patch(place, cells(&LargeTile::pressure), large.pressure);
         gather_patch(place, cells(&LargeTile::source), large.source);
         gather_patch(place, cells(&LargeTile::rest_pressure), large.rest_pressure);
-        gather_patch(place, faces(&LargeTile::mobility_x), large.mobility_x);
-        gather_patch(place, faces(&LargeTile::mobility_y), large.mobility_y);
-        gather_patch(place, faces(&LargeTile::weight_x), large.weight_x);
-        gather_patch(place, faces(&LargeTile::weight_y), large.weight_y);
+        gather_patch(place, faces(&LargeTile::x, &LargeFaces::mobility), large.mobility_x);
+        gather_patch(place, faces(&LargeTile::y, &LargeFaces::mobility), large.mobility_y);
+        gather_patch(place, faces(&LargeTile::x, &LargeFaces::weight), large.weight_x);
+        gather_patch(place, faces(&LargeTile::y, &LargeFaces::weight), large.weight_y);
         const float residual =
             kernels.patch_residual(constants, state.thickness.read(place.tile), large);
         tile.stubborn = tile.stubborn || residual > kStubbornShare * tile.residual;
@@ -278,10 +286,10 @@ void LargeStepper::Pass::solve(bool from_rest, LargeStepReport& report) {
     }
 }
 
-void LargeStepper::Pass::find_velocities(bool carrying) {
+void LargeStepper::Pass::find_velocities() {
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
         gather_next(places[index], cells(&LargeTile::pressure), large.pressure);
-        kernels.velocities(constants, carrying, large, tile);
+        kernels.velocities(constants, true, large, tile);
     });
 }
 
@@ -290,11 +298,8 @@ void LargeStepper::Pass::find_velocities(bool carrying) {
 void LargeStepper::Pass::solve_yielding(LargeStepReport& report) {
     solve(true, report);
     if (!constants.has_yield() && !constants.varied && !constants.is_shear_thinning()) return;
-    for (int pass = 0; pass < kMostRefinements; ++pass) {
-        find_velocities(false);
-        if (!refine()) return;
+    for (int pass = 0; pass < kMostRefinements && refine_all(); ++pass)
         solve(false, report);
-    }
 }
 
 /// How much of its outflow each cell can grant. Returns how many cannot grant it all.
@@ -328,7 +333,7 @@ Shortage LargeStepper::Pass::share_outflow() {
 void LargeStepper::Pass::solve_within_supply(LargeStepReport& report) {
     solve_yielding(report);
     for (int attempt = 0;; ++attempt) {
-        find_velocities(true);
+        find_velocities();
         const Shortage shortage = share_outflow();
         report.limited_cells = shortage.thick_cells;
         if (shortage.cells == 0 || attempt == kMostSlowings) return;

@@ -27,14 +27,23 @@ constexpr int window_index(int x, int y) {
     return (y + kWindowMargin) * kWindowStride + x + kWindowMargin;
 }
 
+/// The faces of one direction.
+struct LargeFaces {
+    alignas(64) FaceArray<float> old;         ///< velocity before the step, mm/s
+    alignas(64) FaceArray<float> driven;      ///< with inertia and forces, but for drag and new pressure
+    alignas(64) FaceArray<float> across;      ///< velocity along the face, but for drag
+    alignas(64) FaceArray<float> drag;        ///< lambda dt
+    alignas(64) FaceArray<float> resistance;  ///< wall stress in yield stresses per velocity, s/mm; 0
+                                              ///< where no yield stress holds
+    alignas(64) FaceArray<float> depth;       ///< thickness of the film that passes, mm
+    alignas(64) FaceArray<float> star;        ///< velocity but for the new pressure, mm/s
+    alignas(64) FaceArray<float> mobility;    ///< flux per pressure difference, mm / (mm2/s2)
+    alignas(64) FaceArray<float> weight;      ///< of the slope in the surface's linear response
+    alignas(64) FaceArray<float> velocity;    ///< after the step, mm/s
+};
+
 struct LargeTile {
-    alignas(64) FaceArray<float> star_x, star_y;          ///< velocity but for the new pressure, mm/s
-    alignas(64) FaceArray<float> velocity_x, velocity_y;  ///< with it
-    alignas(64) FaceArray<float> old_x, old_y;            ///< before the step
-    alignas(64) FaceArray<float> depth_x, depth_y;        ///< thickness of the film that passes, mm
-    alignas(64) FaceArray<float> mobility_x,
-        mobility_y;                                   ///< flux per pressure difference, mm / (mm2/s2)
-    alignas(64) FaceArray<float> weight_x, weight_y;  ///< of the slope in the surface's linear response
+    LargeFaces x, y;
 
     alignas(64) CellArray source;         ///< f, change of thickness without the new pressure, mm
     alignas(64) CellArray rest_pressure;  ///< Pi of the old surface, mm2/s2; 0 where dry

@@ -6,13 +6,16 @@
 namespace pastoso::film {
 
 struct LargeKernels {
-    /// Velocities but for the new pressure, depths, mobilities, weights, source and starting pressure
-    /// from the gathered block of `scratch` and the lagged pressure of `large`. `refine` takes the drag
-    /// of yielding paint from the tile's velocities instead and leaves the pressure as it is; returned
-    /// is then the largest relative change of flux that this stands for.
+    /// The faces but for their velocities, source and starting pressure from the gathered block of
+    /// `scratch` and the lagged pressure of `large`. `again` says that the tile holds a solution of this
+    /// step, whose pressure the lagged one is: shear-thinning paint is thinned by its velocities, and
+    /// the pressure stays as it is. Returned is then by what part a flux of that solution was wrong.
     float (*assemble)(const StepConstants& step, int columns, int rows, const ClosedEdges& closed,
-                      const CanvasEdges& edges, bool refine, LargeScratch& large, TileScratch& scratch,
+                      const CanvasEdges& edges, bool again, LargeScratch& large, TileScratch& scratch,
                       LargeTile& tile);
+    /// Newton's step for the drag of yielding paint: star, mobility and source from the gathered
+    /// pressure. Returns by what part a flux was wrong.
+    float (*refine)(const StepConstants& step, const LargeScratch& large, LargeTile& tile);
     /// f = -(dt/dx) div(h_f u*)
     void (*find_source)(const StepConstants& step, LargeTile& tile);
     /// d = f - A p and the residual Pi + S d - p of the gathered patch. Returns the largest error of

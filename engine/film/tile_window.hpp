@@ -26,6 +26,15 @@ std::vector<WindowRun> window_runs(int tile_index, int canvas_cells, Edge edge, 
 /// `tile` being the window's and `cell` of the given tile.
 std::vector<WindowRun> covering_runs(int tile_index, int canvas_cells, Edge edge, int margin);
 
+/// Copies a run of values; those of a whole tile's row without asking how many.
+inline void copy_run(const float* from, int count, float* to) {
+    if (count == grid::kTileSize)
+        std::copy_n(from, grid::kTileSize, to);
+    else
+        for (int k = 0; k < count; ++k)
+            to[k] = from[k];
+}
+
 /// Copies cells into the window `out` (rows of `stride`, its first value that of the window's first
 /// cell). `row_of(tile_x, tile_y, cell_y)` gives the values of a row of a tile's cells, or null for a
 /// tile that takes no part: its cells, and those of no tile, are set to zero. `size` is the window's
@@ -40,8 +49,8 @@ void gather_window(const std::vector<WindowRun>& columns, const std::vector<Wind
             for (int k = 0; k < row.count; ++k) {
                 const float* source = row_of(column.tile, row.tile, row.cell + k);
                 if (source == nullptr) break;
-                std::copy_n(source + column.cell, column.count,
-                            out + (row.position + k) * stride + column.position);
+                copy_run(source + column.cell, column.count,
+                         out + (row.position + k) * stride + column.position);
             }
 }
 

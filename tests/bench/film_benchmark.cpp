@@ -1,5 +1,5 @@
-// Cost of an explicit film step per cell, all cells wet and flowing. Rates are of processor time, summed
-// over the threads, so that other work on the machine counts little.
+// Cost of a film step per cell, explicit and large, all cells wet and flowing. Rates are of processor
+// time, summed over the threads, so that other work on the machine counts little.
 #include "film/solver.hpp"
 
 #include <cmath>
@@ -98,6 +98,53 @@ BENCHMARK_CAPTURE(step_film, alpha_yield_curvature_pigment_varied,
 BENCHMARK_CAPTURE(step_film, alpha_yield_curvature_thinning,
                   Flow{.alpha_range = true, .yield_and_curvature = true, .shear_thinning = true})
     ->Apply(plain_sizes);
+
+/// House paint running down a canvas that stands at 60 degrees, cells of 0.1 mm.
+FilmState running_film(int n) {
+    FilmState state({n, n}, 0.1);
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) {
+            const double h = 0.35 * (1 + 0.2 * std::sin(x * 0.15) * std::cos(y * 0.1) +
+                                     0.1 * std::sin(x * 0.4 + y * 0.25));
+            state.thickness.set(x, y, static_cast<std::int32_t>(h / kThicknessQuantum_mm));
+        }
+    return state;
+}
+
+/// One frame of a sixtieth of a second as one large step; ns per cell of processor time.
+void large_step(benchmark::State& run, bool yields) {
+    const int n = static_cast<int>(run.range(0));
+    core::ThreadPool pool(static_cast<int>(run.range(1)));
+    FilmState state = running_film(n);
+    Medium paint = find_medium("house paint");
+    if (!yields) paint.yield_stress_Pa = 0.0;
+    SolverOptions options;
+    options.edge_x = options.edge_y = Edge::Periodic;
+    options.sleeping = false;
+    options.scheme = Scheme::LargeStep;
+    Solver solver(state, paint, options, pool);
+    solver.set_gravity(tilted_gravity(60.0));
+    std::int64_t steps = 0, sweeps = 0;
+    for (auto _ : run) {
+        const AdvanceReport report = solver.advance(1.0 / 60);
+        steps += report.steps;
+        sweeps += report.sweeps;
+    }
+    const auto iterations = static_cast<double>(run.iterations());
+    run.counters["ns/cell"] =
+        benchmark::Counter(static_cast<double>(n) * n * 1e-9 * iterations,
+                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+    run.counters["steps/frame"] = static_cast<double>(steps) / iterations;
+    run.counters["sweeps/frame"] = static_cast<double>(sweeps) / iterations;
+}
+
+/// A second of paint time each, from the same film on.
+void large_sizes(benchmark::internal::Benchmark* run) {
+    run->ArgNames({"side", "threads"})->Args({256, 1})->Args({512, 1})->Args({512, 2})->Args({1024, 1});
+    run->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->Iterations(60);
+}
+BENCHMARK_CAPTURE(large_step, smooth, false)->Apply(large_sizes);
+BENCHMARK_CAPTURE(large_step, yield, true)->Apply(large_sizes);
 
 /// What a frame costs when nothing moves.
 void sleeping_canvas(benchmark::State& run) {
