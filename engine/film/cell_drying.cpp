@@ -61,8 +61,7 @@ std::int32_t dry_on(std::int32_t time, std::int32_t& thickness, PaintCell& paint
     const std::int32_t remaining = thickness - evaporated;
 
     const double logarithm = per_mm(paint[kViscosityChannel], thickness);
-    const double viscosity_m2_s =
-        kThinnest_m2_s * core::exponential(std::min(logarithm, kStiffestLog));
+    const double viscosity_m2_s = kThinnest_m2_s * core::exponential(std::min(logarithm, kStiffestLog));
     const double stiffer_log = std::min(logarithm - 2.0 * core::natural_log(share_left), kStiffestLog);
     const double stiffer_m2_s = std::min(viscosity_m2_s / (share_left * share_left), kStiffest_m2_s);
     const double yield_Pa = per_mm(paint[kYieldChannel], thickness);

@@ -4,6 +4,7 @@
 
 #include "film/face_physics.hpp"
 #include "film/lane_groups.hpp"
+#include "film/large_tile.hpp"
 
 namespace pastoso::film::PASTOSO_ISA {
 namespace {
@@ -30,13 +31,40 @@ template <bool kYield>
     return {Lanes(factor * along), factor};
 }
 
-/// By what part the flux through a face differs from what its drag law wants. Fluxes of less than 1/50
-/// cell a step count as that much.
-[[gnu::always_inline, maybe_unused]] inline Lanes flux_error(Lanes wanted, Lanes flow, Lanes depth,
-                                                             const StepConstants& step) {
+/// u = u* - D dt grad p for the faces of a row that are not explicit: the tangent of the drag law at the
+/// velocity w that `pressure` (that of the row's cell 0 and its neighbours, `along` the faces' axis)
+/// leaves of the driving one, u* = F - F' (w - driven) and D = F'. The mobility is dt^2 D h / dx^2. With
+/// `kCompare`, returns by what part a flux of the row's last answer to that pressure differs from what
+/// drag leaves; fluxes of less than 1/50 cell a step count as that much.
+template <bool kYield, bool kCompare>
+float answer_row(const StepConstants& step, const float* pressure, int along, int first_x, int y,
+                 LargeFaces& faces) {
     constexpr float kTraceFlux = 0.02F;
-    const Lanes cells = depth * Lanes(step.dt_s * step.inverse_cell * step.inverse_cell);
-    return lanes::abs(Lanes(wanted - flow)) * cells / (lanes::abs(flow) * cells + Lanes(kTraceFlux));
+    const Lanes zero(0.0F), courant(step.dt_s * step.inverse_cell);
+    const Lanes cells(step.dt_s * step.inverse_cell * step.inverse_cell);
+    Lanes worst(0.0F);
+    for_each_lane_group(first_x, grid::kTileSize, [&](int x) {
+        const int f = face_index(x, y);
+        const Lanes push = courant * (load(pressure + x + along) - load(pressure + x));
+        const Lanes driven = load(&faces.driven[f]), drag = load(&faces.drag[f]);
+        const Lanes depth = load(&faces.depth[f]);
+        const Lanes star = load(&faces.star[f]), mobility = load(&faces.mobility[f]);
+        const Lanes velocity = driven - push;
+        const DragAnswer answer =
+            drag_answer<kYield>(velocity, load(&faces.across[f]), drag, load(&faces.resistance[f]));
+        const auto implicit = drag >= zero;
+        if constexpr (kCompare) {
+            const Lanes flux = star * depth * cells - mobility * push * Lanes(1.0F / step.dt_s);
+            const Lanes error = lanes::abs(Lanes(answer.flow * depth * cells - flux)) /
+                                (lanes::abs(flux) + Lanes(kTraceFlux));
+            worst = lanes::max(worst, lanes::select(implicit, error, zero));
+        }
+        const Lanes tangent = answer.flow - answer.slope * (velocity - driven);
+        store(&faces.star[f], lanes::select(implicit, tangent, star));
+        store(&faces.mobility[f],
+              lanes::select(implicit, Lanes(courant * courant * answer.slope * depth), mobility));
+    });
+    return lanes::stdx::hmax(worst);
 }
 
 }  // namespace

@@ -104,9 +104,16 @@ void gather_velocity(const grid::TiledField<float>& field,
     if (x_component && columns[extent - 1 + kHalo].outside) out[extent - 1 + kHalo] = 0.0F;
 }
 
-void derive_surface(HaloBlock& block, int row_start, int width, bool dry_row) {
+void gather_quanta_row(const FilmState& state, const HaloMap& columns, const HaloSource& row, int tile_x,
+                       std::int32_t* out) {
+    if (row.outside)
+        std::fill_n(out, columns.extent + 2 * kHalo, 0);
+    else
+        gather_cells(state.thickness, columns, row, tile_x, true, out);
+}
+
+void derive_surface(HaloBlock& block, int row_start, int width) {
     for (int i = row_start; i < row_start + width; ++i) {
-        if (dry_row) block.quanta[i] = 0;
         block.thickness[i] = thickness_mm(block.quanta[i]);
         block.eta[i] = block.thickness[i] + block.support[i];
     }
@@ -157,15 +164,26 @@ void gather(const FilmState& state, const HaloMap& columns, const HaloMap& rows,
             continue;
         }
         const HaloSource& row = rows.cells[y + kHalo];
-        gather_cells(state.thickness, columns, row, tile_x, true, &block.quanta[start]);
+        gather_quanta_row(state, columns, row, tile_x, &block.quanta[start]);
         gather_cells(state.support_mm, columns, row, tile_x, false, &block.support[start]);
         gather_velocity(state.velocity_x, columns.faces, columns.extent, row, tile_x, true,
                         &block.velocity_x[start]);
         gather_velocity(state.velocity_y, columns.cells, columns.extent, rows.faces[y + kHalo], tile_x,
                         false, &block.velocity_y[start]);
-        derive_surface(block, start, width, row.outside);
+        derive_surface(block, start, width);
         clear_beyond(block, start, width);
         note_wet_row(block, y, start, width, wet_mm);
+    }
+}
+
+void gather_quanta(const FilmState& state, const HaloMap& columns, const HaloMap& rows, int tile_x,
+                   HaloBlock& block) {
+    for (int y = -kHalo; y < kTileSize + kHalo; ++y) {
+        std::int32_t* out = &block.quanta[block_index(-kHalo, y)];
+        const bool reached = y < rows.extent + kHalo;
+        if (reached) gather_quanta_row(state, columns, rows.cells[y + kHalo], tile_x, out);
+        const int filled = reached ? columns.extent + 2 * kHalo : 0;
+        std::fill(out + filled, out + kBlockStride, 0);
     }
 }
 

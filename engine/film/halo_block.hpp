@@ -57,4 +57,8 @@ struct HaloBlock {
 void gather(const FilmState& state, const HaloMap& columns, const HaloMap& rows, int tile_x,
             float wet_mm, HaloBlock& block);
 
+/// The thickness in quanta alone.
+void gather_quanta(const FilmState& state, const HaloMap& columns, const HaloMap& rows, int tile_x,
+                   HaloBlock& block);
+
 }  // namespace pastoso::film

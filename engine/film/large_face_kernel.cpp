@@ -2,6 +2,7 @@
 #include "film/drag_answer.hpp"
 #include "film/face_loading.hpp"
 #include "film/large_kernels.hpp"
+#include "film/settling.hpp"
 #include "film/tile_kernels.hpp"
 
 namespace pastoso::film::PASTOSO_ISA {
@@ -46,37 +47,8 @@ using grid::kTileSize;
     return velocity * Lanes(kFree) * (Lanes(2.0F) - Lanes(kFree) / courant) / courant;
 }
 
-/// What drives the paint through a face, and what resists it.
-struct LargeDrive {
-    Lanes driven;      ///< velocity but for drag and pressure, mm/s
-    Lanes unresisted;  ///< with the lagged pressure
-    Lanes across;      ///< the same along the face; 0 without a yield stress
-    Lanes drag;        ///< lambda dt
-    Lanes resistance;  ///< wall stress in yield stresses per velocity, s/mm; 0 without a yield stress
-    Lanes drag_depth;  ///< of the film that drags, mm
-    Lanes depth;       ///< of the film that passes
-};
-
-/// Where the film's edge is held by a contact angle.
-struct LargeEdge {
-    lanes::stdx::native_simd<float>::mask_type inner;  ///< faces that flow like any other
-    Lanes depth;                                       ///< of what passes at those that do not
-    Lanes drag_depth;
-    Lanes acceleration;
-};
-
-/// Without a contact angle nothing holds the film's edge: it is a face like any other.
-[[gnu::always_inline]] inline LargeEdge large_edge(const FaceNeighbourhood<Lanes>& face,
-                                                   const StepConstants& step, Lanes force) {
-    const Lanes zero(0.0F), wet_mm(step.wet_mm);
-    const auto wet_left = face.h_left > wet_mm, wet_right = face.h_right > wet_mm;
-    const auto wet = wet_left || wet_right;
-    const auto inner = step.has_contact_angle() ? wet_left && wet_right : wet;
-    if (lanes::all(inner)) return {inner, zero, zero, zero};
-    const ContactFace<Lanes> edge = contact_face(face, step, force);
-    const Lanes passing = lanes::max(Lanes(edge.h_wet - edge.pinned_mm), zero);
-    return {inner, lanes::select(wet && !inner, passing, zero), edge.h_wet, edge.acceleration};
-}
+/// The drag of a face that is explicit: one at a film's edge that a contact angle holds, or shut.
+constexpr float kExplicit = -1.0F;
 
 /// A film that the body force alone would carry more than a fifth of a cell a step runs slower than
 /// real: the share of that force that it feels.
@@ -88,87 +60,125 @@ struct LargeEdge {
                       Lanes(Lanes(0.2F * step.cell_mm / (step.dt_s * force_norm)) * drag_rate));
 }
 
-/// `along` is the flow that shear-thinning paint is thinned by.
+/// Assembles a row of faces, a stage at a time: whole faces are chains of operations too long for the
+/// processor to overlap.
 template <FaceModel kModel>
-[[gnu::always_inline]] inline LargeDrive large_drive(const FaceNeighbourhood<Lanes>& face,
-                                                     const LargeEdge& edge, Lanes lag_gradient,
-                                                     Lanes along, const StepConstants& step,
-                                                     const Axis& axis) {
-    const Lanes zero(0.0F), dt(step.dt_s), force(axis.force);
-    const auto paint = face_paint<kModel>(face, step);
-    Lanes push = force;
-    if constexpr (kModel.horizontal_tension) push = push + horizontal_tension(face, step);
-    const Lanes carried = saturated(carried_velocity(face, paint.viscosity(step), step), step);
-    const Lanes guess = carried + dt * (push - lag_gradient);
-    const auto donor_wet = lanes::select(guess > zero, face.h_left, face.h_right) > Lanes(step.wet_mm);
+struct LargeFaceRow {
+    const TileScratch& scratch;
+    const float* lag;  ///< pressure, that of the last step or of this one's last solution
+    const StepConstants& step;
+    const Axis& axis;
+    int first_x, y;
+    LargeFaces& faces;
+    FaceArray<float>& carried;  ///< momentum that arrives, mm/s
+    bool& light;                ///< set where paint remembers its motion
 
-    LargeDrive drive;
-    drive.depth = lanes::select(donor_wet && guess != zero, upwind_thickness(face, guess), zero);
-    drive.drag_depth = lanes::select(edge.inner, drive.depth, edge.drag_depth);
-    Lanes coefficient(step.drag_along);
-    if constexpr (kModel.alpha_range) coefficient = alpha_drag(face, step);
-    if constexpr (kModel.shear_thinning) {
-        const Lanes speed = lanes::sqrt(Lanes(along * along + face.v * face.v));
-        coefficient = coefficient * relative_viscosity<kModel.yield>(speed, drive.drag_depth,
-                                                                     paint.against_yield(step), step);
+    FaceNeighbourhood<Lanes> face_at(int x) const {
+        return neighbourhood<kModel>(scratch, step, axis, AlongRow{}, block_index(x, y));
     }
-    const DragRate<Lanes> lambda =
-        drag_rate(coefficient, drive.drag_depth, paint.viscosity(step), paint.fluidity(step), step);
-    drive.drag = lanes::min(Lanes(lambda.rate * dt), Lanes(1e12F));
-    drive.driven = carried + dt * (push - force + force * followed_force(lambda.rate, step, axis));
-    drive.unresisted = lanes::select(edge.inner, Lanes(drive.driven - dt * lag_gradient),
-                                     Lanes(carried + dt * edge.acceleration));
-    drive.across = drive.resistance = zero;
-    if constexpr (kModel.yield) {
-        drive.across =
-            face.v + dt * (Lanes(axis.force_across) - Lanes(step.gravity_mm_s2) * face.eta_slope_across);
-        drive.resistance = paint.over_yield_in_step(Lanes(drive.drag * drive.drag_depth), step);
+
+    void carry() const {
+        for_each_lane_group(first_x, kTileSize, [&](int x) {
+            const FaceNeighbourhood<Lanes> face = face_at(x);
+            const Lanes viscosity = face_paint<kModel>(face, step).viscosity(step);
+            store(&carried[face_index(x, y)], saturated(carried_velocity(face, viscosity, step), step));
+            store(&faces.old[face_index(x, y)], face.u);
+        });
     }
-    return drive;
+
+    /// What drives each face and what resists it. `thinned` takes the flow that thins the paint from the
+    /// faces' velocities.
+    void drive(bool thinned) const {
+        for_each_lane_group(first_x, kTileSize, [&](int x) {
+            const int f = face_index(x, y), i = block_index(x, y);
+            const FaceNeighbourhood<Lanes> face = face_at(x);
+            const Lanes gradient =
+                (load(lag + i + axis.along) - load(lag + i)) * Lanes(step.inverse_cell);
+            const Lanes along = kModel.shear_thinning && thinned ? load(&faces.velocity[f]) : face.u;
+            drive_group(face, load(&carried[f]), gradient, along, f);
+        });
+    }
+
+    [[gnu::always_inline]] void drive_group(const FaceNeighbourhood<Lanes>& face, Lanes momentum,
+                                            Lanes gradient, Lanes along, int f) const {
+        const Lanes zero(0.0F), wet_mm(step.wet_mm), dt(step.dt_s), force(axis.force);
+        const auto wet_left = face.h_left > wet_mm, wet_right = face.h_right > wet_mm;
+        // Without a contact angle nothing holds the film's edge: it is a face like any other.
+        const auto inner = step.has_contact_angle() ? wet_left && wet_right : wet_left || wet_right;
+        const bool all_inner = lanes::all(inner);
+        const ContactFace<Lanes> edge =
+            all_inner ? ContactFace<Lanes>{} : contact_face(face, step, force);
+        const auto paint = face_paint<kModel>(face, step);
+        Lanes push = force;
+        if constexpr (kModel.horizontal_tension) push = push + horizontal_tension(face, step);
+        const Lanes guess = momentum + dt * (push - gradient);
+        const auto donor_wet = lanes::select(guess > zero, face.h_left, face.h_right) > wet_mm;
+        Lanes depth = lanes::select(donor_wet && guess != zero, upwind_thickness(face, guess), zero);
+        const Lanes drag_depth = all_inner ? depth : lanes::select(inner, depth, edge.h_wet);
+
+        Lanes coefficient(step.drag_along);
+        if constexpr (kModel.alpha_range) coefficient = alpha_drag(face, step);
+        if constexpr (kModel.shear_thinning) {
+            const Lanes speed = lanes::sqrt(Lanes(along * along + face.v * face.v));
+            coefficient = coefficient * relative_viscosity<kModel.yield>(
+                                            speed, drag_depth, paint.against_yield(step), step);
+        }
+        const DragRate<Lanes> lambda =
+            drag_rate(coefficient, drag_depth, paint.viscosity(step), paint.fluidity(step), step);
+        const Lanes drag = lanes::min(Lanes(lambda.rate * dt), Lanes(1e12F));
+        const auto remembers = inner && drag < Lanes(kLightDrag);
+        if (lanes::any(remembers)) {
+            light = true;
+            const Lanes mean = Lanes(0.5F) * (face.h_left + face.h_right);
+            momentum = lanes::select(remembers, momentum * settled_share<Lanes>(mean, depth), momentum);
+        }
+        Lanes across(0.0F), resistance(0.0F);
+        if constexpr (kModel.yield) {
+            across = face.v +
+                     dt * (Lanes(axis.force_across) - Lanes(step.gravity_mm_s2) * face.eta_slope_across);
+            resistance = paint.over_yield_in_step(Lanes(drag * drag_depth), step);
+        }
+        store(&faces.driven[f],
+              Lanes(momentum + dt * (push - force + force * followed_force(lambda.rate, step, axis))));
+        if constexpr (kModel.yield) {
+            store(&faces.across[f], across);
+            store(&faces.resistance[f], resistance);
+        }
+        store(&faces.drag[f], all_inner ? drag : lanes::select(inner, drag, Lanes(kExplicit)));
+        if (!all_inner) {
+            const auto wet = wet_left || wet_right;
+            const Lanes passing = lanes::max(Lanes(edge.h_wet - edge.pinned_mm), zero);
+            depth = lanes::select(inner, depth, lanes::select(wet, passing, zero));
+            const DragAnswer answer = drag_answer<kModel.yield>(Lanes(momentum + dt * edge.acceleration),
+                                                                across, drag, resistance);
+            const Lanes flow = lanes::select(depth > zero, softly_limited(answer.flow, step), zero);
+            store(&faces.star[f], lanes::select(inner, load(&faces.star[f]), flow));
+            store(&faces.mobility[f], lanes::select(inner, load(&faces.mobility[f]), zero));
+        }
+        store(&faces.depth[f], depth);
+    }
+
+    float assemble(bool again) const {
+        carry();
+        drive(again);
+        const float* pressure = lag + block_index(0, y);
+        const auto answer = again ? answer_row<kModel.yield, true> : answer_row<kModel.yield, false>;
+        return answer(step, pressure, axis.along, first_x, y, faces);
+    }
+};
+
+void shut(LargeFaces& faces, int f) {
+    faces.depth[f] = faces.star[f] = faces.mobility[f] = 0.0F;
+    faces.drag[f] = kExplicit;
 }
 
-/// Assembles the faces of a row: u = u* - D dt grad p with u* = F - F' (w - driven) and D = F' for the
-/// flow F that drag leaves of the velocity w at the lagged pressure; the mobility is dt^2 D h / dx^2. A
-/// face at an edge that a contact angle holds is explicit. `again` says that the lagged pressure is that
-/// of this step's last solution, and the faces' velocities too: shear-thinning paint is then thinned by
-/// that flow. Returns by what part a flux of that solution was wrong.
-template <FaceModel kModel>
-float face_row(const TileScratch& scratch, const float* lag, bool again, const StepConstants& step,
-               const Axis& axis, int first_x, int y, LargeFaces& faces) {
-    const Lanes zero(0.0F), per_pressure(step.dt_s * step.dt_s * step.inverse_cell * step.inverse_cell);
-    Lanes error(0.0F);
-    for_each_lane_group(first_x, kTileSize, [&](int x) {
-        const int i = block_index(x, y), f = face_index(x, y);
-        const FaceNeighbourhood<Lanes> face = neighbourhood<kModel>(scratch, step, axis, AlongRow{}, i);
-        const Lanes lag_gradient =
-            (load(lag + i + axis.along) - load(lag + i)) * Lanes(step.inverse_cell);
-        const Lanes along = again ? load(&faces.velocity[f]) : face.u;
-        const LargeEdge edge = large_edge(face, step, Lanes(axis.force));
-        const LargeDrive drive = large_drive<kModel>(face, edge, lag_gradient, along, step, axis);
-        const DragAnswer answer =
-            drag_answer<kModel.yield>(drive.unresisted, drive.across, drive.drag, drive.resistance);
-        const Lanes star = answer.flow - answer.slope * (drive.unresisted - drive.driven);
-        const Lanes at_edge = lanes::select(edge.depth > zero, softly_limited(answer.flow, step), zero);
-        if (again)
-            error = lanes::max(
-                error,
-                lanes::select(edge.inner, flux_error(answer.flow, along, drive.depth, step), zero));
-        store(&faces.old[f], face.u);
-        store(&faces.driven[f], drive.driven);
-        store(&faces.across[f], drive.across);
-        store(&faces.drag[f], drive.drag);
-        store(&faces.resistance[f], lanes::select(edge.inner, drive.resistance, zero));
-        store(&faces.depth[f], lanes::select(edge.inner, drive.depth, edge.depth));
-        store(&faces.star[f], lanes::select(edge.inner, star, at_edge));
-        store(&faces.mobility[f],
-              lanes::select(edge.inner, Lanes(per_pressure * answer.slope * drive.depth), zero));
-    });
-    return lanes::stdx::hmax(error);
-}
-
-void clear_row(FaceArray<float>& values, int y) {
-    for (int x = -1; x < kTileSize; ++x)
-        values[face_index(x, y)] = 0.0F;
+/// A row without paint.
+void clear_row(LargeFaces& faces, int y) {
+    for (int x = -1; x < kTileSize; ++x) {
+        const int f = face_index(x, y);
+        shut(faces, f);
+        faces.old[f] = faces.driven[f] = faces.across[f] = faces.resistance[f] = faces.weight[f] = 0.0F;
+    }
 }
 
 /// How much of a height difference the surface tension feels at a face: 1 in a film of small slopes,
@@ -223,33 +233,27 @@ float assemble_faces(const StepConstants& step, const float* lag, bool again, Ti
         kBlockStride,      1, block.velocity_y.data(), block.velocity_x.data(), step.force_y_mm_s2,
         step.force_x_mm_s2};
     const auto weights = step.full_curvature ? weight_row<true> : weight_row<false>;
-    const auto clear = [](LargeFaces& faces, int y) {
-        for (auto* values : {&faces.old, &faces.driven, &faces.across, &faces.drag, &faces.resistance,
-                             &faces.depth, &faces.star, &faces.mobility, &faces.weight})
-            clear_row(*values, y);
-    };
     const int first = block.first_wet_row, last = block.last_wet_row;
     float error = 0.0F;
     for (int y = -1; y < kTileSize; ++y) {
         if (y >= first - 1 && y <= last) {
-            error = lanes::max(error, face_row<kModel>(scratch, lag, again, step, y_axis, 0, y, tile.y));
+            const LargeFaceRow<kModel> row{
+                scratch, lag, step, y_axis, 0, y, tile.y, scratch.velocity_y, tile.light};
+            error = lanes::max(error, row.assemble(again));
             weights(scratch, step, 0, y, kBlockStride, 1, scratch.normal_y.data(), tile.y.weight);
         } else {
-            clear(tile.y, y);
+            clear_row(tile.y, y);
         }
         if (y >= first && y <= last && y >= 0) {
-            error =
-                lanes::max(error, face_row<kModel>(scratch, lag, again, step, x_axis, -1, y, tile.x));
+            const LargeFaceRow<kModel> row{
+                scratch, lag, step, x_axis, -1, y, tile.x, scratch.velocity_x, tile.light};
+            error = lanes::max(error, row.assemble(again));
             weights(scratch, step, -1, y, 1, kBlockStride, scratch.normal_x.data(), tile.x.weight);
         } else {
-            clear(tile.x, y);
+            clear_row(tile.x, y);
         }
     }
     return error;
-}
-
-void shut(LargeFaces& faces, int f) {
-    faces.resistance[f] = faces.depth[f] = faces.star[f] = faces.mobility[f] = 0.0F;
 }
 
 /// Nothing flows through a face at a closed edge or beyond the canvas.
@@ -293,6 +297,7 @@ float assemble_large_tile(const StepConstants& step, int columns, int rows, cons
                           TileScratch& scratch, LargeTile& tile) {
     const HaloBlock& block = scratch.block;
     const bool wet = block.last_wet_row >= block.first_wet_row;
+    tile.light = false;
     if (wet) prepare_pressure(step, scratch);
     BlockArray<float>& lag = large.lagged_pressure;
     const auto is_defined = [&](int y) {

@@ -23,6 +23,7 @@ using grid::kTileSize;
 
 /// u = u* - (dt/dx) D (p_right - p_left), with dt D h_f / dx = m dx / dt. Paint that a yield stress
 /// holds does not flow against what drives it, as the linear answer may.
+template <bool kYield>
 void velocity_row(const StepConstants& step, const float* pressure, bool carrying, int along,
                   int first_x, int y, LargeFaces& faces) {
     const Lanes cell_per_step(step.cell_mm / step.dt_s), zero(0.0F);
@@ -32,10 +33,12 @@ void velocity_row(const StepConstants& step, const float* pressure, bool carryin
         const Lanes passing = load(&faces.depth[f]);
         const Lanes rise = load(pressure + i + along) - load(pressure + i);
         const Lanes pushed = load(&faces.mobility[f]) * cell_per_step * rise / passing;
-        const Lanes linear = load(&faces.star[f]) - lanes::select(passing > zero, pushed, zero);
-        const Lanes drive = load(&faces.driven[f]) - dt_per_cell * rise;
-        const auto against = load(&faces.resistance[f]) > zero && linear * drive < zero;
-        const Lanes now = lanes::select(against, zero, linear);
+        Lanes now = load(&faces.star[f]) - lanes::select(passing > zero, pushed, zero);
+        if constexpr (kYield) {
+            const Lanes drive = load(&faces.driven[f]) - dt_per_cell * rise;
+            const auto held = load(&faces.resistance[f]) > zero && load(&faces.drag[f]) >= zero;
+            now = lanes::select(held && now * drive < zero, zero, now);
+        }
         store(&faces.velocity[f], carrying ? carrying_velocity(step, faces, f, now) : now);
     });
 }
@@ -64,9 +67,10 @@ struct Outflow {
 void find_large_velocities(const StepConstants& step, bool carrying, const LargeScratch& scratch,
                            LargeTile& tile) {
     const float* pressure = scratch.pressure.data();
+    const auto find_row = step.has_yield() || step.varied ? velocity_row<true> : velocity_row<false>;
     for (int y = -1; y < kTileSize; ++y) {
-        velocity_row(step, pressure, carrying, kWindowStride, 0, y, tile.y);
-        if (y >= 0) velocity_row(step, pressure, carrying, 1, -1, y, tile.x);
+        find_row(step, pressure, carrying, kWindowStride, 0, y, tile.y);
+        if (y >= 0) find_row(step, pressure, carrying, 1, -1, y, tile.x);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "film/large_step.hpp"
 
 #include "film/large_tile_kernels.hpp"
+#include "film/settling.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,6 +15,9 @@ using grid::kTileSize;
 /// A relative error of flux that is not worth another pass with refined drag.
 constexpr float kSteadyFlux = 0.1F;
 constexpr int kMostRefinements = 4;
+/// The same where paint remembers its motion: an error stays in it as energy.
+constexpr float kSteadyLightFlux = 0.005F;
+constexpr int kMostLightRefinements = 12;
 /// A thickness error below this, relative to the film, needs no further sweep.
 constexpr float kTolerance = 0.01F;
 /// What a sweep leaves of the error, at most, where the overlap does its work.
@@ -33,6 +37,15 @@ float largest(const std::vector<float>& values) {
     for (const float value : values)
         if (!(value <= result)) result = value;
     return result;
+}
+
+Shortage total(const std::vector<Shortage>& shortages) {
+    Shortage sum;
+    for (const Shortage& shortage : shortages) {
+        sum.cells += shortage.cells;
+        sum.thick_cells += shortage.thick_cells;
+    }
+    return sum;
 }
 
 /// The faces that a tile shares with steady tiles, as they were.
@@ -82,11 +95,11 @@ LargeScratch::LargeScratch() {
     int size = kPatchSize;
     for (MultigridLevel& level : levels) {
         level.size = size;
-        for (auto* values : {&level.pressure, &level.change, &level.pressure_source,
-                             &level.change_source, &level.mobility_x, &level.mobility_y, &level.weight_x,
-                             &level.weight_y, &level.mobility_sum, &level.stiffness, &level.inverse,
-                             &level.pressure_residual, &level.change_residual})
-            values->assign((size + 2) * 2 * level.stride(), 0.0F);
+        for (auto* values :
+             {&level.pressure, &level.change, &level.pressure_source, &level.change_source,
+              &level.mobility_x, &level.mobility_y, &level.weight_x, &level.weight_y, &level.inverse,
+              &level.pressure_residual, &level.change_residual})
+            values->assign(level.count(), 0.0F);
         size /= 2;
     }
 }
@@ -148,13 +161,14 @@ struct LargeStepper::Pass {
                  WorkerScratch& worker) const;
     void assemble_all();
     std::array<LargeTile*, 4> beside(const TilePlace& place) const;
-    bool refine_all();
-    void find_velocities();
+    bool refine_all(int pass);
     void solve_yielding(LargeStepReport& report);
     std::vector<PatchCover> patch_covers(const TilePlace& place) const;
     float sweep(bool first);
     void solve(bool from_rest, LargeStepReport& report);
-    Shortage share_outflow();
+    Shortage share_outflow(const TilePlace& place, LargeTile& tile, LargeScratch& large) const;
+    Shortage find_velocities();
+    Shortage share_inflow();
     void solve_within_supply(LargeStepReport& report);
     std::vector<TileResult> finish();
 };
@@ -210,7 +224,7 @@ std::array<LargeTile*, 4> LargeStepper::Pass::beside(const TilePlace& place) con
 /// Takes the drag of all faces from the pressure found, in the unsteady tiles. Faces that they share
 /// with a steady one stay as they are: both must hold the same. Returns false when no flux was wrong by
 /// much.
-bool LargeStepper::Pass::refine_all() {
+bool LargeStepper::Pass::refine_all(int pass) {
     std::vector<float> errors(places.size());
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch& worker) {
         if (!tile.unsteady) return;
@@ -219,15 +233,19 @@ bool LargeStepper::Pass::refine_all() {
         errors[index] = refine(place, tile, large, worker);
         if (kept.restore(tile)) kernels.find_source(constants, tile);
     });
-    for (std::size_t index = 0; index < places.size(); ++index)
-        stepper.tiles_[places[index].tile]->unsteady = false;
+    for (const TilePlace& place : places)
+        stepper.tiles_[place.tile]->unsteady = false;
+    bool changes = false;
     for (std::size_t index = 0; index < places.size(); ++index) {
-        if (errors[index] <= kSteadyFlux) continue;
-        stepper.tiles_[places[index].tile]->unsteady = true;
-        for (LargeTile* tile : beside(places[index]))
-            if (tile != nullptr) tile->unsteady = true;
+        LargeTile& tile = *stepper.tiles_[places[index].tile];
+        if (errors[index] <= (tile.light ? kSteadyLightFlux : kSteadyFlux)) continue;
+        changes = true;
+        if (!tile.light && pass + 1 >= kMostRefinements) continue;
+        tile.unsteady = true;
+        for (LargeTile* neighbour : beside(places[index]))
+            if (neighbour != nullptr) neighbour->unsteady = true;
     }
-    return !(largest(errors) <= kSteadyFlux);
+    return changes;
 }
 
 std::vector<PatchCover> LargeStepper::Pass::patch_covers(const TilePlace& place) const {
@@ -286,55 +304,56 @@ void LargeStepper::Pass::solve(bool from_rest, LargeStepReport& report) {
     }
 }
 
-void LargeStepper::Pass::find_velocities() {
-    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
-        gather_next(places[index], cells(&LargeTile::pressure), large.pressure);
-        kernels.velocities(constants, true, large, tile);
-    });
-}
-
 /// Solves, and again with the drag of the flow found, until that no longer changes it: paint comes to
 /// rest where its yield stress holds it.
 void LargeStepper::Pass::solve_yielding(LargeStepReport& report) {
     solve(true, report);
     if (!constants.has_yield() && !constants.varied && !constants.is_shear_thinning()) return;
-    for (int pass = 0; pass < kMostRefinements && refine_all(); ++pass)
+    for (int pass = 0; pass < kMostLightRefinements && refine_all(pass); ++pass)
         solve(false, report);
 }
 
-/// How much of its outflow each cell can grant. Returns how many cannot grant it all.
-Shortage LargeStepper::Pass::share_outflow() {
-    Shortage total;
-    for (int pass = 0; pass <= kMostSharePasses; ++pass) {
-        std::vector<Shortage> shortages(places.size());
-        for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
-            if (pass == 0)
-                large.share.fill(0.0F);
-            else
-                gather_next(places[index], cells(&LargeTile::share), large.share);
-            const TilePlace& place = places[index];
-            shortages[index] = kernels.share_outflow(constants, place.columns.extent, place.rows.extent,
-                                                     state.thickness.read(place.tile), large, tile);
-        });
-        for_each_tile([](std::size_t, LargeTile& tile, LargeScratch&, WorkerScratch&) {
-            tile.share = tile.next_share;
-        });
-        total = {};
-        for (const Shortage& shortage : shortages) {
-            total.cells += shortage.cells;
-            total.thick_cells += shortage.thick_cells;
-        }
-        if (total.cells == 0) break;
-    }
-    return total;
+/// The share of each cell's outflow that it can grant, with what its neighbours grant it so far.
+Shortage LargeStepper::Pass::share_outflow(const TilePlace& place, LargeTile& tile,
+                                           LargeScratch& large) const {
+    return kernels.share_outflow(constants, place.columns.extent, place.rows.extent,
+                                 state.thickness.read(place.tile), large, tile);
+}
+
+/// The velocities that carry the paint, and how much of its outflow each cell can grant, counting on
+/// nothing from its neighbours. Returns how many cannot grant it all.
+Shortage LargeStepper::Pass::find_velocities() {
+    std::vector<Shortage> shortages(places.size());
+    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
+        gather_next(places[index], cells(&LargeTile::pressure), large.pressure);
+        kernels.velocities(constants, true, large, tile);
+        large.share.fill(0.0F);
+        shortages[index] = share_outflow(places[index], tile, large);
+        tile.share = tile.next_share;
+    });
+    return total(shortages);
+}
+
+/// The same once more, counting on what the neighbours have granted so far.
+Shortage LargeStepper::Pass::share_inflow() {
+    std::vector<Shortage> shortages(places.size());
+    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
+        gather_next(places[index], cells(&LargeTile::share), large.share);
+        shortages[index] = share_outflow(places[index], tile, large);
+    });
+    for_each_tile([](std::size_t, LargeTile& tile, LargeScratch&, WorkerScratch&) {
+        tile.share = tile.next_share;
+    });
+    return total(shortages);
 }
 
 /// Solves, and again with less mobility out of the cells that would have run empty.
 void LargeStepper::Pass::solve_within_supply(LargeStepReport& report) {
     solve_yielding(report);
     for (int attempt = 0;; ++attempt) {
-        find_velocities();
-        const Shortage shortage = share_outflow();
+        Shortage shortage = find_velocities();
+        for (int pass = 0; pass < kMostSharePasses && shortage.cells > 0; ++pass)
+            shortage = share_inflow();
         report.limited_cells = shortage.thick_cells;
         if (shortage.cells == 0 || attempt == kMostSlowings) return;
         for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
@@ -349,7 +368,7 @@ std::vector<TileResult> LargeStepper::Pass::finish() {
     std::vector<TileResult> results(places.size());
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch& worker) {
         const TilePlace& place = places[index];
-        gather_tile(state, place, constants, worker);
+        gather_quanta(state, place.columns, place.rows, place.tile_x, worker.tile.block);
         gather_next(place, cells(&LargeTile::share), large.share);
         tile.last_pressure = tile.pressure;
         worker.tile.large_fluxes = true;
@@ -359,6 +378,35 @@ std::vector<TileResult> LargeStepper::Pass::finish() {
         results[index] = collect_tile(state, place, extremes, worker);
     });
     return results;
+}
+
+namespace {
+
+/// Slows the faces between a tile's cells and those `along` further in the block of new thickness.
+void settle_faces(const HaloBlock& block, int along, const LargeFaces& faces, float* velocity) {
+    for (int y = 0; y < kTileSize; ++y)
+        for (int x = 0; x < kTileSize; ++x) {
+            const int f = face_index(x, y), i = block_index(x, y);
+            if (faces.drag[f] >= kLightDrag) continue;
+            const float mean_mm =
+                0.5F * (thickness_mm(block.quanta[i]) + thickness_mm(block.quanta[i + along]));
+            velocity[y * kTileSize + x] *= settled_share(faces.depth[f], mean_mm);
+        }
+}
+
+}  // namespace
+
+void LargeStepper::settle(FilmState& state, const std::vector<TilePlace>& places, core::ThreadPool& pool,
+                          std::vector<std::unique_ptr<WorkerScratch>>& workers) const {
+    pool.run(places.size(), [&](std::size_t index, int worker) {
+        const TilePlace& place = places[index];
+        const LargeTile* tile = tiles_[place.tile].get();
+        if (tile == nullptr || !tile->light) return;
+        HaloBlock& block = workers[worker]->tile.block;
+        gather_quanta(state, place.columns, place.rows, place.tile_x, block);
+        settle_faces(block, 1, tile->x, state.velocity_x.write(place.tile));
+        settle_faces(block, kBlockStride, tile->y, state.velocity_y.write(place.tile));
+    });
 }
 
 LargeStepper::LargeStepper(grid::Shape shape, Edge edge_x, Edge edge_y, int thread_count)

@@ -33,6 +33,11 @@ class LargeStepper {
                                  std::vector<std::unique_ptr<WorkerScratch>>& workers, bool accept_any,
                                  LargeStepReport& report);
 
+    /// After the results of a step have become the state: paint that inertia carries on slows down where
+    /// it has become thicker, so that its kinetic energy stays what the step left it.
+    void settle(FilmState& state, const std::vector<TilePlace>& places, core::ThreadPool& pool,
+                std::vector<std::unique_ptr<WorkerScratch>>& workers) const;
+
     /// Forgets a tile: it fell asleep, or its paint was changed by an explicit step.
     void forget(int tile) { tiles_[tile].reset(); }
     void forget_all();

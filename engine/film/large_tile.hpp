@@ -5,6 +5,7 @@
 
 #include "film/tile_step.hpp"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -32,9 +33,9 @@ struct LargeFaces {
     alignas(64) FaceArray<float> old;         ///< velocity before the step, mm/s
     alignas(64) FaceArray<float> driven;      ///< with inertia and forces, but for drag and new pressure
     alignas(64) FaceArray<float> across;      ///< velocity along the face, but for drag
-    alignas(64) FaceArray<float> drag;        ///< lambda dt
+    alignas(64) FaceArray<float> drag;        ///< lambda dt; negative at faces that are explicit
     alignas(64) FaceArray<float> resistance;  ///< wall stress in yield stresses per velocity, s/mm; 0
-                                              ///< where no yield stress holds
+                                              ///< without a yield stress
     alignas(64) FaceArray<float> depth;       ///< thickness of the film that passes, mm
     alignas(64) FaceArray<float> star;        ///< velocity but for the new pressure, mm/s
     alignas(64) FaceArray<float> mobility;    ///< flux per pressure difference, mm / (mm2/s2)
@@ -56,28 +57,50 @@ struct LargeTile {
     alignas(64) CellArray supply;         ///< what a cell holds over what leaves it in the step
     float residual = 0.0F;                ///< found by the last sweep
     bool stubborn = false;                ///< a single V-cycle does not get hold of its residual
+    bool light = false;                   ///< somewhere its paint remembers its motion
     bool unsteady = false;  ///< its drag, or that of a tile beside it, still changes with its flow
 };
 
 /// Multigrid on a patch: 80, 40, 20 and 10 cells a side.
 inline constexpr int kMultigridLevels = 4;
 
+/// Values that begin at a cache line.
+class LevelValues {
+  public:
+    void assign(std::size_t count, float value) { lines_.assign(count / kLineFloats + 1, Line(value)); }
+    float* data() { return lines_.data()->values; }
+    const float* data() const { return lines_.data()->values; }
+    float& operator[](std::size_t index) { return data()[index]; }
+    const float& operator[](std::size_t index) const { return data()[index]; }
+    float* begin() { return data(); }
+    float* end() { return data() + lines_.size() * kLineFloats; }
+
+  private:
+    static constexpr std::size_t kLineFloats = 16;
+    struct alignas(64) Line {
+        float values[kLineFloats];
+        explicit Line(float value) { std::fill_n(values, kLineFloats, value); }
+    };
+    std::vector<Line> lines_;
+};
+
 /// A level's cells in checkerboard order, so that a relaxation of one colour runs over neighbouring
-/// values: row by row, first the cells with even x + y, then the others, each with a zero on either
-/// side.
+/// values: row by row, first the cells with even x + y, then the others, with zeros between them. Rows
+/// begin at a cache line.
 struct MultigridLevel {
     int size = 0;
-    std::vector<float> pressure, change;                ///< the unknowns p and d
-    std::vector<float> pressure_source, change_source;  ///< right-hand sides
-    std::vector<float> mobility_x, mobility_y;          ///< of the face behind the cell
-    std::vector<float> weight_x, weight_y;
-    std::vector<float> mobility_sum, stiffness, inverse;  ///< a, s and 1 / (1 + a s)
-    std::vector<float> pressure_residual, change_residual;
+    LevelValues pressure, change;                ///< the unknowns p and d
+    LevelValues pressure_source, change_source;  ///< right-hand sides
+    LevelValues mobility_x, mobility_y;          ///< of the face behind the cell
+    LevelValues weight_x, weight_y;
+    LevelValues inverse;                             ///< 1 / (1 + a s) for a = sum m, s = g + sum w
+    LevelValues pressure_residual, change_residual;  ///< of the even cells
 
     int half() const { return size / 2; }
-    int stride() const { return size / 2 + 2; }
+    int stride() const { return (size / 2 / 16 + 1) * 16; }
     /// The index of the first cell of a row's colour (0: even x + y), -1 <= y <= size.
-    int row(int y, int colour) const { return ((y + 1) * 2 + colour) * stride() + 1; }
+    int row(int y, int colour) const { return ((y + 1) * 2 + colour) * stride() + 16; }
+    int count() const { return row(size + 1, 0); }
 };
 
 /// What one thread needs for the large step of a tile; reused from tile to tile.

@@ -9,6 +9,13 @@
 namespace pastoso::film::PASTOSO_ISA {
 namespace {
 
+/// g and sigma/(rho dx^2): how the pressure answers to thickness and to its bending.
+struct Stiffness {
+    float gravity, tension;
+    explicit Stiffness(const StepConstants& step)
+        : gravity(step.gravity_mm_s2), tension(step.tension * step.inverse_cell * step.inverse_cell) {}
+};
+
 template <int kWidth>
 using Group = lanes::stdx::resize_simd_t<kWidth, Lanes>;
 
@@ -53,82 +60,85 @@ Neighbours neighbours(const MultigridLevel& level, int y, int colour) {
             level.row(y + 1, 1 - colour)};
 }
 
-/// Right-hand sides with the neighbours' share: f1 + sum m p and f2 - sigma' sum w d.
+/// A cell's equations d + a p = f1 + sum m p and p - s d = f2 - sigma' sum w d, the sums over its
+/// neighbours, with a = sum m and s = g + sigma' sum w.
 template <class V>
-struct Pulls {
-    V change, pressure;
+struct CellEquations {
+    V change, pressure;  ///< right-hand sides
+    V mobility, stiffness;
 };
 template <class V>
-[[gnu::always_inline]] inline Pulls<V> pulls(const MultigridLevel& level, const Neighbours& at, int k,
-                                             V tension) {
-    const auto value = [k](const std::vector<float>& values, int index) {
+[[gnu::always_inline]] inline CellEquations<V> cell_equations(const MultigridLevel& level,
+                                                              const Neighbours& at, int k,
+                                                              const Stiffness& stiffness) {
+    const auto value = [k](const LevelValues& values, int index) {
         return load_as<V>(values.data() + index + k);
     };
     const auto& p = level.pressure;
     const auto& d = level.change;
+    const V m_east = value(level.mobility_x, at.own), m_west = value(level.mobility_x, at.west);
+    const V m_below = value(level.mobility_y, at.own), m_above = value(level.mobility_y, at.above);
+    const V w_east = value(level.weight_x, at.own), w_west = value(level.weight_x, at.west);
+    const V w_below = value(level.weight_y, at.own), w_above = value(level.weight_y, at.above);
+    const V tension(stiffness.tension);
     const V change = value(level.change_source, at.own) +
-                     (value(level.mobility_x, at.own) * value(p, at.east) +
-                      value(level.mobility_x, at.west) * value(p, at.west)) +
-                     (value(level.mobility_y, at.own) * value(p, at.below) +
-                      value(level.mobility_y, at.above) * value(p, at.above));
-    const V bend = (value(level.weight_x, at.own) * value(d, at.east) +
-                    value(level.weight_x, at.west) * value(d, at.west)) +
-                   (value(level.weight_y, at.own) * value(d, at.below) +
-                    value(level.weight_y, at.above) * value(d, at.above));
-    return {change, value(level.pressure_source, at.own) - tension * bend};
+                     (m_east * value(p, at.east) + m_west * value(p, at.west)) +
+                     (m_below * value(p, at.below) + m_above * value(p, at.above));
+    const V bend = (w_east * value(d, at.east) + w_west * value(d, at.west)) +
+                   (w_below * value(d, at.below) + w_above * value(d, at.above));
+    return {change, value(level.pressure_source, at.own) - tension * bend,
+            (m_east + m_west) + (m_below + m_above),
+            V(stiffness.gravity) + tension * ((w_east + w_west) + (w_below + w_above))};
 }
 
 /// p = (q2 + s q1) / (1 + a s), d = q1 - a p in all cells of a colour.
-void relax(MultigridLevel& level, float tension, int colour) {
+void relax(MultigridLevel& level, const Stiffness& stiffness, int colour) {
     for (int y = 0; y < level.size; ++y) {
         const Neighbours at = neighbours(level, y, colour);
         for_each_group(level.half(), [&]<class V>(int k) {
-            const Pulls<V> pull = pulls<V>(level, at, k, V(tension));
-            const int cell = at.own + k;
-            const V p = (pull.pressure + load_as<V>(&level.stiffness[cell]) * pull.change) *
-                        load_as<V>(&level.inverse[cell]);
-            store_as(&level.pressure[cell], p);
-            store_as(&level.change[cell], V(pull.change - load_as<V>(&level.mobility_sum[cell]) * p));
+            const CellEquations<V> cell = cell_equations<V>(level, at, k, stiffness);
+            const V p =
+                (cell.pressure + cell.stiffness * cell.change) * load_as<V>(&level.inverse[at.own + k]);
+            store_as(&level.pressure[at.own + k], p);
+            store_as(&level.change[at.own + k], V(cell.change - cell.mobility * p));
         });
     }
 }
 
-void smooth(MultigridLevel& level, float tension, int sweeps) {
+/// The colour that a sweep relaxes first, and the one it leaves without residual.
+constexpr int kFirstColour = 0, kLastColour = 1;
+
+void smooth(MultigridLevel& level, const Stiffness& stiffness, int sweeps) {
     for (int sweep = 0; sweep < sweeps; ++sweep)
-        for (const int colour : {0, 1})
-            relax(level, tension, colour);
+        for (const int colour : {kFirstColour, kLastColour})
+            relax(level, stiffness, colour);
 }
 
-void find_residual(MultigridLevel& level, float tension) {
-    for (int y = 0; y < level.size; ++y)
-        for (const int colour : {0, 1}) {
-            const Neighbours at = neighbours(level, y, colour);
-            for_each_group(level.half(), [&]<class V>(int k) {
-                const Pulls<V> pull = pulls<V>(level, at, k, V(tension));
-                const int cell = at.own + k;
-                const V p = load_as<V>(&level.pressure[cell]), d = load_as<V>(&level.change[cell]);
-                store_as(&level.change_residual[cell],
-                         V(pull.change - d - load_as<V>(&level.mobility_sum[cell]) * p));
-                store_as(&level.pressure_residual[cell],
-                         V(pull.pressure - (p - load_as<V>(&level.stiffness[cell]) * d)));
-            });
-        }
+/// The residual that a sweep leaves: none in the cells of its last colour.
+void find_residual(MultigridLevel& level, const Stiffness& stiffness) {
+    for (int y = 0; y < level.size; ++y) {
+        const Neighbours at = neighbours(level, y, kFirstColour);
+        for_each_group(level.half(), [&]<class V>(int k) {
+            const CellEquations<V> cell = cell_equations<V>(level, at, k, stiffness);
+            const V p = load_as<V>(&level.pressure[at.own + k]);
+            const V d = load_as<V>(&level.change[at.own + k]);
+            store_as(&level.change_residual[at.own + k], V(cell.change - d - cell.mobility * p));
+            store_as(&level.pressure_residual[at.own + k], V(cell.pressure - (p - cell.stiffness * d)));
+        });
+    }
 }
 
 using PlainRow = std::array<float, kPatchSize + 2>;
 
-/// The mean of the four fine cells.
-void restrict_mean(const MultigridLevel& fine, const std::vector<float>& values,
-                   const MultigridLevel& coarse, std::vector<float>& out) {
+/// The mean of the four fine cells' residuals, of which two are zero.
+void restrict_mean(const MultigridLevel& fine, const LevelValues& residual, const MultigridLevel& coarse,
+                   LevelValues& out) {
     PlainRow row;
     for (int y = 0; y < coarse.size; ++y) {
-        const float* top = values.data() + fine.row(2 * y, 0);
-        const float* bottom = values.data() + fine.row(2 * y + 1, 0);
-        const int stride = fine.stride();
+        const float* top = residual.data() + fine.row(2 * y, kFirstColour);
+        const float* bottom = residual.data() + fine.row(2 * y + 1, kFirstColour);
         for_each_group(coarse.size, [&]<class V>(int k) {
-            const V sum = (load_as<V>(top + k) + load_as<V>(top + stride + k)) +
-                          (load_as<V>(bottom + k) + load_as<V>(bottom + stride + k));
-            store_as(row.data() + k, V(V(0.25F) * sum));
+            store_as(row.data() + k, V(V(0.25F) * (load_as<V>(top + k) + load_as<V>(bottom + k))));
         });
         split_row(coarse, y, row.data(), out);
     }
@@ -169,8 +179,8 @@ void prolong(const MultigridLevel& coarse, MultigridLevel& fine) {
 /// two fine faces, with the mobility smoothed along the axis first (a lone shut face must not cut a
 /// coarse cell off).
 template <bool kSmooth>
-void coarsen_x(const MultigridLevel& fine, const std::vector<float>& values,
-               const MultigridLevel& coarse, std::vector<float>& out) {
+void coarsen_x(const MultigridLevel& fine, const LevelValues& values, const MultigridLevel& coarse,
+               LevelValues& out) {
     PlainRow row;
     const float* v = values.data();
     for (int y = 0; y < coarse.size; ++y) {
@@ -189,8 +199,8 @@ void coarsen_x(const MultigridLevel& fine, const std::vector<float>& values,
     }
 }
 template <bool kSmooth>
-void coarsen_y(const MultigridLevel& fine, const std::vector<float>& values,
-               const MultigridLevel& coarse, std::vector<float>& out) {
+void coarsen_y(const MultigridLevel& fine, const LevelValues& values, const MultigridLevel& coarse,
+               LevelValues& out) {
     PlainRow row;
     for (int y = -1; y < coarse.size; ++y) {
         const auto pair_sum = [&](int fine_y, int x) {
@@ -207,35 +217,27 @@ void coarsen_y(const MultigridLevel& fine, const std::vector<float>& values,
     }
 }
 
-/// a = sum of m, s = g + sigma' sum of w and 1 / (1 + a s) of every cell.
-void find_diagonals(MultigridLevel& level, float gravity, float tension) {
+/// 1 / (1 + a s) of every cell.
+void invert_cells(MultigridLevel& level, const Stiffness& stiffness) {
     for (int y = 0; y < level.size; ++y)
-        for (const int colour : {0, 1}) {
+        for (const int colour : {kFirstColour, kLastColour}) {
             const Neighbours at = neighbours(level, y, colour);
-            const auto sum = [&](const std::vector<float>& x_faces, const std::vector<float>& y_faces,
-                                 int k, auto zero) {
-                using V = decltype(zero);
-                return V((load_as<V>(&x_faces[at.own + k]) + load_as<V>(&x_faces[at.west + k])) +
-                         (load_as<V>(&y_faces[at.own + k]) + load_as<V>(&y_faces[at.above + k])));
-            };
             for_each_group(level.half(), [&]<class V>(int k) {
-                const V a = sum(level.mobility_x, level.mobility_y, k, V(0.0F));
-                const V s = V(gravity) + V(tension) * sum(level.weight_x, level.weight_y, k, V(0.0F));
-                store_as(&level.mobility_sum[at.own + k], a);
-                store_as(&level.stiffness[at.own + k], s);
-                store_as(&level.inverse[at.own + k], V(V(1.0F) / (V(1.0F) + a * s)));
+                const CellEquations<V> cell = cell_equations<V>(level, at, k, stiffness);
+                store_as(&level.inverse[at.own + k],
+                         V(V(1.0F) / (V(1.0F) + cell.mobility * cell.stiffness)));
             });
         }
 }
 
-void clear(std::vector<float>& values) {
+void clear(LevelValues& values) {
     std::fill(values.begin(), values.end(), 0.0F);
 }
 
 }  // namespace
 
 void prepare_multigrid(const StepConstants& step, LargeScratch& scratch) {
-    const float tension = step.tension * step.inverse_cell * step.inverse_cell;
+    const Stiffness stiffness(step);
     MultigridLevel& finest = scratch.levels[0];
     for (int y = -1; y < finest.size; ++y) {
         const int from = window_index(-kOverlap, y - kOverlap);
@@ -248,7 +250,7 @@ void prepare_multigrid(const StepConstants& step, LargeScratch& scratch) {
         finest.mobility_x[before] = scratch.mobility_x[from - 1];
         finest.weight_x[before] = scratch.weight_x[from - 1];
     }
-    find_diagonals(finest, step.gravity_mm_s2, tension);
+    invert_cells(finest, stiffness);
     for (int depth = 1; depth < kMultigridLevels; ++depth) {
         const MultigridLevel& fine = scratch.levels[depth - 1];
         MultigridLevel& coarse = scratch.levels[depth];
@@ -256,27 +258,27 @@ void prepare_multigrid(const StepConstants& step, LargeScratch& scratch) {
         coarsen_y<true>(fine, fine.mobility_y, coarse, coarse.mobility_y);
         coarsen_x<false>(fine, fine.weight_x, coarse, coarse.weight_x);
         coarsen_y<false>(fine, fine.weight_y, coarse, coarse.weight_y);
-        find_diagonals(coarse, step.gravity_mm_s2, tension);
+        invert_cells(coarse, stiffness);
     }
 }
 
 void multigrid_cycle(const StepConstants& step, LargeScratch& scratch) {
     constexpr int kSweeps = 2, kCoarsestSweeps = 6;
-    const float tension = step.tension * step.inverse_cell * step.inverse_cell;
+    const Stiffness stiffness(step);
     for (int depth = 0; depth + 1 < kMultigridLevels; ++depth) {
         MultigridLevel& fine = scratch.levels[depth];
         MultigridLevel& coarse = scratch.levels[depth + 1];
-        smooth(fine, tension, kSweeps);
-        find_residual(fine, tension);
+        smooth(fine, stiffness, kSweeps);
+        find_residual(fine, stiffness);
         restrict_mean(fine, fine.change_residual, coarse, coarse.change_source);
         restrict_mean(fine, fine.pressure_residual, coarse, coarse.pressure_source);
         clear(coarse.change);
         clear(coarse.pressure);
     }
-    smooth(scratch.levels.back(), tension, kCoarsestSweeps);
+    smooth(scratch.levels.back(), stiffness, kCoarsestSweeps);
     for (int depth = kMultigridLevels - 2; depth >= 0; --depth) {
         prolong(scratch.levels[depth + 1], scratch.levels[depth]);
-        smooth(scratch.levels[depth], tension, kSweeps);
+        smooth(scratch.levels[depth], stiffness, kSweeps);
     }
 }
 

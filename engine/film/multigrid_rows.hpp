@@ -1,5 +1,5 @@
-// Rows of a multigrid level in checkerboard order, from and to cell by cell: shared by the kernels of one
-// instruction set.
+// Rows of a multigrid level in checkerboard order, from and to cell by cell: shared by the kernels of
+// one instruction set.
 #pragma once
 
 #include "film/large_tile.hpp"
@@ -8,7 +8,7 @@ namespace pastoso::film::PASTOSO_ISA {
 namespace {
 
 /// Puts row y, given cell by cell, into checkerboard order. `values` points to cell 0.
-void split_row(const MultigridLevel& level, int y, const float* values, std::vector<float>& out) {
+void split_row(const MultigridLevel& level, int y, const float* values, LevelValues& out) {
     float* even = out.data() + level.row(y, y & 1);
     float* odd = out.data() + level.row(y, 1 - (y & 1));
     for (int k = 0; k < level.half(); ++k) {
@@ -16,7 +16,7 @@ void split_row(const MultigridLevel& level, int y, const float* values, std::vec
         odd[k] = values[2 * k + 1];
     }
 }
-void merge_row(const MultigridLevel& level, int y, const std::vector<float>& values, float* out) {
+void merge_row(const MultigridLevel& level, int y, const LevelValues& values, float* out) {
     const float* even = values.data() + level.row(y, y & 1);
     const float* odd = values.data() + level.row(y, 1 - (y & 1));
     for (int k = 0; k < level.half(); ++k) {

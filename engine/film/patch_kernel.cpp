@@ -72,11 +72,11 @@ float find_patch_residual(const StepConstants& step, const std::int32_t* thickne
 namespace {
 
 /// Puts a window's patch into the finest level's checkerboard order, and back.
-void split_patch(const WindowArray& window, const MultigridLevel& finest, std::vector<float>& out) {
+void split_patch(const WindowArray& window, const MultigridLevel& finest, LevelValues& out) {
     for (int y = 0; y < kPatchSize; ++y)
         split_row(finest, y, &window[window_index(-kOverlap, y - kOverlap)], out);
 }
-void merge_patch(const MultigridLevel& finest, const std::vector<float>& values, WindowArray& window) {
+void merge_patch(const MultigridLevel& finest, const LevelValues& values, WindowArray& window) {
     for (int y = 0; y < kPatchSize; ++y)
         merge_row(finest, y, values, &window[window_index(-kOverlap, y - kOverlap)]);
 }

@@ -77,8 +77,8 @@ using Form = std::variant<Slab, Box, Disc, SphericalCap, Gaussian, Cosine, White
 struct Primitive {
     Form form;
     double thickness_mm = 0.0;
-    pigment::Coefficients pigment{};       ///< per mm; zeros: clear medium
-    std::optional<Medium> medium = {};     ///< its own kind of paint, instead of the scene's
+    pigment::Coefficients pigment{};    ///< per mm; zeros: clear medium
+    std::optional<Medium> medium = {};  ///< its own kind of paint, instead of the scene's
 };
 
 struct Scene {

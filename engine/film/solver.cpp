@@ -291,6 +291,7 @@ AdvanceReport Solver::Parts::large_step(double dt_s, int halvings) {
         return report;
     }
     AdvanceReport report = commit_all(tiles, step.dt_s, results);
+    large.settle(state, places, pool, scratch);
     report.large_steps = 1;
     report.limited_cells = solved.limited_cells;
     report.sweeps = solved.sweeps;

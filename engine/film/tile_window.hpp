@@ -35,6 +35,14 @@ inline void copy_run(const float* from, int count, float* to) {
             to[k] = from[k];
 }
 
+/// Whether the runs leave no position of a window out.
+inline bool cover_all(const std::vector<WindowRun>& runs, int size) {
+    int covered = 0;
+    for (const WindowRun& run : runs)
+        covered += run.count;
+    return covered == size;
+}
+
 /// Copies cells into the window `out` (rows of `stride`, its first value that of the window's first
 /// cell). `row_of(tile_x, tile_y, cell_y)` gives the values of a row of a tile's cells, or null for a
 /// tile that takes no part: its cells, and those of no tile, are set to zero. `size` is the window's
@@ -42,15 +50,18 @@ inline void copy_run(const float* from, int count, float* to) {
 template <class RowOf>
 void gather_window(const std::vector<WindowRun>& columns, const std::vector<WindowRun>& rows, int size,
                    int stride, const RowOf& row_of, float* out) {
-    for (int y = 0; y < size; ++y)
-        std::fill_n(out + y * stride, size, 0.0F);
+    if (!cover_all(columns, size) || !cover_all(rows, size))
+        for (int y = 0; y < size; ++y)
+            std::fill_n(out + y * stride, size, 0.0F);
     for (const WindowRun& row : rows)
         for (const WindowRun& column : columns)
             for (int k = 0; k < row.count; ++k) {
                 const float* source = row_of(column.tile, row.tile, row.cell + k);
-                if (source == nullptr) break;
-                copy_run(source + column.cell, column.count,
-                         out + (row.position + k) * stride + column.position);
+                float* to = out + (row.position + k) * stride + column.position;
+                if (source == nullptr)
+                    std::fill_n(to, column.count, 0.0F);
+                else
+                    copy_run(source + column.cell, column.count, to);
             }
 }
 

@@ -111,8 +111,9 @@ FilmState running_film(int n) {
     return state;
 }
 
-/// One frame of a sixtieth of a second as one large step; ns per cell of processor time.
-void large_step(benchmark::State& run, bool yields) {
+/// One frame of a sixtieth of a second as one large step; ns per cell of processor time, after some
+/// seconds of running.
+void large_step(benchmark::State& run, bool yields, double after_s) {
     const int n = static_cast<int>(run.range(0));
     core::ThreadPool pool(static_cast<int>(run.range(1)));
     FilmState state = running_film(n);
@@ -124,6 +125,7 @@ void large_step(benchmark::State& run, bool yields) {
     options.scheme = Scheme::LargeStep;
     Solver solver(state, paint, options, pool);
     solver.set_gravity(tilted_gravity(60.0));
+    if (after_s > 0.0) solver.advance(after_s);
     std::int64_t steps = 0, sweeps = 0;
     for (auto _ : run) {
         const AdvanceReport report = solver.advance(1.0 / 60);
@@ -138,13 +140,14 @@ void large_step(benchmark::State& run, bool yields) {
     run.counters["sweeps/frame"] = static_cast<double>(sweeps) / iterations;
 }
 
-/// A second of paint time each, from the same film on.
 void large_sizes(benchmark::internal::Benchmark* run) {
     run->ArgNames({"side", "threads"})->Args({256, 1})->Args({512, 1})->Args({512, 2})->Args({1024, 1});
-    run->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->Iterations(60);
+    run->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->Iterations(30);
 }
-BENCHMARK_CAPTURE(large_step, smooth, false)->Apply(large_sizes);
-BENCHMARK_CAPTURE(large_step, yield, true)->Apply(large_sizes);
+BENCHMARK_CAPTURE(large_step, smooth, false, 0.5)->Apply(large_sizes);
+BENCHMARK_CAPTURE(large_step, yield, true, 0.5)->Apply(large_sizes);
+BENCHMARK_CAPTURE(large_step, smooth_from_rest, false, 0.0)->Apply(large_sizes);
+BENCHMARK_CAPTURE(large_step, yield_from_rest, true, 0.0)->Apply(large_sizes);
 
 /// What a frame costs when nothing moves.
 void sleeping_canvas(benchmark::State& run) {

@@ -68,7 +68,8 @@ void expect_energy_is_lost(const Scheme& scheme, const Scene& scene, Start start
     }
     // 4000 fluxes rounded by up to half a quantum, 1.5e-8 mm, of either sign, against the pressure
     // differences of their faces: 1e-8 of the first energy. What was measured is below 1e-14.
-    EXPECT_LE(growth, 1e-10 * first);
+    const bool thin = scene.viscosity < scheme.thin_viscosity_mm2_s;
+    EXPECT_LE(growth, (thin ? scheme.thin_energy_gain : 0.0) * first + 1e-10 * first);
     EXPECT_LT(kinetic_energy(bench, before) + potential_energy(bench, before, before), first);
 }
 
@@ -77,7 +78,6 @@ class UnforcedFilm : public testing::TestWithParam<EnergyCase> {};
 
 TEST_P(UnforcedFilm, NeverGainsEnergy) {
     const auto& [scheme, viscosity] = GetParam();
-    if (viscosity < scheme.thinnest_for_energy) GTEST_SKIP() << "the law is not claimed of it";
     int index = 0;
     for (const Edge edge : {Edge::Periodic, Edge::Wall})
         for (const Start start : {Start::Waves, Start::Noise, Start::Patches})

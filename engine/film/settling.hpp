@@ -1,0 +1,18 @@
+// Motion that paint remembers from one large step to the next.
+#pragma once
+
+#include "film/lanes.hpp"
+
+namespace pastoso::film {
+
+/// Paint of more drag (lambda dt) than this forgets its motion within a step.
+inline constexpr float kLightDrag = 10.0F;
+
+/// The share that a velocity keeps where a film of thickness `from` becomes one of thickness `to`: where
+/// that is thicker, it keeps its kinetic energy.
+template <class F>
+[[gnu::always_inline]] static inline F settled_share(F from, F to) {
+    return lanes::min(F(1.0F), lanes::sqrt(F(from / (to + F(1e-30F)))));
+}
+
+}  // namespace pastoso::film
