@@ -27,11 +27,13 @@ using Ints = lanes::stdx::rebind_simd_t<std::int32_t, Lanes>;
 struct LaneExtremes {
     Lanes mobility{0.0F}, thickness{0.0F}, speed{0.0F};
 
-    [[gnu::always_inline]] void add(const FaceFlow<Lanes>& flow) {
-        mobility = lanes::max(mobility, flow.mobility);
-        speed = lanes::max(speed, lanes::abs(flow.velocity));
-        thickness = lanes::max(thickness,
-                               lanes::select(flow.velocity == Lanes(0.0F), Lanes(0.0F), flow.thickness));
+    /// `counts` is 1, or 0 in lanes beyond the canvas.
+    [[gnu::always_inline]] void add(const FaceFlow<Lanes>& flow, Lanes counts) {
+        const Lanes velocity = counts * flow.velocity;
+        mobility = lanes::max(mobility, Lanes(counts * flow.mobility));
+        speed = lanes::max(speed, lanes::abs(velocity));
+        thickness =
+            lanes::max(thickness, lanes::select(velocity == Lanes(0.0F), Lanes(0.0F), flow.thickness));
     }
     FlowExtremes reduced() const {
         return {.mobility = lanes::stdx::hmax(mobility),
@@ -39,6 +41,14 @@ struct LaneExtremes {
                 .speed_mm_s = lanes::stdx::hmax(speed)};
     }
 };
+
+/// 1 for the first cells of a line, which lie on the canvas, and 0 for the others.
+using LineMask = std::array<float, kTileSize>;
+LineMask line_mask(int cells_on_canvas) {
+    LineMask mask{};
+    std::fill_n(mask.data(), cells_on_canvas, 1.0F);
+    return mask;
+}
 
 /// Faces of one axis of a tile: where they come from and where their flow goes.
 template <FaceModel kModel>
@@ -51,9 +61,10 @@ struct FaceKernel {
 
     /// Faces 0..63 of a row, in a loop for each stage: the chain of dependent divisions through all of
     /// them is too long for the processor to overlap whole faces.
-    void flow_row(int y, LaneExtremes& extremes) const {
+    void flow_row(int y, const LineMask& on_canvas, LaneExtremes& extremes) const {
         constexpr int kGroups = kTileSize / kLanes;
         const StepConstants local = step;  // which no store through a pointer can change
+        LaneExtremes found = extremes;     // likewise
         std::array<FaceDrive<kModel, Lanes>, kGroups> drive;
         std::array<FaceDrag<Lanes>, kGroups> drag;
         std::array<BinghamDrag<Lanes>, kGroups> law;
@@ -70,24 +81,25 @@ struct FaceKernel {
             const int x = group * kLanes;
             const FaceFlow<Lanes> flow =
                 face_flow(drive[group].thickness, drag[group], law[group], local);
-            extremes.add(flow);
+            found.add(flow, load(&on_canvas[x]));
             const Ints left(quanta + x, lanes::stdx::element_aligned);
             const Ints right(quanta + x + axis.along, lanes::stdx::element_aligned);
             store(&velocity[face_index(x, y)], flow.velocity);
             flux_quanta(flow, local, left, right)
                 .copy_to(&flux[face_index(x, y)], lanes::stdx::element_aligned);
         }
+        extremes = found;
     }
 
     /// Faces 0..63 of a column.
-    void flow_column(int x, LaneExtremes& extremes) const {
+    void flow_column(int x, const LineMask& on_canvas, LaneExtremes& extremes) const {
         const std::int32_t* quanta = scratch.block.quanta.data();
         for (int y = 0; y < kTileSize; y += kLanes) {
             const int i = block_index(x, y);
             const FaceFlow<Lanes> flow =
                 face_flow<kModel>(neighbourhood<kModel>(scratch, step, axis, AlongColumn{}, i), step,
                                   axis.force, axis.force_across);
-            extremes.add(flow);
+            extremes.add(flow, load(&on_canvas[y]));
             const Ints left([&](int lane) { return quanta[i + lane * kBlockStride]; });
             const Ints right([&](int lane) { return quanta[i + axis.along + lane * kBlockStride]; });
             const Ints quanta_through = flux_quanta(flow, step, left, right);
@@ -130,7 +142,7 @@ int count_clamped(const StepConstants& step, const FaceArray<float>& velocity, i
 }
 
 template <FaceModel kModel>
-FlowExtremes flow_all_faces(const StepConstants& step, TileScratch& scratch) {
+LaneExtremes flow_all_faces(const StepConstants& step, int columns, int rows, TileScratch& scratch) {
     using Kernel = FaceKernel<kModel>;
     const HaloBlock& block = scratch.block;
     const float* u = block.velocity_x.data();
@@ -140,21 +152,22 @@ FlowExtremes flow_all_faces(const StepConstants& step, TileScratch& scratch) {
         scratch, step, {1, kBlockStride, u, v, force_x, force_y}, scratch.velocity_x, scratch.flux_x};
     const Kernel y_faces{
         scratch, step, {kBlockStride, 1, v, u, force_y, force_x}, scratch.velocity_y, scratch.flux_y};
-    const int first = block.first_wet_row, last = block.last_wet_row;
+    const int first = block.first_wet_row, last = std::min(block.last_wet_row, rows - 1);
+    const LineMask on_canvas = line_mask(columns);
     LaneExtremes extremes;
     for (int y = -1; y < kTileSize; ++y) {
         if (y >= first - 1 && y <= last)
-            y_faces.flow_row(y, extremes);
+            y_faces.flow_row(y, on_canvas, extremes);
         else
             y_faces.clear_row(y);
         if (y < 0) continue;
         if (y >= first && y <= last)
-            x_faces.flow_row(y, extremes);
+            x_faces.flow_row(y, on_canvas, extremes);
         else
             x_faces.clear_row(y);
     }
-    x_faces.flow_column(-1, extremes);
-    return extremes.reduced();
+    x_faces.flow_column(-1, line_mask(rows), extremes);
+    return extremes;
 }
 
 }  // namespace
@@ -162,9 +175,10 @@ FlowExtremes flow_all_faces(const StepConstants& step, TileScratch& scratch) {
 FlowExtremes tile_flow(const StepConstants& step, int columns, int rows, const ClosedEdges& closed,
                        TileScratch& scratch) {
     if (scratch.block.last_wet_row >= scratch.block.first_wet_row) prepare_pressure(step, scratch);
-    FlowExtremes extremes =
-        with_face_model(step, [&]<FaceModel kModel>() { return flow_all_faces<kModel>(step, scratch); });
+    const LaneExtremes found = with_face_model(
+        step, [&]<FaceModel kModel>() { return flow_all_faces<kModel>(step, columns, rows, scratch); });
     shut_edges(columns, rows, closed, scratch);
+    FlowExtremes extremes = found.reduced();
     if (extremes.speed_mm_s >= 0.5F * step.cell_mm / step.dt_s)
         extremes.clamped_faces = count_clamped(step, scratch.velocity_x, -1, 0) +
                                  count_clamped(step, scratch.velocity_y, 0, -1);
