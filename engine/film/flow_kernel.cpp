@@ -26,6 +26,7 @@ using Ints = lanes::stdx::rebind_simd_t<std::int32_t, Lanes>;
 /// The largest values met so far, lane by lane.
 struct LaneExtremes {
     Lanes mobility{0.0F}, thickness{0.0F}, speed{0.0F};
+    Ints cell_quanta{0};
 
     /// `counts` is 1, or 0 in lanes beyond the canvas.
     [[gnu::always_inline]] void add(const FaceFlow<Lanes>& flow, Lanes counts) {
@@ -35,6 +36,12 @@ struct LaneExtremes {
         thickness =
             lanes::max(thickness, lanes::select(velocity == Lanes(0.0F), Lanes(0.0F), flow.thickness));
     }
+    [[gnu::always_inline]] void add_cells(const Ints& left, const Ints& right) {
+        cell_quanta = lanes::stdx::max(cell_quanta, lanes::stdx::max(left, right));
+    }
+    /// Whether a cell may be too full for a quarter of another: where none holds more than half of what
+    /// it may, a quarter of one never exceeds a quarter of the other's room.
+    bool any_full() const { return lanes::stdx::hmax(cell_quanta) > kMaxThickness_quanta / 2; }
     FlowExtremes reduced() const {
         return {.mobility = lanes::stdx::hmax(mobility),
                 .thickness_mm = lanes::stdx::hmax(thickness),
@@ -84,6 +91,7 @@ struct FaceKernel {
             found.add(flow, load(&on_canvas[x]));
             const Ints left(quanta + x, lanes::stdx::element_aligned);
             const Ints right(quanta + x + axis.along, lanes::stdx::element_aligned);
+            found.add_cells(left, right);
             store(&velocity[face_index(x, y)], flow.velocity);
             flux_quanta(flow, local, left, right)
                 .copy_to(&flux[face_index(x, y)], lanes::stdx::element_aligned);
@@ -102,6 +110,7 @@ struct FaceKernel {
             extremes.add(flow, load(&on_canvas[y]));
             const Ints left([&](int lane) { return quanta[i + lane * kBlockStride]; });
             const Ints right([&](int lane) { return quanta[i + axis.along + lane * kBlockStride]; });
+            extremes.add_cells(left, right);
             const Ints quanta_through = flux_quanta(flow, step, left, right);
             for (int lane = 0; lane < kLanes; ++lane) {
                 velocity[face_index(x, y + lane)] = flow.velocity[lane];
@@ -139,6 +148,36 @@ int count_clamped(const StepConstants& step, const FaceArray<float>& velocity, i
         for (int x = first_x; x < kTileSize; ++x)
             count += lanes::abs(velocity[face_index(x, y)]) >= limit ? 1 : 0;
     return count;
+}
+
+/// Cuts the fluxes of one axis to a quarter of the room that the cell behind the face has, so that four
+/// cannot overfill it. Returns how many that were.
+int cut_to_room(const HaloBlock& block, int along, int first_x, int first_y, FaceArray<float>& velocity,
+                FaceArray<std::int32_t>& flux) {
+    const auto quarter_room = [](std::int32_t quanta) {
+        return quanta < kMaxThickness_quanta ? (kMaxThickness_quanta - quanta) >> 2 : 0;
+    };
+    int count = 0;
+    for (int y = first_y; y < kTileSize; ++y)
+        for (int x = first_x; x < kTileSize; ++x) {
+            const int f = face_index(x, y), i = block_index(x, y);
+            const std::int32_t wanted = flux[f];
+            const std::int32_t forwards = quarter_room(block.quanta[i + along]);
+            const std::int32_t backwards = -quarter_room(block.quanta[i]);
+            const std::int32_t passing = wanted > forwards    ? forwards
+                                         : wanted < backwards ? backwards
+                                                              : wanted;
+            if (passing == wanted) continue;
+            velocity[f] *= static_cast<float>(passing) / static_cast<float>(wanted);
+            flux[f] = passing;
+            ++count;
+        }
+    return count;
+}
+
+int cut_to_room(TileScratch& scratch) {
+    return cut_to_room(scratch.block, 1, -1, 0, scratch.velocity_x, scratch.flux_x) +
+           cut_to_room(scratch.block, kBlockStride, 0, -1, scratch.velocity_y, scratch.flux_y);
 }
 
 template <FaceModel kModel>
@@ -182,6 +221,7 @@ FlowExtremes tile_flow(const StepConstants& step, int columns, int rows, const C
     if (extremes.speed_mm_s >= 0.5F * step.cell_mm / step.dt_s)
         extremes.clamped_faces = count_clamped(step, scratch.velocity_x, -1, 0) +
                                  count_clamped(step, scratch.velocity_y, 0, -1);
+    if (found.any_full()) extremes.clamped_faces += cut_to_room(scratch);
     return extremes;
 }
 

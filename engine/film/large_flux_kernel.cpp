@@ -12,6 +12,8 @@ struct Faces {
     const FaceArray<float>&star, &depth, &mobility, &old;
     FaceArray<float>& velocity;
 };
+using Ints = lanes::stdx::rebind_simd_t<std::int32_t, Lanes>;
+
 Faces x_faces(LargeTile& tile) {
     return {tile.star_x, tile.depth_x, tile.mobility_x, tile.old_x, tile.velocity_x};
 }
@@ -32,17 +34,52 @@ Lanes carrying_velocity(const StepConstants& step, const Faces& faces, int f, La
 }
 
 /// u = u* - (dt/dx) D (p_right - p_left), with dt D h_f / dx = m dx / dt.
-void velocity_row(const StepConstants& step, const float* pressure, bool carrying, int along,
-                  int first_x, int y, const Faces& faces) {
+Lanes velocity_at(const StepConstants& step, const float* pressure, int along, const Faces& faces,
+                  int f) {
     const Lanes cell_per_step(step.cell_mm / step.dt_s), zero(0.0F);
+    const Lanes passing = load(&faces.depth[f]);
+    const Lanes rise = load(pressure + along) - load(pressure);
+    const Lanes driven = load(&faces.mobility[f]) * cell_per_step * rise / passing;
+    return load(&faces.star[f]) - lanes::select(passing > zero, driven, zero);
+}
+
+void velocity_row(const StepConstants& step, const LargeScratch& scratch, int along, int first_x, int y,
+                  const Faces& faces) {
+    for_each_lane_group(first_x, kTileSize, [&](int x) {
+        const int f = face_index(x, y);
+        const float* pressure = &scratch.pressure[window_index(x, y)];
+        store(&faces.velocity[f], velocity_at(step, pressure, along, faces, f));
+    });
+}
+
+/// A quarter of what cells can still take, mm: a hair less, so that rounding cannot overfill them.
+Lanes quarter_room(const std::int32_t* thickness) {
+    const Ints quanta(thickness, lanes::stdx::element_aligned);
+    const Ints room = lanes::stdx::max(Ints(Ints(kMaxThickness_quanta - 4) - quanta), Ints(0));
+    return lanes::stdx::static_simd_cast<Lanes>(room) *
+           Lanes(0.2499F * static_cast<float>(kThicknessQuantum_mm));
+}
+
+/// Velocities that move the paint. Returns how many of them were cut to the room ahead.
+int carrying_row(const StepConstants& step, const LargeScratch& scratch, int along, int first_x, int y,
+                 const Faces& faces) {
+    const Lanes lane_number([](auto lane) { return static_cast<float>(lane); });
+    int count = 0, counted = first_x;
     for_each_lane_group(first_x, kTileSize, [&](int x) {
         const int f = face_index(x, y), i = window_index(x, y);
-        const Lanes passing = load(&faces.depth[f]);
-        const Lanes rise = load(pressure + i + along) - load(pressure + i);
-        const Lanes driven = load(&faces.mobility[f]) * cell_per_step * rise / passing;
-        const Lanes now = load(&faces.star[f]) - lanes::select(passing > zero, driven, zero);
-        store(&faces.velocity[f], carrying ? carrying_velocity(step, faces, f, now) : now);
+        const Lanes now = velocity_at(step, &scratch.pressure[i], along, faces, f);
+        const Lanes velocity = carrying_velocity(step, faces, f, now);
+        const Lanes per_velocity = Lanes(step.dt_s * step.inverse_cell) * load(&faces.depth[f]);
+        const Lanes crossing = velocity * per_velocity;
+        const Lanes fitting = lanes::clamp(crossing, Lanes(-quarter_room(&scratch.thickness[i])),
+                                           quarter_room(&scratch.thickness[i + along]));
+        const auto cut = fitting != crossing;
+        store(&faces.velocity[f], lanes::select(cut, Lanes(fitting / per_velocity), velocity));
+        const auto is_new = lane_number >= Lanes(static_cast<float>(counted - x));
+        count += lanes::stdx::popcount(cut && is_new);
+        counted = x + kLanes;
     });
+    return count;
 }
 
 struct Outflow {
@@ -66,13 +103,20 @@ Lanes fall(Lanes value) {
 
 }  // namespace
 
-void find_large_velocities(const StepConstants& step, bool carrying, const LargeScratch& scratch,
-                           LargeTile& tile) {
-    const float* pressure = scratch.pressure.data();
+void find_large_velocities(const StepConstants& step, const LargeScratch& scratch, LargeTile& tile) {
     for (int y = -1; y < kTileSize; ++y) {
-        velocity_row(step, pressure, carrying, kWindowStride, 0, y, y_faces(tile));
-        if (y >= 0) velocity_row(step, pressure, carrying, 1, -1, y, x_faces(tile));
+        velocity_row(step, scratch, kWindowStride, 0, y, y_faces(tile));
+        if (y >= 0) velocity_row(step, scratch, 1, -1, y, x_faces(tile));
     }
+}
+
+int find_carrying_velocities(const StepConstants& step, const LargeScratch& scratch, LargeTile& tile) {
+    int count = 0;
+    for (int y = -1; y < kTileSize; ++y) {
+        count += carrying_row(step, scratch, kWindowStride, 0, y, y_faces(tile));
+        if (y >= 0) count += carrying_row(step, scratch, 1, -1, y, x_faces(tile));
+    }
+    return count;
 }
 
 Shortage share_outflow(const StepConstants& step, int columns, int rows, const std::int32_t* thickness,
@@ -96,8 +140,7 @@ Shortage share_outflow(const StepConstants& step, int columns, int rows, const s
                              (fall(below) * load(granted + kWindowStride) +
                               rise(above) * load(granted - kWindowStride));
             const Lanes out = (rise(right) + fall(left)) + (rise(below) + fall(above));
-            const lanes::stdx::rebind_simd_t<std::int32_t, Lanes> quanta(thickness + cell,
-                                                                         lanes::stdx::element_aligned);
+            const Ints quanta(thickness + cell, lanes::stdx::element_aligned);
             const Lanes held = lanes::stdx::static_simd_cast<Lanes>(quanta) * usable;
             const Lanes supply = rise(held + Lanes(0.999F) * in - rounding);
             const Lanes part = lanes::min(one, Lanes((supply + tiny) / (out + tiny)));
@@ -140,7 +183,6 @@ void flux_row(const StepConstants& step, const LargeScratch& large, int along, i
               const FaceArray<float>& wanted, const FaceArray<float>& depth,
               const FaceArray<float>& mobility, FaceArray<float>& velocity,
               FaceArray<std::int32_t>& flux, FlowExtremes& extremes) {
-    using Ints = lanes::stdx::rebind_simd_t<std::int32_t, Lanes>;
     const Lanes scale(step.dt_s * step.inverse_cell * static_cast<float>(1.0 / kThicknessQuantum_mm));
     Lanes speed(0.0F), thickness(0.0F), largest_mobility(0.0F);
     for_each_lane_group(first_x, kTileSize, [&](int x) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 
 namespace pastoso::film {
 namespace {
@@ -129,6 +130,11 @@ struct LargeStepper::Pass {
             return tile == nullptr ? nullptr : (tile->*field).data() + y * kTileSize;
         };
     }
+    auto thickness_rows() const {
+        return [this](int tile_x, int tile_y, int y) {
+            return state.thickness.read(tile_y * state.shape.tiles_x() + tile_x) + y * kTileSize;
+        };
+    }
     auto faces(FaceArray<float> LargeTile::*field) const {
         return [this, field](int tile_x, int tile_y, int y) -> const float* {
             const LargeTile* tile = partner(tile_x, tile_y);
@@ -140,8 +146,9 @@ struct LargeStepper::Pass {
         gather_window(columns(place).patch, rows(place).patch, kWindowSize, kWindowStride, row_of,
                       out.data());
     }
-    template <class RowOf>
-    void gather_next(const TilePlace& place, const RowOf& row_of, WindowArray& out) const {
+    template <class RowOf, class T>
+    void gather_next(const TilePlace& place, const RowOf& row_of,
+                     std::array<T, kWindowCells>& out) const {
         gather_window(columns(place).next_cells, rows(place).next_cells, kTileSize + 2, kWindowStride,
                       row_of, &out[window_index(-1, -1)]);
     }
@@ -151,7 +158,8 @@ struct LargeStepper::Pass {
     void assemble_all();
     std::array<LargeTile*, 4> beside(const TilePlace& place) const;
     bool refine();
-    void find_velocities(bool carrying);
+    void find_velocities();
+    int find_carrying_velocities();
     void solve_yielding(LargeStepReport& report);
     std::vector<PatchCover> patch_covers(const TilePlace& place) const;
     float sweep(bool first);
@@ -278,11 +286,22 @@ void LargeStepper::Pass::solve(bool from_rest, LargeStepReport& report) {
     }
 }
 
-void LargeStepper::Pass::find_velocities(bool carrying) {
+void LargeStepper::Pass::find_velocities() {
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
         gather_next(places[index], cells(&LargeTile::pressure), large.pressure);
-        kernels.velocities(constants, carrying, large, tile);
+        kernels.velocities(constants, large, tile);
     });
+}
+
+/// The velocities that move the paint. Returns at how many faces the cell ahead is too full for more.
+int LargeStepper::Pass::find_carrying_velocities() {
+    std::vector<int> cut_faces(places.size());
+    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
+        gather_next(places[index], cells(&LargeTile::pressure), large.pressure);
+        gather_next(places[index], thickness_rows(), large.thickness);
+        cut_faces[index] = kernels.carrying_velocities(constants, large, tile);
+    });
+    return std::accumulate(cut_faces.begin(), cut_faces.end(), 0);
 }
 
 /// Solves, and again with the drag of the flow found, until that no longer changes it: paint comes to
@@ -291,7 +310,7 @@ void LargeStepper::Pass::solve_yielding(LargeStepReport& report) {
     solve(true, report);
     if (!constants.has_yield() && !constants.varied && !constants.is_shear_thinning()) return;
     for (int pass = 0; pass < kMostRefinements; ++pass) {
-        find_velocities(false);
+        find_velocities();
         if (!refine()) return;
         solve(false, report);
     }
@@ -328,7 +347,7 @@ Shortage LargeStepper::Pass::share_outflow() {
 void LargeStepper::Pass::solve_within_supply(LargeStepReport& report) {
     solve_yielding(report);
     for (int attempt = 0;; ++attempt) {
-        find_velocities(true);
+        report.clamped_faces = find_carrying_velocities();
         const Shortage shortage = share_outflow();
         report.limited_cells = shortage.thick_cells;
         if (shortage.cells == 0 || attempt == kMostSlowings) return;

@@ -18,7 +18,8 @@ inline constexpr int kPatchSize = grid::kTileSize + 2 * kOverlap;
 inline constexpr int kWindowMargin = kOverlap + 2;
 inline constexpr int kWindowSize = grid::kTileSize + 2 * kWindowMargin;
 inline constexpr int kWindowStride = 96;
-using WindowArray = std::array<float, kWindowSize * kWindowStride>;
+inline constexpr int kWindowCells = kWindowSize * kWindowStride;
+using WindowArray = std::array<float, kWindowCells>;
 
 using PatchArray = std::array<float, kPatchSize * kPatchSize>;
 
@@ -77,6 +78,7 @@ struct LargeScratch {
     alignas(64) BlockArray<float> lagged_pressure{};
     alignas(64) WindowArray pressure{}, change{}, source{}, rest_pressure{}, residual{}, share{};
     alignas(64) WindowArray mobility_x{}, mobility_y{}, weight_x{}, weight_y{};
+    alignas(64) std::array<std::int32_t, kWindowCells> thickness{};  ///< quanta
     /// Of the patch's solve, zero outside the patch.
     alignas(64) WindowArray correction{}, direction{}, flow{}, response{};
     alignas(64) WindowArray last_direction{}, last_flow{}, last_response{};

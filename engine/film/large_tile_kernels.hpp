@@ -26,9 +26,11 @@ struct LargeKernels {
     /// nothing towards its patch's edge: where patches meet, no kink is left, which surface tension
     /// would resent.
     void (*blend)(const PatchCover* covers, int count, CellArray& pressure);
-    /// u = u* - D dt grad p; `carrying` makes of it the velocity that moves the paint.
-    void (*velocities)(const StepConstants& step, bool carrying, const LargeScratch& scratch,
-                       LargeTile& tile);
+    /// u = u* - D dt grad p.
+    void (*velocities)(const StepConstants& step, const LargeScratch& scratch, LargeTile& tile);
+    /// The same as the velocity that moves the paint: cut where a quarter of the room of the cell ahead
+    /// would be exceeded. Returns at how many faces.
+    int (*carrying_velocities)(const StepConstants& step, const LargeScratch& scratch, LargeTile& tile);
     /// The share of each cell's outflow that it can give: what it holds and what its neighbours are
     /// granted to give it.
     Shortage (*share_outflow)(const StepConstants& step, int columns, int rows,

@@ -293,6 +293,7 @@ AdvanceReport Solver::Parts::large_step(double dt_s, int halvings) {
     AdvanceReport report = commit_all(tiles, step.dt_s, results);
     report.large_steps = 1;
     report.limited_cells = solved.limited_cells;
+    report.clamped_faces += solved.clamped_faces;
     report.sweeps = solved.sweeps;
     report.largest_residual = solved.residual;
     return report;

@@ -30,15 +30,15 @@ std::vector<WindowRun> covering_runs(int tile_index, int canvas_cells, Edge edge
 /// cell). `row_of(tile_x, tile_y, cell_y)` gives the values of a row of a tile's cells, or null for a
 /// tile that takes no part: its cells, and those of no tile, are set to zero. `size` is the window's
 /// width and height.
-template <class RowOf>
+template <class RowOf, class T>
 void gather_window(const std::vector<WindowRun>& columns, const std::vector<WindowRun>& rows, int size,
-                   int stride, const RowOf& row_of, float* out) {
+                   int stride, const RowOf& row_of, T* out) {
     for (int y = 0; y < size; ++y)
-        std::fill_n(out + y * stride, size, 0.0F);
+        std::fill_n(out + y * stride, size, T{});
     for (const WindowRun& row : rows)
         for (const WindowRun& column : columns)
             for (int k = 0; k < row.count; ++k) {
-                const float* source = row_of(column.tile, row.tile, row.cell + k);
+                const T* source = row_of(column.tile, row.tile, row.cell + k);
                 if (source == nullptr) break;
                 std::copy_n(source + column.cell, column.count,
                             out + (row.position + k) * stride + column.position);
