@@ -43,8 +43,7 @@ inline std::vector<Scheme> all_schemes() {
              .energy_levels = EnergyLevels::Same,
              // Momentum is carried by velocity, so that inertia may gain where the film grows thicker.
              .thinnest_for_energy = 3.0,
-             .random_paints = 10,
-             .random_steps = 40,
+             .random_steps = 30,
              // Its equations are met to a hundredth of a cell's thickness, in checkerboard order, and the
              // alpha range makes much of little (0.2 % without it).
              .turning_error = 2e-2,
