@@ -26,10 +26,9 @@ WantedSums plan_heap(double quanta, double spread_mm, CellBatch& batch) {
     double heap = 0.0;
     for (int i = 0; i < batch.count(); ++i)
         heap += heap_height(batch, i, spread_mm);
-    const double most = film::kMaxThickness_mm / film::kThicknessQuantum_mm;
     WantedSums wanted;
     for (int i = 0; i < batch.count(); ++i) {
-        const double room = std::max(0.0, most - batch.thickness[i]);
+        const double room = film::room_quanta(batch.thickness[i]);
         const double gain = heap > 0.0 ? quanta * heap_height(batch, i, spread_mm) / heap : 0.0;
         batch.change[i] = static_cast<std::int32_t>(std::min(gain, room));
         batch.swap[i] = 0;

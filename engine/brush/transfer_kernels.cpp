@@ -4,14 +4,16 @@
 #include "brush/cell_batch.hpp"
 #include "film/state.hpp"
 
+#include <limits>
+
 namespace pastoso::brush::PASTOSO_ISA {
 namespace {
 
 constexpr auto kQuantum_mm = static_cast<float>(film::kThicknessQuantum_mm);
 constexpr auto kQuantaPerMm = static_cast<float>(1.0 / film::kThicknessQuantum_mm);
 constexpr auto kMost_mm = static_cast<float>(film::kMaxThickness_mm);
-constexpr auto kMostQuanta =
-    static_cast<std::int32_t>(film::kMaxThickness_mm / film::kThicknessQuantum_mm);
+/// What a channel can count.
+constexpr std::int32_t kMostPigment = std::numeric_limits<std::int32_t>::max();
 /// A tool takes at most this share of a cell's paint in one step.
 constexpr float kLargestBite = 0.9F;
 /// A film thinner than 10 nm is not left behind: it would be invisible and keep cells wet for ever.
@@ -61,7 +63,7 @@ PASTOSO_KERNEL_INLINE void plan_cell(const ExchangeRule& rule, const BatchColumn
     const float taken = larger(share * gap * rule.pickup, -kLargestBite * h);
     const float change_mm = gap > 0.0F ? given : taken;
     const auto change = static_cast<std::int32_t>(change_mm * kQuantaPerMm);
-    const std::int32_t room = larger(0, kMostQuanta - batch.thickness[i]);
+    const std::int32_t room = larger(0, film::kMaxThickness_quanta - batch.thickness[i]);
     batch.change[i] = smaller(change, room);
     const float swap_mm = room > 0 ? rule.mix * share * smaller(h, rule.mix_depth_mm) : 0.0F;
     batch.swap[i] = static_cast<std::int32_t>(swap_mm * kQuantaPerMm);
@@ -100,7 +102,9 @@ PASTOSO_KERNEL_INLINE void exchange_pigment(IntLanes* pigment, const FloatLanes*
         const IntLanes wanted = __builtin_convertvector(
             __builtin_convertvector(held, FloatLanes) * out_share + rounding, IntLanes);
         const IntLanes out = wanted < held ? wanted : held;
-        const IntLanes in = __builtin_convertvector(given[group] * gained + rounding, IntLanes);
+        const IntLanes offered = __builtin_convertvector(given[group] * gained + rounding, IntLanes);
+        const IntLanes room = kMostPigment - (held - out);
+        const IntLanes in = offered < room ? offered : room;
         const IntLanes change = in - out;
         pigment[group] = held + change;
         sums[group] += __builtin_convertvector(change, WideLanes);

@@ -38,7 +38,8 @@ void dissolve_cell(double seconds, int cell, TileDissolving& tile) {
     const double share = 1.0 - core::exponential(-seconds * solvent / kDissolvingTime_s);
 
     const std::int32_t most = std::numeric_limits<std::int32_t>::max();
-    const std::int32_t moved = share_of(dry, share, kQuantaPerSupport, most);
+    const std::int32_t room = room_quanta(thickness) / kQuantaPerSupport * kQuantaPerSupport;
+    const std::int32_t moved = share_of(dry, share, kQuantaPerSupport, room);
     dry -= moved;
     thickness += moved;
     paint[kSolidsChannel] += static_cast<std::int32_t>(moved / kQuantaPerCarried);

@@ -26,19 +26,36 @@ using Ints = lanes::stdx::rebind_simd_t<std::int32_t, Lanes>;
 /// The largest values met so far, lane by lane.
 struct LaneExtremes {
     Lanes mobility{0.0F}, thickness{0.0F}, speed{0.0F};
+    Ints cell_quanta{0};
 
-    [[gnu::always_inline]] void add(const FaceFlow<Lanes>& flow) {
-        mobility = lanes::max(mobility, flow.mobility);
-        speed = lanes::max(speed, lanes::abs(flow.velocity));
-        thickness = lanes::max(thickness,
-                               lanes::select(flow.velocity == Lanes(0.0F), Lanes(0.0F), flow.thickness));
+    /// `counts` is 1, or 0 in lanes beyond the canvas.
+    [[gnu::always_inline]] void add(const FaceFlow<Lanes>& flow, Lanes counts) {
+        const Lanes velocity = counts * flow.velocity;
+        mobility = lanes::max(mobility, Lanes(counts * flow.mobility));
+        speed = lanes::max(speed, lanes::abs(velocity));
+        thickness =
+            lanes::max(thickness, lanes::select(velocity == Lanes(0.0F), Lanes(0.0F), flow.thickness));
     }
+    [[gnu::always_inline]] void add_cells(const Ints& left, const Ints& right) {
+        cell_quanta = lanes::stdx::max(cell_quanta, lanes::stdx::max(left, right));
+    }
+    /// Whether a cell may be too full for a quarter of another: where none holds more than half of what
+    /// it may, a quarter of one never exceeds a quarter of the other's room.
+    bool any_full() const { return lanes::stdx::hmax(cell_quanta) > kMaxThickness_quanta / 2; }
     FlowExtremes reduced() const {
         return {.mobility = lanes::stdx::hmax(mobility),
                 .thickness_mm = lanes::stdx::hmax(thickness),
                 .speed_mm_s = lanes::stdx::hmax(speed)};
     }
 };
+
+/// 1 for the first cells of a line, which lie on the canvas, and 0 for the others.
+using LineMask = std::array<float, kTileSize>;
+LineMask line_mask(int cells_on_canvas) {
+    LineMask mask{};
+    std::fill_n(mask.data(), cells_on_canvas, 1.0F);
+    return mask;
+}
 
 /// Faces of one axis of a tile: where they come from and where their flow goes.
 template <FaceModel kModel>
@@ -51,9 +68,10 @@ struct FaceKernel {
 
     /// Faces 0..63 of a row, in a loop for each stage: the chain of dependent divisions through all of
     /// them is too long for the processor to overlap whole faces.
-    void flow_row(int y, LaneExtremes& extremes) const {
+    void flow_row(int y, const LineMask& on_canvas, LaneExtremes& extremes) const {
         constexpr int kGroups = kTileSize / kLanes;
         const StepConstants local = step;  // which no store through a pointer can change
+        LaneExtremes found = extremes;     // likewise
         std::array<FaceDrive<kModel, Lanes>, kGroups> drive;
         std::array<FaceDrag<Lanes>, kGroups> drag;
         std::array<BinghamDrag<Lanes>, kGroups> law;
@@ -70,26 +88,29 @@ struct FaceKernel {
             const int x = group * kLanes;
             const FaceFlow<Lanes> flow =
                 face_flow(drive[group].thickness, drag[group], law[group], local);
-            extremes.add(flow);
+            found.add(flow, load(&on_canvas[x]));
             const Ints left(quanta + x, lanes::stdx::element_aligned);
             const Ints right(quanta + x + axis.along, lanes::stdx::element_aligned);
+            found.add_cells(left, right);
             store(&velocity[face_index(x, y)], flow.velocity);
             flux_quanta(flow, local, left, right)
                 .copy_to(&flux[face_index(x, y)], lanes::stdx::element_aligned);
         }
+        extremes = found;
     }
 
     /// Faces 0..63 of a column.
-    void flow_column(int x, LaneExtremes& extremes) const {
+    void flow_column(int x, const LineMask& on_canvas, LaneExtremes& extremes) const {
         const std::int32_t* quanta = scratch.block.quanta.data();
         for (int y = 0; y < kTileSize; y += kLanes) {
             const int i = block_index(x, y);
             const FaceFlow<Lanes> flow =
                 face_flow<kModel>(neighbourhood<kModel>(scratch, step, axis, AlongColumn{}, i), step,
                                   axis.force, axis.force_across);
-            extremes.add(flow);
+            extremes.add(flow, load(&on_canvas[y]));
             const Ints left([&](int lane) { return quanta[i + lane * kBlockStride]; });
             const Ints right([&](int lane) { return quanta[i + axis.along + lane * kBlockStride]; });
+            extremes.add_cells(left, right);
             const Ints quanta_through = flux_quanta(flow, step, left, right);
             for (int lane = 0; lane < kLanes; ++lane) {
                 velocity[face_index(x, y + lane)] = flow.velocity[lane];
@@ -129,8 +150,38 @@ int count_clamped(const StepConstants& step, const FaceArray<float>& velocity, i
     return count;
 }
 
+/// Cuts the fluxes of one axis to a quarter of the room that the cell behind the face has, so that four
+/// cannot overfill it. Returns how many that were.
+int cut_to_room(const HaloBlock& block, int along, int first_x, int first_y, FaceArray<float>& velocity,
+                FaceArray<std::int32_t>& flux) {
+    const auto quarter_room = [](std::int32_t quanta) {
+        return quanta < kMaxThickness_quanta ? (kMaxThickness_quanta - quanta) >> 2 : 0;
+    };
+    int count = 0;
+    for (int y = first_y; y < kTileSize; ++y)
+        for (int x = first_x; x < kTileSize; ++x) {
+            const int f = face_index(x, y), i = block_index(x, y);
+            const std::int32_t wanted = flux[f];
+            const std::int32_t forwards = quarter_room(block.quanta[i + along]);
+            const std::int32_t backwards = -quarter_room(block.quanta[i]);
+            const std::int32_t passing = wanted > forwards    ? forwards
+                                         : wanted < backwards ? backwards
+                                                              : wanted;
+            if (passing == wanted) continue;
+            velocity[f] *= static_cast<float>(passing) / static_cast<float>(wanted);
+            flux[f] = passing;
+            ++count;
+        }
+    return count;
+}
+
+int cut_to_room(TileScratch& scratch) {
+    return cut_to_room(scratch.block, 1, -1, 0, scratch.velocity_x, scratch.flux_x) +
+           cut_to_room(scratch.block, kBlockStride, 0, -1, scratch.velocity_y, scratch.flux_y);
+}
+
 template <FaceModel kModel>
-FlowExtremes flow_all_faces(const StepConstants& step, TileScratch& scratch) {
+LaneExtremes flow_all_faces(const StepConstants& step, int columns, int rows, TileScratch& scratch) {
     using Kernel = FaceKernel<kModel>;
     const HaloBlock& block = scratch.block;
     const float* u = block.velocity_x.data();
@@ -140,21 +191,22 @@ FlowExtremes flow_all_faces(const StepConstants& step, TileScratch& scratch) {
         scratch, step, {1, kBlockStride, u, v, force_x, force_y}, scratch.velocity_x, scratch.flux_x};
     const Kernel y_faces{
         scratch, step, {kBlockStride, 1, v, u, force_y, force_x}, scratch.velocity_y, scratch.flux_y};
-    const int first = block.first_wet_row, last = block.last_wet_row;
+    const int first = block.first_wet_row, last = std::min(block.last_wet_row, rows - 1);
+    const LineMask on_canvas = line_mask(columns);
     LaneExtremes extremes;
     for (int y = -1; y < kTileSize; ++y) {
         if (y >= first - 1 && y <= last)
-            y_faces.flow_row(y, extremes);
+            y_faces.flow_row(y, on_canvas, extremes);
         else
             y_faces.clear_row(y);
         if (y < 0) continue;
         if (y >= first && y <= last)
-            x_faces.flow_row(y, extremes);
+            x_faces.flow_row(y, on_canvas, extremes);
         else
             x_faces.clear_row(y);
     }
-    x_faces.flow_column(-1, extremes);
-    return extremes.reduced();
+    x_faces.flow_column(-1, line_mask(rows), extremes);
+    return extremes;
 }
 
 }  // namespace
@@ -162,12 +214,14 @@ FlowExtremes flow_all_faces(const StepConstants& step, TileScratch& scratch) {
 FlowExtremes tile_flow(const StepConstants& step, int columns, int rows, const ClosedEdges& closed,
                        TileScratch& scratch) {
     if (scratch.block.last_wet_row >= scratch.block.first_wet_row) prepare_pressure(step, scratch);
-    FlowExtremes extremes =
-        with_face_model(step, [&]<FaceModel kModel>() { return flow_all_faces<kModel>(step, scratch); });
+    const LaneExtremes found = with_face_model(
+        step, [&]<FaceModel kModel>() { return flow_all_faces<kModel>(step, columns, rows, scratch); });
     shut_edges(columns, rows, closed, scratch);
+    FlowExtremes extremes = found.reduced();
     if (extremes.speed_mm_s >= 0.5F * step.cell_mm / step.dt_s)
         extremes.clamped_faces = count_clamped(step, scratch.velocity_x, -1, 0) +
                                  count_clamped(step, scratch.velocity_y, 0, -1);
+    if (found.any_full()) extremes.clamped_faces += cut_to_room(scratch);
     return extremes;
 }
 

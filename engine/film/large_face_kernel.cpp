@@ -292,12 +292,25 @@ void find_source(const StepConstants& step, LargeTile& tile) {
         }
 }
 
+namespace {
+
+bool is_crowded(const HaloBlock& block) {
+    std::int32_t thickest = 0;
+    for (int y = -1; y <= kTileSize; ++y)
+        for (int x = -1; x <= kTileSize; ++x)
+            thickest = std::max(thickest, block.quanta[block_index(x, y)]);
+    return thickest > kCrowded_quanta;
+}
+
+}  // namespace
+
 float assemble_large_tile(const StepConstants& step, int columns, int rows, const ClosedEdges& closed,
                           const CanvasEdges& edges, bool again, LargeScratch& large,
                           TileScratch& scratch, LargeTile& tile) {
     const HaloBlock& block = scratch.block;
     const bool wet = block.last_wet_row >= block.first_wet_row;
     tile.light = false;
+    tile.crowded = is_crowded(block);
     if (wet) prepare_pressure(step, scratch);
     BlockArray<float>& lag = large.lagged_pressure;
     const auto is_defined = [&](int y) {

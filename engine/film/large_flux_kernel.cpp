@@ -7,6 +7,7 @@ namespace pastoso::film::PASTOSO_ISA {
 namespace {
 
 using grid::kTileSize;
+using Ints = lanes::stdx::rebind_simd_t<std::int32_t, Lanes>;
 
 /// What moves the paint. Where drag rules and the velocity changes by less than a factor of two in a
 /// step, that is 2/3 of the new and 1/3 of the old one, which lags half a step behind and so makes slow
@@ -74,6 +75,48 @@ void find_large_velocities(const StepConstants& step, bool carrying, const Large
     }
 }
 
+namespace {
+
+/// A quarter of what cells can still take, mm: a hair less, so that rounding cannot overfill them.
+Lanes quarter_room(Ints quanta) {
+    const Ints room = lanes::stdx::max(Ints(Ints(kMaxThickness_quanta - 4) - quanta), Ints(0));
+    return lanes::stdx::static_simd_cast<Lanes>(room) *
+           Lanes(0.2499F * static_cast<float>(kThicknessQuantum_mm));
+}
+
+/// What is cut already is left alone, whatever rounding says, so that a face comes out the same however
+/// often it is visited.
+int cut_row(const StepConstants& step, const LargeScratch& scratch, int along, int first_x, int y,
+            LargeFaces& faces) {
+    int count = 0;
+    for_each_lane_group(first_x, kTileSize, [&](int x) {
+        const int f = face_index(x, y), i = window_index(x, y);
+        const Ints left(&scratch.thickness[i], lanes::stdx::element_aligned);
+        const Ints right(&scratch.thickness[i + along], lanes::stdx::element_aligned);
+        const Lanes velocity = load(&faces.velocity[f]);
+        const Lanes per_velocity = Lanes(step.dt_s * step.inverse_cell) * load(&faces.depth[f]);
+        const Lanes crossing = velocity * per_velocity;
+        const Lanes fitting = lanes::clamp(crossing, Lanes(-quarter_room(left)), quarter_room(right));
+        const auto crowded = lanes::stdx::static_simd_cast<Lanes>(lanes::stdx::max(left, right)) >
+                             Lanes(static_cast<float>(kCrowded_quanta));
+        const auto cut = crowded && lanes::abs(crossing) > Lanes(1.00001F) * lanes::abs(fitting);
+        store(&faces.velocity[f], lanes::select(cut, Lanes(fitting / per_velocity), velocity));
+        count += lanes::stdx::popcount(cut);
+    });
+    return count;
+}
+
+}  // namespace
+
+int cut_to_room(const StepConstants& step, const LargeScratch& scratch, LargeTile& tile) {
+    int count = 0;
+    for (int y = -1; y < kTileSize; ++y) {
+        count += cut_row(step, scratch, kWindowStride, 0, y, tile.y);
+        if (y >= 0) count += cut_row(step, scratch, 1, -1, y, tile.x);
+    }
+    return count;
+}
+
 Shortage share_outflow(const StepConstants& step, int columns, int rows, const std::int32_t* thickness,
                        const LargeScratch& scratch, LargeTile& tile) {
     // A hair less than a cell holds and receives, so that the rounding at its four faces cannot overdraw
@@ -95,8 +138,7 @@ Shortage share_outflow(const StepConstants& step, int columns, int rows, const s
                              (fall(below) * load(granted + kWindowStride) +
                               rise(above) * load(granted - kWindowStride));
             const Lanes out = (rise(right) + fall(left)) + (rise(below) + fall(above));
-            const lanes::stdx::rebind_simd_t<std::int32_t, Lanes> quanta(thickness + cell,
-                                                                         lanes::stdx::element_aligned);
+            const Ints quanta(thickness + cell, lanes::stdx::element_aligned);
             const Lanes held = lanes::stdx::static_simd_cast<Lanes>(quanta) * usable;
             const Lanes supply = rise(held + Lanes(0.999F) * in - rounding);
             const Lanes part = lanes::min(one, Lanes((supply + tiny) / (out + tiny)));
@@ -137,7 +179,6 @@ namespace {
 void flux_row(const StepConstants& step, const LargeScratch& large, int along, int first_x, int y,
               const LargeFaces& faces, FaceArray<float>& velocity, FaceArray<std::int32_t>& flux,
               FlowExtremes& extremes) {
-    using Ints = lanes::stdx::rebind_simd_t<std::int32_t, Lanes>;
     const Lanes scale(step.dt_s * step.inverse_cell * static_cast<float>(1.0 / kThicknessQuantum_mm));
     Lanes speed(0.0F), thickness(0.0F), largest_mobility(0.0F);
     for_each_lane_group(first_x, kTileSize, [&](int x) {

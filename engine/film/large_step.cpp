@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 
 namespace pastoso::film {
 namespace {
@@ -138,6 +139,11 @@ struct LargeStepper::Pass {
             return tile == nullptr ? nullptr : (tile->*field).data() + y * kTileSize;
         };
     }
+    auto thickness_rows() const {
+        return [this](int tile_x, int tile_y, int y) {
+            return state.thickness.read(tile_y * state.shape.tiles_x() + tile_x) + y * kTileSize;
+        };
+    }
     auto faces(LargeFaces LargeTile::*direction, FaceArray<float> LargeFaces::*field) const {
         return [this, direction, field](int tile_x, int tile_y, int y) -> const float* {
             const LargeTile* tile = partner(tile_x, tile_y);
@@ -149,8 +155,9 @@ struct LargeStepper::Pass {
         gather_window(columns(place).patch, rows(place).patch, kWindowSize, kWindowStride, row_of,
                       out.data());
     }
-    template <class RowOf>
-    void gather_next(const TilePlace& place, const RowOf& row_of, WindowArray& out) const {
+    template <class RowOf, class T>
+    void gather_next(const TilePlace& place, const RowOf& row_of,
+                     std::array<T, kWindowCells>& out) const {
         gather_window(columns(place).next_cells, rows(place).next_cells, kTileSize + 2, kWindowStride,
                       row_of, &out[window_index(-1, -1)]);
     }
@@ -167,7 +174,7 @@ struct LargeStepper::Pass {
     float sweep(bool first);
     void solve(bool from_rest, LargeStepReport& report);
     Shortage share_outflow(const TilePlace& place, LargeTile& tile, LargeScratch& large) const;
-    Shortage find_velocities();
+    Shortage find_velocities(LargeStepReport& report);
     Shortage share_inflow();
     void solve_within_supply(LargeStepReport& report);
     std::vector<TileResult> finish();
@@ -322,15 +329,21 @@ Shortage LargeStepper::Pass::share_outflow(const TilePlace& place, LargeTile& ti
 
 /// The velocities that carry the paint, and how much of its outflow each cell can grant, counting on
 /// nothing from its neighbours. Returns how many cannot grant it all.
-Shortage LargeStepper::Pass::find_velocities() {
+Shortage LargeStepper::Pass::find_velocities(LargeStepReport& report) {
     std::vector<Shortage> shortages(places.size());
+    std::vector<int> cut_faces(places.size());
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
         gather_next(places[index], cells(&LargeTile::pressure), large.pressure);
         kernels.velocities(constants, true, large, tile);
+        if (tile.crowded) {
+            gather_next(places[index], thickness_rows(), large.thickness);
+            cut_faces[index] = kernels.cut_to_room(constants, large, tile);
+        }
         large.share.fill(0.0F);
         shortages[index] = share_outflow(places[index], tile, large);
         tile.share = tile.next_share;
     });
+    report.clamped_faces = std::accumulate(cut_faces.begin(), cut_faces.end(), 0);
     return total(shortages);
 }
 
@@ -351,7 +364,7 @@ Shortage LargeStepper::Pass::share_inflow() {
 void LargeStepper::Pass::solve_within_supply(LargeStepReport& report) {
     solve_yielding(report);
     for (int attempt = 0;; ++attempt) {
-        Shortage shortage = find_velocities();
+        Shortage shortage = find_velocities(report);
         for (int pass = 0; pass < kMostSharePasses && shortage.cells > 0; ++pass)
             shortage = share_inflow();
         report.limited_cells = shortage.thick_cells;

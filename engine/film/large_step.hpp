@@ -18,6 +18,7 @@ struct LargeStepReport {
     bool converged = true;           ///< false: the residual stayed too large for the step to be of use
     float residual = 0.0F;           ///< largest error of thickness before the last sweep, relative
     std::int64_t limited_cells = 0;  ///< whose outflow was cut by more than a tenth
+    std::int64_t clamped_faces = 0;  ///< whose flux was cut to the room of the cell ahead
 };
 
 /// Keeps what the large step needs of each tile from one step to the next.

@@ -19,7 +19,8 @@ inline constexpr int kPatchSize = grid::kTileSize + 2 * kOverlap;
 inline constexpr int kWindowMargin = kOverlap + 2;
 inline constexpr int kWindowSize = grid::kTileSize + 2 * kWindowMargin;
 inline constexpr int kWindowStride = 96;
-using WindowArray = std::array<float, kWindowSize * kWindowStride>;
+inline constexpr int kWindowCells = kWindowSize * kWindowStride;
+using WindowArray = std::array<float, kWindowCells>;
 
 using PatchArray = std::array<float, kPatchSize * kPatchSize>;
 
@@ -27,6 +28,9 @@ using PatchArray = std::array<float, kPatchSize * kPatchSize>;
 constexpr int window_index(int x, int y) {
     return (y + kWindowMargin) * kWindowStride + x + kWindowMargin;
 }
+
+/// A cell that holds less, among such, cannot be overfilled by its four faces in a step.
+inline constexpr std::int32_t kCrowded_quanta = kMaxThickness_quanta / 8;
 
 /// The faces of one direction.
 struct LargeFaces {
@@ -58,6 +62,7 @@ struct LargeTile {
     float residual = 0.0F;                ///< found by the last sweep
     bool stubborn = false;                ///< a single V-cycle does not get hold of its residual
     bool light = false;                   ///< somewhere its paint remembers its motion
+    bool crowded = false;                 ///< it or its margin has a cell of more than kCrowded_quanta
     bool unsteady = false;  ///< its drag, or that of a tile beside it, still changes with its flow
 };
 
@@ -109,6 +114,7 @@ struct LargeScratch {
     alignas(64) BlockArray<float> lagged_pressure{};
     alignas(64) WindowArray pressure{}, change{}, source{}, rest_pressure{}, residual{}, share{};
     alignas(64) WindowArray mobility_x{}, mobility_y{}, weight_x{}, weight_y{};
+    alignas(64) std::array<std::int32_t, kWindowCells> thickness{};  ///< quanta
     /// Of the patch's solve, zero outside the patch.
     alignas(64) WindowArray correction{}, direction{}, flow{}, response{};
     alignas(64) WindowArray last_direction{}, last_flow{}, last_response{};

@@ -50,10 +50,12 @@ struct ChannelInts {
 constexpr std::int32_t kTraceQuanta = 1 << 10;
 
 /// Reads the fluxes and concentrations of a tile and says what pigment passes a face.
-template <bool kLargeFluxes>
+template <bool kLargeFluxes, bool kIsCrowded>
 struct PigmentFluxes {
     const TileScratch& scratch;
     const float* concentrations;
+    const PaintCell* held;
+    int& held_back_faces;
 
     /// The signed pigment that `flux` thickness quanta take with them from the cell before the face to
     /// the one behind it. `block_step` and `concentration_step` lead from one to the other. With the
@@ -93,33 +95,57 @@ struct PigmentFluxes {
         return carried;
     }
     [[gnu::always_inline]] ChannelInts through_x(int x, int y) const {
-        return through(scratch.flux_x[face_index(x, y)], block_index(x, y), concentration_index(x, y), 1,
-                       kPaintChannels);
+        const ChannelInts wanted = through(scratch.flux_x[face_index(x, y)], block_index(x, y),
+                                           concentration_index(x, y), 1, kPaintChannels);
+        return kIsCrowded ? fitting(wanted, held[held_index(x, y)], held[held_index(x + 1, y)]) : wanted;
     }
     [[gnu::always_inline]] ChannelInts through_y(int x, int y) const {
-        return through(scratch.flux_y[face_index(x, y)], block_index(x, y), concentration_index(x, y),
-                       kBlockStride, kPaintChannels * kConcentrationSide);
+        const ChannelInts wanted =
+            through(scratch.flux_y[face_index(x, y)], block_index(x, y), concentration_index(x, y),
+                    kBlockStride, kPaintChannels * kConcentrationSide);
+        return kIsCrowded ? fitting(wanted, held[held_index(x, y)], held[held_index(x, y + 1)]) : wanted;
+    }
+
+    /// At most a quarter of what the cell that it enters can still count.
+    ChannelInts fitting(const ChannelInts& wanted, const PaintCell& before,
+                        const PaintCell& behind) const {
+        const IntChannels most(std::numeric_limits<std::int32_t>::max());
+        const ChannelInts low = ChannelInts::load(before), high = ChannelInts::load(behind);
+        ChannelInts result;
+        bool all_pass = true;
+        for (int q = 0; q < kRegisters; ++q) {
+            const IntChannels forwards = IntChannels(most - high.registers[q]) >> 2;
+            const IntChannels backwards = -IntChannels(IntChannels(most - low.registers[q]) >> 2);
+            result.registers[q] =
+                lanes::stdx::max(lanes::stdx::min(wanted.registers[q], forwards), backwards);
+            all_pass = all_pass && lanes::stdx::all_of(result.registers[q] == wanted.registers[q]);
+        }
+        held_back_faces += all_pass ? 0 : 1;
+        return result;
     }
 };
 
-void add_runoff(const ChannelInts& outward, PigmentTotals& totals) {
+void add_runoff(const ChannelInts& outward, PigmentMoved& moved) {
     for (int k = 0; k < kPaintChannels; ++k)
-        totals[k] += outward.registers[k / kWidth][k % kWidth];
+        moved.runoff[k] += outward.registers[k / kWidth][k % kWidth];
 }
 
-template <bool kLargeFluxes>
-PigmentTotals transport(const PigmentFluxes<kLargeFluxes>& fluxes, int columns, int rows,
-                        const OpenEdges& runoff_edges, const PaintCell* before, PaintCell* after) {
-    PigmentTotals runoff{};
+template <bool kLargeFluxes, bool kIsCrowded>
+PigmentMoved transport(const TileScratch& scratch, const float* concentrations, const PaintCell* held,
+                       int columns, int rows, const OpenEdges& runoff_edges, const PaintCell* before,
+                       PaintCell* after) {
+    PigmentMoved moved;
+    const PigmentFluxes<kLargeFluxes, kIsCrowded> fluxes{scratch, concentrations, held,
+                                                         moved.held_back_faces};
     std::array<PaintCell, kTileSize> from_above;
     for (int x = 0; x < columns; ++x) {
         const ChannelInts top = fluxes.through_y(x, -1);
-        if (runoff_edges.top) add_runoff(-top, runoff);
+        if (runoff_edges.top) add_runoff(-top, moved);
         top.store(from_above[x]);
     }
     for (int y = 0; y < rows; ++y) {
         ChannelInts left = fluxes.through_x(-1, y);
-        if (runoff_edges.left) add_runoff(-left, runoff);
+        if (runoff_edges.left) add_runoff(-left, moved);
         for (int x = 0; x < columns; ++x) {
             const int cell = y * kTileSize + x;
             const ChannelInts right = fluxes.through_x(x, y);
@@ -132,41 +158,47 @@ PigmentTotals transport(const PigmentFluxes<kLargeFluxes>& fluxes, int columns, 
             now.store(after[cell]);
             below.store(from_above[x]);
             left = right;
-            if (runoff_edges.bottom && y == rows - 1) add_runoff(below, runoff);
+            if (runoff_edges.bottom && y == rows - 1) add_runoff(below, moved);
         }
-        if (runoff_edges.right) add_runoff(left, runoff);
+        if (runoff_edges.right) add_runoff(left, moved);
     }
-    return runoff;
+    return moved;
 }
 
 }  // namespace
 
-PigmentTotals transport_pigment(const TileScratch& scratch, const float* concentrations, int columns,
-                                int rows, const OpenEdges& runoff_edges, const PaintCell* before,
-                                PaintCell* after) {
-    if (scratch.large_fluxes)
-        return transport(PigmentFluxes<true>{scratch, concentrations}, columns, rows, runoff_edges,
-                         before, after);
-    return transport(PigmentFluxes<false>{scratch, concentrations}, columns, rows, runoff_edges, before,
-                     after);
+PigmentMoved transport_pigment(const TileScratch& scratch, const float* concentrations,
+                               const PaintCell* held, int columns, int rows,
+                               const OpenEdges& runoff_edges, const PaintCell* before,
+                               PaintCell* after) {
+    const auto move = [&](auto transport_as) {
+        return transport_as(scratch, concentrations, held, columns, rows, runoff_edges, before, after);
+    };
+    if (held != nullptr)
+        return scratch.large_fluxes ? move(transport<true, true>) : move(transport<false, true>);
+    return scratch.large_fluxes ? move(transport<true, false>) : move(transport<false, false>);
 }
 
-void concentrate(const PaintCell* pigment, const std::int32_t* thickness, int count, float* out) {
+std::int32_t concentrate(const PaintCell* pigment, const std::int32_t* thickness, int count,
+                         float* out) {
     // Two quanta and one part in a million stay behind: the four roundings of a cell's outflows and the
     // rounding of the product then never take more than it holds.
     constexpr float kShare = 1.0F - 0x1p-20F;
+    IntChannels largest(0);
     for (int cell = 0; cell < count; ++cell) {
         const float inverse = thickness[cell] > 0 ? kShare / static_cast<float>(thickness[cell]) : 0.0F;
         const ChannelInts held = ChannelInts::load(pigment[cell]);
         for (int q = 0; q < kRegisters; ++q) {
             const IntChannels movable =
                 lanes::stdx::max(IntChannels(held.registers[q] - IntChannels(2)), IntChannels(0));
+            largest = lanes::stdx::max(largest, held.registers[q]);
             const Channels concentration =
                 lanes::stdx::static_simd_cast<Channels>(movable) * Channels(inverse);
             concentration.copy_to(out + cell * kPaintChannels + kWidth * q,
                                   lanes::stdx::element_aligned);
         }
     }
+    return lanes::stdx::hmax(largest);
 }
 
 }  // namespace pastoso::film::PASTOSO_ISA

@@ -294,6 +294,7 @@ AdvanceReport Solver::Parts::large_step(double dt_s, int halvings) {
     large.settle(state, places, pool, scratch);
     report.large_steps = 1;
     report.limited_cells = solved.limited_cells;
+    report.clamped_faces += solved.clamped_faces;
     report.sweeps = solved.sweeps;
     report.largest_residual = solved.residual;
     return report;

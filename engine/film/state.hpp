@@ -13,12 +13,20 @@ namespace pastoso::film {
 
 /// Thickness is counted in whole quanta, so that paint is moved and never lost to rounding: what leaves
 /// one place and arrives at another is the same integer (docs/decisions/0001-fixed-point-paint.md). 30
-/// pm a quantum; at most 64 mm a cell.
+/// pm a quantum.
 inline constexpr double kThicknessQuantum_mm = 0x1p-25;
 
-/// The thickest wet paint a tool may build up in a cell: keeps the strongest pigment of the palette
-/// (1043 per mm) within the range of its channel.
+/// The thickest wet paint that a cell may hold: neither tools nor flow fill it further. Keeps the
+/// strongest pigment of the palette (1043 per mm) and the hardest paint (1000 Pa) within the range of
+/// their channels, 16384 units, and thickness far from its own, 64 mm.
 inline constexpr double kMaxThickness_mm = 15.0;
+inline constexpr auto kMaxThickness_quanta =
+    static_cast<std::int32_t>(kMaxThickness_mm / kThicknessQuantum_mm);
+
+/// Thickness quanta that a cell can still take.
+inline constexpr std::int32_t room_quanta(std::int32_t thickness_quanta) {
+    return thickness_quanta < kMaxThickness_quanta ? kMaxThickness_quanta - thickness_quanta : 0;
+}
 
 inline constexpr float thickness_mm(std::int32_t quanta) {
     return static_cast<float>(quanta) * static_cast<float>(kThicknessQuantum_mm);
@@ -40,8 +48,9 @@ struct FilmState {
     grid::Shape shape;
     double cell_mm = 0.25;
 
-    grid::TiledField<std::int32_t> thickness;  ///< h, mean over the cell, quanta, >= 0
-    grid::TiledField<PaintCell> paint;         ///< what the wet paint of the cell carries
+    grid::TiledField<std::int32_t>
+        thickness;                       ///< h, mean over the cell, quanta, 0..kMaxThickness_quanta
+    grid::TiledField<PaintCell> paint;   ///< what the wet paint of the cell carries
     grid::TiledField<float> velocity_x;  ///< depth mean at the face between (x, y) and (x+1, y), mm/s
     grid::TiledField<float> velocity_y;  ///< depth mean at the face between (x, y) and (x, y+1), mm/s
     grid::TiledField<float> support_mm;  ///< c, height of the dry surface below the paint

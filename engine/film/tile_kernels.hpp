@@ -9,10 +9,12 @@
     void prepare_pressure(const StepConstants& step, TileScratch& scratch);                             \
     FlowExtremes tile_flow(const StepConstants& step, int columns, int rows, const ClosedEdges& closed, \
                            TileScratch& scratch);                                                       \
-    PigmentTotals transport_pigment(const TileScratch& scratch, const float* concentrations,            \
-                                    int columns, int rows, const OpenEdges& runoff_edges,               \
-                                    const PaintCell* before, PaintCell* after);                         \
-    void concentrate(const PaintCell* pigment, const std::int32_t* thickness, int count, float* out);   \
+    PigmentMoved transport_pigment(const TileScratch& scratch, const float* concentrations,             \
+                                   const PaintCell* held, int columns, int rows,                        \
+                                   const OpenEdges& runoff_edges, const PaintCell* before,              \
+                                   PaintCell* after);                                                   \
+    std::int32_t concentrate(const PaintCell* pigment, const std::int32_t* thickness, int count,        \
+                             float* out);                                                               \
     void cell_rheology(const PaintCell* paint, const std::int32_t* thickness, int count,                \
                        float yield_per_Pa, float* viscosity, float* yield);                             \
     void apply_fluxes(const TileScratch& scratch, std::int32_t* after);                                 \

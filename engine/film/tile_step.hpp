@@ -6,6 +6,7 @@
 #include "film/step_constants.hpp"
 
 #include <array>
+#include <limits>
 
 namespace pastoso::film {
 
@@ -45,19 +46,22 @@ struct FlowExtremes {
     float mobility = 0.0F;      ///< largest h du/da, mm s
     float thickness_mm = 0.0F;  ///< of flowing film
     float speed_mm_s = 0.0F;
-    int clamped_faces = 0;
+    int clamped_faces = 0;  ///< at the largest speed, or cut to the room that is left
 };
 
 /// From scratch.block to velocities and fluxes at all faces of the tile, edges included. `columns` and
-/// `rows` are the tile's cells on the canvas. No flux takes more than a quarter of its cell, so that no
-/// cell can be overdrawn whatever its other faces do.
+/// `rows` are the tile's cells on the canvas. No flux takes more than a quarter of the cell that it
+/// leaves, nor more than a quarter of the room of the one that it enters, so that no cell can be
+/// overdrawn or overfilled whatever its other faces do.
 using TileFlow = FlowExtremes (*)(const StepConstants& step, int columns, int rows,
                                   const ClosedEdges& closed, TileScratch& scratch);
 
 /// Moves pigment with the fluxes of scratch: upwind concentration with a minmod slope, scaled so that
-/// the four outflows of a cell cannot exceed what it holds. `pigment` is the tile's new pigment, which
-/// starts as a copy of the old one; `concentrations` must hold kConcentrationCount floats. Returns what
-/// crossed the edges given as open in `runoff_edges`.
+/// the four outflows of a cell cannot exceed what it holds. `after` is the tile's new pigment;
+/// `concentrations` must hold kConcentrationCount floats. Returns what crossed the edges given as open
+/// in `runoff_edges`. Where a channel might overflow (kCrowded), `held` is the old pigment of the tile
+/// with a margin of one cell, and no more enters a cell through a face than a quarter of what its
+/// channel can still count; elsewhere it is null.
 inline constexpr int kConcentrationHalo = 2;
 inline constexpr int kConcentrationSide = grid::kTileSize + 2 * kConcentrationHalo;
 inline constexpr int kConcentrationCount = kConcentrationSide * kConcentrationSide * kPaintChannels;
@@ -67,15 +71,26 @@ constexpr int concentration_index(int x, int y) {
 struct OpenEdges {
     bool left = false, right = false, top = false, bottom = false;
 };
-using PigmentTotals = std::array<std::int64_t, kPaintChannels>;
-using PigmentTransport = PigmentTotals (*)(const TileScratch& scratch, const float* concentrations,
-                                           int columns, int rows, const OpenEdges& runoff_edges,
-                                           const PaintCell* before, PaintCell* after);
+inline constexpr int kHeldSide = grid::kTileSize + 2;
+constexpr int held_index(int x, int y) {
+    return (y + 1) * kHeldSide + x + 1;
+}
+/// No cell can gain more than its four neighbours hold.
+inline constexpr std::int32_t kCrowded = std::numeric_limits<std::int32_t>::max() / 5;
+struct PigmentMoved {
+    std::array<std::int64_t, kPaintChannels> runoff{};
+    int held_back_faces = 0;  ///< where a full channel let only part of the pigment through
+};
+using PigmentTransport = PigmentMoved (*)(const TileScratch& scratch, const float* concentrations,
+                                          const PaintCell* held, int columns, int rows,
+                                          const OpenEdges& runoff_edges, const PaintCell* before,
+                                          PaintCell* after);
 
 /// Pigment quanta per thickness quantum of `count` neighbouring cells, a hair below the exact ratio so
-/// that rounding never overdraws a cell; 0 where there is no paint.
-using Concentrate = void (*)(const PaintCell* pigment, const std::int32_t* thickness, int count,
-                             float* out);
+/// that rounding never overdraws a cell; 0 where there is no paint. Returns the largest amount in any
+/// channel.
+using Concentrate = std::int32_t (*)(const PaintCell* pigment, const std::int32_t* thickness, int count,
+                                     float* out);
 
 /// h_new = h - div(flux) in whole quanta for all 64 x 64 cells; what it writes beyond the canvas means
 /// nothing.

@@ -75,13 +75,18 @@ std::int64_t thickness_runoff(const TileScratch& scratch, int columns, int rows,
 void move_pigment(const FilmState& state, const TilePlace& place, WorkerScratch& worker,
                   TileResult& result) {
     const int columns = place.columns.extent, rows = place.rows.extent;
-    gather_concentrations(state, place.columns, place.rows, place.tile_x, tile_kernels().concentrate,
-                          worker.concentrations.data());
+    const std::int32_t largest =
+        gather_concentrations(state, place.columns, place.rows, place.tile_x, tile_kernels().concentrate,
+                              worker.concentrations.data());
+    const bool crowded = largest > kCrowded;
+    if (crowded) gather_held(state, place.columns, place.rows, worker.held);
     const bool whole = columns == kTileSize && rows == kTileSize;
     result.paint = whole ? TileBlock<PaintCell>::uninitialised() : TileBlock<PaintCell>::filled({});
-    result.runoff.paint =
-        tile_kernels().transport(worker.tile, worker.concentrations.data(), columns, rows,
-                                 place.runoff_edges, state.paint.read(place.tile), result.paint.write());
+    const PigmentMoved moved = tile_kernels().transport(
+        worker.tile, worker.concentrations.data(), crowded ? worker.held.data() : nullptr, columns, rows,
+        place.runoff_edges, state.paint.read(place.tile), result.paint.write());
+    result.runoff.paint = moved.runoff;
+    result.extremes.clamped_faces += moved.held_back_faces;
 }
 
 void move_paint(const FilmState& state, const TilePlace& place, WorkerScratch& worker,

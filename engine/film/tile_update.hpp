@@ -16,6 +16,7 @@ namespace pastoso::film {
 struct WorkerScratch {
     TileScratch tile{};
     std::vector<float> concentrations = std::vector<float>(kConcentrationCount);
+    std::vector<PaintCell> held;  ///< of crowded tiles
 };
 
 /// Where a tile lies and what surrounds it.

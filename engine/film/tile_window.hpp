@@ -27,7 +27,8 @@ std::vector<WindowRun> window_runs(int tile_index, int canvas_cells, Edge edge, 
 std::vector<WindowRun> covering_runs(int tile_index, int canvas_cells, Edge edge, int margin);
 
 /// Copies a run of values; those of a whole tile's row without asking how many.
-inline void copy_run(const float* from, int count, float* to) {
+template <class T>
+void copy_run(const T* from, int count, T* to) {
     if (count == grid::kTileSize)
         std::copy_n(from, grid::kTileSize, to);
     else
@@ -47,19 +48,19 @@ inline bool cover_all(const std::vector<WindowRun>& runs, int size) {
 /// cell). `row_of(tile_x, tile_y, cell_y)` gives the values of a row of a tile's cells, or null for a
 /// tile that takes no part: its cells, and those of no tile, are set to zero. `size` is the window's
 /// width and height.
-template <class RowOf>
+template <class RowOf, class T>
 void gather_window(const std::vector<WindowRun>& columns, const std::vector<WindowRun>& rows, int size,
-                   int stride, const RowOf& row_of, float* out) {
+                   int stride, const RowOf& row_of, T* out) {
     if (!cover_all(columns, size) || !cover_all(rows, size))
         for (int y = 0; y < size; ++y)
-            std::fill_n(out + y * stride, size, 0.0F);
+            std::fill_n(out + y * stride, size, T{});
     for (const WindowRun& row : rows)
         for (const WindowRun& column : columns)
             for (int k = 0; k < row.count; ++k) {
-                const float* source = row_of(column.tile, row.tile, row.cell + k);
-                float* to = out + (row.position + k) * stride + column.position;
+                const T* source = row_of(column.tile, row.tile, row.cell + k);
+                T* to = out + (row.position + k) * stride + column.position;
                 if (source == nullptr)
-                    std::fill_n(to, column.count, 0.0F);
+                    std::fill_n(to, column.count, T{});
                 else
                     copy_run(source + column.cell, column.count, to);
             }

@@ -200,6 +200,32 @@ TEST(PutDown, HeapsUpNoMoreThanACellMayHold) {
     EXPECT_LT(studio::balance_error(held, before), 1e-14);
 }
 
+// Paint that has dried on may hold more pigment than any paint from a tube.
+TEST(PutDown, LeavesOutPigmentThatACellCannotCount) {
+    Contents held;
+    held.volume_mm3 = 100.0;
+    for (double& pigment : held.paint)
+        pigment = 100.0 * kStrongestPaint_per_mm;
+    film::FilmState film = studio::smooth(8.0, 8.0);
+    film::PaintCell strong;
+    strong.fill(2'000'000'000);
+    for (int y = 0; y < film.shape.height; ++y)
+        for (int x = 0; x < film.shape.width; ++x) {
+            film.thickness.set(x, y, static_cast<std::int32_t>(1.0 / film::kThicknessQuantum_mm));
+            film.paint.set(x, y, strong);
+        }
+    Contents before = studio::contents(film);
+    before += held;
+    CellBatch scratch;
+    put_down(held, 90.0, 4.0, 4.0, 0.6, 1, film, scratch);
+    for (int y = 0; y < film.shape.height; ++y)
+        for (int x = 0; x < film.shape.width; ++x)
+            for (const std::int32_t quanta : film.paint.at(x, y))
+                ASSERT_GE(quanta, 2'000'000'000);
+    held += studio::contents(film);
+    EXPECT_LT(studio::balance_error(held, before), 1e-14);
+}
+
 /// Random cells and a rule that reaches them, for comparing instruction sets.
 struct RandomBatch {
     static constexpr int kCount = 96;

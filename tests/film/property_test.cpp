@@ -1,5 +1,5 @@
-// Laws that hold for any paint, tried on white noise with random properties: 240 fixed seeds, and as
-// many fresh ones in the long set (long_property_test.cpp).
+// Laws that hold for any paint, tried on white noise with random properties: 240 fixed seeds for
+// each scheme, and as many others and fresh ones in the long set (long_property_test.cpp).
 #include "film/random_paint.hpp"
 
 #include <tuple>

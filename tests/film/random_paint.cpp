@@ -43,10 +43,9 @@ void choose_edges(EdgeKind kind, Dice& dice, Scene& scene) {
     scene.edge_y = kind == EdgeKind::Mixed ? dice.edge() : same;
 }
 
-/// The tilt. Two limits keep paint below the 64 mm that a cell can count, which is the whole range of
-/// the solver: on walls, a film as wide as a canvas rises to extent * F/g; and a film that falls faster
-/// than its own waves (Froude number above 1) breaks into roll waves that climb onto each other without
-/// end.
+/// The tilt. Two limits keep paint from filling cells, which full_cell_test.cpp is about: on walls, a
+/// film as wide as a canvas rises to extent * F/g; and a film that falls faster than its own waves
+/// (Froude number above 1) breaks into roll waves that climb onto each other without end.
 void choose_force(double thickness, Dice& dice, Scene& scene) {
     const double wave_speed = std::sqrt(scene.gravity * thickness);
     const double fastest_fall = scene.gravity * thickness * thickness / (3 * scene.viscosity);
@@ -100,8 +99,13 @@ double wall_allowance(const Scene& scene) {
     return 2 * rise / scene.gravity;
 }
 
+/// The thickest that paint may come to lie.
+double thickness_allowance(const RandomPaint& paint) {
+    return std::min(8 * paint.largest_mm + wall_allowance(paint.scene), kMaxThickness_mm);
+}
+
 void expect_sound(const Bench& bench, const RandomPaint& paint) {
-    EXPECT_LE(bench.max_h(), 8 * paint.largest_mm + wall_allowance(bench.scene));
+    EXPECT_LE(bench.max_h(), thickness_allowance(paint));
     for (int y = 0; y < bench.scene.height; ++y)
         for (int x = 0; x < bench.scene.width; ++x) {
             ASSERT_GE(bench.state.thickness.at(x, y), 0) << x << ' ' << y;
@@ -128,13 +132,31 @@ void lay(const RandomPaint& paint, Bench& bench) {
     bench.tint(11, [seed](int x, int y) { return 0.01 * noise(seed + 3, x, y); });
 }
 
+/// What a call of advance() passes. A large step must not carry paint by more than a fifth of a cell;
+/// four of them are enough to show that they follow on each other.
+double frame_s(const Scheme& scheme, const Bench& bench, const RandomPaint& paint) {
+    const double limit_s = scheme.step_in_limits * bench.solver->stable_step_s(paint.largest_mm);
+    if (scheme.options.scheme == film::Scheme::Explicit) return limit_s;
+    const double drag_rate = 3 * paint.scene.viscosity / (paint.largest_mm * paint.largest_mm);
+    const double speed = std::hypot(paint.scene.force_x, paint.scene.force_y) / drag_rate;
+    return std::min(limit_s, 4 * 0.2 * paint.scene.cell_mm / speed);
+}
+
+void count_large_steps(const AdvanceReport& report, RandomRuns& runs) {
+    runs.large_steps += report.large_steps;
+    runs.rejected_steps += report.rejected_steps;
+    runs.sweeps += report.sweeps;
+    if (report.large_steps > 0) runs.cells += report.cells_stepped;
+    runs.limited_cells += report.limited_cells;
+}
+
 void run_paint(const Scheme& scheme, RandomPaint paint, int steps, RandomRuns& runs) {
     SCOPED_TRACE(testing::Message() << "seed " << paint.seed);
     paint.scene.solver = scheme.options;
     Bench bench(paint.scene);
     lay(paint, bench);
     const Totals before = totals(bench.state);
-    const double dt = scheme.step_in_limits * bench.solver->stable_step_s(paint.largest_mm);
+    const double dt = frame_s(scheme, bench, paint);
     AdvanceReport early, late;
     for (int step = 0; step < 20; ++step)
         early.add(bench.solver->advance(dt));
@@ -150,6 +172,9 @@ void run_paint(const Scheme& scheme, RandomPaint paint, int steps, RandomRuns& r
     runs.early_clamps += early.clamped_faces;
     runs.late_faces += 2 * late.cells_stepped;
     runs.late_clamps += late.clamped_faces;
+    count_large_steps(early, runs);
+    count_large_steps(late, runs);
+    runs.fullest = std::max(runs.fullest, bench.max_h() / thickness_allowance(paint));
 }
 
 }  // namespace
@@ -193,6 +218,10 @@ RandomRuns run_random_paints(const Scheme& scheme, EdgeKind edges, const SeedRan
     return runs;
 }
 
+double per(std::int64_t part, std::int64_t whole) {
+    return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+}
+
 void expect_calm(const RandomRuns& runs) {
     std::printf(
         "%d paints, %lld steps: %lld of %lld faces clamped in the first 20 steps, %lld of %lld later, "
@@ -201,9 +230,17 @@ void expect_calm(const RandomRuns& runs) {
         runs.paints, static_cast<long long>(runs.steps), static_cast<long long>(runs.early_clamps),
         static_cast<long long>(runs.early_faces), static_cast<long long>(runs.late_clamps),
         static_cast<long long>(runs.late_faces), runs.paints_clamped_late);
+    std::printf(
+        "%lld large steps: %.3f sweeps each, %.2e rejected, %.2e of their cells limited; %.2f of the "
+        "thickest allowed\n",
+        static_cast<long long>(runs.large_steps), per(runs.sweeps, runs.large_steps),
+        per(runs.rejected_steps, runs.large_steps), per(runs.limited_cells, runs.cells), runs.fullest);
     EXPECT_LE(static_cast<double>(runs.early_clamps), 1e-4 * static_cast<double>(runs.early_faces));
     EXPECT_LE(static_cast<double>(runs.late_clamps), 1e-7 * static_cast<double>(runs.late_faces));
     EXPECT_LE(runs.paints_clamped_late, runs.paints / 20);
+    EXPECT_LE(per(runs.sweeps, runs.large_steps), 4.0);
+    EXPECT_LE(per(runs.rejected_steps, runs.large_steps), 0.01);
+    EXPECT_LE(per(runs.limited_cells, runs.cells), 1e-4);
 }
 
 }  // namespace pastoso::film::test

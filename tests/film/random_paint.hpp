@@ -33,6 +33,9 @@ struct RandomRuns {
     std::int64_t steps = 0;
     std::int64_t early_faces = 0, early_clamps = 0;  ///< faces stepped and clamped in the first 20 steps
     std::int64_t late_faces = 0, late_clamps = 0;    ///< after them
+    std::int64_t large_steps = 0, rejected_steps = 0, sweeps = 0;  ///< of large steps
+    std::int64_t cells = 0, limited_cells = 0;                     ///< stepped by large steps
+    double fullest = 0;  ///< thickest paint over what may be expected of its case, at most 1
 };
 
 struct SeedRange {
@@ -42,10 +45,12 @@ struct SeedRange {
 };
 
 /// Runs the paints of some seeds and expects (as test failures that name the seed) that each stays
-/// finite, non-negative and exact in volume and pigment, run-off included, and that it piles up nowhere.
+/// finite, non-negative and exact in volume and pigment, run-off included, and that it piles up nowhere,
+/// above all not beyond what a cell may hold.
 RandomRuns run_random_paints(const Scheme& scheme, EdgeKind edges, const SeedRange& seeds);
 
-/// Prints the counts and expects that clamps are as rare as in a healthy solver.
+/// Prints the counts and expects that clamps are as rare as in a healthy solver, and that large steps
+/// seldom have to be tried again or cut.
 void expect_calm(const RandomRuns& runs);
 
 }  // namespace pastoso::film::test

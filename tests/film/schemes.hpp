@@ -46,8 +46,7 @@ inline std::vector<Scheme> all_schemes() {
              // film that runs on by inertia has been seen to gain 0.5 %.
              .thin_energy_gain = 1e-2,
              .thin_viscosity_mm2_s = 3.0,
-             .random_paints = 10,
-             .random_steps = 40,
+             .random_steps = 30,
              // Its equations are met to a hundredth of a cell's thickness, in checkerboard order, and
              // the alpha range makes much of little (0.2 % without it).
              .turning_error = 2e-2,
