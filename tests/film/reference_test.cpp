@@ -204,6 +204,40 @@ nlohmann::json exact_values() {
     return file ? nlohmann::json::parse(file) : nlohmann::json();
 }
 
+// The other exact values stand in the tables too, which the tests above compare with.
+TEST(Recorded, ExactValuesAreThoseOfTheTables) {
+    const nlohmann::json exact = exact_values();
+    if (exact.is_null()) GTEST_SKIP() << "The recorded results are not here: " << reference_path("");
+    constexpr double kDigits = 2e-5;  // the tables have five or six
+    for (const ReferenceRow& row : reference_table("decay.csv")) {
+        const std::string& kind = row.text("kind");
+        for (const auto& decay : exact.at("linear_decay")) {
+            const bool same = decay.at("cells_per_wave") == row.number("cells_per_wave") &&
+                              (decay.at("g") == 0) == (kind == "capillary") &&
+                              (decay.at("sig") == 0) == (kind == "gravity");
+            if (same) {
+                EXPECT_NEAR(row.number("rate_exact") / decay.at("rate").get<double>(), 1.0, kDigits);
+            }
+        }
+    }
+    for (const ReferenceRow& row : reference_table("slope_current.csv"))
+        for (const auto& front : exact.at("huppert_slope").at("front"))
+            if (front.at(0) == row.number("t")) {
+                EXPECT_NEAR(row.number("xN_exact") / front.at(1).get<double>(), 1.0, kDigits);
+            }
+    for (const ReferenceRow& row : reference_table("sessile.csv"))
+        for (const auto& cap : exact.at("sessile_cap"))
+            if (cap.at("tan") == row.number("tan")) {
+                const char* height = row.number("fullcurv") != 0 ? "full_h0" : "small_slope_h0";
+                EXPECT_NEAR(row.number("h0_exact") / cap.at(height).get<double>(), 1.0, kDigits);
+            }
+    const double arrested = exact.at("yield").at("flat_arrest").at("h0");
+    for (const ReferenceRow& row : reference_table("yield.csv"))
+        if (row.text("case").starts_with("flat_arrest_h0")) {
+            EXPECT_NEAR(row.number("exact") / arrested, 1.0, kDigits);
+        }
+}
+
 TEST(Recorded, NusseltAndBinghamFilms) {
     const nlohmann::json exact = exact_values();
     if (exact.is_null()) GTEST_SKIP() << "The recorded results are not here: " << reference_path("");
