@@ -33,8 +33,8 @@ TEST(CliHelp, ReplayNamesAllItsOptions) {
 TEST(CliHelp, SimulateNamesTheScenesThatComeWithTheProgram) {
     EXPECT_THAT(
         run_cli({"simulate", "--help"}).output,
-        HasSubstr(
-            "glaze, paper-fig2, paper-fig3, paper-fig4, paper-fig5, paper-fig6, ridges, run-off."));
+        HasSubstr("glaze, paper-fig2, paper-fig3, paper-fig4, paper-fig5, paper-fig6, ridges, run-off, "
+                  "two-schemes."));
 }
 
 TEST(CliHelp, TellsItsVersion) {

@@ -85,10 +85,10 @@ TEST(Recorded, AxisymmetricCurrent) {
     }
 }
 
-// The first four lines have alpha = 1, the others the range from 0.5 to 1.2. With the range the record's
-// tension keeps its direction on paint that is all but level; the film behind the drop then breaks into
-// streaks of low and high drag, which run faster than paint of the mean drag. The product's tension does
-// not (docs/decisions/0011): its centroids come 6 % less far, its tips one cell.
+// The first four lines have alpha = 1, the others the range from 0.5 to 1.2. There the record took the
+// surface tension in the plane, which lets level paint break into streaks of low and high drag that run
+// faster than paint of the mean drag. The product takes it in space (docs/decisions/0011): its centroids
+// come 12 % less far, which is the price; its tips 1.5 cells, its widths one.
 TEST(Recorded, DripsInFourDirections) {
     PASTOSO_REFERENCE_OR_SKIP(rows, "rotation.csv");
     ASSERT_EQ(rows.size(), 8U);
@@ -96,7 +96,7 @@ TEST(Recorded, DripsInFourDirections) {
         const bool one_alpha = i < 4;
         const ReferenceRow& row = rows[i];
         const Drip result = drip(row.number("angle"), one_alpha ? 1.0 : 0.5, one_alpha ? 1.0 : 1.2);
-        const double centroid = one_alpha ? 0.001 : 0.065, cells = one_alpha ? 0.01 : 2.0;
+        const double centroid = one_alpha ? 0.001 : 0.125, cells = one_alpha ? 0.01 : 2.0;
         EXPECT_NEAR(result.centroid / row.number("centroid"), 1.0, centroid) << i;
         EXPECT_NEAR(result.tip, row.number("tip"), cells) << i;
         EXPECT_NEAR(result.half_width, row.number("width"), cells) << i;
