@@ -6,6 +6,7 @@
 #include "cli/simulate.hpp"
 #include "cli/usage_error.hpp"
 #include "core/error.hpp"
+#include "io/scene_json.hpp"
 
 #include <cstdio>
 #include <new>
@@ -108,6 +109,13 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
         "--paint PB29=1+PW6=0.5 PY35 \\\n      --canvas 300x200mm --tilt 60 --seconds 8 -o out.png");
 }
 
+std::string bundled_scenes_text() {
+    std::string text;
+    for (const std::string& name : io::bundled_scene_names())
+        text += (text.empty() ? " " : ", ") + name;
+    return text;
+}
+
 void add_simulate(CLI::App& app, SimulateOptions& options) {
     CLI::App& command = *app.add_subcommand(
         "simulate", "Let a film of paint run without a brush, and write what is measured and seen");
@@ -131,9 +139,10 @@ void add_simulate(CLI::App& app, SimulateOptions& options) {
     command.add_option("--stats", options.stats, "Write times and counts as one JSON object")
         ->type_name("FILE");
     command.add_flag("-q,--quiet", options.quiet, "Show no progress");
-    command.footer(
-        "docs/scene-format.md describes scene files. Scenes that come with the program: paper-fig2 to "
-        "paper-fig6.\nExample:\n  pastoso-cli simulate paper-fig2 -o fig2");
+    command.footer([] {
+        return "docs/scene-format.md describes scene files. Scenes that come with the program:" +
+               bundled_scenes_text() + ".\nExample:\n  pastoso-cli simulate paper-fig2 -o fig2";
+    });
 }
 
 void add_info(CLI::App& app, InfoOptions& options) {

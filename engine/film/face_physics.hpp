@@ -122,16 +122,19 @@ PASTOSO_FACE_FUNCTION F upwind_thickness(const FaceNeighbourhood<F>& face, F dri
                         lanes::max(face.h_left, face.h_right));
 }
 
-/// k_d = 6 / (3 alpha - 1) between its two ends, linear in the cosine between the flow and the surface
-/// tension T = sigma kappa n. Where the surface is as good as flat (radius of curvature beyond 5000
-/// cells) or still, that cosine is only rounding noise, whose sign would print streaks: it fades to 0
-/// there.
+/// k_d = 6 / (3 alpha - 1) between its two ends, linear in
+///     sign(kappa) grad(eta) . u / (sqrt(1 + |grad(eta)|^2) |u|),
+/// the cosine between the flow and the surface tension T = sigma kappa n. n is the surface's normal in
+/// space: where the surface is level, the tension has no direction along the canvas
+/// (docs/decisions/0011). Where the radius of curvature exceeds 5000 cells or the paint is still, the
+/// cosine is only rounding noise: it fades to 0 there.
 template <class F>
 PASTOSO_FACE_FUNCTION F alpha_drag(const FaceNeighbourhood<F>& face, const StepConstants& step) {
     const F slope_x((face.eta_right - face.eta_left) * F(step.inverse_cell));
     const F slope_y = face.eta_slope_across;
     const F uphill = slope_x * face.u + slope_y * face.v;
-    const F norm2 = (slope_x * slope_x + slope_y * slope_y) * (face.u * face.u + face.v * face.v);
+    const F normal2 = F(step.tension_rise2) + (slope_x * slope_x + slope_y * slope_y);
+    const F norm2 = normal2 * (face.u * face.u + face.v * face.v);
     const F flat(2e-4F * step.inverse_cell);
     const F cosine = face.curvature * uphill /
                      ((lanes::abs(face.curvature) + flat) * (lanes::sqrt(norm2) + F(1e-8F)));

@@ -65,6 +65,7 @@ StepConstants make_constants(const Medium& medium, const Gravity& gravity, const
     step.wet_mm = static_cast<float>(1e-4 * cell_mm);
     step.inertia = options.inertia ? 1.0F : 0.0F;
     step.lateral = options.lateral_drag ? 1.0F : 0.0F;
+    step.tension_rise2 = options.tension_in_space ? 1.0F : 0.0F;
     step.horizontal_tension = static_cast<float>(options.horizontal_tension * limits.tension);
     step.flow_index = static_cast<float>(medium.flow_index);
     step.full_curvature = options.full_curvature;

@@ -42,6 +42,9 @@ struct SolverOptions {
     bool inertia = true;              ///< advection of momentum
     bool lateral_drag = true;         ///< viscosity between neighbouring columns of paint
     double horizontal_tension = 0.0;  ///< weight chi of the paper's horizontal surface tension, 0 to 1
+    /// Whether the range of alpha goes by the surface tension's direction in space, or by that in the
+    /// canvas' plane, as if even level paint stood upright.
+    bool tension_in_space = true;
     bool full_curvature = true;  ///< curvature of the surface with its slope, not for small slopes only
     bool sleeping = true;        ///< tiles at rest are left out until something wakes them
     double fixed_step_s = 0.0;   ///< 0: the step follows the stability limit

@@ -27,6 +27,8 @@ struct StepConstants {
     float drag_along = 3.0F;    ///< k_d where tension drives it (alpha_max)
     float slip_mm = 0.0F;
     float horizontal_tension = 0.0F;  ///< chi sigma/rho, mm3/s2
+    float tension_rise2 =
+        1.0F;  ///< of the surface's normal out of the plane, squared: 1, or left out: 0
 
     float tan_advancing = 0.0F;  ///< slopes of the contact angles; 0: perfectly wetting, edges are free
     float tan_receding = 0.0F;

@@ -61,10 +61,7 @@ std::vector<SceneRun> read_runs(const JsonPlace& runs, const Json& file, const S
     return all;
 }
 
-std::string bundled_scene_names() {
-    std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(core::resource_path("scenes")))
-        if (entry.path().extension() == ".json") names.insert(entry.path().stem().string());
+std::string listed(const std::vector<std::string>& names) {
     std::string text;
     for (const std::string& name : names)
         text += (text.empty() ? "" : ", ") + name;
@@ -77,9 +74,9 @@ fs::path scene_path(const std::string& path_or_name) {
     if (path.has_extension() || path.has_parent_path() || fs::exists(path, ignored)) return path;
     const fs::path bundled = core::resource_path("scenes") / (path_or_name + ".json");
     if (!fs::exists(bundled, ignored)) {
-        throw core::InputError("There is no scene \"" + path_or_name +
-                               "\"; give a file ending in .json, or one of: " + bundled_scene_names() +
-                               ".");
+        throw core::InputError(
+            "There is no scene \"" + path_or_name +
+            "\"; give a file ending in .json, or one of: " + listed(bundled_scene_names()) + ".");
     }
     return bundled;
 }
@@ -127,6 +124,14 @@ SceneFile scene_from_json(std::string_view text, const std::string& name, const 
     else
         file.runs.push_back(read_run(root, context));
     return file;
+}
+
+std::vector<std::string> bundled_scene_names() {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(core::resource_path("scenes")))
+        if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
 }
 
 SceneFile read_scene(const std::string& path_or_name) {

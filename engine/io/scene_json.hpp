@@ -54,6 +54,9 @@ struct SceneFile {
 SceneFile scene_from_json(std::string_view text, const std::string& name,
                           const std::filesystem::path& folder);
 
+/// The names of the scenes that come with the program, in alphabetical order.
+std::vector<std::string> bundled_scene_names();
+
 /// Reads the file; what is neither a path with an extension nor an existing file is taken as the name of
 /// a scene that comes with the program. Throws InputError that lists their names when there is none
 /// such.

@@ -51,12 +51,16 @@ void read_edges(const JsonPlace& place, film::SolverOptions& solver) {
 }
 
 void read_solver(const JsonPlace& place, film::SolverOptions& solver) {
-    place.allow_only({"scheme", "step_s", "inertia", "lateral_drag", "full_curvature", "sleeping"});
+    place.allow_only({"scheme", "step_s", "inertia", "lateral_drag", "full_curvature", "sleeping",
+                      "horizontal_tension", "tension_in_space"});
     if (const auto scheme = place.optional_entry("scheme"))
         solver.scheme = read_choice(*scheme, kSchemes);
     solver.fixed_step_s = number_between_or(place, "step_s", 1e-9, 1e3, 0.0);
     solver.inertia = flag_or(place, "inertia", solver.inertia);
     solver.lateral_drag = flag_or(place, "lateral_drag", solver.lateral_drag);
+    solver.horizontal_tension =
+        number_between_or(place, "horizontal_tension", 0.0, 1.0, solver.horizontal_tension);
+    solver.tension_in_space = flag_or(place, "tension_in_space", solver.tension_in_space);
     solver.full_curvature = flag_or(place, "full_curvature", solver.full_curvature);
     solver.sleeping = flag_or(place, "sleeping", solver.sleeping);
 }

@@ -30,6 +30,13 @@ TEST(CliHelp, ReplayNamesAllItsOptions) {
     }
 }
 
+TEST(CliHelp, SimulateNamesTheScenesThatComeWithTheProgram) {
+    EXPECT_THAT(
+        run_cli({"simulate", "--help"}).output,
+        HasSubstr("glaze, paper-fig2, paper-fig3, paper-fig4, paper-fig5, paper-fig6, ridges, run-off, "
+                  "two-schemes."));
+}
+
 TEST(CliHelp, TellsItsVersion) {
     const RunResult run = run_cli({"--version"});
     EXPECT_EQ(run.status, 0);

@@ -2,6 +2,7 @@
 #include "core/text_file.hpp"
 #include "io/image.hpp"
 #include "io/json_place.hpp"
+#include "io/scene_json.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +99,19 @@ TEST_F(CliSimulate, AllFilesAreThereAndNoOthers) {
     EXPECT_NEAR(report["runs"][1]["moments"][0]["front"]["roundness"], 1.0, 0.05);
 }
 
-TEST_F(CliSimulate, EveryPresetRuns) {
+TEST_F(CliSimulate, EverySceneThatComesWithTheProgramRuns) {
+    for (const std::string& name : io::bundled_scene_names()) {
+        const RunResult run = run_cli({"simulate", name, "--seconds", "0.02", "-o", path(name), "-q",
+                                       "--stats", path(name + ".json")});
+        EXPECT_EQ(run.status, 0) << run.errors;
+        for (const Json& figures : Json::parse(text(name + ".json"))["runs"]) {
+            EXPECT_GT(figures["film_steps"], 0) << name;
+            EXPECT_EQ(figures["clamped_faces"], 0) << name;
+        }
+    }
+}
+
+TEST_F(CliSimulate, ThePapersScenesTakeThePapersSteps) {
     for (const std::string name : {"paper-fig3", "paper-fig4", "paper-fig5", "paper-fig6"}) {
         const RunResult run =
             run_cli({"simulate", name, "--seconds", "0.04", "-o", path(name), "--threads", "1"});

@@ -111,7 +111,7 @@ CipReference::CipReference(const CipGrid& grid, const CipPaint& paint)
       film_(grid.count()),
       velocity_x_(grid.count()),
       velocity_y_(grid.count()) {
-    for (auto* plane : {&support_, &pressure_, &tension_x_, &tension_y_, &film_change_,
+    for (auto* plane : {&support_, &pressure_, &tension_x_, &tension_y_, &tension_z_, &film_change_,
                         &velocity_x_change_, &velocity_y_change_})
         plane->assign(grid.count(), 0.0);
 }
@@ -147,13 +147,14 @@ void CipReference::find_pressure() {
             pressure_[i] = paint_.gravity * surface[i] + traction;
             tension_x_[i] = traction * shape.slope_x;
             tension_y_[i] = traction * shape.slope_y;
+            tension_z_[i] = -traction;
         }
 }
 
 /// k_d = 6/(3 alpha - 1), linear in the cosine between T and u.
 double CipReference::drag_coefficient(int i) const {
     const double along = tension_x_[i] * velocity_x_.value[i] + tension_y_[i] * velocity_y_.value[i];
-    const double norm = std::hypot(tension_x_[i], tension_y_[i]) *
+    const double norm = std::hypot(tension_x_[i], tension_y_[i], tension_z_[i]) *
                         std::hypot(velocity_x_.value[i], velocity_y_.value[i]);
     const double cosine = norm > 1e-12 ? along / norm : 0.0;
     const double against = 6 / (3 * paint_.alpha_min - 1), with = 6 / (3 * paint_.alpha_max - 1);

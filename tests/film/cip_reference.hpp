@@ -16,7 +16,8 @@
 //  - With n inward and z upward, T_z < 0 over a drop and would suck it up; the pressure is W - T_z.
 //  - The depth-integrated pressure contains the traction of the surface already, so that the horizontal
 //    part of T counts it twice. Its weight `horizontal_tension` is 0 by default, 1 as printed.
-//  - The cosine is 0 where T or u vanishes, and k_d = 6/(3 alpha - 1) rather than u_zz is interpolated
+//  - The cosine between u and T, a vector in space, is 0 where T or u vanishes, and k_d = 6/(3 alpha -
+//  1) rather than u_zz is interpolated
 //    (they are proportional).
 //  - The drag is taken at the new time; everything else in (1) at the old one.
 //  - CIP is Yabe and Aoki's (1991) type A: the cubic through four values and six derivatives.
@@ -94,7 +95,7 @@ class CipReference {
     CipPaint paint_;
     CipField film_, velocity_x_, velocity_y_;
     std::vector<double> support_;
-    std::vector<double> pressure_, tension_x_, tension_y_;                     ///< p/rho and T/rho
+    std::vector<double> pressure_, tension_x_, tension_y_, tension_z_;         ///< p/rho and T/rho
     std::vector<double> film_change_, velocity_x_change_, velocity_y_change_;  ///< of one step
     double first_volume_ = 0.0, cut_ = 0.0;
 };

@@ -120,7 +120,7 @@ TEST_P(PaperDrop, HasTheShapeThatThePapersSchemeGives) {
     print("product", 10, shape_of(product), volume);
     EXPECT_NEAR(cip.volume() / volume, 1.0, 0.01);
     expect_alike(shape_of(cip), shape_of(product),
-                 {.travel = 0.06, .front = 0.8, .radius = 0.2, .top = 0.06});
+                 {.travel = 0.035, .front = 0.7, .radius = 0.2, .top = 0.05});
     EXPECT_EQ(totals(product.state).thickness, quanta);
 }
 INSTANTIATE_TEST_SUITE_P(Alpha, PaperDrop, testing::Values(AlphaRange{1.0, 1.0}, AlphaRange{0.5, 1.2}),
@@ -139,7 +139,7 @@ CipReference dripped(double dry_thickness, bool keep_volume) {
 }
 
 // What the paper leaves open, the velocity beyond the film's edge, decides CIP's volume: with one
-// threshold it loses a quarter, with another it gains one percent. The product's fluxes need none.
+// threshold it loses a quarter, with another it gains 0.3 percent. The product's fluxes need none.
 TEST(PaperVolume, DriftsWithCipAndIsExactHere) {
     const CipPaint paint = paper_paint(0.5, 1.2);
     Bench product = product_of(paint);
@@ -153,11 +153,11 @@ TEST(PaperVolume, DriftsWithCipAndIsExactHere) {
     const CipReference thin = dripped(1e-3, false), best = dripped(0.3, false);
     print("CIP, dry below 0.001", 20, shape_of(thin), volume);
     print("CIP, dry below 0.3", 20, shape_of(best), volume);
-    EXPECT_LT(thin.volume() / volume, 0.8);    // -26 %
-    EXPECT_GT(best.volume() / volume, 1.005);  // +1.1 %
+    EXPECT_LT(thin.volume() / volume, 0.8);    // -25 %
+    EXPECT_GT(best.volume() / volume, 1.001);  // +0.3 %
     EXPECT_LT(best.volume() / volume, 1.03);
     expect_alike(shape_of(best), shape_of(product),
-                 {.travel = 0.1, .front = 0.8, .radius = 0.2, .top = 0.03});
+                 {.travel = 0.03, .front = 0.6, .radius = 0.2, .top = 0.05});
 
     // Scaling h everywhere brings the sum back, not the paint: the front stays where it stuck, seven
     // cells behind, and the drop swells.

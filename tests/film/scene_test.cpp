@@ -95,6 +95,25 @@ TEST(SceneFilm, PigmentsAddUpByThickness) {
     EXPECT_EQ(film.paint.at(3, 3)[1], 0);
 }
 
+// Half house paint, half oil: the mean yield stress, and the mean logarithm of the viscosity.
+TEST(SceneFilm, FormsOfTwoPaintsMix) {
+    Scene scene = bare();
+    scene.medium = find_medium("house paint");
+    const Medium oil = find_medium("heavy-body oil");
+    scene.film = {{Slab{}, 0.25, {}}, {Box{{0, 0, 20, 30}}, 0.25, {}, oil}};
+    const FilmState film = make_film(scene);
+    EXPECT_TRUE(film.varied);
+    const auto per_mm = [&film](int x, int channel) {
+        return film.paint.at(x, 3)[channel] * kPaintQuantum / thickness_mm(film.thickness.at(x, 3));
+    };
+    // Two quanta of 2^-17 on a quarter of a millimetre.
+    constexpr double kRounding = 1e-4;
+    EXPECT_NEAR(per_mm(70, kYieldChannel), 0.5, kRounding);
+    EXPECT_NEAR(per_mm(10, kYieldChannel), 0.5 * (0.5 + 80.0), kRounding);
+    const double mixed_m2_s = std::sqrt(scene.medium.viscosity_m2_s * oil.viscosity_m2_s);
+    EXPECT_NEAR(per_mm(10, kViscosityChannel), std::log(mixed_m2_s / kThinnest_m2_s), kRounding);
+}
+
 TEST(SceneFilm, TooMuchPaintNamesTheCell) {
     Scene scene = bare();
     scene.film = {{Slab{}, 10, {}, {}}, {Box{{5, 5, 6, 6}}, 5.5, {}, {}}};

@@ -60,6 +60,8 @@ TEST_F(SceneJson, DefaultsAreThoseOfTheCanvas) {
     EXPECT_EQ(scene.gravity, film::tilted_gravity(0));
     EXPECT_EQ(scene.solver.edge_x, film::Edge::Open);
     EXPECT_EQ(scene.solver.fixed_step_s, 0.0);
+    EXPECT_EQ(scene.solver.horizontal_tension, 0.0);
+    EXPECT_TRUE(scene.solver.tension_in_space);
     EXPECT_EQ(scene.solver.scheme, film::Scheme::Auto);
     EXPECT_FALSE(scene.solver.sleeping);
     EXPECT_TRUE(scene.support.empty());
@@ -88,7 +90,8 @@ TEST_F(SceneJson, EverythingIsRead) {
                {"kind": "noise", "seed": 9, "thickness_mm": 0.1,
                 "pigment": [["PB29", 1], ["PW6", 3]], "strength": 0.5}],
       "solver": {"scheme": "explicit", "step_s": 0.01, "inertia": false, "lateral_drag": false,
-                 "full_curvature": false, "sleeping": true},
+                 "full_curvature": false, "sleeping": true, "horizontal_tension": 0.5,
+                 "tension_in_space": false},
       "output": {"series_every_s": 0.5, "pictures_at_s": [2, 1, 1], "heights_at_s": [],
                  "profiles_at_s": [0], "profiles_along_x_at_y_mm": [5], "profiles_along_y_at_x_mm": [7, 6],
                  "picture_scale": 2, "light": {"azimuth_deg": 90, "elevation_deg": 30},
@@ -115,6 +118,8 @@ TEST_F(SceneJson, EverythingIsRead) {
     EXPECT_EQ(scene.solver.fixed_step_s, 0.01);
     EXPECT_FALSE(scene.solver.inertia || scene.solver.lateral_drag || scene.solver.full_curvature);
     EXPECT_TRUE(scene.solver.sleeping);
+    EXPECT_EQ(scene.solver.horizontal_tension, 0.5);
+    EXPECT_FALSE(scene.solver.tension_in_space);
     EXPECT_THAT(output.pictures_at_s, ElementsAre(1.0, 2.0));
     EXPECT_THAT(output.heights_at_s, ElementsAre());
     EXPECT_THAT(output.lines_along_y_mm, ElementsAre(6.0, 7.0));
@@ -135,6 +140,38 @@ TEST_F(SceneJson, CellUnitsBecomeMillimetresAndWater) {
     EXPECT_DOUBLE_EQ(scene.medium.advancing_angle_deg, 45.0);
     EXPECT_EQ(scene.gravity, (film::Gravity{1.0, 0.5, 0.0}));
     EXPECT_EQ(read(kCells).runs.at(0).scene.gravity, (film::Gravity{}));
+}
+
+TEST_F(SceneJson, FormsMayHaveAPaintOfTheirOwn) {
+    Json json = kSmall;
+    json["film"].push_back(json["film"][0]);
+    json["film"][1]["paint"] = "heavy-body oil";
+    json["film"].push_back(json["film"][0]);
+    json["film"][2]["paint"] = {{"like", "ink glaze"}, {"yield_stress_Pa", 3}};
+    const film::Scene scene = read(json).runs.at(0).scene;
+    EXPECT_FALSE(scene.film.at(0).medium);
+    EXPECT_EQ(scene.film.at(1).medium->viscosity_m2_s, 0.3);
+    EXPECT_EQ(scene.film.at(2).medium->viscosity_m2_s, 0.0001);
+    EXPECT_EQ(scene.film.at(2).medium->yield_stress_Pa, 3.0);
+    EXPECT_THAT(complaint(kSmall, "/film/0/paint", "honey"),
+                HasSubstr("a.json, film[0].paint: There is no medium"));
+    const Json in_cells = {{"viscosity_cells2_s", 9}};
+    json = kCells;
+    json["film"][0]["paint"] = in_cells;
+    EXPECT_DOUBLE_EQ(read(json).runs.at(0).scene.film.at(0).medium->viscosity_m2_s, 9e-6);
+    EXPECT_THAT(complaint(kSmall, "/film/0/paint", in_cells),
+                HasSubstr("no field \"viscosity_cells2_s\""));
+}
+
+TEST_F(SceneJson, SchemesAreChosenByName) {
+    const auto scheme = [](const char* name) {
+        Json json = kSmall;
+        json["solver"] = {{"scheme", name}};
+        return read(json).runs.at(0).scene.solver.scheme;
+    };
+    EXPECT_EQ(scheme("auto"), film::Scheme::Auto);
+    EXPECT_EQ(scheme("explicit"), film::Scheme::Explicit);
+    EXPECT_EQ(scheme("large-step"), film::Scheme::LargeStep);
 }
 
 TEST_F(SceneJson, RunsChangeWhatTheyName) {
@@ -185,6 +222,8 @@ TEST_F(SceneJson, ErrorsNameThePlaceTheValueAndWhatIsAllowed) {
                 HasSubstr("edges: \"round\" is none of periodic, wall, open."));
     EXPECT_THAT(complaint(kSmall, "/solver", {{"scheme", "fast"}}),
                 HasSubstr("solver.scheme: \"fast\" is none of auto, explicit, large-step."));
+    EXPECT_EQ(complaint(kSmall, "/solver", {{"horizontal_tension", 1.5}}),
+              "a.json, solver.horizontal_tension: 1.5 is not between 0 and 1.");
     EXPECT_THAT(complaint(kSmall, "/duration_s", "2"), HasSubstr("duration_s: expected a number"));
     EXPECT_THAT(complaint(kSmall, "/output", {{"pictures_at_s", {3}}}),
                 HasSubstr("output.pictures_at_s[0]: 3 is not between 0 and 2."));
@@ -263,7 +302,7 @@ TEST_F(SceneJson, ScenesThatComeWithTheProgramAreFoundByName) {
     }
     EXPECT_THAT(error_of([] { read_scene("paper-fig9"); }),
                 HasSubstr("There is no scene \"paper-fig9\"; give a file ending in .json, or one of: "
-                          "paper-fig2, paper-fig3"));
+                          "glaze, paper-fig2, paper-fig3"));
 }
 
 }  // namespace
