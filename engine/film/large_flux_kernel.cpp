@@ -23,17 +23,19 @@ using Ints = lanes::stdx::rebind_simd_t<std::int32_t, Lanes>;
 }
 
 /// u = u* - (dt/dx) D (p_right - p_left), with dt D h_f / dx = m dx / dt. Paint that a yield stress
-/// holds does not flow against what drives it, as the linear answer may.
+/// holds does not flow against what drives it, as the linear answer may. Returns the largest mobility.
 template <bool kYield>
-void velocity_row(const StepConstants& step, const float* pressure, bool carrying, int along,
-                  int first_x, int y, LargeFaces& faces) {
+Lanes velocity_row(const StepConstants& step, const float* pressure, bool carrying, int along,
+                   int first_x, int y, LargeFaces& faces) {
     const Lanes cell_per_step(step.cell_mm / step.dt_s), zero(0.0F);
     const Lanes dt_per_cell(step.dt_s * step.inverse_cell);
+    Lanes largest_mobility(0.0F);
     for_each_lane_group(first_x, kTileSize, [&](int x) {
         const int f = face_index(x, y), i = window_index(x, y);
-        const Lanes passing = load(&faces.depth[f]);
+        const Lanes passing = load(&faces.depth[f]), mobility = load(&faces.mobility[f]);
         const Lanes rise = load(pressure + i + along) - load(pressure + i);
-        const Lanes pushed = load(&faces.mobility[f]) * cell_per_step * rise / passing;
+        const Lanes pushed = mobility * cell_per_step * rise / passing;
+        largest_mobility = lanes::max(largest_mobility, mobility);
         Lanes now = load(&faces.star[f]) - lanes::select(passing > zero, pushed, zero);
         if constexpr (kYield) {
             const Lanes drive = load(&faces.driven[f]) - dt_per_cell * rise;
@@ -42,6 +44,7 @@ void velocity_row(const StepConstants& step, const float* pressure, bool carryin
         }
         store(&faces.velocity[f], carrying ? carrying_velocity(step, faces, f, now) : now);
     });
+    return largest_mobility;
 }
 
 struct Outflow {
@@ -69,10 +72,12 @@ void find_large_velocities(const StepConstants& step, bool carrying, const Large
                            LargeTile& tile) {
     const float* pressure = scratch.pressure.data();
     const auto find_row = step.has_yield() || step.varied ? velocity_row<true> : velocity_row<false>;
+    Lanes largest(0.0F);
     for (int y = -1; y < kTileSize; ++y) {
-        find_row(step, pressure, carrying, kWindowStride, 0, y, tile.y);
-        if (y >= 0) find_row(step, pressure, carrying, 1, -1, y, tile.x);
+        largest = lanes::max(largest, find_row(step, pressure, carrying, kWindowStride, 0, y, tile.y));
+        if (y >= 0) largest = lanes::max(largest, find_row(step, pressure, carrying, 1, -1, y, tile.x));
     }
+    tile.largest_mobility = lanes::stdx::hmax(largest);
 }
 
 namespace {
@@ -118,7 +123,7 @@ int cut_to_room(const StepConstants& step, const LargeScratch& scratch, LargeTil
 }
 
 Shortage share_outflow(const StepConstants& step, int columns, int rows, const std::int32_t* thickness,
-                       const LargeScratch& scratch, LargeTile& tile) {
+                       const LargeScratch& scratch, LargeTile& tile, CellArray& share) {
     // A hair less than a cell holds and receives, so that the rounding at its four faces cannot overdraw
     // it.
     constexpr float kQuantum = static_cast<float>(kThicknessQuantum_mm);
@@ -142,7 +147,7 @@ Shortage share_outflow(const StepConstants& step, int columns, int rows, const s
             const Lanes held = lanes::stdx::static_simd_cast<Lanes>(quanta) * usable;
             const Lanes supply = rise(held + Lanes(0.999F) * in - rounding);
             const Lanes part = lanes::min(one, Lanes((supply + tiny) / (out + tiny)));
-            store(&tile.next_share[cell], part);
+            store(&share[cell], part);
             store(&tile.supply[cell], Lanes((rise(held - rounding) + tiny) / (out * part + tiny)));
             const auto cut =
                 part < Lanes(0.9F) && lane_number + Lanes(static_cast<float>(x)) < last_column;
@@ -180,7 +185,7 @@ void flux_row(const StepConstants& step, const LargeScratch& large, int along, i
               const LargeFaces& faces, FaceArray<float>& velocity, FaceArray<std::int32_t>& flux,
               FlowExtremes& extremes) {
     const Lanes scale(step.dt_s * step.inverse_cell * static_cast<float>(1.0 / kThicknessQuantum_mm));
-    Lanes speed(0.0F), thickness(0.0F), largest_mobility(0.0F);
+    Lanes speed(0.0F), thickness(0.0F);
     for_each_lane_group(first_x, kTileSize, [&](int x) {
         const int f = face_index(x, y), i = window_index(x, y);
         const Lanes here = load(&faces.velocity[f]);
@@ -191,12 +196,9 @@ void flux_row(const StepConstants& step, const LargeScratch& large, int along, i
         lanes::stdx::static_simd_cast<Ints>(nearest).copy_to(&flux[f], lanes::stdx::element_aligned);
         store(&velocity[f], granted);
         speed = lanes::max(speed, lanes::abs(granted));
-        largest_mobility = lanes::max(largest_mobility, load(&faces.mobility[f]));
         thickness = lanes::max(
             thickness, lanes::select(granted == Lanes(0.0F), Lanes(0.0F), load(&faces.depth[f])));
     });
-    extremes.mobility = lanes::max(extremes.mobility, lanes::stdx::hmax(largest_mobility) *
-                                                          step.cell_mm * step.cell_mm / step.dt_s);
     extremes.speed_mm_s = lanes::max(extremes.speed_mm_s, lanes::stdx::hmax(speed));
     extremes.thickness_mm = lanes::max(extremes.thickness_mm, lanes::stdx::hmax(thickness));
 }
@@ -206,6 +208,7 @@ void flux_row(const StepConstants& step, const LargeScratch& large, int along, i
 FlowExtremes find_large_fluxes(const StepConstants& step, const LargeScratch& large,
                                const LargeTile& tile, TileScratch& scratch) {
     FlowExtremes extremes;
+    extremes.mobility = tile.largest_mobility * step.cell_mm * step.cell_mm / step.dt_s;
     for (int y = -1; y < kTileSize; ++y) {
         flux_row(step, large, kWindowStride, 0, y, tile.y, scratch.velocity_y, scratch.flux_y, extremes);
         if (y >= 0)

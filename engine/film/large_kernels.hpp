@@ -4,29 +4,29 @@
 
 #include "film/large_tile.hpp"
 
-#define PASTOSO_DECLARE_LARGE_KERNELS(isa)                                                            \
-    namespace pastoso::film::isa {                                                                    \
-    float assemble_large_tile(const StepConstants& step, int columns, int rows,                       \
-                              const ClosedEdges& closed, const CanvasEdges& edges, bool again,        \
-                              LargeScratch& large, TileScratch& scratch, LargeTile& tile);            \
-    float refine_yielding(const StepConstants& step, const LargeScratch& large, LargeTile& tile);     \
-    void find_source(const StepConstants& step, LargeTile& tile);                                     \
-    void slow_limited_faces(const StepConstants& step, const LargeScratch& large, LargeTile& tile);   \
-    void prepare_multigrid(const StepConstants& step, LargeScratch& scratch);                         \
-    void multigrid_cycle(const StepConstants& step, LargeScratch& scratch);                           \
-    float find_patch_residual(const StepConstants& step, const std::int32_t* thickness,               \
-                              LargeScratch& scratch);                                                 \
-    void correct_patch(const StepConstants& step, int cycles, LargeScratch& scratch,                  \
-                       PatchArray& correction);                                                       \
-    void blend_corrections(const PatchCover* covers, int count, CellArray& pressure);                 \
-    void find_large_velocities(const StepConstants& step, bool carrying, const LargeScratch& scratch, \
-                               LargeTile& tile);                                                      \
-    int cut_to_room(const StepConstants& step, const LargeScratch& scratch, LargeTile& tile);         \
-    Shortage share_outflow(const StepConstants& step, int columns, int rows,                          \
-                           const std::int32_t* thickness, const LargeScratch& scratch,                \
-                           LargeTile& tile);                                                          \
-    FlowExtremes find_large_fluxes(const StepConstants& step, const LargeScratch& large,              \
-                                   const LargeTile& tile, TileScratch& scratch);                      \
+#define PASTOSO_DECLARE_LARGE_KERNELS(isa)                                                              \
+    namespace pastoso::film::isa {                                                                      \
+    float assemble_large_tile(const StepConstants& step, int columns, int rows,                         \
+                              const ClosedEdges& closed, const CanvasEdges& edges, bool again,          \
+                              LargeScratch& large, TileScratch& scratch, LargeTile& tile);              \
+    float refine_yielding(const StepConstants& step, const LargeScratch& large, LargeTile& tile);       \
+    void find_source(const StepConstants& step, LargeTile& tile);                                       \
+    void slow_limited_faces(const StepConstants& step, const LargeScratch& large, LargeTile& tile);     \
+    void prepare_multigrid(const StepConstants& step, LargeScratch& scratch);                           \
+    void multigrid_cycle(const StepConstants& step, LargeScratch& scratch);                             \
+    float find_patch_residual(const StepConstants& step, const std::int32_t* thickness,                 \
+                              LargeScratch& scratch);                                                   \
+    void correct_patch(const StepConstants& step, int cycles, LargeScratch& scratch,                    \
+                       PatchArray& correction);                                                         \
+    void blend_corrections(const PatchCover* covers, int count, CellArray& pressure);                   \
+    void find_large_velocities(const StepConstants& step, bool carrying, const LargeScratch& scratch,   \
+                               LargeTile& tile);                                                        \
+    int cut_to_room(const StepConstants& step, const LargeScratch& scratch, LargeTile& tile);           \
+    Shortage share_outflow(const StepConstants& step, int columns, int rows,                            \
+                           const std::int32_t* thickness, const LargeScratch& scratch, LargeTile& tile, \
+                           CellArray& share);                                                           \
+    FlowExtremes find_large_fluxes(const StepConstants& step, const LargeScratch& large,                \
+                                   const LargeTile& tile, TileScratch& scratch);                        \
     }
 
 PASTOSO_DECLARE_LARGE_KERNELS(baseline)

@@ -115,13 +115,18 @@ struct LargeStepper::Pass {
     std::vector<std::unique_ptr<WorkerScratch>>& workers;
     const LargeKernels& kernels = large_kernels();
 
-    /// Calls visit(place, tile, scratch, worker) for every tile, on all threads.
+    bool backwards = false;
+
+    /// Calls visit(index, tile, scratch, worker) for every tile, on all threads. Each time it goes back
+    /// the way it came, over the tiles that are still in the cache.
     template <class Visit>
     void for_each_tile(const Visit& visit) {
-        pool.run(places.size(), [&](std::size_t index, int worker) {
+        pool.run(places.size(), [&](std::size_t turn, int worker) {
+            const std::size_t index = backwards ? places.size() - 1 - turn : turn;
             visit(index, *stepper.tiles_[places[index].tile], *stepper.scratch_[worker],
                   *workers[worker]);
         });
+        backwards = !backwards;
     }
 
     const Windows& columns(const TilePlace& place) const { return stepper.columns_[place.tile_x]; }
@@ -173,7 +178,8 @@ struct LargeStepper::Pass {
     std::vector<PatchCover> patch_covers(const TilePlace& place) const;
     float sweep(bool first);
     void solve(bool from_rest, LargeStepReport& report);
-    Shortage share_outflow(const TilePlace& place, LargeTile& tile, LargeScratch& large) const;
+    Shortage share_outflow(const TilePlace& place, LargeTile& tile, LargeScratch& large,
+                           CellArray& share) const;
     Shortage find_velocities(LargeStepReport& report);
     Shortage share_inflow();
     void solve_within_supply(LargeStepReport& report);
@@ -321,10 +327,10 @@ void LargeStepper::Pass::solve_yielding(LargeStepReport& report) {
 }
 
 /// The share of each cell's outflow that it can grant, with what its neighbours grant it so far.
-Shortage LargeStepper::Pass::share_outflow(const TilePlace& place, LargeTile& tile,
-                                           LargeScratch& large) const {
+Shortage LargeStepper::Pass::share_outflow(const TilePlace& place, LargeTile& tile, LargeScratch& large,
+                                           CellArray& share) const {
     return kernels.share_outflow(constants, place.columns.extent, place.rows.extent,
-                                 state.thickness.read(place.tile), large, tile);
+                                 state.thickness.read(place.tile), large, tile, share);
 }
 
 /// The velocities that carry the paint, and how much of its outflow each cell can grant, counting on
@@ -340,8 +346,7 @@ Shortage LargeStepper::Pass::find_velocities(LargeStepReport& report) {
             cut_faces[index] = kernels.cut_to_room(constants, large, tile);
         }
         large.share.fill(0.0F);
-        shortages[index] = share_outflow(places[index], tile, large);
-        tile.share = tile.next_share;
+        shortages[index] = share_outflow(places[index], tile, large, tile.share);
     });
     report.clamped_faces = std::accumulate(cut_faces.begin(), cut_faces.end(), 0);
     return total(shortages);
@@ -352,7 +357,7 @@ Shortage LargeStepper::Pass::share_inflow() {
     std::vector<Shortage> shortages(places.size());
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
         gather_next(places[index], cells(&LargeTile::share), large.share);
-        shortages[index] = share_outflow(places[index], tile, large);
+        shortages[index] = share_outflow(places[index], tile, large, tile.next_share);
     });
     for_each_tile([](std::size_t, LargeTile& tile, LargeScratch&, WorkerScratch&) {
         tile.share = tile.next_share;
@@ -395,7 +400,8 @@ std::vector<TileResult> LargeStepper::Pass::finish() {
 
 namespace {
 
-/// Slows the faces between a tile's cells and those `along` further in the block of new thickness.
+/// Turns the velocities of the film that passed the faces into those of the new mean thickness there;
+/// the other cell lies `along` further in the block.
 void settle_faces(const HaloBlock& block, int along, const LargeFaces& faces, float* velocity) {
     for (int y = 0; y < kTileSize; ++y)
         for (int x = 0; x < kTileSize; ++x) {

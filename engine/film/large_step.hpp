@@ -34,8 +34,8 @@ class LargeStepper {
                                  std::vector<std::unique_ptr<WorkerScratch>>& workers, bool accept_any,
                                  LargeStepReport& report);
 
-    /// After the results of a step have become the state: paint that inertia carries on slows down where
-    /// it has become thicker, so that its kinetic energy stays what the step left it.
+    /// After the results of a step have become the state: where paint remembers its motion, velocities
+    /// become those of the new thickness, of no more kinetic energy than the step left them.
     void settle(FilmState& state, const std::vector<TilePlace>& places, core::ThreadPool& pool,
                 std::vector<std::unique_ptr<WorkerScratch>>& workers) const;
 

@@ -59,6 +59,7 @@ struct LargeTile {
     alignas(64) CellArray share;          ///< of a cell's outflow that is granted, 0..1
     alignas(64) CellArray next_share;     ///< the same after the pass under way
     alignas(64) CellArray supply;         ///< what a cell holds over what leaves it in the step
+    float largest_mobility = 0.0F;        ///< of its faces
     float residual = 0.0F;                ///< found by the last sweep
     bool stubborn = false;                ///< a single V-cycle does not get hold of its residual
     bool light = false;                   ///< somewhere its paint remembers its motion

@@ -36,10 +36,10 @@ struct LargeKernels {
     /// many faces. Where both cells hold less than kCrowded_quanta nothing is cut.
     int (*cut_to_room)(const StepConstants& step, const LargeScratch& scratch, LargeTile& tile);
     /// The share of each cell's outflow that it can give: what it holds and what its neighbours are
-    /// granted to give it.
+    /// granted to give it. Into `share`.
     Shortage (*share_outflow)(const StepConstants& step, int columns, int rows,
                               const std::int32_t* thickness, const LargeScratch& scratch,
-                              LargeTile& tile);
+                              LargeTile& tile, CellArray& share);
     /// Multiplies star and mobility of each face by the share that its donor cell grants.
     void (*slow_limited_faces)(const StepConstants& step, const LargeScratch& large, LargeTile& tile);
     /// Velocities and whole quanta of flux, into `scratch`.

@@ -63,7 +63,7 @@ TEST_P(FullCell, TakesNoMoreThanItMayHold) {
     bench.tint(3, [](int, int) { return 1043.0; });
     const Totals before = totals(bench.state);
     AdvanceReport report;
-    for (int step = 0; step < 400; ++step) {
+    for (int step = 0; step < 1600; ++step) {
         report.add(bench.solver->step(kStep_s));
         ASSERT_LE(bench.state.thickness.at(1, 0), kMaxThickness_quanta);
         ASSERT_GE(bench.state.thickness.at(0, 0), 0);
