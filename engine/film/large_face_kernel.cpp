@@ -47,7 +47,7 @@ using grid::kTileSize;
     return velocity * Lanes(kFree) * (Lanes(2.0F) - Lanes(kFree) / courant) / courant;
 }
 
-/// The drag of a face that is explicit: one at a film's edge that a contact angle holds, or shut.
+/// The drag of a face that is explicit: at a film's edge that a contact angle holds, or shut.
 constexpr float kExplicit = -1.0F;
 
 /// A film that the body force alone would carry more than a fifth of a cell a step runs slower than
@@ -95,8 +95,19 @@ struct LargeFaceRow {
             const Lanes gradient =
                 (load(lag + i + axis.along) - load(lag + i)) * Lanes(step.inverse_cell);
             const Lanes along = kModel.shear_thinning && thinned ? load(&faces.velocity[f]) : face.u;
+            const auto shut = load(&faces.drag[f]) < Lanes(0.0F) && load(&faces.depth[f]) == Lanes(0.0F);
             drive_group(face, load(&carried[f]), gradient, along, f);
+            if (thinned && lanes::any(shut)) keep_shut(shut, f);
         });
+    }
+
+    /// What is shut stays so when it is assembled again.
+    template <class Mask>
+    void keep_shut(Mask shut, int f) const {
+        const Lanes zero(0.0F);
+        store(&faces.drag[f], lanes::select(shut, Lanes(kExplicit), load(&faces.drag[f])));
+        for (auto* values : {&faces.depth, &faces.star, &faces.mobility})
+            store(&(*values)[f], lanes::select(shut, zero, load(&(*values)[f])));
     }
 
     [[gnu::always_inline]] void drive_group(const FaceNeighbourhood<Lanes>& face, Lanes momentum,

@@ -185,12 +185,15 @@ void flux_row(const StepConstants& step, const LargeScratch& large, int along, i
               const LargeFaces& faces, FaceArray<float>& velocity, FaceArray<std::int32_t>& flux,
               FlowExtremes& extremes) {
     const Lanes scale(step.dt_s * step.inverse_cell * static_cast<float>(1.0 / kThicknessQuantum_mm));
+    const Lanes zero(0.0F);
     Lanes speed(0.0F), thickness(0.0F);
     for_each_lane_group(first_x, kTileSize, [&](int x) {
         const int f = face_index(x, y), i = window_index(x, y);
         const Lanes here = load(&faces.velocity[f]);
-        const Lanes granted = here * lanes::select(here > Lanes(0.0F), load(&large.share[i]),
-                                                   load(&large.share[i + along]));
+        const Lanes share =
+            lanes::select(here > zero, load(&large.share[i]), load(&large.share[i + along]));
+        // Nothing flows where no number came out.
+        const Lanes granted = lanes::select(lanes::abs(here) < Lanes(1e30F), Lanes(here * share), zero);
         const Lanes exact = granted * load(&faces.depth[f]) * scale;
         const Lanes nearest = exact + lanes::copysign(Lanes(0.5F), exact);
         lanes::stdx::static_simd_cast<Ints>(nearest).copy_to(&flux[f], lanes::stdx::element_aligned);

@@ -49,7 +49,8 @@ Shortage total(const std::vector<Shortage>& shortages) {
     return sum;
 }
 
-/// The faces that a tile shares with steady tiles, as they were.
+/// Both tiles hold the same bits of the faces between them, or paint would be lost there. A tile that is
+/// refined beside a steady one puts these faces back as they were.
 class SharedFaces {
   public:
     /// `beside` holds the tiles to the left, right, above and below.
@@ -73,19 +74,23 @@ class SharedFaces {
     }
 
   private:
+    static constexpr std::array kKept{&LargeFaces::driven,     &LargeFaces::across, &LargeFaces::drag,
+                                      &LargeFaces::resistance, &LargeFaces::depth,  &LargeFaces::star,
+                                      &LargeFaces::mobility};
     struct Face {
         int index;
-        float star, depth, mobility;
+        std::array<float, kKept.size()> values;
     };
     static void keep(const LargeFaces& faces, int f, std::vector<Face>& kept) {
-        kept.push_back({f, faces.star[f], faces.depth[f], faces.mobility[f]});
+        Face face{f, {}};
+        for (std::size_t k = 0; k < kKept.size(); ++k)
+            face.values[k] = (faces.*kKept[k])[f];
+        kept.push_back(face);
     }
     static void restore(const std::vector<Face>& kept, LargeFaces& faces) {
-        for (const Face& face : kept) {
-            faces.star[face.index] = face.star;
-            faces.depth[face.index] = face.depth;
-            faces.mobility[face.index] = face.mobility;
-        }
+        for (const Face& face : kept)
+            for (std::size_t k = 0; k < kKept.size(); ++k)
+                (faces.*kKept[k])[face.index] = face.values[k];
     }
     std::vector<Face> x_faces_, y_faces_;
 };
@@ -134,9 +139,20 @@ struct LargeStepper::Pass {
         return stepper.rows_[place.tile / state.shape.tiles_x()];
     }
     /// The tile that takes part in the step at these tile coordinates, or null.
-    const LargeTile* partner(int tile_x, int tile_y) const {
+    LargeTile* partner(int tile_x, int tile_y) const {
         const int tile = tile_y * state.shape.tiles_x() + tile_x;
         return stepper.taking_part_[tile] ? stepper.tiles_[tile].get() : nullptr;
+    }
+    /// The same for coordinates that may be one beyond the canvas: periodic edges lead to the other
+    /// side.
+    LargeTile* neighbour(int tile_x, int tile_y) const {
+        const auto wrapped = [](int index, int count, bool periodic) {
+            return periodic ? (index + count) % count : index;
+        };
+        const int count_x = state.shape.tiles_x(), count_y = state.shape.tiles_y();
+        const int x = wrapped(tile_x, count_x, stepper.periodic_x_);
+        const int y = wrapped(tile_y, count_y, stepper.periodic_y_);
+        return x < 0 || y < 0 || x >= count_x || y >= count_y ? nullptr : partner(x, y);
     }
     auto cells(CellArray LargeTile::*field) const {
         return [this, field](int tile_x, int tile_y, int y) -> const float* {
@@ -173,6 +189,10 @@ struct LargeStepper::Pass {
                  WorkerScratch& worker) const;
     void assemble_all();
     std::array<LargeTile*, 4> beside(const TilePlace& place) const;
+    void gather_x_faces(const TilePlace& place, FaceArray<float> LargeFaces::*field,
+                        WindowArray& out) const;
+    void gather_y_faces(const TilePlace& place, FaceArray<float> LargeFaces::*field,
+                        WindowArray& out) const;
     bool refine_all(int pass);
     void solve_yielding(LargeStepReport& report);
     std::vector<PatchCover> patch_covers(const TilePlace& place) const;
@@ -217,21 +237,36 @@ void LargeStepper::Pass::assemble_all() {
 
 /// The tiles to the left, right, above and below, null where none takes part.
 std::array<LargeTile*, 4> LargeStepper::Pass::beside(const TilePlace& place) const {
-    const auto moved = [](int index, int step, int count, bool periodic) {
-        const int next = index + step;
-        return periodic ? (next + count) % count : next;
-    };
-    const int count_x = state.shape.tiles_x(), count_y = state.shape.tiles_y();
-    const int x = place.tile_x, y = place.tile / count_x;
-    const auto at = [&](int tile_x, int tile_y) -> LargeTile* {
-        if (tile_x < 0 || tile_y < 0 || tile_x >= count_x || tile_y >= count_y) return nullptr;
-        const int tile = tile_y * count_x + tile_x;
-        return stepper.taking_part_[tile] ? stepper.tiles_[tile].get() : nullptr;
-    };
-    return {at(moved(x, -1, count_x, stepper.periodic_x_), y),
-            at(moved(x, 1, count_x, stepper.periodic_x_), y),
-            at(x, moved(y, -1, count_y, stepper.periodic_y_)),
-            at(x, moved(y, 1, count_y, stepper.periodic_y_))};
+    const int x = place.tile_x, y = place.tile / state.shape.tiles_x();
+    return {neighbour(x - 1, y), neighbour(x + 1, y), neighbour(x, y - 1), neighbour(x, y + 1)};
+}
+
+/// The window of a coefficient of the x faces. Those on the left of a tile that has none beside it are
+/// in no other tile.
+void LargeStepper::Pass::gather_x_faces(const TilePlace& place, FaceArray<float> LargeFaces::*field,
+                                        WindowArray& out) const {
+    gather_patch(place, faces(&LargeTile::x, field), out);
+    for (const WindowRun& row : rows(place).patch) {
+        const LargeTile* tile = partner(place.tile_x, row.tile);
+        if (tile == nullptr || neighbour(place.tile_x - 1, row.tile) != nullptr) continue;
+        for (int k = 0; k < row.count; ++k)
+            out[(row.position + k) * kWindowStride + kWindowMargin - 1] =
+                (tile->x.*field)[face_index(-1, row.cell + k)];
+    }
+}
+
+/// The same of the y faces, and those above a tile.
+void LargeStepper::Pass::gather_y_faces(const TilePlace& place, FaceArray<float> LargeFaces::*field,
+                                        WindowArray& out) const {
+    gather_patch(place, faces(&LargeTile::y, field), out);
+    const int tile_y = place.tile / state.shape.tiles_x();
+    for (const WindowRun& column : columns(place).patch) {
+        const LargeTile* tile = partner(column.tile, tile_y);
+        if (tile == nullptr || neighbour(column.tile, tile_y - 1) != nullptr) continue;
+        for (int k = 0; k < column.count; ++k)
+            out[(kWindowMargin - 1) * kWindowStride + column.position + k] =
+                (tile->y.*field)[face_index(column.cell + k, -1)];
+    }
 }
 
 /// Takes the drag of all faces from the pressure found, in the unsteady tiles. Faces that they share
@@ -244,6 +279,7 @@ bool LargeStepper::Pass::refine_all(int pass) {
         const TilePlace& place = places[index];
         const SharedFaces kept(place, beside(place), tile);
         errors[index] = refine(place, tile, large, worker);
+        tile.residual = std::numeric_limits<float>::max();
         if (kept.restore(tile)) kernels.find_source(constants, tile);
     });
     for (const TilePlace& place : places)
@@ -251,9 +287,10 @@ bool LargeStepper::Pass::refine_all(int pass) {
     bool changes = false;
     for (std::size_t index = 0; index < places.size(); ++index) {
         LargeTile& tile = *stepper.tiles_[places[index].tile];
-        if (errors[index] <= (tile.light ? kSteadyLightFlux : kSteadyFlux)) continue;
+        const bool closely = tile.light && !constants.is_shear_thinning();
+        if (errors[index] <= (closely ? kSteadyLightFlux : kSteadyFlux)) continue;
         changes = true;
-        if (!tile.light && pass + 1 >= kMostRefinements) continue;
+        if (!closely && pass + 1 >= kMostRefinements) continue;
         tile.unsteady = true;
         for (LargeTile* neighbour : beside(places[index]))
             if (neighbour != nullptr) neighbour->unsteady = true;
@@ -286,19 +323,21 @@ float LargeStepper::Pass::sweep(bool first) {
         gather_patch(place, cells(&LargeTile::pressure), large.pressure);
         gather_patch(place, cells(&LargeTile::source), large.source);
         gather_patch(place, cells(&LargeTile::rest_pressure), large.rest_pressure);
-        gather_patch(place, faces(&LargeTile::x, &LargeFaces::mobility), large.mobility_x);
-        gather_patch(place, faces(&LargeTile::y, &LargeFaces::mobility), large.mobility_y);
-        gather_patch(place, faces(&LargeTile::x, &LargeFaces::weight), large.weight_x);
-        gather_patch(place, faces(&LargeTile::y, &LargeFaces::weight), large.weight_y);
+        gather_x_faces(place, &LargeFaces::mobility, large.mobility_x);
+        gather_y_faces(place, &LargeFaces::mobility, large.mobility_y);
+        gather_x_faces(place, &LargeFaces::weight, large.weight_x);
+        gather_y_faces(place, &LargeFaces::weight, large.weight_y);
         const float residual =
             kernels.patch_residual(constants, state.thickness.read(place.tile), large);
+        residuals[index] = residual;
+        if (!first && residual <= kTolerance) {
+            tile.correction.fill(0.0F);
+            tile.residual = std::numeric_limits<float>::max();
+            return;
+        }
         tile.stubborn = tile.stubborn || residual > kStubbornShare * tile.residual;
         tile.residual = residual;
-        residuals[index] = residual;
-        if (first || residual > kTolerance)
-            kernels.correct_patch(constants, tile.stubborn ? kMostCycles : 1, large, tile.correction);
-        else
-            tile.correction.fill(0.0F);
+        kernels.correct_patch(constants, tile.stubborn ? kMostCycles : 1, large, tile.correction);
     });
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch&, WorkerScratch&) {
         const std::vector<PatchCover> covers = patch_covers(places[index]);
@@ -377,6 +416,7 @@ void LargeStepper::Pass::solve_within_supply(LargeStepReport& report) {
         for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
             gather_next(places[index], cells(&LargeTile::share), large.share);
             kernels.slow_limited_faces(constants, large, tile);
+            tile.residual = std::numeric_limits<float>::max();
         });
         solve(false, report);
     }
@@ -406,7 +446,7 @@ void settle_faces(const HaloBlock& block, int along, const LargeFaces& faces, fl
     for (int y = 0; y < kTileSize; ++y)
         for (int x = 0; x < kTileSize; ++x) {
             const int f = face_index(x, y), i = block_index(x, y);
-            if (faces.drag[f] >= kLightDrag) continue;
+            if (faces.drag[f] < 0.0F || faces.drag[f] >= kLightDrag) continue;
             const float mean_mm =
                 0.5F * (thickness_mm(block.quanta[i]) + thickness_mm(block.quanta[i + along]));
             velocity[y * kTileSize + x] *= settled_share(faces.depth[f], mean_mm);
@@ -429,8 +469,7 @@ void LargeStepper::settle(FilmState& state, const std::vector<TilePlace>& places
 }
 
 LargeStepper::LargeStepper(grid::Shape shape, Edge edge_x, Edge edge_y, int thread_count)
-    : shape_(shape),
-      periodic_x_(edge_x == Edge::Periodic),
+    : periodic_x_(edge_x == Edge::Periodic),
       periodic_y_(edge_y == Edge::Periodic),
       tiles_(shape.tile_count()),
       taking_part_(shape.tile_count(), 0) {
@@ -446,9 +485,20 @@ LargeStepper::LargeStepper(grid::Shape shape, Edge edge_x, Edge edge_y, int thre
         scratch_.push_back(std::make_unique<LargeScratch>());
 }
 
-void LargeStepper::forget_all() {
-    for (auto& tile : tiles_)
-        tile.reset();
+LargeStepper::Memory LargeStepper::remember() const {
+    Memory memory(tiles_.size());
+    for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
+        if (tiles_[tile]) memory[tile] = tiles_[tile]->last_pressure;
+    return memory;
+}
+
+void LargeStepper::recall(const Memory& memory) {
+    for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
+        tiles_[tile].reset();
+        if (!memory[tile]) continue;
+        tiles_[tile] = std::make_unique<LargeTile>();
+        tiles_[tile]->last_pressure = *memory[tile];
+    }
 }
 
 std::vector<TileResult> LargeStepper::step(const FilmState& state, const std::vector<TilePlace>& places,
@@ -464,9 +514,8 @@ std::vector<TileResult> LargeStepper::step(const FilmState& state, const std::ve
     report = {};
     pass.assemble_all();
     pass.solve_within_supply(report);
-    report.converged = report.residual <= kUsable;
-    if (!report.converged && !accept_any) return {};
-    return pass.finish();
+    const bool usable = report.residual <= kUsable;
+    return usable || accept_any ? pass.finish() : std::vector<TileResult>{};
 }
 
 }  // namespace pastoso::film

@@ -8,6 +8,7 @@
 #include "film/tile_window.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace pastoso::film {
@@ -15,9 +16,8 @@ namespace pastoso::film {
 /// How well the implicit equations of a step were met, and what had to be cut.
 struct LargeStepReport {
     int sweeps = 0;  ///< over all tiles, the last one without correction where it found none needed
-    bool converged = true;           ///< false: the residual stayed too large for the step to be of use
     float residual = 0.0F;           ///< largest error of thickness before the last sweep, relative
-    std::int64_t limited_cells = 0;  ///< whose outflow was cut by more than a tenth
+    std::int64_t limited_cells = 0;  ///< thick ones whose outflow was cut by more than a tenth
     std::int64_t clamped_faces = 0;  ///< whose flux was cut to the room of the cell ahead
 };
 
@@ -39,9 +39,13 @@ class LargeStepper {
     void settle(FilmState& state, const std::vector<TilePlace>& places, core::ThreadPool& pool,
                 std::vector<std::unique_ptr<WorkerScratch>>& workers) const;
 
-    /// Forgets a tile: it fell asleep, or its paint was changed by an explicit step.
+    /// Forgets a tile that fell asleep.
     void forget(int tile) { tiles_[tile].reset(); }
-    void forget_all();
+
+    /// What a step leaves for the next one: the pressure of each tile's surface.
+    using Memory = std::vector<std::optional<CellArray>>;
+    Memory remember() const;
+    void recall(const Memory& memory);
 
   private:
     struct Windows {
@@ -51,7 +55,6 @@ class LargeStepper {
     };
     struct Pass;
 
-    grid::Shape shape_;
     bool periodic_x_, periodic_y_;
     std::vector<Windows> columns_, rows_;
     std::vector<std::unique_ptr<LargeTile>> tiles_;

@@ -29,7 +29,8 @@ constexpr int window_index(int x, int y) {
     return (y + kWindowMargin) * kWindowStride + x + kWindowMargin;
 }
 
-/// A cell that holds less, among such, cannot be overfilled by its four faces in a step.
+/// A cell that holds less, among such, is not overfilled by its four faces in a step, which carries paint
+/// by a cell at most.
 inline constexpr std::int32_t kCrowded_quanta = kMaxThickness_quanta / 8;
 
 /// The faces of one direction.

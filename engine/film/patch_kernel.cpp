@@ -53,6 +53,7 @@ float find_patch_residual(const StepConstants& step, const std::int32_t* thickne
             store(&scratch.residual[i], target - load(&scratch.pressure[i]));
         });
     Lanes worst(0.0F);
+    const Lanes huge(1e30F);
     const Lanes floor(0.05F * step.cell_mm), quantum(static_cast<float>(kThicknessQuantum_mm));
     for (int y = 0; y < kTileSize; ++y)
         for (int x = 0; x < kTileSize; x += kLanes) {
@@ -64,7 +65,9 @@ float find_patch_residual(const StepConstants& step, const std::int32_t* thickne
             const lanes::stdx::rebind_simd_t<std::int32_t, Lanes> quanta(thickness + y * kTileSize + x,
                                                                          lanes::stdx::element_aligned);
             const Lanes h = lanes::stdx::static_simd_cast<Lanes>(quanta) * quantum;
-            worst = lanes::max(worst, Lanes(error / (h + lanes::abs(load(&scratch.change[i])) + floor)));
+            const Lanes relative = error / (h + lanes::abs(load(&scratch.change[i])) + floor);
+            // What is not a number counts as large.
+            worst = lanes::max(worst, lanes::select(relative < huge, relative, huge));
         }
     return lanes::stdx::hmax(worst);
 }

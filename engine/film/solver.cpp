@@ -181,7 +181,7 @@ struct Solver::Parts {
                              std::vector<TileResult>& results);
     AdvanceReport explicit_step(double dt_s);
     AdvanceReport large_step(double dt_s, int halvings = 0);
-    double thickest_mm() const;
+    double terminal_speed_mm_s() const;
     double large_step_s(double seconds) const;
     /// How to get through the next `seconds`: the length of the next step, and whether it is a large
     /// one.
@@ -190,6 +190,8 @@ struct Solver::Parts {
         bool large;
     };
     Plan plan(double seconds) const;
+    /// Largest h^power / nu of a tile's cells.
+    double largest_per_viscosity(int tile, int power) const;
     double resting_step_s(int tile) const;
     double stable_step_s() const;
     /// False when `give_up` said so before the time had passed.
@@ -301,30 +303,40 @@ AdvanceReport Solver::Parts::large_step(double dt_s, int halvings) {
     return report;
 }
 
-double Solver::Parts::resting_step_s(int tile) const {
-    const double thickest_mm = thickness_mm(thickest_quanta(state, tile));
-    if (!state.varied) return limits.newtonian_step_s(thickest_mm);
+double Solver::Parts::largest_per_viscosity(int tile, int power) const {
     std::array<float, kTileCells> viscosity{}, yield{};
     const std::int32_t* thickness = state.thickness.read(tile);
     tile_kernels().rheology(state.paint.read(tile), thickness, kTileCells, 1.0F, viscosity.data(),
                             yield.data());
     double largest = 0.0;
-    for (int cell = 0; cell < kTileCells; ++cell) {
-        const double h = thickness_mm(thickness[cell]);
-        largest = std::max(largest, h * h * h / viscosity[cell]);
-    }
-    return limits.resting_step_s(thickest_mm, largest);
+    for (int cell = 0; cell < kTileCells; ++cell)
+        largest = std::max(largest, std::pow(thickness_mm(thickness[cell]), power) / viscosity[cell]);
+    return largest;
 }
 
-double Solver::Parts::thickest_mm() const {
-    std::int32_t thickest = 0;
-    for (const int tile : activity.awake_tiles())
-        thickest = std::max(thickest, thickest_quanta(state, tile));
-    return thickness_mm(thickest);
+double Solver::Parts::resting_step_s(int tile) const {
+    const double thickest_mm = thickness_mm(thickest_quanta(state, tile));
+    if (!state.varied) return limits.newtonian_step_s(thickest_mm);
+    return limits.resting_step_s(thickest_mm, largest_per_viscosity(tile, 3));
+}
+
+/// What the body force alone makes of the paint that it carries fastest.
+double Solver::Parts::terminal_speed_mm_s() const {
+    const std::vector<int> tiles = activity.awake_tiles();
+    if (!state.varied) {
+        std::int32_t thickest = 0;
+        for (const int tile : tiles)
+            thickest = std::max(thickest, thickest_quanta(state, tile));
+        return limits.terminal_speed_mm_s(thickness_mm(thickest));
+    }
+    double runniest = 0.0;
+    for (const int tile : tiles)
+        runniest = std::max(runniest, largest_per_viscosity(tile, 2));
+    return limits.newtonian_speed_mm_s(runniest);
 }
 
 double Solver::Parts::large_step_s(double seconds) const {
-    const double speed = limits.terminal_speed_mm_s(thickest_mm());
+    const double speed = terminal_speed_mm_s();
     constexpr double kCourant = 0.2;
     return seconds / std::max(1.0, std::ceil(seconds * speed / (kCourant * state.cell_mm)));
 }
@@ -410,12 +422,14 @@ std::optional<AdvanceReport> Solver::advance_unless(const std::function<bool()>&
     const ActivityMap activity = parts_->activity;
     const auto window_start = parts_->window_start;
     const Totals runoff = parts_->runoff;
+    const LargeStepper::Memory pressures = parts_->large.remember();
     AdvanceReport report;
     if (parts_->advance(seconds, give_up, report)) return report;
     parts_->state = state;
     parts_->activity = activity;
     parts_->window_start = window_start;
     parts_->runoff = runoff;
+    parts_->large.recall(pressures);
     return std::nullopt;
 }
 

@@ -24,9 +24,12 @@ double StepLimits::wave_step_s(double thickness_mm, double drag_rate) const {
     return (drag_rate + std::sqrt(drag_rate * drag_rate + 4.0 * w2)) / w2;
 }
 
+double StepLimits::newtonian_speed_mm_s(double largest_h2_per_viscosity) const {
+    return force_mm_s2 * largest_h2_per_viscosity / smallest_drag;
+}
+
 double StepLimits::terminal_speed_mm_s(double thickness_mm) const {
-    const double newtonian =
-        force_mm_s2 * thickness_mm * thickness_mm / (smallest_drag * viscosity_mm2_s);
+    const double newtonian = newtonian_speed_mm_s(thickness_mm * thickness_mm / viscosity_mm2_s);
     if (yield <= 0.0) return newtonian;
     const double x = force_mm_s2 * thickness_mm / yield;
     if (x <= 1.0) return 0.0;

@@ -22,6 +22,8 @@ struct StepLimits {
     /// Depth mean of the steady flow that the body force alone drives in a film of this thickness:
     ///     F h^2 / (k_d nu) (1 - 1/x)^2 (1 + 1/(2x)),  x = F h rho / tau_y.
     double terminal_speed_mm_s(double thickness_mm) const;
+    /// The same without yield stress, for paint whose cells differ, from the largest h^2/nu.
+    double newtonian_speed_mm_s(double largest_h2_per_viscosity) const;
     /// For Newtonian paint of this thickness at rest; shear-thinning paint is taken at its thinnest.
     double newtonian_step_s(double thickness_mm) const;
     /// For paint at rest whose cells differ: `thickest_mm` anywhere, and the largest h^3/nu.

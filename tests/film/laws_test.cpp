@@ -1,6 +1,7 @@
 // What must hold for any paint: nothing is lost, nothing goes negative, directions and thread counts do
 // not matter, still paint stays still.
 #include "film/film_bench.hpp"
+#include "film/schemes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -234,8 +235,11 @@ TEST(Sleep, FlowCrossesIntoSleepingTiles) {
 }
 
 // Giving up leaves everything as it was: the same time then passes as if nothing had happened.
-TEST(Abandon, LeavesNoTrace) {
+class Abandon : public testing::TestWithParam<Scheme> {};
+
+TEST_P(Abandon, LeavesNoTrace) {
     Scene scene = runny(Edge::Open);
+    scene.solver = GetParam().options;
     const auto shape = [](int x, int y) { return blob(x, y, 40, 40, 25, 3); };
     Bench straight(scene), interrupted(scene);
     straight.fill(shape);
@@ -251,6 +255,8 @@ TEST(Abandon, LeavesNoTrace) {
     EXPECT_EQ(state_hash(interrupted.state), state_hash(straight.state));
     EXPECT_EQ(interrupted.solver->runoff().thickness, straight.solver->runoff().thickness);
 }
+INSTANTIATE_TEST_SUITE_P(Schemes, Abandon, testing::ValuesIn(all_schemes()),
+                         [](const auto& test) { return test.param.name; });
 
 }  // namespace
 }  // namespace pastoso::film::test

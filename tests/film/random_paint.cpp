@@ -203,6 +203,7 @@ RandomPaint random_paint(std::uint32_t seed, EdgeKind edges) {
     choose_properties(thickness, dice, paint.scene);
     paint.largest_mm = 2 * thickness;
     choose_neglect(paint.largest_mm, dice, paint.scene);
+    if (noise(seed + 6, 0, 0) < 0.25) paint.scene.flow_index = 0.4 + 0.6 * noise(seed + 6, 1, 0);
     paint.thickness = [seed, thickness](int x, int y) {
         return noise(seed + 4, x, y) < 0.3 ? 0.0 : 2 * thickness * noise(seed + 5, x, y);
     };
