@@ -40,7 +40,11 @@ Json run_stats(const RunOutcome& outcome) {
             {"io_s", outcome.times.io_s},
             {"film_steps", outcome.film.steps},
             {"cells_stepped", outcome.film.cells_stepped},
+            {"large_steps", outcome.film.large_steps},
+            {"rejected_steps", outcome.film.rejected_steps},
+            {"sweeps", outcome.film.sweeps},
             {"clamped_faces", outcome.film.clamped_faces},
+            {"limited_cells", outcome.film.limited_cells},
             {"largest_speed_mm_s", outcome.film.largest_speed_mm_s},
             {"state_hash", hex(outcome.state_hash)}};
 }

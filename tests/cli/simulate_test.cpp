@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 #include <sstream>
 
@@ -136,6 +137,31 @@ TEST_F(CliSimulate, ThreadsDoNotShowInAnyFile) {
         ++compared;
     }
     EXPECT_EQ(compared, 3);  // the series, the report, a picture at 0 s
+}
+
+// A processor that lacks a set runs the widest it has instead.
+TEST_F(CliSimulate, EveryInstructionSetGivesTheSameBits) {
+    for (const std::string scheme : {"explicit", "large-step"}) {
+        const std::string scene = write(scheme + ".json", R"({"format": "pastoso-scene", "version": 1,
+            "size_mm": [20, 18], "cell_mm": 0.25, "edges": "open", "paint": "house paint",
+            "support": {"kind": "weave", "thread_pitch_mm": 0.8, "relief_mm": 0.1}, "tilt": {"tilt_deg": 70, "direction_deg": 60},
+            "film": [{"kind": "cap", "at_mm": [8, 7], "radius_mm": 5, "thickness_mm": 1, "pigment": "PB29"},
+                     {"kind": "cap", "at_mm": [13, 8], "radius_mm": 4, "thickness_mm": 1.5,
+                      "paint": "heavy-body oil", "pigment": "PY35"}],
+            "solver": {"scheme": ")" + scheme + R"("}, "duration_s": 0.1})");
+        std::set<std::string> hashes;
+        for (const char* isa : {"baseline", "avx2", "avx512"}) {
+            ::setenv("PASTOSO_ISA", isa, 1);
+            const RunResult run = run_cli(
+                {"simulate", scene, "-o", path(scheme + isa), "--stats", path("stats.json"), "-q"});
+            ::unsetenv("PASTOSO_ISA");
+            ASSERT_EQ(run.status, 0) << run.errors;
+            const Json figures = Json::parse(text("stats.json")).at("runs").at(0);
+            EXPECT_EQ(figures.at("large_steps") > 0, scheme == "large-step");
+            hashes.insert(figures.at("state_hash"));
+        }
+        EXPECT_EQ(hashes.size(), 1U) << scheme;
+    }
 }
 
 TEST_F(CliSimulate, TheMagnifiedPictureHasBothHalves) {
