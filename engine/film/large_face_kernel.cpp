@@ -96,21 +96,28 @@ struct LargeFaceRow {
                 (load(lag + i + axis.along) - load(lag + i)) * Lanes(step.inverse_cell);
             const Lanes along = kModel.shear_thinning && thinned ? load(&faces.velocity[f]) : face.u;
             const auto shut = load(&faces.drag[f]) < Lanes(0.0F) && load(&faces.depth[f]) == Lanes(0.0F);
-            drive_group(face, load(&carried[f]), gradient, along, f);
-            if (thinned && lanes::any(shut)) keep_shut(shut, f);
+            drive_faces(face, load(&carried[f]), gradient, along, f);
+            // What is shut stays so when it is assembled again.
+            if (thinned && lanes::any(shut)) put_explicit(shut, Lanes(0.0F), Lanes(0.0F), f);
         });
     }
 
-    /// What is shut stays so when it is assembled again.
-    template <class Mask>
-    void keep_shut(Mask shut, int f) const {
-        const Lanes zero(0.0F);
-        store(&faces.drag[f], lanes::select(shut, Lanes(kExplicit), load(&faces.drag[f])));
-        for (auto* values : {&faces.depth, &faces.star, &faces.mobility})
-            store(&(*values)[f], lanes::select(shut, zero, load(&(*values)[f])));
+    /// lambda
+    template <class Paint>
+    [[gnu::always_inline]] Lanes drag_rate_of(const FaceNeighbourhood<Lanes>& face, const Paint& paint,
+                                              Lanes along, Lanes depth) const {
+        Lanes coefficient(step.drag_along);
+        if constexpr (kModel.alpha_range) coefficient = alpha_drag(face, step);
+        if constexpr (kModel.shear_thinning) {
+            const Lanes speed = lanes::sqrt(Lanes(along * along + face.v * face.v));
+            coefficient = coefficient * relative_viscosity<kModel.yield>(
+                                            speed, depth, paint.against_yield(step), step);
+        }
+        return drag_rate(coefficient, depth, paint.viscosity(step), paint.fluidity(step), step).rate;
     }
 
-    [[gnu::always_inline]] void drive_group(const FaceNeighbourhood<Lanes>& face, Lanes momentum,
+    /// Stores depth, drag and what drives a group of faces; where some are explicit, their flow as well.
+    [[gnu::always_inline]] void drive_faces(const FaceNeighbourhood<Lanes>& face, Lanes momentum,
                                             Lanes gradient, Lanes along, int f) const {
         const Lanes zero(0.0F), wet_mm(step.wet_mm), dt(step.dt_s), force(axis.force);
         const auto wet_left = face.h_left > wet_mm, wet_right = face.h_right > wet_mm;
@@ -119,24 +126,17 @@ struct LargeFaceRow {
         const bool all_inner = lanes::all(inner);
         const ContactFace<Lanes> edge =
             all_inner ? ContactFace<Lanes>{} : contact_face(face, step, force);
-        const auto paint = face_paint<kModel>(face, step);
+
         Lanes push = force;
         if constexpr (kModel.horizontal_tension) push = push + horizontal_tension(face, step);
         const Lanes guess = momentum + dt * (push - gradient);
         const auto donor_wet = lanes::select(guess > zero, face.h_left, face.h_right) > wet_mm;
-        Lanes depth = lanes::select(donor_wet && guess != zero, upwind_thickness(face, guess), zero);
+        const Lanes depth =
+            lanes::select(donor_wet && guess != zero, upwind_thickness(face, guess), zero);
         const Lanes drag_depth = all_inner ? depth : lanes::select(inner, depth, edge.h_wet);
-
-        Lanes coefficient(step.drag_along);
-        if constexpr (kModel.alpha_range) coefficient = alpha_drag(face, step);
-        if constexpr (kModel.shear_thinning) {
-            const Lanes speed = lanes::sqrt(Lanes(along * along + face.v * face.v));
-            coefficient = coefficient * relative_viscosity<kModel.yield>(
-                                            speed, drag_depth, paint.against_yield(step), step);
-        }
-        const DragRate<Lanes> lambda =
-            drag_rate(coefficient, drag_depth, paint.viscosity(step), paint.fluidity(step), step);
-        const Lanes drag = lanes::min(Lanes(lambda.rate * dt), Lanes(1e12F));
+        const auto paint = face_paint<kModel>(face, step);
+        const Lanes rate = drag_rate_of(face, paint, along, drag_depth);
+        const Lanes drag = lanes::min(Lanes(rate * dt), Lanes(1e12F));
         const auto remembers = inner && drag < Lanes(kLightDrag);
         if (lanes::any(remembers)) {
             light = true;
@@ -148,25 +148,33 @@ struct LargeFaceRow {
             across = face.v +
                      dt * (Lanes(axis.force_across) - Lanes(step.gravity_mm_s2) * face.eta_slope_across);
             resistance = paint.over_yield_in_step(Lanes(drag * drag_depth), step);
-        }
-        store(&faces.driven[f],
-              Lanes(momentum + dt * (push - force + force * followed_force(lambda.rate, step, axis))));
-        if constexpr (kModel.yield) {
             store(&faces.across[f], across);
             store(&faces.resistance[f], resistance);
         }
-        store(&faces.drag[f], all_inner ? drag : lanes::select(inner, drag, Lanes(kExplicit)));
-        if (!all_inner) {
-            const auto wet = wet_left || wet_right;
-            const Lanes passing = lanes::max(Lanes(edge.h_wet - edge.pinned_mm), zero);
-            depth = lanes::select(inner, depth, lanes::select(wet, passing, zero));
-            const DragAnswer answer = drag_answer<kModel.yield>(Lanes(momentum + dt * edge.acceleration),
-                                                                across, drag, resistance);
-            const Lanes flow = lanes::select(depth > zero, softly_limited(answer.flow, step), zero);
-            store(&faces.star[f], lanes::select(inner, load(&faces.star[f]), flow));
-            store(&faces.mobility[f], lanes::select(inner, load(&faces.mobility[f]), zero));
-        }
+        const Lanes followed = push - force + force * followed_force(rate, step, axis);
+        store(&faces.driven[f], Lanes(momentum + dt * followed));
+        store(&faces.drag[f], drag);
         store(&faces.depth[f], depth);
+        if (all_inner) return;
+
+        const Lanes at_edge = momentum + dt * edge.acceleration;
+        const Lanes flow = drag_answer<kModel.yield>(at_edge, across, drag, resistance).flow;
+        const Lanes passing = lanes::max(Lanes(edge.h_wet - edge.pinned_mm), zero);
+        const Lanes edge_depth = lanes::select(wet_left || wet_right, passing, zero);
+        const auto flows = edge_depth > zero;
+        put_explicit(!inner, edge_depth, lanes::select(flows, softly_limited(flow, step), zero), f);
+    }
+
+    /// Faces that do not wait for the new pressure.
+    template <class Mask>
+    void put_explicit(Mask where, Lanes depth, Lanes flow, int f) const {
+        const auto put = [&](FaceArray<float>& values, Lanes value) {
+            store(&values[f], lanes::select(where, value, load(&values[f])));
+        };
+        put(faces.drag, Lanes(kExplicit));
+        put(faces.depth, depth);
+        put(faces.star, flow);
+        put(faces.mobility, Lanes(0.0F));
     }
 
     float assemble(bool again) const {

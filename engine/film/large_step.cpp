@@ -365,7 +365,9 @@ void LargeStepper::Pass::solve_yielding(LargeStepReport& report) {
         solve(false, report);
 }
 
-/// The share of each cell's outflow that it can grant, with what its neighbours grant it so far.
+/// share = min(1, (held + sum of the donors' shares of the inflow) / outflow) of each cell: a fixed
+/// point, reached from below, so that no pass takes a grant back. One pass of it, with the donors'
+/// shares of `large`.
 Shortage LargeStepper::Pass::share_outflow(const TilePlace& place, LargeTile& tile, LargeScratch& large,
                                            CellArray& share) const {
     return kernels.share_outflow(constants, place.columns.extent, place.rows.extent,
