@@ -190,8 +190,9 @@ struct Solver::Parts {
         bool large;
     };
     Plan plan(double seconds) const;
-    /// Largest h^power / nu of a tile's cells.
-    double largest_per_viscosity(int tile, int power) const;
+    /// Largest weight(h) / nu of a tile's cells.
+    template <class Weight>
+    double largest_per_viscosity(int tile, const Weight& weight) const;
     double resting_step_s(int tile) const;
     double stable_step_s() const;
     /// False when `give_up` said so before the time had passed.
@@ -303,21 +304,23 @@ AdvanceReport Solver::Parts::large_step(double dt_s, int halvings) {
     return report;
 }
 
-double Solver::Parts::largest_per_viscosity(int tile, int power) const {
+template <class Weight>
+double Solver::Parts::largest_per_viscosity(int tile, const Weight& weight) const {
     std::array<float, kTileCells> viscosity{}, yield{};
     const std::int32_t* thickness = state.thickness.read(tile);
     tile_kernels().rheology(state.paint.read(tile), thickness, kTileCells, 1.0F, viscosity.data(),
                             yield.data());
     double largest = 0.0;
     for (int cell = 0; cell < kTileCells; ++cell)
-        largest = std::max(largest, std::pow(thickness_mm(thickness[cell]), power) / viscosity[cell]);
+        largest = std::max(largest, weight(double{thickness_mm(thickness[cell])}) / viscosity[cell]);
     return largest;
 }
 
 double Solver::Parts::resting_step_s(int tile) const {
     const double thickest_mm = thickness_mm(thickest_quanta(state, tile));
     if (!state.varied) return limits.newtonian_step_s(thickest_mm);
-    return limits.resting_step_s(thickest_mm, largest_per_viscosity(tile, 3));
+    return limits.resting_step_s(thickest_mm,
+                                 largest_per_viscosity(tile, [](double h) { return h * h * h; }));
 }
 
 /// What the body force alone makes of the paint that it carries fastest.
@@ -329,10 +332,11 @@ double Solver::Parts::terminal_speed_mm_s() const {
             thickest = std::max(thickest, thickest_quanta(state, tile));
         return limits.terminal_speed_mm_s(thickness_mm(thickest));
     }
-    double runniest = 0.0;
-    for (const int tile : tiles)
-        runniest = std::max(runniest, largest_per_viscosity(tile, 2));
-    return limits.newtonian_speed_mm_s(runniest);
+    std::vector<double> runniest(tiles.size() + 1);
+    pool.run(tiles.size(), [&](std::size_t index, int) {
+        runniest[index] = largest_per_viscosity(tiles[index], [](double h) { return h * h; });
+    });
+    return limits.newtonian_speed_mm_s(*std::max_element(runniest.begin(), runniest.end()));
 }
 
 double Solver::Parts::large_step_s(double seconds) const {
