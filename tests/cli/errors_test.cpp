@@ -11,18 +11,6 @@ using testing::HasSubstr;
 
 class CliErrors : public CliTest {
   protected:
-    /// The run fails with this status and one sentence on the error stream, and leaves no file behind.
-    void expect_refusal(const std::vector<std::string>& arguments, int status,
-                        const std::string& sentence) {
-        const std::size_t files = files_in_folder();
-        const RunResult run = run_cli(arguments);
-        EXPECT_EQ(run.status, status) << run.errors;
-        EXPECT_EQ(run.output, "");
-        EXPECT_THAT(run.errors, testing::StartsWith("pastoso-cli: "));
-        EXPECT_THAT(run.errors, HasSubstr(sentence));
-        EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
-        EXPECT_EQ(files_in_folder(), files);
-    }
     void expect_bad_input(const std::vector<std::string>& arguments, const std::string& sentence) {
         expect_refusal(arguments, 1, sentence);
     }

@@ -4,12 +4,15 @@
 #include "core/resources.hpp"
 #include "core/text_file.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
+
+#include <gmock/gmock.h>
 
 namespace pastoso::cli {
 namespace {
@@ -97,6 +100,18 @@ std::string CliTest::short_recording() const {
                 (i < 20 ? "0.5" : "0") + "\n";
     }
     return write("short.dat", text);
+}
+
+void CliTest::expect_refusal(const std::vector<std::string>& arguments, int status,
+                             const std::string& sentence) const {
+    const std::size_t files = files_in_folder();
+    const RunResult run = run_cli(arguments);
+    EXPECT_EQ(run.status, status) << run.errors;
+    EXPECT_EQ(run.output, "");
+    EXPECT_THAT(run.errors, testing::StartsWith("pastoso-cli: "));
+    EXPECT_THAT(run.errors, testing::HasSubstr(sentence));
+    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+    EXPECT_EQ(files_in_folder(), files);
 }
 
 std::vector<std::string> small(const std::vector<std::string>& arguments) {

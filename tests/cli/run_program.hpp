@@ -34,6 +34,11 @@ class CliTest : public io::TemporaryFolder {
 
     /// A text recording of one short stroke in the middle of a small canvas.
     std::string short_recording() const;
+
+    /// pastoso-cli fails with this status and one sentence on the error stream, and leaves no file
+    /// behind.
+    void expect_refusal(const std::vector<std::string>& arguments, int status,
+                        const std::string& sentence) const;
 };
 
 /// Options that make a replay small and quick.

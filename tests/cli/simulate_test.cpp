@@ -48,18 +48,6 @@ class CliSimulate : public CliTest {
             "film": [{"kind": "slab", "thickness_cells": 2, "pigment": "PR108"}], "duration_s": 20,
             "output": {"series_every_s": 5, "picture_scale": 2, "profiles_along_y_at_x_cells": [12]}})");
     }
-
-    void expect_refusal(const std::vector<std::string>& arguments, int status,
-                        const std::string& sentence) {
-        const std::size_t files = files_in_folder();
-        const RunResult run = run_cli(arguments);
-        EXPECT_EQ(run.status, status) << run.errors;
-        EXPECT_EQ(run.output, "");
-        EXPECT_THAT(run.errors, testing::StartsWith("pastoso-cli: "));
-        EXPECT_THAT(run.errors, HasSubstr(sentence));
-        EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
-        EXPECT_EQ(files_in_folder(), files);
-    }
 };
 
 TEST_F(CliSimulate, ASlabRunsAtNusseltsSpeed) {

@@ -40,6 +40,25 @@ SolverOptions options_of(const Scene& scene) {
 
 }  // namespace
 
+double blob(double x, double y, double centre_x, double centre_y, double radius, double height) {
+    const double r = std::hypot(x + 0.5 - centre_x, y + 0.5 - centre_y) / radius;
+    return r < 1 ? height * (1 - r * r) : 0.0;
+}
+
+Scene runny(int width, int height) {
+    return {.width = width,
+            .height = height,
+            .gravity = 1,
+            .force_x = 0.3,
+            .force_y = 0.5,
+            .tension = 3,
+            .alpha_min = 0.5,
+            .alpha_max = 1.2,
+            .tan_advancing = 0.5,
+            .tan_receding = 0.2,
+            .slip_cells = 0.2};
+}
+
 std::string name_of(Edge edge) {
     switch (edge) {
         case Edge::Periodic:

@@ -34,6 +34,12 @@ struct Scene {
 /// For test names.
 std::string name_of(Edge edge);
 
+/// Paint with an alpha range and a contact angle that runs down aslant.
+Scene runny(int width, int height);
+
+/// The thickness of a paraboloid drop in a cell.
+double blob(double x, double y, double centre_x, double centre_y, double radius, double height);
+
 class Bench {
   public:
     explicit Bench(const Scene& scene);

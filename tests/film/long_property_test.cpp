@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -23,7 +22,6 @@ std::uint32_t fresh_seed() {
 
 constexpr int kPaints = 60;  ///< for each kind of edge
 
-using PaintCase = std::tuple<Scheme, EdgeKind>;
 class LongRunningPaint : public testing::TestWithParam<PaintCase> {};
 
 TEST_P(LongRunningPaint, OfKnownSeedsStaysFiniteExactAndCalm) {
@@ -41,13 +39,8 @@ TEST_P(LongRunningPaint, OfFreshSeedsStaysFiniteExactAndCalm) {
     expect_calm(run_random_paints(
         scheme, edges, {.first_seed = first_seed, .count = kPaints, .steps = 10 * scheme.random_steps}));
 }
-INSTANTIATE_TEST_SUITE_P(Schemes, LongRunningPaint,
-                         testing::Combine(testing::ValuesIn(all_schemes()),
-                                          testing::Values(EdgeKind::Periodic, EdgeKind::Wall,
-                                                          EdgeKind::Open, EdgeKind::Mixed)),
-                         [](const auto& test) {
-                             return std::get<0>(test.param).name + name_of(std::get<1>(test.param));
-                         });
+INSTANTIATE_TEST_SUITE_P(Schemes, LongRunningPaint, testing::ValuesIn(all_paint_cases()),
+                         [](const auto& test) { return name_of(test.param); });
 
 }  // namespace
 }  // namespace pastoso::film::test

@@ -192,6 +192,20 @@ std::string name_of(EdgeKind edges) {
     }
 }
 
+std::vector<PaintCase> all_paint_cases() {
+    std::vector<PaintCase> cases;
+    for (const Scheme& scheme : all_schemes())
+        for (const EdgeKind edges :
+             {EdgeKind::Periodic, EdgeKind::Wall, EdgeKind::Open, EdgeKind::Mixed})
+            cases.emplace_back(scheme, edges);
+    return cases;
+}
+
+std::string name_of(const PaintCase& paint_case) {
+    const auto& [scheme, edges] = paint_case;
+    return scheme.name + name_of(edges);
+}
+
 RandomPaint random_paint(std::uint32_t seed, EdgeKind edges) {
     Dice dice(seed);
     RandomPaint paint;

@@ -7,11 +7,19 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
 
 namespace pastoso::film::test {
 
 enum class EdgeKind { Periodic, Wall, Open, Mixed };
 std::string name_of(EdgeKind edges);
+
+/// Every scheme on every kind of edge, and the name of such a case.
+using PaintCase = std::tuple<Scheme, EdgeKind>;
+std::vector<PaintCase> all_paint_cases();
+std::string name_of(const PaintCase& paint_case);
 
 struct RandomPaint {
     std::uint32_t seed = 0;

@@ -130,12 +130,10 @@ std::vector<SpreadDrop> axisymmetric_current(double cell, const std::vector<doub
     return results;
 }
 
-Drip drip(double angle_deg, double alpha_min, double alpha_max) {
+Drip drip(double angle_deg, double alpha_min, double alpha_max, const SolverOptions& options) {
     const double angle = angle_deg * pi / 180;
     const double cosine = std::cos(angle), sine = std::sin(angle);
     const int n = 160;
-    SolverOptions in_plane;
-    in_plane.tension_in_space = false;
     Bench bench({.width = n,
                  .height = n,
                  .gravity = 1,
@@ -147,7 +145,7 @@ Drip drip(double angle_deg, double alpha_min, double alpha_max) {
                  .tan_advancing = 0.5,
                  .tan_receding = 0.25,
                  .slip_cells = 0.2,
-                 .solver = in_plane});
+                 .solver = options});
     const double start_x = 80 - 35 * cosine, start_y = 80 - 35 * sine;
     bench.fill([&](int x, int y) {
         const double r = std::hypot(x + 0.5 - start_x, y + 0.5 - start_y) / 14;

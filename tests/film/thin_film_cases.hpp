@@ -28,9 +28,8 @@ std::vector<SpreadDrop> axisymmetric_current(double cell, const std::vector<doub
 struct Drip {
     double tip = -1e9, half_width = 0, centroid = 0;  ///< along and across the way down
 };
-/// A paraboloid drop, 4 high and 14 in radius, after 80 s of F = 0.6 in a direction, with the surface
-/// tension of the alpha range in the plane.
-Drip drip(double angle_deg, double alpha_min, double alpha_max);
+/// A paraboloid drop, 4 high and 14 in radius, after 80 s of F = 0.6 in a direction.
+Drip drip(double angle_deg, double alpha_min, double alpha_max, const SolverOptions& options = {});
 
 struct Cap {
     double radius = 0, height = 0;

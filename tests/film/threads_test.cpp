@@ -14,28 +14,11 @@ struct Run {
 };
 
 FilmState drip(const Run& run, int threads) {
-    SolverOptions options;
-    options.scheme = run.scheme;
-    Bench bench({.width = 200,
-                 .height = 150,
-                 .gravity = 1,
-                 .force_x = 0.3,
-                 .force_y = 0.5,
-                 .tension = 3,
-                 .alpha_min = 0.5,
-                 .alpha_max = 1.2,
-                 .tan_advancing = 0.5,
-                 .tan_receding = 0.2,
-                 .slip_cells = 0.2,
-                 .threads = threads,
-                 .solver = options});
-    bench.fill([](int x, int y) {
-        const auto blob = [&](double centre_x, double centre_y, double radius, double height) {
-            const double r = std::hypot(x + 0.5 - centre_x, y + 0.5 - centre_y) / radius;
-            return r < 1 ? height * (1 - r * r) : 0.0;
-        };
-        return blob(70, 60, 18, 3.5) + blob(20, 50, 9, 1);
-    });
+    Scene scene = runny(200, 150);
+    scene.threads = threads;
+    scene.solver.scheme = run.scheme;
+    Bench bench(scene);
+    bench.fill([](int x, int y) { return blob(x, y, 70, 60, 18, 3.5) + blob(x, y, 20, 50, 9, 1); });
     bench.tint(2, [](int x, int y) { return x + y; });
     bench.run(run.step_s, run.seconds);
     return bench.state;
