@@ -51,6 +51,8 @@ struct HaloBlock {
     alignas(64) BlockArray<std::int32_t> quanta;  ///< thickness
     alignas(64) BlockArray<float> viscosity;      ///< mm2/s; of varied paint only (rheology_block.hpp)
     alignas(64) BlockArray<float> yield;          ///< tau_y/rho, mm2/s2; likewise
+    alignas(64) BlockArray<float> air;            ///< pressure of air over density, mm2/s2 (air_jet.hpp)
+    bool pressed = false;                         ///< whether there is any; else `air` means nothing
     int first_wet_row = 0, last_wet_row = -1;     ///< rows of the block with more than `wet_mm`
 };
 

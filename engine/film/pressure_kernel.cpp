@@ -86,7 +86,7 @@ void face_slopes(const TileScratch& scratch, const StepConstants& step, int y, i
     });
 }
 
-/// kappa = -div(slope) and Pi = g eta + (sigma/rho) kappa.
+/// kappa = -div(slope) and Pi = g eta + (sigma/rho) kappa + p_air/rho.
 void surface_pressure(const StepConstants& step, int y, TileScratch& scratch) {
     for_each_lane_group(-1, kTileSize + 1, [&](int x) {
         const int i = block_index(x, y);
@@ -94,8 +94,9 @@ void surface_pressure(const StepConstants& step, int y, TileScratch& scratch) {
                                  (load(&scratch.slope_y[i]) - load(&scratch.slope_y[i - kBlockStride]));
         const Lanes curvature = -divergence * Lanes(step.inverse_cell);
         store(&scratch.curvature[i], curvature);
-        store(&scratch.pressure[i],
-              Lanes(step.gravity_mm_s2) * load(&scratch.block.eta[i]) + Lanes(step.tension) * curvature);
+        const Lanes air = scratch.block.pressed ? load(&scratch.block.air[i]) : Lanes(0.0F);
+        store(&scratch.pressure[i], Lanes(step.gravity_mm_s2) * load(&scratch.block.eta[i]) +
+                                        Lanes(step.tension) * curvature + air);
     });
 }
 

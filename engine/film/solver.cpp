@@ -134,6 +134,7 @@ struct Solver::Parts {
     void configure() {
         check_medium(medium);
         limits = make_limits(medium, gravity, state.cell_mm);
+        if (air) limits.force_mm_s2 += strongest_push_mm_s2(*air, medium.density_kg_m3);
         constants = make_constants(medium, gravity, options, state.cell_mm);
     }
 
@@ -203,6 +204,7 @@ struct Solver::Parts {
     SolverOptions options;
     core::ThreadPool& pool;
     Gravity gravity = tilted_gravity(0.0);
+    std::optional<AirJet> air;
     StepLimits limits;
     StepConstants constants;
     ActivityMap activity;
@@ -227,6 +229,8 @@ TilePlace Solver::Parts::place_of(int tile) const {
                              runs_off(tile, kBottom)},
             .canvas_edges = {canvas_ends(tile, kLeft), canvas_ends(tile, kRight),
                              canvas_ends(tile, kTop), canvas_ends(tile, kBottom)},
+            .air = air ? &*air : nullptr,
+            .density_kg_m3 = medium.density_kg_m3,
             .pigment_in_reach = pigment_in_reach(tile),
             .motion_reference = reference.read()};
 }
@@ -399,6 +403,13 @@ void Solver::set_gravity(const Gravity& gravity) {
     parts_->gravity = gravity;
     parts_->configure();
     wake_all();
+}
+
+void Solver::set_air(const std::optional<AirJet>& jet) {
+    if (jet == parts_->air) return;
+    parts_->air = jet;
+    parts_->configure();
+    if (jet) wake(cells_reached(*jet, parts_->state.shape, parts_->state.cell_mm));
 }
 
 void Solver::wake(const grid::Rect& cells) {

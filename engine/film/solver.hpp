@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/thread_pool.hpp"
+#include "film/air_jet.hpp"
 #include "film/medium.hpp"
 #include "film/state.hpp"
 
@@ -78,6 +79,8 @@ class Solver {
 
     void set_medium(const Medium& medium);     ///< wakes all paint
     void set_gravity(const Gravity& gravity);  ///< wakes all paint when it changes
+    /// Lets air blow on the paint until it is set anew; wakes what it reaches. Null: still air.
+    void set_air(const std::optional<AirJet>& jet);
 
     /// Announces changed cells: their tiles are stepped until they have come to rest again.
     void wake(const grid::Rect& cells);

@@ -2,6 +2,7 @@
 // result.
 #pragma once
 
+#include "film/air_jet.hpp"
 #include "film/halo_block.hpp"
 #include "film/large_tile.hpp"
 #include "film/tile_activity.hpp"
@@ -27,6 +28,8 @@ struct TilePlace {
     ClosedEdges closed;
     OpenEdges runoff_edges;
     CanvasEdges canvas_edges;
+    const AirJet* air = nullptr;  ///< null: still air
+    double density_kg_m3 = 1000.0;
     bool pigment_in_reach = true;          ///< false: nothing here or beside it is coloured
     const std::int32_t* motion_reference;  ///< thickness that the tile's motion is counted from
 };
