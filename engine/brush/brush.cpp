@@ -5,6 +5,7 @@
 #include "film/smooth_noise.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace pastoso::brush {
 namespace {
@@ -73,6 +74,10 @@ Contents Brush::clean() {
     const Contents taken = contents();
     held.assign(held.size(), Contents{});
     return taken;
+}
+
+Contents Brush::take_thrown_away() {
+    return std::exchange(thrown_away, {});
 }
 
 Contents Brush::contents() const {

@@ -33,6 +33,9 @@ struct Brush {
     /// Takes all paint off and returns it.
     Contents clean();
 
+    /// Hands over what an absorbing tool has thrown away since the last call.
+    Contents take_thrown_away();
+
     /// The sum over the bristles.
     Contents contents() const;
 
@@ -42,6 +45,7 @@ struct Brush {
     Preset preset;  ///< resized
     Tip tip;
     std::vector<Contents> held;       ///< one per bristle
+    Contents thrown_away;             ///< by a tool that absorbs; not part of contents()
     std::uint32_t strokes_begun = 0;  ///< seeds what differs from stroke to stroke
 };
 

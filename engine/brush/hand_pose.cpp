@@ -75,6 +75,12 @@ HandPose hand_pose(const std::vector<DynamicsCurve>& dynamics, const PathStep& s
             case DynamicsTarget::Pickup:
                 pose.pickup *= std::max(value, 0.0);
                 break;
+            case DynamicsTarget::Flow:
+                pose.flow *= std::max(value, 0.0);
+                break;
+            case DynamicsTarget::Spread:
+                pose.spread *= std::max(value, 0.0);
+                break;
         }
     }
     const double tangent = std::hypot(tilt.tangent_x, tilt.tangent_y);

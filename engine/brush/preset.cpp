@@ -8,12 +8,35 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace pastoso::brush {
 namespace {
 
 constexpr int kFewestBristles = 30;
 constexpr int kMostBristles = 300;
+
+/// The tool that a single word means.
+constexpr std::pair<std::string_view, std::string_view> kShortNames[] = {{"flat", "Flat bristle 20"},
+                                                                         {"round", "Round sable 9"},
+                                                                         {"filbert", "Filbert 14"},
+                                                                         {"fan", "Fan 26"},
+                                                                         {"mop", "Mop 30"},
+                                                                         {"rigger", "Rigger 2"},
+                                                                         {"blender", "Blender 28"},
+                                                                         {"knife", "Palette knife 17"},
+                                                                         {"scraper", "Scraper 30"},
+                                                                         {"comb", "Comb 25"},
+                                                                         {"rag", "Rag 35"},
+                                                                         {"eraser", "Eraser 15"},
+                                                                         {"blot", "Blotting pad 40"},
+                                                                         {"finger", "Fingertip 12"},
+                                                                         {"dropper", "Dropper"},
+                                                                         {"spray", "Spray can 35"},
+                                                                         {"airbrush", "Airbrush 7"},
+                                                                         {"spatter", "Spatter 45"},
+                                                                         {"thinner", "Thinner brush 16"},
+                                                                         {"blow", "Straw 8"}};
 
 std::vector<std::filesystem::path> preset_files() {
     std::vector<std::filesystem::path> files;
@@ -60,6 +83,22 @@ std::string_view name_of(TipShape shape) {
             return "fan";
         case TipShape::Knife:
             return "knife";
+        case TipShape::Comb:
+            return "comb";
+        case TipShape::Pad:
+            return "pad";
+    }
+    return "";
+}
+
+std::string_view name_of(ToolKind kind) {
+    switch (kind) {
+        case ToolKind::Contact:
+            return "contact";
+        case ToolKind::Droplets:
+            return "droplets";
+        case ToolKind::Air:
+            return "air";
     }
     return "";
 }
@@ -74,8 +113,8 @@ const Preset& find_preset(std::string_view name) {
     for (const Preset& preset : presets) {
         if (equal_ignoring_case(preset.name, name)) return preset;
     }
-    for (const Preset& preset : presets) {
-        if (equal_ignoring_case(name_of(preset.tip.shape), name)) return preset;
+    for (const auto& [word, preset_name] : kShortNames) {
+        if (equal_ignoring_case(word, name)) return find_preset(preset_name);
     }
     throw core::InputError("There is no brush \"" + std::string(name) + "\"; the brushes are " +
                            list_of_names() + ".");

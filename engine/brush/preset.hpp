@@ -1,4 +1,4 @@
-// What kind of brush or knife it is: the numbers of a preset file, in its own terms and units.
+// What kind of tool it is: the numbers of a preset file, in its own terms and units.
 #pragma once
 
 #include <array>
@@ -9,8 +9,24 @@
 
 namespace pastoso::brush {
 
-enum class TipShape { Round, Flat, Filbert, Fan, Knife };
+/// What a tool does when the pen comes down.
+enum class ToolKind {
+    Contact,   ///< a tip of many elements touches the canvas: brushes, knives, combs, rags, fingers
+    Droplets,  ///< drops fall, or are sprayed or flicked, over the width of the tip
+    Air,       ///< a jet of air as wide as the tip pushes wet paint
+};
+
+enum class TipShape {
+    Round,
+    Flat,
+    Filbert,
+    Fan,
+    Knife,  ///< a row of stiff elements without gaps
+    Comb,   ///< a row of stiff teeth
+    Pad     ///< a soft disc or cloth without hairs, or a fingertip: width by thickness
+};
 std::string_view name_of(TipShape shape);
+std::string_view name_of(ToolKind kind);
 
 /// The tip at rest, in the frame of the ferrule: x along its width, y along its thickness.
 struct TipPreset {
@@ -35,7 +51,7 @@ struct FlexPreset {
 };
 
 struct PaintPreset {
-    double film_mm = 0.22;  ///< wet film that a full, lightly pressed brush leaves; 0.005 to 3
+    double film_mm = 0.22;  ///< wet film that a full, lightly pressed brush leaves; 0.001 to 3
     double run_mm = 160.0;  ///< length of stroke that a full load lasts; 1 to 10000
     double groove = 0.5;    ///< ridges between bristles, in films; 0 to 3
     double hair = 0.35;     ///< streaks of single hairs, in films; 0 to 5
@@ -53,6 +69,25 @@ struct ExchangePreset {
     double momentum =
         0.5;  ///< share of the tip's speed for the wet paint below; 0 to 1; moves no paint itself
     double overflow = 1.15;  ///< fill above which paint is pushed out sideways; 1 to 3
+    /// What is taken up is thrown away, as by a rag: it counts as waste and never comes back.
+    bool absorbs = false;
+};
+
+/// Drops of a dropper, a spray can or a flicked brush.
+struct DropletPreset {
+    double drop_mm3 = 1.0;         ///< mean volume of a drop; 1e-5 to 1000
+    double variation = 0.0;        ///< 0: all alike, 1: from a hundredth of the mean to several times it
+    double rate_mm3_s = 0.0;       ///< paint let go while the pen is down; 0 to 10000
+    double touch_mm3 = 0.0;        ///< let go at once when the pen comes down; 0 to 1000
+    double capacity_mm3 = 1000.0;  ///< of the bottle; 0.1 to 1e6
+    double steepness = 0.3;        ///< height over radius of a drop that has landed; 0.02 to 2
+    double centring = 0.0;         ///< 0: evenly over the width, 1: thickest in the middle
+    double throw_s = 0.0;          ///< time that drops fly on with the speed of the tip; 0 to 2
+};
+
+/// A jet of air as wide as the tip (film/air_jet.hpp), which leans with the pen.
+struct AirPreset {
+    double pressure_Pa = 20.0;  ///< in its middle at full pressure of the pen; 0 to 2000
 };
 
 enum class JitterSeed {
@@ -73,8 +108,9 @@ struct StrokePreset {
 enum class DynamicsInput { Pressure, Tilt, BarrelRotation, Speed };
 
 /// What it sets: Press is how far the brush is pressed down (0-1), Lean how far it leans (1 shifts the
-/// hairs by their reach), Rotation an angle in degrees. The others multiply the number of that name.
-enum class DynamicsTarget { Press, Lean, Rotation, Reach, Film, Pickup };
+/// hairs by their reach), Rotation an angle in degrees. The others multiply the number of that name:
+/// Flow the rate of droplets or the strength of the air, Spread the width that they reach.
+enum class DynamicsTarget { Press, Lean, Rotation, Reach, Film, Pickup, Flow, Spread };
 
 struct CurvePoint {
     double input = 0.0, output = 0.0;
@@ -87,26 +123,32 @@ struct DynamicsCurve {
     std::vector<CurvePoint> points;
 };
 
+/// A contact tool uses all but droplets and air; the others use the tip's width and seed, their own
+/// section, the stroke and the curves.
 struct Preset {
     std::string name;
+    ToolKind kind = ToolKind::Contact;
     TipPreset tip;
     FlexPreset flex;
     PaintPreset paint;
     ExchangePreset exchange;
     StrokePreset stroke;
     std::vector<DynamicsCurve> dynamics;
+    DropletPreset droplets;
+    AirPreset air;
 };
 
-/// Reads one preset (resources/brushes/*.json show the form, version 1). `file_name` is for errors only.
-/// Throws InputError that names the file, the field (as in "paint.film") and its value: a field that is
-/// missing, unknown, of the wrong type or out of the range above.
+/// Reads one preset (resources/brushes/*.json show the form, version 2; docs/brush-format.md).
+/// `file_name` is for errors only. Throws InputError that names the file, the field (as in "paint.film")
+/// and its value: a field that is missing, unknown, of the wrong type or out of the range above.
 Preset parse_preset(std::string_view json_text, const std::string& file_name);
 
 /// The presets that come with the program, in the order of their file names.
 const std::vector<Preset>& bundled_presets();
 
-/// The bundled preset of that name, or the first one of that shape ("flat", "round", "filbert", "fan",
-/// "knife"), upper and lower case alike. Throws InputError that lists the names there are.
+/// The bundled preset of that name, or the one that a single word means ("flat", "round", "mop",
+/// "knife", "rag", "spray", "blow" ...), upper and lower case alike. Throws InputError that lists the
+/// names there are.
 const Preset& find_preset(std::string_view name);
 
 /// The same kind of brush with a tip `width_mm` wide (0: as it is): thickness, length and point grow in

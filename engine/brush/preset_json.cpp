@@ -1,9 +1,9 @@
 #include "brush/preset.hpp"
+#include "brush/preset_fields.hpp"
 #include "core/error.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 #include <nlohmann/json.hpp>
 
@@ -18,11 +18,12 @@ struct Named {
     T value;
 };
 
-constexpr Named<TipShape> kShapes[] = {{"round", TipShape::Round},
-                                       {"flat", TipShape::Flat},
-                                       {"filbert", TipShape::Filbert},
-                                       {"fan", TipShape::Fan},
-                                       {"knife", TipShape::Knife}};
+constexpr Named<TipShape> kShapes[] = {{"round", TipShape::Round},     {"flat", TipShape::Flat},
+                                       {"filbert", TipShape::Filbert}, {"fan", TipShape::Fan},
+                                       {"knife", TipShape::Knife},     {"comb", TipShape::Comb},
+                                       {"pad", TipShape::Pad}};
+constexpr Named<ToolKind> kKinds[] = {
+    {"contact", ToolKind::Contact}, {"droplets", ToolKind::Droplets}, {"air", ToolKind::Air}};
 constexpr Named<JitterSeed> kJitterSeeds[] = {{"stroke", JitterSeed::Stroke},
                                               {"brush", JitterSeed::Brush}};
 constexpr Named<DynamicsInput> kInputs[] = {{"pressure", DynamicsInput::Pressure},
@@ -32,8 +33,10 @@ constexpr Named<DynamicsInput> kInputs[] = {{"pressure", DynamicsInput::Pressure
 constexpr Named<DynamicsTarget> kTargets[] = {
     {"press", DynamicsTarget::Press},       {"lean", DynamicsTarget::Lean},
     {"rotation", DynamicsTarget::Rotation}, {"reach", DynamicsTarget::Reach},
-    {"film", DynamicsTarget::Film},         {"pickup", DynamicsTarget::Pickup}};
+    {"film", DynamicsTarget::Film},         {"pickup", DynamicsTarget::Pickup},
+    {"flow", DynamicsTarget::Flow},         {"spread", DynamicsTarget::Spread}};
 constexpr std::size_t kMostCurvePoints = 64;
+constexpr int kPresetVersion = 2;
 
 struct Range {
     double low, high;
@@ -51,9 +54,9 @@ class Section {
         if (!json_.is_object()) fail(path_, "must be an object, not " + json_.dump());
     }
 
-    Section section(const char* key) const { return {field(key), file_, path_of(key)}; }
+    Section section(std::string_view key) const { return {field(key), file_, path_of(key)}; }
 
-    double number(const char* key, Range range) const {
+    double number(std::string_view key, Range range) const {
         const Json& value = field(key);
         if (!value.is_number()) fail(path_of(key), "must be a number, not " + value.dump());
         const auto number = value.get<double>();
@@ -64,21 +67,21 @@ class Section {
         return number;
     }
 
-    int whole_number(const char* key, Range range) const {
+    int whole_number(std::string_view key, Range range) const {
         const double value = number(key, range);
         if (value != std::floor(value))
             fail(path_of(key), "must be a whole number, not " + text_of(value));
         return static_cast<int>(value);
     }
 
-    std::string text(const char* key) const {
+    std::string text(std::string_view key) const {
         const Json& value = field(key);
         if (!value.is_string()) fail(path_of(key), "must be a text, not " + value.dump());
         return value.get<std::string>();
     }
 
     template <class T, std::size_t N>
-    T choice(const char* key, const Named<T> (&choices)[N]) const {
+    T choice(std::string_view key, const Named<T> (&choices)[N]) const {
         const std::string value = text(key);
         std::string names;
         for (const Named<T>& candidate : choices) {
@@ -88,18 +91,22 @@ class Section {
         fail(path_of(key), "is \"" + value + "\", which is none of: " + names);
     }
 
-    const Json& list(const char* key) const {
+    const Json& list(std::string_view key) const {
         const Json& value = field(key);
         if (!value.is_array()) fail(path_of(key), "must be a list, not " + value.dump());
         return value;
     }
 
+    bool truth(std::string_view key) const {
+        const Json& value = field(key);
+        if (!value.is_boolean()) fail(path_of(key), "must be true or false, not " + value.dump());
+        return value.get<bool>();
+    }
+
     /// Fails on fields that are none of `known`.
-    void check_fields(std::initializer_list<const char*> known) const {
+    void check_fields(const std::vector<std::string_view>& known) const {
         for (const auto& item : json_.items()) {
-            const bool is_known = std::any_of(known.begin(), known.end(),
-                                              [&](const char* name) { return item.key() == name; });
-            if (!is_known) {
+            if (std::find(known.begin(), known.end(), item.key()) == known.end()) {
                 fail(path_of(item.key()),
                      "is not a field of a brush preset (value " + item.value().dump() + ")");
             }
@@ -111,10 +118,12 @@ class Section {
                                ".");
     }
 
-    std::string path_of(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
+    std::string path_of(std::string_view key) const {
+        return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
+    }
 
   private:
-    const Json& field(const char* key) const {
+    const Json& field(std::string_view key) const {
         const auto found = json_.find(key);
         if (found == json_.end()) fail(path_of(key), "is missing");
         return *found;
@@ -135,69 +144,59 @@ void check_units(const Section& units) {
     units.choice("volume", kVolume);
 }
 
-TipPreset read_tip(const Section& tip) {
-    tip.check_fields(
-        {"shape", "width", "thickness", "length", "point", "bristles", "hairs_per_bristle", "seed"});
-    TipPreset result;
-    result.shape = tip.choice("shape", kShapes);
-    result.width_mm = tip.number("width", {0.5, 200.0});
-    result.thickness_mm = tip.number("thickness", {0.1, 200.0});
-    result.length_mm = tip.number("length", {1.0, 400.0});
-    result.point_mm = tip.number("point", {0.0, result.length_mm});
-    result.bristles = tip.whole_number("bristles", {4, 2000});
-    result.hairs_per_bristle = tip.whole_number("hairs_per_bristle", {1, 64});
-    result.seed = static_cast<std::uint32_t>(tip.whole_number("seed", {0, 1e9}));
-    return result;
+/// The keys of a section that are no plain numbers.
+std::vector<std::string_view> other_keys(std::string_view section, ToolKind kind) {
+    if (section == "stroke") return {"jitter_seed"};
+    if (kind != ToolKind::Contact) return {};
+    if (section == "tip") return {"shape"};
+    if (section == "exchange") return {"absorbs"};
+    return {};
 }
 
-FlexPreset read_flex(const Section& flex) {
-    flex.check_fields({"bend", "splay", "lag", "press_depth", "tilt_gain", "descend", "rigidity"});
-    FlexPreset result;
-    result.bend = flex.number("bend", {0.0, 1.0});
-    result.splay = flex.number("splay", {0.0, 3.0});
-    result.lag = flex.number("lag", {0.05, 20.0});
-    result.press_depth = flex.number("press_depth", {0.01, 0.9});
-    result.tilt_gain = flex.number("tilt_gain", {0.0, 3.0});
-    result.descend = flex.number("descend", {0.0, 10.0});
-    result.rigidity = flex.number("rigidity", {0.0, 1.0});
-    return result;
+std::vector<std::string_view> known_sections(ToolKind kind) {
+    std::vector<std::string_view> sections = {"version", "kind", "units", "name", "dynamics"};
+    for (const PresetField& field : preset_fields()) {
+        if (applies_to(field, kind)) sections.push_back(field.section);
+    }
+    return sections;
 }
 
-PaintPreset read_paint(const Section& paint) {
-    paint.check_fields({"film", "run", "groove", "hair", "streak", "edge", "start", "leave", "reach"});
-    PaintPreset result;
-    result.film_mm = paint.number("film", {0.005, 3.0});
-    result.run_mm = paint.number("run", {1.0, 10000.0});
-    result.groove = paint.number("groove", {0.0, 3.0});
-    result.hair = paint.number("hair", {0.0, 5.0});
-    result.streak = paint.number("streak", {0.0, 1.0});
-    result.edge = paint.number("edge", {0.0, 3.0});
-    result.start = paint.number("start", {0.0, 5.0});
-    result.leave = paint.number("leave", {0.0, 1.0});
-    result.reach = paint.number("reach", {0.1, 50.0});
-    return result;
+/// Reads the numbers of one section; one that tools of this kind do not have is left out.
+void read_numbers(const Section& root, std::string_view section_name, Preset& preset) {
+    std::vector<std::string_view> keys = other_keys(section_name, preset.kind);
+    std::vector<const PresetField*> fields;
+    for (const PresetField& field : preset_fields()) {
+        if (field.section != section_name || !applies_to(field, preset.kind)) continue;
+        fields.push_back(&field);
+        keys.push_back(field.key);
+    }
+    if (fields.empty()) return;
+    const Section section = root.section(section_name);
+    section.check_fields(keys);
+    for (const PresetField* field : fields) {
+        const Range range = {field->low, field->high};
+        field->set(preset, field->whole ? section.whole_number(field->key, range)
+                                        : section.number(field->key, range));
+    }
 }
 
-ExchangePreset read_exchange(const Section& exchange) {
-    exchange.check_fields({"pickup", "mix", "wick", "momentum", "overflow"});
-    ExchangePreset result;
-    result.pickup = exchange.number("pickup", {0.0, 1.0});
-    result.mix = exchange.number("mix", {0.0, 1.0});
-    result.wick = exchange.number("wick", {0.0, 1.0});
-    result.momentum = exchange.number("momentum", {0.0, 1.0});
-    result.overflow = exchange.number("overflow", {1.0, 3.0});
-    return result;
+/// More drops than a picture shows would only take time.
+void check_drop_count(const Section& root, const DropletPreset& droplets) {
+    constexpr double kMostDrops_per_s = 1e5;
+    const double let_go_mm3_s = std::max(droplets.rate_mm3_s, droplets.touch_mm3);
+    if (let_go_mm3_s <= kMostDrops_per_s * droplets.drop_mm3) return;
+    const Section section = root.section("droplets");
+    section.fail(section.path_of("drop"), "is " + text_of(droplets.drop_mm3) +
+                                              ", so that more than 100000 drops a second would fall");
 }
 
-StrokePreset read_stroke(const Section& stroke) {
-    stroke.check_fields({"spacing", "min_spacing", "smoothing_ms", "string_mm", "jitter_seed"});
-    StrokePreset result;
-    result.spacing = stroke.number("spacing", {0.1, 1.0});
-    result.min_spacing_mm = stroke.number("min_spacing", {0.02, 2.0});
-    result.smoothing_ms = stroke.number("smoothing_ms", {0.0, 200.0});
-    result.string_mm = stroke.number("string_mm", {0.0, 50.0});
-    result.jitter_seed = stroke.choice("jitter_seed", kJitterSeeds);
-    return result;
+void read_tip_shape(const Section& root, Preset& preset) {
+    const Section tip = root.section("tip");
+    preset.tip.shape = tip.choice("shape", kShapes);
+    if (preset.tip.point_mm > preset.tip.length_mm) {
+        tip.fail(tip.path_of("point"), "is " + text_of(preset.tip.point_mm) +
+                                           ", more than the length, " + text_of(preset.tip.length_mm));
+    }
 }
 
 std::vector<CurvePoint> read_points(const Section& curve) {
@@ -263,18 +262,21 @@ Json parse_json(std::string_view text, const std::string& file_name) {
 Preset parse_preset(std::string_view json_text, const std::string& file_name) {
     const Json json = parse_json(json_text, file_name);
     const Section root(json, file_name, "");
-    root.check_fields(
-        {"version", "units", "name", "tip", "flex", "paint", "exchange", "stroke", "dynamics"});
-    root.whole_number("version", {1, 1});
-    check_units(root.section("units"));
+    root.whole_number("version", {kPresetVersion, kPresetVersion});
     Preset preset;
+    preset.kind = root.choice("kind", kKinds);
+    root.check_fields(known_sections(preset.kind));
+    check_units(root.section("units"));
     preset.name = root.text("name");
     if (preset.name.empty()) root.fail("name", "is empty");
-    preset.tip = read_tip(root.section("tip"));
-    preset.flex = read_flex(root.section("flex"));
-    preset.paint = read_paint(root.section("paint"));
-    preset.exchange = read_exchange(root.section("exchange"));
-    preset.stroke = read_stroke(root.section("stroke"));
+    for (const std::string_view section : kPresetSections)
+        read_numbers(root, section, preset);
+    if (preset.kind == ToolKind::Contact) {
+        read_tip_shape(root, preset);
+        preset.exchange.absorbs = root.section("exchange").truth("absorbs");
+    }
+    if (preset.kind == ToolKind::Droplets) check_drop_count(root, preset.droplets);
+    preset.stroke.jitter_seed = root.section("stroke").choice("jitter_seed", kJitterSeeds);
     preset.dynamics = read_dynamics(root.list("dynamics"), file_name);
     return preset;
 }

@@ -78,7 +78,7 @@ grid::Rect spill_overflow(Brush& brush, int bristle, const BristlePose& pose, co
     Contents& held = brush.held[bristle];
     const double surplus_mm3 = held.volume_mm3 - brush.preset.exchange.overflow * brush.tip.capacity_mm3;
     if (surplus_mm3 <= 0.0) return {};
-    const bool knife = brush.tip.rigid;
+    const bool knife = brush.preset.tip.shape == TipShape::Knife;
     const double side = side_mm(pose, hand);
     const float noise = core::uniform_noise(static_cast<std::uint32_t>(bristle), rates.jitter_seed);
     const double sign = knife ? knife_side(side, hand, swath)

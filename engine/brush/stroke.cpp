@@ -15,12 +15,16 @@ namespace {
 
 /// Bristles slide this share of the way that the ferrule is pressed down.
 constexpr double kPressSlide = 0.4;
+/// Steps into which the whole pressure is cut for tools that do not touch the canvas.
+constexpr double kPressureSteps = 200.0;
 /// Length of travel after which neighbouring bristles exchange paint.
 constexpr double kWickInterval_mm = 1.0;
 /// A footprint's least radius in the step length: thin hairs do not make the steps ever shorter.
 constexpr double kLeastStepRadius_mm = 0.15;
 /// Width of what a lifted knife leaves, in half thicknesses of its edge.
 constexpr double kLeftHeap_radii = 2.2;
+/// A jet of air is never narrower than this share of the tip.
+constexpr double kLeastSpread = 0.05;
 
 double step_length_mm(const Brush& brush) {
     const StrokePreset& stroke = brush.preset.stroke;
@@ -29,6 +33,8 @@ double step_length_mm(const Brush& brush) {
 }
 
 PathMeasure path_measure(const Brush& brush) {
+    if (brush.preset.kind != ToolKind::Contact)
+        return {step_length_mm(brush), kPressureSteps * step_length_mm(brush), 0.0};
     return {step_length_mm(brush),
             kPressSlide * brush.preset.flex.press_depth * brush.preset.tip.length_mm,
             0.5 * brush.tip.half_width_mm};
@@ -62,7 +68,8 @@ Stroke::Stroke(Brush& brush, film::FilmState& film)
       step_mm_(step_length_mm(brush)),
       filter_(brush.preset.stroke.smoothing_ms / 1000.0, brush.preset.stroke.string_mm),
       path_(path_measure(brush)),
-      poses_(brush.tip.bristles.size()) {}
+      poses_(brush.tip.bristles.size()),
+      droplets_(brush, film) {}
 
 void Stroke::begin(const PenSample& sample) {
     check_finite(sample);
@@ -74,6 +81,8 @@ void Stroke::begin(const PenSample& sample) {
     since_wick_mm_ = 0.0;
     const double rotation = core::radians(sample.rotation_deg);
     path_.begin(filter_.start(sample), -std::sin(rotation), std::cos(rotation));
+    if (brush_.preset.kind == ToolKind::Droplets)
+        droplets_.begin(hand_pose(brush_.preset.dynamics, {.pen = sample}), jitter_seed_);
     paint_steps();
 }
 
@@ -88,15 +97,44 @@ void Stroke::end() {
     path_.end();
     paint_steps();
     leave_paint();
+    blowing_.reset();
+}
+
+void Stroke::pass_time(double seconds) {
+    if (brush_.preset.kind == ToolKind::Droplets) droplets_.pass_time(seconds);
+}
+
+std::optional<film::AirJet> Stroke::air_jet() const {
+    if (!blowing_) return std::nullopt;
+    const HandPose& hand = *blowing_;
+    const double lean = std::max(1.0, std::hypot(hand.lean_x, hand.lean_y));
+    return film::AirJet{.x_mm = hand.x_mm,
+                        .y_mm = hand.y_mm,
+                        .radius_mm = brush_.tip.half_width_mm * std::max(hand.spread, kLeastSpread),
+                        .pressure_Pa = brush_.preset.air.pressure_Pa * hand.flow * hand.press,
+                        .lean_x = hand.lean_x / lean,
+                        .lean_y = hand.lean_y / lean};
 }
 
 grid::Rect Stroke::take_changed_cells() {
-    return std::exchange(changed_, {});
+    return grid::bounding_box(std::exchange(changed_, {}), droplets_.take_changed_cells());
 }
 
 void Stroke::paint_steps() {
     for (const PathStep& step : path_.take_steps())
-        paint_step(step);
+        take_step(step);
+}
+
+void Stroke::take_step(const PathStep& step) {
+    switch (brush_.preset.kind) {
+        case ToolKind::Contact:
+            return paint_step(step);
+        case ToolKind::Droplets:
+            return droplets_.follow(hand_pose(brush_.preset.dynamics, step), step.speed_mm_s);
+        case ToolKind::Air:
+            blowing_ = hand_pose(brush_.preset.dynamics, step);
+            return;
+    }
 }
 
 void Stroke::paint_step(const PathStep& step) {

@@ -4,11 +4,14 @@
 #include "brush/bristle_motion.hpp"
 #include "brush/brush.hpp"
 #include "brush/cell_batch.hpp"
+#include "brush/droplets.hpp"
 #include "brush/pen_filter.hpp"
 #include "brush/stroke_path.hpp"
 #include "brush/transfer.hpp"
+#include "film/air_jet.hpp"
 #include "film/state.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace pastoso::brush {
@@ -32,11 +35,18 @@ class Stroke {
     /// The pen lifts at the last sample.
     void end();
 
+    /// Lets time pass while the pen is down: drops go on falling where it is held still.
+    void pass_time(double seconds);
+
+    /// What a tool of air blows on the film at this moment; none for the others.
+    std::optional<film::AirJet> air_jet() const;
+
     /// A rectangle around all cells changed since the last call; empty if none.
     grid::Rect take_changed_cells();
 
   private:
     void paint_steps();
+    void take_step(const PathStep& step);
     void paint_step(const PathStep& step);
     void touch(int bristle, const HandPose& hand, const Swath& swath, const StepRates& rates);
     void leave_paint();
@@ -50,6 +60,8 @@ class Stroke {
     StrokePath path_;
     std::vector<BristlePose> poses_;
     CellBatch cells_;
+    Droplets droplets_;
+    std::optional<HandPose> blowing_;  ///< how a tool of air is held
     std::uint32_t jitter_seed_ = 0;
     std::uint32_t step_count_ = 0;
     double since_wick_mm_ = 0.0;

@@ -25,6 +25,9 @@ enum Stream : std::uint32_t {
     kClumpDeficit = 64
 };
 
+/// Half width of a comb's tooth, in distances of its teeth.
+constexpr double kToothShare = 0.3;
+
 /// A place in the tip's outline, -1 to 1 along width and thickness.
 struct Place {
     double u, v;
@@ -44,15 +47,27 @@ Place spread_place(std::uint32_t index, std::uint32_t seed, const Place& shake) 
                 shake.v * (uniform_noise(index, seed + kPlaceV) - 0.5)};
 }
 
+bool is_row(TipShape shape) {
+    return shape == TipShape::Knife || shape == TipShape::Comb;
+}
+
+bool is_oval(TipShape shape) {
+    return shape == TipShape::Round || shape == TipShape::Pad;
+}
+
+double depth_of(const TipPreset& tip) {
+    return tip.shape == TipShape::Round ? tip.width_mm : tip.thickness_mm;
+}
+
 std::vector<Place> places(const TipPreset& tip, std::uint32_t seed) {
-    const double depth_mm = tip.shape == TipShape::Round ? tip.width_mm : tip.thickness_mm;
+    const double depth_mm = depth_of(tip);
     const double distance_mm = std::sqrt(tip.width_mm * depth_mm / tip.bristles);
     const Place shake = {2.0 * distance_mm / tip.width_mm, 2.0 * distance_mm / depth_mm};
     std::vector<Place> result;
     for (std::uint32_t index = 0; static_cast<int>(result.size()) < tip.bristles; ++index) {
         const Place place = spread_place(index, seed, shake);
         const bool outside = place.u * place.u + place.v * place.v > 1.0;
-        if (tip.shape == TipShape::Round && outside) continue;
+        if (is_oval(tip.shape) && outside) continue;
         result.push_back(place);
     }
     return result;
@@ -128,11 +143,12 @@ double point_profile(double radius) {
 }
 
 /// Worn bristles: single hairs and whole clumps are shorter than the longest, few of them much, which
-/// gives the strokes their ragged ends. Sable wears less.
+/// gives the strokes their ragged ends. Sable wears less, a pad is domed.
 double deficit_of(const TipPreset& tip, const Place& place, std::uint32_t index, std::uint32_t seed) {
     const double shake = uniform_noise(index, seed + kDeficit);
     const double clump =
         std::clamp(0.5 + 1.8 * (clump_noise(place.u, seed + kClumpDeficit) - 0.5), 0.0, 1.0);
+    if (tip.shape == TipShape::Pad) return tip.point_mm * (place.u * place.u + place.v * place.v);
     const bool round = tip.shape == TipShape::Round;
     const double wear = round ? 0.006 : 0.06;
     double deficit = wear * tip.length_mm * (shake * shake + clump * clump);
@@ -146,21 +162,20 @@ double deficit_of(const TipPreset& tip, const Place& place, std::uint32_t index,
 /// The bristle at a place; body holds its noise and the deficits are to be levelled.
 Bristle make_bristle(const Preset& preset, const Place& place, std::uint32_t index, std::uint32_t seed) {
     const TipPreset& tip = preset.tip;
-    const double depth_mm = tip.shape == TipShape::Round ? tip.width_mm : tip.thickness_mm;
     Bristle bristle;
     bristle.root_x_mm = static_cast<float>(0.5 * tip.width_mm * place.u);
-    bristle.root_y_mm = static_cast<float>(0.5 * depth_mm * place.v);
+    bristle.root_y_mm = static_cast<float>(0.5 * depth_of(tip) * place.v);
     bristle.body = static_cast<float>(body_noise(place.u, index, seed));
     if (tip.shape == TipShape::Fan) place_on_fan(place, tip, bristle);
-    if (tip.shape == TipShape::Knife) return bristle;
+    if (is_row(tip.shape)) return bristle;
     bristle.deficit_mm = static_cast<float>(deficit_of(tip, place, index, seed));
     bristle.stiffness = 0.8F + 0.4F * uniform_noise(index, seed + kStiffness);
     return bristle;
 }
 
 double outline_area_mm2(const TipPreset& tip) {
-    if (tip.shape == TipShape::Round) return core::kPi / 4.0 * tip.width_mm * tip.width_mm;
-    return tip.width_mm * tip.thickness_mm;
+    const double box_mm2 = tip.width_mm * depth_of(tip);
+    return is_oval(tip.shape) ? core::kPi / 4.0 * box_mm2 : box_mm2;
 }
 
 /// The four nearest of every bristle, each pair once, in order.
@@ -194,23 +209,37 @@ void add_hairs(Tip& tip, std::uint32_t seed) {
     }
 }
 
+/// A bottle, or a mouth that blows: one element that touches nothing.
+Tip nozzle(const Preset& preset, std::uint32_t seed) {
+    Tip tip;
+    tip.seed = seed;
+    tip.bristles.resize(1);
+    tip.half_width_mm = 0.5 * preset.tip.width_mm;
+    tip.capacity_mm3 = preset.kind == ToolKind::Droplets ? preset.droplets.capacity_mm3 : 0.0;
+    tip.hairs_per_bristle = preset.tip.hairs_per_bristle;
+    tip.hairs.resize(static_cast<std::size_t>(tip.hair_count()));
+    return tip;
+}
+
 }  // namespace
 
 Tip make_tip(const Preset& preset, std::uint32_t seed) {
     const std::uint32_t mixed_seed = core::scramble(core::scramble(preset.tip.seed) + seed);
-    const bool knife = preset.tip.shape == TipShape::Knife;
+    if (preset.kind != ToolKind::Contact) return nozzle(preset, mixed_seed);
+    const bool row = is_row(preset.tip.shape);
     const int count = preset.tip.bristles;
     Tip tip;
     tip.seed = mixed_seed;
     tip.hairs_per_bristle = preset.tip.hairs_per_bristle;
-    tip.rigid = knife;
+    tip.rigid = row;
     tip.half_width_mm = 0.5 * preset.tip.width_mm;
     tip.area_mm2 = outline_area_mm2(preset.tip) / count;
     tip.capacity_mm3 = preset.paint.film_mm * preset.paint.run_mm * preset.tip.width_mm / count;
-    tip.radius_mm = knife ? 0.5 * preset.tip.thickness_mm : 0.72 * std::sqrt(tip.area_mm2);
-    tip.lane_mm = knife ? preset.tip.width_mm / count : 0.0;
+    tip.radius_mm = row ? 0.5 * preset.tip.thickness_mm : 0.72 * std::sqrt(tip.area_mm2);
+    const double lane_share = preset.tip.shape == TipShape::Comb ? kToothShare : 1.0;
+    tip.lane_mm = row ? lane_share * preset.tip.width_mm / count : 0.0;
     std::uint32_t index = 0;
-    for (const Place& place : knife ? edge_places(count) : places(preset.tip, mixed_seed)) {
+    for (const Place& place : row ? edge_places(count) : places(preset.tip, mixed_seed)) {
         tip.bristles.push_back(make_bristle(preset, place, index++, mixed_seed));
     }
     level_bodies(preset.paint.streak, tip);

@@ -1,5 +1,6 @@
 // The tip of a brush: where its bristles are rooted and how they differ from each other. Made once from
-// a preset and a seed, then never changed. A knife is a row of stiff elements along its edge.
+// a preset and a seed, then never changed. A knife or a comb is a row of stiff elements along its edge,
+// a pad a disc or oval of soft ones without hairs.
 #pragma once
 
 #include "brush/preset.hpp"
@@ -26,12 +27,12 @@ struct Tip {
     std::vector<std::pair<int, int>> neighbours;
     std::uint32_t seed = 0;  ///< of everything random about this piece
     int hairs_per_bristle = 16;
-    bool rigid = false;           ///< a knife's edge
+    bool rigid = false;           ///< the edge of a knife or a comb
     double half_width_mm = 10.0;  ///< of the tip
     double area_mm2 = 0.3;        ///< of the tip, per bristle
     double capacity_mm3 = 2.0;    ///< a full bristle's load
     double radius_mm = 0.4;       ///< of a bristle's footprint; half the edge's thickness of a knife
-    double lane_mm = 0.0;         ///< distance of a knife's elements, 0 for bristles
+    double lane_mm = 0.0;         ///< half width of a knife's elements or a comb's teeth, 0 for bristles
 
     /// A bristle's hairs reach from one side of its footprint to the other, both ends included.
     int hair_count() const { return hairs_per_bristle + 1; }
@@ -40,6 +41,8 @@ struct Tip {
     }
 };
 
+/// Tools that do not touch the canvas have a single element, the bottle.
+///
 /// Bristles fill the tip's outline evenly (R2 low-discrepancy sequence, M. Roberts 2018); about two
 /// thirds of their differences run smoothly across the width, as clumps do, the rest is each bristle's
 /// own.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pastoso::brush {
 
@@ -51,6 +52,13 @@ float bead_mm(const Brush& brush, const Bristle& bristle, float saturation, floa
            1.2F * rates.reach * rates.film_mm * square(supply);
 }
 
+/// How much of its film an element leaves; what absorbs leaves a stain of that thickness.
+float saturation_of(const Brush& brush, int index) {
+    if (brush.preset.exchange.absorbs) return 1.0F;
+    const auto fill = static_cast<float>(brush.held[index].volume_mm3 / brush.tip.capacity_mm3);
+    return (1.0F + kStarvation) * fill / (fill + kStarvation);
+}
+
 /// The axes of an element's footprint, divided by its half sizes.
 void set_axes(const Brush& brush, const Contact& contact, const StepRates& rates, ExchangeRule& rule) {
     const double along = 1.0 / rates.radius_mm;
@@ -68,8 +76,7 @@ ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact
     const PaintPreset& paint = brush.preset.paint;
     const Bristle& bristle = brush.tip.bristles[index];
     const double held_mm3 = brush.held[index].volume_mm3;
-    const auto fill = static_cast<float>(held_mm3 / brush.tip.capacity_mm3);
-    const float saturation = (1.0F + kStarvation) * fill / (fill + kStarvation);
+    const float saturation = saturation_of(brush, index);
     const float wet_mm = rates.film_mm * square(saturation);
     const float tau_mm = wet_mm * bristle.body * (1.0F - 0.5F * contact.press) *
                          (1.0F + static_cast<float>(paint.edge) * contact.edge) *
@@ -172,8 +179,10 @@ grid::Rect exchange_paint(Brush& brush, int index, const Contact& contact, const
     const ExchangeRule rule = exchange_rule(brush, index, contact, rates);
     const WantedSums wanted = transfer_kernels().plan(rule, columns_of(scratch));
     const double deposit_share = brush.tip.rigid ? kLargestKnifeDeposit : kLargestDeposit;
-    return apply_batch(scratch, wanted, deposit_share, kLargestSwap, dither_seed, film,
-                       brush.held[index]);
+    const grid::Rect changed =
+        apply_batch(scratch, wanted, deposit_share, kLargestSwap, dither_seed, film, brush.held[index]);
+    if (brush.preset.exchange.absorbs) brush.thrown_away += std::exchange(brush.held[index], Contents{});
+    return changed;
 }
 
 grid::Rect apply_batch(const CellBatch& batch, const WantedSums& wanted, double deposit_share,

@@ -146,7 +146,7 @@ struct Painting::Parts {
         last_sample = pen.sample;
         stroke.emplace(*brush, film);
         stroke->begin(pen.sample);
-        wake_painted_cells();
+        hand_over();
     }
 
     void operator()(const PenMove& pen) {
@@ -154,7 +154,7 @@ struct Painting::Parts {
         check_time_order(last_sample, pen.sample);
         last_sample = pen.sample;
         stroke->add(pen.sample);
-        wake_painted_cells();
+        hand_over();
     }
 
     void operator()(const PenUp&) { end_stroke(); }
@@ -172,11 +172,16 @@ struct Painting::Parts {
     void end_stroke() {
         if (!stroke) return;
         stroke->end();
-        wake_painted_cells();
+        hand_over();
         stroke.reset();
     }
 
-    void wake_painted_cells() { solver.wake(stroke->take_changed_cells()); }
+    /// Tells the solver and the account what the stroke did.
+    void hand_over() {
+        solver.wake(stroke->take_changed_cells());
+        solver.set_air(stroke->air_jet());
+        wiped += brush->take_thrown_away();
+    }
 
     void wipe_brush() {
         if (brush) wiped += brush->clean();
@@ -186,7 +191,12 @@ struct Painting::Parts {
     bool brush_holds_paint() const { return brush && brush->contents().volume_mm3 > 0.0; }
 
     /// What a tick brings besides the flow.
-    void age() { ageing.tick(kTick_s, air, kPrimedGround, film, pool); }
+    void pass_tick() {
+        ageing.tick(kTick_s, air, kPrimedGround, film, pool);
+        if (!stroke) return;
+        stroke->pass_time(kTick_s);
+        hand_over();
+    }
 
     film::Totals run_off() const { return difference(solver.runoff(), forgotten_run_off); }
 
@@ -248,7 +258,7 @@ void Painting::apply(const Action& action) {
 void Painting::advance_tick() {
     const ScopedTimer timer(parts_->times.film_s);
     parts_->film_report.add(parts_->solver.advance(kTick_s));
-    parts_->age();
+    parts_->pass_tick();
     ++parts_->tick;
 }
 
@@ -257,7 +267,7 @@ bool Painting::advance_tick_unless(const std::function<bool()>& give_up) {
     const auto report = parts_->solver.advance_unless(give_up, kTick_s);
     if (!report) return false;
     parts_->film_report.add(*report);
-    parts_->age();
+    parts_->pass_tick();
     ++parts_->tick;
     return true;
 }

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 
+#include <set>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -17,14 +18,14 @@ using testing::HasSubstr;
 
 json valid_preset() {
     return json::parse(R"({
-        "version": 1, "name": "Test", "units": {"length": "mm", "angle": "deg", "volume": "mm3"},
+        "version": 2, "kind": "contact", "name": "Test", "units": {"length": "mm", "angle": "deg", "volume": "mm3"},
         "tip": {"shape": "flat", "width": 20, "thickness": 4.8, "length": 22, "point": 0, "bristles": 300,
                 "hairs_per_bristle": 16, "seed": 1},
         "flex": {"bend": 0.5, "splay": 0.22, "lag": 1, "press_depth": 0.32, "tilt_gain": 0.8, "descend": 0.35,
                  "rigidity": 0},
         "paint": {"film": 0.22, "run": 160, "groove": 0.5, "hair": 0.35, "streak": 0.75, "edge": 0.7,
                   "start": 0.5, "leave": 0, "reach": 1.15},
-        "exchange": {"pickup": 0.35, "mix": 0.3, "wick": 0.06, "momentum": 0.5, "overflow": 1.15},
+        "exchange": {"pickup": 0.35, "mix": 0.3, "wick": 0.06, "momentum": 0.5, "overflow": 1.15, "absorbs": false},
         "stroke": {"spacing": 0.4, "min_spacing": 0.06, "smoothing_ms": 10, "string_mm": 0,
                    "jitter_seed": "stroke"},
         "dynamics": [{"input": "pressure", "target": "press", "curve": [[0, 0], [1, 1]]}]})");
@@ -87,12 +88,13 @@ TEST(Preset, SaysWhichValueIsOutOfRange) {
               "test.json: exchange.pickup is 1.5, outside 0.0 to 1.0.");
     EXPECT_THAT(error_with("/tip/width", -1), HasSubstr("tip.width is -1, outside"));
     EXPECT_THAT(error_with("/tip/bristles", 100000), HasSubstr("tip.bristles is 100000, outside"));
-    EXPECT_THAT(error_with("/version", 2), HasSubstr("version is 2"));
+    EXPECT_THAT(error_with("/version", 3), HasSubstr("version is 3"));
 }
 
 TEST(Preset, SaysWhichChoiceIsUnknown) {
     EXPECT_EQ(error_with("/tip/shape", "broom"),
-              "test.json: tip.shape is \"broom\", which is none of: round, flat, filbert, fan, knife.");
+              "test.json: tip.shape is \"broom\", which is none of: round, flat, filbert, fan, "
+              "knife, comb, pad.");
     EXPECT_THAT(error_with("/units/length", "inch"), HasSubstr("units.length is \"inch\""));
     EXPECT_THAT(error_with("/dynamics/0/input", "mood"), HasSubstr("dynamics[0].input is \"mood\""));
 }
@@ -119,13 +121,18 @@ TEST(Preset, SaysWhereTheFileIsNoJson) {
     EXPECT_THAT(error_of(""), HasSubstr("test.json, line 1"));
 }
 
-TEST(BundledPresets, AreTheSeven) {
-    std::vector<std::string> names;
-    for (const Preset& preset : bundled_presets())
-        names.push_back(preset.name);
-    EXPECT_THAT(names, testing::UnorderedElementsAre("Flat bristle 20", "Round sable 9", "Filbert 14",
-                                                     "Fan 26", "Soft glazing flat 16", "Impasto flat 18",
-                                                     "Palette knife 17"));
+TEST(BundledPresets, AreManyAndOfEveryKind) {
+    std::set<std::string> names;
+    std::set<TipShape> shapes;
+    std::set<ToolKind> kinds;
+    for (const Preset& preset : bundled_presets()) {
+        EXPECT_TRUE(names.insert(preset.name).second) << preset.name << " is there twice";
+        shapes.insert(preset.tip.shape);
+        kinds.insert(preset.kind);
+    }
+    EXPECT_GE(names.size(), 24U);
+    EXPECT_EQ(shapes.size(), 7U);
+    EXPECT_EQ(kinds.size(), 3U);
 }
 
 TEST(BundledPresets, AreFoundByNameOrShape) {

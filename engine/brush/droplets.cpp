@@ -1,0 +1,105 @@
+#include "brush/droplets.hpp"
+
+#include "brush/spill.hpp"
+#include "core/elementary.hpp"
+#include "core/random.hpp"
+#include "core/units.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pastoso::brush {
+namespace {
+
+/// Volumes of drops spread over this many powers of e to each side of the mean.
+constexpr double kVolumeSpread = 2.3;
+/// A cap narrower than this, in cells, could miss every cell's middle.
+constexpr double kLeastRadius_cells = 0.75;
+/// Drops that fly on are drawn out: the share of the flight that their mark is long.
+constexpr double kStreakShare = 0.08;
+/// A drawn-out mark is made of this many caps, each smaller than the one before.
+constexpr int kStreakCaps = 4;
+
+double cap_radius_mm(double volume_mm3, double steepness) {
+    return std::cbrt(2.0 * volume_mm3 / (core::kPi * steepness));
+}
+
+}  // namespace
+
+void Droplets::begin(const HandPose& hand, std::uint32_t seed) {
+    seed_ = seed;
+    drawn_ = 0;
+    owed_mm3_ = 0.0;
+    next_mm3_ = next_volume_mm3();
+    way_.assign(1, {hand, 0.0});
+    owed_mm3_ = brush_.preset.droplets.touch_mm3;
+    pass_time(0.0);
+}
+
+void Droplets::follow(const HandPose& hand, double speed_mm_s) {
+    way_.push_back({hand, speed_mm_s});
+}
+
+void Droplets::pass_time(double seconds) {
+    const double flow = way_.back().hand.flow * way_.back().hand.press;
+    owed_mm3_ += brush_.preset.droplets.rate_mm3_s * flow * seconds;
+    if (brush_.held.front().volume_mm3 <= 0.0) owed_mm3_ = 0.0;
+    while (owed_mm3_ >= next_mm3_) {
+        owed_mm3_ -= next_mm3_;
+        const auto index = static_cast<std::size_t>(random() * static_cast<float>(way_.size()));
+        let_fall(way_[std::min(index, way_.size() - 1)]);
+        next_mm3_ = next_volume_mm3();
+    }
+    way_.erase(way_.begin(), way_.end() - 1);
+}
+
+void Droplets::let_fall(const Place& place) {
+    const DropletPreset& preset = brush_.preset.droplets;
+    const HandPose& hand = place.hand;
+    const double angle = 2.0 * core::kPi * random();
+    const double evenly = std::sqrt(random());
+    const double centred = random() * evenly;
+    const double distance_mm =
+        brush_.tip.half_width_mm * hand.spread * (evenly + preset.centring * (centred - evenly));
+    const double flight_mm = preset.throw_s * place.speed_mm_s * (0.5 + random());
+    const double x_mm = hand.x_mm + distance_mm * std::cos(angle) + flight_mm * hand.travel_x;
+    const double y_mm = hand.y_mm + distance_mm * std::sin(angle) + flight_mm * hand.travel_y;
+    const double radius_mm =
+        std::max(cap_radius_mm(next_mm3_, preset.steepness), kLeastRadius_cells * film_.cell_mm);
+    Contents& bottle = brush_.held.front();
+    const double streak_mm = kStreakShare * flight_mm;
+    const int caps = streak_mm > radius_mm ? kStreakCaps : 1;
+    double left_mm3 = std::min(next_mm3_, bottle.volume_mm3);
+    for (int cap = 0; cap < caps; ++cap) {
+        const double volume_mm3 = cap + 1 < caps ? 0.5 * left_mm3 : left_mm3;
+        const double along_mm = caps > 1 ? streak_mm * cap / (caps - 1) : 0.0;
+        const double shrink = std::cbrt(volume_mm3 / next_mm3_);
+        const double cap_mm = std::max(radius_mm * shrink, kLeastRadius_cells * film_.cell_mm);
+        changed_ =
+            grid::bounding_box(changed_, put_down(bottle, volume_mm3, x_mm + along_mm * hand.travel_x,
+                                                  y_mm + along_mm * hand.travel_y, cap_mm,
+                                                  core::scramble(seed_ + drawn_), film_, cells_));
+        left_mm3 -= volume_mm3;
+    }
+}
+
+double Droplets::next_volume_mm3() {
+    const DropletPreset& preset = brush_.preset.droplets;
+    const double spread = preset.variation * kVolumeSpread;
+    const double power = spread * (2.0 * random() - 1.0);
+    // The mean of e^power over the spread is sinh(spread) / spread.
+    const double up = core::exponential(spread);
+    const double mean = spread > 1e-6 ? 0.5 * (up - 1.0 / up) / spread : 1.0;
+    return preset.drop_mm3 * core::exponential(power) / mean;
+}
+
+float Droplets::random() {
+    return core::uniform_noise(drawn_++, seed_);
+}
+
+grid::Rect Droplets::take_changed_cells() {
+    return std::exchange(changed_, {});
+}
+
+}  // namespace pastoso::brush

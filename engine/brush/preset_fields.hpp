@@ -1,0 +1,33 @@
+// The numbers of a preset as a table: one home for their names in files, units, ranges and meanings.
+// Reading, writing, the schema and the brush editor all go by it.
+#pragma once
+
+#include "brush/preset.hpp"
+
+#include <span>
+#include <string_view>
+
+namespace pastoso::brush {
+
+struct PresetField {
+    std::string_view section;  ///< of the file, for example "tip"
+    std::string_view key;      ///< within the section, for example "width"
+    std::string_view unit;     ///< "mm", "ms", ...; empty for a pure number
+    double low, high;          ///< both allowed
+    bool whole;                ///< takes whole numbers only
+    std::string_view meaning;  ///< for painters, a line
+    double (*get)(const Preset&);
+    void (*set)(Preset&, double);
+};
+
+/// All of them, in the order of the file.
+std::span<const PresetField> preset_fields();
+
+/// Whether tools of this kind have that field; the others have not.
+bool applies_to(const PresetField& field, ToolKind kind);
+
+/// The sections that hold numbers, in the order of the file.
+inline constexpr std::string_view kPresetSections[] = {"tip",    "flex",     "paint", "exchange",
+                                                       "stroke", "droplets", "air"};
+
+}  // namespace pastoso::brush
