@@ -50,6 +50,10 @@ void Painter::tilt_canvas(double tilt_deg) {
     note(document::TiltCanvas{tilt_deg, 90.0});
 }
 
+void Painter::dry_now() {
+    note(document::DryNow{});
+}
+
 void Painter::wait(double seconds) {
     now_s_ += seconds;
 }

@@ -24,6 +24,7 @@ class Painter {
     void use_medium(const std::string& name);
     void tilt_canvas(double tilt_deg);
     void wait(double seconds);
+    void dry_now();
 
     /// Takes a clean brush; every one is a different piece of its kind.
     void take(const std::string& preset, double size_mm = 0.0);

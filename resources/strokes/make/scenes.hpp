@@ -8,6 +8,9 @@ namespace pastoso::examples {
 /// What the brushes do: loaded and dry strokes, wet crossings, a knife, swells, dabs and double loads.
 document::Recording sampler();
 
+/// What every tool does, field by field: the reference sheet.
+document::Recording sheet();
+
 /// A bowl with two pears, a lemon and an apple on a cloth, painted wet in wet.
 document::Recording still_life();
 

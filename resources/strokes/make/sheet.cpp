@@ -1,0 +1,32 @@
+#include "core/units.hpp"
+#include "lettering.hpp"
+#include "paths.hpp"
+#include "scenes.hpp"
+#include "sheet_parts.hpp"
+
+namespace pastoso::examples {
+
+void Field::label(Painter& painter, std::string_view words) const {
+    painter.take("Rigger 2", 1.2);
+    painter.dip(load(mixture("PBk9 PB29=0.4")));
+    write(painter, words, corner + Point{2.0, 1.5}, 2.8);
+}
+
+document::Recording sheet() {
+    document::CanvasSettings canvas;
+    canvas.width_mm = kSheetColumns * Field::kWidth_mm;
+    canvas.height_mm = kSheetRows * Field::kHeight_mm;
+    canvas.px_per_mm = 5;
+    canvas.support = "linen";
+    Painter painter(canvas);
+    painter.use_medium("heavy-body oil");
+    paint_sheet_grounds(painter);
+    painter.dry_now();
+    paint_sheet_brushes(painter);
+    paint_sheet_effects(painter);
+    paint_sheet_colours(painter);
+    paint_sheet_tools(painter);
+    return painter.finish(1.0);
+}
+
+}  // namespace pastoso::examples
