@@ -8,6 +8,9 @@ namespace pastoso::document {
 /// The pen may leave the canvas, but not by more than this.
 inline constexpr double kMaxPenPosition_mm = 20000.0;
 
+/// A symmetry has at most this many copies beside their mirror images.
+inline constexpr int kMostCopies = 16;
+
 /// A second of paint time lasts at most this many seconds of drying.
 inline constexpr double kFastestDrying = 1e5;
 

@@ -2,7 +2,10 @@
 // them, a replay applies them again.
 #pragma once
 
+#include "brush/pen_filter.hpp"
+#include "brush/pen_guide.hpp"
 #include "brush/pen_sample.hpp"
+#include "brush/symmetry.hpp"
 #include "film/drying_air.hpp"
 
 #include <cstdint>
@@ -84,9 +87,23 @@ struct Undo {
 struct Redo {
     friend bool operator==(const Redo&, const Redo&) = default;
 };
+struct SetStabiliser {  ///< steadies the hand, from the next stroke on
+    brush::Stabiliser stabiliser;
+    friend bool operator==(const SetStabiliser&, const SetStabiliser&) = default;
+};
+struct SetGuide {  ///< leads the pen, from the next stroke on
+    brush::PenGuide guide;
+    friend bool operator==(const SetGuide&, const SetGuide&) = default;
+};
+/// Paints every stroke from the next one on with several brushes at once. Each starts with what the
+/// brush in hand holds, taken from the tubes, and is wiped when the stroke ends.
+struct SetSymmetry {
+    brush::Symmetry symmetry;
+    friend bool operator==(const SetSymmetry&, const SetSymmetry&) = default;
+};
 
 using Action = std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCanvas, SetDrying, DryNow,
-                            PenDown, PenMove, PenUp, Undo, Redo>;
+                            PenDown, PenMove, PenUp, Undo, Redo, SetStabiliser, SetGuide, SetSymmetry>;
 
 struct Event {
     std::int64_t tick = 0;  ///< the number of ticks that had passed when it happened

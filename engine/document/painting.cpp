@@ -1,7 +1,7 @@
 #include "document/painting.hpp"
 
 #include "brush/brush.hpp"
-#include "brush/stroke.hpp"
+#include "brush/stroke_group.hpp"
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "document/action_checks.hpp"
@@ -144,7 +144,8 @@ struct Painting::Parts {
         end_stroke();
         history.remember(moment());
         last_sample = pen.sample;
-        stroke.emplace(*brush, film);
+        stroke.emplace(*brush, film, aids, symmetry);
+        taken += stroke->copied_paint();
         stroke->begin(pen.sample);
         wake_painted_cells();
     }
@@ -169,18 +170,32 @@ struct Painting::Parts {
         if (history.can_redo()) return_to(history.step_forward(moment()));
     }
 
+    void operator()(const SetStabiliser& set) { aids.stabiliser = set.stabiliser; }
+    void operator()(const SetGuide& set) { aids.guide = set.guide; }
+    void operator()(const SetSymmetry& set) { symmetry = set.symmetry; }
+
     void end_stroke() {
         if (!stroke) return;
         stroke->end();
+        wiped += stroke->copied_paint();
         wake_painted_cells();
         stroke.reset();
     }
 
-    void wake_painted_cells() { solver.wake(stroke->take_changed_cells()); }
+    void wake_painted_cells() {
+        for (const grid::Rect& cells : stroke->take_changed_cells())
+            solver.wake(cells);
+    }
 
     void wipe_brush() {
         if (brush) wiped += brush->clean();
         ++brush_use;
+    }
+
+    brush::Contents held_paint() const {
+        brush::Contents sum = brush ? brush->contents() : brush::Contents{};
+        if (stroke) sum += stroke->copied_paint();
+        return sum;
     }
 
     bool brush_holds_paint() const { return brush && brush->contents().volume_mm3 > 0.0; }
@@ -217,7 +232,9 @@ struct Painting::Parts {
     film::DryingAir air;
     film::AgeingClock ageing;
     std::optional<brush::Brush> brush;
-    std::optional<brush::Stroke> stroke;
+    brush::HandAids aids;
+    brush::Symmetry symmetry;
+    std::optional<brush::StrokeGroup> stroke;
     brush::PenSample last_sample;
     std::uint64_t brush_use = 0;  ///< grows whenever the brush is taken, loaded or cleaned
 
@@ -294,8 +311,7 @@ Account Painting::account() const {
     ledger += contents_of(parts_->run_off(), cell_mm);
     ledger.volume_mm3 += film::volume_mm3(parts_->film.strata.evaporated, cell_mm);
     return {amount(parts_->taken), amount(contents_of(film::totals(parts_->film), cell_mm)),
-            dried_amount(parts_->film.strata, cell_mm),
-            parts_->brush ? amount(parts_->brush->contents()) : Account::Amount{}, amount(ledger)};
+            dried_amount(parts_->film.strata, cell_mm), amount(parts_->held_paint()), amount(ledger)};
 }
 
 StageTimes Painting::stage_times() const {

@@ -1,4 +1,5 @@
 #include "core/text_file.hpp"
+#include "io/hand_aids_json.hpp"
 #include "io/json_place.hpp"
 #include "io/recording_json.hpp"
 #include "io/stroke_ticks.hpp"
@@ -147,6 +148,13 @@ class EntryWriter {
     void operator()(const document::DryNow&) { put("dry_now", Json::object()); }
     void operator()(const document::Undo&) { put("undo", Json::object()); }
     void operator()(const document::Redo&) { put("redo", Json::object()); }
+    void operator()(const document::SetStabiliser& set) {
+        put("set_stabiliser", stabiliser_json(set.stabiliser));
+    }
+    void operator()(const document::SetGuide& set) { put("set_guide", guide_json(set.guide)); }
+    void operator()(const document::SetSymmetry& set) {
+        put("set_symmetry", symmetry_json(set.symmetry));
+    }
 
   private:
     void put(const char* kind, Json content) {
