@@ -5,6 +5,7 @@
 #include "film/smooth_noise.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace pastoso::brush {
@@ -24,6 +25,24 @@ double mixed_share(const MixedLoad& paint, const Tip& tip, std::uint32_t index) 
     const double own = core::uniform_noise(index, stream + 2);
     const double deviation = 0.45 * broad + 0.3 * narrow + 0.25 * own - 0.5;
     return std::clamp(paint.second_share + 2.0 * paint.share_variation * deviation, 0.0, 1.0);
+}
+
+/// How high a hair ends above the palette when the brush leans by 45 degrees over one side.
+float end_height_mm(const Bristle& bristle) {
+    return bristle.deficit_mm + bristle.root_y_mm;
+}
+
+/// The height below which the ends of the deepest hairs lie.
+float dipped_to_mm(const Tip& tip) {
+    constexpr double kDippedShare = 0.4;
+    std::vector<float> heights_mm;
+    for (const Bristle& bristle : tip.bristles)
+        heights_mm.push_back(end_height_mm(bristle));
+    const auto last =
+        static_cast<std::size_t>(kDippedShare * static_cast<double>(heights_mm.size() - 1));
+    std::nth_element(heights_mm.begin(), heights_mm.begin() + static_cast<std::ptrdiff_t>(last),
+                     heights_mm.end());
+    return heights_mm[last];
 }
 
 void check_paint(const film::PaintCoefficients& paint) {
@@ -48,7 +67,7 @@ Brush::Brush(const Preset& kind, double width_mm, std::uint32_t seed)
     : preset(resized(kind, width_mm)), tip(make_tip(preset, seed)), held(tip.bristles.size()) {}
 
 Contents Brush::load(const film::PaintCoefficients& paint, double fill) {
-    return load(MixedLoad{paint, paint, 0.0, 0.0, false}, fill);
+    return load(MixedLoad{.first = paint}, fill);
 }
 
 Contents Brush::load(const MixedLoad& paint, double fill) {
@@ -56,8 +75,10 @@ Contents Brush::load(const MixedLoad& paint, double fill) {
     check_paint(paint.first);
     check_paint(paint.second);
     Contents taken;
+    const float deepest_mm = paint.tip_only ? dipped_to_mm(tip) : std::numeric_limits<float>::max();
     for (std::size_t i = 0; i < held.size(); ++i) {
         const Bristle& bristle = tip.bristles[i];
+        if (end_height_mm(bristle) > deepest_mm) continue;
         const double share_of_full = tip.rigid ? 1.0 : 0.4 + 0.6 * bristle.body;
         const double wanted_mm3 =
             tip.capacity_mm3 * std::min(fill * share_of_full, preset.exchange.overflow);

@@ -10,12 +10,15 @@
 
 namespace pastoso::brush {
 
-/// Two paints taken up at once.
+/// What a brush is dipped into: one paint, or two at once.
 struct MixedLoad {
     film::PaintCoefficients first{}, second{};
-    double second_share = 0.5;     ///< mean over the bristles, 0 to 1
+    double second_share = 0.0;     ///< mean over the bristles, 0 to 1
     double share_variation = 0.0;  ///< 0: every bristle the same, 1: from all of one to all of the other
     bool side_by_side = false;     ///< one half of the width each, instead of a mean share
+    /// Dips only the two fifths of the hairs that reach deepest when the brush is laid on one side; the
+    /// others keep what they hold.
+    bool tip_only = false;
 };
 
 /// Plain data: copy it to keep it. The paint in the bristles, what strokes and loading move, is the

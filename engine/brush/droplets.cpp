@@ -63,8 +63,12 @@ void Droplets::let_fall(const Place& place) {
     const double distance_mm =
         brush_.tip.half_width_mm * hand.spread * (evenly + preset.centring * (centred - evenly));
     const double flight_mm = preset.throw_s * place.speed_mm_s * (0.5 + random());
-    const double x_mm = hand.x_mm + distance_mm * std::cos(angle) + flight_mm * hand.travel_x;
-    const double y_mm = hand.y_mm + distance_mm * std::sin(angle) + flight_mm * hand.travel_y;
+    const double u = distance_mm * std::cos(angle) * (brush_.tip.mirrored ? -1.0 : 1.0);
+    const double v = distance_mm * std::sin(angle);
+    const double x_mm =
+        hand.x_mm + u * hand.cos_rotation - v * hand.sin_rotation + flight_mm * hand.travel_x;
+    const double y_mm =
+        hand.y_mm + u * hand.sin_rotation + v * hand.cos_rotation + flight_mm * hand.travel_y;
     const double radius_mm =
         std::max(cap_radius_mm(next_mm3_, preset.steepness), kLeastRadius_cells * film_.cell_mm);
     Contents& bottle = brush_.held.front();

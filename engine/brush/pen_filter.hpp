@@ -2,12 +2,21 @@
 #pragma once
 
 #include "brush/pen_sample.hpp"
+#include "brush/preset.hpp"
 
 namespace pastoso::brush {
 
+/// What the painter asks for besides the brush's own smoothing; 0 leaves it at that.
+struct Stabiliser {
+    double smoothing_ms = 0.0;  ///< added to the preset's time constant
+    double string_mm = 0.0;     ///< a longer string than the preset's takes its place
+    friend bool operator==(const Stabiliser&, const Stabiliser&) = default;
+};
+
 /// A one-pole filter, ds/dt = (x - s) / tau, solved exactly for an input that runs straight from sample
 /// to sample: a steady hand is followed tau late, at 60 Hz as at 1000. After it, if `string_mm` > 0, the
-/// tip follows like something pulled on a string of that length.
+/// tip is pulled on a string of that length: it rests while the string is slack, and trails (a tractrix,
+/// solved exactly for straight pulls) once it is taut.
 class PenFilter {
   public:
     PenFilter(double time_constant_s, double string_mm);
@@ -25,7 +34,7 @@ class PenFilter {
     PenSample final_sample() const;
 
   private:
-    PenSample pulled(const PenSample& target) const;
+    PenSample pulled(const PenSample& from, const PenSample& to) const;
 
     double time_constant_s_;
     double string_mm_;
@@ -33,5 +42,8 @@ class PenFilter {
     PenSample smoothed_;  ///< before the string
     PenSample output_;
 };
+
+/// The filter of a brush with the painter's wishes.
+PenFilter steadying_filter(const StrokePreset& stroke, const Stabiliser& stabiliser);
 
 }  // namespace pastoso::brush

@@ -1,5 +1,6 @@
 #include "brush/preset.hpp"
 
+#include "brush/preset_names.hpp"
 #include "core/error.hpp"
 #include "core/resources.hpp"
 #include "core/text_file.hpp"
@@ -72,35 +73,11 @@ std::string list_of_names() {
 }  // namespace
 
 std::string_view name_of(TipShape shape) {
-    switch (shape) {
-        case TipShape::Round:
-            return "round";
-        case TipShape::Flat:
-            return "flat";
-        case TipShape::Filbert:
-            return "filbert";
-        case TipShape::Fan:
-            return "fan";
-        case TipShape::Knife:
-            return "knife";
-        case TipShape::Comb:
-            return "comb";
-        case TipShape::Pad:
-            return "pad";
-    }
-    return "";
+    return word_for(shape, kShapeNames);
 }
 
 std::string_view name_of(ToolKind kind) {
-    switch (kind) {
-        case ToolKind::Contact:
-            return "contact";
-        case ToolKind::Droplets:
-            return "droplets";
-        case ToolKind::Air:
-            return "air";
-    }
-    return "";
+    return word_for(kind, kKindNames);
 }
 
 const std::vector<Preset>& bundled_presets() {

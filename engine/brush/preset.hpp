@@ -38,6 +38,7 @@ struct TipPreset {
     int bristles = 300;          ///< elements the tip is made of, 4 to 2000
     int hairs_per_bristle = 16;  ///< fine streaks within one element, 1 to 64
     std::uint32_t seed = 1;
+    friend bool operator==(const TipPreset&, const TipPreset&) = default;
 };
 
 struct FlexPreset {
@@ -48,6 +49,7 @@ struct FlexPreset {
     double tilt_gain = 0.8;     ///< how much a lean lowers one side; 0 to 3
     double descend = 0.35;      ///< slope at which a hair follows the support down; 0 to 10
     double rigidity = 0.0;      ///< 0: every hair for itself, 1: one stiff edge
+    friend bool operator==(const FlexPreset&, const FlexPreset&) = default;
 };
 
 struct PaintPreset {
@@ -60,6 +62,7 @@ struct PaintPreset {
     double start = 0.5;     ///< extra film where the stroke starts; 0 to 5
     double leave = 0.0;     ///< share of the load that stays behind on lifting; 0 to 1
     double reach = 1.15;    ///< depth that hanging paint bridges, in films; 0.1 to 50
+    friend bool operator==(const PaintPreset&, const PaintPreset&) = default;
 };
 
 struct ExchangePreset {
@@ -71,6 +74,7 @@ struct ExchangePreset {
     double overflow = 1.15;  ///< fill above which paint is pushed out sideways; 1 to 3
     /// What is taken up is thrown away, as by a rag: it counts as waste and never comes back.
     bool absorbs = false;
+    friend bool operator==(const ExchangePreset&, const ExchangePreset&) = default;
 };
 
 /// Drops of a dropper, a spray can or a flicked brush.
@@ -83,11 +87,13 @@ struct DropletPreset {
     double steepness = 0.3;        ///< height over radius of a drop that has landed; 0.02 to 2
     double centring = 0.0;         ///< 0: evenly over the width, 1: thickest in the middle
     double throw_s = 0.0;          ///< time that drops fly on with the speed of the tip; 0 to 2
+    friend bool operator==(const DropletPreset&, const DropletPreset&) = default;
 };
 
 /// A jet of air as wide as the tip (film/air_jet.hpp), which leans with the pen.
 struct AirPreset {
     double pressure_Pa = 20.0;  ///< in its middle at full pressure of the pen; 0 to 2000
+    friend bool operator==(const AirPreset&, const AirPreset&) = default;
 };
 
 enum class JitterSeed {
@@ -101,6 +107,7 @@ struct StrokePreset {
     double smoothing_ms = 10.0;    ///< time constant of the pen filter; 0 to 200
     double string_mm = 0.0;        ///< length of the string that pulls the brush, 0 for none; 0 to 50
     JitterSeed jitter_seed = JitterSeed::Stroke;
+    friend bool operator==(const StrokePreset&, const StrokePreset&) = default;
 };
 
 /// What of the hand a curve reads: pressure 0-1, tilt from upright 0-90 degrees, barrel rotation 0-360
@@ -114,6 +121,7 @@ enum class DynamicsTarget { Press, Lean, Rotation, Reach, Film, Pickup, Flow, Sp
 
 struct CurvePoint {
     double input = 0.0, output = 0.0;
+    friend bool operator==(const CurvePoint&, const CurvePoint&) = default;
 };
 
 /// Piecewise linear between its points, constant beyond the first and last; inputs increase.
@@ -121,6 +129,7 @@ struct DynamicsCurve {
     DynamicsInput input = DynamicsInput::Pressure;
     DynamicsTarget target = DynamicsTarget::Press;
     std::vector<CurvePoint> points;
+    friend bool operator==(const DynamicsCurve&, const DynamicsCurve&) = default;
 };
 
 /// A contact tool uses all but droplets and air; the others use the tip's width and seed, their own
@@ -136,12 +145,16 @@ struct Preset {
     std::vector<DynamicsCurve> dynamics;
     DropletPreset droplets;
     AirPreset air;
+    friend bool operator==(const Preset&, const Preset&) = default;
 };
 
 /// Reads one preset (resources/brushes/*.json show the form, version 2; docs/brush-format.md).
 /// `file_name` is for errors only. Throws InputError that names the file, the field (as in "paint.film")
 /// and its value: a field that is missing, unknown, of the wrong type or out of the range above.
 Preset parse_preset(std::string_view json_text, const std::string& file_name);
+
+/// The preset as a file, as parse_preset() reads it back.
+std::string preset_to_json(const Preset& preset);
 
 /// The presets that come with the program, in the order of their file names.
 const std::vector<Preset>& bundled_presets();

@@ -1,5 +1,6 @@
 #include "brush/preset.hpp"
 #include "brush/preset_fields.hpp"
+#include "brush/preset_names.hpp"
 #include "core/error.hpp"
 
 #include <algorithm>
@@ -11,32 +12,6 @@ namespace pastoso::brush {
 namespace {
 
 using Json = nlohmann::json;
-
-template <class T>
-struct Named {
-    const char* name;
-    T value;
-};
-
-constexpr Named<TipShape> kShapes[] = {{"round", TipShape::Round},     {"flat", TipShape::Flat},
-                                       {"filbert", TipShape::Filbert}, {"fan", TipShape::Fan},
-                                       {"knife", TipShape::Knife},     {"comb", TipShape::Comb},
-                                       {"pad", TipShape::Pad}};
-constexpr Named<ToolKind> kKinds[] = {
-    {"contact", ToolKind::Contact}, {"droplets", ToolKind::Droplets}, {"air", ToolKind::Air}};
-constexpr Named<JitterSeed> kJitterSeeds[] = {{"stroke", JitterSeed::Stroke},
-                                              {"brush", JitterSeed::Brush}};
-constexpr Named<DynamicsInput> kInputs[] = {{"pressure", DynamicsInput::Pressure},
-                                            {"tilt", DynamicsInput::Tilt},
-                                            {"barrel_rotation", DynamicsInput::BarrelRotation},
-                                            {"speed_mm_s", DynamicsInput::Speed}};
-constexpr Named<DynamicsTarget> kTargets[] = {
-    {"press", DynamicsTarget::Press},       {"lean", DynamicsTarget::Lean},
-    {"rotation", DynamicsTarget::Rotation}, {"reach", DynamicsTarget::Reach},
-    {"film", DynamicsTarget::Film},         {"pickup", DynamicsTarget::Pickup},
-    {"flow", DynamicsTarget::Flow},         {"spread", DynamicsTarget::Spread}};
-constexpr std::size_t kMostCurvePoints = 64;
-constexpr int kPresetVersion = 2;
 
 struct Range {
     double low, high;
@@ -192,7 +167,7 @@ void check_drop_count(const Section& root, const DropletPreset& droplets) {
 
 void read_tip_shape(const Section& root, Preset& preset) {
     const Section tip = root.section("tip");
-    preset.tip.shape = tip.choice("shape", kShapes);
+    preset.tip.shape = tip.choice("shape", kShapeNames);
     if (preset.tip.point_mm > preset.tip.length_mm) {
         tip.fail(tip.path_of("point"), "is " + text_of(preset.tip.point_mm) +
                                            ", more than the length, " + text_of(preset.tip.length_mm));
@@ -238,7 +213,7 @@ std::vector<DynamicsCurve> read_dynamics(const Json& list, const std::string& fi
     for (const Json& entry : list) {
         const Section section(entry, file_name, "dynamics[" + std::to_string(curves.size()) + "]");
         section.check_fields({"input", "target", "curve"});
-        curves.push_back({section.choice("input", kInputs), section.choice("target", kTargets),
+        curves.push_back({section.choice("input", kInputNames), section.choice("target", kTargetNames),
                           read_points(section)});
         check_pair(section, curves.back());
     }
@@ -264,7 +239,7 @@ Preset parse_preset(std::string_view json_text, const std::string& file_name) {
     const Section root(json, file_name, "");
     root.whole_number("version", {kPresetVersion, kPresetVersion});
     Preset preset;
-    preset.kind = root.choice("kind", kKinds);
+    preset.kind = root.choice("kind", kKindNames);
     root.check_fields(known_sections(preset.kind));
     check_units(root.section("units"));
     preset.name = root.text("name");
@@ -276,7 +251,7 @@ Preset parse_preset(std::string_view json_text, const std::string& file_name) {
         preset.exchange.absorbs = root.section("exchange").truth("absorbs");
     }
     if (preset.kind == ToolKind::Droplets) check_drop_count(root, preset.droplets);
-    preset.stroke.jitter_seed = root.section("stroke").choice("jitter_seed", kJitterSeeds);
+    preset.stroke.jitter_seed = root.section("stroke").choice("jitter_seed", kJitterSeedNames);
     preset.dynamics = read_dynamics(root.list("dynamics"), file_name);
     return preset;
 }

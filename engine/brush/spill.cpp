@@ -80,7 +80,8 @@ grid::Rect spill_overflow(Brush& brush, int bristle, const BristlePose& pose, co
     if (surplus_mm3 <= 0.0) return {};
     const bool knife = brush.preset.tip.shape == TipShape::Knife;
     const double side = side_mm(pose, hand);
-    const float noise = core::uniform_noise(static_cast<std::uint32_t>(bristle), rates.jitter_seed);
+    const float own = core::uniform_noise(static_cast<std::uint32_t>(bristle), rates.jitter_seed);
+    const float noise = brush.tip.mirrored ? 1.0F - own : own;
     const double sign = knife ? knife_side(side, hand, swath)
                               : bristle_side(side, swath, kEdge_radii * rates.radius_mm, noise);
     const double to_end_mm = !knife ? 0.0 : sign > 0.0 ? swath.high_mm - side : side - swath.low_mm;

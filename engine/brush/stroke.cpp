@@ -62,11 +62,13 @@ float edge_share(double side_mm, const Swath& swath) {
 
 }  // namespace
 
-Stroke::Stroke(Brush& brush, film::FilmState& film)
+Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const Placement& placement)
     : brush_(brush),
       film_(film),
       step_mm_(step_length_mm(brush)),
-      filter_(brush.preset.stroke.smoothing_ms / 1000.0, brush.preset.stroke.string_mm),
+      guide_(aids.guide),
+      placement_(placement),
+      filter_(steadying_filter(brush.preset.stroke, aids.stabiliser)),
       path_(path_measure(brush)),
       poses_(brush.tip.bristles.size()),
       droplets_(brush, film) {}
@@ -79,21 +81,22 @@ void Stroke::begin(const PenSample& sample) {
     poses_.assign(poses_.size(), BristlePose{});
     step_count_ = 0;
     since_wick_mm_ = 0.0;
-    const double rotation = core::radians(sample.rotation_deg);
-    path_.begin(filter_.start(sample), -std::sin(rotation), std::cos(rotation));
-    if (brush_.preset.kind == ToolKind::Droplets)
-        droplets_.begin(hand_pose(brush_.preset.dynamics, {.pen = sample}), jitter_seed_);
+    down_ = led_ = sample;
+    const PenSample start = led(filter_.start(sample));
+    const double rotation = core::radians(start.rotation_deg);
+    path_.begin(start, -std::sin(rotation), std::cos(rotation));
+    if (brush_.preset.kind == ToolKind::Droplets) droplets_.begin(pose({.pen = start}), jitter_seed_);
     paint_steps();
 }
 
 void Stroke::add(const PenSample& sample) {
     check_finite(sample);
-    path_.add(filter_.follow(sample));
+    path_.add(led(filter_.follow(sample)));
     paint_steps();
 }
 
 void Stroke::end() {
-    path_.add(filter_.final_sample());
+    path_.add(led(filter_.final_sample()));
     path_.end();
     paint_steps();
     leave_paint();
@@ -120,6 +123,14 @@ grid::Rect Stroke::take_changed_cells() {
     return grid::bounding_box(std::exchange(changed_, {}), droplets_.take_changed_cells());
 }
 
+PenSample Stroke::led(const PenSample& sample) {
+    return led_ = guided(guide_, down_, led_, sample);
+}
+
+HandPose Stroke::pose(const PathStep& step) const {
+    return placed(placement_, hand_pose(brush_.preset.dynamics, step));
+}
+
 void Stroke::paint_steps() {
     for (const PathStep& step : path_.take_steps())
         take_step(step);
@@ -130,15 +141,15 @@ void Stroke::take_step(const PathStep& step) {
         case ToolKind::Contact:
             return paint_step(step);
         case ToolKind::Droplets:
-            return droplets_.follow(hand_pose(brush_.preset.dynamics, step), step.speed_mm_s);
+            return droplets_.follow(pose(step), step.speed_mm_s);
         case ToolKind::Air:
-            blowing_ = hand_pose(brush_.preset.dynamics, step);
+            blowing_ = pose(step);
             return;
     }
 }
 
 void Stroke::paint_step(const PathStep& step) {
-    const HandPose hand = hand_pose(brush_.preset.dynamics, step);
+    const HandPose hand = pose(step);
     const StepRates rates = step_rates(brush_, hand, step_mm_, film_.cell_mm);
     const Swath swath = move_bristles(brush_, hand, step_mm_, film_, poses_);
     ++step_count_;

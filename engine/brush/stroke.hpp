@@ -6,7 +6,9 @@
 #include "brush/cell_batch.hpp"
 #include "brush/droplets.hpp"
 #include "brush/pen_filter.hpp"
+#include "brush/pen_guide.hpp"
 #include "brush/stroke_path.hpp"
+#include "brush/symmetry.hpp"
 #include "brush/transfer.hpp"
 #include "film/air_jet.hpp"
 #include "film/state.hpp"
@@ -16,14 +18,23 @@
 
 namespace pastoso::brush {
 
-/// Samples are filtered in time, joined by a smooth curve and walked in steps of equal length; at every
-/// step the bristles exchange paint with the film. The stroke does not depend on the rate of the
-/// samples, and hardly on the size of the cells. Paint follows the pen by the filter's time constant and
-/// one sample; end() catches up. Holds on to the brush and the film, which must outlive it; between two
-/// calls the film may flow, and may be replaced by an earlier or later state of the same canvas.
+/// What helps the hand, whatever the brush.
+struct HandAids {
+    Stabiliser stabiliser{};
+    PenGuide guide{};
+};
+
+/// Samples are filtered in time, led along the guide, joined by a smooth curve and walked in steps of
+/// equal length; at every step the bristles exchange paint with the film. The stroke does not depend on
+/// the rate of the samples, and hardly on the size of the cells. Paint follows the pen by the filter's
+/// time constant and one sample; end() catches up. Holds on to the brush and the film, which must
+/// outlive it; between two calls the film may flow, and may be replaced by an earlier or later state of
+/// the same canvas.
 class Stroke {
   public:
-    Stroke(Brush& brush, film::FilmState& film);
+    /// `placement` says where the brush stands for the hand. A straight line has to be straight already.
+    Stroke(Brush& brush, film::FilmState& film, const HandAids& aids = {},
+           const Placement& placement = {});
 
     /// The pen touches down. All numbers of samples must be finite, pressures 0 to 1; far off the canvas
     /// they cost time and do nothing.
@@ -45,6 +56,8 @@ class Stroke {
     grid::Rect take_changed_cells();
 
   private:
+    PenSample led(const PenSample& sample);
+    HandPose pose(const PathStep& step) const;
     void paint_steps();
     void take_step(const PathStep& step);
     void paint_step(const PathStep& step);
@@ -56,7 +69,10 @@ class Stroke {
     Brush& brush_;
     film::FilmState& film_;
     double step_mm_;
+    PenGuide guide_;
+    Placement placement_;
     PenFilter filter_;
+    PenSample down_, led_;  ///< the first sample, and the last one with the guide's help
     StrokePath path_;
     std::vector<BristlePose> poses_;
     CellBatch cells_;

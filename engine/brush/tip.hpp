@@ -28,6 +28,7 @@ struct Tip {
     std::uint32_t seed = 0;  ///< of everything random about this piece
     int hairs_per_bristle = 16;
     bool rigid = false;           ///< the edge of a knife or a comb
+    bool mirrored = false;        ///< seen in a mirror: what leans left leans right
     double half_width_mm = 10.0;  ///< of the tip
     double area_mm2 = 0.3;        ///< of the tip, per bristle
     double capacity_mm3 = 2.0;    ///< a full bristle's load

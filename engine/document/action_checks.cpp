@@ -6,6 +6,7 @@
 #include "film/medium.hpp"
 #include "pigment/palette.hpp"
 
+#include <cmath>
 #include <string>
 
 namespace pastoso::document {
@@ -23,11 +24,41 @@ constexpr double kLeastParts = 1e-6;
 constexpr double kMostParts = 1e6;
 constexpr double kLeastStrength = 1e-4;
 
+/// A guide has a direction.
+constexpr double kShortestGuide_mm = 0.1;
+constexpr double kHuge_mm = 4.0 * kMaxPenPosition_mm;
+
 constexpr double kLongestSession_s = 7.0 * 24.0 * 3600.0;
+
+void check_place(const std::string& what, double x_mm, double y_mm) {
+    check_between(("x of the " + what + " in mm").c_str(), x_mm, -kMaxPenPosition_mm,
+                  kMaxPenPosition_mm);
+    check_between(("y of the " + what + " in mm").c_str(), y_mm, -kMaxPenPosition_mm,
+                  kMaxPenPosition_mm);
+}
+
+struct GuideChecker {
+    void operator()(std::monostate) const {}
+    void operator()(const brush::StraightLine&) const {}
+    void operator()(const brush::Ruler& ruler) const {
+        check_place("ruler's first point", ruler.x1_mm, ruler.y1_mm);
+        check_place("ruler's second point", ruler.x2_mm, ruler.y2_mm);
+        const double length_mm = std::hypot(ruler.x2_mm - ruler.x1_mm, ruler.y2_mm - ruler.y1_mm);
+        check_between("distance of the ruler's points in mm", length_mm, kShortestGuide_mm, kHuge_mm);
+    }
+    void operator()(const brush::EllipseCurve& ellipse) const {
+        check_place("ellipse's centre", ellipse.centre_x_mm, ellipse.centre_y_mm);
+        check_between("half width of the ellipse in mm", ellipse.half_width_mm, kShortestGuide_mm,
+                      kMaxPenPosition_mm);
+        check_between("half height of the ellipse in mm", ellipse.half_height_mm, kShortestGuide_mm,
+                      kMaxPenPosition_mm);
+        check_between("turn of the ellipse", ellipse.turn_deg, -360.0, 360.0);
+    }
+};
 
 struct Checker {
     void operator()(const TakeBrush& take) const {
-        brush::find_preset(take.preset);
+        preset_of(take);
         if (take.size_mm != 0.0) check_between("width of the brush in mm", take.size_mm, 0.5, 200.0);
     }
     void operator()(const LoadPaint& load) const {
@@ -57,9 +88,27 @@ struct Checker {
     void operator()(const PenUp&) const {}
     void operator()(const Undo&) const {}
     void operator()(const Redo&) const {}
+    void operator()(const SetStabiliser& set) const {
+        check_between("smoothing of the stabiliser in ms", set.stabiliser.smoothing_ms, 0.0, 2000.0);
+        check_between("string of the stabiliser in mm", set.stabiliser.string_mm, 0.0, 200.0);
+    }
+    void operator()(const SetGuide& set) const {
+        check_between("reach of the guide in mm", set.guide.reach_mm, 0.0, kMaxPenPosition_mm);
+        std::visit(GuideChecker{}, set.guide.form);
+    }
+    void operator()(const SetSymmetry& set) const {
+        check_place("centre of the symmetry", set.symmetry.centre_x_mm, set.symmetry.centre_y_mm);
+        check_between("axis of the symmetry", set.symmetry.axis_deg, -360.0, 360.0);
+        check_between("number of the symmetry's copies", set.symmetry.count, 1, kMostCopies);
+    }
 };
 
 }  // namespace
+
+brush::Preset preset_of(const TakeBrush& take) {
+    if (take.definition.empty()) return brush::find_preset(take.preset);
+    return brush::parse_preset(take.definition, "the brush \"" + take.preset + "\"");
+}
 
 void check_action(const Action& action) {
     std::visit(Checker{}, action);

@@ -1,6 +1,7 @@
 // What is refused before it reaches the paint: unknown names and values out of range.
 #pragma once
 
+#include "brush/preset.hpp"
 #include "document/events.hpp"
 
 namespace pastoso::document {
@@ -8,8 +9,15 @@ namespace pastoso::document {
 /// The pen may leave the canvas, but not by more than this.
 inline constexpr double kMaxPenPosition_mm = 20000.0;
 
+/// A symmetry has at most this many copies beside their mirror images.
+inline constexpr int kMostCopies = 16;
+
 /// A second of paint time lasts at most this many seconds of drying.
 inline constexpr double kFastestDrying = 1e5;
+
+/// The preset that a brush is taken of: its own definition, or the bundled one of that name. Throws
+/// InputError as brush::parse_preset() and brush::find_preset() do.
+brush::Preset preset_of(const TakeBrush& take);
 
 /// Throws InputError for an unknown brush, pigment or medium, or for a value that is not finite or
 /// outside the range that events.hpp gives. The message names the value and says nothing of where it

@@ -2,7 +2,10 @@
 // them, a replay applies them again.
 #pragma once
 
+#include "brush/pen_filter.hpp"
+#include "brush/pen_guide.hpp"
 #include "brush/pen_sample.hpp"
+#include "brush/symmetry.hpp"
 #include "film/drying_air.hpp"
 
 #include <cstdint>
@@ -25,7 +28,7 @@ struct Ingredient {
 
 /// A mixture of pigments thinned with clear medium.
 struct PaintRecipe {
-    std::vector<Ingredient> ingredients;  ///< none: the medium alone
+    std::vector<Ingredient> ingredients{};  ///< none: the medium alone
     double strength =
         1.0;  ///< share of pigmented paint in the volume, the rest is clear medium; 0 < s <= 1
     friend bool operator==(const PaintRecipe&, const PaintRecipe&) = default;
@@ -35,15 +38,18 @@ struct TakeBrush {  ///< takes a clean brush in hand; what the old one held goes
     std::string preset;
     double size_mm = 0.0;  ///< width of the tip; 0: the preset's own
     std::uint32_t seed = 1;
+    /// A preset that does not come with the program: all of it, as brush::preset_to_json() writes it.
+    std::string definition{};
     friend bool operator==(const TakeBrush&, const TakeBrush&) = default;
 };
 struct LoadPaint {  ///< dips the brush
-    PaintRecipe paint;
-    PaintRecipe second;            ///< no ingredients: the brush holds `paint` alone
+    PaintRecipe paint{};
+    PaintRecipe second{};          ///< no ingredients: the brush holds `paint` alone
     double second_share = 0.0;     ///< mean share of the second paint, 0 to 1
     double share_variation = 0.0;  ///< how much the share differs from bristle to bristle, 0 to 1
     bool side_by_side = false;     ///< double load: one half of the tip each, instead of half-mixed
-    double fill = 1.0;             ///< of the brush's capacity, 0 to 1.2
+    bool tip_only = false;  ///< dips only the hairs that reach deepest; the others stay as they are
+    double fill = 1.0;      ///< of the brush's capacity, 0 to 1.2
     friend bool operator==(const LoadPaint&, const LoadPaint&) = default;
 };
 struct CleanBrush {  ///< wipes everything off the brush, into the waste account
@@ -84,9 +90,23 @@ struct Undo {
 struct Redo {
     friend bool operator==(const Redo&, const Redo&) = default;
 };
+struct SetStabiliser {  ///< steadies the hand, from the next stroke on
+    brush::Stabiliser stabiliser;
+    friend bool operator==(const SetStabiliser&, const SetStabiliser&) = default;
+};
+struct SetGuide {  ///< leads the pen, from the next stroke on
+    brush::PenGuide guide;
+    friend bool operator==(const SetGuide&, const SetGuide&) = default;
+};
+/// Paints every stroke from the next one on with several brushes at once. Each starts with what the
+/// brush in hand holds, taken from the tubes, and is wiped when the stroke ends.
+struct SetSymmetry {
+    brush::Symmetry symmetry;
+    friend bool operator==(const SetSymmetry&, const SetSymmetry&) = default;
+};
 
 using Action = std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCanvas, SetDrying, DryNow,
-                            PenDown, PenMove, PenUp, Undo, Redo>;
+                            PenDown, PenMove, PenUp, Undo, Redo, SetStabiliser, SetGuide, SetSymmetry>;
 
 struct Event {
     std::int64_t tick = 0;  ///< the number of ticks that had passed when it happened
@@ -101,7 +121,7 @@ struct CanvasSettings {
     double height_mm = 200.0;
     double px_per_mm = 4.0;         ///< cells per millimetre
     std::string support = "linen";  ///< "linen", "cotton duck", "panel", or "image" with support_image
-    std::string support_image;      ///< path of a height image of the user's own
+    std::string support_image{};    ///< path of a height image of the user's own
     double support_relief_mm =
         0.0;  ///< height of its white above its black; 0: the support's own relief
     friend bool operator==(const CanvasSettings&, const CanvasSettings&) = default;

@@ -1,7 +1,7 @@
 #include "document/painting.hpp"
 
 #include "brush/brush.hpp"
-#include "brush/stroke.hpp"
+#include "brush/stroke_group.hpp"
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "document/action_checks.hpp"
@@ -95,7 +95,7 @@ struct Painting::Parts {
     }
 
     void operator()(const TakeBrush& take) {
-        brush::Brush fresh(brush::find_preset(take.preset), take.size_mm, take.seed);
+        brush::Brush fresh(preset_of(take), take.size_mm, take.seed);
         end_stroke();
         wipe_brush();
         brush = std::move(fresh);
@@ -104,15 +104,14 @@ struct Painting::Parts {
     void operator()(const LoadPaint& load) {
         if (!brush) throw core::InputError("there is no brush in hand to take paint with.");
         end_stroke();
-        const film::PaintCoefficients first = mixed_paint(load.paint, medium);
-        if (load.second.ingredients.empty()) {
-            taken += brush->load(first, load.fill);
-        } else {
-            const film::PaintCoefficients second = mixed_paint(load.second, medium);
-            taken += brush->load(brush::MixedLoad{first, second, load.second_share, load.share_variation,
-                                                  load.side_by_side},
-                                 load.fill);
+        brush::MixedLoad paint{.first = mixed_paint(load.paint, medium), .tip_only = load.tip_only};
+        if (!load.second.ingredients.empty()) {
+            paint.second = mixed_paint(load.second, medium);
+            paint.second_share = load.second_share;
+            paint.share_variation = load.share_variation;
+            paint.side_by_side = load.side_by_side;
         }
+        taken += brush->load(paint, load.fill);
         ++brush_use;
     }
 
@@ -144,7 +143,8 @@ struct Painting::Parts {
         end_stroke();
         history.remember(moment());
         last_sample = pen.sample;
-        stroke.emplace(*brush, film);
+        stroke.emplace(*brush, film, aids, symmetry);
+        taken += stroke->copied_paint();
         stroke->begin(pen.sample);
         hand_over();
     }
@@ -169,23 +169,35 @@ struct Painting::Parts {
         if (history.can_redo()) return_to(history.step_forward(moment()));
     }
 
+    void operator()(const SetStabiliser& set) { aids.stabiliser = set.stabiliser; }
+    void operator()(const SetGuide& set) { aids.guide = set.guide; }
+    void operator()(const SetSymmetry& set) { symmetry = set.symmetry; }
+
     void end_stroke() {
         if (!stroke) return;
         stroke->end();
+        wiped += stroke->copied_paint();
         hand_over();
         stroke.reset();
     }
 
     /// Tells the solver and the account what the stroke did.
     void hand_over() {
-        solver.wake(stroke->take_changed_cells());
-        solver.set_air(stroke->air_jet());
-        wiped += brush->take_thrown_away();
+        for (const grid::Rect& cells : stroke->take_changed_cells())
+            solver.wake(cells);
+        solver.set_air(stroke->air_jets());
+        wiped += stroke->take_thrown_away();
     }
 
     void wipe_brush() {
         if (brush) wiped += brush->clean();
         ++brush_use;
+    }
+
+    brush::Contents held_paint() const {
+        brush::Contents sum = brush ? brush->contents() : brush::Contents{};
+        if (stroke) sum += stroke->copied_paint();
+        return sum;
     }
 
     bool brush_holds_paint() const { return brush && brush->contents().volume_mm3 > 0.0; }
@@ -227,7 +239,9 @@ struct Painting::Parts {
     film::DryingAir air;
     film::AgeingClock ageing;
     std::optional<brush::Brush> brush;
-    std::optional<brush::Stroke> stroke;
+    brush::HandAids aids;
+    brush::Symmetry symmetry;
+    std::optional<brush::StrokeGroup> stroke;
     brush::PenSample last_sample;
     std::uint64_t brush_use = 0;  ///< grows whenever the brush is taken, loaded or cleaned
 
@@ -304,8 +318,7 @@ Account Painting::account() const {
     ledger += contents_of(parts_->run_off(), cell_mm);
     ledger.volume_mm3 += film::volume_mm3(parts_->film.strata.evaporated, cell_mm);
     return {amount(parts_->taken), amount(contents_of(film::totals(parts_->film), cell_mm)),
-            dried_amount(parts_->film.strata, cell_mm),
-            parts_->brush ? amount(parts_->brush->contents()) : Account::Amount{}, amount(ledger)};
+            dried_amount(parts_->film.strata, cell_mm), amount(parts_->held_paint()), amount(ledger)};
 }
 
 StageTimes Painting::stage_times() const {

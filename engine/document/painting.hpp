@@ -36,7 +36,7 @@ struct Account {
     Amount taken;   ///< loaded from the tubes so far
     Amount canvas;  ///< wet
     Amount dried;   ///< on the canvas too
-    Amount brush;
+    Amount brush;   ///< in hand, and during a stroke those of its other copies
     Amount ledger;  ///< wiped off, run off the edges, or evaporated
 
     double volume_error_rel() const;   ///< |canvas + dried + brush + ledger - taken| / taken

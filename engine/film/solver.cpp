@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace pastoso::film {
@@ -134,7 +135,6 @@ struct Solver::Parts {
     void configure() {
         check_medium(medium);
         limits = make_limits(medium, gravity, state.cell_mm);
-        if (air) limits.force_mm_s2 += strongest_push_mm_s2(*air, medium.density_kg_m3);
         constants = make_constants(medium, gravity, options, state.cell_mm);
     }
 
@@ -182,6 +182,7 @@ struct Solver::Parts {
                              std::vector<TileResult>& results);
     AdvanceReport explicit_step(double dt_s);
     AdvanceReport large_step(double dt_s, int halvings = 0);
+    double terminal_speed_mm_s(const StepLimits& forces, const std::vector<int>& tiles) const;
     double terminal_speed_mm_s() const;
     double large_step_s(double seconds) const;
     /// How to get through the next `seconds`: the length of the next step, and whether it is a large
@@ -204,7 +205,7 @@ struct Solver::Parts {
     SolverOptions options;
     core::ThreadPool& pool;
     Gravity gravity = tilted_gravity(0.0);
-    std::optional<AirJet> air;
+    std::vector<AirJet> air;
     StepLimits limits;
     StepConstants constants;
     ActivityMap activity;
@@ -229,7 +230,7 @@ TilePlace Solver::Parts::place_of(int tile) const {
                              runs_off(tile, kBottom)},
             .canvas_edges = {canvas_ends(tile, kLeft), canvas_ends(tile, kRight),
                              canvas_ends(tile, kTop), canvas_ends(tile, kBottom)},
-            .air = air ? &*air : nullptr,
+            .air = air,
             .density_kg_m3 = medium.density_kg_m3,
             .pigment_in_reach = pigment_in_reach(tile),
             .motion_reference = reference.read()};
@@ -327,20 +328,37 @@ double Solver::Parts::resting_step_s(int tile) const {
                                  largest_per_viscosity(tile, [](double h) { return h * h * h; }));
 }
 
-/// What the body force alone makes of the paint that it carries fastest.
-double Solver::Parts::terminal_speed_mm_s() const {
-    const std::vector<int> tiles = activity.awake_tiles();
+/// What the body force alone makes of the paint in these tiles that it carries fastest.
+double Solver::Parts::terminal_speed_mm_s(const StepLimits& forces,
+                                          const std::vector<int>& tiles) const {
     if (!state.varied) {
         std::int32_t thickest = 0;
         for (const int tile : tiles)
             thickest = std::max(thickest, thickest_quanta(state, tile));
-        return limits.terminal_speed_mm_s(thickness_mm(thickest));
+        return forces.terminal_speed_mm_s(thickness_mm(thickest));
     }
     std::vector<double> runniest(tiles.size() + 1);
     pool.run(tiles.size(), [&](std::size_t index, int) {
         runniest[index] = largest_per_viscosity(tiles[index], [](double h) { return h * h; });
     });
-    return limits.newtonian_speed_mm_s(*std::max_element(runniest.begin(), runniest.end()));
+    return forces.newtonian_speed_mm_s(*std::max_element(runniest.begin(), runniest.end()));
+}
+
+/// The same of all paint, where it is blown on with the push of the air.
+double Solver::Parts::terminal_speed_mm_s() const {
+    const std::vector<int> tiles = activity.awake_tiles();
+    double speed = terminal_speed_mm_s(limits, tiles);
+    for (const AirJet& jet : air) {
+        const grid::Rect reached = cells_reached(jet, state.shape, state.cell_mm);
+        std::vector<int> blown;
+        std::copy_if(tiles.begin(), tiles.end(), std::back_inserter(blown), [&](int tile) {
+            return !grid::intersection(state.shape.tile_cells(tile), reached).empty();
+        });
+        StepLimits pushed = limits;
+        pushed.force_mm_s2 += strongest_push_mm_s2(jet, medium.density_kg_m3);
+        speed = std::max(speed, terminal_speed_mm_s(pushed, blown));
+    }
+    return speed;
 }
 
 double Solver::Parts::large_step_s(double seconds) const {
@@ -405,11 +423,12 @@ void Solver::set_gravity(const Gravity& gravity) {
     wake_all();
 }
 
-void Solver::set_air(const std::optional<AirJet>& jet) {
-    if (jet == parts_->air) return;
-    parts_->air = jet;
+void Solver::set_air(const std::vector<AirJet>& jets) {
+    if (jets == parts_->air) return;
+    parts_->air = jets;
     parts_->configure();
-    if (jet) wake(cells_reached(*jet, parts_->state.shape, parts_->state.cell_mm));
+    for (const AirJet& jet : jets)
+        wake(cells_reached(jet, parts_->state.shape, parts_->state.cell_mm));
 }
 
 void Solver::wake(const grid::Rect& cells) {

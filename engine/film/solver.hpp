@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace pastoso::film {
 
@@ -79,8 +80,9 @@ class Solver {
 
     void set_medium(const Medium& medium);     ///< wakes all paint
     void set_gravity(const Gravity& gravity);  ///< wakes all paint when it changes
-    /// Lets air blow on the paint until it is set anew; wakes what it reaches. Null: still air.
-    void set_air(const std::optional<AirJet>& jet);
+    /// Lets these jets blow on the paint until they are set anew; wakes what they reach. None: still
+    /// air.
+    void set_air(const std::vector<AirJet>& jets);
 
     /// Announces changed cells: their tiles are stepped until they have come to rest again.
     void wake(const grid::Rect& cells);

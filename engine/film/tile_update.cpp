@@ -122,10 +122,7 @@ void gather_tile(const FilmState& state, const TilePlace& place, const StepConst
     if (step.varied)
         gather_rheology(state, place.columns, place.rows, place.tile_x, step.yield_per_Pa,
                         tile_kernels().rheology, worker.tile.block);
-    worker.tile.block.pressed = false;
-    if (place.air != nullptr)
-        press(*place.air, place.density_kg_m3, place.columns, place.rows, step.cell_mm,
-              worker.tile.block);
+    press(place.air, place.density_kg_m3, place.columns, place.rows, step.cell_mm, worker.tile.block);
 }
 
 TileResult update_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,

@@ -9,6 +9,7 @@
 #include "film/tile_step.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace pastoso::film {
@@ -28,7 +29,7 @@ struct TilePlace {
     ClosedEdges closed;
     OpenEdges runoff_edges;
     CanvasEdges canvas_edges;
-    const AirJet* air = nullptr;  ///< null: still air
+    std::span<const AirJet> air;  ///< what blows on the canvas
     double density_kg_m3 = 1000.0;
     bool pigment_in_reach = true;          ///< false: nothing here or beside it is coloured
     const std::int32_t* motion_reference;  ///< thickness that the tile's motion is counted from

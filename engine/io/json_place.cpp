@@ -112,4 +112,14 @@ bool JsonPlace::boolean() const {
     return value_->get<bool>();
 }
 
+double JsonPlace::number_or(const char* key, double otherwise) const {
+    const auto place = optional_entry(key);
+    return place ? place->number() : otherwise;
+}
+
+bool JsonPlace::boolean_or(const char* key, bool otherwise) const {
+    const auto place = optional_entry(key);
+    return place ? place->boolean() : otherwise;
+}
+
 }  // namespace pastoso::io

@@ -56,6 +56,10 @@ class JsonPlace {
     std::string text() const;
     bool boolean() const;
 
+    /// An object's entry, or `otherwise` where there is none.
+    double number_or(const char* key, double otherwise) const;
+    bool boolean_or(const char* key, bool otherwise) const;
+
   private:
     void expect(bool is_kind, const char* kind) const;
 

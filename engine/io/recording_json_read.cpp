@@ -1,6 +1,8 @@
+#include "brush/preset.hpp"
 #include "core/text_file.hpp"
 #include "document/action_checks.hpp"
 #include "document/canvas.hpp"
+#include "io/hand_aids_json.hpp"
 #include "io/json_place.hpp"
 #include "io/recording_json.hpp"
 #include "io/stroke_ticks.hpp"
@@ -15,26 +17,16 @@ constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;
 /// A day of paint time.
 constexpr std::int64_t kMaxTick = 24LL * 3600 * 60;
 
-double number_or(const JsonPlace& place, const char* key, double otherwise) {
-    const auto entry = place.optional_entry(key);
-    return entry ? entry->number() : otherwise;
-}
-
-bool boolean_or(const JsonPlace& place, const char* key, bool otherwise) {
-    const auto entry = place.optional_entry(key);
-    return entry ? entry->boolean() : otherwise;
-}
-
 document::CanvasSettings read_canvas(const JsonPlace& place) {
     place.allow_only(
         {"width_mm", "height_mm", "px_per_mm", "support", "support_image", "support_relief_mm"});
     document::CanvasSettings canvas;
     canvas.width_mm = place.entry("width_mm").number();
     canvas.height_mm = place.entry("height_mm").number();
-    canvas.px_per_mm = number_or(place, "px_per_mm", canvas.px_per_mm);
+    canvas.px_per_mm = place.number_or("px_per_mm", canvas.px_per_mm);
     if (const auto support = place.optional_entry("support")) canvas.support = support->text();
     if (const auto image = place.optional_entry("support_image")) canvas.support_image = image->text();
-    canvas.support_relief_mm = number_or(place, "support_relief_mm", 0.0);
+    canvas.support_relief_mm = place.number_or("support_relief_mm", 0.0);
     place.guard([&] { document::check_canvas(canvas); });
     return canvas;
 }
@@ -50,15 +42,28 @@ document::PaintRecipe read_paint(const JsonPlace& place) {
     const JsonPlace mix = place.entry("mix");
     for (std::size_t i = 0; i < mix.size(); ++i)
         paint.ingredients.push_back(read_ingredient(mix.element(i)));
-    paint.strength = number_or(place, "strength", 1.0);
+    paint.strength = place.number_or("strength", 1.0);
     return paint;
+}
+
+/// A preset's name, or all of it.
+void read_preset(const JsonPlace& place, document::TakeBrush& take) {
+    if (!place.value().is_object()) {
+        take.preset = place.text();
+        return;
+    }
+    place.guard([&] {
+        const brush::Preset preset = brush::parse_preset(place.value().dump(), "the preset");
+        take.preset = preset.name;
+        take.definition = brush::preset_to_json(preset);
+    });
 }
 
 document::Action read_take_brush(const JsonPlace& place) {
     place.allow_only({"preset", "size_mm", "seed"});
     document::TakeBrush take;
-    take.preset = place.entry("preset").text();
-    take.size_mm = number_or(place, "size_mm", 0.0);
+    read_preset(place.entry("preset"), take);
+    take.size_mm = place.number_or("size_mm", 0.0);
     if (const auto seed = place.optional_entry("seed")) {
         take.seed = static_cast<std::uint32_t>(seed->integer(0, UINT32_MAX));
     }
@@ -66,14 +71,16 @@ document::Action read_take_brush(const JsonPlace& place) {
 }
 
 document::Action read_load_paint(const JsonPlace& place) {
-    place.allow_only({"paint", "second", "second_share", "share_variation", "side_by_side", "fill"});
+    place.allow_only(
+        {"paint", "second", "second_share", "share_variation", "side_by_side", "tip_only", "fill"});
     document::LoadPaint load;
     load.paint = read_paint(place.entry("paint"));
     if (const auto second = place.optional_entry("second")) load.second = read_paint(*second);
-    load.second_share = number_or(place, "second_share", 0.0);
-    load.share_variation = number_or(place, "share_variation", 0.0);
-    load.side_by_side = boolean_or(place, "side_by_side", false);
-    load.fill = number_or(place, "fill", 1.0);
+    load.second_share = place.number_or("second_share", 0.0);
+    load.share_variation = place.number_or("share_variation", 0.0);
+    load.side_by_side = place.boolean_or("side_by_side", false);
+    load.tip_only = place.boolean_or("tip_only", false);
+    load.fill = place.number_or("fill", 1.0);
     return load;
 }
 
@@ -81,7 +88,7 @@ document::Action read_tilt(const JsonPlace& place) {
     place.allow_only({"tilt_deg", "direction_deg"});
     document::TiltCanvas tilt;
     tilt.tilt_deg = place.entry("tilt_deg").number();
-    tilt.direction_deg = number_or(place, "direction_deg", tilt.direction_deg);
+    tilt.direction_deg = place.number_or("direction_deg", tilt.direction_deg);
     return tilt;
 }
 
@@ -94,10 +101,10 @@ document::Action read_drying(const JsonPlace& place) {
     place.allow_only({"speed", "fan", "fan_x_mm", "fan_y_mm", "fan_radius_mm"});
     film::DryingAir air;
     air.speed = place.entry("speed").number();
-    air.fan = number_or(place, "fan", air.fan);
-    air.fan_x_mm = number_or(place, "fan_x_mm", air.fan_x_mm);
-    air.fan_y_mm = number_or(place, "fan_y_mm", air.fan_y_mm);
-    air.fan_radius_mm = number_or(place, "fan_radius_mm", air.fan_radius_mm);
+    air.fan = place.number_or("fan", air.fan);
+    air.fan_x_mm = place.number_or("fan_x_mm", air.fan_x_mm);
+    air.fan_y_mm = place.number_or("fan_y_mm", air.fan_y_mm);
+    air.fan_radius_mm = place.number_or("fan_radius_mm", air.fan_radius_mm);
     return document::SetDrying{air};
 }
 
@@ -121,6 +128,9 @@ constexpr Kind kKinds[] = {
     {"dry_now", read_plain<document::DryNow>},
     {"undo", read_plain<document::Undo>},
     {"redo", read_plain<document::Redo>},
+    {"set_stabiliser", read_stabiliser},
+    {"set_guide", read_guide},
+    {"set_symmetry", read_symmetry},
 };
 
 /// [time, x, y, pressure, tilt_x, tilt_y, rotation]; angles left out at the end are 0.
@@ -178,13 +188,14 @@ class EventReader {
         }
         entry.fail(
             "expected one of stroke, take_brush, load_paint, clean_brush, use_medium, tilt_canvas, "
-            "set_drying, dry_now, undo and redo beside the tick.");
+            "set_drying, dry_now, undo, redo, set_stabiliser, set_guide and set_symmetry beside the "
+            "tick.");
     }
 
     void read_stroke(const JsonPlace& stroke, std::int64_t first_tick) {
         stroke.allow_only({"samples", "ticks", "continued", "lifted", "lift_tick"});
         const JsonPlace samples = stroke.entry("samples");
-        const bool continued = boolean_or(stroke, "continued", false);
+        const bool continued = stroke.boolean_or("continued", false);
         if (samples.size() == 0 && !continued) samples.fail("a stroke needs at least one sample.");
         const auto ticks = stroke.optional_entry("ticks");
         if (ticks && ticks->size() != samples.size()) {
@@ -203,7 +214,7 @@ class EventReader {
                 events.push_back({tick, document::PenMove{sample}});
             last_sample_ = sample;
         }
-        if (boolean_or(stroke, "lifted", true)) {
+        if (stroke.boolean_or("lifted", true)) {
             const auto lift = stroke.optional_entry("lift_tick");
             const std::int64_t lift_tick = lift ? read_tick(*lift) : std::max(first_tick, last_tick_);
             events.push_back({lift_tick, document::PenUp{}});

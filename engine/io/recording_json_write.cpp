@@ -1,4 +1,5 @@
 #include "core/text_file.hpp"
+#include "io/hand_aids_json.hpp"
 #include "io/json_place.hpp"
 #include "io/recording_json.hpp"
 #include "io/stroke_ticks.hpp"
@@ -31,12 +32,14 @@ Json load_json(const document::LoadPaint& load) {
     if (load.second_share != 0.0) json["second_share"] = load.second_share;
     if (load.share_variation != 0.0) json["share_variation"] = load.share_variation;
     if (load.side_by_side) json["side_by_side"] = true;
+    if (load.tip_only) json["tip_only"] = true;
     if (load.fill != 1.0) json["fill"] = load.fill;
     return json;
 }
 
 Json brush_json(const document::TakeBrush& take) {
     Json json{{"preset", take.preset}};
+    if (!take.definition.empty()) json["preset"] = Json::parse(take.definition);
     if (take.size_mm != 0.0) json["size_mm"] = take.size_mm;
     if (take.seed != 1) json["seed"] = take.seed;
     return json;
@@ -147,6 +150,13 @@ class EntryWriter {
     void operator()(const document::DryNow&) { put("dry_now", Json::object()); }
     void operator()(const document::Undo&) { put("undo", Json::object()); }
     void operator()(const document::Redo&) { put("redo", Json::object()); }
+    void operator()(const document::SetStabiliser& set) {
+        put("set_stabiliser", stabiliser_json(set.stabiliser));
+    }
+    void operator()(const document::SetGuide& set) { put("set_guide", guide_json(set.guide)); }
+    void operator()(const document::SetSymmetry& set) {
+        put("set_symmetry", symmetry_json(set.symmetry));
+    }
 
   private:
     void put(const char* kind, Json content) {

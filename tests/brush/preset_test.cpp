@@ -135,6 +135,11 @@ TEST(BundledPresets, AreManyAndOfEveryKind) {
     EXPECT_EQ(kinds.size(), 3U);
 }
 
+TEST(BundledPresets, ReadBackAsTheyAreWritten) {
+    for (const Preset& preset : bundled_presets())
+        EXPECT_EQ(parse_preset(preset_to_json(preset), "again.json"), preset) << preset.name;
+}
+
 TEST(BundledPresets, AreFoundByNameOrShape) {
     EXPECT_EQ(find_preset("Impasto flat 18").name, "Impasto flat 18");
     EXPECT_EQ(find_preset("impasto FLAT 18").name, "Impasto flat 18");

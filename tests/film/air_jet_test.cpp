@@ -88,7 +88,7 @@ TEST_P(AnyScheme, AJetHoldsAHydrostaticDimple) {
     bench.fill([](int, int) { return 2.0; });
     const Totals before = totals(bench.state);
     const AirJet jet = jet_of_depth(0.3);
-    bench.solver->set_air(jet);
+    bench.solver->set_air({jet});
     pass_time(bench, 12.0);
     EXPECT_EQ(totals(bench.state).thickness, before.thickness);
     const auto level_mm = [&](int x, int y) {
@@ -108,10 +108,10 @@ TEST_P(AnyScheme, StillAirLetsTheDimpleClose) {
     scene.solver = GetParam().options;
     Bench bench(scene);
     bench.fill([](int, int) { return 2.0; });
-    bench.solver->set_air(jet_of_depth(0.3));
+    bench.solver->set_air({jet_of_depth(0.3)});
     pass_time(bench, 1.0);
     ASSERT_LT(bench.h(32, 32), 1.8);
-    bench.solver->set_air(std::nullopt);
+    bench.solver->set_air({});
     pass_time(bench, 12.0);
     EXPECT_NEAR(bench.h(32, 32), 2.0, 2e-4);
 }
@@ -124,7 +124,7 @@ TEST_P(AnyScheme, ALeaningJetCarriesADropWhereItPoints) {
     bench.fill([](int x, int y) { return blob(x, y, 31.5, 31.5, 6, 2.0); });
     AirJet jet = jet_of_depth(2.0);
     jet.lean_x = 0.8;
-    bench.solver->set_air(jet);
+    bench.solver->set_air({jet});
     pass_time(bench, 2.0);
     double sum = 0.0, moment = 0.0;
     for (int y = 0; y < 64; ++y)
@@ -145,7 +145,7 @@ TEST(AirJet, StiffPaintStandsAgainstAWeakJet) {
     scene.yield = 5e4;  // 50 Pa
     Bench bench(scene);
     bench.fill([](int, int) { return 2.0; });
-    bench.solver->set_air(jet_of_depth(0.3));
+    bench.solver->set_air({jet_of_depth(0.3)});
     bench.solver->advance(2.0);
     EXPECT_EQ(bench.h(32, 32), bench.h(0, 0));
 }
@@ -164,7 +164,7 @@ TEST(AirJet, MovesPaintExactlyOnAnyNumberOfThreads) {
         AirJet jet = jet_of_depth(2.0);
         jet.x_mm = 2.0;
         jet.lean_y = -0.5;
-        bench.solver->set_air(jet);
+        bench.solver->set_air({jet});
         bench.solver->advance(0.5);
         EXPECT_EQ(totals(bench.state).thickness, before.thickness);
         if (threads > 1) {

@@ -63,6 +63,14 @@ Recording everything() {
         {18, PenUp{}},
         {19, CleanBrush{}},
         {20, PenMove{{0.4, 6, 6, 0.5}}},
+        {21, SetStabiliser{{120, 2.5}}},
+        {21, SetStabiliser{}},
+        {22, SetGuide{}},
+        {22, SetGuide{{brush::StraightLine{}, 5.0, true}}},
+        {22, SetGuide{{brush::Ruler{1.5, 2, -3, 4}, 0.0, false}}},
+        {22, SetGuide{{brush::EllipseCurve{50, 30, 20.5, 10, 15}, 2.0, true}}},
+        {23, SetSymmetry{{60, 28.35, 12.5, true, 8}}},
+        {24, SetSymmetry{}},
     };
     recording.end_tick = 100;
     return recording;
@@ -146,8 +154,8 @@ TEST(RecordingJson, ReadsTheFirstVersion) {
 
 TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
     EXPECT_EQ(
-        error(R"({"format":"pastoso-strokes","version":3,"more":[]})"),
-        "s.json: this was written by a newer Pastoso (stroke format 3; this program reads up to 2).");
+        error(R"({"format":"pastoso-strokes","version":4,"more":[]})"),
+        "s.json: this was written by a newer Pastoso (stroke format 4; this program reads up to 3).");
 }
 
 TEST(RecordingJson, NamesWhatIsMissingOrMisspelt) {
@@ -240,6 +248,54 @@ TEST(RecordingJson, RefusesUnknownNamesAndAbsurdValues) {
                 HasSubstr("the tilt of the canvas is 91"));
     EXPECT_THAT(error(file_with(R"({"tick":0,"take_brush":{"preset":"flat","size_mm":-3}})")),
                 HasSubstr("the width of the brush in mm is -3"));
+}
+
+TEST(RecordingJson, ReadsAidsWrittenByHand) {
+    const Recording recording = recording_from_json(
+        file_with(
+            R"({"tick":0,"set_symmetry":{"centre_x_mm":50,"centre_y_mm":40,"count":6}},)"
+            R"({"tick":0,"set_guide":{"form":"ellipse","centre_mm":[1,2],"half_width_mm":3,"half_height_mm":4}},)"
+            R"({"tick":0,"set_guide":{"form":"none"}},{"tick":0,"set_stabiliser":{"string_mm":3}})"),
+        "s.json");
+    const std::vector<Event> expected = {
+        {0, SetSymmetry{{.centre_x_mm = 50, .centre_y_mm = 40, .count = 6}}},
+        {0, SetGuide{{.form = brush::EllipseCurve{1, 2, 3, 4, 0}}}},
+        {0, SetGuide{}},
+        {0, SetStabiliser{{.string_mm = 3}}}};
+    EXPECT_EQ(recording.events, expected);
+}
+
+TEST(RecordingJson, RefusesBadAids) {
+    const auto refused = [](const std::string& event) {
+        return error(file_with(R"({"tick":0,)" + event + "}"));
+    };
+    EXPECT_EQ(refused(R"("set_symmetry":{"centre_x_mm":1,"centre_y_mm":1,"count":0})"),
+              "s.json, events[0].set_symmetry.count: 0 is not between 1 and 16.");
+    EXPECT_EQ(refused(R"("set_symmetry":{"centre_x_mm":1,"centre_y_mm":1,"count":2.5})"),
+              "s.json, events[0].set_symmetry.count: expected a whole number, found 2.5.");
+    EXPECT_EQ(refused(R"("set_symmetry":{"centre_y_mm":1})"),
+              "s.json, events[0].set_symmetry: the entry \"centre_x_mm\" is missing.");
+    EXPECT_EQ(refused(R"("set_symmetry":{"centre_x_mm":null,"centre_y_mm":1})"),
+              "s.json, events[0].set_symmetry.centre_x_mm: expected a number, found null.");
+    EXPECT_THAT(refused(R"("set_symmetry":{"centre_x_mm":NaN,"centre_y_mm":1})"),
+                HasSubstr("s.json, line 1: this is not valid JSON"));
+    EXPECT_EQ(refused(R"("set_symmetry":{"centre_x_mm":1e9,"centre_y_mm":1})"),
+              "s.json, events[0].set_symmetry: the x of the centre of the symmetry in mm is 1e+09, but "
+              "must lie between -20000 and 20000.");
+    EXPECT_THAT(refused(R"("set_symmetry":{"centre_x_mm":1,"centre_y_mm":1,"mirror":1})"),
+                HasSubstr("set_symmetry.mirror: expected true or false"));
+    EXPECT_EQ(
+        refused(R"("set_guide":{"form":"spiral"})"),
+        "s.json, events[0].set_guide.form: \"spiral\" is not one of none, line, ruler and ellipse.");
+    EXPECT_EQ(refused(R"("set_guide":{"form":"line","from_mm":[1,2]})"),
+              "s.json, events[0].set_guide: there is no such entry as \"from_mm\" here.");
+    EXPECT_EQ(refused(R"("set_guide":{"form":"ruler","from_mm":[1,2],"to_mm":[1]})"),
+              "s.json, events[0].set_guide.to_mm: expected a point, for example [20, 30].");
+    EXPECT_THAT(refused(R"("set_guide":{"form":"ruler","from_mm":[1,2],"to_mm":[1,2]})"),
+                HasSubstr("events[0].set_guide: the distance of the ruler's points in mm is 0"));
+    EXPECT_THAT(refused(R"("set_stabiliser":{"smoothing_ms":-3})"),
+                HasSubstr("events[0].set_stabiliser: the smoothing of the stabiliser in ms is -3"));
+    EXPECT_THAT(refused(R"("set_stabiliser":{"string":3})"), HasSubstr("no such entry as \"string\""));
 }
 
 TEST(RecordingJson, RefusesAbsurdCanvases) {

@@ -142,7 +142,7 @@ void air_and_thinner(Painter& painter) {
         hold(painter, straw.at(14.0 + 18 * i, 24), straw.at(14.0 + 18 * i, 24), 0.8, 1.0);
     painter.take("Straw 8");
     for (int i = 0; i < 3; ++i)
-        hold(painter, straw.at(13.0 + 18 * i, 25), straw.at(16.0 + 18 * i, 12), 0.7, 0.8);
+        hold(painter, straw.at(13.0 + 18 * i, 25), straw.at(16.0 + 18 * i, 12), 0.6, 0.45);
     painter.use_medium("heavy-body oil");
     thinner.label(painter, "thinner brush");
     thick(painter, thinner, 22, 18, "PBr7-BS PO20=0.3");

@@ -1,0 +1,91 @@
+#include "brush/stroke_group.hpp"
+
+#include <utility>
+
+namespace pastoso::brush {
+
+StrokeGroup::StrokeGroup(Brush& brush, film::FilmState& film, const HandAids& aids,
+                         const Symmetry& symmetry)
+    : aids_(aids), brush_(brush) {
+    for (const Placement& placement : placements(symmetry)) {
+        if (strokes_.empty()) {
+            strokes_.emplace_back(brush, film, aids, placement);
+            continue;
+        }
+        Brush& copy = copies_.emplace_back(brush);
+        if (placement.mirrored) copy.tip = mirrored(std::move(copy.tip));
+        strokes_.emplace_back(copy, film, aids, placement);
+    }
+}
+
+void StrokeGroup::begin(const PenSample& sample) {
+    if (waits_for_line())
+        line_ = {sample};
+    else
+        begin_strokes(sample);
+}
+
+void StrokeGroup::add(const PenSample& sample) {
+    if (waits_for_line())
+        line_.push_back(sample);
+    else
+        add_to_strokes(sample);
+}
+
+void StrokeGroup::end() {
+    if (waits_for_line()) {
+        const std::vector<PenSample> line = straightened(std::move(line_), aids_.guide.turn_across);
+        begin_strokes(line.front());
+        for (std::size_t i = 1; i < line.size(); ++i)
+            add_to_strokes(line[i]);
+    }
+    for (Stroke& stroke : strokes_)
+        stroke.end();
+}
+
+void StrokeGroup::pass_time(double seconds) {
+    if (waits_for_line()) return;
+    for (Stroke& stroke : strokes_)
+        stroke.pass_time(seconds);
+}
+
+std::vector<film::AirJet> StrokeGroup::air_jets() const {
+    std::vector<film::AirJet> jets;
+    for (const Stroke& stroke : strokes_) {
+        if (const auto jet = stroke.air_jet()) jets.push_back(*jet);
+    }
+    return jets;
+}
+
+Contents StrokeGroup::take_thrown_away() {
+    Contents sum = brush_.take_thrown_away();
+    for (Brush& copy : copies_)
+        sum += copy.take_thrown_away();
+    return sum;
+}
+
+Contents StrokeGroup::copied_paint() const {
+    Contents sum;
+    for (const Brush& copy : copies_)
+        sum += copy.contents();
+    return sum;
+}
+
+std::vector<grid::Rect> StrokeGroup::take_changed_cells() {
+    std::vector<grid::Rect> changed;
+    for (Stroke& stroke : strokes_)
+        changed.push_back(stroke.take_changed_cells());
+    return changed;
+}
+
+void StrokeGroup::begin_strokes(const PenSample& sample) {
+    for (Stroke& stroke : strokes_)
+        stroke.begin(sample);
+}
+
+void StrokeGroup::add_to_strokes(const PenSample& sample) {
+    for (Stroke& stroke : strokes_)
+        stroke.add(sample);
+}
+
+}  // namespace pastoso::brush
