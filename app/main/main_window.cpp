@@ -1,12 +1,14 @@
 #include "main/main_window.hpp"
 
 #include "brush/preset.hpp"
+#include "document/action_checks.hpp"
 #include "io/canvas_support.hpp"
 #include "panels/brush_panel.hpp"
 #include "panels/easel_panel.hpp"
 #include "panels/paint_panel.hpp"
 #include "panels/status_readings.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <utility>
 
@@ -80,6 +82,8 @@ void MainWindow::new_canvas(const document::CanvasSettings& canvas) {
     QGuiApplication::restoreOverrideCursor();
     session_->set_paused(commands_.action(commands::Command::Pause)->isChecked());
     easel_->set_up();
+    const brush::Symmetry& symmetry = easel_->hand().symmetry;
+    if (symmetry != brush::Symmetry{}) set_symmetry(symmetry.mirror, symmetry.count);
     readings_->show_canvas(session_->canvas());
     show_published();
 }
@@ -112,10 +116,32 @@ void MainWindow::show_hand() {
     paints_->show_paint(mix.empty() ? QString() : QString::fromStdString(mix.front().pigment));
     stand_->show_tilt(hand.tilt.tilt_deg, hand.tilt.direction_deg);
     stand_->show_drying(hand.air.speed);
+    brushes_->show_stabiliser(hand.stabiliser);
+    commands_.action(commands::Command::MirrorSymmetry)->setChecked(hand.symmetry.mirror);
+    commands_.action(commands::Command::Ruler)->setChecked(hand.ruler.has_value());
     medium_->setCurrentText(QString::fromStdString(hand.medium));
     commands_.action(commands::Command::ReloadEachStroke)->setChecked(hand.reload_each_stroke);
     commands_.action(commands::Command::TurnWithStroke)->setChecked(hand.turn_with_stroke);
     canvas_->set_tip(tip_in_hand(hand));
+}
+
+void MainWindow::set_symmetry(bool mirror, int count) {
+    const document::CanvasSettings& canvas = session_->canvas();
+    easel_->set_symmetry({.centre_x_mm = 0.5 * canvas.width_mm,
+                          .centre_y_mm = 0.5 * canvas.height_mm,
+                          .mirror = mirror,
+                          .count = std::clamp(count, 1, document::kMostCopies)});
+    show_hand();
+}
+
+void MainWindow::lay_ruler(bool lies) {
+    const document::CanvasSettings& canvas = session_->canvas();
+    const double middle_mm = 0.5 * canvas.height_mm;
+    if (lies)
+        easel_->lay_ruler({0.0, middle_mm, canvas.width_mm, middle_mm});
+    else
+        easel_->take_ruler_away();
+    show_hand();
 }
 
 void MainWindow::report(const QString& sentence) {

@@ -59,6 +59,8 @@ class MainWindow : public QMainWindow {
     void connect_file_commands();
     void show_published();
     void show_hand();
+    void set_symmetry(bool mirror, int count);  ///< about the middle of the canvas
+    void lay_ruler(bool lies);
     void show_enabled(const session::Status& status);
     bool may_discard();
     void ask_new_canvas();

@@ -30,6 +30,8 @@ void MainWindow::connect_panels() {
         easel_->set_brush_width(width_mm);
         show_hand();
     });
+    connect(brushes_, &panels::BrushPanel::stabiliser_chosen, this,
+            [this](const brush::Stabiliser& stabiliser) { easel_->set_stabiliser(stabiliser); });
     connect(paints_, &panels::PaintPanel::paint_chosen, this, [this](const QString& pigment) {
         document::PaintRecipe paint;
         if (!pigment.isEmpty()) paint.ingredients = {{pigment.toStdString(), 1.0}};
@@ -78,6 +80,16 @@ void MainWindow::connect_commands() {
     };
     commands_.on(Command::SmallerBrush, [step_width](bool) { step_width(-1); });
     commands_.on(Command::LargerBrush, [step_width](bool) { step_width(1); });
+    commands_.on(Command::MirrorSymmetry,
+                 [this](bool mirror) { set_symmetry(mirror, easel_->hand().symmetry.count); });
+    const auto step_copies = [this](int steps) {
+        const brush::Symmetry& symmetry = easel_->hand().symmetry;
+        set_symmetry(symmetry.mirror, symmetry.count + steps);
+        report(tr("Strokes around the middle: %1").arg(easel_->hand().symmetry.count));
+    };
+    commands_.on(Command::MoreCopies, [step_copies](bool) { step_copies(1); });
+    commands_.on(Command::FewerCopies, [step_copies](bool) { step_copies(-1); });
+    commands_.on(Command::Ruler, [this](bool lies) { lay_ruler(lies); });
     commands_.on(Command::Pause, [this](bool paused) {
         session_->set_paused(paused);
         readings_->show_status(session_->status());

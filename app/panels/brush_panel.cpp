@@ -7,7 +7,9 @@
 #include <utility>
 
 #include <QDoubleSpinBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QListWidget>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -32,6 +34,11 @@ double width_from_slider(int position) {
     return std::round(2.0 * width) / 2.0;
 }
 
+/// Slider places per millisecond of smoothing and per millimetre of string.
+constexpr int kMostSmoothing_ms = 400, kSmoothingStep_ms = 5;
+constexpr int kLongestString_mm = 20;
+constexpr int kPlacesPerMm = 2;
+
 }  // namespace
 
 BrushPanel::BrushPanel(std::vector<BrushEntry> brushes, QWidget* parent)
@@ -44,6 +51,7 @@ BrushPanel::BrushPanel(std::vector<BrushEntry> brushes, QWidget* parent)
     auto* column = section(this, tr("Brush"));
     column->addWidget(list_);
     column->addWidget(make_width_row());
+    column->addWidget(make_stabiliser_rows());
 }
 
 QWidget* BrushPanel::make_width_row() {
@@ -70,6 +78,67 @@ QWidget* BrushPanel::make_width_row() {
     layout->addWidget(slider_);
     layout->addWidget(width_);
     return row;
+}
+
+QWidget* BrushPanel::make_stabiliser_rows() {
+    auto* rows = new QWidget;
+    auto* grid = new QGridLayout(rows);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(4);
+    smoothing_ = add_slider(
+        grid, tr("Steady"),
+        tr("How far the brush lags behind to steady a trembling hand; 0 leaves it to the brush"),
+        smoothing_reading_);
+    smoothing_->setObjectName(QStringLiteral("smoothing"));
+    smoothing_->setRange(0, kMostSmoothing_ms / kSmoothingStep_ms);
+    string_ = add_slider(grid, tr("String"),
+                         tr("Pulls the brush on a string of this length: wide curves without a tremor"),
+                         string_reading_);
+    string_->setObjectName(QStringLiteral("string"));
+    string_->setRange(0, kLongestString_mm * kPlacesPerMm);
+    write_readings();
+    return rows;
+}
+
+QSlider* BrushPanel::add_slider(QGridLayout* grid, const QString& words, const QString& hint,
+                                QLabel*& reading) {
+    auto* slider = new QSlider(Qt::Horizontal);
+    slider->setToolTip(hint);
+    keep_keys_for_canvas(slider);
+    auto* label = new QLabel(words);
+    label->setObjectName(QStringLiteral("reading"));
+    reading = new QLabel;
+    reading->setObjectName(QStringLiteral("reading"));
+    reading->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    reading->setFixedWidth(54);
+    const int row = grid->rowCount();
+    grid->addWidget(label, row, 0);
+    grid->addWidget(slider, row, 1);
+    grid->addWidget(reading, row, 2);
+    connect(slider, &QSlider::valueChanged, this, [this] {
+        write_readings();
+        Q_EMIT stabiliser_chosen(stabiliser());
+    });
+    return slider;
+}
+
+brush::Stabiliser BrushPanel::stabiliser() const {
+    return {static_cast<double>(smoothing_->value() * kSmoothingStep_ms),
+            static_cast<double>(string_->value()) / kPlacesPerMm};
+}
+
+void BrushPanel::write_readings() {
+    const brush::Stabiliser shown = stabiliser();
+    smoothing_reading_->setText(tr("%1 ms").arg(shown.smoothing_ms));
+    string_reading_->setText(tr("%1 mm").arg(shown.string_mm));
+}
+
+void BrushPanel::show_stabiliser(const brush::Stabiliser& stabiliser) {
+    const QSignalBlocker no_smoothing_signal(smoothing_);
+    const QSignalBlocker no_string_signal(string_);
+    smoothing_->setValue(static_cast<int>(std::lround(stabiliser.smoothing_ms / kSmoothingStep_ms)));
+    string_->setValue(static_cast<int>(std::lround(stabiliser.string_mm * kPlacesPerMm)));
+    write_readings();
 }
 
 void BrushPanel::show_brush(const QString& name, double width_mm) {

@@ -1,12 +1,16 @@
 // The jar of brushes, and how wide the one in hand is.
 #pragma once
 
+#include "brush/pen_filter.hpp"
+
 #include <vector>
 
 #include <QString>
 #include <QWidget>
 
 class QDoubleSpinBox;
+class QGridLayout;
+class QLabel;
 class QListWidget;
 class QSlider;
 
@@ -25,20 +29,32 @@ class BrushPanel : public QWidget {
     /// Shows what is in hand, without a signal.
     void show_brush(const QString& name, double width_mm);
 
+    /// Shows how the hand is steadied, without a signal.
+    void show_stabiliser(const brush::Stabiliser& stabiliser);
+
     /// Takes the brush so many places on in the list, around its ends.
     void take_next(int places);
 
   Q_SIGNALS:
     void brush_taken(const QString& name, double width_mm);
     void width_chosen(double width_mm);
+    void stabiliser_chosen(const brush::Stabiliser& stabiliser);
 
   private:
     QWidget* make_width_row();
+    QWidget* make_stabiliser_rows();
+    QSlider* add_slider(QGridLayout* grid, const QString& words, const QString& hint, QLabel*& reading);
+    void write_readings();
+    brush::Stabiliser stabiliser() const;
 
     std::vector<BrushEntry> brushes_;
     QListWidget* list_ = nullptr;
     QSlider* slider_ = nullptr;
     QDoubleSpinBox* width_ = nullptr;
+    QSlider* smoothing_ = nullptr;
+    QSlider* string_ = nullptr;
+    QLabel* smoothing_reading_ = nullptr;
+    QLabel* string_reading_ = nullptr;
 };
 
 }  // namespace pastoso::panels

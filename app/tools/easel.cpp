@@ -8,6 +8,20 @@ namespace pastoso::tools {
 
 using namespace document;
 
+namespace {
+
+/// A stroke shorter than this gives a ruler no direction.
+constexpr double kShortestRuler_mm = 5.0;
+
+/// A hand that has sent nothing for so long has rested, and left when its next event is due.
+constexpr double kRest_s = 0.1;
+constexpr double kEventInterval_s = 0.008;
+
+/// After so many time constants a steadied brush is where the pen is, to a hundredth of its lag.
+constexpr double kCatchUp = 5.0;
+
+}  // namespace
+
 Easel::Easel(Hand hand, Post post, std::function<void()> note_hand)
     : hand_(std::move(hand)), post_(std::move(post)), note_hand_(std::move(note_hand)) {}
 
@@ -15,6 +29,8 @@ void Easel::set_up() {
     post_(UseMedium{hand_.medium});
     post_(hand_.tilt);
     post_(SetDrying{hand_.air});
+    if (hand_.stabiliser != brush::Stabiliser{}) post_(SetStabiliser{hand_.stabiliser});
+    hand_.guide = {};
     take_brush(hand_.brush, hand_.brush_width_mm);
 }
 
@@ -78,6 +94,27 @@ void Easel::set_turn_with_stroke(bool turn) {
     hand_.turn_with_stroke = turn;
 }
 
+void Easel::set_stabiliser(const brush::Stabiliser& stabiliser) {
+    hand_.stabiliser = stabiliser;
+    post_(SetStabiliser{stabiliser});
+}
+
+void Easel::set_symmetry(const brush::Symmetry& symmetry) {
+    hand_.symmetry = symmetry;
+    post_(SetSymmetry{symmetry});
+}
+
+void Easel::lay_ruler(const brush::Ruler& otherwise) {
+    const double x_mm = latest_.x_mm - pressed_.x_mm, y_mm = latest_.y_mm - pressed_.y_mm;
+    const bool has_direction = std::hypot(x_mm, y_mm) >= kShortestRuler_mm;
+    hand_.ruler = has_direction ? brush::Ruler{pressed_.x_mm, pressed_.y_mm, latest_.x_mm, latest_.y_mm}
+                                : otherwise;
+}
+
+void Easel::take_ruler_away() {
+    hand_.ruler.reset();
+}
+
 void Easel::undo() {
     end_stroke();
     post_(Undo{});
@@ -88,21 +125,39 @@ void Easel::redo() {
     post_(Redo{});
 }
 
-void Easel::press(const Pointer& pointer) {
+void Easel::press(const Pointer& pointer, bool straight) {
     end_stroke();
     if (hand_.reload_each_stroke) reload();
+    choose_guide(pointer, straight);
     painting_ = true;
     follow(pointer);
-    post_(PenDown{sample(pointer)});
+    pressed_ = latest_ = pointer;
+    previous_ = sample(pointer);
+    post_(PenDown{previous_});
 }
 
 void Easel::move(const Pointer& pointer) {
     follow(pointer);
-    if (painting_) post_(PenMove{sample(pointer)});
+    if (!painting_) return;
+    latest_ = pointer;
+    const brush::PenSample next = sample(pointer);
+    if (next.time_s - previous_.time_s > kRest_s) {
+        previous_.time_s = next.time_s - kEventInterval_s;
+        post_(PenMove{previous_});
+    }
+    previous_ = next;
+    post_(PenMove{next});
 }
 
 void Easel::release() {
     end_stroke();
+}
+
+void Easel::wait(double seconds) {
+    if (!painting_ || waited_s_ >= kCatchUp * hand_.stabiliser.smoothing_ms / 1000.0) return;
+    waited_s_ += seconds;
+    previous_time_s_ = previous_.time_s += seconds;
+    post_(PenMove{previous_});
 }
 
 void Easel::end_stroke() {
@@ -110,8 +165,28 @@ void Easel::end_stroke() {
     post_(PenUp{});
 }
 
+/// A brush that turns with the stroke stands across what guides it, unless the pen tells its rotation.
+void Easel::choose_guide(const Pointer& pointer, bool straight) {
+    brush::PenGuide guide;
+    if (straight)
+        guide.form = brush::StraightLine{};
+    else if (hand_.ruler)
+        guide.form = *hand_.ruler;
+    const bool guides = !std::holds_alternative<std::monostate>(guide.form);
+    guide.turn_across = guides && hand_.turn_with_stroke && !pointer.rotation_deg;
+    if (guide == hand_.guide) return;
+    hand_.guide = guide;
+    post_(SetGuide{guide});
+}
+
+std::optional<Pointer> Easel::line_start() const {
+    if (!painting_ || !std::holds_alternative<brush::StraightLine>(hand_.guide.form)) return {};
+    return pressed_;
+}
+
 void Easel::follow(const Pointer& pointer) {
     if (note_hand_) note_hand_();
+    waited_s_ = 0.0;
     heading_.moved_to(pointer.x_mm, pointer.y_mm);
     rotation_deg_ =
         pointer.rotation_deg.value_or(hand_.turn_with_stroke ? heading_.rotation_deg() : 0.0);

@@ -57,12 +57,27 @@ class Easel {
     void dry_now();
     void set_reload_each_stroke(bool reload);
     void set_turn_with_stroke(bool turn);
+    void set_stabiliser(const brush::Stabiliser& stabiliser);
+    void set_symmetry(const brush::Symmetry& symmetry);
+
+    /// Lays a ruler along the latest stroke, or `otherwise` where there is none worth it; every stroke
+    /// follows it until it is taken away.
+    void lay_ruler(const brush::Ruler& otherwise);
+    void take_ruler_away();
     void undo();
     void redo();
 
-    void press(const Pointer& pointer);
+    /// `straight`: paints a straight line to where the brush is lifted.
+    void press(const Pointer& pointer, bool straight = false);
     void move(const Pointer& pointer);  ///< also of a pointer in the air, which paints nothing
     void release();
+
+    /// The brush has not moved for this long since the last call here: one that lags behind to steady
+    /// the hand catches up.
+    void wait(double seconds);
+
+    /// Where the straight line that is being drawn starts.
+    std::optional<Pointer> line_start() const;
 
     /// How the brush stands over the canvas now: direction of its width, clockwise.
     double rotation_deg() const { return rotation_deg_; }
@@ -70,6 +85,7 @@ class Easel {
   private:
     void end_stroke();
     void follow(const Pointer& pointer);
+    void choose_guide(const Pointer& pointer, bool straight);
     brush::PenSample sample(const Pointer& pointer);
 
     Hand hand_;
@@ -78,6 +94,9 @@ class Easel {
     Heading heading_;
     double rotation_deg_ = 0.0;
     bool painting_ = false;
+    Pointer pressed_, latest_;   ///< of the latest stroke
+    brush::PenSample previous_;  ///< that was posted
+    double waited_s_ = 0.0;      ///< since the brush moved
     bool has_clock_zero_ = false;
     std::uint64_t clock_zero_ms_ = 0;
     double previous_time_s_ = 0.0;

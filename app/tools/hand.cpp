@@ -21,6 +21,12 @@ struct HandChange {
     void operator()(const document::UseMedium& medium) const { hand.medium = medium.name; }
     void operator()(const document::TiltCanvas& tilt) const { hand.tilt = tilt; }
     void operator()(const document::SetDrying& drying) const { hand.air = drying.air; }
+    void operator()(const document::SetStabiliser& set) const { hand.stabiliser = set.stabiliser; }
+    void operator()(const document::SetSymmetry& set) const { hand.symmetry = set.symmetry; }
+    void operator()(const document::SetGuide& set) const {
+        hand.guide = set.guide;
+        if (const auto* ruler = std::get_if<brush::Ruler>(&set.guide.form)) hand.ruler = *ruler;
+    }
     template <class Other>
     void operator()(const Other&) const {}
 };

@@ -3,6 +3,7 @@
 
 #include "document/events.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,12 @@ struct Hand {
     std::string medium = "heavy-body oil";
     document::TiltCanvas tilt{60.0, 90.0};
     film::DryingAir air;
-    bool reload_each_stroke = true;  ///< a clean brush full of `paint` at every touch
-    bool turn_with_stroke = true;    ///< a pen that does not tell its rotation turns across its path
+    brush::Stabiliser stabiliser;
+    brush::Symmetry symmetry;
+    std::optional<brush::Ruler> ruler;  ///< lies on the canvas
+    brush::PenGuide guide;              ///< that the latest stroke had
+    bool reload_each_stroke = true;     ///< a clean brush full of `paint` at every touch
+    bool turn_with_stroke = true;       ///< a pen that does not tell its rotation turns across its path
 };
 
 /// What the painter holds after these events, having held `hand` before. Throws InputError for an

@@ -1,12 +1,8 @@
-// The outline of the brush's tip around the pointer: dark and light lines, seen on any paint.
+// The outline of the brush's tip around the pointer.
 #pragma once
 
-#include <memory>
 #include <vector>
 
-#include <QOpenGLExtraFunctions>
-#include <QOpenGLShaderProgram>
-#include <QSize>
 #include <glm/vec2.hpp>
 
 namespace pastoso::view {
@@ -22,21 +18,5 @@ struct TipShape {
 
 /// A closed line around the shape, relative to its centre.
 std::vector<glm::vec2> outline_mm(const TipShape& shape);
-
-/// All calls need the current context that initialise() was called in.
-class BrushOutline {
-  public:
-    void initialise(QOpenGLExtraFunctions* gl);
-    void release();
-
-    /// Draws into the bound framebuffer of that size; `centre_px` in device pixels, y down.
-    void draw(const TipShape& shape, const glm::dvec2& centre_px, double px_per_mm, QSize window_px);
-
-  private:
-    QOpenGLExtraFunctions* gl_ = nullptr;
-    std::unique_ptr<QOpenGLShaderProgram> program_;
-    GLuint vertex_array_ = 0;
-    GLuint vertices_ = 0;
-};
 
 }  // namespace pastoso::view

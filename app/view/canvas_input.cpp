@@ -49,6 +49,7 @@ tools::Pointer CanvasView::pen_pointer(const QTabletEvent& event) const {
 
 void CanvasView::follow_pointer(const QPointF& position) {
     pointer_ = position;
+    waiting_.start();
     const glm::dvec2 mm = canvas_mm(position);
     Q_EMIT pointer_moved({mm.x, mm.y});
     update();
@@ -59,13 +60,15 @@ void CanvasView::mousePressEvent(QMouseEvent* event) {
     if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && space_held_)) {
         start_panning(event->position());
     } else if (event->button() == Qt::LeftButton) {
-        easel_->press(mouse_pointer(*event));
+        easel_->press(mouse_pointer(*event), event->modifiers().testFlag(Qt::ShiftModifier));
     }
 }
 
 void CanvasView::mouseMoveEvent(QMouseEvent* event) {
     if (pan_from_) pan_to(event->position());
     follow_pointer(event->position());
+    // A release that got lost on its way is made good here.
+    if (!event->buttons().testFlag(Qt::LeftButton)) easel_->release();
     if (!pan_from_) easel_->move(mouse_pointer(*event));
 }
 
@@ -88,7 +91,7 @@ void CanvasView::tabletEvent(QTabletEvent* event) {
             if (space_held_ || event->button() == Qt::MiddleButton) {
                 start_panning(event->position());
             } else if (event->button() == Qt::LeftButton) {
-                easel_->press(pen_pointer(*event));
+                easel_->press(pen_pointer(*event), event->modifiers().testFlag(Qt::ShiftModifier));
             }
             break;
         case QEvent::TabletRelease:
@@ -97,6 +100,7 @@ void CanvasView::tabletEvent(QTabletEvent* event) {
             set_cursor();
             break;
         default:
+            if (!event->buttons().testFlag(Qt::LeftButton)) easel_->release();
             if (!pan_from_) easel_->move(pen_pointer(*event));
     }
 }

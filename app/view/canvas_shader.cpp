@@ -9,18 +9,18 @@ void main() {
 }
 )";
 
-const char* const kOutlineVertexShader = R"(#version 330 core
-layout(location = 0) in vec2 offset_mm;
-uniform vec2 centre_px;
+const char* const kLineVertexShader = R"(#version 330 core
+layout(location = 0) in vec2 place_mm;
+uniform vec2 origin_px;
 uniform float px_per_mm;
 uniform vec2 window_px;
 void main() {
-    vec2 share = (centre_px + px_per_mm * offset_mm) / window_px;
+    vec2 share = (origin_px + px_per_mm * place_mm) / window_px;
     gl_Position = vec4(2.0 * share.x - 1.0, 1.0 - 2.0 * share.y, 0.0, 1.0);
 }
 )";
 
-const char* const kOutlineFragmentShader = R"(#version 330 core
+const char* const kLineFragmentShader = R"(#version 330 core
 uniform vec4 line_colour;
 out vec4 colour;
 void main() { colour = line_colour; }

@@ -10,8 +10,8 @@ extern const char* const kCanvasVertexShader;
 /// A pixel of the window: the lit canvas, or the desk around it.
 extern const char* const kCanvasFragmentShader;
 
-/// Lines in window pixels, for the outline of the brush.
-extern const char* const kOutlineVertexShader;
-extern const char* const kOutlineFragmentShader;
+/// Lines over the picture, their places in millimetres.
+extern const char* const kLineVertexShader;
+extern const char* const kLineFragmentShader;
 
 }  // namespace pastoso::view

@@ -1,6 +1,7 @@
 #include "view/canvas_view.hpp"
 
 #include "core/error.hpp"
+#include "view/guide_lines.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,9 @@ namespace {
 /// Drafts left alone for about this long are refined: longer than the pause between two movements of a
 /// hand.
 constexpr int kCoolingTime_ms = 60;
+
+/// Longer than the pause between two events of a moving hand.
+constexpr int kWait_ms = 25;
 
 /// A frame that has spent this much on what changed refines nothing more.
 constexpr double kBusy_s = 0.010;
@@ -46,6 +50,9 @@ CanvasView::CanvasView(tools::Easel* easel, QWidget* parent) : QOpenGLWidget(par
         plan_.let_drafts_cool();
         update();
     });
+    waiting_.setInterval(kWait_ms);
+    connect(&waiting_, &QTimer::timeout, this, [this] { easel_->wait(0.001 * kWait_ms); });
+    waiting_.start();
     set_cursor();
 }
 
@@ -146,7 +153,7 @@ void CanvasView::initializeGL() {
     gl_.initializeOpenGLFunctions();
     try {
         picture_.initialise(&gl_);
-        outline_.initialise(&gl_);
+        overlay_.initialise(&gl_);
         graphics_ready_ = true;
     } catch (const core::InputError& error) {
         Q_EMIT failed(QString::fromUtf8(error.what()));
@@ -158,7 +165,7 @@ void CanvasView::release_graphics() {
     makeCurrent();
     textures_.release();
     picture_.release();
-    outline_.release();
+    overlay_.release();
     doneCurrent();
     graphics_ready_ = false;
 }
@@ -179,6 +186,7 @@ void CanvasView::paintGL() {
     if (plan_.can_refine()) update();
     if (plan_.has_drafts() && !cooling_.isActive()) cooling_.start();
     picture_.copy_to(defaultFramebufferObject());
+    draw_guides();
     draw_tip();
 }
 
@@ -229,11 +237,26 @@ double CanvasView::shade_job(const ShadingPlan::Job& job) {
     return seconds;
 }
 
+OverlayFrame CanvasView::overlay_frame(const glm::dvec2& origin_px) const {
+    return {origin_px, view_.zoom / shown_->film.cell_mm, picture_.size()};
+}
+
+void CanvasView::draw_guides() {
+    constexpr float kFaint = 0.6F;
+    const OverlayFrame canvas = overlay_frame(view_.device_from_cell({0.0, 0.0}));
+    overlay_.draw_segments(guide_lines_mm(easel_->hand(), shown_->film.cell_mm * canvas_cells()), canvas,
+                           kFaint);
+    const std::optional<tools::Pointer> start = easel_->line_start();
+    if (!start || !pointer_) return;
+    const glm::dvec2 end_mm = canvas_mm(*pointer_);
+    overlay_.draw_segments({glm::vec2(start->x_mm, start->y_mm), glm::vec2(end_mm)}, canvas, 1.0F);
+}
+
 void CanvasView::draw_tip() {
     if (!pointer_ || pan_from_ || space_held_) return;
     TipShape tip = tip_;
     tip.rotation_deg = easel_->rotation_deg();
-    outline_.draw(tip, device_px(*pointer_), view_.zoom / shown_->film.cell_mm, picture_.size());
+    overlay_.draw_loop(outline_mm(tip), overlay_frame(device_px(*pointer_)), 1.0F);
 }
 
 void CanvasView::resizeEvent(QResizeEvent* event) {

@@ -5,6 +5,7 @@
 #include "document/painting.hpp"
 #include "tools/easel.hpp"
 #include "view/brush_outline.hpp"
+#include "view/line_overlay.hpp"
 #include "view/picture_buffer.hpp"
 #include "view/shading_plan.hpp"
 
@@ -74,7 +75,9 @@ class CanvasView : public QOpenGLWidget {
     void release_graphics();
     void upload_changes();
     double shade_job(const ShadingPlan::Job& job);
+    void draw_guides();
     void draw_tip();
+    OverlayFrame overlay_frame(const glm::dvec2& origin_px) const;
     void damage_all();
     bool prepare_textures();
     QRegion damaged_region(const LayerChanges& changes) const;
@@ -96,9 +99,10 @@ class CanvasView : public QOpenGLWidget {
     CanvasLayers layers_;
     CanvasTextures textures_;
     PictureBuffer picture_;
-    BrushOutline outline_;
+    LineOverlay overlay_;
     ShadingPlan plan_;
     QTimer cooling_;
+    QTimer waiting_;  ///< since the pointer moved
 
     std::shared_ptr<const document::Snapshot> wanted_;
     std::shared_ptr<const document::Snapshot> shown_;

@@ -15,8 +15,9 @@ using ::testing::ElementsAre;
 
 /// Names of the posted actions, in their order.
 std::vector<std::string> names(const std::vector<Action>& actions) {
-    static const char* const kNames[] = {"brush", "load", "clean", "medium", "tilt", "drying",
-                                         "dry",   "down", "move",  "up",     "undo", "redo"};
+    static const char* const kNames[] = {"brush",  "load", "clean",  "medium", "tilt",
+                                         "drying", "dry",  "down",   "move",   "up",
+                                         "undo",   "redo", "steady", "guide",  "symmetry"};
     std::vector<std::string> list;
     for (const Action& action : actions)
         list.emplace_back(kNames[action.index()]);
@@ -124,6 +125,92 @@ TEST_F(EaselTest, WhatAPenReportsOutsideItsRangeIsBroughtBack) {
     EXPECT_DOUBLE_EQ(sample.tilt_y_deg, 90.0);
 }
 
+TEST_F(EaselTest, AStraightLineIsAskedForOnceAndTakenBack) {
+    easel_.set_reload_each_stroke(false);
+    for (const bool straight : {true, true, false}) {
+        easel_.press({}, straight);
+        EXPECT_EQ(easel_.line_start().has_value(), straight);
+        easel_.release();
+        EXPECT_FALSE(easel_.line_start().has_value());
+    }
+    EXPECT_THAT(posted(), ElementsAre("guide", "down", "up", "down", "up", "guide", "down", "up"));
+}
+
+TEST_F(EaselTest, ABrushThatTurnsWithTheStrokeStandsAcrossTheGuide) {
+    easel_.set_reload_each_stroke(false);
+    const auto turns_across = [&](const Pointer& pointer) {
+        easel_.release();
+        actions_.clear();
+        easel_.press(pointer, true);
+        return std::get<SetGuide>(actions_.front()).guide.turn_across;
+    };
+    EXPECT_TRUE(turns_across({}));
+    Pointer barrel;
+    barrel.rotation_deg = 20.0;
+    EXPECT_FALSE(turns_across(barrel));
+}
+
+TEST_F(EaselTest, TheRulerLiesAlongTheLatestStroke) {
+    easel_.set_reload_each_stroke(false);
+    const brush::Ruler middle{0.0, 20.0, 60.0, 20.0};
+    easel_.lay_ruler(middle);
+    EXPECT_EQ(easel_.hand().ruler, middle);
+    Pointer pointer;
+    pointer.x_mm = 5.0;
+    easel_.press(pointer);
+    pointer.x_mm = 25.0;
+    pointer.y_mm = 30.0;
+    easel_.move(pointer);
+    easel_.release();
+    EXPECT_THAT(posted(), ElementsAre("guide", "down", "move", "up"));
+    easel_.lay_ruler(middle);
+    EXPECT_EQ(easel_.hand().ruler, (brush::Ruler{5.0, 0.0, 25.0, 30.0}));
+    easel_.take_ruler_away();
+    easel_.press(pointer);
+    EXPECT_THAT(posted(), ElementsAre("guide", "down"));
+    EXPECT_EQ(easel_.hand().guide, brush::PenGuide{});
+}
+
+TEST_F(EaselTest, ARestIsToldAsARest) {
+    easel_.set_reload_each_stroke(false);
+    easel_.press(at_ms(1000));
+    Pointer pointer = at_ms(1010);
+    pointer.x_mm = 7.0;
+    easel_.move(pointer);
+    pointer = at_ms(61000);
+    pointer.x_mm = 9.0;
+    easel_.move(pointer);
+    EXPECT_THAT(names(actions_), ElementsAre("down", "move", "move", "move"));
+    const auto& rest = std::get<PenMove>(actions_[2]).sample;
+    EXPECT_DOUBLE_EQ(rest.time_s, 59.992);
+    EXPECT_EQ(rest.x_mm, 7.0);
+}
+
+TEST_F(EaselTest, ASteadiedBrushCatchesUpWithAPenThatRests) {
+    easel_.set_reload_each_stroke(false);
+    easel_.press(at_ms(1000));
+    easel_.wait(0.025);
+    EXPECT_THAT(posted(), ElementsAre("down"));
+    easel_.set_stabiliser({20.0, 0.0});
+    for (int i = 0; i < 100; ++i)
+        easel_.wait(0.025);
+    EXPECT_THAT(posted(), ElementsAre("steady", "move", "move", "move", "move"));
+    easel_.move(at_ms(1050));  // the clocks differ
+    easel_.wait(0.025);
+    EXPECT_DOUBLE_EQ(std::get<PenMove>(actions_[0]).sample.time_s, 0.1);
+    EXPECT_DOUBLE_EQ(std::get<PenMove>(actions_[1]).sample.time_s, 0.125);
+    easel_.release();
+    easel_.wait(0.025);
+    EXPECT_THAT(posted(), ElementsAre("move", "move", "up"));
+}
+
+TEST_F(EaselTest, AnotherCanvasIsToldOfTheStabiliser) {
+    easel_.set_stabiliser({100.0, 2.0});
+    EXPECT_THAT(posted(), ElementsAre("steady"));
+    easel_.set_up();
+    EXPECT_THAT(posted(), ElementsAre("medium", "tilt", "drying", "steady", "brush", "clean", "load"));
+}
+
 TEST_F(EaselTest, ABrushWithoutSensorStandsAcrossItsPath) {
     easel_.set_reload_each_stroke(false);
     const auto move_to = [&](double x_mm, double y_mm) {
@@ -181,6 +268,15 @@ TEST(HandAfter, HoldsWhatTheLastEventsGave) {
     EXPECT_EQ(hand.medium, "ink glaze");
     EXPECT_EQ(hand.tilt, (TiltCanvas{12.0, 45.0}));
     EXPECT_EQ(hand_after(hand, {}).brush, hand.brush);
+    const brush::Ruler ruler{1.0, 2.0, 3.0, 4.0};
+    const Hand aided = hand_after(hand, {{0, SetStabiliser{{50.0, 1.0}}},
+                                         {0, SetSymmetry{{.mirror = true, .count = 3}}},
+                                         {0, SetGuide{{.form = ruler}}},
+                                         {1, SetGuide{}}});
+    EXPECT_EQ(aided.stabiliser, (brush::Stabiliser{50.0, 1.0}));
+    EXPECT_EQ(aided.symmetry.count, 3);
+    EXPECT_EQ(aided.ruler, ruler);
+    EXPECT_EQ(aided.guide, brush::PenGuide{});
 }
 
 TEST(BrushWidth, StepsClimbDownAgainWithinTheLimits) {

@@ -1,0 +1,77 @@
+#include "view/line_overlay.hpp"
+
+#include "core/check.hpp"
+#include "view/canvas_shader.hpp"
+
+#include <QVector2D>
+#include <QVector4D>
+
+namespace pastoso::view {
+
+void LineOverlay::initialise(QOpenGLExtraFunctions* gl) {
+    gl_ = gl;
+    program_ = std::make_unique<QOpenGLShaderProgram>();
+    program_->addShaderFromSourceCode(QOpenGLShader::Vertex, kLineVertexShader);
+    program_->addShaderFromSourceCode(QOpenGLShader::Fragment, kLineFragmentShader);
+    PASTOSO_CHECK(program_->link());
+    gl_->glGenVertexArrays(1, &vertex_array_);
+    gl_->glBindVertexArray(vertex_array_);
+    gl_->glGenBuffers(1, &vertices_);
+    gl_->glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+    gl_->glEnableVertexAttribArray(0);
+    gl_->glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    gl_->glBindVertexArray(0);
+    gl_->glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+void LineOverlay::release() {
+    program_.reset();
+    if (gl_ == nullptr) return;
+    gl_->glDeleteVertexArrays(1, &vertex_array_);
+    gl_->glDeleteBuffers(1, &vertices_);
+    vertex_array_ = vertices_ = 0;
+}
+
+void LineOverlay::draw_loop(const std::vector<glm::vec2>& points_mm, const OverlayFrame& frame,
+                            float strength) {
+    draw(GL_LINE_LOOP, points_mm, frame, strength);
+}
+
+void LineOverlay::draw_segments(const std::vector<glm::vec2>& points_mm, const OverlayFrame& frame,
+                                float strength) {
+    draw(GL_LINES, points_mm, frame, strength);
+}
+
+void LineOverlay::draw(GLenum mode, const std::vector<glm::vec2>& points_mm, const OverlayFrame& frame,
+                       float strength) {
+    if (points_mm.empty()) return;
+    const QSize size = frame.window_px;
+    gl_->glViewport(0, 0, size.width(), size.height());
+    gl_->glEnable(GL_BLEND);
+    gl_->glEnable(GL_LINE_SMOOTH);
+    // The window stays opaque under the line.
+    gl_->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    program_->bind();
+    program_->setUniformValue("window_px", QVector2D(size.width(), size.height()));
+    program_->setUniformValue("px_per_mm", static_cast<float>(frame.px_per_mm));
+    gl_->glBindVertexArray(vertex_array_);
+    gl_->glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+    gl_->glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(points_mm.size() * sizeof(glm::vec2)),
+                      points_mm.data(), GL_STREAM_DRAW);
+    const auto lines = [&](double shift_px, const QVector4D& colour) {
+        program_->setUniformValue("origin_px",
+                                  QVector2D(static_cast<float>(frame.origin_px.x + shift_px),
+                                            static_cast<float>(frame.origin_px.y + shift_px)));
+        program_->setUniformValue("line_colour", colour);
+        gl_->glDrawArrays(mode, 0, static_cast<GLsizei>(points_mm.size()));
+    };
+    lines(1.0, QVector4D(0.0F, 0.0F, 0.0F, 0.55F * strength));
+    lines(0.0, QVector4D(1.0F, 1.0F, 1.0F, 0.75F * strength));
+    gl_->glBindBuffer(GL_ARRAY_BUFFER, 0);
+    gl_->glBindVertexArray(0);
+    program_->release();
+    gl_->glDisable(GL_LINE_SMOOTH);
+    gl_->glDisable(GL_BLEND);
+}
+
+}  // namespace pastoso::view

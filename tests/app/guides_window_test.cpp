@@ -1,0 +1,169 @@
+// Mirror, copies, straight lines, ruler and stabiliser, as the window has them.
+#include "app/window_fixture.hpp"
+
+#include <QAction>
+#include <QApplication>
+#include <QMouseEvent>
+#include <QSlider>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+
+class Guides : public WindowTest {
+  protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        give(Command::Pause);
+        window().easel().take_brush("Flat bristle 20", 4.0);
+    }
+
+    void give(Command command) { window().commands().action(command)->trigger(); }
+
+    /// Volume per mm2 around a place.
+    double paint_at(double x_mm, double y_mm) {
+        session().wait_until_applied();
+        const auto snapshot = session().snapshot();
+        const film::FilmState& film = snapshot->film;
+        double sum = 0.0;
+        for (int y = -3; y <= 3; ++y) {
+            for (int x = -3; x <= 3; ++x)
+                sum += film::thickness_mm(film.thickness.at(static_cast<int>(x_mm / film.cell_mm) + x,
+                                                            static_cast<int>(y_mm / film.cell_mm) + y));
+        }
+        return sum / 49.0;
+    }
+
+    void shift_press(const glm::dvec2& place_mm) {
+        const QPointF position = canvas().widget_position(place_mm);
+        QMouseEvent event(QEvent::MouseButtonPress, position, canvas().mapToGlobal(position),
+                          Qt::LeftButton, Qt::LeftButton, Qt::ShiftModifier);
+        QApplication::sendEvent(&canvas(), &event);
+    }
+};
+
+TEST_F(Guides, TheMirrorPaintsBothSides) {
+    give(Command::MirrorSymmetry);
+    EXPECT_TRUE(window().commands().action(Command::MirrorSymmetry)->isChecked());
+    mouse_stroke(line_mm({8.0, 12.0}, {20.0, 28.0}));
+    EXPECT_GT(paint_at(14.0, 20.0), 0.01);
+    EXPECT_GT(paint_at(46.0, 20.0), 0.01);
+    settle();
+    give(Command::Undo);
+    EXPECT_EQ(volume_mm3(), 0.0);
+    give(Command::MirrorSymmetry);
+    mouse_stroke(line_mm({8.0, 12.0}, {20.0, 28.0}));
+    EXPECT_EQ(paint_at(46.0, 20.0), 0.0);
+}
+
+TEST_F(Guides, CopiesStandAroundTheMiddle) {
+    for (int i = 0; i < 3; ++i)
+        give(Command::MoreCopies);
+    EXPECT_EQ(window().easel().hand().symmetry.count, 4);
+    mouse_stroke(line_mm({30.0, 8.0}, {36.0, 8.0}));
+    EXPECT_GT(paint_at(33.0, 8.0), 0.01);
+    EXPECT_GT(paint_at(42.0, 23.0), 0.01);
+    EXPECT_GT(paint_at(27.0, 32.0), 0.01);
+    EXPECT_GT(paint_at(18.0, 17.0), 0.01);
+    for (int i = 0; i < 20; ++i)
+        give(Command::FewerCopies);
+    EXPECT_EQ(window().easel().hand().symmetry.count, 1);
+    for (int i = 0; i < 20; ++i)
+        give(Command::MoreCopies);
+    EXPECT_EQ(window().easel().hand().symmetry.count, 16);
+    session().wait_until_applied();
+    EXPECT_TRUE(session().take_errors().empty());
+}
+
+TEST_F(Guides, TheAxisIsDrawnOverTheCanvas) {
+    const QImage before = picture();
+    give(Command::MirrorSymmetry);
+    const QImage after = picture();
+    EXPECT_GT(difference(before, after).largest, 20);
+    const double ratio = canvas().devicePixelRatioF();
+    int changed = 0;
+    const int y = static_cast<int>(ratio * canvas().widget_position({30.0, 20.0}).y());
+    const double axis_px = ratio * canvas().widget_position({30.0, 20.0}).x();
+    for (int x = 0; x < after.width(); ++x) {
+        if (after.pixel(x, y) == before.pixel(x, y)) continue;
+        ++changed;
+        EXPECT_NEAR(x, axis_px, 4.0);
+    }
+    EXPECT_GT(changed, 0);
+    give(Command::MirrorSymmetry);
+    EXPECT_EQ(difference(before, picture()).largest, 0);
+}
+
+TEST_F(Guides, ShiftAndDragDrawAStraightLine) {
+    shift_press({10.0, 20.0});
+    for (const glm::dvec2& place : line_mm({10.0, 20.0}, {30.0, 5.0}))
+        move(place);
+    for (const glm::dvec2& place : line_mm({30.0, 5.0}, {50.0, 20.0}))
+        move(place);
+    EXPECT_EQ(volume_mm3(), 0.0);
+    release({50.0, 20.0});
+    EXPECT_GT(paint_at(30.0, 20.0), 0.01);
+    EXPECT_EQ(paint_at(30.0, 6.0), 0.0);
+    // The next stroke is free again.
+    mouse_stroke({{10.0, 30.0}, {20.0, 33.0}, {30.0, 36.0}, {40.0, 33.0}, {50.0, 30.0}});
+    EXPECT_GT(paint_at(30.0, 35.5), 0.01);
+}
+
+TEST_F(Guides, TheRulerKeepsStrokesParallelToTheLast) {
+    mouse_stroke(line_mm({10.0, 8.0}, {50.0, 8.0}));
+    give(Command::Ruler);
+    EXPECT_TRUE(window().commands().action(Command::Ruler)->isChecked());
+    mouse_stroke({{10.0, 24.0}, {20.0, 28.0}, {30.0, 36.0}, {40.0, 28.0}, {50.0, 24.0}});
+    EXPECT_GT(paint_at(30.0, 24.0), 0.01);
+    EXPECT_EQ(paint_at(30.0, 34.0), 0.0);
+    give(Command::Ruler);
+    EXPECT_FALSE(window().easel().hand().ruler.has_value());
+}
+
+TEST_F(Guides, TheSliderSteadiesTheHand) {
+    auto* slider = window().findChild<QSlider*>(QStringLiteral("smoothing"));
+    ASSERT_NE(slider, nullptr);
+    slider->setValue(slider->maximum() / 2);
+    const brush::Stabiliser wanted{200.0, 0.0};
+    EXPECT_EQ(window().easel().hand().stabiliser, wanted);
+    session().wait_until_applied();
+    const auto events = session().recording().events;
+    EXPECT_EQ(std::get<document::SetStabiliser>(events.back().action).stabiliser, wanted);
+    EXPECT_TRUE(session().take_errors().empty());
+}
+
+TEST_F(Guides, ASteadiedBrushCatchesUpWhileThePenRests) {
+    window().easel().set_stabiliser({150.0, 0.0});
+    press({10.0, 20.0});
+    for (const glm::dvec2& place : line_mm({10.0, 20.0}, {50.0, 20.0}, 8))
+        move(place);
+    EXPECT_EQ(paint_at(48.0, 20.0), 0.0);
+    wait_for([this] { return paint_at(48.0, 20.0) > 0.01; });
+    EXPECT_TRUE(session().status().stroke_in_progress);
+    release({50.0, 20.0});
+}
+
+TEST_F(Guides, AnotherCanvasKeepsTheMirrorInItsOwnMiddle) {
+    give(Command::MirrorSymmetry);
+    document::CanvasSettings other = canvas_settings();
+    other.width_mm = 40.0;
+    window().new_canvas(other);
+    settle();
+    EXPECT_EQ(window().easel().hand().symmetry.centre_x_mm, 20.0);
+    mouse_stroke(line_mm({6.0, 12.0}, {6.0, 28.0}));
+    EXPECT_GT(paint_at(34.0, 20.0), 0.01);
+}
+
+TEST_F(Guides, ALostReleaseEndsTheStroke) {
+    press({10.0, 20.0});
+    move({20.0, 20.0});
+    move({50.0, 35.0}, Qt::NoButton);
+    session().wait_until_applied();
+    EXPECT_FALSE(session().status().stroke_in_progress);
+    EXPECT_EQ(paint_at(40.0, 30.0), 0.0);
+}
+
+}  // namespace
+}  // namespace pastoso::tests
