@@ -6,10 +6,11 @@
 namespace pastoso::pigment {
 namespace {
 
-float luminance(const LinearRgb& colour) {
+float luminance(const LinearRgb& colour, WorkingSpace space) {
+    const std::array<float, 3> weights = luminance_weights(space);
     float sum = 0.0F;
     for (int i = 0; i < 3; ++i)
-        sum += kLuminanceWeights[i] * colour[i];
+        sum += weights[i] * colour[i];
     return sum;
 }
 
@@ -35,8 +36,8 @@ LinearRgb linear_srgb(const Bands& reflectance) {
     return colour;
 }
 
-LinearRgb into_gamut(const LinearRgb& colour) {
-    const float grey = std::clamp(luminance(colour), 0.0F, 1.0F);
+LinearRgb into_gamut(const LinearRgb& colour, WorkingSpace space) {
+    const float grey = std::clamp(luminance(colour, space), 0.0F, 1.0F);
     const float share = fitting_share(colour, grey);
     if (share == 1.0F) return colour;
     LinearRgb mapped{};
