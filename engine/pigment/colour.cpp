@@ -27,13 +27,17 @@ float fitting_share(const LinearRgb& colour, float grey) {
 
 }  // namespace
 
-LinearRgb linear_srgb(const Bands& reflectance) {
+LinearRgb seen_colour(const Bands& reflectance, const BandsToRgb& to_rgb) {
     LinearRgb colour{};
     for (int i = 0; i < 3; ++i) {
         for (int band = 0; band < kBands; ++band)
-            colour[i] += kBandsToLinearSrgb[i][band] * reflectance[band];
+            colour[i] += to_rgb[i][band] * reflectance[band];
     }
     return colour;
+}
+
+LinearRgb linear_srgb(const Bands& reflectance) {
+    return seen_colour(reflectance, kBandsToLinearSrgb);
 }
 
 LinearRgb into_gamut(const LinearRgb& colour, WorkingSpace space) {
