@@ -44,6 +44,7 @@ void print_program() {
     for (const film::Medium& medium : film::bundled_media()) {
         std::printf("  %-20s %s\n", medium.name.c_str(), medium.description.c_str());
     }
+    std::printf("\nLights:\n  D65, D50, A, LED, or the path of a CSV file\n");
     std::printf("\nSupports:\n  linen, cotton duck, panel, or the path of a height image\n");
 }
 

@@ -71,6 +71,25 @@ void add_canvas_options(CLI::App& command, ReplayOptions& options) {
         ->check(CLI::Range(0.0, 86400.0));
 }
 
+void add_picture_options(CLI::App& command, PictureOptions& options) {
+    command
+        .add_option("--light", options.light,
+                    "The light that pictures are seen in: D65, D50, A, LED, or a CSV file of "
+                    "wavelength_nm,power; the paint is the same")
+        ->type_name("LIGHT")
+        ->capture_default_str();
+    command
+        .add_option("--profile", options.profile,
+                    "The colours of pictures: srgb, display-p3, or an ICC profile to convert them to; "
+                    "it is embedded")
+        ->type_name("PROFILE")
+        ->capture_default_str();
+    command.add_option("--depth", options.depth_bits, "Bits of a channel in .png and .tif: 8 or 16")
+        ->type_name("BITS")
+        ->capture_default_str()
+        ->check(CLI::IsMember({8, 16}));
+}
+
 void add_output_options(CLI::App& command, ReplayOptions& options) {
     command.add_option("-o,--output", options.output, "The picture: .png, .tif, .jpg or .exr")
         ->type_name("FILE");
@@ -78,6 +97,7 @@ void add_output_options(CLI::App& command, ReplayOptions& options) {
         ->type_name("S")
         ->capture_default_str()
         ->check(CLI::Range(0.0625, 16.0));
+    add_picture_options(command, options.picture);
     command.add_option("--frames", options.frames, "Write frame-00001.png and so on into this folder")
         ->type_name("DIR");
     command.add_option("--fps", options.fps, "Frames per second of paint time")
@@ -138,6 +158,7 @@ void add_simulate(CLI::App& app, SimulateOptions& options) {
         ->check(CLI::Range(0, 256));
     command.add_option("--stats", options.stats, "Write times and counts as one JSON object")
         ->type_name("FILE");
+    add_picture_options(command, options.picture);
     command.add_flag("-q,--quiet", options.quiet, "Show no progress");
     command.footer([] {
         return "docs/scene-format.md describes scene files. Scenes that come with the program:" +

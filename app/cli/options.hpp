@@ -7,6 +7,13 @@
 
 namespace pastoso::cli {
 
+/// In which light pictures are seen, and in which colours they are kept.
+struct PictureOptions {
+    std::string light = "D65";     ///< pigment::find_illuminant()
+    std::string profile = "srgb";  ///< io::picture_colours()
+    int depth_bits = 8;
+};
+
 /// An option that is not given leaves the decision to the recording, or to the defaults of text
 /// recordings.
 struct ReplayOptions {
@@ -30,6 +37,7 @@ struct ReplayOptions {
     std::string frames;
     double fps = 25.0;
     double scale = 1.0;
+    PictureOptions picture;
     bool quiet = false;
 };
 
@@ -39,6 +47,7 @@ struct SimulateOptions {
     std::optional<double> seconds;
     std::optional<int> threads;
     std::string stats;
+    PictureOptions picture;
     bool quiet = false;
 };
 

@@ -5,13 +5,13 @@
 #include "core/hash.hpp"
 #include "document/canvas.hpp"
 #include "document/number_text.hpp"
-#include "io/image.hpp"
 #include "shade/render.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace pastoso::cli {
 namespace {
@@ -36,9 +36,15 @@ void check_picture_size(const grid::Shape& shape, double scale) {
 
 }  // namespace
 
-PictureWriter::PictureWriter(const document::CanvasSettings& canvas, double scale,
+PictureStyle picture_style(const PictureOptions& options) {
+    io::PictureColours colours = io::picture_colours(options.profile);
+    return {pigment::viewing_under(pigment::find_illuminant(options.light), colours.space),
+            {options.depth_bits, std::move(colours.profile)}};
+}
+
+PictureWriter::PictureWriter(const document::CanvasSettings& canvas, double scale, PictureStyle style,
                              core::ThreadPool& pool)
-    : px_per_mm_(canvas.px_per_mm), scale_(scale), pool_(pool) {
+    : px_per_mm_(canvas.px_per_mm), scale_(scale), style_(std::move(style)), pool_(pool) {
     check_picture_size(document::canvas_shape(canvas), scale);
 }
 
@@ -47,21 +53,15 @@ PictureReport PictureWriter::write(const document::Painting& painting,
     const document::Snapshot snapshot = painting.snapshot();
     shade::RenderSettings settings;
     settings.scale = scale_;
+    settings.viewing = style_.viewing;
     shade::LinearImage linear;
-    shade::Image8 encoded;
     times_.shade_s += seconds_of([&] {
         linear =
             shade::render(snapshot.film, snapshot.ground, snapshot.film.shape.cells(), settings, pool_);
-        encoded = shade::encode_srgb8(linear);
     });
-    times_.io_s += seconds_of([&] {
-        const double px_per_mm = scale_ * px_per_mm_;
-        if (io::is_linear_format(path))
-            io::write_image(path, linear, px_per_mm);
-        else
-            io::write_image(path, encoded, px_per_mm);
-    });
-    return {encoded.width, encoded.height, hash_of(encoded)};
+    times_.io_s +=
+        seconds_of([&] { io::write_picture(path, linear, style_.encoding, scale_ * px_per_mm_); });
+    return {linear.width, linear.height, hash_of(shade::encode_srgb8(linear))};
 }
 
 void FrameWriter::write_if_due(const document::Painting& painting) {

@@ -1,13 +1,25 @@
 // Rendering the painting into files, with the time it takes.
 #pragma once
 
+#include "cli/options.hpp"
 #include "core/thread_pool.hpp"
 #include "document/painting.hpp"
+#include "io/picture_file.hpp"
+#include "pigment/viewing.hpp"
 
 #include <cstdint>
 #include <filesystem>
 
 namespace pastoso::cli {
+
+/// What the picture options ask for.
+struct PictureStyle {
+    pigment::Viewing viewing;
+    io::PictureEncoding encoding;
+};
+
+/// Throws InputError when there is no such light or profile.
+PictureStyle picture_style(const PictureOptions& options);
 
 /// Seconds of wall time so far.
 struct PictureTimes {
@@ -18,13 +30,14 @@ struct PictureTimes {
 /// What became of a picture.
 struct PictureReport {
     int width_px = 0, height_px = 0;
-    std::uint64_t hash = 0;  ///< of the size and the 8-bit values
+    std::uint64_t hash = 0;  ///< of the size and the 8-bit values in the working space
 };
 
 class PictureWriter {
   public:
     /// `scale` in pixels per cell. Throws InputError when the picture would be too large.
-    PictureWriter(const document::CanvasSettings& canvas, double scale, core::ThreadPool& pool);
+    PictureWriter(const document::CanvasSettings& canvas, double scale, PictureStyle style,
+                  core::ThreadPool& pool);
 
     /// Renders the whole canvas and writes it to `path`.
     PictureReport write(const document::Painting& painting, const std::filesystem::path& path);
@@ -34,6 +47,7 @@ class PictureWriter {
   private:
     double px_per_mm_;
     double scale_;
+    PictureStyle style_;
     core::ThreadPool& pool_;
     PictureTimes times_;
 };

@@ -10,7 +10,6 @@
 #include "document/player.hpp"
 #include "io/canvas_support.hpp"
 #include "io/files.hpp"
-#include "io/image.hpp"
 #include "io/replay_stats.hpp"
 
 #include <cstdio>
@@ -20,8 +19,8 @@
 namespace pastoso::cli {
 namespace {
 
-void check_outputs(const ReplayOptions& options) {
-    if (!options.output.empty()) io::check_image_path(options.output);
+void check_outputs(const ReplayOptions& options, const PictureStyle& style) {
+    if (!options.output.empty()) io::check_picture_path(options.output, style.encoding);
     if (!options.stats.empty()) io::check_writable(options.stats);
     if (!options.frames.empty()) io::make_folder(options.frames);
 }
@@ -78,13 +77,14 @@ void print_summary(const ReplayOptions& options, const document::Recording& reco
 void run_replay(const ReplayOptions& options) {
     const Stopwatch wall;
     watch_for_interrupts();
-    check_outputs(options);
+    const PictureStyle style = picture_style(options.picture);
+    check_outputs(options, style);
     document::Recording recording;
     const double reading_s = seconds_of([&] { recording = load_recording(options); });
 
     core::ThreadPool pool(options.threads);
     const std::unique_ptr<document::Painting> painting = io::make_painting(recording.canvas, pool);
-    PictureWriter pictures(recording.canvas, options.scale, pool);
+    PictureWriter pictures(recording.canvas, options.scale, style, pool);
     FrameWriter frames(options.frames, options.fps, pictures);
     play(*painting, recording, options, options.frames.empty() ? nullptr : &frames);
     PictureReport picture;

@@ -63,10 +63,11 @@ std::string file_name(const char* what, double time_s, const char* extension) {
 }  // namespace
 
 SceneWriter::SceneWriter(const io::SceneRun& run, bool cell_units, std::filesystem::path folder,
-                         core::ThreadPool& pool)
+                         PictureStyle style, core::ThreadPool& pool)
     : run_(run),
       cell_units_(cell_units),
       folder_(std::move(folder)),
+      style_(std::move(style)),
       pool_(pool),
       stops_(stops_of(run)) {}
 
@@ -95,19 +96,18 @@ void SceneWriter::write_tables() {
     });
 }
 
-shade::Image8 SceneWriter::render(const film::FilmState& film, const grid::Rect& cells, double scale) {
-    shade::Image8 image;
+shade::LinearImage SceneWriter::render(const film::FilmState& film, const grid::Rect& cells,
+                                       double scale) {
+    shade::LinearImage image;
     times_.shade_s += seconds_of([&] {
-        const shade::RenderSettings settings{scale, run_.output.lighting};
-        image =
-            shade::encode_srgb8(shade::render(film, document::kPrimedGround, cells, settings, pool_));
+        const shade::RenderSettings settings{scale, run_.output.lighting, style_.viewing};
+        image = shade::render(film, document::kPrimedGround, cells, settings, pool_);
     });
     return image;
 }
 
-void SceneWriter::save(const std::string& name, const shade::Image8& image, double scale) {
-    times_.io_s += seconds_of(
-        [&] { io::write_image(folder_ / name, image, cell_units_ ? 0.0 : scale / run_.scene.cell_mm); });
+double SceneWriter::px_per_mm(double scale) const {
+    return cell_units_ ? 0.0 : scale / run_.scene.cell_mm;
 }
 
 void SceneWriter::note_series(const film::Simulation& simulation) {
@@ -125,8 +125,10 @@ void SceneWriter::note_profiles(const film::Simulation& simulation) {
 void SceneWriter::write_picture(const film::Simulation& simulation) {
     const std::string name = file_name("picture", simulation.time_s(), ".png");
     const double scale = run_.output.picture_scale;
-    pictures_.push_back(render(simulation.film(), run_.scene.shape.cells(), scale));
-    save(name, pictures_.back(), scale);
+    const shade::LinearImage picture = render(simulation.film(), run_.scene.shape.cells(), scale);
+    times_.io_s += seconds_of(
+        [&] { io::write_picture(folder_ / name, picture, style_.encoding, px_per_mm(scale)); });
+    pictures_.push_back(shade::encode_srgb8(picture));
     moments_.push_back({simulation.time_s(), name, simulation.measures(), simulation.front()});
 }
 
@@ -141,10 +143,15 @@ void SceneWriter::write_height(const film::Simulation& simulation) {
 void SceneWriter::write_magnified(const film::Simulation& simulation) {
     constexpr int kGap_px = 16;
     const io::Magnification& part = *run_.output.magnification;
-    const shade::Image8 interpolated = render(simulation.film(), part.cells, part.scale);
-    const shade::Image8 scaled = shade::enlarged(render(simulation.film(), part.cells, 1.0), part.scale);
-    save(file_name("magnified", simulation.time_s(), ".png"),
-         shade::arranged({{interpolated, scaled}}, kGap_px), part.scale);
+    const auto seen = [&](double scale) {
+        return shade::encode_srgb8(render(simulation.film(), part.cells, scale));
+    };
+    const shade::Image8 both =
+        shade::arranged({{seen(part.scale), shade::enlarged(seen(1.0), part.scale)}}, kGap_px);
+    times_.io_s += seconds_of([&] {
+        io::write_image(folder_ / file_name("magnified", simulation.time_s(), ".png"), both,
+                        px_per_mm(part.scale));
+    });
 }
 
 }  // namespace pastoso::cli

@@ -1,6 +1,7 @@
 // What a run of a scene writes into its folder while it goes on.
 #pragma once
 
+#include "cli/picture.hpp"
 #include "film/simulation.hpp"
 #include "io/scene_json.hpp"
 #include "io/series_csv.hpp"
@@ -27,7 +28,7 @@ struct SceneTimes {
 class SceneWriter {
   public:
     SceneWriter(const io::SceneRun& run, bool cell_units, std::filesystem::path folder,
-                core::ThreadPool& pool);
+                PictureStyle style, core::ThreadPool& pool);
 
     /// The times at which write_due() wants to be called, ascending, from 0 to the run's duration.
     const std::vector<double>& stops() const { return stops_; }
@@ -44,8 +45,8 @@ class SceneWriter {
     const SceneTimes& times() const { return times_; }
 
   private:
-    shade::Image8 render(const film::FilmState& film, const grid::Rect& cells, double scale);
-    void save(const std::string& name, const shade::Image8& image, double scale);
+    shade::LinearImage render(const film::FilmState& film, const grid::Rect& cells, double scale);
+    double px_per_mm(double scale) const;  ///< 0 where a run is in cells
     void note_series(const film::Simulation& simulation);
     void note_profiles(const film::Simulation& simulation);
     void write_picture(const film::Simulation& simulation);
@@ -55,6 +56,7 @@ class SceneWriter {
     const io::SceneRun& run_;
     bool cell_units_;
     std::filesystem::path folder_;
+    PictureStyle style_;
     core::ThreadPool& pool_;
     std::vector<double> stops_;
     std::vector<io::SeriesRow> series_;

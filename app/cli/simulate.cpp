@@ -74,9 +74,9 @@ RunOutcome play(film::Simulation& simulation, SceneWriter& writer, const Course&
 }
 
 RunOutcome play_run(const io::SceneRun& run, bool cell_units, const fs::path& folder,
-                    const Course& course, core::ThreadPool& pool) {
+                    const PictureStyle& style, const Course& course, core::ThreadPool& pool) {
     film::Simulation simulation(run.scene, pool);
-    SceneWriter writer(run, cell_units, folder, pool);
+    SceneWriter writer(run, cell_units, folder, style, pool);
     RunOutcome outcome = play(simulation, writer, course);
     outcome.name = run.name;
     outcome.moments = writer.moments();
@@ -116,6 +116,7 @@ void print_summary(const io::SceneFile& file, const std::vector<RunOutcome>& out
 void run_simulate(const SimulateOptions& options) {
     const Stopwatch wall;
     watch_for_interrupts();
+    const PictureStyle style = picture_style(options.picture);
     const io::SceneFile file = load_scene(options);
     core::ThreadPool pool(options.threads.value_or(file.threads));
     check_runs(file, options.scene, pool);
@@ -127,7 +128,8 @@ void run_simulate(const SimulateOptions& options) {
 
     std::vector<RunOutcome> outcomes;
     for (const io::SceneRun& run : file.runs) {
-        outcomes.push_back(play_run(run, file.cell_units, folder_of(run, options.output), course, pool));
+        outcomes.push_back(
+            play_run(run, file.cell_units, folder_of(run, options.output), style, course, pool));
         course.passed_s += run.scene.duration_s;
     }
     const fs::path folder = options.output;

@@ -2,26 +2,20 @@
 
 #include "core/thread_pool.hpp"
 #include "io/image.hpp"
+#include "io/picture_file.hpp"
 
 #include <exception>
 #include <utility>
 
 namespace pastoso::commands {
 
-void save_picture(const document::Snapshot& snapshot, const shade::Lighting& lighting,
+void save_picture(const document::Snapshot& snapshot, const shade::RenderSettings& settings,
                   const std::filesystem::path& path) {
     io::check_image_path(path);
     core::ThreadPool pool;
-    shade::RenderSettings settings;
-    settings.lighting = lighting;
     const shade::LinearImage linear =
         shade::render(snapshot.film, snapshot.ground, snapshot.film.shape.cells(), settings, pool);
-    const double px_per_mm = 1.0 / snapshot.film.cell_mm;
-    if (io::is_linear_format(path)) {
-        io::write_image(path, linear, px_per_mm);
-    } else {
-        io::write_image(path, shade::encode_srgb8(linear), px_per_mm);
-    }
+    io::write_picture(path, linear, {}, settings.scale / snapshot.film.cell_mm);
 }
 
 PictureSaver::~PictureSaver() {
@@ -29,12 +23,12 @@ PictureSaver::~PictureSaver() {
 }
 
 void PictureSaver::save(std::shared_ptr<const document::Snapshot> snapshot,
-                        const shade::Lighting& lighting, const QString& path) {
+                        const shade::RenderSettings& settings, const QString& path) {
     if (thread_.joinable()) thread_.join();
-    thread_ = std::thread([this, snapshot = std::move(snapshot), lighting, path] {
+    thread_ = std::thread([this, snapshot = std::move(snapshot), settings, path] {
         QString error;
         try {
-            save_picture(*snapshot, lighting, path.toStdString());
+            save_picture(*snapshot, settings, path.toStdString());
         } catch (const std::exception& failure) {
             error = QString::fromUtf8(failure.what());
         }

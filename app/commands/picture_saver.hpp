@@ -13,9 +13,9 @@
 
 namespace pastoso::commands {
 
-/// Renders `snapshot` with one pixel per cell and writes it aside, then renames it. The format follows
+/// Renders `snapshot` and writes it aside, then renames it. The format follows
 /// the name's ending. Throws core::InputError when the file cannot be written.
-void save_picture(const document::Snapshot& snapshot, const shade::Lighting& lighting,
+void save_picture(const document::Snapshot& snapshot, const shade::RenderSettings& settings,
                   const std::filesystem::path& path);
 
 /// save_picture() on a thread of its own, one picture at a time.
@@ -26,7 +26,7 @@ class PictureSaver : public QObject {
     ~PictureSaver() override;
 
     /// Returns at once; waits first if the picture before is still being written.
-    void save(std::shared_ptr<const document::Snapshot> snapshot, const shade::Lighting& lighting,
+    void save(std::shared_ptr<const document::Snapshot> snapshot, const shade::RenderSettings& settings,
               const QString& path);
 
   Q_SIGNALS:

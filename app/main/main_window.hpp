@@ -45,6 +45,10 @@ class MainWindow : public QMainWindow {
 
     void save_picture(const QString& path);
 
+    /// Shows the painting in a bundled light, by name, or in that of a CSV file
+    /// (pigment/illuminant.hpp). What is none is told, and the light stays.
+    void use_light(const QString& name_or_path);
+
   protected:
     void closeEvent(QCloseEvent* event) override;
 
@@ -64,6 +68,7 @@ class MainWindow : public QMainWindow {
     void show_enabled(const session::Status& status);
     bool may_discard();
     void ask_new_canvas();
+    void ask_light();
     void ask_save_picture();
     void ask_save_recording();
     void report(const QString& sentence);
@@ -73,6 +78,7 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<tools::Easel> easel_;
     std::unique_ptr<session::PaintSession> session_;
     std::int64_t saved_strokes_ = 0;
+    QString light_ = QStringLiteral("D65");
     view::CanvasView* canvas_ = nullptr;
     panels::BrushPanel* brushes_ = nullptr;
     panels::PaintPanel* paints_ = nullptr;

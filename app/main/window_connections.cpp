@@ -51,6 +51,28 @@ void MainWindow::connect_panels() {
                 lighting.azimuth_deg = azimuth_deg;
                 canvas_->set_lighting(lighting);
             });
+    connect(stand_, &panels::EaselPanel::illuminant_chosen, this, &MainWindow::use_light);
+    connect(stand_, &panels::EaselPanel::illuminant_file_wanted, this, &MainWindow::ask_light);
+}
+
+void MainWindow::use_light(const QString& name_or_path) {
+    try {
+        canvas_->set_viewing(
+            pigment::viewing_under(pigment::find_illuminant(name_or_path.toStdString())));
+        light_ = name_or_path;
+    } catch (const core::InputError& error) {
+        report(QString::fromUtf8(error.what()));
+    }
+    stand_->show_illuminant(light_);
+}
+
+void MainWindow::ask_light() {
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Light from a file"), QString(), tr("Spectra (*.csv)"));
+    if (path.isEmpty())
+        stand_->show_illuminant(light_);
+    else
+        use_light(path);
 }
 
 void MainWindow::connect_canvas() {
@@ -146,7 +168,10 @@ void MainWindow::ask_new_canvas() {
 void MainWindow::save_picture(const QString& path) {
     report(tr("Saving %1...").arg(path));
     saved_strokes_ = session_->status().strokes;
-    saver_.save(session_->snapshot(), canvas_->lighting(), path);
+    shade::RenderSettings settings;
+    settings.lighting = canvas_->lighting();
+    settings.viewing = canvas_->viewing();
+    saver_.save(session_->snapshot(), settings, path);
 }
 
 void MainWindow::ask_save_picture() {

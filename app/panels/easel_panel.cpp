@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include <QComboBox>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSlider>
@@ -55,6 +57,7 @@ EaselPanel::EaselPanel(QWidget* parent)
       light_(new LightDial),
       tilt_reading_(new QLabel),
       light_reading_(new QLabel),
+      illuminant_(new QComboBox),
       drying_(new QSlider(Qt::Horizontal)),
       drying_reading_(new QLabel) {
     auto* rows = new QVBoxLayout(this);
@@ -63,12 +66,20 @@ EaselPanel::EaselPanel(QWidget* parent)
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
     rows->addLayout(row);
+    rows->addWidget(illuminant_row());
     rows->addWidget(drying_row());
     row->addWidget(column(tr("Tilt"), tilt_, tilt_reading_));
     row->addWidget(column(tr("Light"), light_, light_reading_));
     connect(tilt_, &DirectionDial::dragged, this, [this](double angle_deg, double azimuth_deg) {
         write_readings();
         Q_EMIT tilted(angle_deg, azimuth_deg);
+    });
+    connect(illuminant_, &QComboBox::activated, this, [this](int index) {
+        const QString name = illuminant_->itemData(index).toString();
+        if (name.isEmpty())
+            Q_EMIT illuminant_file_wanted();
+        else
+            Q_EMIT illuminant_chosen(name);
     });
     connect(drying_, &QSlider::valueChanged, this, [this](int stop) {
         write_readings();
@@ -93,6 +104,22 @@ QWidget* EaselPanel::column(const QString& heading, QWidget* dial, QLabel* readi
     return widget;
 }
 
+QWidget* EaselPanel::illuminant_row() {
+    auto* widget = new QWidget;
+    auto* layout = section(widget, tr("Seen in"));
+    layout->setSpacing(3);
+    illuminant_->setObjectName(QStringLiteral("illuminant"));
+    illuminant_->setToolTip(tr("The light on the easel; the paint stays as it is"));
+    illuminant_->addItem(tr("Daylight (D65)"), QStringLiteral("D65"));
+    illuminant_->addItem(tr("Print booth (D50)"), QStringLiteral("D50"));
+    illuminant_->addItem(tr("Light bulb (A)"), QStringLiteral("A"));
+    illuminant_->addItem(tr("LED lamp"), QStringLiteral("LED"));
+    illuminant_->addItem(tr("From a file..."), QString());
+    keep_keys_for_canvas(illuminant_);
+    layout->addWidget(illuminant_);
+    return widget;
+}
+
 QWidget* EaselPanel::drying_row() {
     auto* widget = new QWidget;
     auto* layout = section(widget, tr("Drying"));
@@ -106,6 +133,15 @@ QWidget* EaselPanel::drying_row() {
     layout->addWidget(drying_);
     layout->addWidget(drying_reading_);
     return widget;
+}
+
+void EaselPanel::show_illuminant(const QString& name_or_path) {
+    int item = illuminant_->findData(name_or_path);
+    if (item < 0) {
+        item = illuminant_->count() - 1;
+        illuminant_->insertItem(item, QFileInfo(name_or_path).completeBaseName(), name_or_path);
+    }
+    illuminant_->setCurrentIndex(item);
 }
 
 void EaselPanel::show_drying(double speed) {

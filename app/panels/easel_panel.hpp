@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+class QComboBox;
 class QLabel;
 class QSlider;
 
@@ -24,16 +25,23 @@ class EaselPanel : public QWidget {
     /// Shows where the light comes from, without a signal.
     void show_light(const shade::Lighting& lighting);
 
+    /// Shows in which light the painting is seen, by the name of a bundled one or the path of a file,
+    /// without a signal.
+    void show_illuminant(const QString& name_or_path);
+
     /// Shows how fast paint dries, without a signal.
     void show_drying(double speed);
 
   Q_SIGNALS:
     void tilted(double tilt_deg, double direction_deg);
     void light_moved(double elevation_deg, double azimuth_deg);
+    void illuminant_chosen(const QString& name_or_path);
+    void illuminant_file_wanted();
     void drying_changed(double speed);
 
   private:
     QWidget* column(const QString& heading, QWidget* dial, QLabel* reading);
+    QWidget* illuminant_row();
     QWidget* drying_row();
     void write_readings();
 
@@ -41,6 +49,7 @@ class EaselPanel : public QWidget {
     LightDial* light_ = nullptr;
     QLabel* tilt_reading_ = nullptr;
     QLabel* light_reading_ = nullptr;
+    QComboBox* illuminant_ = nullptr;
     QSlider* drying_ = nullptr;
     QLabel* drying_reading_ = nullptr;
 };

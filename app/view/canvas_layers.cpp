@@ -45,11 +45,12 @@ Rect tile_with_border(const grid::Shape& shape, int tile) {
     return cells;
 }
 
-ColourPatch colour_patch(const document::Snapshot& snapshot, int tile) {
+ColourPatch colour_patch(const document::Snapshot& snapshot, int tile,
+                         const pigment::BandsToRgb& to_rgb) {
     ColourPatch patch{tile_with_border(snapshot.film.shape, tile), {}};
     patch.colours.resize(static_cast<std::size_t>(patch.cells.width()) * patch.cells.height());
     shade::cell_colours(snapshot.film, patch.cells, snapshot.ground, patch.colours.data(),
-                        patch.cells.width());
+                        patch.cells.width(), to_rgb);
     return patch;
 }
 
@@ -85,7 +86,8 @@ void CanvasLayers::reset(const grid::Shape& shape) {
 }
 
 LayerChanges CanvasLayers::update(const document::Snapshot* shown, const document::Snapshot& next,
-                                  const shade::Lighting& lighting, core::ThreadPool& pool) {
+                                  const shade::Lighting& lighting, core::ThreadPool& pool,
+                                  const pigment::BandsToRgb& to_rgb) {
     if (shown == nullptr) reset(next.film.shape);
     const std::vector<int> tiles = changed_tiles(shown, next);
     LayerChanges changes;
@@ -101,7 +103,7 @@ LayerChanges CanvasLayers::update(const document::Snapshot* shown, const documen
             fill_shadow(next.film, parts[job], lighting);
         } else {
             const std::size_t i = job - parts.size();
-            changes.colours[i] = colour_patch(next, tiles[i]);
+            changes.colours[i] = colour_patch(next, tiles[i], to_rgb);
         }
     });
     return changes;
@@ -111,6 +113,16 @@ void CanvasLayers::relight(const document::Snapshot& shown, const shade::Lightin
                            core::ThreadPool& pool) {
     const std::vector<Rect> parts = bands(qt_rect(cells_with_border()));
     pool.run(parts.size(), [&](std::size_t i, int) { fill_shadow(shown.film, parts[i], lighting); });
+}
+
+std::vector<ColourPatch> CanvasLayers::recolour(const document::Snapshot& shown,
+                                                const pigment::BandsToRgb& to_rgb,
+                                                core::ThreadPool& pool) {
+    std::vector<ColourPatch> patches(static_cast<std::size_t>(shown.film.shape.tile_count()));
+    pool.run(patches.size(), [&](std::size_t tile, int) {
+        patches[tile] = colour_patch(shown, static_cast<int>(tile), to_rgb);
+    });
+    return patches;
 }
 
 /// The tiles and the cells around them that the prefilter, the sky's share and the shadows reach.

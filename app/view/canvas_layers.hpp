@@ -42,11 +42,16 @@ class CanvasLayers {
   public:
     /// Makes the layers those of `next`, given that they are those of `shown` (null: of nothing).
     LayerChanges update(const document::Snapshot* shown, const document::Snapshot& next,
-                        const shade::Lighting& lighting, core::ThreadPool& pool);
+                        const shade::Lighting& lighting, core::ThreadPool& pool,
+                        const pigment::BandsToRgb& to_rgb = pigment::kBandsToLinearSrgb);
 
     /// Makes the shadows those of another light.
     void relight(const document::Snapshot& shown, const shade::Lighting& lighting,
                  core::ThreadPool& pool);
+
+    /// All colours as they are seen in another light; relief and shadows stay.
+    static std::vector<ColourPatch> recolour(const document::Snapshot& shown,
+                                             const pigment::BandsToRgb& to_rgb, core::ThreadPool& pool);
 
     /// Row by row, the border included; `stride` texels from row to row.
     const SurfaceTexel* surface(int x, int y) const { return surface_.data() + index(x, y); }

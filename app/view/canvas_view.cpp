@@ -83,6 +83,12 @@ void CanvasView::set_lighting(const shade::Lighting& lighting) {
     update();
 }
 
+void CanvasView::set_viewing(const pigment::Viewing& viewing) {
+    viewing_ = viewing;
+    recolour_ = true;
+    update();
+}
+
 void CanvasView::set_tip(const TipShape& tip) {
     tip_ = tip;
     update();
@@ -112,7 +118,7 @@ void CanvasView::zoom_about_centre(double factor) {
 }
 
 bool CanvasView::finished() const {
-    return shown_ == wanted_ && !plan_.has_damage() && !plan_.has_drafts();
+    return shown_ == wanted_ && !relight_ && !recolour_ && !plan_.has_damage() && !plan_.has_drafts();
 }
 
 void CanvasView::damage_all() {
@@ -193,7 +199,8 @@ void CanvasView::paintGL() {
 void CanvasView::upload_changes() {
     if (shown_ != wanted_) {
         if (shown_ == nullptr && !prepare_textures()) return;
-        const LayerChanges changes = layers_.update(shown_.get(), *wanted_, lighting_, pool_);
+        const LayerChanges changes =
+            layers_.update(shown_.get(), *wanted_, lighting_, pool_, viewing_.to_rgb);
         textures_.upload_surface(layers_, changes.surface);
         textures_.upload_colours(changes.colours);
         shown_ = wanted_;
@@ -203,6 +210,11 @@ void CanvasView::upload_changes() {
         layers_.relight(*shown_, lighting_, pool_);
         textures_.upload_surface(layers_, qt_rect(layers_.cells_with_border()));
         relight_ = false;
+        damage_all();
+    }
+    if (recolour_) {
+        textures_.upload_colours(CanvasLayers::recolour(*shown_, viewing_.to_rgb, pool_));
+        recolour_ = false;
         damage_all();
     }
 }
@@ -216,6 +228,7 @@ bool CanvasView::prepare_textures() {
         return false;
     }
     relight_ = false;
+    recolour_ = false;
     damage_all();
     return true;
 }

@@ -29,9 +29,11 @@ class CanvasView : public QOpenGLWidget {
     void show_snapshot(std::shared_ptr<const document::Snapshot> snapshot);
     void set_easel(tools::Easel* easel);
     void set_lighting(const shade::Lighting& lighting);
+    void set_viewing(const pigment::Viewing& viewing);
     void set_tip(const TipShape& tip);
 
     const shade::Lighting& lighting() const { return lighting_; }
+    const pigment::Viewing& viewing() const { return viewing_; }
     const ViewTransform& view_transform() const { return view_; }
     void set_view(const ViewTransform& view);
     void fit();
@@ -110,6 +112,8 @@ class CanvasView : public QOpenGLWidget {
     bool fitted_ = true;  ///< follows the window's size until the painter zooms or pans
     shade::Lighting lighting_;
     bool relight_ = false;  ///< the shadows are still those of another light
+    pigment::Viewing viewing_;
+    bool recolour_ = false;  ///< the colours are still those of another light
     TipShape tip_;
 
     std::optional<QPointF> pointer_;

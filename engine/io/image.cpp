@@ -5,13 +5,18 @@
 #include "core/text_file.hpp"
 #include "io/files.hpp"
 #include "io/images_library.hpp"
+#include "io/png_chunks.hpp"
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <string>
+#include <string_view>
 
 namespace pastoso::io {
 namespace {
+
+constexpr std::size_t kMaxPngBytes = std::size_t{1} << 34;
 
 struct Format {
     const char* extension;
@@ -47,7 +52,16 @@ const char* describe(int sample_type) {
     return sample_type == kPastosoUint16 ? "16-bit" : "linear";
 }
 
-void write_pixels(const std::filesystem::path& path, PastosoPixels pixels) {
+/// The colours of a working space as PNG's cICP names them (ITU-T H.273): primaries of BT.709 or of
+/// Display P3, the curve of sRGB, no matrix, full range.
+std::string code_points(pigment::WorkingSpace space) {
+    const char primaries = space == pigment::WorkingSpace::Srgb ? 1 : 12;
+    return {primaries, 13, 0, 1};
+}
+
+/// `finish` is called with the name of the file as it was written, before it takes its place.
+void write_pixels(const std::filesystem::path& path, PastosoPixels pixels,
+                  const std::function<void(const std::filesystem::path&)>& finish = {}) {
     const Format& format = format_of(path);
     if (!holds(format, pixels.sample_type)) {
         throw core::InputError(path.string() + ": " + format.extension + " files do not hold " +
@@ -60,13 +74,41 @@ void write_pixels(const std::filesystem::path& path, PastosoPixels pixels) {
         if (library.write(&pixels, temporary.c_str(), error.data(), error.size()) != 0) {
             throw core::InputError(path.string() + ": " + error.data() + ".");
         }
+        if (finish) finish(temporary);
     });
 }
 
 template <class Image>
 PastosoPixels pixels_of(const Image& image, int sample_type, double px_per_mm) {
     PASTOSO_CHECK_OP(image.rgb.size(), ==, std::size_t{3} * image.width * image.height);
-    return {image.rgb.data(), image.width, image.height, 3, sample_type, px_per_mm, nullptr, "Pastoso"};
+    PastosoPixels pixels{};
+    pixels.data = image.rgb.data();
+    pixels.width = image.width;
+    pixels.height = image.height;
+    pixels.channels = 3;
+    pixels.sample_type = sample_type;
+    pixels.px_per_mm = px_per_mm;
+    pixels.software = "Pastoso";
+    return pixels;
+}
+
+template <class Image>
+void write_encoded(const std::filesystem::path& path, const Image& image, int sample_type,
+                   double px_per_mm, const IccProfile& profile) {
+    const IccProfile embedded = profile.empty() ? icc_profile(image.space) : profile;
+    PastosoPixels pixels = pixels_of(image, sample_type, px_per_mm);
+    pixels.icc_profile = embedded.data();
+    pixels.icc_bytes = embedded.size();
+    write_pixels(path, pixels, [&](const std::filesystem::path& written) {
+        if (!profile.empty() || std::string_view(format_of(path).name) != "png") return;
+        const std::string file = core::read_text_file(written, kMaxPngBytes);
+        core::write_text_file(written, with_png_chunk(file, "cICP", code_points(image.space)));
+    });
+}
+
+/// libpng passes over a damaged profile; the painter should hear of it.
+bool has_unread_profile(const std::filesystem::path& path) {
+    return has_png_chunk(core::read_text_file(path, kMaxPngBytes), "iCCP");
 }
 
 }  // namespace
@@ -80,22 +122,62 @@ bool is_linear_format(const std::filesystem::path& path) {
     return format_of(path).holds_linear;
 }
 
-void write_image(const std::filesystem::path& path, const shade::Image8& image, double px_per_mm) {
-    write_pixels(path, pixels_of(image, kPastosoUint8, px_per_mm));
+bool holds_16_bits(const std::filesystem::path& path) {
+    return format_of(path).holds_uint16;
 }
 
-void write_image(const std::filesystem::path& path, const Image16& image, double px_per_mm) {
-    write_pixels(path, pixels_of(image, kPastosoUint16, px_per_mm));
+void write_image(const std::filesystem::path& path, const shade::Image8& image, double px_per_mm,
+                 const IccProfile& profile) {
+    write_encoded(path, image, kPastosoUint8, px_per_mm, profile);
+}
+
+void write_image(const std::filesystem::path& path, const Image16& image, double px_per_mm,
+                 const IccProfile& profile) {
+    write_encoded(path, image, kPastosoUint16, px_per_mm, profile);
 }
 
 void write_image(const std::filesystem::path& path, const shade::LinearImage& image, double px_per_mm) {
-    write_pixels(path, pixels_of(image, kPastosoFloat, px_per_mm));
+    const Chromaticities chromaticities = chromaticities_of(image.space);
+    PastosoPixels pixels = pixels_of(image, kPastosoFloat, px_per_mm);
+    pixels.chromaticities = chromaticities.data();
+    write_pixels(path, pixels);
 }
 
 void write_image(const std::filesystem::path& path, const GreyImage& image, double px_per_mm) {
     PASTOSO_CHECK_OP(image.values.size(), ==, std::size_t{1} * image.width * image.height);
-    write_pixels(path, {image.values.data(), image.width, image.height, 1, kPastosoData, px_per_mm,
-                        nullptr, "Pastoso"});
+    PastosoPixels pixels{};
+    pixels.data = image.values.data();
+    pixels.width = image.width;
+    pixels.height = image.height;
+    pixels.channels = 1;
+    pixels.sample_type = kPastosoData;
+    pixels.px_per_mm = px_per_mm;
+    pixels.software = "Pastoso";
+    write_pixels(path, pixels);
+}
+
+shade::LinearImage read_colour_image(const std::filesystem::path& path, pigment::WorkingSpace space) {
+    check_readable(path);
+    const ImagesLibrary& library = images_library();
+    PastosoColours colours{};
+    std::array<char, 512> error{};
+    if (library.read_colours(path.c_str(), &colours, error.data(), error.size()) != 0) {
+        library.free_colours(&colours);
+        throw core::InputError(path.string() + ": " + error.data() + ".");
+    }
+    shade::LinearImage image{colours.width, colours.height, {}, space};
+    image.rgb.assign(colours.rgb, colours.rgb + std::size_t{3} * colours.width * colours.height);
+    StoredColour stored;
+    stored.linear = colours.is_linear != 0;
+    if (colours.icc_profile != nullptr) stored.profile.assign(colours.icc_profile, colours.icc_bytes);
+    if (colours.has_chromaticities != 0)
+        std::copy_n(colours.chromaticities, 8, stored.chromaticities.emplace().begin());
+    library.free_colours(&colours);
+    if (stored.profile.empty() && has_unread_profile(path)) {
+        throw core::InputError(path.string() + ": holds an ICC profile that is none (it is damaged).");
+    }
+    into_working_space(image, stored, path.string());
+    return image;
 }
 
 GreyImage read_grey_image(const std::filesystem::path& path) {

@@ -1,19 +1,15 @@
 // Pictures in files: the format follows the file's extension. OpenImageIO is loaded at the first use.
 #pragma once
 
+#include "io/colour_profile.hpp"
 #include "shade/render.hpp"
 
-#include <cstdint>
 #include <filesystem>
 #include <vector>
 
 namespace pastoso::io {
 
-/// Encoded sRGB like shade::Image8, 16 bits, three values a pixel.
-struct Image16 {
-    int width = 0, height = 0;
-    std::vector<std::uint16_t> rgb;
-};
+using shade::Image16;
 
 /// One value a pixel, row by row from the top; what a picture file calls black is 0 and white 1.
 struct GreyImage {
@@ -29,15 +25,30 @@ void check_image_path(const std::filesystem::path& path);
 /// These write aside and rename. `px_per_mm` is kept in the file as its print resolution (0: none).
 /// Eight bits: PNG, TIFF and JPEG. Sixteen bits: PNG and TIFF. Linear values: EXR with halves. One value
 /// a pixel, for data such as heights: EXR with single precision.
+/// Files say which colours their values are: encoded ones hold the ICC profile of the picture's working
+/// space, or `profile` when the values are in that; PNG the same as cICP (ITU-T H.273) besides; EXR its
+/// chromaticities.
 /// Throw InputError when the format does not hold such values or the file cannot be written.
-void write_image(const std::filesystem::path& path, const shade::Image8& image, double px_per_mm = 0.0);
-void write_image(const std::filesystem::path& path, const Image16& image, double px_per_mm = 0.0);
+void write_image(const std::filesystem::path& path, const shade::Image8& image, double px_per_mm = 0.0,
+                 const IccProfile& profile = {});
+void write_image(const std::filesystem::path& path, const Image16& image, double px_per_mm = 0.0,
+                 const IccProfile& profile = {});
 void write_image(const std::filesystem::path& path, const shade::LinearImage& image,
                  double px_per_mm = 0.0);
 void write_image(const std::filesystem::path& path, const GreyImage& image, double px_per_mm = 0.0);
 
 /// Whether `path` names a format of linear values (EXR).
 bool is_linear_format(const std::filesystem::path& path);
+
+/// Whether `path` names a format that holds 16 bits a channel.
+bool holds_16_bits(const std::filesystem::path& path);
+
+/// Reads any image that OpenImageIO knows into linear light of the working space: by the ICC profile in
+/// the file, or the chromaticities of an EXR; what says nothing is sRGB, linear where it holds floats.
+/// Grey becomes three equal values; transparency is left out. Throws InputError when it is no image, is
+/// larger than read_grey_image() reads, or holds an ICC profile that is none.
+shade::LinearImage read_colour_image(const std::filesystem::path& path,
+                                     pigment::WorkingSpace space = pigment::WorkingSpace::Srgb);
 
 /// Reads any image that OpenImageIO knows as one grey value a pixel: the first of one or two channels,
 /// the luminance of three or more, as stored. Throws InputError when it is no image or is larger than

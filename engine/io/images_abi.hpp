@@ -8,7 +8,7 @@
 extern "C" {
 
 /// Raised whenever a declaration below changes; a module of another number is refused.
-inline constexpr int kPastosoImagesAbi = 2;
+inline constexpr int kPastosoImagesAbi = 3;
 
 enum PastosoSampleType {
     kPastosoUint8 = 0,
@@ -17,7 +17,7 @@ enum PastosoSampleType {
     kPastosoData = 3,   ///< floats that are no colours, stored as they are
 };
 
-/// Rows from the top without gaps, channels interleaved. Integers are encoded sRGB, floats linear.
+/// Rows from the top without gaps, channels interleaved. Integers are encoded, floats linear.
 struct PastosoPixels {
     const void* data;
     int width, height, channels;
@@ -25,12 +25,26 @@ struct PastosoPixels {
     double px_per_mm;    ///< for the file's resolution entry; 0: left out
     const char* format;  ///< OpenImageIO's name of the file format
     const char* software;
+    const void* icc_profile;  ///< what the values mean; null: not said
+    std::size_t icc_bytes;
+    const float* chromaticities;  ///< x and y of red, green, blue and white; null: not said
 };
 
 /// One value a pixel, allocated by the module.
 struct PastosoGrey {
     float* values;
     int width, height;
+};
+
+/// Three values a pixel as they stand in the file (integers as 0 to 1), allocated by the module.
+struct PastosoColours {
+    float* rgb;
+    int width, height;
+    int is_linear;      ///< 1 where the file says so or holds floats
+    char* icc_profile;  ///< null where there is none
+    std::size_t icc_bytes;
+    int has_chromaticities;
+    float chromaticities[8];
 };
 
 using PastosoImagesAbi = int();
@@ -40,5 +54,8 @@ using PastosoImagesWrite = int(const PastosoPixels* pixels, const char* path, ch
 using PastosoImagesReadGrey = int(const char* path, PastosoGrey* grey, char* error,
                                   std::size_t capacity);
 using PastosoImagesFree = void(PastosoGrey* grey);
+using PastosoImagesReadColours = int(const char* path, PastosoColours* colours, char* error,
+                                     std::size_t capacity);
+using PastosoImagesFreeColours = void(PastosoColours* colours);
 
 }  // extern "C"

@@ -28,7 +28,9 @@ ImagesLibrary open_library() {
     }
     return {find<PastosoImagesWrite>(module, "pastoso_images_write"),
             find<PastosoImagesReadGrey>(module, "pastoso_images_read_grey"),
-            find<PastosoImagesFree>(module, "pastoso_images_free")};
+            find<PastosoImagesFree>(module, "pastoso_images_free"),
+            find<PastosoImagesReadColours>(module, "pastoso_images_read_colours"),
+            find<PastosoImagesFreeColours>(module, "pastoso_images_free_colours")};
 }
 
 }  // namespace

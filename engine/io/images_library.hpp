@@ -9,6 +9,8 @@ struct ImagesLibrary {
     PastosoImagesWrite* write = nullptr;
     PastosoImagesReadGrey* read_grey = nullptr;
     PastosoImagesFree* free = nullptr;
+    PastosoImagesReadColours* read_colours = nullptr;
+    PastosoImagesFreeColours* free_colours = nullptr;
 };
 
 /// The module "pastoso-images.so" in ../lib/pastoso beside the program's folder, opened at the first

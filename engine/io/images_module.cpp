@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <memory>
 #include <string>
@@ -14,6 +15,8 @@ namespace {
 constexpr int kMaxSide_px = 32768;
 constexpr double kMaxPixels = 1e8;
 constexpr int kMaxChannels = 16;
+
+const OIIO::TypeDesc kChromaticities(OIIO::TypeDesc::FLOAT, 8);
 
 int report(const std::string& predicate, char* error, std::size_t capacity) {
     std::snprintf(error, capacity, "%s", predicate.c_str());
@@ -41,7 +44,16 @@ OIIO::ImageSpec spec_of(const PastosoPixels& pixels) {
     const bool linear = pixels.sample_type == kPastosoFloat || pixels.sample_type == kPastosoData;
     OIIO::ImageSpec spec(pixels.width, pixels.height, pixels.channels,
                          stored_type_of(pixels.sample_type));
-    spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
+    // Without a profile of their own, integers are sRGB; with one, that says it all.
+    if (linear || pixels.icc_profile == nullptr)
+        spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
+    if (pixels.icc_profile != nullptr) {
+        spec.attribute("ICCProfile",
+                       OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(pixels.icc_bytes)),
+                       pixels.icc_profile);
+    }
+    if (pixels.chromaticities != nullptr)
+        spec.attribute("chromaticities", kChromaticities, pixels.chromaticities);
     spec.attribute("Software", pixels.software);
     spec.attribute("CompressionQuality", 95);
     spec.attribute("png:compressionLevel", 6);
@@ -83,23 +95,83 @@ float grey_of(const float* channels, int count) {
                      : 0.2126F * channels[0] + 0.7152F * channels[1] + 0.0722F * channels[2];
 }
 
-std::string read_grey(const char* path, PastosoGrey& grey) {
-    const auto input = OIIO::ImageInput::open(path);
+/// A file as it is stored.
+struct Contents {
+    OIIO::ImageSpec spec;
+    std::vector<float> channels;
+
+    std::size_t pixels() const {
+        return static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+    }
+};
+
+std::string read(const char* path, const OIIO::ImageSpec& wishes, Contents& contents) {
+    const auto input = OIIO::ImageInput::open(path, &wishes);
     if (!input) return "is not an image that can be read (" + one_line(OIIO::geterror()) + ")";
-    const OIIO::ImageSpec spec = input->spec();
-    if (std::string problem = size_problem(spec); !problem.empty()) return problem;
-    const std::size_t count =
-        static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
-    std::vector<float> channels(count * static_cast<std::size_t>(spec.nchannels));
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, channels.data())) {
+    contents.spec = input->spec();
+    const int channels = contents.spec.nchannels;
+    if (std::string problem = size_problem(contents.spec); !problem.empty()) return problem;
+    contents.channels.resize(contents.pixels() * static_cast<std::size_t>(channels));
+    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, contents.channels.data())) {
         return "cannot be read to its end (" + one_line(input->geterror()) + ")";
     }
+    return "";
+}
+
+std::string read_grey(const char* path, PastosoGrey& grey) {
+    Contents contents;
+    if (std::string problem = read(path, OIIO::ImageSpec(), contents); !problem.empty()) return problem;
+    const OIIO::ImageSpec& spec = contents.spec;
+    const std::vector<float>& channels = contents.channels;
+    const std::size_t count = contents.pixels();
     auto values = std::make_unique<float[]>(count);
     for (std::size_t i = 0; i < count; ++i) {
         values[i] = grey_of(&channels[i * static_cast<std::size_t>(spec.nchannels)], spec.nchannels);
         if (!std::isfinite(values[i])) return "holds a value that is not a finite number";
     }
     grey = {values.release(), spec.width, spec.height};
+    return "";
+}
+
+/// The first three channels, or the first three times.
+std::string fill_rgb(const Contents& contents, PastosoColours& colours) {
+    const auto channels = static_cast<std::size_t>(contents.spec.nchannels);
+    auto rgb = std::make_unique<float[]>(3 * contents.pixels());
+    for (std::size_t i = 0; i < contents.pixels(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const float value = contents.channels[i * channels + (channels < 3 ? 0 : k)];
+            if (!std::isfinite(value)) return "holds a value that is not a finite number";
+            rgb[3 * i + k] = value;
+        }
+    }
+    colours.rgb = rgb.release();
+    return "";
+}
+
+void fill_meaning(const OIIO::ImageSpec& spec, PastosoColours& colours) {
+    const std::string space = spec.get_string_attribute("oiio:ColorSpace");
+    colours.is_linear = space == "Linear" || space == "linear" || spec.format.is_floating_point();
+    if (const OIIO::ParamValue* profile = spec.find_attribute("ICCProfile")) {
+        colours.icc_bytes = static_cast<std::size_t>(profile->datasize());
+        colours.icc_profile = new char[colours.icc_bytes];
+        std::memcpy(colours.icc_profile, profile->data(), colours.icc_bytes);
+    }
+    if (const OIIO::ParamValue* places = spec.find_attribute("chromaticities", kChromaticities)) {
+        colours.has_chromaticities = 1;
+        std::memcpy(colours.chromaticities, places->data(), sizeof colours.chromaticities);
+    }
+}
+
+std::string read_colours(const char* path, PastosoColours& colours) {
+    OIIO::ImageSpec wishes;
+    wishes.attribute("oiio:UnassociatedAlpha", 1);  // what is transparent keeps its colour
+    Contents contents;
+    if (std::string problem = read(path, wishes, contents); !problem.empty()) return problem;
+    colours = {};
+    colours.width = contents.spec.width;
+    colours.height = contents.spec.height;
+    if (std::string problem = fill_rgb(contents, colours); !problem.empty()) return problem;
+    fill_meaning(contents.spec, colours);
     return "";
 }
 
@@ -129,6 +201,18 @@ int pastoso_images_write(const PastosoPixels* pixels, const char* path, char* er
 
 int pastoso_images_read_grey(const char* path, PastosoGrey* grey, char* error, std::size_t capacity) {
     return guarded(error, capacity, [&] { return read_grey(path, *grey); });
+}
+
+int pastoso_images_read_colours(const char* path, PastosoColours* colours, char* error,
+                                std::size_t capacity) {
+    return guarded(error, capacity, [&] { return read_colours(path, *colours); });
+}
+
+void pastoso_images_free_colours(PastosoColours* colours) {
+    delete[] colours->rgb;
+    delete[] colours->icc_profile;
+    colours->rgb = nullptr;
+    colours->icc_profile = nullptr;
 }
 
 void pastoso_images_free(PastosoGrey* grey) {

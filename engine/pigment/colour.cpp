@@ -6,10 +6,11 @@
 namespace pastoso::pigment {
 namespace {
 
-float luminance(const LinearRgb& colour) {
+float luminance(const LinearRgb& colour, WorkingSpace space) {
+    const std::array<float, 3> weights = luminance_weights(space);
     float sum = 0.0F;
     for (int i = 0; i < 3; ++i)
-        sum += kLuminanceWeights[i] * colour[i];
+        sum += weights[i] * colour[i];
     return sum;
 }
 
@@ -26,17 +27,21 @@ float fitting_share(const LinearRgb& colour, float grey) {
 
 }  // namespace
 
-LinearRgb linear_srgb(const Bands& reflectance) {
+LinearRgb seen_colour(const Bands& reflectance, const BandsToRgb& to_rgb) {
     LinearRgb colour{};
     for (int i = 0; i < 3; ++i) {
         for (int band = 0; band < kBands; ++band)
-            colour[i] += kBandsToLinearSrgb[i][band] * reflectance[band];
+            colour[i] += to_rgb[i][band] * reflectance[band];
     }
     return colour;
 }
 
-LinearRgb into_gamut(const LinearRgb& colour) {
-    const float grey = std::clamp(luminance(colour), 0.0F, 1.0F);
+LinearRgb linear_srgb(const Bands& reflectance) {
+    return seen_colour(reflectance, kBandsToLinearSrgb);
+}
+
+LinearRgb into_gamut(const LinearRgb& colour, WorkingSpace space) {
+    const float grey = std::clamp(luminance(colour, space), 0.0F, 1.0F);
     const float share = fitting_share(colour, grey);
     if (share == 1.0F) return colour;
     LinearRgb mapped{};

@@ -23,13 +23,14 @@ std::vector<Rect> bands_of(const Rect& cells) {
 }
 
 void fill_band(const film::FilmState& film, const pigment::Bands& ground, const Rect& band,
-               const Lighting& lighting, const HeightRange& range, CellLayers& layers) {
+               const pigment::BandsToRgb& to_rgb, const Lighting& lighting, const HeightRange& range,
+               CellLayers& layers) {
     const std::ptrdiff_t first = layers.index(band.x0, band.y0);
     const int stride = layers.cells.width();
     height_coefficients(film, band, layers.height_mm.data() + first, stride);
     shadow_heights(film, band, lighting, range, layers.shadow_mm.data() + first, stride);
     sky_shares(film, band, layers.sky.data() + first, stride);
-    cell_colours(film, band, ground, layers.colour.data() + first, stride);
+    cell_colours(film, band, ground, layers.colour.data() + first, stride, to_rgb);
 }
 
 }  // namespace
@@ -47,7 +48,8 @@ LayerRows CellLayers::rows_from(int first_row) const {
 }
 
 CellLayers cell_layers(const film::FilmState& film, const pigment::Bands& ground,
-                       const grid::Rect& cells, const Lighting& lighting, core::ThreadPool& pool) {
+                       const grid::Rect& cells, const Lighting& lighting, core::ThreadPool& pool,
+                       const pigment::BandsToRgb& to_rgb) {
     CellLayers layers;
     layers.cells = cells;
     const std::size_t count = static_cast<std::size_t>(cells.width()) * cells.height();
@@ -58,7 +60,7 @@ CellLayers cell_layers(const film::FilmState& film, const pigment::Bands& ground
     const std::vector<Rect> bands = bands_of(cells);
     const HeightRange range = surface_range(film);
     pool.run(bands.size(), [&](std::size_t index, int) {
-        fill_band(film, ground, bands[index], lighting, range, layers);
+        fill_band(film, ground, bands[index], to_rgb, lighting, range, layers);
     });
     return layers;
 }

@@ -28,6 +28,7 @@ struct CellLayers {
 };
 
 CellLayers cell_layers(const film::FilmState& film, const pigment::Bands& ground,
-                       const grid::Rect& cells, const Lighting& lighting, core::ThreadPool& pool);
+                       const grid::Rect& cells, const Lighting& lighting, core::ThreadPool& pool,
+                       const pigment::BandsToRgb& to_rgb = pigment::kBandsToLinearSrgb);
 
 }  // namespace pastoso::shade

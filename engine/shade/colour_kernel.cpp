@@ -51,13 +51,13 @@ void start_colours(const std::int32_t* thickness, int count, Group& group) {
     }
 }
 
-void add_band(int band, int count, Group& group) {
+void add_band(int band, int count, const pigment::BandsToRgb& to_rgb, Group& group) {
     const float* ground = group.ground[band];
     const float* kh = group.optical_thickness[band];
     const float* sh = group.optical_thickness[pigment::kBands + band];
-    const float to_red = pigment::kBandsToLinearSrgb[0][band];
-    const float to_green = pigment::kBandsToLinearSrgb[1][band];
-    const float to_blue = pigment::kBandsToLinearSrgb[2][band];
+    const float to_red = to_rgb[0][band];
+    const float to_green = to_rgb[1][band];
+    const float to_blue = to_rgb[2][band];
     for (int i = 0; i < count; ++i) {
         const float internal = pigment::layer_reflectance(kh[i], sh[i], ground[i]);
         const float reflectance = pigment::through_surface(internal);
@@ -75,7 +75,7 @@ void store(const Group& group, int count, CellColour* out) {
 }  // namespace
 
 void colour_cells(const CellStack& cells, int count, const pigment::Bands& bare_ground,
-                  CellColour* out) {
+                  const pigment::BandsToRgb& to_rgb, CellColour* out) {
     Group group;
     for (int first = 0; first < count; first += kGroup) {
         const int size = std::min(kGroup, count - first);
@@ -83,7 +83,7 @@ void colour_cells(const CellStack& cells, int count, const pigment::Bands& bare_
         load_pigment(cells.paint + first, size, group);
         start_colours(cells.thickness + first, size, group);
         for (int band = 0; band < pigment::kBands; ++band)
-            add_band(band, size, group);
+            add_band(band, size, to_rgb, group);
         store(group, size, out + first);
     }
 }

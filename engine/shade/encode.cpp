@@ -1,57 +1,68 @@
 #include "pigment/colour.hpp"
 #include "shade/render.hpp"
 
-#include <algorithm>
-#include <array>
+#include <cstdint>
 #include <vector>
 
 namespace pastoso::shade {
 namespace {
 
-/// Finds the 8-bit level of a linear value: a table gives a level that is not too high, from which it is
-/// counted up over the exact borders between levels.
+/// Finds the level of a linear value in an encoding of kLevels levels: a table over kSteps equal steps
+/// gives a level that is not too high, from which it is counted up over the exact borders between
+/// levels.
+template <class Sample, int kLevels, int kSteps>
 class LevelTable {
   public:
-    LevelTable() : start_(kSteps + 1) {
-        for (int level = 1; level < 256; ++level) {
-            border_[level] = static_cast<float>(pigment::decode_srgb((level - 0.5) / 255.0));
+    LevelTable() : border_(kLevels + 1), start_(kSteps + 1) {
+        for (int level = 1; level < kLevels; ++level) {
+            border_[level] = static_cast<float>(pigment::decode_srgb((level - 0.5) / (kLevels - 1.0)));
         }
-        border_[256] = 2.0F;
+        border_[kLevels] = 2.0F;
         int level = 0;
         for (int i = 0; i <= kSteps; ++i) {
             while (static_cast<float>(i) / kSteps >= border_[level + 1])
                 ++level;
-            start_[i] = static_cast<std::uint8_t>(level);
+            start_[i] = static_cast<Sample>(level);
         }
     }
 
     /// `linear` in [0, 1].
-    std::uint8_t level(float linear) const {
+    Sample level(float linear) const {
         int level = start_[static_cast<int>(linear * kSteps)];
         while (linear >= border_[level + 1])
             ++level;
-        return static_cast<std::uint8_t>(level);
+        return static_cast<Sample>(level);
     }
 
   private:
-    static constexpr int kSteps = 4096;
-    std::array<float, 257> border_{};  ///< the lowest value of each level
-    std::vector<std::uint8_t> start_;
+    std::vector<float> border_;  ///< the lowest value of each level
+    std::vector<Sample> start_;
 };
 
-}  // namespace
-
-Image8 encode_srgb8(const LinearImage& image) {
-    static const LevelTable table;
-    Image8 encoded{image.width, image.height, std::vector<std::uint8_t>(image.rgb.size())};
+template <class Image, class Table>
+Image encode(const LinearImage& image, const Table& table) {
+    Image encoded{image.width, image.height, {}, image.space};
+    encoded.rgb.resize(image.rgb.size());
     for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
         const pigment::LinearRgb fitting =
-            pigment::into_gamut({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]});
+            pigment::into_gamut({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]}, image.space);
         for (int channel = 0; channel < 3; ++channel) {
             encoded.rgb[i + channel] = table.level(fitting[channel]);
         }
     }
     return encoded;
+}
+
+}  // namespace
+
+Image8 encode_srgb8(const LinearImage& image) {
+    static const LevelTable<std::uint8_t, 256, 4096> table;
+    return encode<Image8>(image, table);
+}
+
+Image16 encode_srgb16(const LinearImage& image) {
+    static const LevelTable<std::uint16_t, 65536, 65536> table;
+    return encode<Image16>(image, table);
 }
 
 }  // namespace pastoso::shade

@@ -3,7 +3,7 @@
 #define PASTOSO_DECLARE_SHADE_KERNELS(isa)                                                              \
     namespace isa {                                                                                     \
     void colour_cells(const CellStack& cells, int count, const pigment::Bands& bare_ground,             \
-                      CellColour* out);                                                                 \
+                      const pigment::BandsToRgb& to_rgb, CellColour* out);                              \
     void add_horizon(const HorizonLook& look, const float* height, int count, float* out);              \
     void raise_shadow(const float* near, const float* far, float far_share, float drop_mm, int count,   \
                       float* out);                                                                      \

@@ -23,7 +23,7 @@ struct CellStack {
 struct Kernels {
     /// The colours of `count` cells.
     void (*colour_cells)(const CellStack& cells, int count, const pigment::Bands& bare_ground,
-                         CellColour* out);
+                         const pigment::BandsToRgb& to_rgb, CellColour* out);
 
     /// Adds to each of `count` cells an eighth of cos^2 of the horizon's angle in one direction
     /// (sky.hpp).

@@ -44,7 +44,7 @@ std::vector<int> starts_of(const std::vector<int>& lengths, int gap) {
 
 Image8 enlarged(const Image8& picture, int factor) {
     PASTOSO_CHECK_OP(factor, >=, 1);
-    Image8 large{picture.width * factor, picture.height * factor, {}};
+    Image8 large{picture.width * factor, picture.height * factor, {}, picture.space};
     large.rgb.reserve(picture.rgb.size() * static_cast<std::size_t>(factor) * factor);
     for (int y = 0; y < large.height; ++y) {
         const Between rows = between(y, factor, picture.height);
@@ -76,9 +76,9 @@ Image8 arranged(const std::vector<std::vector<Image8>>& rows, int gap_px) {
             heights.back() = std::max(heights.back(), row[i].height);
         }
     }
-    PASTOSO_CHECK(!widths.empty());
+    PASTOSO_CHECK(!widths.empty() && !rows.front().empty());
     const std::vector<int> lefts = starts_of(widths, gap_px), tops = starts_of(heights, gap_px);
-    Image8 sheet{lefts.back() - gap_px, tops.back() - gap_px, {}};
+    Image8 sheet{lefts.back() - gap_px, tops.back() - gap_px, {}, rows.front().front().space};
     sheet.rgb.assign(static_cast<std::size_t>(sheet.width) * sheet.height * 3, 255);
     for (std::size_t j = 0; j < rows.size(); ++j)
         for (std::size_t i = 0; i < rows[j].size(); ++i)

@@ -12,7 +12,8 @@ namespace pastoso::shade {
 Image8 enlarged(const Image8& picture, int factor);
 
 /// Rows of pictures with white between them. Columns are as wide and rows as high as their largest
-/// picture; smaller ones stand at the upper left.
+/// picture; smaller ones stand at the upper left. The first row holds a picture; all are of its colour
+/// space.
 Image8 arranged(const std::vector<std::vector<Image8>>& rows, int gap_px);
 
 }  // namespace pastoso::shade

@@ -115,8 +115,9 @@ LinearImage render(const film::FilmState& film, const pigment::Bands& ground, co
     check_frame(film, cells, settings.scale);
     const ShadingConstants light = shading_constants(settings.lighting);
     const Frame frame = frame_of(cells, settings.scale);
-    const CellLayers layers = cell_layers(film, ground, grown(cells, kMargin), settings.lighting, pool);
-    LinearImage image{frame.width, frame.height, {}};
+    const CellLayers layers = cell_layers(film, ground, grown(cells, kMargin), settings.lighting, pool,
+                                          settings.viewing.to_rgb);
+    LinearImage image{frame.width, frame.height, {}, settings.viewing.space};
     image.rgb.resize(static_cast<std::size_t>(frame.width) * frame.height * 3);
     pool.run(static_cast<std::size_t>(frame.blocks_x()) * frame.blocks_y(), [&](std::size_t index, int) {
         render_block(layers, frame, frame.block(static_cast<int>(index)),

@@ -4,23 +4,32 @@
 
 #include "core/thread_pool.hpp"
 #include "film/state.hpp"
-#include "pigment/bands.hpp"
+#include "pigment/viewing.hpp"
 
 #include <cstdint>
 #include <vector>
 
 namespace pastoso::shade {
 
-/// A picture of linear-light sRGB values, row by row from the top, three floats a pixel.
+/// A picture of linear-light values, row by row from the top, three floats a pixel.
 struct LinearImage {
     int width = 0, height = 0;
     std::vector<float> rgb;
+    pigment::WorkingSpace space = pigment::WorkingSpace::Srgb;
 };
 
 /// The same encoded for screens: eight bits, sRGB transfer curve, three bytes a pixel.
 struct Image8 {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgb;
+    pigment::WorkingSpace space = pigment::WorkingSpace::Srgb;
+};
+
+/// The same in sixteen bits.
+struct Image16 {
+    int width = 0, height = 0;
+    std::vector<std::uint16_t> rgb;
+    pigment::WorkingSpace space = pigment::WorkingSpace::Srgb;
 };
 
 /// One far light over an even sky, and how wet paint shines.
@@ -37,13 +46,16 @@ struct Lighting {
 struct RenderSettings {
     double scale = 1.0;  ///< pixels per cell; the surface is interpolated, never the pixels
     Lighting lighting;
+    pigment::Viewing viewing;  ///< the light's spectrum, and the space of the picture
 };
 
 /// Renders a region of the canvas, given in cells. The same bits on any number of threads.
 LinearImage render(const film::FilmState& film, const pigment::Bands& ground, const grid::Rect& cells,
                    const RenderSettings& settings, core::ThreadPool& pool);
 
-/// Linear to 8-bit sRGB; values outside the gamut are brought in half by clipping, half by desaturation.
+/// Linear to 8 or 16 bits with the curve of sRGB, in the picture's own space; values outside its gamut
+/// are brought in half by clipping, half by desaturation.
 Image8 encode_srgb8(const LinearImage& image);
+Image16 encode_srgb16(const LinearImage& image);
 
 }  // namespace pastoso::shade

@@ -76,6 +76,24 @@ TEST(CanvasLayers, AreThoseOfTheReferenceRenderer) {
     expect_equal_to_reference(layers, snapshot, lighting);
 }
 
+TEST(CanvasLayers, AnotherLightRecoloursEveryTile) {
+    document::Snapshot snapshot = bare_canvas();
+    add_lump(snapshot, 90, 60, 20);
+    CanvasLayers layers;
+    core::ThreadPool pool(2);
+    const pigment::BandsToRgb lamp = pigment::viewing_under(pigment::find_illuminant("A")).to_rgb;
+    const LayerChanges anew = layers.update(nullptr, snapshot, {}, pool, lamp);
+    const std::vector<ColourPatch> recoloured = CanvasLayers::recolour(snapshot, lamp, pool);
+    ASSERT_EQ(recoloured.size(), anew.colours.size());
+    for (std::size_t tile = 0; tile < recoloured.size(); ++tile) {
+        ASSERT_EQ(recoloured[tile].cells, anew.colours[tile].cells);
+        for (std::size_t i = 0; i < recoloured[tile].colours.size(); ++i) {
+            ASSERT_EQ(recoloured[tile].colours[i].red, anew.colours[tile].colours[i].red);
+            ASSERT_EQ(recoloured[tile].colours[i].blue, anew.colours[tile].colours[i].blue);
+        }
+    }
+}
+
 TEST(CanvasLayers, UpdatesReachAsFarAsShadowsAndSkyDo) {
     // A low light casts long shadows over neighbouring tiles; the lump is then taken away again. It
     // leaves the lowest place of the canvas bare, below which no shadow is counted.

@@ -3,12 +3,16 @@
 #include "app/window_fixture.hpp"
 #include "core/error.hpp"
 #include "core/temporary_folder.hpp"
+#include "core/text_file.hpp"
 #include "shade/render.hpp"
 
 #include <cmath>
 #include <filesystem>
 
 #include <QAction>
+#include <QComboBox>
+#include <QStatusBar>
+#include <gmock/gmock.h>
 
 namespace pastoso::tests {
 namespace {
@@ -33,6 +37,7 @@ class PictureWindow : public WindowTest {
         shade::RenderSettings settings;
         settings.scale = scale;
         settings.lighting = canvas().lighting();
+        settings.viewing = canvas().viewing();
         core::ThreadPool pool(2);
         const shade::Image8 image = shade::encode_srgb8(shade::render(
             snapshot->film, snapshot->ground, snapshot->film.shape.cells(), settings, pool));
@@ -72,6 +77,46 @@ TEST_F(PictureWindow, AnotherLightIsShownAsItIsSaved) {
     const QImage wanted = reference(2.0);
     const QImage shown = picture().copy(QRect(QPoint(20, 10), wanted.size()));
     EXPECT_LE(difference(shown, wanted).mean, kMeanStep);
+}
+
+TEST_F(PictureWindow, TheLightOfAnotherLampIsShownAsItIsSaved) {
+    show_at(1.0, {20.0, 10.0});
+    const QImage in_daylight = picture();
+    auto* box = window().findChild<QComboBox*>(QStringLiteral("illuminant"));
+    ASSERT_NE(box, nullptr);
+    const auto state = session().snapshot();
+    const int lamp = box->findData(QStringLiteral("A"));
+    box->setCurrentIndex(lamp);
+    Q_EMIT box->activated(lamp);
+    EXPECT_EQ(canvas().viewing(), pigment::viewing_under(pigment::find_illuminant("A")));
+    const QImage under_lamp = picture();
+    const QImage wanted = reference(1.0);
+    const QRect part(QPoint(20, 10), wanted.size());
+    EXPECT_LE(difference(under_lamp.copy(part), wanted).mean, kMeanStep);
+    EXPECT_GT(difference(under_lamp, in_daylight).largest, 2 * kLargestStep);
+    EXPECT_EQ(session().snapshot(), state) << "no paint has moved for it";
+
+    box->setCurrentIndex(0);
+    Q_EMIT box->activated(0);
+    EXPECT_EQ(difference(picture(), in_daylight).largest, 0);
+}
+
+TEST_F(PictureWindow, ALightFromAFileIsUsedAndABadOneIsTold) {
+    const TemporaryFolder folder;
+    const auto file = [&](const char* name, const std::string& text) {
+        core::write_text_file(folder.path() / name, text);
+        return QString::fromStdString((folder.path() / name).string());
+    };
+    auto* box = window().findChild<QComboBox*>(QStringLiteral("illuminant"));
+    window().use_light(file("even.csv", "wavelength_nm,power\n400,1\n700,1\n"));
+    EXPECT_EQ(box->currentText().toStdString(), "even");
+    const pigment::Viewing even = canvas().viewing();
+    EXPECT_NE(even, pigment::Viewing{});
+    window().use_light(file("bad.csv", "400,1\n390,1\n"));
+    EXPECT_THAT(window().statusBar()->currentMessage().toStdString(),
+                testing::HasSubstr("bad.csv, line 2: the wavelength 390 nm is not greater"));
+    EXPECT_EQ(canvas().viewing(), even);
+    EXPECT_EQ(box->currentText().toStdString(), "even");
 }
 
 TEST_F(PictureWindow, ZoomedInTheSurfaceIsSmoothAndShowsNoCells) {

@@ -93,6 +93,9 @@ std::string objection(const Place& place, const Include& include) {
     if (include.name.starts_with("OpenImageIO/")) {
         return in_engine && place.folder == "io" ? "" : "OpenImageIO belongs to engine/io alone";
     }
+    if (include.name.starts_with("lcms2")) {
+        return in_engine && place.folder == "io" ? "" : "LittleCMS belongs to engine/io alone";
+    }
     if (!include.quoted || include.name.ends_with(".moc")) return "";
 
     const std::size_t slash = include.name.find('/');

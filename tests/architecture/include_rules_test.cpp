@@ -62,6 +62,13 @@ TEST(IncludeRules, OpenImageIoStaysInIo) {
     EXPECT_EQ(include_violations("app/main/main.cpp", text).size(), 1U);
 }
 
+TEST(IncludeRules, LittleCmsStaysInIo) {
+    const char* text = "#include <lcms2.h>\n";
+    EXPECT_THAT(include_violations("engine/io/colour_profile.cpp", text), IsEmpty());
+    EXPECT_EQ(include_violations("engine/pigment/colour.cpp", text).size(), 1U);
+    EXPECT_EQ(include_violations("app/cli/main.cpp", text).size(), 1U);
+}
+
 TEST(IncludeRules, OddlyWrittenIncludesAreSeen) {
     EXPECT_EQ(include_violations("engine/core/a.cpp", "  #  include\"film/state.hpp\" // x\n").size(),
               1U);

@@ -1,9 +1,10 @@
-// Six bands against the full spectrum: random mixtures of the palette, opaque, seen under D65.
+// Six bands against the full spectrum: random mixtures of the palette, opaque, in every light.
 #include "lab.hpp"
-#include "pigment/colour.hpp"
+#include "pigment/adaptation.hpp"
 #include "pigment/kubelka_munk.hpp"
+#include "pigment/observer.hpp"
 #include "pigment/palette.hpp"
-#include "standard_observer.hpp"
+#include "pigment/viewing.hpp"
 
 #include <algorithm>
 #include <random>
@@ -45,46 +46,43 @@ Mixture random_mixture(std::mt19937& random, bool tinted) {
     return mixture;
 }
 
-test::Lab spectral_colour(const Mixture& mixture) {
-    Spectrum reflectance{}, white{};
-    white.fill(1.0);
+test::Lab lab_of(const test::Xyz& adapted) {
+    return test::lab(adapted, white_xyz(kD65White));
+}
+
+/// From the full spectrum, by an eye adapted to the light.
+test::Lab spectral_colour(const Mixture& mixture, const Spectrum& power) {
+    Spectrum reflectance{};
     for (int i = 0; i < kSpectralSamples; ++i) {
         reflectance[i] =
             through_surface(opaque_reflectance(mixture.absorption[i], mixture.scattering[i]));
     }
-    return test::lab(test::tristimulus(reflectance), test::tristimulus(white));
+    const Matrix3 adaptation = bradford(white_under(power), white_xyz(kD65White));
+    return lab_of(transformed(adaptation, tristimulus(reflectance, power)));
 }
 
-test::Lab band_colour(const Mixture& mixture) {
+test::Lab band_colour(const Mixture& mixture, const Viewing& viewing) {
     Bands reflectance{};
     for (int band = 0; band < kBands; ++band) {
         reflectance[band] = through_surface(
             opaque_reflectance(mixture.coefficients[band], mixture.coefficients[kBands + band]));
     }
-    return test::lab(linear_srgb(reflectance));
-}
-
-TEST(StandardObserver, SeesTheWhiteOfD65) {
-    Spectrum white{};
-    white.fill(1.0);
-    const test::Xyz seen = test::tristimulus(white);
-    // CIE 015 has 0.95047 and 1.08883 from 1 nm steps. D65 is ragged: steps of 10 nm are off by up to
-    // 7e-4.
-    EXPECT_NEAR(seen[0], 0.95047, 1e-3);
-    EXPECT_NEAR(seen[2], 1.08883, 1e-3);
+    const LinearRgb rgb = seen_colour(reflectance, viewing.to_rgb);
+    return lab_of(transformed(xyz_from_linear(viewing.space), {rgb[0], rgb[1], rgb[2]}));
 }
 
 struct Differences {
     double mean = 0.0, percentile_95 = 0.0;
 };
 
-Differences measure(bool tinted) {
+Differences measure(const Illuminant& light, const Viewing& viewing, bool tinted) {
     std::mt19937 random(4000);
     std::vector<double> differences(4000);
     Differences result;
     for (double& difference : differences) {
         const Mixture mixture = random_mixture(random, tinted);
-        difference = test::ciede2000(spectral_colour(mixture), band_colour(mixture));
+        difference =
+            test::ciede2000(spectral_colour(mixture, light.power), band_colour(mixture, viewing));
         result.mean += difference / 4000.0;
     }
     std::sort(differences.begin(), differences.end());
@@ -92,18 +90,51 @@ Differences measure(bool tinted) {
     return result;
 }
 
-TEST(Bands, SixGiveTheColoursOfTheSpectrumInTints) {
-    const Differences differences = measure(true);
-    // The design asks for these; 1 is the smallest difference that is seen side by side.
-    EXPECT_LE(differences.mean, 0.45);
-    EXPECT_LE(differences.percentile_95, 1.3);
+struct Limits {
+    const char* light;
+    double tint_mean, tint_95, deep_mean, deep_95;
+};
+
+// The design asks for 0.45 and 1.3 in tints under D65, for a mean of 0.55 under A; 1 is the smallest
+// difference that is seen side by side. Measured: D65 0.36, 1.00; D50 0.34, 0.94; A 0.39, 1.12; LED
+// 0.35, 0.89. In deep mixtures without white the edges of strong pigments fall between the windows: D65
+// 0.54, 1.45; D50 0.52, 1.43; A 0.61, 1.89; LED 0.49, 1.36.
+constexpr Limits kLimits[] = {{"D65", 0.45, 1.3, 0.6, 1.6},
+                              {"D50", 0.45, 1.3, 0.6, 1.6},
+                              {"A", 0.45, 1.3, 0.7, 2.1},
+                              {"LED", 0.45, 1.3, 0.6, 1.6}};
+
+class BandsUnder : public testing::TestWithParam<Limits> {};
+
+TEST_P(BandsUnder, SixGiveTheColoursOfTheSpectrumInTints) {
+    const Illuminant light = find_illuminant(GetParam().light);
+    const Differences differences = measure(light, viewing_under(light), true);
+    EXPECT_LE(differences.mean, GetParam().tint_mean);
+    EXPECT_LE(differences.percentile_95, GetParam().tint_95);
 }
 
-TEST(Bands, SixGiveTheColoursOfTheSpectrumInDeepMixtures) {
-    const Differences differences = measure(false);
-    // Without white the edges of strong pigments fall between the windows: 0.54 and 1.43 measured.
-    EXPECT_LE(differences.mean, 0.6);
-    EXPECT_LE(differences.percentile_95, 1.6);
+TEST_P(BandsUnder, SixGiveTheColoursOfTheSpectrumInDeepMixtures) {
+    const Illuminant light = find_illuminant(GetParam().light);
+    const Differences differences = measure(light, viewing_under(light), false);
+    EXPECT_LE(differences.mean, GetParam().deep_mean);
+    EXPECT_LE(differences.percentile_95, GetParam().deep_95);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lights, BandsUnder, testing::ValuesIn(kLimits),
+                         [](const auto& instance) { return std::string(instance.param.light); });
+
+TEST(Bands, AnotherLightIsNoWashOverThePictureOfDaylight) {
+    // What adapting a D65 picture to the lamp would show is the D65 picture itself.
+    const Illuminant lamp = find_illuminant("A");
+    EXPECT_GT(measure(lamp, Viewing{}, true).mean, 3.0 * measure(lamp, viewing_under(lamp), true).mean);
+}
+
+TEST(Bands, DisplayP3ShowsTheSameColours) {
+    const Illuminant light = find_illuminant("LED");
+    const double srgb = measure(light, viewing_under(light), true).mean;
+    const double p3 = measure(light, viewing_under(light, WorkingSpace::DisplayP3), true).mean;
+    // Only the rounding of the matrix to single precision differs.
+    EXPECT_NEAR(p3, srgb, 1e-4);
 }
 
 }  // namespace

@@ -23,6 +23,33 @@ TEST(EncodeSrgb8, RoundsToTheNearestLevel) {
     EXPECT_EQ(encoded.rgb.back(), 255);
 }
 
+TEST(EncodeSrgb16, RoundsToTheNearestLevel) {
+    constexpr int kWidth = 1 << 17;
+    LinearImage image{kWidth, 1, {}};
+    for (int i = 0; i < kWidth; ++i)
+        image.rgb.insert(image.rgb.end(), 3, static_cast<float>(i) / (kWidth - 1));
+    const Image16 encoded = encode_srgb16(image);
+    for (int i = 0; i < kWidth; ++i) {
+        const double exact = 65535.0 * pigment::encode_srgb(image.rgb[3 * i]);
+        // The borders between levels are rounded to single precision: 2e-3 levels where they are widest.
+        ASSERT_LE(std::abs(encoded.rgb[3 * i] - exact), 0.502) << i;
+    }
+    EXPECT_EQ(encoded.rgb.front(), 0);
+    EXPECT_EQ(encoded.rgb.back(), 65535);
+}
+
+TEST(EncodeSrgb8, MapsIntoTheGamutOfThePicturesOwnSpace) {
+    const pigment::LinearRgb colour = {1.3F, 0.4F, -0.2F};
+    LinearImage image{1, 1, {colour[0], colour[1], colour[2]}, pigment::WorkingSpace::DisplayP3};
+    const Image8 encoded = encode_srgb8(image);
+    EXPECT_EQ(encoded.space, pigment::WorkingSpace::DisplayP3);
+    EXPECT_EQ(encode_srgb16(image).space, pigment::WorkingSpace::DisplayP3);
+    const pigment::LinearRgb mapped = pigment::into_gamut(colour, pigment::WorkingSpace::DisplayP3);
+    for (int channel = 0; channel < 3; ++channel) {
+        EXPECT_EQ(encoded.rgb[channel], std::lround(255.0 * pigment::encode_srgb(mapped[channel])));
+    }
+}
+
 TEST(EncodeSrgb8, BringsColoursIntoTheGamut) {
     const pigment::LinearRgb colour = {1.3F, 0.4F, -0.2F};
     const Image8 encoded = encode_srgb8({1, 1, {colour[0], colour[1], colour[2]}});

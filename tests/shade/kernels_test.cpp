@@ -40,7 +40,7 @@ TEST_P(EveryIsa, ColoursCellsAlike) {
         std::vector<CellColour> result(grid::kTileCells - 3);
         kernels(isa).colour_cells(
             {film.paint.read(0), film.thickness.read(0), soluble.data(), ground.data()},
-            grid::kTileCells - 3, test::kGround, result.data());
+            grid::kTileCells - 3, test::kGround, pigment::kBandsToLinearSrgb, result.data());
         return result;
     };
     expect_same_bits(colours(GetParam()), colours(core::Isa::Baseline));

@@ -95,6 +95,22 @@ TEST(Render, AFlatCanvasShowsItsColourTimesTheLight) {
     }
 }
 
+TEST(Render, ALampShowsTheSamePaintInItsOwnLight) {
+    const film::FilmState film(grid::Shape{70, 40}, 0.25);
+    RenderSettings settings;
+    settings.lighting.specular = false;
+    settings.viewing =
+        pigment::viewing_under(pigment::find_illuminant("A"), pigment::WorkingSpace::DisplayP3);
+    std::vector<CellColour> colours(grid::kTileCells);
+    tile_colours(film, 0, test::kGround, colours.data(), settings.viewing.to_rgb);
+    const LinearImage image = picture(film, settings);
+    EXPECT_EQ(image.space, pigment::WorkingSpace::DisplayP3);
+    EXPECT_NEAR(image.rgb[0], colours[0].red, 1e-5F);
+    EXPECT_NEAR(image.rgb[1], colours[0].green, 1e-5F);
+    EXPECT_NEAR(image.rgb[2], colours[0].blue, 1e-5F);
+    EXPECT_GT(std::abs(colours[0].blue - ground_colour().blue), 1e-3F);
+}
+
 TEST(Render, AFlatWetFilmAddsTheHighlight) {
     film::FilmState film(grid::Shape{20, 20}, 0.25);
     for (int i = 0; i < 400; ++i)

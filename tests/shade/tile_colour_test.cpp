@@ -3,6 +3,7 @@
 #include "canvas.hpp"
 #include "pigment/colour.hpp"
 #include "pigment/kubelka_munk.hpp"
+#include "pigment/viewing.hpp"
 
 #include <vector>
 
@@ -32,6 +33,35 @@ TEST(TileColours, BareCanvasShowsTheGround) {
     for (const CellColour& colour : colours) {
         expect_colour(colour, colour_of(test::kGround), 1e-6F);
         EXPECT_EQ(colour.wetness, 0.0F);
+    }
+}
+
+TEST(TileColours, AreSeenInTheLightThatIsGiven) {
+    const film::FilmState film = test::random_canvas({64, 64}, 3);
+    pigment::BandsToRgb single{};  // red, green and blue are the bands 1, 3 and 6
+    single[0][1] = single[1][3] = single[2][5] = 1.0F;
+    pigment::BandsToRgb sum{};
+    for (pigment::Bands& row : sum)
+        row = {0.0F, 1.0F, 0.0F, 1.0F, 0.0F, 1.0F};
+    std::vector<CellColour> bands(grid::kTileCells), sums(grid::kTileCells);
+    tile_colours(film, 0, test::kGround, bands.data(), single);
+    tile_colours(film, 0, test::kGround, sums.data(), sum);
+    for (int cell = 0; cell < grid::kTileCells; ++cell) {
+        EXPECT_NEAR(sums[cell].red, bands[cell].red + bands[cell].green + bands[cell].blue, 1e-6F);
+        EXPECT_EQ(sums[cell].wetness, bands[cell].wetness);
+    }
+}
+
+TEST(TileColours, WithoutALightAreThoseOfDaylight) {
+    const film::FilmState film = test::random_canvas({64, 64}, 3);
+    std::vector<CellColour> usual(grid::kTileCells), daylight(grid::kTileCells);
+    tile_colours(film, 0, test::kGround, usual.data());
+    tile_colours(film, 0, test::kGround, daylight.data(),
+                 pigment::viewing_under(pigment::find_illuminant("D65")).to_rgb);
+    for (int cell = 0; cell < grid::kTileCells; ++cell) {
+        EXPECT_EQ(usual[cell].red, daylight[cell].red);
+        EXPECT_EQ(usual[cell].green, daylight[cell].green);
+        EXPECT_EQ(usual[cell].blue, daylight[cell].blue);
     }
 }
 
