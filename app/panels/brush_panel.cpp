@@ -3,6 +3,7 @@
 #include "panels/section.hpp"
 #include "tools/hand.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -34,6 +35,9 @@ double width_from_slider(int position) {
     return std::round(2.0 * width) / 2.0;
 }
 
+/// The list shows so many brushes; the others are scrolled to.
+constexpr int kRowsSeen = 8;
+
 /// Slider places per millisecond of smoothing and per millimetre of string.
 constexpr int kMostSmoothing_ms = 400, kSmoothingStep_ms = 5;
 constexpr int kLongestString_mm = 20;
@@ -46,7 +50,7 @@ BrushPanel::BrushPanel(std::vector<BrushEntry> brushes, QWidget* parent)
     for (const BrushEntry& brush : brushes_)
         list_->addItem(brush.name);
     keep_keys_for_canvas(list_);
-    fit_to_rows(list_, static_cast<int>(brushes_.size()));
+    fit_to_rows(list_, std::min(kRowsSeen, static_cast<int>(brushes_.size())));
     connect(list_, &QListWidget::itemClicked, this, [this] { take_next(0); });
     auto* column = section(this, tr("Brush"));
     column->addWidget(list_);
