@@ -23,7 +23,8 @@ void keep_keys_for_canvas(QWidget* widget) {
 void fit_to_rows(QListView* list, int rows) {
     const int row_height = list->sizeHintForRow(0);
     list->setFixedHeight(rows * row_height + 2 * list->frameWidth() + 6);
-    list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    const bool all_seen = rows >= list->model()->rowCount();
+    list->setVerticalScrollBarPolicy(all_seen ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
 }
 
 }  // namespace pastoso::panels

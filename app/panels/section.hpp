@@ -14,7 +14,7 @@ QVBoxLayout* section(QWidget* panel, const QString& heading);
 /// Leaves the keyboard to the canvas, where Space and the letter keys mean something else.
 void keep_keys_for_canvas(QWidget* widget);
 
-/// Makes a list just tall enough for so many rows.
+/// Makes a list just tall enough for so many rows; the others are scrolled to.
 void fit_to_rows(QListView* list, int rows);
 
 }  // namespace pastoso::panels
