@@ -82,5 +82,25 @@ TEST(Wick, LevelsNeighboursAndLosesNothing) {
         EXPECT_GE(held.volume_mm3, 0.0);
 }
 
+/// Laid on one side: the row of hairs on that side gets the paint, the others keep what they have.
+TEST(Load, DipsTheTipAlone) {
+    Brush brush(studio::flat_preset(20.0));
+    brush.load(studio::light_paint(), 0.5);
+    const Contents base = brush.contents();
+    const Contents taken = brush.load(MixedLoad{.first = studio::dark_paint(), .tip_only = true}, 1.0);
+    int dipped = 0;
+    double dipped_side_mm = 0.0, dry_side_mm = 0.0;
+    for (int i = 0; i < 300; ++i) {
+        const bool got_dark = brush.held[i].paint[0] > 1.0;
+        dipped += got_dark ? 1 : 0;
+        (got_dark ? dipped_side_mm : dry_side_mm) += brush.tip.bristles[i].root_y_mm;
+    }
+    EXPECT_EQ(dipped, 120);
+    EXPECT_LT(dipped_side_mm / dipped, dry_side_mm / (300 - dipped) - 1.0);
+    Contents sum = base;
+    sum += taken;
+    EXPECT_LT(studio::balance_error(brush.contents(), sum), 1e-14);
+}
+
 }  // namespace
 }  // namespace pastoso::brush

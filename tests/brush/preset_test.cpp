@@ -1,6 +1,8 @@
 #include "brush/preset.hpp"
 
+#include "brush/preset_fields.hpp"
 #include "core/error.hpp"
+#include "core/text_file.hpp"
 
 #include <set>
 #include <string>
@@ -157,6 +159,25 @@ TEST(BundledPresets, UnknownNameListsThoseThereAre) {
     } catch (const core::InputError& error) {
         EXPECT_THAT(error.what(), AllOf(HasSubstr("\"broom\""), HasSubstr("\"Round sable 9\""),
                                         HasSubstr("\"Palette knife 17\"")));
+    }
+}
+
+TEST(PresetFields, AreAllInTheManual) {
+    const std::string manual = core::read_text_file(PASTOSO_SOURCE_DIR "/docs/brush-format.md");
+    for (const PresetField& field : preset_fields()) {
+        const std::string row =
+            "| `" + std::string(field.section) + "." + std::string(field.key) + "` | " +
+            std::string(field.unit) + " | ";
+        EXPECT_THAT(manual, HasSubstr(row));
+        EXPECT_THAT(manual, HasSubstr(std::string(field.meaning)));
+    }
+}
+
+TEST(PresetFields, DefaultsLieWithinTheirRanges) {
+    const Preset preset;
+    for (const PresetField& field : preset_fields()) {
+        EXPECT_GE(field.get(preset), field.low) << field.section << '.' << field.key;
+        EXPECT_LE(field.get(preset), field.high) << field.section << '.' << field.key;
     }
 }
 
