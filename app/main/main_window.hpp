@@ -5,6 +5,7 @@
 #include "commands/picture_saver.hpp"
 #include "document/events.hpp"
 #include "session/paint_session.hpp"
+#include "session/thumbnail_painter.hpp"
 #include "tools/easel.hpp"
 #include "view/canvas_view.hpp"
 
@@ -57,6 +58,7 @@ class MainWindow : public QMainWindow {
     void lay_out();
     void make_tool_bar();
     void make_panels();
+    panels::BrushPanel* make_brush_panel();
     void connect_panels();
     void connect_canvas();
     void connect_commands();
@@ -77,6 +79,7 @@ class MainWindow : public QMainWindow {
     commands::PictureSaver saver_;
     std::unique_ptr<tools::Easel> easel_;
     std::unique_ptr<session::PaintSession> session_;
+    std::unique_ptr<session::ThumbnailPainter> thumbnails_;
     std::int64_t saved_strokes_ = 0;
     QString light_ = QStringLiteral("D65");
     view::CanvasView* canvas_ = nullptr;

@@ -10,6 +10,9 @@
 #include "pigment/palette.hpp"
 #include "tools/swatch.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include <QAction>
 #include <QComboBox>
 #include <QLabel>
@@ -24,16 +27,35 @@ namespace {
 
 constexpr int kPanelWidth = 232;
 
+/// Bristles first, then what is stiff, then what is soft.
+int family_rank(brush::TipShape shape) {
+    switch (shape) {
+        case brush::TipShape::Knife:
+        case brush::TipShape::Comb:
+            return 1;
+        case brush::TipShape::Pad:
+            return 2;
+        default:
+            return 0;
+    }
+}
+
 QColor colour(const tools::Srgb8& rgb) {
     return {rgb[0], rgb[1], rgb[2]};
 }
 
-std::vector<panels::BrushEntry> brush_entries() {
-    std::vector<panels::BrushEntry> entries;
-    for (const brush::Preset& preset : brush::bundled_presets()) {
-        entries.push_back({QString::fromStdString(preset.name), preset.tip.width_mm});
+QString family_of(const brush::Preset& preset) {
+    if (preset.kind == brush::ToolKind::Droplets) return QObject::tr("Drops and sprays");
+    if (preset.kind == brush::ToolKind::Air) return QObject::tr("Air");
+    switch (preset.tip.shape) {
+        case brush::TipShape::Knife:
+        case brush::TipShape::Comb:
+            return QObject::tr("Knives and combs");
+        case brush::TipShape::Pad:
+            return QObject::tr("Rags and fingers");
+        default:
+            return QObject::tr("Brushes");
     }
-    return entries;
 }
 
 std::vector<panels::PaintEntry> paint_entries() {
@@ -99,8 +121,36 @@ void MainWindow::make_tool_bar() {
     add_button(commands::Command::SavePicture, tr("Save picture"));
 }
 
+/// Tools by family, and their thumbnails as they come into view.
+panels::BrushPanel* MainWindow::make_brush_panel() {
+    std::vector<brush::Preset> presets = brush::bundled_presets();
+    std::stable_sort(presets.begin(), presets.end(), [](const auto& a, const auto& b) {
+        return std::pair(a.kind, family_rank(a.tip.shape)) < std::pair(b.kind, family_rank(b.tip.shape));
+    });
+    std::vector<panels::BrushEntry> entries;
+    for (const brush::Preset& preset : presets)
+        entries.push_back({QString::fromStdString(preset.name), family_of(preset), preset.tip.width_mm});
+    auto* panel = new panels::BrushPanel(std::move(entries));
+    const double pixels = devicePixelRatioF();
+    const QSize size = panels::kThumbnailSize * pixels;
+    thumbnails_ = std::make_unique<session::ThumbnailPainter>(
+        std::move(presets), size.width(), size.height(),
+        [panel, pixels](std::size_t entry, const shade::Image8& thumbnail) {
+            QImage image = QImage(thumbnail.rgb.data(), thumbnail.width, thumbnail.height,
+                                  3 * thumbnail.width, QImage::Format_RGB888)
+                               .copy();
+            image.setDevicePixelRatio(pixels);
+            QMetaObject::invokeMethod(panel, [panel, entry, image] {
+                panel->list().set_thumbnail(static_cast<int>(entry), image);
+            });
+        });
+    connect(&panel->list(), &panels::BrushList::thumbnail_wanted, this,
+            [this](int entry) { thumbnails_->want(static_cast<std::size_t>(entry)); });
+    return panel;
+}
+
 void MainWindow::make_panels() {
-    brushes_ = new panels::BrushPanel(brush_entries());
+    brushes_ = make_brush_panel();
     paints_ = new panels::PaintPanel(paint_entries());
     stand_ = new panels::EaselPanel;
     auto* side = new QWidget;
@@ -108,7 +158,7 @@ void MainWindow::make_panels() {
     auto* column = new QVBoxLayout(side);
     column->setContentsMargins(10, 8, 10, 8);
     column->setSpacing(12);
-    column->addWidget(brushes_);
+    column->addWidget(brushes_, 1);
     column->addWidget(paints_, 1);
     column->addWidget(stand_);
 

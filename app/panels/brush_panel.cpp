@@ -11,7 +11,6 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QVBoxLayout>
@@ -35,8 +34,8 @@ double width_from_slider(int position) {
     return std::round(2.0 * width) / 2.0;
 }
 
-/// The list shows so many brushes; the others are scrolled to.
-constexpr int kRowsSeen = 8;
+/// Enough for half a dozen tools; the others are scrolled to.
+constexpr int kListHeight = 200;
 
 /// Slider places per millisecond of smoothing and per millimetre of string.
 constexpr int kMostSmoothing_ms = 400, kSmoothingStep_ms = 5;
@@ -46,14 +45,12 @@ constexpr int kPlacesPerMm = 2;
 }  // namespace
 
 BrushPanel::BrushPanel(std::vector<BrushEntry> brushes, QWidget* parent)
-    : QWidget(parent), brushes_(std::move(brushes)), list_(new QListWidget) {
-    for (const BrushEntry& brush : brushes_)
-        list_->addItem(brush.name);
+    : QWidget(parent), brushes_(std::move(brushes)), list_(new BrushList(brushes_)) {
     keep_keys_for_canvas(list_);
-    fit_to_rows(list_, std::min(kRowsSeen, static_cast<int>(brushes_.size())));
-    connect(list_, &QListWidget::itemClicked, this, [this] { take_next(0); });
+    list_->setMinimumHeight(kListHeight);
+    connect(list_, &BrushList::entry_clicked, this, [this] { take_next(0); });
     auto* column = section(this, tr("Brush"));
-    column->addWidget(list_);
+    column->addWidget(list_, 1);
     column->addWidget(make_width_row());
     column->addWidget(make_stabiliser_rows());
 }
@@ -150,16 +147,16 @@ void BrushPanel::show_brush(const QString& name, double width_mm) {
     const QSignalBlocker no_width_signal(width_);
     slider_->setValue(slider_from_width(width_mm));
     width_->setValue(width_mm);
-    for (int row = 0; row < list_->count(); ++row) {
-        if (list_->item(row)->text() == name) list_->setCurrentRow(row);
-    }
+    const auto found = std::find_if(brushes_.begin(), brushes_.end(),
+                                    [&](const BrushEntry& brush) { return brush.name == name; });
+    list_->show_entry(static_cast<int>(found - brushes_.begin()));
 }
 
 void BrushPanel::take_next(int places) {
-    const int count = list_->count();
+    const int count = static_cast<int>(brushes_.size());
     if (count == 0) return;
-    const int row = ((list_->currentRow() + places) % count + count) % count;
-    const BrushEntry& brush = brushes_[static_cast<std::size_t>(row)];
+    const int entry = ((list_->current_entry() + places) % count + count) % count;
+    const BrushEntry& brush = brushes_[static_cast<std::size_t>(entry)];
     Q_EMIT brush_taken(brush.name, brush.width_mm);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brush/pen_filter.hpp"
+#include "panels/brush_list.hpp"
 
 #include <vector>
 
@@ -11,15 +12,9 @@
 class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
-class QListWidget;
 class QSlider;
 
 namespace pastoso::panels {
-
-struct BrushEntry {
-    QString name;
-    double width_mm = 10.0;  ///< the brush's own
-};
 
 class BrushPanel : public QWidget {
     Q_OBJECT
@@ -31,6 +26,8 @@ class BrushPanel : public QWidget {
 
     /// Shows how the hand is steadied, without a signal.
     void show_stabiliser(const brush::Stabiliser& stabiliser);
+
+    BrushList& list() { return *list_; }
 
     /// Takes the brush so many places on in the list, around its ends.
     void take_next(int places);
@@ -48,7 +45,7 @@ class BrushPanel : public QWidget {
     brush::Stabiliser stabiliser() const;
 
     std::vector<BrushEntry> brushes_;
-    QListWidget* list_ = nullptr;
+    BrushList* list_ = nullptr;
     QSlider* slider_ = nullptr;
     QDoubleSpinBox* width_ = nullptr;
     QSlider* smoothing_ = nullptr;

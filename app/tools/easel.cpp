@@ -1,5 +1,7 @@
 #include "tools/easel.hpp"
 
+#include "brush/preset.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -54,6 +56,7 @@ void Easel::choose_paint(const PaintRecipe& paint) {
 
 void Easel::reload() {
     clean();
+    if (!brush::find_preset(hand_.brush).dips) return;
     LoadPaint dip;
     dip.paint = hand_.paint;
     post_(dip);

@@ -75,6 +75,7 @@ Contents Brush::load(const MixedLoad& paint, double fill) {
     check_paint(paint.first);
     check_paint(paint.second);
     Contents taken;
+    if (preset.exchange.absorbs) return taken;
     const float deepest_mm = paint.tip_only ? dipped_to_mm(tip) : std::numeric_limits<float>::max();
     for (std::size_t i = 0; i < held.size(); ++i) {
         const Bristle& bristle = tip.bristles[i];

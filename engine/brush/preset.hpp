@@ -137,6 +137,8 @@ struct DynamicsCurve {
 struct Preset {
     std::string name;
     ToolKind kind = ToolKind::Contact;
+    /// Whether a painter fills it with paint before use; a rag or a comb is used as it is.
+    bool dips = true;
     TipPreset tip;
     FlexPreset flex;
     PaintPreset paint;

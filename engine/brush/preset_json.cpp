@@ -129,7 +129,7 @@ std::vector<std::string_view> other_keys(std::string_view section, ToolKind kind
 }
 
 std::vector<std::string_view> known_sections(ToolKind kind) {
-    std::vector<std::string_view> sections = {"version", "kind", "units", "name", "dynamics"};
+    std::vector<std::string_view> sections = {"version", "kind", "units", "name", "dips", "dynamics"};
     for (const PresetField& field : preset_fields()) {
         if (applies_to(field, kind)) sections.push_back(field.section);
     }
@@ -244,6 +244,7 @@ Preset parse_preset(std::string_view json_text, const std::string& file_name) {
     check_units(root.section("units"));
     preset.name = root.text("name");
     if (preset.name.empty()) root.fail("name", "is empty");
+    preset.dips = root.truth("dips");
     for (const std::string_view section : kPresetSections)
         read_numbers(root, section, preset);
     if (preset.kind == ToolKind::Contact) {

@@ -30,6 +30,7 @@ std::string preset_to_json(const Preset& preset) {
     Json json{{"version", kPresetVersion},
               {"kind", word_for(preset.kind, kKindNames)},
               {"name", preset.name},
+              {"dips", preset.dips},
               {"units", {{"length", "mm"}, {"angle", "deg"}, {"volume", "mm3"}}}};
     if (preset.kind == ToolKind::Contact) json["tip"]["shape"] = word_for(preset.tip.shape, kShapeNames);
     for (const PresetField& field : preset_fields()) {

@@ -13,13 +13,10 @@ namespace {
 
 using brush::PenSample;
 using brush::Preset;
-using brush::TipShape;
 using brush::ToolKind;
 
 /// How much of the canvas is seen across, in widths of the tip, and at least.
 constexpr double kSeen_widths = 4.0, kLeastSeen_mm = 18.0;
-/// Paint that needs more than this of film is painted with; the others work in paint that is there.
-constexpr double kPaintingFilm_mm = 0.04;
 
 /// Paints on a board of its own, in units of the board: (0, 0) to (1, 1).
 class Board {
@@ -136,17 +133,11 @@ void air(Board& board) {
     });
 }
 
-bool paints(const Preset& preset) {
-    const bool moves_paint = preset.exchange.absorbs || preset.tip.shape == TipShape::Comb ||
-                             preset.tip.shape == TipShape::Pad;
-    return !moves_paint && preset.paint.film_mm >= kPaintingFilm_mm;
-}
-
 void contact(Board& board, const Preset& preset) {
-    if (!paints(preset)) wet_ground(board);
+    if (!preset.dips) wet_ground(board);
     board.use_medium("heavy-body oil");
     board.take_tool();
-    if (paints(preset)) board.load_two();
+    if (preset.dips) board.load_two();
     board.move(0.8, [](double u) { return wave(u, 0.5); });
 }
 

@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 json valid_preset() {
     return json::parse(R"({
-        "version": 2, "kind": "contact", "name": "Test", "units": {"length": "mm", "angle": "deg", "volume": "mm3"},
+        "version": 2, "kind": "contact", "name": "Test", "dips": true, "units": {"length": "mm", "angle": "deg", "volume": "mm3"},
         "tip": {"shape": "flat", "width": 20, "thickness": 4.8, "length": 22, "point": 0, "bristles": 300,
                 "hairs_per_bristle": 16, "seed": 1},
         "flex": {"bend": 0.5, "splay": 0.22, "lag": 1, "press_depth": 0.32, "tilt_gain": 0.8, "descend": 0.35,

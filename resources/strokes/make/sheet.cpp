@@ -21,6 +21,7 @@ document::Recording sheet() {
     Painter painter(canvas);
     painter.use_medium("heavy-body oil");
     paint_sheet_grounds(painter);
+    paint_sheet_fluids(painter);
     painter.dry_now();
     paint_sheet_brushes(painter);
     paint_sheet_effects(painter);

@@ -27,6 +27,9 @@ struct Field {
 /// What has to be dry before the rest is painted: the bars below the glazes.
 void paint_sheet_grounds(Painter& painter);
 
+/// Runny paint, which has to be dry too before the rest is painted: it would go on running.
+void paint_sheet_fluids(Painter& painter);
+
 void paint_sheet_brushes(Painter& painter);
 void paint_sheet_effects(Painter& painter);
 void paint_sheet_tools(Painter& painter);

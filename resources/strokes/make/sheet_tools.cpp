@@ -132,24 +132,28 @@ void drops(Painter& painter) {
     });
 }
 
-void air_and_thinner(Painter& painter) {
-    const Field straw(5, 5), thinner(0, 6);
-    straw.label(painter, "straw");
+void straw(Painter& painter, const Field& field) {
+    field.label(painter, "straw");
     painter.use_medium("ink glaze");
-    painter.take("Dropper");
-    painter.dip(load(mixture("PB29 PB15:3", 0.6)));
-    for (int i = 0; i < 3; ++i)
-        hold(painter, straw.at(14.0 + 18 * i, 24), straw.at(14.0 + 18 * i, 24), 0.8, 1.0);
-    painter.take("Straw 8");
-    for (int i = 0; i < 3; ++i)
-        hold(painter, straw.at(13.0 + 18 * i, 25), straw.at(16.0 + 18 * i, 12), 0.6, 0.45);
-    painter.use_medium("heavy-body oil");
-    thinner.label(painter, "thinner brush");
-    thick(painter, thinner, 22, 18, "PBr7-BS PO20=0.3");
+    for (int i = 0; i < 3; ++i) {
+        painter.take("Dropper");
+        painter.dip(load(mixture("PB29 PB15:3", 0.6)));
+        hold(painter, field.at(14.0 + 18 * i, 26), field.at(14.0 + 18 * i, 26), 0.05, 1.0);
+        painter.take("Straw 8");
+        painter.stroke(0.5, [&](double u) {
+            const Point at = field.at(14.0 + 18 * i + 2.0 * u, 27.0 - 12.0 * u);
+            return Touch{at.x, at.y, 0.5, 0.0, 0.0, -35.0};
+        });
+    }
+}
+
+void thinner_brush(Painter& painter, const Field& field) {
+    field.label(painter, "thinner brush");
+    thick(painter, field, 22, 18, "PBr7-BS PO20=0.3");
     painter.use_medium("thinner");
     painter.take("Thinner brush 16", 10);
     painter.dip(load(mixture("")));
-    paint_along(painter, Curve({thinner.at(14, 26), thinner.at(34, 17), thinner.at(56, 27)}), 50,
+    paint_along(painter, Curve({field.at(14, 26), field.at(34, 17), field.at(56, 27)}), 50,
                 {0.45, 0.06, 0.06});
     painter.use_medium("heavy-body oil");
 }
@@ -159,8 +163,14 @@ void air_and_thinner(Painter& painter) {
 void paint_sheet_tools(Painter& painter) {
     knives(painter);
     combs_and_pads(painter);
+    thinner_brush(painter, Field(0, 6));
+}
+
+void paint_sheet_fluids(Painter& painter) {
+    straw(painter, Field(5, 5));
     drops(painter);
-    air_and_thinner(painter);
+    painter.wait(0.5);
+    painter.use_medium("heavy-body oil");
 }
 
 }  // namespace pastoso::examples

@@ -1,0 +1,48 @@
+// The tools by family, each with its thumbnail.
+#pragma once
+
+#include <vector>
+
+#include <QListWidget>
+#include <QString>
+
+namespace pastoso::panels {
+
+struct BrushEntry {
+    QString name;
+    QString family;          ///< its heading; entries of one family follow each other
+    double width_mm = 10.0;  ///< the tool's own
+};
+
+/// Size of the thumbnails, in pixels of the layout.
+inline constexpr QSize kThumbnailSize(84, 30);
+
+class BrushList : public QListWidget {
+    Q_OBJECT
+  public:
+    explicit BrushList(const std::vector<BrushEntry>& entries, QWidget* parent = nullptr);
+
+    /// Marks the entry of that number, without a signal, and brings it into view.
+    void show_entry(int entry);
+    /// The entry that is marked, -1 if none.
+    int current_entry() const;
+    void set_thumbnail(int entry, const QImage& image);
+
+  Q_SIGNALS:
+    void entry_clicked(int entry);
+    /// The entry has come into view and has no thumbnail yet; once for each.
+    void thumbnail_wanted(int entry);
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    void add_heading(const QString& family);
+    void ask_for_thumbnails();
+
+    std::vector<QListWidgetItem*> items_;  ///< by entry
+    std::vector<bool> asked_;
+};
+
+}  // namespace pastoso::panels
