@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kPanelWidth = 232;
 
-QColor colour(const tools::Srgb8& rgb) {
+QColor colour(const pigment::Srgb8& rgb) {
     return {rgb[0], rgb[1], rgb[2]};
 }
 
@@ -39,7 +39,7 @@ std::vector<panels::BrushEntry> brush_entries() {
 std::vector<panels::PaintEntry> paint_entries() {
     std::vector<panels::PaintEntry> entries;
     for (const pigment::Pigment& pigment : pigment::bundled_palette()) {
-        const tools::Swatch swatch = tools::swatch(pigment);
+        const tools::Swatch swatch = tools::swatch(pigment.coefficients);
         entries.push_back({QString::fromStdString(pigment.ci_name), QString::fromStdString(pigment.name),
                            colour(swatch.masstone), colour(swatch.tint)});
     }

@@ -30,7 +30,8 @@ LinearRgb linear_srgb(const Bands& reflectance);
 /// smaller colour difference of the first. Colours inside the gamut stay as they are.
 LinearRgb into_gamut(const LinearRgb& colour);
 
-/// The sRGB transfer curve (IEC 61966-2-1) and its inverse, for values in [0, 1].
+/// The sRGB transfer curve (IEC 61966-2-1) and its inverse, for values in [0, 1]. Decoding gives the
+/// same bits on every machine: recordings name paints by encoded colours.
 double encode_srgb(double linear);
 double decode_srgb(double encoded);
 

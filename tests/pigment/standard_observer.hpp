@@ -1,7 +1,7 @@
 // The CIE 1931 2-degree observer and the illuminant D65 (CIE 015), every 10 nm from 380 to 730 nm.
 #pragma once
 
-#include "lab.hpp"
+#include "pigment/lab.hpp"
 #include "pigment/spectrum.hpp"
 
 namespace pastoso::test {
@@ -28,8 +28,8 @@ inline constexpr pigment::Spectrum kDaylight65 = {
     80.0268, 80.2146, 82.2778, 78.2842, 69.7213, 71.6091, 74.3490, 61.6040, 69.8856};
 
 /// Tristimulus values of a reflectance under D65; Y of a reflectance of 1 is 1.
-inline Xyz tristimulus(const pigment::Spectrum& reflectance) {
-    Xyz sum{};
+inline pigment::Xyz tristimulus(const pigment::Spectrum& reflectance) {
+    pigment::Xyz sum{};
     double white = 0.0;
     for (int i = 0; i < pigment::kSpectralSamples; ++i) {
         const double light = kDaylight65[i] * reflectance[i];
