@@ -83,16 +83,10 @@ ColourPalette parse_gpl(std::string_view text, const std::string& file) {
     return palette;
 }
 
-const NamedColour& find_colour(const ColourPalette& palette, std::string_view name) {
+const NamedColour* find_colour(const ColourPalette& palette, std::string_view name) {
     const auto found = std::find_if(palette.colours.begin(), palette.colours.end(),
                                     [&](const NamedColour& colour) { return colour.name == name; });
-    if (found != palette.colours.end()) return *found;
-    std::string names;
-    for (const NamedColour& colour : palette.colours) {
-        if (!colour.name.empty()) names += (names.empty() ? "" : ", ") + colour.name;
-    }
-    throw core::InputError("There is no colour \"" + std::string(name) + "\"; the palette has " +
-                           (names.empty() ? "no names" : names) + ".");
+    return found == palette.colours.end() ? nullptr : &*found;
 }
 
 }  // namespace pastoso::pigment

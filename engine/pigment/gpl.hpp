@@ -25,7 +25,7 @@ struct ColourPalette {
 /// and value, and for a file without a colour.
 ColourPalette parse_gpl(std::string_view text, const std::string& file);
 
-/// The first colour of that name. Throws InputError that lists the names there are.
-const NamedColour& find_colour(const ColourPalette& palette, std::string_view name);
+/// The first colour of that name, or nothing.
+const NamedColour* find_colour(const ColourPalette& palette, std::string_view name);
 
 }  // namespace pastoso::pigment

@@ -28,6 +28,16 @@ constexpr double kCostOfDoubledParts = 0.05;
 constexpr std::size_t kShortlist = 160;
 constexpr std::size_t kRefined = 8;
 
+/// How far the parts are raised to make room for a small amount of another paint.
+constexpr std::array<int, 3> kRaises = {1, 4, 12};
+constexpr std::size_t kExchanges = 6;
+
+/// The step of the ladder at so many parts, or the next above.
+int step_at(int parts) {
+    const auto above = std::lower_bound(kRoundParts.begin(), kRoundParts.end() - 1, parts);
+    return static_cast<int>(above - kRoundParts.begin());
+}
+
 double squared(double x) {
     return x * x;
 }
@@ -56,6 +66,10 @@ class NearbyDifference {
 };
 
 }  // namespace
+
+bool RecipeFinder::better_score(const Rated& a, const Rated& b) {
+    return a.score < b.score;
+}
 
 std::string recipe_text(const Recipe& recipe) {
     if (recipe.ingredients.size() == 1) return recipe.ingredients.front().ci_name;
@@ -168,6 +182,33 @@ RecipeFinder::Rated RecipeFinder::refined(Rated best, const Lab& wanted) const {
     return best;
 }
 
+/// Puts every other paint into every place of the recipe, a little or much of it, and refines the most
+/// promising of these recipes.
+RecipeFinder::Rated RecipeFinder::exchanged(const Rated& best, const Lab& wanted) const {
+    std::vector<Rated> tried;
+    for (int paint = 0; paint < static_cast<int>(paints_.size()); ++paint) {
+        const auto& used = best.mixture.paint;
+        if (std::find(used.begin(), used.end(), paint) != used.end()) continue;
+        for (int place = 0; place < kMostIngredients; ++place) {
+            for (const int raise : kRaises) {
+                Mixture mixture = best.mixture;
+                for (int& step : mixture.step)
+                    step = step_at(raise * kRoundParts[step]);
+                mixture.paint[place] = paint;
+                mixture.step[place] = 0;
+                tried.push_back(rated(mixture, wanted));
+            }
+        }
+    }
+    const std::size_t count = std::min(kExchanges, tried.size());
+    std::partial_sort(tried.begin(), tried.begin() + static_cast<std::ptrdiff_t>(count), tried.end(),
+                      better_score);
+    Rated winner = best;
+    for (std::size_t i = 0; i < count; ++i)
+        winner = std::min(winner, refined(tried[i], wanted), better_score);
+    return winner;
+}
+
 Recipe RecipeFinder::recipe_of(const Rated& best) const {
     Recipe recipe;
     recipe.difference = best.difference;
@@ -199,12 +240,12 @@ Recipe RecipeFinder::closest(const LinearRgb& wanted) const {
         else if (start.score < same->score)
             *same = start;
     }
-    const auto by_score = [](const Rated& a, const Rated& b) { return a.score < b.score; };
-    std::stable_sort(starts.begin(), starts.end(), by_score);
+    std::stable_sort(starts.begin(), starts.end(), better_score);
     starts.resize(std::min(starts.size(), kRefined));
     for (Rated& start : starts)
         start = refined(start, target);
-    return recipe_of(*std::min_element(starts.begin(), starts.end(), by_score));
+    const Rated best = *std::min_element(starts.begin(), starts.end(), better_score);
+    return recipe_of(exchanged(best, target));
 }
 
 }  // namespace pastoso::pigment
