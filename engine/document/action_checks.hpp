@@ -11,7 +11,7 @@ inline constexpr double kMaxPenPosition_mm = 20000.0;
 /// A second of paint time lasts at most this many seconds of drying.
 inline constexpr double kFastestDrying = 1e5;
 
-/// Throws InputError for an unknown brush, pigment or medium, or for a value that is not finite or
+/// Throws InputError for an unknown brush, paint or medium, or for a value that is not finite or
 /// outside the range that events.hpp gives. The message names the value and says nothing of where it
 /// came from.
 void check_action(const Action& action);

@@ -9,7 +9,7 @@
 
 namespace pastoso::io {
 
-inline constexpr int kStrokeFormatVersion = 2;
+inline constexpr int kStrokeFormatVersion = 3;
 
 /// The recording as text, one event a line. Reading it gives an equal recording.
 std::string recording_to_json(const document::Recording& recording);

@@ -23,9 +23,9 @@ TEST(CliHelp, EverySubcommandHasHelpWithAnExample) {
 TEST(CliHelp, ReplayNamesAllItsOptions) {
     const std::string help = run_cli({"replay", "--help"}).output;
     for (const char* option :
-         {"--brush", "--size-mm", "--paint", "--medium", "--canvas", "--px-per-mm", "--tilt",
-          "--tilt-direction", "--seconds", "--support", "--relief-mm", "--threads", "--fit", "--output",
-          "--stats", "--frames", "--fps", "--scale"}) {
+         {"--brush", "--size-mm", "--paint", "--palette", "--medium", "--canvas", "--px-per-mm",
+          "--tilt", "--tilt-direction", "--seconds", "--support", "--relief-mm", "--threads", "--fit",
+          "--output", "--stats", "--frames", "--fps", "--scale"}) {
         EXPECT_THAT(help, HasSubstr(option));
     }
 }
