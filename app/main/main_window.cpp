@@ -4,8 +4,10 @@
 #include "io/canvas_support.hpp"
 #include "panels/brush_panel.hpp"
 #include "panels/easel_panel.hpp"
+#include "panels/mix_panel.hpp"
 #include "panels/paint_panel.hpp"
 #include "panels/status_readings.hpp"
+#include "pigment/user_pigments.hpp"
 
 #include <atomic>
 #include <utility>
@@ -37,11 +39,14 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas)
     lay_out();
     connect_canvas();
     connect_panels();
+    connect_mixing();
     connect_commands();
     connect_file_commands();
     easel_->set_up();
     show_hand();
     show_published();
+    for (const std::string& fault : pigment::user_pigments().faults)
+        report(QString::fromStdString(fault));
 }
 
 MainWindow::~MainWindow() {
@@ -108,14 +113,22 @@ void MainWindow::show_enabled(const session::Status& status) {
 void MainWindow::show_hand() {
     const tools::Hand& hand = easel_->hand();
     brushes_->show_brush(QString::fromStdString(hand.brush), hand.brush_width_mm);
-    const auto& mix = hand.paint.ingredients;
-    paints_->show_paint(mix.empty() ? QString() : QString::fromStdString(mix.front().pigment));
+    show_paint(hand.paint);
     stand_->show_tilt(hand.tilt.tilt_deg, hand.tilt.direction_deg);
     stand_->show_drying(hand.air.speed);
     medium_->setCurrentText(QString::fromStdString(hand.medium));
     commands_.action(commands::Command::ReloadEachStroke)->setChecked(hand.reload_each_stroke);
     commands_.action(commands::Command::TurnWithStroke)->setChecked(hand.turn_with_stroke);
     canvas_->set_tip(tip_in_hand(hand));
+}
+
+void MainWindow::show_paint(const document::PaintRecipe& paint) {
+    using Dipped = panels::MixPanel::Dipped;
+    const bool is_colour = paint == picked_ && !picked_.ingredients.empty();
+    const bool is_recipe = paint == nearest_ && !nearest_.ingredients.empty();
+    mixing_->show_dipped(is_colour ? Dipped::Colour : is_recipe ? Dipped::Recipe : Dipped::Neither);
+    const auto& mix = paint.ingredients;
+    paints_->show_paint(mix.empty() ? QString() : QString::fromStdString(mix.front().pigment));
 }
 
 void MainWindow::report(const QString& sentence) {

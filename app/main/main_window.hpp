@@ -17,6 +17,7 @@ class QComboBox;
 namespace pastoso::panels {
 class BrushPanel;
 class EaselPanel;
+class MixPanel;
 class PaintPanel;
 class StatusReadings;
 }  // namespace pastoso::panels
@@ -54,11 +55,13 @@ class MainWindow : public QMainWindow {
     void make_tool_bar();
     void make_panels();
     void connect_panels();
+    void connect_mixing();
     void connect_canvas();
     void connect_commands();
     void connect_file_commands();
     void show_published();
     void show_hand();
+    void show_paint(const document::PaintRecipe& paint);
     void show_enabled(const session::Status& status);
     bool may_discard();
     void ask_new_canvas();
@@ -74,6 +77,8 @@ class MainWindow : public QMainWindow {
     view::CanvasView* canvas_ = nullptr;
     panels::BrushPanel* brushes_ = nullptr;
     panels::PaintPanel* paints_ = nullptr;
+    panels::MixPanel* mixing_ = nullptr;
+    document::PaintRecipe picked_, nearest_;  ///< the last picked colour and its closest recipe
     panels::EaselPanel* stand_ = nullptr;
     panels::StatusReadings* readings_ = nullptr;
     QComboBox* medium_ = nullptr;

@@ -5,10 +5,14 @@
 #include "main/main_window.hpp"
 #include "panels/brush_panel.hpp"
 #include "panels/easel_panel.hpp"
+#include "panels/mix_panel.hpp"
 #include "panels/paint_panel.hpp"
 #include "panels/status_readings.hpp"
-#include "pigment/palette.hpp"
+#include "pigment/box.hpp"
+#include "pigment/user_pigments.hpp"
 #include "tools/swatch.hpp"
+
+#include <algorithm>
 
 #include <QAction>
 #include <QComboBox>
@@ -36,13 +40,23 @@ std::vector<panels::BrushEntry> brush_entries() {
     return entries;
 }
 
+/// The box in its order, then the other tubes, the painter's own, and the medium.
 std::vector<panels::PaintEntry> paint_entries() {
     std::vector<panels::PaintEntry> entries;
-    for (const pigment::Pigment& pigment : pigment::bundled_palette()) {
-        const tools::Swatch swatch = tools::swatch(pigment.coefficients);
-        entries.push_back({QString::fromStdString(pigment.ci_name), QString::fromStdString(pigment.name),
-                           colour(swatch.masstone), colour(swatch.tint)});
-    }
+    const auto add_new = [&](const std::vector<pigment::Pigment>& paints) {
+        for (const pigment::Pigment& paint : paints) {
+            const auto ci_name = QString::fromStdString(paint.ci_name);
+            const bool known = std::any_of(entries.begin(), entries.end(),
+                                           [&](const auto& entry) { return entry.pigment == ci_name; });
+            if (known) continue;
+            const tools::Swatch swatch = tools::swatch(paint.coefficients);
+            entries.push_back({ci_name, QString::fromStdString(paint.name), colour(swatch.masstone),
+                               colour(swatch.tint)});
+        }
+    };
+    add_new(pigment::default_box());
+    add_new(pigment::bundled_palette());
+    add_new(pigment::user_pigments().pigments);
     entries.push_back({QString(), QObject::tr("Clear medium"), QColor(232, 230, 224), Qt::white});
     return entries;
 }
@@ -102,6 +116,7 @@ void MainWindow::make_tool_bar() {
 void MainWindow::make_panels() {
     brushes_ = new panels::BrushPanel(brush_entries());
     paints_ = new panels::PaintPanel(paint_entries());
+    mixing_ = new panels::MixPanel;
     stand_ = new panels::EaselPanel;
     auto* side = new QWidget;
     side->setFixedWidth(kPanelWidth);
@@ -110,6 +125,7 @@ void MainWindow::make_panels() {
     column->setSpacing(12);
     column->addWidget(brushes_);
     column->addWidget(paints_, 1);
+    column->addWidget(mixing_);
     column->addWidget(stand_);
 
     auto* middle = new QWidget;
