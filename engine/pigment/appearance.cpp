@@ -33,14 +33,6 @@ Bands white_ground() {
     return ground;
 }
 
-double luminance(const Bands& reflectance) {
-    const LinearRgb colour = linear_srgb(reflectance);
-    double sum = 0.0;
-    for (int i = 0; i < 3; ++i)
-        sum += kLuminanceWeights[i] * colour[i];
-    return sum;
-}
-
 double tint_difference(const Coefficients& paint, double white_parts) {
     return ciede2000(lab(tint(paint, white_parts)), lab(masstone(white_paint())));
 }
@@ -75,8 +67,8 @@ LinearRgb tint(const Coefficients& paint, double white_parts) {
 }
 
 double contrast_ratio(const Coefficients& paint, double film_mm) {
-    const double over_black = luminance(film_bands(paint, film_mm, Bands{}));
-    const double over_white = luminance(film_bands(paint, film_mm, white_ground()));
+    const double over_black = relative_luminance(linear_srgb(film_bands(paint, film_mm, Bands{})));
+    const double over_white = relative_luminance(undertone(paint, film_mm));
     return over_white > 0.0 ? over_black / over_white : 1.0;
 }
 

@@ -77,6 +77,13 @@ Lab lab(const Xyz& colour, const Xyz& white) {
     return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
 }
 
+double relative_luminance(const LinearRgb& colour) {
+    double sum = 0.0;
+    for (int i = 0; i < 3; ++i)
+        sum += kSrgbToWhiteRelativeXyz[1][i] * colour[i];
+    return sum;
+}
+
 Lab lab(const LinearRgb& colour) {
     Xyz relative{};
     for (int i = 0; i < 3; ++i) {

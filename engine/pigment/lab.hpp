@@ -28,6 +28,9 @@ Lab lab(const Xyz& colour, const Xyz& white);
 /// rounded to four digits), whose sum is 1.
 extern const std::array<Xyz, 3> kSrgbToWhiteRelativeXyz;
 
+/// Y of a colour in linear sRGB, that of white being 1.
+double relative_luminance(const LinearRgb& colour);
+
 /// Lab of a colour in linear sRGB, which may lie outside the gamut.
 Lab lab(const LinearRgb& colour);
 

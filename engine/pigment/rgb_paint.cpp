@@ -1,9 +1,9 @@
 #include "pigment/rgb_paint.hpp"
 
 #include "pigment/appearance.hpp"
-#include "pigment/band_fit.hpp"
 #include "pigment/kubelka_munk.hpp"
 #include "pigment/lab.hpp"
+#include "pigment/smooth_bands.hpp"
 
 #include <algorithm>
 
@@ -28,7 +28,7 @@ Coefficients paint_of_bands(const Bands& reflectance, double opacity) {
 RgbPaint rgb_paint(const LinearRgb& on_screen, double opacity) {
     const LinearRgb wanted = paint_colour(on_screen);
     RgbPaint paint;
-    paint.coefficients = paint_of_bands(fit_bands(wanted).reflectance, opacity);
+    paint.coefficients = paint_of_bands(smooth_bands(wanted).reflectance, opacity);
     paint.difference = ciede2000(lab(masstone(paint.coefficients)), lab(wanted));
     return paint;
 }

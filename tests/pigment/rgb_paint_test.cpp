@@ -1,11 +1,11 @@
 #include "pigment/rgb_paint.hpp"
 
 #include "pigment/appearance.hpp"
-#include "pigment/band_fit.hpp"
 #include "pigment/hex_colour.hpp"
 #include "pigment/kubelka_munk.hpp"
 #include "pigment/lab.hpp"
 #include "pigment/palette.hpp"
+#include "pigment/smooth_bands.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -123,19 +123,19 @@ TEST(PaintOfBands, UndoesTheSurface) {
         EXPECT_NEAR(again[band], bands[band], 2e-6F);  // a few roundings of float
 }
 
-TEST(BandFit, OfAGreyIsTheSameInEveryBand) {
+TEST(SmoothBands, OfAGreyIsTheSameInEveryBand) {
     const LinearRgb grey = {0.3F, 0.3F, 0.3F};
-    const BandFit fit = fit_bands(grey);
+    const SmoothBands fit = smooth_bands(grey);
     EXPECT_TRUE(fit.converged);
     EXPECT_LE(fit.iterations, 12);
     for (const float reflectance : fit.reflectance)
         EXPECT_NEAR(reflectance, 0.3F, 1e-5F);
 }
 
-TEST(BandFit, TakesABoundedNumberOfStepsAndRarelyRunsOut) {
+TEST(SmoothBands, TakesABoundedNumberOfStepsAndRarelyRunsOut) {
     int unfinished = 0, steps = 0;
     for (const LinearRgb& colour : colour_grid()) {
-        const BandFit fit = fit_bands(paint_colour(colour));
+        const SmoothBands fit = smooth_bands(paint_colour(colour));
         EXPECT_LE(fit.iterations, kMostIterations);
         steps += fit.iterations;
         unfinished += fit.converged ? 0 : 1;
@@ -145,10 +145,10 @@ TEST(BandFit, TakesABoundedNumberOfStepsAndRarelyRunsOut) {
     EXPECT_LE(unfinished, 60);
 }
 
-TEST(BandFit, AnswersUnlikelyColoursToo) {
+TEST(SmoothBands, AnswersUnlikelyColoursToo) {
     for (const LinearRgb& colour : {LinearRgb{0, 0, 0}, LinearRgb{1, 1, 1}, LinearRgb{1, 0, 0},
                                     LinearRgb{2, 2, 2}, LinearRgb{0, 0, 1}}) {
-        for (const float reflectance : fit_bands(colour).reflectance) {
+        for (const float reflectance : smooth_bands(colour).reflectance) {
             EXPECT_GE(reflectance, kDarkestBand);
             EXPECT_LE(reflectance, kLightestBand);
         }

@@ -1,4 +1,4 @@
-#include "pigment/band_fit.hpp"
+#include "pigment/smooth_bands.hpp"
 
 #include "pigment/lab.hpp"
 
@@ -147,10 +147,7 @@ Unknowns moved(const Unknowns& z, const Unknowns& step) {
 
 /// The grey as light as the colour.
 Unknowns grey_start(const LinearRgb& colour) {
-    double luminance = 0.0;
-    for (int i = 0; i < 3; ++i)
-        luminance += kLuminanceWeights[i] * colour[i];
-    const double share = (luminance - kDarkestBand) / (kLightestBand - kDarkestBand);
+    const double share = (relative_luminance(colour) - kDarkestBand) / (kLightestBand - kDarkestBand);
     Unknowns z{};
     z.fill(inverse_sigmoid(std::clamp(share, 1e-3, 1.0 - 1e-3)));
     return z;
@@ -189,14 +186,14 @@ struct Descent {
 
 }  // namespace
 
-BandFit fit_bands(const LinearRgb& colour) {
+SmoothBands smooth_bands(const LinearRgb& colour) {
     // With the full weight at once the descent would creep along a narrow curved valley.
     constexpr std::array<double, 5> kLeadingWeights = {0.3, 1.0, 3.0, 10.0, 30.0};
     constexpr int kLeadingIterations = 6, kLastIterations = 25;
     static_assert(kMostIterations == kLeadingWeights.size() * kLeadingIterations + kLastIterations);
     const Lab wanted = lab(colour);
     Unknowns z = grey_start(colour);
-    BandFit fit;
+    SmoothBands fit;
     for (const double weight : kLeadingWeights) {
         Descent descent{z, wanted, weight};
         descent.run(kLeadingIterations, 1e-2);

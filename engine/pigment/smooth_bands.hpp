@@ -15,7 +15,7 @@ inline constexpr double kLightestBand = 0.96;
 inline constexpr double kColourWeight = 100.0;
 inline constexpr int kMostIterations = 55;
 
-struct BandFit {
+struct SmoothBands {
     Bands reflectance{};
     double difference = 0.0;  ///< CIEDE2000 of its colour to the one wanted
     int iterations = 0;       ///< at most kMostIterations
@@ -34,6 +34,6 @@ struct BandFit {
 /// by Levenberg and Marquardt's method, the weight of the colour growing in stages. The same colour
 /// gives the same bits on every machine. A colour that no reflectance in these bounds has, such as
 /// perfect black, is met as nearly as can be.
-BandFit fit_bands(const LinearRgb& colour);
+SmoothBands smooth_bands(const LinearRgb& colour);
 
 }  // namespace pastoso::pigment
