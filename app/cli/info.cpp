@@ -1,8 +1,10 @@
 #include "cli/info.hpp"
 
 #include "brush/preset.hpp"
+#include "cli/paint_info.hpp"
 #include "cli/progress.hpp"
 #include "cli/recording_source.hpp"
+#include "cli/usage_error.hpp"
 #include "core/isa.hpp"
 #include "document/canvas.hpp"
 #include "document/number_text.hpp"
@@ -17,6 +19,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <set>
+#include <span>
 #include <string>
 #include <thread>
 
@@ -132,17 +135,43 @@ void print_image(const std::string& path) {
                 static_cast<double>(*lightest));
 }
 
+void print_file(const std::string& path) {
+    if (names_an_image(path))
+        print_image(path);
+    else if (is_json_recording(path))
+        print_json_recording(path);
+    else
+        print_pen_trace(path);
+}
+
 }  // namespace
 
 void run_info(const InfoOptions& options) {
-    if (options.file.empty())
+    if (options.about.empty()) {
         print_program();
-    else if (names_an_image(options.file))
-        print_image(options.file);
-    else if (is_json_recording(options.file))
-        print_json_recording(options.file);
-    else
-        print_pen_trace(options.file);
+        return;
+    }
+    const std::string& subject = options.about.front();
+    const auto rest = std::span(options.about).subspan(1);
+    const auto expect = [&](bool right, const char* form) {
+        if (!right) throw UsageError(std::string("it is: pastoso-cli info ") + form + ".");
+    };
+    if (subject == "paints") {
+        expect(rest.empty(), "paints");
+        print_paints();
+    } else if (subject == "paint") {
+        expect(rest.size() == 1, "paint PB29");
+        print_paint(rest.front());
+    } else if (subject == "closest") {
+        expect(!rest.empty(), "closest \"#7a5c3e\" [PAINT...]");
+        print_closest(rest.front(), rest.subspan(1));
+    } else if (subject == "palette") {
+        expect(rest.size() == 1, "palette FILE.gpl");
+        print_palette(rest.front());
+    } else {
+        expect(rest.empty(), "FILE");
+        print_file(subject);
+    }
 }
 
 }  // namespace pastoso::cli

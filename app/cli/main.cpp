@@ -27,11 +27,16 @@ void add_paint_options(CLI::App& command, ReplayOptions& options) {
     command.add_option("--size-mm", options.size_mm, "Text recordings: width of the brush's tip")
         ->type_name("MM");
     command
-        .add_option("--paint", options.paints,
-                    "Text recordings: PB29, or a mixture by parts PB29=1+PW6=0.5, or thinned PB29@0.3, "
-                    "or clear for the medium alone; several are taken in turn, one a stroke, the brush "
-                    "being cleaned in between")
+        .add_option(
+            "--paint", options.paints,
+            "Text recordings: PB29, or a mixture by parts PB29=1+PW6=0.5, or thinned PB29@0.3, "
+            "or a colour \"#c03020\", or clear for the medium alone; several are taken in turn, one a "
+            "stroke, the brush being cleaned in between")
         ->type_name("PAINT");
+    command
+        .add_option("--palette", options.palette,
+                    "Text recordings: a .gpl file; the names of its colours may stand in --paint")
+        ->type_name("FILE");
     command.add_flag(
         "--fit", options.fit,
         "Text recordings: scale and centre the strokes on the canvas (otherwise x and y are "
@@ -167,11 +172,18 @@ void add_simulate(CLI::App& app, SimulateOptions& options) {
 }
 
 void add_info(CLI::App& app, InfoOptions& options) {
-    CLI::App& command =
-        *app.add_subcommand("info", "Describe a recording or an image, or the program itself");
-    command.add_option("FILE", options.file,
-                       "Without a file: version, brushes, pigments, media and supports");
-    command.footer("Example:\n  pastoso-cli info strokes.json");
+    CLI::App& command = *app.add_subcommand(
+        "info", "Describe a recording or an image, paints and colours, or the program itself");
+    command
+        .add_option(
+            "ABOUT", options.about,
+            "A file; or \"paints\"; \"paint NAME\"; \"closest COLOUR\" for the recipe of a colour, "
+            "out of the box or out of the paints named after it; \"palette FILE.gpl\". Without: "
+            "version, brushes, pigments, media and supports")
+        ->type_name("");
+    command.footer(
+        "Example:\n  pastoso-cli info strokes.json\n  pastoso-cli info paint PB29\n"
+        "  pastoso-cli info closest \"#7a5c3e\" PW6 PY43 PBr7-BU PB29");
 }
 
 int run(int argc, char** argv) {

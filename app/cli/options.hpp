@@ -21,6 +21,7 @@ struct ReplayOptions {
     std::optional<std::string> brush;
     std::optional<double> size_mm;
     std::vector<std::string> paints;
+    std::optional<std::string> palette;  ///< a .gpl file whose names stand for paints
     std::optional<std::string> medium;
     std::optional<std::string> canvas;
     std::optional<double> px_per_mm;
@@ -52,7 +53,9 @@ struct SimulateOptions {
 };
 
 struct InfoOptions {
-    std::string file;  ///< empty: about the program itself
+    /// None: the program itself. A file; or "paints", "paint NAME", "closest COLOUR [PAINT...]",
+    /// "palette FILE".
+    std::vector<std::string> about;
 };
 
 }  // namespace pastoso::cli

@@ -3,10 +3,12 @@
 #include "cli/usage_error.hpp"
 #include "cli/values.hpp"
 #include "core/error.hpp"
+#include "core/text_file.hpp"
 #include "document/action_checks.hpp"
 #include "document/canvas.hpp"
 #include "io/recording_json.hpp"
 #include "io/recording_text.hpp"
+#include "pigment/gpl.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -68,10 +70,10 @@ void set_seconds_after(Recording& recording, double seconds) {
 }
 
 Recording load_json(const ReplayOptions& options) {
-    if (options.brush || options.size_mm || !options.paints.empty() || options.fit) {
+    if (options.brush || options.size_mm || !options.paints.empty() || options.palette || options.fit) {
         throw UsageError(
-            "--brush, --size-mm, --paint and --fit are for text recordings; a JSON recording says "
-            "these things itself.");
+            "--brush, --size-mm, --paint, --palette and --fit are for text recordings; a JSON "
+            "recording says these things itself.");
     }
     Recording recording = io::read_recording_json(options.strokes);
     override_canvas(recording.canvas, options);
@@ -80,6 +82,14 @@ Recording load_json(const ReplayOptions& options) {
     if (options.drying_speed) replace_all(recording, drying_of(options));
     if (options.seconds) set_seconds_after(recording, *options.seconds);
     return recording;
+}
+
+/// Puts colours in the place of their names in the palette.
+void name_colours(document::PaintRecipe& paint, const pigment::ColourPalette& palette) {
+    for (document::Ingredient& ingredient : paint.ingredients) {
+        if (const pigment::NamedColour* colour = pigment::find_colour(palette, ingredient.pigment))
+            ingredient.pigment = pigment::hex_colour(colour->colour);
+    }
 }
 
 io::TraceSetup text_setup(const ReplayOptions& options) {
@@ -91,6 +101,12 @@ io::TraceSetup text_setup(const ReplayOptions& options) {
     setup.brush.size_mm = options.size_mm.value_or(0.0);
     for (const std::string& paint : options.paints.empty() ? kDefaultPaints : options.paints) {
         setup.paints.push_back(parse_paint(paint));
+    }
+    if (options.palette) {
+        const auto palette =
+            pigment::parse_gpl(core::read_text_file(*options.palette), *options.palette);
+        for (document::PaintRecipe& paint : setup.paints)
+            name_colours(paint, palette);
     }
     setup.seconds_after = options.seconds.value_or(setup.seconds_after);
     return setup;

@@ -31,7 +31,7 @@ std::string_view take_until(std::string_view& rest, char separator) {
 [[noreturn]] void refuse_paint(const std::string& text) {
     throw UsageError("--paint: \"" + text +
                      "\" is not a paint; give for example PB29, or PB29=1+PW6=0.5 for a "
-                     "mixture, or PB29@0.3 for a thinned paint.");
+                     "mixture, PB29@0.3 for a thinned paint, or \"#c03020\" for a colour.");
 }
 
 document::Ingredient parse_ingredient(std::string_view part, const std::string& whole) {

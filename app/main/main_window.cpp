@@ -5,8 +5,10 @@
 #include "io/canvas_support.hpp"
 #include "panels/brush_panel.hpp"
 #include "panels/easel_panel.hpp"
+#include "panels/mix_panel.hpp"
 #include "panels/paint_panel.hpp"
 #include "panels/status_readings.hpp"
+#include "pigment/user_pigments.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -39,11 +41,14 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas)
     lay_out();
     connect_canvas();
     connect_panels();
+    connect_mixing();
     connect_commands();
     connect_file_commands();
     easel_->set_up();
     show_hand();
     show_published();
+    for (const std::string& fault : pigment::user_pigments().faults)
+        report(QString::fromStdString(fault));
 }
 
 MainWindow::~MainWindow() {
@@ -112,8 +117,7 @@ void MainWindow::show_enabled(const session::Status& status) {
 void MainWindow::show_hand() {
     const tools::Hand& hand = easel_->hand();
     brushes_->show_brush(QString::fromStdString(hand.brush), hand.brush_width_mm);
-    const auto& mix = hand.paint.ingredients;
-    paints_->show_paint(mix.empty() ? QString() : QString::fromStdString(mix.front().pigment));
+    show_paint(hand.paint);
     stand_->show_tilt(hand.tilt.tilt_deg, hand.tilt.direction_deg);
     stand_->show_drying(hand.air.speed);
     brushes_->show_stabiliser(hand.stabiliser);
@@ -142,6 +146,15 @@ void MainWindow::lay_ruler(bool lies) {
     else
         easel_->take_ruler_away();
     show_hand();
+}
+
+void MainWindow::show_paint(const document::PaintRecipe& paint) {
+    using Dipped = panels::MixPanel::Dipped;
+    const bool is_colour = paint == picked_ && !picked_.ingredients.empty();
+    const bool is_recipe = paint == nearest_ && !nearest_.ingredients.empty();
+    mixing_->show_dipped(is_colour ? Dipped::Colour : is_recipe ? Dipped::Recipe : Dipped::Neither);
+    const auto& mix = paint.ingredients;
+    paints_->show_paint(mix.empty() ? QString() : QString::fromStdString(mix.front().pigment));
 }
 
 void MainWindow::report(const QString& sentence) {

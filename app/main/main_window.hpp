@@ -18,6 +18,7 @@ class QComboBox;
 namespace pastoso::panels {
 class BrushPanel;
 class EaselPanel;
+class MixPanel;
 class PaintPanel;
 class StatusReadings;
 }  // namespace pastoso::panels
@@ -60,6 +61,7 @@ class MainWindow : public QMainWindow {
     void make_panels();
     panels::BrushPanel* make_brush_panel();
     void connect_panels();
+    void connect_mixing();
     void connect_canvas();
     void connect_commands();
     void connect_file_commands();
@@ -67,6 +69,7 @@ class MainWindow : public QMainWindow {
     void show_hand();
     void set_symmetry(bool mirror, int count);  ///< about the middle of the canvas
     void lay_ruler(bool lies);
+    void show_paint(const document::PaintRecipe& paint);
     void show_enabled(const session::Status& status);
     bool may_discard();
     void ask_new_canvas();
@@ -85,6 +88,8 @@ class MainWindow : public QMainWindow {
     view::CanvasView* canvas_ = nullptr;
     panels::BrushPanel* brushes_ = nullptr;
     panels::PaintPanel* paints_ = nullptr;
+    panels::MixPanel* mixing_ = nullptr;
+    document::PaintRecipe picked_, nearest_;  ///< the last picked colour and its closest recipe
     panels::EaselPanel* stand_ = nullptr;
     panels::StatusReadings* readings_ = nullptr;
     QComboBox* medium_ = nullptr;

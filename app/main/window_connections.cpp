@@ -6,8 +6,10 @@
 #include "main/main_window.hpp"
 #include "panels/brush_panel.hpp"
 #include "panels/easel_panel.hpp"
+#include "panels/mix_panel.hpp"
 #include "panels/paint_panel.hpp"
 #include "panels/status_readings.hpp"
+#include "tools/colour_paint.hpp"
 
 #include <QAction>
 #include <QCloseEvent>
@@ -73,6 +75,25 @@ void MainWindow::ask_light() {
         stand_->show_illuminant(light_);
     else
         use_light(path);
+}
+
+void MainWindow::connect_mixing() {
+    connect(mixing_, &panels::MixPanel::colour_picked, this, [this](const QColor& colour) {
+        const pigment::Srgb8 rgb = {static_cast<std::uint8_t>(colour.red()),
+                                    static_cast<std::uint8_t>(colour.green()),
+                                    static_cast<std::uint8_t>(colour.blue())};
+        const pigment::Recipe recipe = tools::closest_in_box(rgb);
+        picked_ = tools::colour_paint(rgb);
+        nearest_ = tools::recipe_paint(recipe);
+        mixing_->show_recipe(colour, QString::fromStdString(tools::painters_recipe(recipe)),
+                             recipe.difference);
+        easel_->choose_paint(picked_);
+        show_hand();
+    });
+    connect(mixing_, &panels::MixPanel::recipe_wanted, this, [this] {
+        easel_->choose_paint(nearest_);
+        show_hand();
+    });
 }
 
 void MainWindow::connect_canvas() {

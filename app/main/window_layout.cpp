@@ -5,9 +5,11 @@
 #include "main/main_window.hpp"
 #include "panels/brush_panel.hpp"
 #include "panels/easel_panel.hpp"
+#include "panels/mix_panel.hpp"
 #include "panels/paint_panel.hpp"
 #include "panels/status_readings.hpp"
-#include "pigment/palette.hpp"
+#include "pigment/box.hpp"
+#include "pigment/user_pigments.hpp"
 #include "tools/swatch.hpp"
 
 #include <algorithm>
@@ -40,7 +42,7 @@ int family_rank(brush::TipShape shape) {
     }
 }
 
-QColor colour(const tools::Srgb8& rgb) {
+QColor colour(const pigment::Srgb8& rgb) {
     return {rgb[0], rgb[1], rgb[2]};
 }
 
@@ -58,13 +60,23 @@ QString family_of(const brush::Preset& preset) {
     }
 }
 
+/// The box in its order, then the other tubes, the painter's own, and the medium.
 std::vector<panels::PaintEntry> paint_entries() {
     std::vector<panels::PaintEntry> entries;
-    for (const pigment::Pigment& pigment : pigment::bundled_palette()) {
-        const tools::Swatch swatch = tools::swatch(pigment);
-        entries.push_back({QString::fromStdString(pigment.ci_name), QString::fromStdString(pigment.name),
-                           colour(swatch.masstone), colour(swatch.tint)});
-    }
+    const auto add_new = [&](const std::vector<pigment::Pigment>& paints) {
+        for (const pigment::Pigment& paint : paints) {
+            const auto ci_name = QString::fromStdString(paint.ci_name);
+            const bool known = std::any_of(entries.begin(), entries.end(),
+                                           [&](const auto& entry) { return entry.pigment == ci_name; });
+            if (known) continue;
+            const tools::Swatch swatch = tools::swatch(paint.coefficients);
+            entries.push_back({ci_name, QString::fromStdString(paint.name), colour(swatch.masstone),
+                               colour(swatch.tint)});
+        }
+    };
+    add_new(pigment::default_box());
+    add_new(pigment::bundled_palette());
+    add_new(pigment::user_pigments().pigments);
     entries.push_back({QString(), QObject::tr("Clear medium"), QColor(232, 230, 224), Qt::white});
     return entries;
 }
@@ -152,6 +164,7 @@ panels::BrushPanel* MainWindow::make_brush_panel() {
 void MainWindow::make_panels() {
     brushes_ = make_brush_panel();
     paints_ = new panels::PaintPanel(paint_entries());
+    mixing_ = new panels::MixPanel;
     stand_ = new panels::EaselPanel;
     auto* side = new QWidget;
     side->setFixedWidth(kPanelWidth);
@@ -160,6 +173,7 @@ void MainWindow::make_panels() {
     column->setSpacing(12);
     column->addWidget(brushes_, 1);
     column->addWidget(paints_, 1);
+    column->addWidget(mixing_);
     column->addWidget(stand_);
 
     auto* middle = new QWidget;

@@ -58,6 +58,7 @@ PaintPanel::PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent)
 }
 
 void PaintPanel::show_paint(const QString& pigment) {
+    list_->setCurrentItem(nullptr);
     for (int row = 0; row < list_->count(); ++row) {
         if (list_->item(row)->data(Qt::UserRole).toString() != pigment) continue;
         list_->setCurrentRow(row);

@@ -23,7 +23,7 @@ class PaintPanel : public QWidget {
   public:
     explicit PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent = nullptr);
 
-    /// Shows what the brush is dipped in, without a signal.
+    /// Shows what the brush is dipped in, without a signal; nothing when it is from no tube.
     void show_paint(const QString& pigment);
 
   Q_SIGNALS:

@@ -4,7 +4,7 @@
 #include "core/error.hpp"
 #include "document/number_text.hpp"
 #include "film/medium.hpp"
-#include "pigment/palette.hpp"
+#include "pigment/paint_name.hpp"
 
 #include <cmath>
 #include <string>
@@ -132,7 +132,7 @@ void check_time_order(const brush::PenSample& previous, const brush::PenSample& 
 
 void check_paint(const PaintRecipe& paint) {
     for (const Ingredient& ingredient : paint.ingredients) {
-        pigment::find_pigment(ingredient.pigment);
+        pigment::check_paint_name(ingredient.pigment);
         const std::string parts = "number of parts of " + ingredient.pigment;
         check_between(parts.c_str(), ingredient.parts, kLeastParts, kMostParts);
     }

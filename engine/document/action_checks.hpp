@@ -19,7 +19,7 @@ inline constexpr double kFastestDrying = 1e5;
 /// InputError as brush::parse_preset() and brush::find_preset() do.
 brush::Preset preset_of(const TakeBrush& take);
 
-/// Throws InputError for an unknown brush, pigment or medium, or for a value that is not finite or
+/// Throws InputError for an unknown brush, paint or medium, or for a value that is not finite or
 /// outside the range that events.hpp gives. The message names the value and says nothing of where it
 /// came from.
 void check_action(const Action& action);

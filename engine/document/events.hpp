@@ -19,14 +19,14 @@ namespace pastoso::document {
 /// gives the same bits as the session it was logged in.
 inline constexpr double kTick_s = 1.0 / 60.0;
 
-/// One pigment of a mixture: parts by volume of full-strength paint.
+/// One paint of a mixture: parts by volume at full strength.
 struct Ingredient {
-    std::string pigment;  ///< Colour Index name, for example "PB29"
+    std::string pigment;  ///< Colour Index name, for example "PB29", or a colour of sRGB, "#c03020"
     double parts = 1.0;   ///< > 0
     friend bool operator==(const Ingredient&, const Ingredient&) = default;
 };
 
-/// A mixture of pigments thinned with clear medium.
+/// A mixture of paints thinned with clear medium.
 struct PaintRecipe {
     std::vector<Ingredient> ingredients{};  ///< none: the medium alone
     double strength =

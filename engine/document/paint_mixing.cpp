@@ -1,5 +1,6 @@
 #include "document/paint_mixing.hpp"
 
+#include "pigment/paint_name.hpp"
 #include "pigment/palette.hpp"
 
 #include <vector>
@@ -11,7 +12,7 @@ film::PaintCoefficients mixed_paint(const PaintRecipe& paint, const film::Medium
     std::vector<pigment::Portion> portions;
     portions.reserve(paint.ingredients.size());
     for (const Ingredient& ingredient : paint.ingredients) {
-        portions.push_back({pigment::find_pigment(ingredient.pigment).coefficients, ingredient.parts});
+        portions.push_back({pigment::named_paint(ingredient.pigment), ingredient.parts});
     }
     pigment::Coefficients coefficients = pigment::mix(portions);
     for (float& value : coefficients)

@@ -14,6 +14,9 @@ inline constexpr int kChannels = 2 * kBands;
 /// Mixing by volume is the weighted mean of these numbers.
 using Coefficients = std::array<float, kChannels>;
 
+/// No paint has a coefficient above this: a cell of the film could not hold a thick layer of it.
+inline constexpr float kMostPerMm = 1090.0F;
+
 /// One value per band, for example a reflectance.
 using Bands = std::array<float, kBands>;
 

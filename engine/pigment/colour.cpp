@@ -1,5 +1,7 @@
 #include "pigment/colour.hpp"
 
+#include "core/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -57,7 +59,8 @@ double encode_srgb(double linear) {
 }
 
 double decode_srgb(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+    return encoded <= 0.04045 ? encoded / 12.92
+                              : core::exponential(2.4 * core::natural_log((encoded + 0.055) / 1.055));
 }
 
 }  // namespace pastoso::pigment

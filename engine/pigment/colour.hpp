@@ -36,6 +36,7 @@ LinearRgb linear_srgb(const Bands& reflectance);
 LinearRgb into_gamut(const LinearRgb& colour, WorkingSpace space = WorkingSpace::Srgb);
 
 /// The transfer curve of sRGB (IEC 61966-2-1) and of Display P3, and its inverse, for values in [0, 1].
+/// Decoding gives the same bits on every machine: recordings name paints by encoded colours.
 double encode_srgb(double linear);
 double decode_srgb(double encoded);
 

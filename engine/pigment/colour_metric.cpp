@@ -1,22 +1,11 @@
 #include "pigment/colour_metric.hpp"
 
-#include "core/elementary.hpp"
+#include "pigment/lab.hpp"
 
 #include <cmath>
 
 namespace pastoso::pigment {
 namespace {
-
-/// The curve of CIE Lab, f(t), and its slope.
-struct LabCurve {
-    double value = 0.0, slope = 0.0;
-};
-LabCurve lab_curve(double t) {
-    constexpr double kLinearUpTo = 216.0 / 24389.0, kSlope = 24389.0 / 27.0 / 116.0;
-    if (t <= kLinearUpTo) return {kSlope * t + 16.0 / 116.0, kSlope};
-    const double root = core::exponential(core::natural_log(t) / 3.0);
-    return {root, root / (3.0 * t)};
-}
 
 double length(double a, double b) {
     return std::sqrt(a * a + b * b);
@@ -38,18 +27,21 @@ void add_outer_product(Matrix3& matrix, const Vector3& v, double weight) {
 }  // namespace
 
 Matrix3 colour_metric(const Vector3& xyz, const Vector3& white) {
-    const LabCurve x = lab_curve(xyz[0] / white[0]), y = lab_curve(xyz[1] / white[1]),
-                   z = lab_curve(xyz[2] / white[2]);
-    const Vector3 lightness = {0.0, 116.0 * y.slope / white[1], 0.0};
-    Vector3 a = {500.0 * x.slope / white[0], -500.0 * y.slope / white[1], 0.0};
-    const Vector3 b = {0.0, 200.0 * y.slope / white[1], -200.0 * z.slope / white[2]};
+    Vector3 value{}, slope{};  // of Lab's curve
+    for (int i = 0; i < 3; ++i) {
+        value[i] = lab_curve(xyz[i] / white[i]);
+        slope[i] = lab_curve_slope(xyz[i] / white[i]) / white[i];
+    }
+    const Vector3 lightness = {0.0, 116.0 * slope[1], 0.0};
+    Vector3 a = {500.0 * slope[0], -500.0 * slope[1], 0.0};
+    const Vector3 b = {0.0, 200.0 * slope[1], -200.0 * slope[2]};
 
-    const double from_middle = 116.0 * y.value - 66.0;
-    const double plain_a = 500.0 * (x.value - y.value), b_value = 200.0 * (y.value - z.value);
+    const double from_middle = 116.0 * value[1] - 66.0;
+    const double plain_a = 500.0 * (value[0] - value[1]), b_value = 200.0 * (value[1] - value[2]);
     const double stretch = 1.0 + stretch_near_greys(length(plain_a, b_value));
     const double a_value = stretch * plain_a;
-    for (double& slope : a)
-        slope *= stretch;
+    for (double& component : a)
+        component *= stretch;
     const double chroma = length(a_value, b_value);
     const double cosine = chroma > 0.0 ? a_value / chroma : 1.0;
     const double sine = chroma > 0.0 ? b_value / chroma : 0.0;

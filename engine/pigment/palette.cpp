@@ -3,28 +3,31 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "core/resources.hpp"
+#include "core/text.hpp"
 #include "core/text_file.hpp"
+#include "pigment/user_pigments.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <numeric>
 
 namespace pastoso::pigment {
 namespace {
 
-std::vector<Pigment> load_bundled_palette() {
-    const auto bands_path = core::resource_path("pigments/bands_6.json");
-    const auto palette_path = core::resource_path("pigments/pigments.csv");
-    const BandWeights weights =
-        parse_band_weights(core::read_text_file(bands_path), bands_path.string());
-    return parse_palette(core::read_text_file(palette_path), weights, palette_path.string());
+BandWeights load_band_weights() {
+    const auto path = core::resource_path("pigments/bands_6.json");
+    return parse_band_weights(core::read_text_file(path), path.string());
 }
 
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return lower;
+std::vector<Pigment> load_bundled_palette() {
+    const auto path = core::resource_path("pigments/pigments.csv");
+    return parse_palette(core::read_text_file(path), bundled_band_weights(), path.string());
+}
+
+/// The pigment of that name, or nothing.
+const Pigment* find_in(const std::vector<Pigment>& palette, std::string_view ci_name) {
+    const auto found = std::find_if(palette.begin(), palette.end(),
+                                    [&](const Pigment& pigment) { return pigment.ci_name == ci_name; });
+    return found == palette.end() ? nullptr : &*found;
 }
 
 /// The number of letters to insert, drop or change that turn one text into the other (Levenshtein).
@@ -44,20 +47,46 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 bool resembles(const Pigment& pigment, const std::string& wanted) {
-    if (wanted.size() >= 3 && lower_case(pigment.name).find(wanted) != std::string::npos) return true;
-    return edit_distance(lower_case(pigment.ci_name), wanted) <= 1;
+    if (wanted.size() >= 3 && core::lower_case(pigment.name).find(wanted) != std::string::npos)
+        return true;
+    return edit_distance(core::lower_case(pigment.ci_name), wanted) <= 1;
 }
 
 std::string suggestions(std::string_view wanted) {
     std::string text;
-    for (const Pigment& pigment : bundled_palette()) {
-        if (!resembles(pigment, lower_case(wanted))) continue;
-        text += (text.empty() ? "did you mean " : " or ") + pigment.ci_name + " (" + pigment.name + ")";
+    for (const std::vector<Pigment>* palette : {&bundled_palette(), &user_pigments().pigments}) {
+        for (const Pigment& pigment : *palette) {
+            if (!resembles(pigment, core::lower_case(wanted))) continue;
+            text +=
+                (text.empty() ? "did you mean " : " or ") + pigment.ci_name + " (" + pigment.name + ")";
+        }
     }
     return text.empty() ? text : text + "; ";
 }
 
+std::string names_of(const std::vector<Pigment>& palette) {
+    std::string names;
+    for (const Pigment& pigment : palette)
+        names += (names.empty() ? "" : ", ") + pigment.ci_name;
+    return names;
+}
+
+/// What is said of the user's own pigments where one is not found.
+std::string about_user_pigments() {
+    const UserPigments& user = user_pigments();
+    std::string text = user.pigments.empty() ? "" : ", yours " + names_of(user.pigments);
+    text += ".";
+    for (const std::string& fault : user.faults)
+        text += " Not read: " + fault;
+    return text;
+}
+
 }  // namespace
+
+const BandWeights& bundled_band_weights() {
+    static const BandWeights weights = load_band_weights();
+    return weights;
+}
 
 const std::vector<Pigment>& bundled_palette() {
     static const std::vector<Pigment> palette = load_bundled_palette();
@@ -65,15 +94,11 @@ const std::vector<Pigment>& bundled_palette() {
 }
 
 const Pigment& find_pigment(std::string_view ci_name) {
-    const std::vector<Pigment>& palette = bundled_palette();
-    const auto found = std::find_if(palette.begin(), palette.end(),
-                                    [&](const Pigment& pigment) { return pigment.ci_name == ci_name; });
-    if (found != palette.end()) return *found;
-    std::string names;
-    for (const Pigment& pigment : palette)
-        names += (names.empty() ? "" : ", ") + pigment.ci_name;
+    if (const Pigment* pigment = find_in(bundled_palette(), ci_name)) return *pigment;
+    if (const Pigment* pigment = find_in(user_pigments().pigments, ci_name)) return *pigment;
     throw core::InputError("There is no pigment \"" + std::string(ci_name) + "\"; " +
-                           suggestions(ci_name) + "the palette has " + names + ".");
+                           suggestions(ci_name) + "the palette has " + names_of(bundled_palette()) +
+                           about_user_pigments());
 }
 
 Coefficients mix(std::span<const Portion> portions) {

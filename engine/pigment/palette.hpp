@@ -32,8 +32,12 @@ std::vector<Pigment> parse_palette(std::string_view csv_text, const BandWeights&
 /// InputError when the program's own files are missing or broken.
 const std::vector<Pigment>& bundled_palette();
 
-/// The bundled pigment of that Colour Index name. Throws InputError that suggests the nearest names and
-/// lists those there are.
+/// The windows of the bands that come with the program. Throws InputError like bundled_palette().
+const BandWeights& bundled_band_weights();
+
+/// The bundled pigment of that Colour Index name, or the user's own (pigment/user_pigments.hpp). Throws
+/// InputError that suggests the nearest names, lists those there are, and says which of the user's files
+/// could not be read.
 const Pigment& find_pigment(std::string_view ci_name);
 
 /// One part of a mixture; `parts` by volume, >= 0.

@@ -57,10 +57,12 @@ core::InputError error_at(const Line& line, std::size_t column, const std::strin
 }
 
 void check_column_count(const Line& line) {
-    if (line.fields.size() == kColumns) return;
-    throw core::located_error(line.file, line.number,
-                              "there are " + std::to_string(line.fields.size()) +
-                                  " columns instead of " + std::to_string(kColumns) + ".");
+    const std::size_t count = line.fields.size();
+    if (count == kColumns) return;
+    const std::string found =
+        "there are " + std::to_string(count) + " columns instead of " + std::to_string(kColumns) + ".";
+    if (count < kColumns) throw error_at(line, count, "missing; " + found);
+    throw core::located_error(line.file, line.number, found);
 }
 
 void check_heading(const Line& line) {
@@ -127,6 +129,18 @@ void add_row(std::vector<Entry>& entries, const Row& row, const Line& line) {
     (row.absorption ? entry.pigment.absorption_per_mm : entry.pigment.scattering_per_mm) = row.values;
 }
 
+void check_strength(const Pigment& pigment, const std::string& file) {
+    for (int channel = 0; channel < kChannels; ++channel) {
+        const float value = pigment.coefficients[channel];
+        if (value <= kMostPerMm) continue;
+        throw core::InputError(file + ": " + (channel < kBands ? "K" : "S") + " of the pigment " +
+                               in_quotes(pigment.ci_name) + " is " + std::to_string(value) +
+                               " per mm in band " + std::to_string(channel % kBands + 1) + " of " +
+                               std::to_string(kBands) + ", above the " + std::to_string(kMostPerMm) +
+                               " that paint can have; give the pigment in a weaker paint.");
+    }
+}
+
 Pigment completed(Entry entry, const BandWeights& weights, const std::string& file) {
     if (!entry.has_absorption || !entry.has_scattering) {
         throw core::InputError(file + ": the pigment " + in_quotes(entry.pigment.ci_name) +
@@ -136,6 +150,7 @@ Pigment completed(Entry entry, const BandWeights& weights, const std::string& fi
     const Bands scattering = reduce_to_bands(entry.pigment.scattering_per_mm, weights);
     std::copy(absorption.begin(), absorption.end(), entry.pigment.coefficients.begin());
     std::copy(scattering.begin(), scattering.end(), entry.pigment.coefficients.begin() + kBands);
+    check_strength(entry.pigment, file);
     return std::move(entry.pigment);
 }
 

@@ -23,10 +23,10 @@ TEST(CliHelp, EverySubcommandHasHelpWithAnExample) {
 TEST(CliHelp, ReplayNamesAllItsOptions) {
     const std::string help = run_cli({"replay", "--help"}).output;
     for (const char* option :
-         {"--brush", "--size-mm",        "--paint",   "--medium",  "--canvas",    "--px-per-mm",
-          "--tilt",  "--tilt-direction", "--seconds", "--support", "--relief-mm", "--threads",
-          "--fit",   "--output",         "--stats",   "--frames",  "--fps",       "--scale",
-          "--light", "--profile",        "--depth"}) {
+         {"--brush",     "--size-mm", "--paint",          "--palette", "--medium",  "--canvas",
+          "--px-per-mm", "--tilt",    "--tilt-direction", "--seconds", "--support", "--relief-mm",
+          "--threads",   "--fit",     "--output",         "--stats",   "--frames",  "--fps",
+          "--scale",     "--light",   "--profile",        "--depth"}) {
         EXPECT_THAT(help, HasSubstr(option));
     }
 }

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 LoadPaint double_load() {
     LoadPaint load;
-    load.paint = {{{"PB29", 1.0}, {"PW6", 0.3}, {"PB29", 0.1}}, 0.7};
+    load.paint = {{{"PB29", 1.0}, {"PW6", 0.3}, {"PB29", 0.1}, {"#c03020", 0.2}}, 0.7};
     load.second = {{{"PY35", 1.0}}, 1.0};
     load.second_share = 0.4;
     load.share_variation = 0.6;

@@ -1,7 +1,7 @@
 // Six bands against the full spectrum: random mixtures of the palette, opaque, in every light.
-#include "lab.hpp"
 #include "pigment/adaptation.hpp"
 #include "pigment/kubelka_munk.hpp"
+#include "pigment/lab.hpp"
 #include "pigment/observer.hpp"
 #include "pigment/palette.hpp"
 #include "pigment/viewing.hpp"
@@ -46,12 +46,12 @@ Mixture random_mixture(std::mt19937& random, bool tinted) {
     return mixture;
 }
 
-test::Lab lab_of(const test::Xyz& adapted) {
-    return test::lab(adapted, white_xyz(kD65White));
+Lab lab_of(const Xyz& adapted) {
+    return lab(adapted, white_xyz(kD65White));
 }
 
 /// From the full spectrum, by an eye adapted to the light.
-test::Lab spectral_colour(const Mixture& mixture, const Spectrum& power) {
+Lab spectral_colour(const Mixture& mixture, const Spectrum& power) {
     Spectrum reflectance{};
     for (int i = 0; i < kSpectralSamples; ++i) {
         reflectance[i] =
@@ -61,7 +61,7 @@ test::Lab spectral_colour(const Mixture& mixture, const Spectrum& power) {
     return lab_of(transformed(adaptation, tristimulus(reflectance, power)));
 }
 
-test::Lab band_colour(const Mixture& mixture, const Viewing& viewing) {
+Lab band_colour(const Mixture& mixture, const Viewing& viewing) {
     Bands reflectance{};
     for (int band = 0; band < kBands; ++band) {
         reflectance[band] = through_surface(
@@ -81,8 +81,7 @@ Differences measure(const Illuminant& light, const Viewing& viewing, bool tinted
     Differences result;
     for (double& difference : differences) {
         const Mixture mixture = random_mixture(random, tinted);
-        difference =
-            test::ciede2000(spectral_colour(mixture, light.power), band_colour(mixture, viewing));
+        difference = ciede2000(spectral_colour(mixture, light.power), band_colour(mixture, viewing));
         result.mean += difference / 4000.0;
     }
     std::sort(differences.begin(), differences.end());

@@ -2,7 +2,7 @@
 
 #include "core/resources.hpp"
 #include "core/text_file.hpp"
-#include "lab.hpp"
+#include "pigment/lab.hpp"
 
 #include <random>
 
@@ -68,11 +68,10 @@ TEST(IntoGamut, AlwaysFits) {
 
 TEST(Ciede2000, GivesThePublishedDifferences) {
     // Sharma, Wu, Dalal 2005, table 1, pairs 1, 7, 17 and 25.
-    EXPECT_NEAR(test::ciede2000({50, 2.6772, -79.7751}, {50, 0, -82.7485}), 2.0425, 5e-5);
-    EXPECT_NEAR(test::ciede2000({50, 0, 0}, {50, -1, 2}), 2.3669, 5e-5);
-    EXPECT_NEAR(test::ciede2000({50, 2.5, 0}, {73, 25, -18}), 27.1492, 5e-5);
-    EXPECT_NEAR(test::ciede2000({60.2574, -34.0099, 36.2677}, {60.4626, -34.1751, 39.4387}), 1.2644,
-                5e-5);
+    EXPECT_NEAR(ciede2000({50, 2.6772, -79.7751}, {50, 0, -82.7485}), 2.0425, 5e-5);
+    EXPECT_NEAR(ciede2000({50, 0, 0}, {50, -1, 2}), 2.3669, 5e-5);
+    EXPECT_NEAR(ciede2000({50, 2.5, 0}, {73, 25, -18}), 27.1492, 5e-5);
+    EXPECT_NEAR(ciede2000({60.2574, -34.0099, 36.2677}, {60.4626, -34.1751, 39.4387}), 1.2644, 5e-5);
 }
 
 }  // namespace

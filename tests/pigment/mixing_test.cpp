@@ -1,7 +1,6 @@
 // How the palette's paints mix, as hue and chroma in CIE Lab: what a painter would notice first.
-#include "lab.hpp"
-#include "pigment/colour.hpp"
-#include "pigment/kubelka_munk.hpp"
+#include "pigment/appearance.hpp"
+#include "pigment/lab.hpp"
 #include "pigment/palette.hpp"
 
 #include <initializer_list>
@@ -16,37 +15,32 @@ namespace {
 /// the same colour within this.
 constexpr double kHueTolerance_deg = 8.0;
 
-test::Lab masstone(std::initializer_list<std::pair<const char*, double>> recipe) {
+Lab masstone(std::initializer_list<std::pair<const char*, double>> recipe) {
     std::vector<Portion> portions;
     for (const auto& [name, parts] : recipe)
         portions.push_back({find_pigment(name).coefficients, parts});
-    const Coefficients paint = mix(portions);
-    Bands reflectance{};
-    for (int band = 0; band < kBands; ++band) {
-        reflectance[band] = through_surface(opaque_reflectance(paint[band], paint[kBands + band]));
-    }
-    return test::lab(linear_srgb(reflectance));
+    return lab(pigment::masstone(mix(portions)));
 }
 
-void expect_hue(const test::Lab& colour, double hue_deg) {
-    EXPECT_LE(test::hue_difference_deg(colour.hue_deg(), hue_deg), kHueTolerance_deg)
+void expect_hue(const Lab& colour, double hue_deg) {
+    EXPECT_LE(hue_difference_deg(colour.hue_deg(), hue_deg), kHueTolerance_deg)
         << "hue " << colour.hue_deg() << " chroma " << colour.chroma();
 }
 
 TEST(Mixing, HansaYellowAndPhthaloBlueMakeABrightGreen) {
-    const test::Lab green = masstone({{"PY74", 20}, {"PB15:3", 1}});
+    const Lab green = masstone({{"PY74", 20}, {"PB15:3", 1}});
     expect_hue(green, 139.0);
     EXPECT_NEAR(green.chroma(), 70.0, 8.0);
 }
 
 TEST(Mixing, CadmiumYellowAndUltramarineMakeADullGreen) {
-    const test::Lab green = masstone({{"PY35", 1}, {"PB29", 1}});
+    const Lab green = masstone({{"PY35", 1}, {"PB29", 1}});
     expect_hue(green, 136.0);
     EXPECT_NEAR(green.chroma(), 30.0, 8.0);
 }
 
 TEST(Mixing, HansaYellowAndPyrroleRedMakeOrange) {
-    const test::Lab orange = masstone({{"PY74", 3}, {"PR254", 1}});
+    const Lab orange = masstone({{"PY74", 3}, {"PR254", 1}});
     expect_hue(orange, 46.0);
     EXPECT_NEAR(orange.chroma(), 71.0, 8.0);
 }

@@ -77,7 +77,7 @@ TEST(ParsePalette, NamesTheFileLineColumnAndValue) {
     EXPECT_THAT(parse_failure(good + "X1,A,S,nan" + row("", 2.0).substr(2)),
                 AllOf(HasSubstr("column 4"), HasSubstr("not a finite number")));
     EXPECT_THAT(parse_failure(good + "X1,A,S,1,2,3\n"),
-                HasSubstr("line 3: there are 6 columns instead of 39"));
+                HasSubstr("line 3: column 7 (410): missing; there are 6 columns instead of 39"));
     EXPECT_THAT(parse_failure(good + row("X1,A,T", 2.0)), HasSubstr("\"T\" is neither K nor S"));
     EXPECT_THAT(parse_failure(good + row("X1,A,K", 2.0)),
                 HasSubstr("line 3: K of the pigment \"X1\" is given twice"));

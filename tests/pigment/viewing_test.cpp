@@ -2,10 +2,10 @@
 
 #include "core/resources.hpp"
 #include "core/text_file.hpp"
-#include "lab.hpp"
 #include "pigment/adaptation.hpp"
 #include "pigment/band_fit.hpp"
 #include "pigment/colour_metric.hpp"
+#include "pigment/lab.hpp"
 #include "pigment/observer.hpp"
 
 #include <cmath>
@@ -55,8 +55,7 @@ TEST(ColourMetric, IsTheDifferenceOfNearColours) {
         const double size =
             std::sqrt(apart[0] * weighted[0] + apart[1] * weighted[1] + apart[2] * weighted[2]);
         // Near greys what is left out of the formula is small.
-        EXPECT_NEAR(size, test::ciede2000(test::lab(colour, white), test::lab(near, white)),
-                    0.05 * size);
+        EXPECT_NEAR(size, ciede2000(lab(colour, white), lab(near, white)), 0.05 * size);
     }
 }
 

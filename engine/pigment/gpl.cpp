@@ -1,0 +1,92 @@
+#include "pigment/gpl.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace pastoso::pigment {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r";
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(kBlanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+/// Cuts off and returns what stands before the first of `separators`.
+std::string_view take_until(std::string_view& rest, std::string_view separators) {
+    const std::size_t length = std::min(rest.find_first_of(separators), rest.size());
+    const std::string_view head = rest.substr(0, length);
+    rest.remove_prefix(std::min(length + 1, rest.size()));
+    return head;
+}
+
+struct Line {
+    const std::string& file;
+    long number = 0;
+
+    core::InputError error(const std::string& message) const {
+        return core::located_error(file, number, message);
+    }
+};
+
+std::uint8_t parse_channel(const Line& line, const char* channel, std::string_view word) {
+    if (word.empty()) throw line.error(std::string("the ") + channel + " is missing.");
+    int value = -1;
+    const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (status != std::errc{} || end != word.data() + word.size() || value < 0 || value > 255) {
+        throw line.error(std::string("the ") + channel + " \"" + std::string(word) +
+                         "\" is not a whole number from 0 to 255.");
+    }
+    return static_cast<std::uint8_t>(value);
+}
+
+NamedColour parse_colour(const Line& line, std::string_view text) {
+    static constexpr std::array<const char*, 3> kChannels = {"red", "green", "blue"};
+    NamedColour colour;
+    for (std::size_t i = 0; i < kChannels.size(); ++i) {
+        colour.colour[i] = parse_channel(line, kChannels[i], take_until(text, kBlanks));
+        text = trimmed(text);
+    }
+    colour.name = text;
+    return colour;
+}
+
+/// "Name: Value" and the like, which stand before the colours.
+bool is_property(std::string_view text) {
+    const bool begins_with_letter = (text.front() | 0x20) >= 'a' && (text.front() | 0x20) <= 'z';
+    return begins_with_letter && text.find(':') != std::string_view::npos;
+}
+
+}  // namespace
+
+ColourPalette parse_gpl(std::string_view text, const std::string& file) {
+    constexpr std::string_view kName = "Name:";
+    ColourPalette palette;
+    Line line{file, 1};
+    if (trimmed(take_until(text, "\n")) != "GIMP Palette")
+        throw line.error("this is not a GIMP palette; it would begin with \"GIMP Palette\".");
+    while (!text.empty()) {
+        ++line.number;
+        const std::string_view entry = trimmed(take_until(text, "\n"));
+        if (entry.empty() || entry.front() == '#') continue;
+        if (!palette.colours.empty() || !is_property(entry))
+            palette.colours.push_back(parse_colour(line, entry));
+        else if (entry.starts_with(kName))
+            palette.name = trimmed(entry.substr(kName.size()));
+    }
+    if (palette.colours.empty()) throw core::InputError(file + ": there is no colour in this palette.");
+    return palette;
+}
+
+const NamedColour* find_colour(const ColourPalette& palette, std::string_view name) {
+    const auto found = std::find_if(palette.colours.begin(), palette.colours.end(),
+                                    [&](const NamedColour& colour) { return colour.name == name; });
+    return found == palette.colours.end() ? nullptr : &*found;
+}
+
+}  // namespace pastoso::pigment

@@ -1,0 +1,65 @@
+#include "pigment/user_pigments.hpp"
+
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "core/user_data.hpp"
+
+#include <algorithm>
+
+namespace pastoso::pigment {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{16} << 20;
+
+std::vector<std::filesystem::path> csv_files(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+        if (entry.path().extension() == ".csv") files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+bool holds(const std::vector<Pigment>& pigments, const std::string& ci_name) {
+    return std::any_of(pigments.begin(), pigments.end(),
+                       [&](const Pigment& pigment) { return pigment.ci_name == ci_name; });
+}
+
+std::vector<Pigment> read_file(const std::filesystem::path& path, const std::vector<Pigment>& taken) {
+    std::vector<Pigment> pigments =
+        parse_palette(core::read_text_file(path, kMostBytes), bundled_band_weights(), path.string());
+    for (const Pigment& pigment : pigments) {
+        if (holds(bundled_palette(), pigment.ci_name) || holds(taken, pigment.ci_name)) {
+            throw core::InputError(path.string() + ": there is already a pigment \"" + pigment.ci_name +
+                                   "\"; give yours another name.");
+        }
+        if (pigment.ci_name.front() == '#') {
+            throw core::InputError(path.string() + ": the name \"" + pigment.ci_name +
+                                   "\" begins with #, as only colours do.");
+        }
+    }
+    return pigments;
+}
+
+}  // namespace
+
+UserPigments read_user_pigments(const std::filesystem::path& folder) {
+    UserPigments user;
+    for (const std::filesystem::path& path : csv_files(folder)) {
+        try {
+            for (Pigment& pigment : read_file(path, user.pigments))
+                user.pigments.push_back(std::move(pigment));
+        } catch (const core::InputError& fault) {
+            user.faults.emplace_back(fault.what());
+        }
+    }
+    return user;
+}
+
+const UserPigments& user_pigments() {
+    static const UserPigments user = read_user_pigments(core::user_data_path("pigments"));
+    return user;
+}
+
+}  // namespace pastoso::pigment
