@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <new>
 #include <string>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -22,7 +23,8 @@ enum ExitStatus { kDone = 0, kBadInput = 1, kBadUsage = 2, kStopped = 130 };
 void add_paint_options(CLI::App& command, ReplayOptions& options) {
     command
         .add_option("--brush", options.brush,
-                    "Text recordings: the brush, by name (default: Flat bristle 20)")
+                    "Text recordings: the tool, by name, or a preset file of your own, NAME.json "
+                    "(default: Flat bristle 20)")
         ->type_name("NAME");
     command.add_option("--size-mm", options.size_mm, "Text recordings: width of the brush's tip")
         ->type_name("MM");
@@ -134,6 +136,15 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
         "--paint PB29=1+PW6=0.5 PY35 \\\n      --canvas 300x200mm --tilt 60 --seconds 8 -o out.png");
 }
 
+/// The reference sheet is a recording that comes with the program.
+void add_sheet(CLI::App& app, ReplayOptions& options) {
+    CLI::App& command =
+        *app.add_subcommand("sheet", "Paint the reference sheet: what every tool does, and colours");
+    command.add_option("--px-per-mm", options.px_per_mm, "Cells per millimetre (5)")->type_name("N");
+    add_output_options(command, options);
+    command.footer("Example:\n  pastoso-cli sheet -o sheet.png");
+}
+
 std::string bundled_scenes_text() {
     std::string text;
     for (const std::string& name : io::bundled_scene_names())
@@ -187,7 +198,7 @@ void add_info(CLI::App& app, InfoOptions& options) {
 }
 
 int run(int argc, char** argv) {
-    ReplayOptions replay;
+    ReplayOptions replay, sheet;
     SimulateOptions simulate;
     InfoOptions info;
     CLI::App app("Paints with thick wet paint, without a screen.", "pastoso-cli");
@@ -195,12 +206,14 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer("Example:\n  pastoso-cli replay strokes.json -o picture.png");
     add_replay(app, replay);
+    add_sheet(app, sheet);
     add_simulate(app, simulate);
     add_info(app, info);
     const std::string first = argc > 1 ? argv[1] : "-";
     const auto is_named = [&](const CLI::App* command) { return command->get_name() == first; };
     if (!first.starts_with('-') && app.get_subcommands(is_named).empty()) {
-        throw UsageError("there is no subcommand \"" + first + "\", only replay, simulate and info.");
+        throw UsageError("there is no subcommand \"" + first +
+                         "\", only replay, sheet, simulate and info.");
     }
     try {
         app.parse(argc, argv);
@@ -211,6 +224,8 @@ int run(int argc, char** argv) {
     }
     if (app.got_subcommand("replay"))
         run_replay(replay);
+    else if (app.got_subcommand("sheet"))
+        run_sheet(std::move(sheet));
     else if (app.got_subcommand("simulate"))
         run_simulate(simulate);
     else

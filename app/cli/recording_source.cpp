@@ -1,5 +1,6 @@
 #include "cli/recording_source.hpp"
 
+#include "cli/brush_choice.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/values.hpp"
 #include "core/error.hpp"
@@ -97,7 +98,7 @@ io::TraceSetup text_setup(const ReplayOptions& options) {
     override_canvas(setup.canvas, options);
     setup.medium = options.medium.value_or(kDefaultMedium);
     setup.tilt = tilt_of(options);
-    setup.brush.preset = options.brush.value_or(kDefaultBrush);
+    setup.brush = chosen_brush(options.brush.value_or(kDefaultBrush));
     setup.brush.size_mm = options.size_mm.value_or(0.0);
     for (const std::string& paint : options.paints.empty() ? kDefaultPaints : options.paints) {
         setup.paints.push_back(parse_paint(paint));

@@ -6,6 +6,7 @@
 #include "cli/recording_source.hpp"
 #include "cli/stopwatch.hpp"
 #include "core/error.hpp"
+#include "core/resources.hpp"
 #include "core/thread_pool.hpp"
 #include "document/player.hpp"
 #include "io/canvas_support.hpp"
@@ -96,6 +97,11 @@ void run_replay(const ReplayOptions& options) {
     stats.wall_s = wall.seconds();
     if (!options.stats.empty()) io::write_stats(options.stats, stats);
     print_summary(options, recording, stats, picture, frames.frames_written());
+}
+
+void run_sheet(ReplayOptions options) {
+    options.strokes = core::resource_path("strokes/sheet.json").string();
+    run_replay(options);
 }
 
 }  // namespace pastoso::cli

@@ -9,4 +9,7 @@ namespace pastoso::cli {
 /// Interrupted when the user stops it.
 void run_replay(const ReplayOptions& options);
 
+/// The same with the recording of the reference sheet, which comes with the program.
+void run_sheet(ReplayOptions options);
+
 }  // namespace pastoso::cli

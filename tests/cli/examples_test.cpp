@@ -31,9 +31,12 @@ TEST_P(CliExamples, AreReplayedInFull) {
     EXPECT_EQ(run.status, 0) << run.errors;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, CliExamples, testing::Values("sampler.json", "still-life.json"),
+INSTANTIATE_TEST_SUITE_P(All, CliExamples,
+                         testing::Values("sampler.json", "sheet.json", "still-life.json"),
                          [](const auto& example) {
-                             return example.index == 0 ? "Sampler" : "StillLife";
+                             std::string name = example.param;
+                             std::erase_if(name, [](char c) { return std::isalpha(c) == 0; });
+                             return name;
                          });
 
 }  // namespace

@@ -11,6 +11,7 @@ using testing::StartsWith;
 TEST(CliHelp, EverySubcommandHasHelpWithAnExample) {
     for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
                                                       {"replay", "--help"},
+                                                      {"sheet", "--help"},
                                                       {"simulate", "--help"},
                                                       {"info", "--help"}}) {
         const RunResult run = run_cli(arguments);
