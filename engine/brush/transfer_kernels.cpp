@@ -88,15 +88,39 @@ PASTOSO_KERNEL_INLINE float dither(std::uint32_t cell, std::uint32_t seed) {
     return static_cast<float>((cell * 0x9E3779B9U + seed) >> 8) * 0x1p-24F;
 }
 
-/// The channels as groups of four, which every instruction set has registers for.
-constexpr int kLanes = 4, kGroups = film::kPaintChannels / kLanes;
-using FloatLanes [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = float;
-using IntLanes [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = std::int32_t;
-using WideLanes [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = std::int64_t;
+/// The channels in groups of one register: one, two or four.
+#if defined(__AVX512F__)
+constexpr int kLanes = 16;
+#elif defined(__AVX2__)
+constexpr int kLanes = 8;
+#else
+constexpr int kLanes = 4;
+#endif
+constexpr int kGroups = film::kPaintChannels / kLanes;
+using FloatLanes [[gnu::vector_size(4 * kLanes), gnu::aligned(4), gnu::may_alias]] = float;
+using IntLanes [[gnu::vector_size(4 * kLanes), gnu::aligned(4), gnu::may_alias]] = std::int32_t;
+
+/// Sums of the channels' changes over up to 2^15 cells, in halves that do not overflow.
+constexpr int kHalfBits = 16;
+struct ChannelSums {
+    IntLanes low[kGroups] = {};   ///< of the lower bits, as numbers >= 0
+    IntLanes high[kGroups] = {};  ///< of the upper bits
+
+    PASTOSO_KERNEL_INLINE void add(int group, IntLanes change) {
+        low[group] += change & ((1 << kHalfBits) - 1);
+        high[group] += change >> kHalfBits;
+    }
+    PASTOSO_KERNEL_INLINE void add_to(std::array<std::int64_t, film::kPaintChannels>& sums) const {
+        for (int k = 0; k < film::kPaintChannels; ++k) {
+            const std::int64_t upper = high[k / kLanes][k % kLanes];
+            sums[k] += upper * (1 << kHalfBits) + low[k / kLanes][k % kLanes];
+        }
+    }
+};
 
 /// Exchanges pigment: `out_share` of the cell's leaves, `gained` thickness quanta of the tool's come in.
 PASTOSO_KERNEL_INLINE void exchange_pigment(IntLanes* pigment, const FloatLanes* given, float out_share,
-                                            float gained, float rounding, WideLanes* sums) {
+                                            float gained, float rounding, ChannelSums& sums) {
     for (int group = 0; group < kGroups; ++group) {
         const IntLanes held = pigment[group];
         const IntLanes wanted = __builtin_convertvector(
@@ -107,15 +131,83 @@ PASTOSO_KERNEL_INLINE void exchange_pigment(IntLanes* pigment, const FloatLanes*
         const IntLanes in = offered < room ? offered : room;
         const IntLanes change = in - out;
         pigment[group] = held + change;
-        sums[group] += __builtin_convertvector(change, WideLanes);
+        sums.add(group, change);
     }
 }
 
-PASTOSO_KERNEL_INLINE void take_all_pigment(IntLanes* pigment, WideLanes* sums) {
+PASTOSO_KERNEL_INLINE void take_all_pigment(IntLanes* pigment, ChannelSums& sums) {
     for (int group = 0; group < kGroups; ++group) {
-        sums[group] -= __builtin_convertvector(pigment[group], WideLanes);
+        sums.add(group, -pigment[group]);
         pigment[group] = IntLanes{};
     }
+}
+
+/// What happens to a few cells, worked out for all of them at once before their pigment is touched.
+constexpr int kChunk = 64;
+struct CellChanges {
+    std::int32_t thickness[kChunk];
+    std::int32_t swap[kChunk];
+    float out_share[kChunk];  ///< of the cell's pigment
+    float gained[kChunk];     ///< thickness quanta of the tool's paint
+    float rounding[kChunk];
+    std::int32_t active[kChunk];  ///< cells that change, in order
+};
+
+PASTOSO_KERNEL_INLINE void settle_changes(const ApplyRule& rule, const TileCells& cells, int first,
+                                          int count, CellChanges& changes) {
+    for (int i = 0; i < count; ++i) {
+        const std::int32_t h = cells.held[first + i];
+        const std::int32_t wanted = cells.change[first + i];
+        const auto scaled = static_cast<std::int32_t>(static_cast<float>(wanted) * rule.deposit_scale);
+        const std::int32_t fitting = wanted > 0 ? scaled : wanted;
+        const std::int32_t change = fitting != 0 && h + fitting < kTraceQuanta ? -h : fitting;
+        const auto swap =
+            static_cast<std::int32_t>(static_cast<float>(cells.swap[first + i]) * rule.swap_scale);
+        const float share =
+            static_cast<float>(swap + larger(-change, 0)) / static_cast<float>(larger(h, 1));
+        changes.thickness[i] = change;
+        changes.swap[i] = swap;
+        changes.out_share[i] = smaller(share, 1.0F);
+        changes.gained[i] = static_cast<float>(swap + larger(change, 0));
+        changes.rounding[i] =
+            dither(static_cast<std::uint32_t>(cells.cell[first + i]), rule.dither_seed);
+    }
+}
+
+PASTOSO_KERNEL_INLINE int list_active(const TileCells& cells, int first, int count,
+                                      CellChanges& changes) {
+    int active = 0;
+    for (int i = 0; i < count; ++i) {
+        __builtin_prefetch(&cells.paint[cells.cell[first + i]], 1);
+        changes.active[active] = i;
+        active += (changes.thickness[i] | changes.swap[i]) != 0 ? 1 : 0;
+    }
+    return active;
+}
+
+/// Moves the thickness and the pigment of up to kChunk cells.
+PASTOSO_KERNEL_INLINE void apply_chunk(const ApplyRule& rule, const TileCells& cells, int first,
+                                       int count, ChangeSums& sums) {
+    CellChanges changes;
+    settle_changes(rule, cells, first, count, changes);
+    const int active = list_active(cells, first, count, changes);
+    const auto* given = reinterpret_cast<const FloatLanes*>(rule.given.data());
+    ChannelSums gains;
+    for (int n = 0; n < active; ++n) {
+        const int i = changes.active[n];
+        const std::int32_t cell = cells.cell[first + i];
+        const std::int32_t thickness = cells.held[first + i] + changes.thickness[i];
+        sums.thickness += changes.thickness[i];
+        cells.thickness[cell] = thickness;
+        auto* pigment = reinterpret_cast<IntLanes*>(cells.paint[cell].data());
+        if (thickness == 0)
+            take_all_pigment(pigment, gains);
+        else
+            exchange_pigment(pigment, given, changes.out_share[i], changes.gained[i],
+                             changes.rounding[i], gains);
+    }
+    sums.any = sums.any || active > 0;
+    gains.add_to(sums.paint);
 }
 
 }  // namespace
@@ -125,33 +217,8 @@ WantedSums plan(const ExchangeRule& rule, const BatchColumns& batch) {
 }
 
 void apply(const ApplyRule& rule, const TileCells& cells, ChangeSums& sums) {
-    const auto* given = reinterpret_cast<const FloatLanes*>(rule.given.data());
-    WideLanes gains[kGroups] = {};
-    for (int i = 0; i < cells.count; ++i) {
-        const std::int32_t cell = cells.cell[i];
-        const std::int32_t h = cells.thickness[cell];
-        std::int32_t change = cells.change[i];
-        if (change > 0)
-            change = static_cast<std::int32_t>(static_cast<float>(change) * rule.deposit_scale);
-        if (change != 0 && h + change < kTraceQuanta) change = -h;
-        const auto swap = static_cast<std::int32_t>(static_cast<float>(cells.swap[i]) * rule.swap_scale);
-        if (change == 0 && swap == 0) continue;
-        sums.any = true;
-        sums.thickness += change;
-        cells.thickness[cell] = h + change;
-        auto* pigment = reinterpret_cast<IntLanes*>(cells.paint[cell].data());
-        if (h + change == 0) {
-            take_all_pigment(pigment, gains);
-            continue;
-        }
-        const auto gained = static_cast<float>(swap + larger(change, 0));
-        const auto lost = static_cast<float>(swap + larger(-change, 0));
-        const float out_share = h > 0 ? smaller(lost / static_cast<float>(h), 1.0F) : 0.0F;
-        exchange_pigment(pigment, given, out_share, gained,
-                         dither(static_cast<std::uint32_t>(cell), rule.dither_seed), gains);
-    }
-    for (int k = 0; k < film::kPaintChannels; ++k)
-        sums.paint[k] += gains[k / kLanes][k % kLanes];
+    for (int first = 0; first < cells.count; first += kChunk)
+        apply_chunk(rule, cells, first, smaller(kChunk, cells.count - first), sums);
 }
 
 }  // namespace pastoso::brush::PASTOSO_ISA

@@ -65,6 +65,7 @@ struct TileCells {
     std::int32_t* thickness;
     film::PaintCell* paint;
     const std::int32_t* cell;
+    const std::int32_t* held;  ///< thickness before, of each
     const std::int32_t* change;
     const std::int32_t* swap;
     int count;
