@@ -17,10 +17,18 @@ namespace {
 constexpr double kPressSlide = 0.4;
 /// Length of travel after which neighbouring bristles exchange paint.
 constexpr double kWickInterval_mm = 1.0;
+/// A bristle exchanges paint at every second step, for the length of two: its footprint is five steps
+/// long, so that three exchanges reach each cell. Even and odd ones take turns, which leaves no rungs.
+constexpr std::uint32_t kTurns = 2;
 /// A footprint's least radius in the step length: thin hairs do not make the steps ever shorter.
 constexpr double kLeastStepRadius_mm = 0.15;
 /// Width of what a lifted knife leaves, in half thicknesses of its edge.
 constexpr double kLeftHeap_radii = 2.2;
+
+/// The elements of a knife, side by side, act at every step.
+std::uint32_t turns_of(const Brush& brush) {
+    return brush.tip.rigid ? 1 : kTurns;
+}
 
 double step_length_mm(const Brush& brush) {
     const StrokePreset& stroke = brush.preset.stroke;
@@ -60,6 +68,7 @@ Stroke::Stroke(Brush& brush, film::FilmState& film)
     : brush_(brush),
       film_(film),
       step_mm_(step_length_mm(brush)),
+      turns_(turns_of(brush)),
       filter_(brush.preset.stroke.smoothing_ms / 1000.0, brush.preset.stroke.string_mm),
       path_(path_measure(brush)),
       poses_(brush.tip.bristles.size()) {}
@@ -101,14 +110,16 @@ void Stroke::paint_steps() {
 
 void Stroke::paint_step(const PathStep& step) {
     const HandPose hand = hand_pose(brush_.preset.dynamics, step);
-    const StepRates rates = step_rates(brush_, hand, step_mm_, film_.cell_mm);
+    const double turn_mm = turns_ * step_mm_;
+    const StepRates rates = step_rates(brush_, hand, turn_mm, film_.cell_mm);
     const Swath swath = move_bristles(brush_, hand, step_mm_, film_, poses_);
     ++step_count_;
-    for (int i = 0; i < static_cast<int>(poses_.size()); ++i) {
+    for (auto i = static_cast<int>(step_count_ % turns_); i < static_cast<int>(poses_.size());
+         i += static_cast<int>(turns_)) {
         if (!poses_[i].down) continue;
         touch(i, hand, swath, rates);
         note_changed(spill_overflow(brush_, i, poses_[i], hand, swath,
-                                    {rates.radius_mm, step_mm_, jitter_seed_}, dither_seed(i), film_,
+                                    {rates.radius_mm, turn_mm, jitter_seed_}, dither_seed(i), film_,
                                     cells_));
     }
     since_wick_mm_ += step_mm_;

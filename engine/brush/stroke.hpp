@@ -46,6 +46,7 @@ class Stroke {
     Brush& brush_;
     film::FilmState& film_;
     double step_mm_;
+    std::uint32_t turns_;  ///< steps from one exchange of a bristle to its next
     PenFilter filter_;
     StrokePath path_;
     std::vector<BristlePose> poses_;

@@ -16,6 +16,8 @@ constexpr auto kMost_mm = static_cast<float>(film::kMaxThickness_mm);
 constexpr std::int32_t kMostPigment = std::numeric_limits<std::int32_t>::max();
 /// A tool takes at most this share of a cell's paint in one step.
 constexpr float kLargestBite = 0.9F;
+/// Height of a groove's bottom above tau, in depths of the groove.
+constexpr float kGrooveRise = 0.25F;
 /// A film thinner than 10 nm is not left behind: it would be invisible and keep cells wet for ever.
 constexpr std::int32_t kTraceQuanta = 336;
 
@@ -53,7 +55,8 @@ PASTOSO_KERNEL_INLINE void plan_cell(const ExchangeRule& rule, const BatchColumn
     const float weight = larger(0.0F, 1.0F - radius2 * radius2) * lane_share;
 
     const float h = static_cast<float>(batch.thickness[i]) * kQuantum_mm;
-    const float wanted = rule.underside_mm + rule.groove_mm * radius2 + rule.hair_mm * hair_at(rule, s);
+    const float wanted =
+        rule.underside_mm + rule.groove_mm * (s2 + kGrooveRise) + rule.hair_mm * hair_at(rule, s);
     const float surface = batch.support_mm[i] + h;
     const float gap = wanted - surface;
     const float contact = smaller(larger((surface - rule.lowest_mm) * rule.fade_per_mm, 0.0F), 1.0F);
