@@ -17,8 +17,8 @@ namespace {
 constexpr double kPressSlide = 0.4;
 /// Length of travel after which neighbouring bristles exchange paint.
 constexpr double kWickInterval_mm = 1.0;
-/// A bristle exchanges paint at every second step, for the length of two: its footprint is five steps
-/// long, so that three exchanges reach each cell. Even and odd ones take turns, which leaves no rungs.
+/// A bristle exchanges paint at every second step, for the length of two; its footprint is five steps
+/// long. Even and odd ones take turns, which keeps their marks out of line.
 constexpr std::uint32_t kTurns = 2;
 /// A footprint's least radius in the step length: thin hairs do not make the steps ever shorter.
 constexpr double kLeastStepRadius_mm = 0.15;

@@ -23,6 +23,23 @@ constexpr std::int32_t kTraceQuanta = 336;
 
 #define PASTOSO_KERNEL_INLINE [[gnu::always_inline]] inline
 
+/// The channels in groups of one register: one, two or four.
+#if defined(__AVX512F__)
+constexpr int kLanes = 16;
+#elif defined(__AVX2__)
+constexpr int kLanes = 8;
+#else
+constexpr int kLanes = 4;
+#endif
+constexpr int kGroups = film::kPaintChannels / kLanes;
+using FloatLanes [[gnu::vector_size(4 * kLanes), gnu::aligned(4), gnu::may_alias]] = float;
+using IntLanes [[gnu::vector_size(4 * kLanes), gnu::aligned(4), gnu::may_alias]] = std::int32_t;
+
+/// For sums of single numbers: half as many as a register of 32 bits holds.
+constexpr int kWideLanes = kLanes / 2;
+using NarrowLanes [[gnu::vector_size(4 * kWideLanes), gnu::aligned(4), gnu::may_alias]] = std::int32_t;
+using WideLanes [[gnu::vector_size(8 * kWideLanes)]] = std::int64_t;
+
 PASTOSO_KERNEL_INLINE float smaller(float a, float b) {
     return a < b ? a : b;
 }
@@ -74,14 +91,21 @@ PASTOSO_KERNEL_INLINE void plan_cell(const ExchangeRule& rule, const BatchColumn
 
 template <bool kLane>
 PASTOSO_KERNEL_INLINE WantedSums plan_batch(const ExchangeRule& rule, const BatchColumns& batch) {
-    WantedSums sums;
+    WideLanes deposit = {}, swap = {};
     for (int first = 0; first < batch.padded_count; first += kBatchStep) {
-        for (int i = 0; i < kBatchStep; ++i)
-            plan_cell<kLane>(rule, batch, first + i);
-        for (int i = 0; i < kBatchStep; ++i) {
-            sums.deposit += larger(batch.change[first + i], 0);
-            sums.swap += batch.swap[first + i];
+        for (int i = first; i < first + kBatchStep; ++i)
+            plan_cell<kLane>(rule, batch, i);
+        for (int i = first; i < first + kBatchStep; i += kWideLanes) {
+            const auto change = *reinterpret_cast<const NarrowLanes*>(&batch.change[i]);
+            deposit += __builtin_convertvector(change > 0 ? change : NarrowLanes{}, WideLanes);
+            swap += __builtin_convertvector(*reinterpret_cast<const NarrowLanes*>(&batch.swap[i]),
+                                            WideLanes);
         }
+    }
+    WantedSums sums;
+    for (int lane = 0; lane < kWideLanes; ++lane) {
+        sums.deposit += deposit[lane];
+        sums.swap += swap[lane];
     }
     return sums;
 }
@@ -90,18 +114,6 @@ PASTOSO_KERNEL_INLINE WantedSums plan_batch(const ExchangeRule& rule, const Batc
 PASTOSO_KERNEL_INLINE float dither(std::uint32_t cell, std::uint32_t seed) {
     return static_cast<float>((cell * 0x9E3779B9U + seed) >> 8) * 0x1p-24F;
 }
-
-/// The channels in groups of one register: one, two or four.
-#if defined(__AVX512F__)
-constexpr int kLanes = 16;
-#elif defined(__AVX2__)
-constexpr int kLanes = 8;
-#else
-constexpr int kLanes = 4;
-#endif
-constexpr int kGroups = film::kPaintChannels / kLanes;
-using FloatLanes [[gnu::vector_size(4 * kLanes), gnu::aligned(4), gnu::may_alias]] = float;
-using IntLanes [[gnu::vector_size(4 * kLanes), gnu::aligned(4), gnu::may_alias]] = std::int32_t;
 
 /// Sums of the channels' changes over up to 2^15 cells, in halves that do not overflow.
 constexpr int kHalfBits = 16;
