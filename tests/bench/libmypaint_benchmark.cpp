@@ -5,6 +5,7 @@
 #include "film/support.hpp"
 #include "pigment/palette.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -109,11 +110,12 @@ void libmypaint(benchmark::State& run, bool pigment) {
 BENCHMARK_CAPTURE(libmypaint, plain, false)->Arg(20)->Arg(100)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(libmypaint, pigment, true)->Arg(20)->Arg(100)->Unit(benchmark::kMillisecond);
 
-/// A brush of 2 x `radius_px` whose load lasts the whole stroke.
+/// A brush of 2 x `radius_px` and at most 250 bristles whose load lasts the whole stroke.
 Brush loaded_brush(const char* preset_name, double radius_px) {
-    Preset preset = find_preset(preset_name);
+    Preset preset = resized(find_preset(preset_name), 2.0 * radius_px / kPxPerMm);
     preset.paint.run_mm = 2.0 * kLength_px / kPxPerMm;
-    Brush brush(preset, 2.0 * radius_px / kPxPerMm);
+    preset.tip.bristles = std::min(preset.tip.bristles, 250);
+    Brush brush(preset);
     brush.load(film::paint_coefficients(pigment::find_pigment("PB29").coefficients,
                                         film::find_medium("heavy-body oil")),
                1.0);
