@@ -126,10 +126,13 @@ struct ChannelSums {
         high[group] += change >> kHalfBits;
     }
     PASTOSO_KERNEL_INLINE void add_to(std::array<std::int64_t, film::kPaintChannels>& sums) const {
-        for (int k = 0; k < film::kPaintChannels; ++k) {
-            const std::int64_t upper = high[k / kLanes][k % kLanes];
-            sums[k] += upper * (1 << kHalfBits) + low[k / kLanes][k % kLanes];
+        alignas(64) std::int32_t lower[film::kPaintChannels], upper[film::kPaintChannels];
+        for (int group = 0; group < kGroups; ++group) {
+            *reinterpret_cast<IntLanes*>(lower + group * kLanes) = low[group];
+            *reinterpret_cast<IntLanes*>(upper + group * kLanes) = high[group];
         }
+        for (int k = 0; k < film::kPaintChannels; ++k)
+            sums[k] += std::int64_t{upper[k]} * (1 << kHalfBits) + lower[k];
     }
 };
 
@@ -159,6 +162,7 @@ PASTOSO_KERNEL_INLINE void take_all_pigment(IntLanes* pigment, ChannelSums& sums
 
 /// What happens to a few cells, worked out for all of them at once before their pigment is touched.
 constexpr int kChunk = 64;
+static_assert(kChunk % kBatchStep == 0);
 struct CellChanges {
     std::int32_t thickness[kChunk];
     std::int32_t swap[kChunk];
@@ -168,24 +172,29 @@ struct CellChanges {
     std::int32_t active[kChunk];  ///< cells that change, in order
 };
 
+PASTOSO_KERNEL_INLINE void settle_change(const ApplyRule& rule, const TileCells& cells, int first, int i,
+                                         CellChanges& changes) {
+    const std::int32_t h = cells.held[first + i];
+    const std::int32_t wanted = cells.change[first + i];
+    const auto scaled = static_cast<std::int32_t>(static_cast<float>(wanted) * rule.deposit_scale);
+    const std::int32_t fitting = wanted > 0 ? scaled : wanted;
+    const std::int32_t change = fitting != 0 && h + fitting < kTraceQuanta ? -h : fitting;
+    const auto swap =
+        static_cast<std::int32_t>(static_cast<float>(cells.swap[first + i]) * rule.swap_scale);
+    const float share = static_cast<float>(swap + larger(-change, 0)) / static_cast<float>(larger(h, 1));
+    changes.thickness[i] = change;
+    changes.swap[i] = swap;
+    changes.out_share[i] = smaller(share, 1.0F);
+    changes.gained[i] = static_cast<float>(swap + larger(change, 0));
+    changes.rounding[i] = dither(static_cast<std::uint32_t>(cells.cell[first + i]), rule.dither_seed);
+}
+
 PASTOSO_KERNEL_INLINE void settle_changes(const ApplyRule& rule, const TileCells& cells, int first,
                                           int count, CellChanges& changes) {
-    for (int i = 0; i < count; ++i) {
-        const std::int32_t h = cells.held[first + i];
-        const std::int32_t wanted = cells.change[first + i];
-        const auto scaled = static_cast<std::int32_t>(static_cast<float>(wanted) * rule.deposit_scale);
-        const std::int32_t fitting = wanted > 0 ? scaled : wanted;
-        const std::int32_t change = fitting != 0 && h + fitting < kTraceQuanta ? -h : fitting;
-        const auto swap =
-            static_cast<std::int32_t>(static_cast<float>(cells.swap[first + i]) * rule.swap_scale);
-        const float share =
-            static_cast<float>(swap + larger(-change, 0)) / static_cast<float>(larger(h, 1));
-        changes.thickness[i] = change;
-        changes.swap[i] = swap;
-        changes.out_share[i] = smaller(share, 1.0F);
-        changes.gained[i] = static_cast<float>(swap + larger(change, 0));
-        changes.rounding[i] =
-            dither(static_cast<std::uint32_t>(cells.cell[first + i]), rule.dither_seed);
+    // Whole batch steps: a few cells of the next part or of the padding are worked out in vain.
+    for (int begin = 0; begin < count; begin += kBatchStep) {
+        for (int i = begin; i < begin + kBatchStep; ++i)
+            settle_change(rule, cells, first, i, changes);
     }
 }
 

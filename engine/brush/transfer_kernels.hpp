@@ -60,7 +60,7 @@ struct ChangeSums {
     bool any = false;  ///< something changed, even if the sums are 0
 };
 
-/// One tile's cells of a batch.
+/// One tile's cells of a batch; the columns can be read for kBatchStep values more.
 struct TileCells {
     std::int32_t* thickness;
     film::PaintCell* paint;
