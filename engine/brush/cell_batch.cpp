@@ -9,6 +9,11 @@ namespace {
 /// A height no tool reaches, for the padding.
 constexpr float kUnreachable_mm = -1e6F;
 
+int whole_below(double x) {
+    const int truncated = static_cast<int>(x);
+    return truncated - (truncated > x ? 1 : 0);
+}
+
 /// First and one-past-last cell whose centre lies within `reach_mm` of `place_mm`.
 struct Span {
     int first, end;
@@ -17,7 +22,7 @@ Span cells_within(double place_mm, double reach_mm, double cell_mm) {
     const double farthest = 1e6;
     const double first = std::clamp((place_mm - reach_mm) / cell_mm - 0.5, -farthest, farthest);
     const double last = std::clamp((place_mm + reach_mm) / cell_mm - 0.5, -farthest, farthest);
-    return {static_cast<int>(std::ceil(first)), static_cast<int>(std::floor(last)) + 1};
+    return {-whole_below(-first), whole_below(last) + 1};
 }
 
 }  // namespace
@@ -30,31 +35,37 @@ void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, do
     cells_ = grid::intersection(film.shape.cells(), {columns.first, rows.first, columns.end, rows.end});
     if (cells_.empty()) return;
     reserve(cells_.width() * cells_.height());
+    const Disc disc = {x_mm / film.cell_mm - 0.5, y_mm / film.cell_mm - 0.5, radius_mm / film.cell_mm};
     const grid::Rect tiles = film.shape.tiles_touching(cells_);
     for (int row = tiles.y0; row < tiles.y1; ++row) {
         for (int column = tiles.x0; column < tiles.x1; ++column) {
             const int tile = row * film.shape.tiles_x() + column;
             const int begin = count_;
             const grid::Rect part = grid::intersection(cells_, film.shape.tile_cells(tile));
-            gather_part(film, tile, part, x_mm, y_mm);
+            gather_part(film, tile, part, disc);
             parts_.push_back({tile, begin, count_});
         }
     }
     pad();
 }
 
-void CellBatch::gather_part(const film::FilmState& film, int tile, const grid::Rect& part, double x_mm,
-                            double y_mm) {
+void CellBatch::gather_part(const film::FilmState& film, int tile, const grid::Rect& part,
+                            const Disc& disc) {
     const std::int32_t* tile_thickness = film.thickness.read(tile);
     const float* tile_support = film.support_mm.read(tile);
     const auto cell_mm = static_cast<float>(film.cell_mm);
-    const auto first_mm = static_cast<float>((part.x0 + 0.5) * film.cell_mm - x_mm);
-    const int width = part.width();
     for (int y = part.y0; y < part.y1; ++y) {
-        const auto row_mm = static_cast<float>((y + 0.5) * film.cell_mm - y_mm);
-        const int first = grid::Shape::cell_in_tile(part.x0, y);
+        const double off = y - disc.y;
+        const double half = std::sqrt(std::max(0.0, disc.radius * disc.radius - off * off));
+        const int x0 = std::max(part.x0, -whole_below(half - disc.x));
+        const int width = std::min(part.x1, whole_below(disc.x + half) + 1) - x0;
+        if (width <= 0) continue;
+        const auto row_mm = static_cast<float>(off * film.cell_mm);
+        const auto first_mm = static_cast<float>((x0 - disc.x) * film.cell_mm);
+        const int first = grid::Shape::cell_in_tile(x0, y);
         float *dx = &dx_mm[count_], *dy = &dy_mm[count_], *support = &support_mm[count_];
         std::int32_t *quanta = &thickness[count_], *index = &cell[count_];
+#pragma GCC ivdep  // the columns do not overlap
         for (int i = 0; i < width; ++i) {
             dx[i] = first_mm + static_cast<float>(i) * cell_mm;
             dy[i] = row_mm;

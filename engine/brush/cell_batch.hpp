@@ -19,8 +19,7 @@ class CellBatch {
         int tile, begin, end;
     };
 
-    /// Gathers the cells on the canvas whose centres lie in the square of half side `radius_mm` around a
-    /// place.
+    /// Gathers the cells on the canvas whose centres lie within `radius_mm` of a place.
     void gather(const film::FilmState& film, double x_mm, double y_mm, double radius_mm);
 
     int count() const { return count_; }
@@ -37,8 +36,10 @@ class CellBatch {
     std::vector<std::int32_t> swap;    ///< to be filled: amount to be exchanged besides, quanta
 
   private:
-    void gather_part(const film::FilmState& film, int tile, const grid::Rect& part, double x_mm,
-                     double y_mm);
+    struct Disc {
+        double x, y, radius;  ///< in cells, from the centre of cell (0, 0)
+    };
+    void gather_part(const film::FilmState& film, int tile, const grid::Rect& part, const Disc& disc);
     void reserve(int count);
     void pad();
 

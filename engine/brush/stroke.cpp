@@ -19,12 +19,20 @@ constexpr double kPressSlide = 0.4;
 constexpr double kPressureSteps = 200.0;
 /// Length of travel after which neighbouring bristles exchange paint.
 constexpr double kWickInterval_mm = 1.0;
+/// A bristle exchanges paint at every second step, for the length of two; its footprint is five steps
+/// long. Even and odd ones take turns, which keeps their marks out of line.
+constexpr std::uint32_t kTurns = 2;
 /// A footprint's least radius in the step length: thin hairs do not make the steps ever shorter.
 constexpr double kLeastStepRadius_mm = 0.15;
 /// Width of what a lifted knife leaves, in half thicknesses of its edge.
 constexpr double kLeftHeap_radii = 2.2;
 /// A jet of air is never narrower than this share of the tip.
 constexpr double kLeastSpread = 0.05;
+
+/// The elements of a knife, side by side, act at every step.
+std::uint32_t turns_of(const Brush& brush) {
+    return brush.tip.rigid ? 1 : kTurns;
+}
 
 double step_length_mm(const Brush& brush) {
     const StrokePreset& stroke = brush.preset.stroke;
@@ -66,6 +74,7 @@ Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const 
     : brush_(brush),
       film_(film),
       step_mm_(step_length_mm(brush)),
+      turns_(turns_of(brush)),
       guide_(aids.guide),
       placement_(placement),
       filter_(steadying_filter(brush.preset.stroke, aids.stabiliser)),
@@ -150,14 +159,16 @@ void Stroke::take_step(const PathStep& step) {
 
 void Stroke::paint_step(const PathStep& step) {
     const HandPose hand = pose(step);
-    const StepRates rates = step_rates(brush_, hand, step_mm_, film_.cell_mm);
+    const double turn_mm = turns_ * step_mm_;
+    const StepRates rates = step_rates(brush_, hand, turn_mm, film_.cell_mm);
     const Swath swath = move_bristles(brush_, hand, step_mm_, film_, poses_);
     ++step_count_;
-    for (int i = 0; i < static_cast<int>(poses_.size()); ++i) {
+    for (auto i = static_cast<int>(step_count_ % turns_); i < static_cast<int>(poses_.size());
+         i += static_cast<int>(turns_)) {
         if (!poses_[i].down) continue;
         touch(i, hand, swath, rates);
         note_changed(spill_overflow(brush_, i, poses_[i], hand, swath,
-                                    {rates.radius_mm, step_mm_, jitter_seed_}, dither_seed(i), film_,
+                                    {rates.radius_mm, turn_mm, jitter_seed_}, dither_seed(i), film_,
                                     cells_));
     }
     since_wick_mm_ += step_mm_;

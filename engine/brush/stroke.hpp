@@ -69,6 +69,7 @@ class Stroke {
     Brush& brush_;
     film::FilmState& film_;
     double step_mm_;
+    std::uint32_t turns_;  ///< steps from one exchange of a bristle to its next
     PenGuide guide_;
     Placement placement_;
     PenFilter filter_;

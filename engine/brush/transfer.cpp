@@ -201,9 +201,13 @@ grid::Rect apply_batch(const CellBatch& batch, const WantedSums& wanted, double 
     ChangeSums gained;
     for (const CellBatch::TilePart& part : batch.parts()) {
         if (!changes_anything(batch, part)) continue;
-        const TileCells cells = {film.thickness.write(part.tile), film.paint.write(part.tile),
-                                 batch.cell.data() + part.begin,  batch.change.data() + part.begin,
-                                 batch.swap.data() + part.begin,  part.end - part.begin};
+        const TileCells cells = {film.thickness.write(part.tile),
+                                 film.paint.write(part.tile),
+                                 batch.cell.data() + part.begin,
+                                 batch.thickness.data() + part.begin,
+                                 batch.change.data() + part.begin,
+                                 batch.swap.data() + part.begin,
+                                 part.end - part.begin};
         transfer_kernels().apply(rule, cells, gained);
     }
     take_from(held, gained, cell_area_mm2);

@@ -3,9 +3,10 @@
 //   the surface of the paint is driven towards the underside of the bristle.
 //
 // With s the support that the bristle rides on, f = V / capacity its fill, sat = 1.22 f / (f + 0.22), p
-// its pressure and rho the distance from its middle in footprint radii, the wanted surface is
+// its pressure and rho the distance from its middle in footprint radii, a of it across the travel, the
+// wanted surface is
 //
-//   z = s + tau + film sat^2 (groove rho^2 + hair noise(across)),
+//   z = s + tau + film sat^2 (groove (a^2 + 1/4) + hair noise(a)),
 //   tau = film sat^2 body (1 - p/2) (1 + edge E) (1 + start sat freshness),
 //
 // E = 1 along the edges of the stroke. Its paint hangs down to s - bead; a cell with surface c + h is

@@ -16,10 +16,29 @@ constexpr auto kMost_mm = static_cast<float>(film::kMaxThickness_mm);
 constexpr std::int32_t kMostPigment = std::numeric_limits<std::int32_t>::max();
 /// A tool takes at most this share of a cell's paint in one step.
 constexpr float kLargestBite = 0.9F;
+/// Height of a groove's bottom above tau, in depths of the groove.
+constexpr float kGrooveRise = 0.25F;
 /// A film thinner than 10 nm is not left behind: it would be invisible and keep cells wet for ever.
 constexpr std::int32_t kTraceQuanta = 336;
 
 #define PASTOSO_KERNEL_INLINE [[gnu::always_inline]] inline
+
+/// The channels in groups of one register: one, two or four.
+#if defined(__AVX512F__)
+constexpr int kLanes = 16;
+#elif defined(__AVX2__)
+constexpr int kLanes = 8;
+#else
+constexpr int kLanes = 4;
+#endif
+constexpr int kGroups = film::kPaintChannels / kLanes;
+using FloatLanes [[gnu::vector_size(4 * kLanes), gnu::aligned(4), gnu::may_alias]] = float;
+using IntLanes [[gnu::vector_size(4 * kLanes), gnu::aligned(4), gnu::may_alias]] = std::int32_t;
+
+/// For sums of single numbers: half as many as a register of 32 bits holds.
+constexpr int kWideLanes = kLanes / 2;
+using NarrowLanes [[gnu::vector_size(4 * kWideLanes), gnu::aligned(4), gnu::may_alias]] = std::int32_t;
+using WideLanes [[gnu::vector_size(8 * kWideLanes)]] = std::int64_t;
 
 PASTOSO_KERNEL_INLINE float smaller(float a, float b) {
     return a < b ? a : b;
@@ -53,7 +72,8 @@ PASTOSO_KERNEL_INLINE void plan_cell(const ExchangeRule& rule, const BatchColumn
     const float weight = larger(0.0F, 1.0F - radius2 * radius2) * lane_share;
 
     const float h = static_cast<float>(batch.thickness[i]) * kQuantum_mm;
-    const float wanted = rule.underside_mm + rule.groove_mm * radius2 + rule.hair_mm * hair_at(rule, s);
+    const float wanted =
+        rule.underside_mm + rule.groove_mm * (s2 + kGrooveRise) + rule.hair_mm * hair_at(rule, s);
     const float surface = batch.support_mm[i] + h;
     const float gap = wanted - surface;
     const float contact = smaller(larger((surface - rule.lowest_mm) * rule.fade_per_mm, 0.0F), 1.0F);
@@ -71,14 +91,21 @@ PASTOSO_KERNEL_INLINE void plan_cell(const ExchangeRule& rule, const BatchColumn
 
 template <bool kLane>
 PASTOSO_KERNEL_INLINE WantedSums plan_batch(const ExchangeRule& rule, const BatchColumns& batch) {
-    WantedSums sums;
+    WideLanes deposit = {}, swap = {};
     for (int first = 0; first < batch.padded_count; first += kBatchStep) {
-        for (int i = 0; i < kBatchStep; ++i)
-            plan_cell<kLane>(rule, batch, first + i);
-        for (int i = 0; i < kBatchStep; ++i) {
-            sums.deposit += larger(batch.change[first + i], 0);
-            sums.swap += batch.swap[first + i];
+        for (int i = first; i < first + kBatchStep; ++i)
+            plan_cell<kLane>(rule, batch, i);
+        for (int i = first; i < first + kBatchStep; i += kWideLanes) {
+            const auto change = *reinterpret_cast<const NarrowLanes*>(&batch.change[i]);
+            deposit += __builtin_convertvector(change > 0 ? change : NarrowLanes{}, WideLanes);
+            swap += __builtin_convertvector(*reinterpret_cast<const NarrowLanes*>(&batch.swap[i]),
+                                            WideLanes);
         }
+    }
+    WantedSums sums;
+    for (int lane = 0; lane < kWideLanes; ++lane) {
+        sums.deposit += deposit[lane];
+        sums.swap += swap[lane];
     }
     return sums;
 }
@@ -88,15 +115,30 @@ PASTOSO_KERNEL_INLINE float dither(std::uint32_t cell, std::uint32_t seed) {
     return static_cast<float>((cell * 0x9E3779B9U + seed) >> 8) * 0x1p-24F;
 }
 
-/// The channels as groups of four, which every instruction set has registers for.
-constexpr int kLanes = 4, kGroups = film::kPaintChannels / kLanes;
-using FloatLanes [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = float;
-using IntLanes [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = std::int32_t;
-using WideLanes [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = std::int64_t;
+/// Sums of the channels' changes over up to 2^15 cells, in halves that do not overflow.
+constexpr int kHalfBits = 16;
+struct ChannelSums {
+    IntLanes low[kGroups] = {};   ///< of the lower bits, as numbers >= 0
+    IntLanes high[kGroups] = {};  ///< of the upper bits
+
+    PASTOSO_KERNEL_INLINE void add(int group, IntLanes change) {
+        low[group] += change & ((1 << kHalfBits) - 1);
+        high[group] += change >> kHalfBits;
+    }
+    PASTOSO_KERNEL_INLINE void add_to(std::array<std::int64_t, film::kPaintChannels>& sums) const {
+        alignas(64) std::int32_t lower[film::kPaintChannels], upper[film::kPaintChannels];
+        for (int group = 0; group < kGroups; ++group) {
+            *reinterpret_cast<IntLanes*>(lower + group * kLanes) = low[group];
+            *reinterpret_cast<IntLanes*>(upper + group * kLanes) = high[group];
+        }
+        for (int k = 0; k < film::kPaintChannels; ++k)
+            sums[k] += std::int64_t{upper[k]} * (1 << kHalfBits) + lower[k];
+    }
+};
 
 /// Exchanges pigment: `out_share` of the cell's leaves, `gained` thickness quanta of the tool's come in.
 PASTOSO_KERNEL_INLINE void exchange_pigment(IntLanes* pigment, const FloatLanes* given, float out_share,
-                                            float gained, float rounding, WideLanes* sums) {
+                                            float gained, float rounding, ChannelSums& sums) {
     for (int group = 0; group < kGroups; ++group) {
         const IntLanes held = pigment[group];
         const IntLanes wanted = __builtin_convertvector(
@@ -107,15 +149,89 @@ PASTOSO_KERNEL_INLINE void exchange_pigment(IntLanes* pigment, const FloatLanes*
         const IntLanes in = offered < room ? offered : room;
         const IntLanes change = in - out;
         pigment[group] = held + change;
-        sums[group] += __builtin_convertvector(change, WideLanes);
+        sums.add(group, change);
     }
 }
 
-PASTOSO_KERNEL_INLINE void take_all_pigment(IntLanes* pigment, WideLanes* sums) {
+PASTOSO_KERNEL_INLINE void take_all_pigment(IntLanes* pigment, ChannelSums& sums) {
     for (int group = 0; group < kGroups; ++group) {
-        sums[group] -= __builtin_convertvector(pigment[group], WideLanes);
+        sums.add(group, -pigment[group]);
         pigment[group] = IntLanes{};
     }
+}
+
+/// What happens to a few cells, worked out for all of them at once before their pigment is touched.
+constexpr int kChunk = 64;
+static_assert(kChunk % kBatchStep == 0);
+struct CellChanges {
+    std::int32_t thickness[kChunk];
+    std::int32_t swap[kChunk];
+    float out_share[kChunk];  ///< of the cell's pigment
+    float gained[kChunk];     ///< thickness quanta of the tool's paint
+    float rounding[kChunk];
+    std::int32_t active[kChunk];  ///< cells that change, in order
+};
+
+PASTOSO_KERNEL_INLINE void settle_change(const ApplyRule& rule, const TileCells& cells, int first, int i,
+                                         CellChanges& changes) {
+    const std::int32_t h = cells.held[first + i];
+    const std::int32_t wanted = cells.change[first + i];
+    const auto scaled = static_cast<std::int32_t>(static_cast<float>(wanted) * rule.deposit_scale);
+    const std::int32_t fitting = wanted > 0 ? scaled : wanted;
+    const std::int32_t change = fitting != 0 && h + fitting < kTraceQuanta ? -h : fitting;
+    const auto swap =
+        static_cast<std::int32_t>(static_cast<float>(cells.swap[first + i]) * rule.swap_scale);
+    const float share = static_cast<float>(swap + larger(-change, 0)) / static_cast<float>(larger(h, 1));
+    changes.thickness[i] = change;
+    changes.swap[i] = swap;
+    changes.out_share[i] = smaller(share, 1.0F);
+    changes.gained[i] = static_cast<float>(swap + larger(change, 0));
+    changes.rounding[i] = dither(static_cast<std::uint32_t>(cells.cell[first + i]), rule.dither_seed);
+}
+
+PASTOSO_KERNEL_INLINE void settle_changes(const ApplyRule& rule, const TileCells& cells, int first,
+                                          int count, CellChanges& changes) {
+    // Whole batch steps: a few cells of the next part or of the padding are worked out in vain.
+    for (int begin = 0; begin < count; begin += kBatchStep) {
+        for (int i = begin; i < begin + kBatchStep; ++i)
+            settle_change(rule, cells, first, i, changes);
+    }
+}
+
+PASTOSO_KERNEL_INLINE int list_active(const TileCells& cells, int first, int count,
+                                      CellChanges& changes) {
+    int active = 0;
+    for (int i = 0; i < count; ++i) {
+        __builtin_prefetch(&cells.paint[cells.cell[first + i]], 1);
+        changes.active[active] = i;
+        active += (changes.thickness[i] | changes.swap[i]) != 0 ? 1 : 0;
+    }
+    return active;
+}
+
+/// Moves the thickness and the pigment of up to kChunk cells.
+PASTOSO_KERNEL_INLINE void apply_chunk(const ApplyRule& rule, const TileCells& cells, int first,
+                                       int count, ChangeSums& sums) {
+    CellChanges changes;
+    settle_changes(rule, cells, first, count, changes);
+    const int active = list_active(cells, first, count, changes);
+    const auto* given = reinterpret_cast<const FloatLanes*>(rule.given.data());
+    ChannelSums gains;
+    for (int n = 0; n < active; ++n) {
+        const int i = changes.active[n];
+        const std::int32_t cell = cells.cell[first + i];
+        const std::int32_t thickness = cells.held[first + i] + changes.thickness[i];
+        sums.thickness += changes.thickness[i];
+        cells.thickness[cell] = thickness;
+        auto* pigment = reinterpret_cast<IntLanes*>(cells.paint[cell].data());
+        if (thickness == 0)
+            take_all_pigment(pigment, gains);
+        else
+            exchange_pigment(pigment, given, changes.out_share[i], changes.gained[i],
+                             changes.rounding[i], gains);
+    }
+    sums.any = sums.any || active > 0;
+    gains.add_to(sums.paint);
 }
 
 }  // namespace
@@ -125,33 +241,8 @@ WantedSums plan(const ExchangeRule& rule, const BatchColumns& batch) {
 }
 
 void apply(const ApplyRule& rule, const TileCells& cells, ChangeSums& sums) {
-    const auto* given = reinterpret_cast<const FloatLanes*>(rule.given.data());
-    WideLanes gains[kGroups] = {};
-    for (int i = 0; i < cells.count; ++i) {
-        const std::int32_t cell = cells.cell[i];
-        const std::int32_t h = cells.thickness[cell];
-        std::int32_t change = cells.change[i];
-        if (change > 0)
-            change = static_cast<std::int32_t>(static_cast<float>(change) * rule.deposit_scale);
-        if (change != 0 && h + change < kTraceQuanta) change = -h;
-        const auto swap = static_cast<std::int32_t>(static_cast<float>(cells.swap[i]) * rule.swap_scale);
-        if (change == 0 && swap == 0) continue;
-        sums.any = true;
-        sums.thickness += change;
-        cells.thickness[cell] = h + change;
-        auto* pigment = reinterpret_cast<IntLanes*>(cells.paint[cell].data());
-        if (h + change == 0) {
-            take_all_pigment(pigment, gains);
-            continue;
-        }
-        const auto gained = static_cast<float>(swap + larger(change, 0));
-        const auto lost = static_cast<float>(swap + larger(-change, 0));
-        const float out_share = h > 0 ? smaller(lost / static_cast<float>(h), 1.0F) : 0.0F;
-        exchange_pigment(pigment, given, out_share, gained,
-                         dither(static_cast<std::uint32_t>(cell), rule.dither_seed), gains);
-    }
-    for (int k = 0; k < film::kPaintChannels; ++k)
-        sums.paint[k] += gains[k / kLanes][k % kLanes];
+    for (int first = 0; first < cells.count; first += kChunk)
+        apply_chunk(rule, cells, first, smaller(kChunk, cells.count - first), sums);
 }
 
 }  // namespace pastoso::brush::PASTOSO_ISA

@@ -27,7 +27,7 @@ struct ExchangeRule {
     float across_x, across_y, along_x, along_y;
     bool lane;           ///< weight (1 - |s|)(1 - t^4) instead of 1 - (s^2 + t^2)^2
     float underside_mm;  ///< height the paint surface is driven to, in the middle and without hairs
-    float groove_mm;     ///< how much higher at the rim
+    float groove_mm;     ///< how much higher at both sides
     float hair_mm;       ///< amplitude of the hairs
     const float* hairs;  ///< from s = -1 to s = 1
     int hairs_per_bristle;
@@ -60,11 +60,12 @@ struct ChangeSums {
     bool any = false;  ///< something changed, even if the sums are 0
 };
 
-/// One tile's cells of a batch.
+/// One tile's cells of a batch; the columns can be read for kBatchStep values more.
 struct TileCells {
     std::int32_t* thickness;
     film::PaintCell* paint;
     const std::int32_t* cell;
+    const std::int32_t* held;  ///< thickness before, of each
     const std::int32_t* change;
     const std::int32_t* swap;
     int count;

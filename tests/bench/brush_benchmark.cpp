@@ -37,9 +37,9 @@ void straight_stroke(Brush& brush, film::FilmState& film, double margin_mm) {
 
 void paint_stroke(benchmark::State& run, const char* preset_name) {
     const auto radius_px = static_cast<int>(run.range(0));
-    Preset preset = find_preset(preset_name);
-    preset.tip.bristles = static_cast<int>(run.range(1));
     const double width_mm = 2 * radius_px / kPxPerMm;
+    Preset preset = resized(find_preset(preset_name), width_mm);
+    preset.tip.bristles = static_cast<int>(run.range(1));
     const int canvas_px = std::max(1024, 6 * radius_px);
     const film::FilmState clean = linen_canvas(canvas_px, std::max(400, 3 * radius_px));
     const film::PaintCoefficients paint = film::paint_coefficients(
@@ -47,7 +47,7 @@ void paint_stroke(benchmark::State& run, const char* preset_name) {
     for (auto _ : run) {
         run.PauseTiming();
         film::FilmState film = clean;
-        Brush brush(preset, width_mm);
+        Brush brush(preset);
         brush.load(paint, 1.0);
         run.ResumeTiming();
         straight_stroke(brush, film, width_mm);
@@ -56,7 +56,10 @@ void paint_stroke(benchmark::State& run, const char* preset_name) {
         benchmark::Counter((canvas_px - 4.0 * radius_px) * 1e-6 * run.iterations(),
                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
-BENCHMARK_CAPTURE(paint_stroke, round, "Round sable 9")->Args({40, 250})->Args({100, 250});
+BENCHMARK_CAPTURE(paint_stroke, round, "Round sable 9")
+    ->Args({40, 250})
+    ->Args({100, 250})
+    ->Args({250, 250});
 BENCHMARK_CAPTURE(paint_stroke, flat, "Flat bristle 20")
     ->Args({40, 250})
     ->Args({100, 250})

@@ -274,6 +274,11 @@ struct RandomBatch {
         return {dx_mm.data(), dy_mm.data(), thickness.data(), support_mm.data(), change.data(),
                 swap.data(),  kCount};
     }
+
+    TileCells cells(std::vector<film::PaintCell>& pigment, const std::vector<std::int32_t>& held) {
+        return {thickness.data(), pigment.data(), cell.data(), held.data(),
+                change.data(),    swap.data(),    kCount};
+    }
 };
 
 class EveryInstructionSet : public testing::TestWithParam<core::Isa> {};
@@ -304,14 +309,9 @@ TEST_P(EveryInstructionSet, GivesTheSameBitsAsTheBaseline) {
             cell.fill(1000003);
         actual_pigment = expected_pigment;
         ChangeSums expected_changes, changes;
-        baseline.apply(rule,
-                       {expected.thickness.data(), expected_pigment.data(), expected.cell.data(),
-                        expected.change.data(), expected.swap.data(), RandomBatch::kCount},
-                       expected_changes);
-        kernels.apply(rule,
-                      {actual.thickness.data(), actual_pigment.data(), actual.cell.data(),
-                       actual.change.data(), actual.swap.data(), RandomBatch::kCount},
-                      changes);
+        const std::vector<std::int32_t> held = expected.thickness;
+        baseline.apply(rule, expected.cells(expected_pigment, held), expected_changes);
+        kernels.apply(rule, actual.cells(actual_pigment, held), changes);
         EXPECT_EQ(actual.thickness, expected.thickness) << "seed " << seed;
         EXPECT_EQ(actual_pigment, expected_pigment) << "seed " << seed;
         EXPECT_EQ(changes.thickness, expected_changes.thickness);
