@@ -93,7 +93,8 @@ TEST_F(CliSimulate, EverySceneThatComesWithTheProgramRuns) {
         const RunResult run = run_cli({"simulate", name, "--seconds", "0.02", "-o", path(name), "-q",
                                        "--stats", path(name + ".json")});
         EXPECT_EQ(run.status, 0) << run.errors;
-        for (const Json& figures : Json::parse(text(name + ".json"))["runs"]) {
+        const Json stats = Json::parse(text(name + ".json"));
+        for (const Json& figures : stats["runs"]) {
             EXPECT_GT(figures["film_steps"], 0) << name;
             EXPECT_EQ(figures["clamped_faces"], 0) << name;
         }
