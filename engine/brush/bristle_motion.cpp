@@ -50,18 +50,24 @@ Vector turned(const Bristle& bristle, const HandPose& hand) {
             bristle.root_x_mm * hand.sin_rotation + bristle.root_y_mm * hand.cos_rotation};
 }
 
-float support_at(const film::FilmState& film, double x_cells, double y_cells) {
-    const int x = static_cast<int>(std::clamp(x_cells, 0.0, film.shape.width - 1.0));
-    const int y = static_cast<int>(std::clamp(y_cells, 0.0, film.shape.height - 1.0));
+/// The cell that a place lies in, the nearest one beyond the edges.
+int cell_at(double place_cells, int count) {
+    return static_cast<int>(std::clamp(place_cells, 0.0, count - 1.0));
+}
+
+float support_at(const film::FilmState& film, int x, int y) {
     return film.support_mm.read(film.shape.tile_at(x, y))[grid::Shape::cell_in_tile(x, y)];
 }
 
 float support_below(const film::FilmState& film, const BristlePose& pose, double tuft_mm) {
     const double cells_per_mm = 1.0 / film.cell_mm;
     const double x = pose.x_mm * cells_per_mm, y = pose.y_mm * cells_per_mm, d = tuft_mm * cells_per_mm;
-    const float beside = std::max(support_at(film, x - d, y), support_at(film, x + d, y));
-    const float along = std::max(support_at(film, x, y - d), support_at(film, x, y + d));
-    return std::max({support_at(film, x, y), beside, along});
+    const int column = cell_at(x, film.shape.width), row = cell_at(y, film.shape.height);
+    const float beside = std::max(support_at(film, cell_at(x - d, film.shape.width), row),
+                                  support_at(film, cell_at(x + d, film.shape.width), row));
+    const float along = std::max(support_at(film, column, cell_at(y - d, film.shape.height)),
+                                 support_at(film, column, cell_at(y + d, film.shape.height)));
+    return std::max({support_at(film, column, row), beside, along});
 }
 
 /// The trailing offset after the root has moved to `root`.
