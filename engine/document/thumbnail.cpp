@@ -124,9 +124,7 @@ void drops(Board& board, const Preset& preset) {
 
 void air(Board& board) {
     board.use_medium("ink glaze");
-    board.take("Dropper", 0.0);
-    board.load("PB29", 0.0);
-    board.move(0.05, [](double) { return PenSample{.x_mm = 0.3, .y_mm = 0.5, .pressure = 1.0}; });
+    straight_band(board, 0.5, "PB29", 0.0, 0.2 * board.width_mm());
     board.take_tool();
     board.move(0.5, [](double u) {
         return PenSample{.x_mm = 0.28 + 0.3 * u, .y_mm = 0.5, .pressure = 0.5, .tilt_x_deg = 40.0};

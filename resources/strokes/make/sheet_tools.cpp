@@ -153,7 +153,7 @@ void thinner_brush(Painter& painter, const Field& field) {
     painter.use_medium("thinner");
     painter.take("Thinner brush 16", 10);
     painter.dip(load(mixture("")));
-    paint_along(painter, Curve({field.at(14, 26), field.at(34, 17), field.at(56, 27)}), 50,
+    paint_along(painter, Curve({field.at(14, 26), field.at(34, 17), field.at(56, 27)}), 120,
                 {0.45, 0.06, 0.06});
     painter.use_medium("heavy-body oil");
 }
@@ -163,13 +163,14 @@ void thinner_brush(Painter& painter, const Field& field) {
 void paint_sheet_tools(Painter& painter) {
     knives(painter);
     combs_and_pads(painter);
-    thinner_brush(painter, Field(0, 6));
 }
 
 void paint_sheet_fluids(Painter& painter) {
+    thinner_brush(painter, Field(0, 6));
+    painter.dry_now();
     straw(painter, Field(5, 5));
     drops(painter);
-    painter.wait(0.5);
+    painter.wait(0.3);
     painter.use_medium("heavy-body oil");
 }
 
