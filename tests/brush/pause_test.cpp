@@ -95,10 +95,10 @@ class SteadiedRate : public testing::TestWithParam<Stabiliser> {};
 TEST_P(SteadiedRate, AStormOfEventsChangesNothing) {
     const film::FilmState storm = painted(wave_samples(1000.0), GetParam());
     const film::FilmState slow = painted(wave_samples(125.0), GetParam());
-    EXPECT_NEAR(studio::volume_mm3(slow) / studio::volume_mm3(storm), 1.0, 1e-3);
     // A string goes taut between two events, which shifts the brush's steps by a part of one.
-    const double allowed = GetParam().string_mm > 0.0 ? 0.03 : 0.01;
-    EXPECT_LT(studio::relative_difference(storm, slow, storm.cell_mm), allowed);
+    const bool pulled = GetParam().string_mm > 0.0;
+    EXPECT_NEAR(studio::volume_mm3(slow) / studio::volume_mm3(storm), 1.0, pulled ? 2e-3 : 1e-3);
+    EXPECT_LT(studio::relative_difference(storm, slow, storm.cell_mm), pulled ? 0.03 : 0.01);
 }
 
 INSTANTIATE_TEST_SUITE_P(Stabilisers, SteadiedRate,

@@ -165,9 +165,8 @@ TEST(BundledPresets, UnknownNameListsThoseThereAre) {
 TEST(PresetFields, AreAllInTheManual) {
     const std::string manual = core::read_text_file(PASTOSO_SOURCE_DIR "/docs/brush-format.md");
     for (const PresetField& field : preset_fields()) {
-        const std::string row =
-            "| `" + std::string(field.section) + "." + std::string(field.key) + "` | " +
-            std::string(field.unit) + " | ";
+        const std::string row = "| `" + std::string(field.section) + "." + std::string(field.key) +
+                                "` | " + std::string(field.unit) + " | ";
         EXPECT_THAT(manual, HasSubstr(row));
         EXPECT_THAT(manual, HasSubstr(std::string(field.meaning)));
     }

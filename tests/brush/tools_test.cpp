@@ -246,7 +246,7 @@ TEST(Spatter, FliesOnlyFromAMovingBrushAndAhead) {
 
 TEST(Blow, AJetFollowsThePenAndEndsWithTheStroke) {
     film::FilmState film = studio::smooth(60.0, 40.0, 4.0);
-    Brush straw(find_preset("blow"));
+    Brush straw(studio::linear(find_preset("blow")));
     EXPECT_EQ(straw.load(studio::dark_paint(), 1.0), Contents{});
     Stroke stroke(straw, film);
     EXPECT_EQ(stroke.air_jet(), std::nullopt);

@@ -94,7 +94,7 @@ TEST_F(CliErrors, OptionsOfTextRecordingsDoNotGoWithJson) {
         write("a.json", R"({"format":"pastoso-strokes","version":1,"canvas":{"width_mm":20,)"
                         R"("height_mm":20},"end_tick":0,"events":[]})");
     expect_bad_usage({"replay", json, "--brush", "flat"},
-                     "--brush, --size-mm, --paint and --fit are for text recordings");
+                     "--brush, --size-mm, --paint, --palette and --fit are for text recordings");
     expect_bad_usage({"replay", json, "--fit"}, "are for text recordings");
 }
 
