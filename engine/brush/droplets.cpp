@@ -31,10 +31,11 @@ void Droplets::begin(const HandPose& hand, std::uint32_t seed) {
     seed_ = seed;
     drawn_ = 0;
     owed_mm3_ = 0.0;
-    next_mm3_ = next_volume_mm3();
     way_.assign(1, {hand, 0.0});
-    owed_mm3_ = brush_.preset.droplets.touch_mm3;
-    pass_time(0.0);
+    const DropletPreset& preset = brush_.preset.droplets;
+    next_mm3_ = preset.touch_mm3 * next_volume_mm3() / preset.drop_mm3;
+    if (next_mm3_ > 0.0) let_fall(way_.back());
+    next_mm3_ = next_volume_mm3();
 }
 
 void Droplets::follow(const HandPose& hand, double speed_mm_s) {

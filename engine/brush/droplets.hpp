@@ -23,7 +23,7 @@ class Droplets {
   public:
     Droplets(Brush& brush, film::FilmState& film) : brush_(brush), film_(film) {}
 
-    /// The pen comes down: what the preset lets go at once falls here.
+    /// The pen comes down: what the preset lets go at once falls here, as one drop.
     void begin(const HandPose& hand, std::uint32_t seed);
 
     /// The pen moves on. `speed_mm_s` is its speed along the travel.

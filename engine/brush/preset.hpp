@@ -82,7 +82,7 @@ struct DropletPreset {
     double drop_mm3 = 1.0;         ///< mean volume of a drop; 1e-5 to 1000
     double variation = 0.0;        ///< 0: all alike, 1: from a hundredth of the mean to several times it
     double rate_mm3_s = 0.0;       ///< paint let go while the pen is down; 0 to 10000
-    double touch_mm3 = 0.0;        ///< let go at once when the pen comes down; 0 to 1000
+    double touch_mm3 = 0.0;        ///< a drop let go when the pen comes down; 0 to 1000
     double capacity_mm3 = 1000.0;  ///< of the bottle; 0.1 to 1e6
     double steepness = 0.3;        ///< height over radius of a drop that has landed; 0.02 to 2
     double centring = 0.0;         ///< 0: evenly over the width, 1: thickest in the middle

@@ -126,7 +126,7 @@ constexpr PresetField kFields[] = {
     droplets<&DropletPreset::rate_mm3_s>("rate", "mm3/s", {0.0, 10000.0},
                                          "Paint let go while the pen is down."),
     droplets<&DropletPreset::touch_mm3>("touch", "mm3", {0.0, 1000.0},
-                                        "Paint let go when the pen comes down."),
+                                        "A drop let go when the pen comes down."),
     droplets<&DropletPreset::capacity_mm3>("capacity", "mm3", {0.1, 1e6}, "What the bottle holds."),
     droplets<&DropletPreset::steepness>("steepness", "", {0.02, 2.0},
                                         "Height over radius of a drop that has landed."),

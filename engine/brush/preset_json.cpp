@@ -158,8 +158,7 @@ void read_numbers(const Section& root, std::string_view section_name, Preset& pr
 /// More drops than a picture shows would only take time.
 void check_drop_count(const Section& root, const DropletPreset& droplets) {
     constexpr double kMostDrops_per_s = 1e5;
-    const double let_go_mm3_s = std::max(droplets.rate_mm3_s, droplets.touch_mm3);
-    if (let_go_mm3_s <= kMostDrops_per_s * droplets.drop_mm3) return;
+    if (droplets.rate_mm3_s <= kMostDrops_per_s * droplets.drop_mm3) return;
     const Section section = root.section("droplets");
     section.fail(section.path_of("drop"), "is " + text_of(droplets.drop_mm3) +
                                               ", so that more than 100000 drops a second would fall");

@@ -54,12 +54,21 @@ void Painter::dry_now() {
     note(document::DryNow{});
 }
 
+void Painter::set_symmetry(const brush::Symmetry& symmetry) {
+    note(document::SetSymmetry{symmetry});
+}
+
 void Painter::wait(double seconds) {
     now_s_ += seconds;
 }
 
 void Painter::take(const std::string& preset, double size_mm) {
     note(document::TakeBrush{preset, size_mm, ++brushes_taken_});
+}
+
+void Painter::take_own(const brush::Preset& preset) {
+    note(document::TakeBrush{
+        .preset = preset.name, .seed = ++brushes_taken_, .definition = brush::preset_to_json(preset)});
 }
 
 void Painter::dip(const document::LoadPaint& paint) {
@@ -71,8 +80,9 @@ void Painter::wipe() {
     note(document::CleanBrush{});
 }
 
-void Painter::stroke(double duration_s, const std::function<Touch(double)>& path) {
-    const int count = std::max(3, static_cast<int>(std::lround(duration_s * kSamples_per_s)));
+void Painter::stroke(double duration_s, const std::function<Touch(double)>& path, int least_samples) {
+    const int count =
+        std::max(least_samples - 1, static_cast<int>(std::lround(duration_s * kSamples_per_s)));
     const double start_s = now_s_;
     for (int i = 0; i <= count; ++i) {
         const double u = static_cast<double>(i) / count;

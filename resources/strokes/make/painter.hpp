@@ -1,6 +1,7 @@
 // A scripted painter: strokes and dips of the brush in order, with the time they take.
 #pragma once
 
+#include "brush/preset.hpp"
 #include "document/events.hpp"
 
 #include <cstdint>
@@ -25,14 +26,18 @@ class Painter {
     void tilt_canvas(double tilt_deg);
     void wait(double seconds);
     void dry_now();
+    void set_symmetry(const brush::Symmetry& symmetry);
 
     /// Takes a clean brush; every one is a different piece of its kind.
     void take(const std::string& preset, double size_mm = 0.0);
     void dip(const document::LoadPaint& load);
     void wipe();
 
-    /// One stroke of `duration_s`; `path` is asked from 0 to 1.
-    void stroke(double duration_s, const std::function<Touch(double)>& path);
+    /// Takes a tool that does not come with the program.
+    void take_own(const brush::Preset& preset);
+
+    /// One stroke of `duration_s`; `path` is asked from 0 to 1, at least `least_samples` times.
+    void stroke(double duration_s, const std::function<Touch(double)>& path, int least_samples = 4);
 
     /// The recording, with the paint left to itself for some seconds more.
     document::Recording finish(double seconds_after);

@@ -7,9 +7,9 @@
 namespace pastoso::examples {
 
 void Field::label(Painter& painter, std::string_view words) const {
-    painter.take("Rigger 2", 1.2);
+    painter.take_own(lettering_pen(0.8));
     painter.dip(load(mixture("PBk9 PB29=0.4")));
-    write(painter, words, corner + Point{2.0, 1.5}, 2.8);
+    write(painter, words, corner + Point{2.5, 1.8}, 3.6);
 }
 
 document::Recording sheet() {

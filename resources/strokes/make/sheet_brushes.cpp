@@ -114,6 +114,11 @@ void rounds(Painter& painter) {
 
 void paint_sheet_brushes(Painter& painter) {
     flats(painter);
+    Field(1, 6).label(painter, "large flat");
+    flat_wave(painter, Field(1, 6), "Large flat 40", 26,
+              load(mixture("PY43 PW6=0.3"), mixture("PBr7-RU PW6=0.4"), 0.4), 0.4);
+    Field(4, 6).label(painter, "soft glazing flat");
+    flat_wave(painter, Field(4, 6), "Soft glazing flat 16", 0, load(mixture("PG7", 0.25)), 0.3);
     rounds(painter);
 }
 

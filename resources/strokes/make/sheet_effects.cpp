@@ -56,6 +56,30 @@ void loads(Painter& painter, const Field& half_mixed, const Field& doubled) {
                 70, {0.5, 0.05, 0.06}, 180);
 }
 
+/// A white brush whose one side was dipped in red: laid over, the red comes off first.
+void dipped_tip(Painter& painter, const Field& field) {
+    field.label(painter, "dipped tip");
+    painter.take("Flat bristle 20", 18);
+    painter.dip(load(mixture("PW6 PY43=0.05"), 0.5));
+    document::LoadPaint tip = load(mixture("PR254 PV19=0.3"), 1.1);
+    tip.tip_only = true;
+    painter.dip(tip);
+    paint_along(painter, Curve({field.at(6, 24), field.at(34, 19), field.at(62, 24)}), 70,
+                {0.45, 0.05, 0.06});
+}
+
+void symmetry(Painter& painter, const Field& field) {
+    field.label(painter, "symmetry");
+    const Point middle = field.at(34, 22);
+    painter.set_symmetry({.centre_x_mm = middle.x, .centre_y_mm = middle.y, .mirror = true, .count = 7});
+    painter.take("Round sable 9", 4);
+    painter.dip(load(mixture("PV23 PW6=2"), mixture("PR122 PW6=0.5"), 0.4));
+    const Curve petal(
+        {middle + Point{1.5, -1.0}, middle + Point{2.5, -8.0}, middle + Point{0.6, -14.0}});
+    paint_along(painter, petal, 40, {0.45, 0.2, 0.4});
+    painter.set_symmetry({});
+}
+
 void blend(Painter& painter, const Field& field) {
     field.label(painter, "blender");
     band(painter, field, 15.5, "PB28 PW6=0.4", 12, 0.7);
@@ -103,6 +127,8 @@ void paint_sheet_effects(Painter& painter) {
     wet_in_wet(painter, Field(1, 2));
     loads(painter, Field(2, 2), Field(3, 2));
     blend(painter, Field(4, 2));
+    dipped_tip(painter, Field(5, 2));
+    symmetry(painter, Field(5, 6));
     scumble(painter, Field(0, 3));
     glazes(painter, Field(1, 3));
 }

@@ -59,6 +59,12 @@ void combs_and_pads(Painter& painter) {
     painter.take("Comb 25", 18);
     paint_along(painter, Curve({comb.at(9, 22), comb.at(24, 19), comb.at(40, 25), comb.at(60, 21)}), 40,
                 {0.6, 0.05, 0.05});
+    const Field fine(2, 6);
+    fine.label(painter, "fine comb");
+    thick(painter, fine, 22, 22, "PY35 PW6=0.6");
+    painter.take("Fine comb 18", 14);
+    paint_along(painter, Curve({fine.at(10, 25), fine.at(24, 18), fine.at(42, 26), fine.at(60, 19)}), 40,
+                {0.6, 0.05, 0.05});
     rag.label(painter, "rag");
     thick(painter, rag, 22, 22, "PR101");
     painter.take("Rag 35", 16);
@@ -142,9 +148,23 @@ void straw(Painter& painter, const Field& field) {
         painter.take("Straw 8");
         painter.stroke(0.5, [&](double u) {
             const Point at = field.at(14.0 + 18 * i + 2.0 * u, 27.0 - 12.0 * u);
-            return Touch{at.x, at.y, 0.5, 0.0, 0.0, -35.0};
+            return Touch{at.x, at.y, 1.0, 0.0, 0.0, -35.0};
         });
     }
+    painter.use_medium("heavy-body oil");
+}
+
+void air_blower(Painter& painter, const Field& field) {
+    field.label(painter, "air blower");
+    painter.use_medium("ink glaze");
+    painter.take("Flat bristle 20", 10);
+    painter.dip(load(mixture("PR122", 0.7), 1.2));
+    paint_along(painter, Curve({field.at(10, 26), field.at(58, 26)}), 60, {0.45, 0.06, 0.06});
+    painter.take("Air blower 40", 12);
+    painter.stroke(0.6, [&](double u) {
+        return Touch{field.at(14.0 + 42.0 * u, 24).x, field.at(0, 25).y, 1.0, 0.0, 0.0, -30.0};
+    });
+    painter.use_medium("heavy-body oil");
 }
 
 void thinner_brush(Painter& painter, const Field& field) {
@@ -169,6 +189,8 @@ void paint_sheet_fluids(Painter& painter) {
     thinner_brush(painter, Field(0, 6));
     painter.dry_now();
     straw(painter, Field(5, 5));
+    air_blower(painter, Field(3, 6));
+    painter.dry_now();
     drops(painter);
     painter.wait(0.3);
     painter.use_medium("heavy-body oil");
