@@ -6,31 +6,32 @@
 namespace pastoso::examples {
 namespace {
 
+constexpr double kSwatchWidth_mm = 8.5;
+
 /// A short stroke of one paint.
-void swatch(Painter& painter, Point middle, const std::string& paint, double width_mm) {
+void swatch(Painter& painter, Point middle, const std::string& paint) {
     painter.wipe();
     painter.dip(load(mixture(paint), 0.8));
     paint_held(painter, Curve({middle - Point{0, 5.5}, middle + Point{0, 5.5}}), 40, {0.4, 0.1, 0.1}, 0);
-    (void)width_mm;
 }
 
 void tint_ladder(Painter& painter, const Field& field, double y_mm, const std::string& pigment) {
     const char* white[] = {"", " PW6=1", " PW6=3", " PW6=9", " PW6=30", " PW6=100"};
-    painter.take("Flat bristle 20", 8.5);
+    painter.take("Flat bristle 20", kSwatchWidth_mm);
     for (int i = 0; i < 6; ++i)
-        swatch(painter, field.at(8.5 + 10.2 * i, y_mm), pigment + white[i], 8.5);
+        swatch(painter, field.at(8.5 + 10.2 * i, y_mm), pigment + white[i]);
 }
 
 /// Two paints with three mixtures between them.
 void mixing_row(Painter& painter, const Field& field, double y_mm, const std::string& first,
                 const std::string& second, double strength_of_first) {
-    painter.take("Flat bristle 20", 8.5);
+    painter.take("Flat bristle 20", kSwatchWidth_mm);
     for (int i = 0; i < 5; ++i) {
         const double share = i / 4.0;
         const std::string a = first + "=" + std::to_string(strength_of_first * (1.0 - share) + 1e-6);
         const std::string b = second + "=" + std::to_string(share + 1e-6);
         const std::string paint = i == 0 ? first : i == 4 ? second : a + " " + b;
-        swatch(painter, field.at(10.0 + 12.0 * i, y_mm), paint, 8.5);
+        swatch(painter, field.at(10.0 + 12.0 * i, y_mm), paint);
     }
 }
 
