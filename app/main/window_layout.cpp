@@ -29,34 +29,28 @@ namespace {
 
 constexpr int kPanelWidth = 232;
 
-/// Bristles first, then what is stiff, then what is soft.
-int family_rank(brush::TipShape shape) {
-    switch (shape) {
-        case brush::TipShape::Knife:
-        case brush::TipShape::Comb:
-            return 1;
-        case brush::TipShape::Pad:
-            return 2;
-        default:
-            return 0;
-    }
-}
-
 QColor colour(const pigment::Srgb8& rgb) {
     return {rgb[0], rgb[1], rgb[2]};
 }
 
-QString family_of(const brush::Preset& preset) {
-    if (preset.kind == brush::ToolKind::Droplets) return QObject::tr("Drops and sprays");
-    if (preset.kind == brush::ToolKind::Air) return QObject::tr("Air");
+/// The heading that a tool stands under, and its place among the headings.
+struct Family {
+    int rank;
+    QString heading;
+};
+
+/// Bristles first, then what is stiff, then what is soft.
+Family family_of(const brush::Preset& preset) {
+    if (preset.kind == brush::ToolKind::Droplets) return {3, QObject::tr("Drops and sprays")};
+    if (preset.kind == brush::ToolKind::Air) return {4, QObject::tr("Air")};
     switch (preset.tip.shape) {
         case brush::TipShape::Knife:
         case brush::TipShape::Comb:
-            return QObject::tr("Knives and combs");
+            return {1, QObject::tr("Knives and combs")};
         case brush::TipShape::Pad:
-            return QObject::tr("Rags and fingers");
+            return {2, QObject::tr("Rags and fingers")};
         default:
-            return QObject::tr("Brushes");
+            return {0, QObject::tr("Brushes")};
     }
 }
 
@@ -136,12 +130,12 @@ void MainWindow::make_tool_bar() {
 /// Tools by family, and their thumbnails as they come into view.
 panels::BrushPanel* MainWindow::make_brush_panel() {
     std::vector<brush::Preset> presets = brush::bundled_presets();
-    std::stable_sort(presets.begin(), presets.end(), [](const auto& a, const auto& b) {
-        return std::pair(a.kind, family_rank(a.tip.shape)) < std::pair(b.kind, family_rank(b.tip.shape));
-    });
+    std::stable_sort(presets.begin(), presets.end(),
+                     [](const auto& a, const auto& b) { return family_of(a).rank < family_of(b).rank; });
     std::vector<panels::BrushEntry> entries;
     for (const brush::Preset& preset : presets)
-        entries.push_back({QString::fromStdString(preset.name), family_of(preset), preset.tip.width_mm});
+        entries.push_back(
+            {QString::fromStdString(preset.name), family_of(preset).heading, preset.tip.width_mm});
     auto* panel = new panels::BrushPanel(std::move(entries));
     const double pixels = devicePixelRatioF();
     const QSize size = panels::kThumbnailSize * pixels;

@@ -66,25 +66,26 @@ void Droplets::let_fall(const Place& place) {
     const double flight_mm = preset.throw_s * place.speed_mm_s * (0.5 + random());
     const double u = distance_mm * std::cos(angle) * (brush_.tip.mirrored ? -1.0 : 1.0);
     const double v = distance_mm * std::sin(angle);
-    const double x_mm =
-        hand.x_mm + u * hand.cos_rotation - v * hand.sin_rotation + flight_mm * hand.travel_x;
-    const double y_mm =
-        hand.y_mm + u * hand.sin_rotation + v * hand.cos_rotation + flight_mm * hand.travel_y;
+    land(hand.x_mm + u * hand.cos_rotation - v * hand.sin_rotation + flight_mm * hand.travel_x,
+         hand.y_mm + u * hand.sin_rotation + v * hand.cos_rotation + flight_mm * hand.travel_y,
+         kStreakShare * flight_mm, hand);
+}
+
+void Droplets::land(double x_mm, double y_mm, double streak_mm, const HandPose& hand) {
+    const double least_mm = kLeastRadius_cells * film_.cell_mm;
     const double radius_mm =
-        std::max(cap_radius_mm(next_mm3_, preset.steepness), kLeastRadius_cells * film_.cell_mm);
+        std::max(cap_radius_mm(next_mm3_, brush_.preset.droplets.steepness), least_mm);
     Contents& bottle = brush_.held.front();
-    const double streak_mm = kStreakShare * flight_mm;
     const int caps = streak_mm > radius_mm ? kStreakCaps : 1;
     double left_mm3 = std::min(next_mm3_, bottle.volume_mm3);
     for (int cap = 0; cap < caps; ++cap) {
         const double volume_mm3 = cap + 1 < caps ? 0.5 * left_mm3 : left_mm3;
         const double along_mm = caps > 1 ? streak_mm * cap / (caps - 1) : 0.0;
-        const double shrink = std::cbrt(volume_mm3 / next_mm3_);
-        const double cap_mm = std::max(radius_mm * shrink, kLeastRadius_cells * film_.cell_mm);
-        changed_ =
-            grid::bounding_box(changed_, put_down(bottle, volume_mm3, x_mm + along_mm * hand.travel_x,
-                                                  y_mm + along_mm * hand.travel_y, cap_mm,
-                                                  core::scramble(seed_ + drawn_), film_, cells_));
+        const double cap_mm = std::max(radius_mm * std::cbrt(volume_mm3 / next_mm3_), least_mm);
+        const grid::Rect cells = put_down(bottle, volume_mm3, x_mm + along_mm * hand.travel_x,
+                                          y_mm + along_mm * hand.travel_y, cap_mm,
+                                          core::scramble(seed_ + drawn_), film_, cells_);
+        changed_ = grid::bounding_box(changed_, cells);
         left_mm3 -= volume_mm3;
     }
 }

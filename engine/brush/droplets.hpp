@@ -43,6 +43,8 @@ class Droplets {
     };
 
     void let_fall(const Place& place);
+    /// The next drop's mark at a place, drawn out along the travel by `streak_mm`.
+    void land(double x_mm, double y_mm, double streak_mm, const HandPose& hand);
     double next_volume_mm3();
     float random();
 

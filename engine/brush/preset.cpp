@@ -3,12 +3,11 @@
 #include "brush/preset_names.hpp"
 #include "core/error.hpp"
 #include "core/resources.hpp"
+#include "core/text.hpp"
 #include "core/text_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 namespace pastoso::brush {
@@ -39,27 +38,12 @@ constexpr std::pair<std::string_view, std::string_view> kShortNames[] = {{"flat"
                                                                          {"thinner", "Thinner brush 16"},
                                                                          {"blow", "Straw 8"}};
 
-std::vector<std::filesystem::path> preset_files() {
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(core::resource_path("brushes"))) {
-        if (entry.path().extension() == ".json") files.push_back(entry.path());
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
 std::vector<Preset> read_bundled_presets() {
     std::vector<Preset> presets;
-    for (const auto& file : preset_files()) {
+    for (const auto& file : core::files_in(core::resource_path("brushes"), ".json")) {
         presets.push_back(parse_preset(core::read_text_file(file), file.filename().string()));
     }
     return presets;
-}
-
-bool equal_ignoring_case(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
-        return std::tolower(x) == std::tolower(y);
-    });
 }
 
 std::string list_of_names() {
@@ -76,22 +60,18 @@ std::string_view name_of(TipShape shape) {
     return word_for(shape, kShapeNames);
 }
 
-std::string_view name_of(ToolKind kind) {
-    return word_for(kind, kKindNames);
-}
-
 const std::vector<Preset>& bundled_presets() {
     static const std::vector<Preset> presets = read_bundled_presets();
     return presets;
 }
 
 const Preset& find_preset(std::string_view name) {
-    const std::vector<Preset>& presets = bundled_presets();
-    for (const Preset& preset : presets) {
-        if (equal_ignoring_case(preset.name, name)) return preset;
+    const std::string lower = core::lower_case(name);
+    for (const Preset& preset : bundled_presets()) {
+        if (core::lower_case(preset.name) == lower) return preset;
     }
     for (const auto& [word, preset_name] : kShortNames) {
-        if (equal_ignoring_case(word, name)) return find_preset(preset_name);
+        if (word == lower) return find_preset(preset_name);
     }
     throw core::InputError("There is no brush \"" + std::string(name) + "\"; the brushes are " +
                            list_of_names() + ".");

@@ -26,7 +26,6 @@ enum class TipShape {
     Pad     ///< a soft disc or cloth without hairs, or a fingertip: width by thickness
 };
 std::string_view name_of(TipShape shape);
-std::string_view name_of(ToolKind kind);
 
 /// The tip at rest, in the frame of the ferrule: x along its width, y along its thickness.
 struct TipPreset {

@@ -20,16 +20,6 @@ auto find_name(auto& entries, std::string_view name) {
                         });
 }
 
-std::vector<std::filesystem::path> json_files(const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> files;
-    std::error_code missing;
-    for (const auto& file : std::filesystem::directory_iterator(folder, missing)) {
-        if (file.path().extension() == ".json") files.push_back(file.path());
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
 void add_own(Preset preset, const std::string& file, std::vector<Entry>& entries) {
     const auto same = find_name(entries, preset.name);
     if (same == entries.end()) {
@@ -61,7 +51,7 @@ PresetLibrary load_presets(const std::filesystem::path& own_folder) {
     PresetLibrary library;
     for (const Preset& preset : bundled_presets())
         library.entries.push_back({preset, false});
-    for (const auto& file : json_files(own_folder)) {
+    for (const auto& file : core::files_in(own_folder, ".json")) {
         try {
             add_own(parse_preset(core::read_text_file(file), file.string()), file.string(),
                     library.entries);

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -53,6 +54,16 @@ std::string read_text_file(const std::filesystem::path& path, std::size_t max_by
     stream.read(text.data(), static_cast<std::streamsize>(size));
     if (!stream) throw InputError(path.string() + ": cannot be read to its end.");
     return text;
+}
+
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder, std::string_view extension) {
+    std::vector<std::filesystem::path> files;
+    std::error_code missing;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, missing)) {
+        if (entry.path().extension() == extension) files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
 }
 
 void write_aside(const std::filesystem::path& path,

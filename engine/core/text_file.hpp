@@ -5,12 +5,17 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pastoso::core {
 
 /// The whole file as text. Throws InputError naming the path when it cannot be opened, is a folder, or is
 /// larger than `max_bytes`.
 std::string read_text_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{1} << 30);
+
+/// The files of a folder that end in `extension` (".json"), in the order of their names; none where there is no
+/// such folder.
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder, std::string_view extension);
 
 /// Calls `write(temporary_path)`, then renames the temporary file to `path`: readers see the old file or the
 /// whole new one. If `write` throws, the temporary file is removed and `path` is as it was. Throws InputError

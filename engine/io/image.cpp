@@ -78,18 +78,24 @@ void write_pixels(const std::filesystem::path& path, PastosoPixels pixels,
     });
 }
 
-template <class Image>
-PastosoPixels pixels_of(const Image& image, int sample_type, double px_per_mm) {
-    PASTOSO_CHECK_OP(image.rgb.size(), ==, std::size_t{3} * image.width * image.height);
+/// `values` are the image's, `channels` a pixel.
+template <class Image, class Values>
+PastosoPixels pixels_of(const Image& image, const Values& values, int channels, int sample_type,
+                        double px_per_mm) {
+    PASTOSO_CHECK_OP(values.size(), ==, std::size_t{1} * channels * image.width * image.height);
     PastosoPixels pixels{};
-    pixels.data = image.rgb.data();
+    pixels.data = values.data();
     pixels.width = image.width;
     pixels.height = image.height;
-    pixels.channels = 3;
+    pixels.channels = channels;
     pixels.sample_type = sample_type;
     pixels.px_per_mm = px_per_mm;
     pixels.software = "Pastoso";
     return pixels;
+}
+template <class Image>
+PastosoPixels pixels_of(const Image& image, int sample_type, double px_per_mm) {
+    return pixels_of(image, image.rgb, 3, sample_type, px_per_mm);
 }
 
 template <class Image>
@@ -144,16 +150,7 @@ void write_image(const std::filesystem::path& path, const shade::LinearImage& im
 }
 
 void write_image(const std::filesystem::path& path, const GreyImage& image, double px_per_mm) {
-    PASTOSO_CHECK_OP(image.values.size(), ==, std::size_t{1} * image.width * image.height);
-    PastosoPixels pixels{};
-    pixels.data = image.values.data();
-    pixels.width = image.width;
-    pixels.height = image.height;
-    pixels.channels = 1;
-    pixels.sample_type = kPastosoData;
-    pixels.px_per_mm = px_per_mm;
-    pixels.software = "Pastoso";
-    write_pixels(path, pixels);
+    write_pixels(path, pixels_of(image, image.values, 1, kPastosoData, px_per_mm));
 }
 
 shade::LinearImage read_colour_image(const std::filesystem::path& path, pigment::WorkingSpace space) {

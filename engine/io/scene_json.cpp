@@ -128,9 +128,8 @@ SceneFile scene_from_json(std::string_view text, const std::string& name, const 
 
 std::vector<std::string> bundled_scene_names() {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(core::resource_path("scenes")))
-        if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-    std::sort(names.begin(), names.end());
+    for (const fs::path& file : core::files_in(core::resource_path("scenes"), ".json"))
+        names.push_back(file.stem().string());
     return names;
 }
 

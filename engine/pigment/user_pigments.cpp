@@ -11,16 +11,6 @@ namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{16} << 20;
 
-std::vector<std::filesystem::path> csv_files(const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> files;
-    std::error_code none;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
-        if (entry.path().extension() == ".csv") files.push_back(entry.path());
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
 bool holds(const std::vector<Pigment>& pigments, const std::string& ci_name) {
     return std::any_of(pigments.begin(), pigments.end(),
                        [&](const Pigment& pigment) { return pigment.ci_name == ci_name; });
@@ -46,7 +36,7 @@ std::vector<Pigment> read_file(const std::filesystem::path& path, const std::vec
 
 UserPigments read_user_pigments(const std::filesystem::path& folder) {
     UserPigments user;
-    for (const std::filesystem::path& path : csv_files(folder)) {
+    for (const std::filesystem::path& path : core::files_in(folder, ".csv")) {
         try {
             for (Pigment& pigment : read_file(path, user.pigments))
                 user.pigments.push_back(std::move(pigment));

@@ -131,4 +131,13 @@ TEST_F(TextFile, LargeFilesAreRefused) {
     EXPECT_THAT(error_of([&] { read_text_file(file_, 4); }), HasSubstr("larger than the 4 bytes"));
 }
 
+TEST(FilesIn, ListsThoseOfAnExtensionByName) {
+    const pastoso::tests::TemporaryFolder folder;
+    for (const char* name : {"b.json", "a.json", "c.txt", "json"})
+        pastoso::core::write_text_file(folder.path() / name, "");
+    EXPECT_THAT(pastoso::core::files_in(folder.path(), ".json"),
+                testing::ElementsAre(folder.path() / "a.json", folder.path() / "b.json"));
+    EXPECT_TRUE(pastoso::core::files_in(folder.path() / "none", ".json").empty());
+}
+
 }  // namespace

@@ -21,31 +21,26 @@ Curve field_wave(const Field& field, double height_mm, double from_mm = 7.0, dou
     return Curve(points);
 }
 
-void flat_wave(Painter& painter, const Field& field, const char* brush, double size_mm,
-               const document::LoadPaint& paint, double pressure) {
+void flat_wave(Painter& painter, const Field& field, const char* words, const char* brush,
+               double size_mm, const document::LoadPaint& paint, double pressure) {
+    field.label(painter, words);
     painter.take(brush, size_mm);
     painter.dip(paint);
     paint_along(painter, field_wave(field, -3.0), 70, {pressure, 0.05, 0.08});
 }
 
 void flats(Painter& painter) {
-    Field(0, 0).label(painter, "flat bristle");
-    flat_wave(painter, Field(0, 0), "Flat bristle 20", 18,
+    flat_wave(painter, Field(0, 0), "flat bristle", "Flat bristle 20", 18,
               load(mixture("PB28 PW6=0.15"), mixture("PB28 PW6=1.3"), 0.4), 0.42);
-    Field(1, 0).label(painter, "bright");
-    flat_wave(painter, Field(1, 0), "Bright 12", 0,
+    flat_wave(painter, Field(1, 0), "bright", "Bright 12", 0,
               load(mixture("PR108 PO20=0.5"), mixture("PO20"), 0.3), 0.45);
-    Field(2, 0).label(painter, "filbert");
-    flat_wave(painter, Field(2, 0), "Filbert 14", 0,
+    flat_wave(painter, Field(2, 0), "filbert", "Filbert 14", 0,
               load(mixture("PG18 PW6=0.3"), mixture("PG18 PY35=0.5"), 0.35), 0.5);
-    Field(3, 0).label(painter, "large filbert");
-    flat_wave(painter, Field(3, 0), "Large filbert 26", 22,
+    flat_wave(painter, Field(3, 0), "large filbert", "Large filbert 26", 22,
               load(mixture("PV23 PW6=3"), mixture("PV19 PW6=1.5"), 0.4), 0.45);
-    Field(4, 0).label(painter, "fan");
-    flat_wave(painter, Field(4, 0), "Fan 26", 0,
+    flat_wave(painter, Field(4, 0), "fan", "Fan 26", 0,
               load(mixture("PG17"), mixture("PG17 PY35=0.8"), 0.35, 0.8), 0.36);
-    Field(5, 0).label(painter, "impasto flat");
-    flat_wave(painter, Field(5, 0), "Impasto flat 18", 16,
+    flat_wave(painter, Field(5, 0), "impasto flat", "Impasto flat 18", 16,
               load(mixture("PW6 PY35=0.4"), mixture("PW6"), 0.4), 0.4);
 }
 
@@ -114,11 +109,10 @@ void rounds(Painter& painter) {
 
 void paint_sheet_brushes(Painter& painter) {
     flats(painter);
-    Field(1, 6).label(painter, "large flat");
-    flat_wave(painter, Field(1, 6), "Large flat 40", 26,
+    flat_wave(painter, Field(1, 6), "large flat", "Large flat 40", 26,
               load(mixture("PY43 PW6=0.3"), mixture("PBr7-RU PW6=0.4"), 0.4), 0.4);
-    Field(4, 6).label(painter, "soft glazing flat");
-    flat_wave(painter, Field(4, 6), "Soft glazing flat 16", 0, load(mixture("PG7", 0.25)), 0.3);
+    flat_wave(painter, Field(4, 6), "soft glazing flat", "Soft glazing flat 16", 0,
+              load(mixture("PG7", 0.25)), 0.3);
     rounds(painter);
 }
 
