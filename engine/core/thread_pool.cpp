@@ -1,65 +1,84 @@
 #include "core/thread_pool.hpp"
 
-#include <algorithm>
-
 #include "core/check.hpp"
 
+#include <algorithm>
+
 namespace pastoso::core {
+namespace {
+
+/// How often a thread looks again before it sleeps: some tens of microseconds, about what waking up
+/// costs. The runs of a solver's step follow each other more closely than that.
+constexpr int kLooksBeforeSleep = 1000;
+
+void pause_briefly() {
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#endif
+}
+
+template <class T>
+void wait_while(const std::atomic<T>& value, T old) {
+    for (int look = 0; look < kLooksBeforeSleep; ++look) {
+        if (value.load(std::memory_order_acquire) != old) return;
+        pause_briefly();
+    }
+    value.wait(old, std::memory_order_acquire);
+}
+
+}  // namespace
 
 ThreadPool::ThreadPool(int thread_count) {
     PASTOSO_CHECK_OP(thread_count, >=, 0);
-    const int wanted =
-        thread_count > 0 ? thread_count : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const int wanted = thread_count > 0
+                           ? thread_count
+                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     workers_.reserve(wanted - 1);
-    for (int worker = 1; worker < wanted; ++worker) workers_.emplace_back([this, worker] { work(worker); });
+    for (int worker = 1; worker < wanted; ++worker)
+        workers_.emplace_back([this, worker] { work(worker); });
 }
 
 ThreadPool::~ThreadPool() {
-    {
-        const std::lock_guard lock(mutex_);
-        stopping_ = true;
-    }
-    work_ready_.notify_all();
-    for (std::thread& worker : workers_) worker.join();
+    stopping_ = true;
+    start_workers();
+    for (std::thread& worker : workers_)
+        worker.join();
 }
 
 void ThreadPool::run(std::size_t count, const std::function<void(std::size_t, int)>& body) {
     if (workers_.empty() || count <= 1) {
-        for (std::size_t index = 0; index < count; ++index) body(index, 0);
+        for (std::size_t index = 0; index < count; ++index)
+            body(index, 0);
         return;
     }
-    {
-        const std::lock_guard lock(mutex_);
-        body_ = &body;
-        count_ = count;
-        next_ = 0;
-        busy_workers_ = static_cast<int>(workers_.size());
-        ++generation_;
-    }
-    work_ready_.notify_all();
+    body_ = &body;
+    count_ = count;
+    next_ = 0;
+    busy_workers_ = static_cast<int>(workers_.size());
+    start_workers();
     take_indices(0);
-    std::unique_lock lock(mutex_);
-    work_done_.wait(lock, [this] { return busy_workers_ == 0; });
+    while (const int busy = busy_workers_.load(std::memory_order_acquire))
+        wait_while(busy_workers_, busy);
     body_ = nullptr;
 }
 
+void ThreadPool::start_workers() {
+    generation_.fetch_add(1, std::memory_order_release);
+    generation_.notify_all();
+}
+
 void ThreadPool::work(int worker) {
-    unsigned long seen_generation = 0;
-    for (;;) {
-        {
-            std::unique_lock lock(mutex_);
-            work_ready_.wait(lock, [&] { return stopping_ || generation_ != seen_generation; });
-            if (stopping_) return;
-            seen_generation = generation_;
-        }
+    for (unsigned seen_generation = 0;; ++seen_generation) {
+        wait_while(generation_, seen_generation);
+        if (stopping_) return;
         take_indices(worker);
-        const std::lock_guard lock(mutex_);
-        if (--busy_workers_ == 0) work_done_.notify_one();
+        if (busy_workers_.fetch_sub(1, std::memory_order_acq_rel) == 1) busy_workers_.notify_one();
     }
 }
 
 void ThreadPool::take_indices(int worker) {
-    for (std::size_t index = next_++; index < count_; index = next_++) (*body_)(index, worker);
+    for (std::size_t index = next_++; index < count_; index = next_++)
+        (*body_)(index, worker);
 }
 
 }  // namespace pastoso::core

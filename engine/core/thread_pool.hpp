@@ -1,12 +1,11 @@
 // A small pool of threads for loops whose iterations write to different places. Which thread runs which
-// iteration is not fixed; whoever needs a sum stores one value per iteration and adds them in index order.
+// iteration is not fixed; whoever needs a sum stores one value per iteration and adds them in index
+// order.
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <cstddef>
 #include <functional>
-#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -30,15 +29,13 @@ class ThreadPool {
   private:
     void work(int worker);
     void take_indices(int worker);
+    void start_workers();
 
-    std::mutex mutex_;
-    std::condition_variable work_ready_;
-    std::condition_variable work_done_;
     const std::function<void(std::size_t, int)>* body_ = nullptr;
     std::size_t count_ = 0;
     std::atomic<std::size_t> next_ = 0;
-    unsigned long generation_ = 0;
-    int busy_workers_ = 0;
+    std::atomic<unsigned> generation_ = 0;  ///< counts the calls that the workers have to answer
+    std::atomic<int> busy_workers_ = 0;
     bool stopping_ = false;
     std::vector<std::thread> workers_;
 };

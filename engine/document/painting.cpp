@@ -20,6 +20,8 @@ namespace pastoso::document {
 namespace {
 
 constexpr const char* kFirstMedium = "heavy-body oil";
+/// Paint that hardly moves is brought up to date once a second.
+constexpr double kLongestWait_s = 64.0 * kTick_s;
 
 grid::TiledField<float> support_by_name(const CanvasSettings& settings) {
     check_canvas_fits(settings, available_memory_bytes());
@@ -90,7 +92,7 @@ struct Painting::Parts {
           pool(threads),
           film(bare_canvas(canvas, std::move(support_mm))),
           medium(film::find_medium(kFirstMedium)),
-          solver(film, medium, film::SolverOptions{}, threads) {
+          solver(film, medium, {.longest_wait_s = kLongestWait_s}, threads) {
         solver.set_gravity(film::tilted_gravity(0.0));
     }
 

@@ -60,12 +60,23 @@ template <FaceModel kModel, class Load>
     return face;
 }
 
-/// Calls shut_x(face) and shut_y(face) for the faces of a tile through which nothing may flow: those at
-/// closed edges and all beyond the canvas.
+/// Calls shut_x(face) and shut_y(face) for all faces between two cells of the tile.
 template <class ShutX, class ShutY>
-void for_each_shut_face(int columns, int rows, const ClosedEdges& closed, const ShutX& shut_x,
+void for_each_inner_face(int columns, int rows, const ShutX& shut_x, const ShutY& shut_y) {
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) {
+            if (x + 1 < columns) shut_x(face_index(x, y));
+            if (y + 1 < rows) shut_y(face_index(x, y));
+        }
+}
+
+/// Calls shut_x(face) and shut_y(face) for the faces of a tile through which nothing may flow: those
+/// that are closed and all beyond the canvas.
+template <class ShutX, class ShutY>
+void for_each_shut_face(int columns, int rows, const ClosedFaces& closed, const ShutX& shut_x,
                         const ShutY& shut_y) {
     using grid::kTileSize;
+    if (closed.inside) for_each_inner_face(columns, rows, shut_x, shut_y);
     for (int y = 0; y < kTileSize; ++y) {
         if (closed.left) shut_x(face_index(-1, y));
         const int first_shut = y >= rows ? -1 : columns - (closed.right ? 1 : 0);

@@ -127,7 +127,7 @@ struct FaceKernel {
 static_assert(kTileSize % kLanes == 0);
 
 /// Shuts closed edges and everything beyond the canvas.
-void shut_edges(int columns, int rows, const ClosedEdges& closed, TileScratch& scratch) {
+void shut_closed_faces(int columns, int rows, const ClosedFaces& closed, TileScratch& scratch) {
     for_each_shut_face(
         columns, rows, closed,
         [&](int f) {
@@ -211,12 +211,12 @@ LaneExtremes flow_all_faces(const StepConstants& step, int columns, int rows, Ti
 
 }  // namespace
 
-FlowExtremes tile_flow(const StepConstants& step, int columns, int rows, const ClosedEdges& closed,
+FlowExtremes tile_flow(const StepConstants& step, int columns, int rows, const ClosedFaces& closed,
                        TileScratch& scratch) {
     if (scratch.block.last_wet_row >= scratch.block.first_wet_row) prepare_pressure(step, scratch);
     const LaneExtremes found = with_face_model(
         step, [&]<FaceModel kModel>() { return flow_all_faces<kModel>(step, columns, rows, scratch); });
-    shut_edges(columns, rows, closed, scratch);
+    shut_closed_faces(columns, rows, closed, scratch);
     FlowExtremes extremes = found.reduced();
     if (extremes.speed_mm_s >= 0.5F * step.cell_mm / step.dt_s)
         extremes.clamped_faces = count_clamped(step, scratch.velocity_x, -1, 0) +

@@ -276,7 +276,7 @@ float assemble_faces(const StepConstants& step, const float* lag, bool again, Ti
 }
 
 /// Nothing flows through a face at a closed edge or beyond the canvas.
-void shut_edges(int columns, int rows, const ClosedEdges& closed, LargeTile& tile) {
+void shut_closed_faces(int columns, int rows, const ClosedFaces& closed, LargeTile& tile) {
     for_each_shut_face(
         columns, rows, closed, [&](int f) { shut(tile.x, f); }, [&](int f) { shut(tile.y, f); });
 }
@@ -323,7 +323,7 @@ bool is_crowded(const HaloBlock& block) {
 
 }  // namespace
 
-float assemble_large_tile(const StepConstants& step, int columns, int rows, const ClosedEdges& closed,
+float assemble_large_tile(const StepConstants& step, int columns, int rows, const ClosedFaces& closed,
                           const CanvasEdges& edges, bool again, LargeScratch& large,
                           TileScratch& scratch, LargeTile& tile) {
     const HaloBlock& block = scratch.block;
@@ -345,7 +345,7 @@ float assemble_large_tile(const StepConstants& step, int columns, int rows, cons
     const float error = with_face_model(step, [&]<FaceModel kModel>() {
         return assemble_faces<kModel>(step, lag.data(), again, scratch, tile);
     });
-    shut_edges(columns, rows, closed, tile);
+    shut_closed_faces(columns, rows, closed, tile);
     cut_response(columns, rows, edges, tile);
     find_source(step, tile);
     if (again) return error;

@@ -7,7 +7,7 @@
 #define PASTOSO_DECLARE_LARGE_KERNELS(isa)                                                              \
     namespace pastoso::film::isa {                                                                      \
     float assemble_large_tile(const StepConstants& step, int columns, int rows,                         \
-                              const ClosedEdges& closed, const CanvasEdges& edges, bool again,          \
+                              const ClosedFaces& closed, const CanvasEdges& edges, bool again,          \
                               LargeScratch& large, TileScratch& scratch, LargeTile& tile);              \
     float refine_yielding(const StepConstants& step, const LargeScratch& large, LargeTile& tile);       \
     void find_source(const StepConstants& step, LargeTile& tile);                                       \

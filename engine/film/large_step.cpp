@@ -32,14 +32,6 @@ constexpr float kUsable = 0.25F;
 constexpr int kMostSharePasses = 6;
 constexpr int kMostSlowings = 6;
 
-/// The largest value; a NaN counts as larger than all.
-float largest(const std::vector<float>& values) {
-    float result = 0.0F;
-    for (const float value : values)
-        if (!(value <= result)) result = value;
-    return result;
-}
-
 Shortage total(const std::vector<Shortage>& shortages) {
     Shortage sum;
     for (const Shortage& shortage : shortages) {
@@ -47,6 +39,12 @@ Shortage total(const std::vector<Shortage>& shortages) {
         sum.thick_cells += shortage.thick_cells;
     }
     return sum;
+}
+
+/// Notes that the equations of a tile have changed.
+void revise(LargeTile& tile) {
+    tile.residual = std::numeric_limits<float>::max();
+    tile.revised = true;
 }
 
 /// Both tiles hold the same bits of the faces between them, or paint would be lost there. A tile that is
@@ -195,6 +193,8 @@ struct LargeStepper::Pass {
                         WindowArray& out) const;
     bool refine_all(int pass);
     void solve_yielding(LargeStepReport& report);
+    bool is_revised_around(const TilePlace& place) const;
+    float largest_error() const;
     std::vector<PatchCover> patch_covers(const TilePlace& place) const;
     float sweep(bool first);
     void solve(bool from_rest, LargeStepReport& report);
@@ -229,7 +229,7 @@ float LargeStepper::Pass::refine(const TilePlace& place, LargeTile& tile, LargeS
 void LargeStepper::Pass::assemble_all() {
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch& worker) {
         assemble(places[index], false, tile, large, worker);
-        tile.residual = std::numeric_limits<float>::max();
+        revise(tile);
         tile.stubborn = false;
         tile.unsteady = true;
     });
@@ -279,7 +279,7 @@ bool LargeStepper::Pass::refine_all(int pass) {
         const TilePlace& place = places[index];
         const SharedFaces kept(place, beside(place), tile);
         errors[index] = refine(place, tile, large, worker);
-        tile.residual = std::numeric_limits<float>::max();
+        revise(tile);
         if (kept.restore(tile)) kernels.find_source(constants, tile);
     });
     for (const TilePlace& place : places)
@@ -298,11 +298,31 @@ bool LargeStepper::Pass::refine_all(int pass) {
     return changes;
 }
 
+/// Whether anything has changed that a tile's patch reads.
+bool LargeStepper::Pass::is_revised_around(const TilePlace& place) const {
+    for (const WindowRun& row : rows(place).patch)
+        for (const WindowRun& column : columns(place).patch)
+            if (const LargeTile* tile = partner(column.tile, row.tile); tile && tile->revised)
+                return true;
+    return false;
+}
+
+/// Of the tiles' last errors; a NaN counts as larger than all.
+float LargeStepper::Pass::largest_error() const {
+    float result = 0.0F;
+    for (const TilePlace& place : places) {
+        const float error = stepper.tiles_[place.tile]->error;
+        if (!(error <= result)) result = error;
+    }
+    return result;
+}
+
+/// The corrections that reach a tile.
 std::vector<PatchCover> LargeStepper::Pass::patch_covers(const TilePlace& place) const {
     std::vector<PatchCover> covers;
     for (const WindowRun& row : rows(place).covers)
         for (const WindowRun& column : columns(place).covers)
-            if (const LargeTile* tile = partner(column.tile, row.tile))
+            if (const LargeTile* tile = partner(column.tile, row.tile); tile && tile->corrected)
                 covers.push_back({.correction = &tile->correction,
                                   .x = column.cell,
                                   .y = row.cell,
@@ -317,9 +337,10 @@ std::vector<PatchCover> LargeStepper::Pass::patch_covers(const TilePlace& place)
 /// sweep only where there is an error left. Returns the largest relative error found on the way in. The
 /// error of a smooth wave looks small to a cell, so that the first sweep is never spared.
 float LargeStepper::Pass::sweep(bool first) {
-    std::vector<float> residuals(places.size());
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
         const TilePlace& place = places[index];
+        tile.corrected = false;
+        if (!first && !is_revised_around(place)) return;
         gather_patch(place, cells(&LargeTile::pressure), large.pressure);
         gather_patch(place, cells(&LargeTile::source), large.source);
         gather_patch(place, cells(&LargeTile::rest_pressure), large.rest_pressure);
@@ -327,23 +348,22 @@ float LargeStepper::Pass::sweep(bool first) {
         gather_y_faces(place, &LargeFaces::mobility, large.mobility_y);
         gather_x_faces(place, &LargeFaces::weight, large.weight_x);
         gather_y_faces(place, &LargeFaces::weight, large.weight_y);
-        const float residual =
-            kernels.patch_residual(constants, state.thickness.read(place.tile), large);
-        residuals[index] = residual;
-        if (!first && residual <= kTolerance) {
-            tile.correction.fill(0.0F);
+        tile.error = kernels.patch_residual(constants, state.thickness.read(place.tile), large);
+        if (!first && tile.error <= kTolerance) {
             tile.residual = std::numeric_limits<float>::max();
             return;
         }
-        tile.stubborn = tile.stubborn || residual > kStubbornShare * tile.residual;
-        tile.residual = residual;
+        tile.stubborn = tile.stubborn || tile.error > kStubbornShare * tile.residual;
+        tile.residual = tile.error;
+        tile.corrected = true;
         kernels.correct_patch(constants, tile.stubborn ? kMostCycles : 1, large, tile.correction);
     });
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch&, WorkerScratch&) {
         const std::vector<PatchCover> covers = patch_covers(places[index]);
         kernels.blend(covers.data(), static_cast<int>(covers.size()), tile.pressure);
+        tile.revised = !covers.empty();
     });
-    return largest(residuals);
+    return largest_error();
 }
 
 /// Sweeps until the error is small; `from_rest` when no pressure of this step is known yet.
@@ -418,7 +438,7 @@ void LargeStepper::Pass::solve_within_supply(LargeStepReport& report) {
         for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
             gather_next(places[index], cells(&LargeTile::share), large.share);
             kernels.slow_limited_faces(constants, large, tile);
-            tile.residual = std::numeric_limits<float>::max();
+            revise(tile);
         });
         solve(false, report);
     }

@@ -62,6 +62,9 @@ struct LargeTile {
     alignas(64) CellArray supply;         ///< what a cell holds over what leaves it in the step
     float largest_mobility = 0.0F;        ///< of its faces
     float residual = 0.0F;                ///< found by the last sweep
+    float error = 0.0F;                   ///< the same, but kept where the sweep found it small enough
+    bool revised = false;                 ///< its equations or pressure changed since
+    bool corrected = false;               ///< whether the last sweep left a correction
     bool stubborn = false;                ///< a single V-cycle does not get hold of its residual
     bool light = false;                   ///< somewhere its paint remembers its motion
     bool crowded = false;                 ///< it or its margin has a cell of more than kCrowded_quanta

@@ -10,7 +10,7 @@ struct LargeKernels {
     /// `scratch` and the lagged pressure of `large`. `again` says that the tile holds a solution of this
     /// step, whose pressure the lagged one is: shear-thinning paint is thinned by its velocities, and
     /// the pressure stays as it is. Returned is then by what part a flux of that solution was wrong.
-    float (*assemble)(const StepConstants& step, int columns, int rows, const ClosedEdges& closed,
+    float (*assemble)(const StepConstants& step, int columns, int rows, const ClosedFaces& closed,
                       const CanvasEdges& edges, bool again, LargeScratch& large, TileScratch& scratch,
                       LargeTile& tile);
     /// Newton's step for the drag of yielding paint: star, mobility and source from the gathered

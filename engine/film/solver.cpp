@@ -161,9 +161,12 @@ struct Solver::Parts {
         return on_canvas_edge(tile, side) && edge_kind(side) != Edge::Periodic;
     }
     bool is_closed(int tile, Side side) const {
-        if (canvas_ends(tile, side)) return edge_kind(side) == Edge::Wall;
-        return !activity.awake(activity.neighbour(tile, side));
+        if (canvas_ends(tile, side))
+            return edge_kind(side) == Edge::Wall || !activity.tile(tile).stepping;
+        return !activity.exchange(tile, activity.neighbour(tile, side));
     }
+    /// The tiles that take part in a step, and those that only exchange paint with them.
+    std::vector<TilePlace> places_to_step() const;
 
     /// Clear paint carries nothing: true when this tile or one beside it holds pigment.
     bool pigment_in_reach(int tile) const {
@@ -176,9 +179,10 @@ struct Solver::Parts {
     }
 
     TilePlace place_of(int tile) const;
+    void replace_fields(int tile, TileResult& result);
     void commit(int tile, float dt_s, TileResult& result, AdvanceReport& report);
     void put_to_sleep(int tile);
-    AdvanceReport commit_all(const std::vector<int>& tiles, float dt_s,
+    AdvanceReport commit_all(const std::vector<TilePlace>& places, float dt_s,
                              std::vector<TileResult>& results);
     AdvanceReport explicit_step(double dt_s);
     AdvanceReport large_step(double dt_s, int halvings = 0);
@@ -197,7 +201,9 @@ struct Solver::Parts {
     double largest_per_viscosity(int tile, const Weight& weight) const;
     double resting_step_s(int tile) const;
     double stable_step_s() const;
-    /// False when `give_up` said so before the time had passed.
+    /// False when `give_up` said so before the time had passed. step_group() is for the tiles that take
+    /// part.
+    bool step_group(double seconds, const std::function<bool()>& give_up, AdvanceReport& report);
     bool advance(double seconds, const std::function<bool()>& give_up, AdvanceReport& report);
 
     FilmState& state;
@@ -225,7 +231,7 @@ TilePlace Solver::Parts::place_of(int tile) const {
             .columns = columns[tile_x],
             .rows = rows[tile_y],
             .closed = {is_closed(tile, kLeft), is_closed(tile, kRight), is_closed(tile, kTop),
-                       is_closed(tile, kBottom)},
+                       is_closed(tile, kBottom), !activity.tile(tile).stepping},
             .runoff_edges = {runs_off(tile, kLeft), runs_off(tile, kRight), runs_off(tile, kTop),
                              runs_off(tile, kBottom)},
             .canvas_edges = {canvas_ends(tile, kLeft), canvas_ends(tile, kRight),
@@ -236,12 +242,29 @@ TilePlace Solver::Parts::place_of(int tile) const {
             .motion_reference = reference.read()};
 }
 
-void Solver::Parts::commit(int tile, float dt_s, TileResult& result, AdvanceReport& report) {
-    if (activity.window_begins(tile)) window_start[tile] = state.thickness.block(tile);
+std::vector<TilePlace> Solver::Parts::places_to_step() const {
+    std::vector<TilePlace> places;
+    for (int tile = 0; tile < state.shape.tile_count(); ++tile) {
+        bool takes_part = activity.tile(tile).stepping;
+        for (int side = 0; side < kSideCount && !takes_part; ++side) {
+            const int other = activity.neighbour(tile, static_cast<Side>(side));
+            takes_part = other >= 0 && activity.exchange(tile, other);
+        }
+        if (takes_part) places.push_back(place_of(tile));
+    }
+    return places;
+}
+
+void Solver::Parts::replace_fields(int tile, TileResult& result) {
     if (result.thickness) state.thickness.replace(tile, std::move(result.thickness));
     if (result.paint) state.paint.replace(tile, std::move(result.paint));
     if (result.velocity_x) state.velocity_x.replace(tile, std::move(result.velocity_x));
     if (result.velocity_y) state.velocity_y.replace(tile, std::move(result.velocity_y));
+}
+
+void Solver::Parts::commit(int tile, float dt_s, TileResult& result, AdvanceReport& report) {
+    if (activity.window_begins(tile)) window_start[tile] = state.thickness.block(tile);
+    replace_fields(tile, result);
     runoff.thickness += result.runoff.thickness;
     for (int k = 0; k < kPaintChannels; ++k)
         runoff.paint[k] += result.runoff.paint[k];
@@ -260,46 +283,47 @@ void Solver::Parts::put_to_sleep(int tile) {
     state.velocity_y.reset(tile);
 }
 
-AdvanceReport Solver::Parts::commit_all(const std::vector<int>& tiles, float dt_s,
+AdvanceReport Solver::Parts::commit_all(const std::vector<TilePlace>& places, float dt_s,
                                         std::vector<TileResult>& results) {
     AdvanceReport report;
     report.steps = 1;
-    for (std::size_t index = 0; index < tiles.size(); ++index)
-        commit(tiles[index], dt_s, results[index], report);
+    for (std::size_t index = 0; index < places.size(); ++index) {
+        if (places[index].closed.inside)
+            replace_fields(places[index].tile, results[index]);
+        else
+            commit(places[index].tile, dt_s, results[index], report);
+    }
     report.awake_tiles = activity.awake_count();
     return report;
 }
 
 AdvanceReport Solver::Parts::explicit_step(double dt_s) {
-    const std::vector<int> tiles = activity.awake_tiles();
+    const std::vector<TilePlace> places = places_to_step();
     StepConstants step = constants;
     step.dt_s = static_cast<float>(dt_s);
     step.varied = state.varied;
-    std::vector<TileResult> results(tiles.size());
-    pool.run(tiles.size(), [&](std::size_t index, int worker) {
-        results[index] = update_tile(state, place_of(tiles[index]), step, *scratch[worker]);
+    std::vector<TileResult> results(places.size());
+    pool.run(places.size(), [&](std::size_t index, int worker) {
+        results[index] = update_tile(state, places[index], step, *scratch[worker]);
     });
-    return commit_all(tiles, step.dt_s, results);
+    return commit_all(places, step.dt_s, results);
 }
 
 AdvanceReport Solver::Parts::large_step(double dt_s, int halvings) {
-    const std::vector<int> tiles = activity.awake_tiles();
+    const std::vector<TilePlace> places = places_to_step();
     StepConstants step = constants;
     step.dt_s = static_cast<float>(dt_s);
     step.varied = state.varied;
-    std::vector<TilePlace> places;
-    for (const int tile : tiles)
-        places.push_back(place_of(tile));
     LargeStepReport solved;
     std::vector<TileResult> results =
         large.step(state, places, step, pool, scratch, halvings == kMostHalvings, solved);
-    if (results.empty() && !tiles.empty()) {
+    if (results.empty() && !places.empty()) {
         AdvanceReport report = large_step(0.5 * dt_s, halvings + 1);
         report.add(large_step(0.5 * dt_s, halvings + 1));
         ++report.rejected_steps;
         return report;
     }
-    AdvanceReport report = commit_all(tiles, step.dt_s, results);
+    AdvanceReport report = commit_all(places, step.dt_s, results);
     large.settle(state, places, pool, scratch);
     report.large_steps = 1;
     report.limited_cells = solved.limited_cells;
@@ -344,9 +368,9 @@ double Solver::Parts::terminal_speed_mm_s(const StepLimits& forces,
     return forces.newtonian_speed_mm_s(*std::max_element(runniest.begin(), runniest.end()));
 }
 
-/// The same of all paint, where it is blown on with the push of the air.
+/// The same of all paint that is stepped, where it is blown on with the push of the air.
 double Solver::Parts::terminal_speed_mm_s() const {
-    const std::vector<int> tiles = activity.awake_tiles();
+    const std::vector<int> tiles = activity.stepping_tiles();
     double speed = terminal_speed_mm_s(limits, tiles);
     for (const AirJet& jet : air) {
         const grid::Rect reached = cells_reached(jet, state.shape, state.cell_mm);
@@ -378,7 +402,7 @@ Solver::Parts::Plan Solver::Parts::plan(double seconds) const {
 
 double Solver::Parts::stable_step_s() const {
     double limit = std::numeric_limits<double>::max();
-    for (const int tile : activity.awake_tiles()) {
+    for (const int tile : activity.stepping_tiles()) {
         const TileActivity& flow = activity.tile(tile);
         limit = std::min(limit, flow.changed_from_outside ? resting_step_s(tile)
                                                           : limits.flowing_step_s(flow.extremes));
@@ -386,10 +410,10 @@ double Solver::Parts::stable_step_s() const {
     return kStepSafety * limit;
 }
 
-bool Solver::Parts::advance(double seconds, const std::function<bool()>& give_up,
-                            AdvanceReport& report) {
+bool Solver::Parts::step_group(double seconds, const std::function<bool()>& give_up,
+                               AdvanceReport& report) {
     double remaining = seconds;
-    while (remaining > 0.0 && activity.awake_count() > 0) {
+    while (remaining > 0.0 && !activity.stepping_tiles().empty()) {
         if (give_up()) return false;
         const Plan next = plan(remaining);
         // A remainder of one part in a million is rounding, not a step of its own.
@@ -398,6 +422,14 @@ bool Solver::Parts::advance(double seconds, const std::function<bool()>& give_up
         report.add(next.large ? large_step(dt_s) : explicit_step(dt_s));
         remaining = steps_left > 1.0 ? remaining - dt_s : 0.0;
     }
+    return true;
+}
+
+bool Solver::Parts::advance(double seconds, const std::function<bool()>& give_up,
+                            AdvanceReport& report) {
+    activity.let_pass(seconds, options.longest_wait_s);
+    while (const std::optional<double> waited_s = activity.begin_group())
+        if (!step_group(*waited_s, give_up, report)) return false;
     report.awake_tiles = activity.awake_count();
     return true;
 }
@@ -469,6 +501,7 @@ std::optional<AdvanceReport> Solver::advance_unless(const std::function<bool()>&
 
 AdvanceReport Solver::step(double dt_s) {
     const bool large = parts_->options.scheme == Scheme::LargeStep;
+    parts_->activity.step_all();
     return large ? parts_->large_step(dt_s) : parts_->explicit_step(dt_s);
 }
 

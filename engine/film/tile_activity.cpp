@@ -1,5 +1,7 @@
 #include "film/tile_activity.hpp"
 
+#include "film/settling.hpp"
+
 #include <algorithm>
 
 namespace pastoso::film {
@@ -9,6 +11,16 @@ int moved_index(int index, int step, int count, bool periodic) {
     const int moved = index + step;
     if (moved >= 0 && moved < count) return moved;
     return periodic ? (moved + count) % count : -1;
+}
+
+Side opposite(Side side) {
+    constexpr std::array kOpposite{kRight, kLeft, kBottom, kTop};
+    return kOpposite[side];
+}
+
+/// Paint of little drag may stand still for a moment, between two swings.
+bool remembers_motion(const FlowExtremes& flow, double seconds) {
+    return flow.thickness_mm * seconds < kLightDrag * flow.mobility;
 }
 
 }  // namespace
@@ -22,10 +34,10 @@ ActivityMap::ActivityMap(grid::Shape shape, double cell_mm, bool sleeping, bool 
       periodic_y_(periodic_y),
       tiles_(shape.tile_count()) {}
 
-std::vector<int> ActivityMap::awake_tiles() const {
+std::vector<int> ActivityMap::stepping_tiles() const {
     std::vector<int> result;
     for (int tile = 0; tile < shape_.tile_count(); ++tile)
-        if (tiles_[tile].awake) result.push_back(tile);
+        if (tiles_[tile].stepping) result.push_back(tile);
     return result;
 }
 
@@ -42,6 +54,73 @@ void ActivityMap::wake(int tile) {
     activity.motion = {};
 }
 
+/// Of the fastest paint in a tile, and of what arrives from its neighbours.
+float ActivityMap::speed_mm_s(int tile) const {
+    float speed = std::max(tiles_[tile].extremes.speed_mm_s, tiles_[tile].rise_mm_s);
+    for (const Side side : {kLeft, kRight, kTop, kBottom}) {
+        const int other = neighbour(tile, side);
+        if (other >= 0) speed = std::max(speed, tiles_[other].rise_near_side_mm_s[opposite(side)]);
+    }
+    return speed;
+}
+
+int ActivityMap::calls_to_wait(int tile, double seconds, double longest_wait_s) const {
+    const TileActivity& activity = tiles_[tile];
+    if (!activity.measured || remembers_motion(activity.extremes, seconds)) return 1;
+    const double travel_mm = speed_mm_s(tile) * seconds;
+    int calls = 1;
+    while (2 * calls * seconds <= longest_wait_s &&
+           2 * calls * travel_mm <= kUnhurriedTravel_cells * cell_mm_)
+        calls *= 2;
+    return activity.changed_from_outside ? std::min(calls, 4) : calls;
+}
+
+void ActivityMap::let_pass(double seconds, double longest_wait_s) {
+    end_group();
+    ++calls_;
+    for (int tile = 0; tile < shape_.tile_count(); ++tile) {
+        TileActivity& activity = tiles_[tile];
+        if (!activity.awake) continue;
+        activity.waiting_s += seconds;
+        activity.due = calls_ % calls_to_wait(tile, seconds, longest_wait_s) == 0;
+    }
+}
+
+void ActivityMap::end_group() {
+    for (TileActivity& activity : tiles_) {
+        if (!activity.stepping) continue;
+        activity.stepping = activity.due = false;
+        activity.waiting_s = 0.0;
+    }
+}
+
+std::optional<double> ActivityMap::begin_group() {
+    end_group();
+    std::optional<double> shortest_s;
+    for (const TileActivity& activity : tiles_)
+        if (activity.due && (!shortest_s || activity.waiting_s < *shortest_s))
+            shortest_s = activity.waiting_s;
+    if (!shortest_s) return shortest_s;
+    group_waited_s_ = *shortest_s;
+    for (TileActivity& activity : tiles_)
+        activity.stepping = activity.due && activity.waiting_s == *shortest_s;
+    return shortest_s;
+}
+
+void ActivityMap::step_all() {
+    group_waited_s_ = 0.0;
+    for (TileActivity& activity : tiles_)
+        activity.stepping = activity.awake;
+}
+
+bool ActivityMap::exchange(int tile, int other) const {
+    const TileActivity &a = tiles_[tile], &b = tiles_[other];
+    if (!a.awake || !b.awake) return false;
+    if (a.stepping && b.stepping) return true;
+    return (a.stepping && b.waiting_s < group_waited_s_) ||
+           (b.stepping && a.waiting_s < group_waited_s_);
+}
+
 int ActivityMap::neighbour(int tile, Side side) const {
     const int columns = shape_.tiles_x();
     const int step_x = side == kLeft ? -1 : side == kRight ? 1 : 0;
@@ -55,13 +134,18 @@ bool ActivityMap::record(int tile, float dt_s, const std::optional<TileMotion>& 
                          const FlowExtremes& extremes) {
     TileActivity& activity = tiles_[tile];
     activity.changed_from_outside = false;
+    activity.measured = true;
     activity.extremes = extremes;
     activity.window_s += dt_s;
     if (motion) activity.motion = *motion;
+    activity.rise_mm_s = activity.motion.largest_mm / activity.window_s;
     for (int side = 0; side < kSideCount; ++side) {
+        activity.rise_near_side_mm_s[side] = activity.motion.near_side_mm[side] / activity.window_s;
         if (activity.motion.near_side_mm[side] <= kWakingTravel_cells * cell_mm_) continue;
         const int other = neighbour(tile, static_cast<Side>(side));
-        if (other >= 0 && !tiles_[other].awake) wake(other);
+        if (other < 0 || tiles_[other].awake) continue;
+        wake(other);
+        tiles_[other].stepping = true;
     }
     if (activity.window_s < kRestWindow_s) return false;
     const bool at_rest = sleeping_ && activity.motion.largest_mm < kRestTravel_cells * cell_mm_;

@@ -1,11 +1,13 @@
-// Which tiles are stepped. A tile falls asleep when its paint has come to rest and wakes when something
-// reaches it.
+// Which tiles are stepped, and when. A tile falls asleep when its paint has come to rest and wakes when
+// something reaches it; one whose paint hardly moves waits, and takes the time that it has waited in one
+// step.
 #pragma once
 
 #include "film/tile_step.hpp"
 #include "grid/shape.hpp"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -23,9 +25,15 @@ struct TileMotion {
 
 struct TileActivity {
     bool awake = false;
-    bool changed_from_outside = false;  ///< since the last step: its flow is not measured yet
+    bool stepping = false;              ///< takes part in the step under way
+    bool due = false;                   ///< is to be stepped before the time that passes is over
+    bool measured = false;              ///< whether `extremes` are known
+    bool changed_from_outside = false;  ///< since the last step: its flow may have changed
+    double waiting_s = 0.0;             ///< time that has passed, but not for this tile yet
     float window_s = 0.0F;              ///< time since the window began, 0 at its beginning
     TileMotion motion;
+    float rise_mm_s = 0.0F;  ///< mean rate of `motion`, as known last
+    std::array<float, kSideCount> rise_near_side_mm_s{};
     FlowExtremes extremes;  ///< of the last step
 };
 
@@ -36,32 +44,53 @@ inline constexpr float kRestTravel_cells = 1e-3F;
 /// Motion beside an edge that wakes the tile behind it.
 inline constexpr float kWakingTravel_cells = 5e-4F;
 
+/// Paint may wait for as long as it moves by less than this share of a cell.
+inline constexpr float kUnhurriedTravel_cells = 0.1F;
+
 class ActivityMap {
   public:
     ActivityMap(grid::Shape shape, double cell_mm, bool sleeping, bool periodic_x, bool periodic_y);
 
-    bool awake(int tile) const { return tiles_[tile].awake; }
     const TileActivity& tile(int tile) const { return tiles_[tile]; }
-    std::vector<int> awake_tiles() const;
+    std::vector<int> stepping_tiles() const;
     int awake_count() const;
 
     void wake(int tile);
+
+    /// Lets time pass for all tiles that are awake. Due are those whose paint could move noticeably if
+    /// they went on waiting, and none waits longer than `longest_wait_s`. Waits are a power of two of
+    /// such calls, and end together.
+    void let_pass(double seconds, double longest_wait_s);
+    /// Has the due tiles that have waited least take part in steps; returns how long they have waited,
+    /// or nothing when no tile is due. They take part until the next group begins or time passes again.
+    std::optional<double> begin_group();
+    /// All tiles that are awake take part, whatever they have waited.
+    void step_all();
+    /// Whether paint passes between neighbours in a step of the group. A face waits as long as the
+    /// slower of its tiles, and is then stepped with it.
+    bool exchange(int tile, int other) const;
     /// The tile beyond a side, -1 beyond the canvas.
     int neighbour(int tile, Side side) const;
 
     /// True when the next step of the tile begins a window, from which its motion is counted.
     bool window_begins(int tile) const { return tiles_[tile].window_s == 0.0F; }
 
-    /// Records a step of an awake tile, wakes neighbours that its motion reaches, and returns true when
-    /// the tile has come to rest and fell asleep. No `motion`: the thickness did not change in this
-    /// step.
+    /// Records a step of a tile that takes part, wakes neighbours that its motion reaches, and returns
+    /// true when the tile has come to rest and fell asleep. No `motion`: the thickness did not change in
+    /// this step.
     bool record(int tile, float dt_s, const std::optional<TileMotion>& motion,
                 const FlowExtremes& extremes);
 
   private:
+    float speed_mm_s(int tile) const;
+    int calls_to_wait(int tile, double seconds, double longest_wait_s) const;
+    void end_group();
+
     grid::Shape shape_;
     float cell_mm_;
     bool sleeping_, periodic_x_, periodic_y_;
+    std::int64_t calls_ = 0;
+    double group_waited_s_ = 0.0;
     std::vector<TileActivity> tiles_;
 };
 

@@ -7,7 +7,7 @@
 #define PASTOSO_DECLARE_FILM_KERNELS(isa)                                                               \
     namespace pastoso::film::isa {                                                                      \
     void prepare_pressure(const StepConstants& step, TileScratch& scratch);                             \
-    FlowExtremes tile_flow(const StepConstants& step, int columns, int rows, const ClosedEdges& closed, \
+    FlowExtremes tile_flow(const StepConstants& step, int columns, int rows, const ClosedFaces& closed, \
                            TileScratch& scratch);                                                       \
     PigmentMoved transport_pigment(const TileScratch& scratch, const float* concentrations,             \
                                    const PaintCell* held, int columns, int rows,                        \

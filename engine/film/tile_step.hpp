@@ -36,9 +36,11 @@ struct TileScratch {
     alignas(64) FaceArray<std::int32_t> flux_x, flux_y;  ///< quanta of thickness this step
 };
 
-/// Which of the tile's four edges are shut: a wall, or a neighbour that sleeps.
-struct ClosedEdges {
+/// Which faces of a tile are shut: a wall, a neighbour that sleeps or has other paint to wait for; and,
+/// where the tile only gives and takes at its edges, all inside.
+struct ClosedFaces {
     bool left = false, right = false, top = false, bottom = false;
+    bool inside = false;
 };
 
 /// What the step-length control wants to know of a tile.
@@ -54,7 +56,7 @@ struct FlowExtremes {
 /// leaves, nor more than a quarter of the room of the one that it enters, so that no cell can be
 /// overdrawn or overfilled whatever its other faces do.
 using TileFlow = FlowExtremes (*)(const StepConstants& step, int columns, int rows,
-                                  const ClosedEdges& closed, TileScratch& scratch);
+                                  const ClosedFaces& closed, TileScratch& scratch);
 
 /// Moves pigment with the fluxes of scratch: upwind concentration with a minmod slope, scaled so that
 /// the four outflows of a cell cannot exceed what it holds. `after` is the tile's new pigment;

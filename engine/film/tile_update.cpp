@@ -60,6 +60,24 @@ TileBlock<float> velocity_block(const FaceArray<float>& velocity) {
     return block;
 }
 
+/// The old velocities but for those of the faces at the tile's right and lower edge, where they are
+/// open.
+void take_edge_velocities(const FilmState& state, const TilePlace& place, const TileScratch& scratch,
+                          TileResult& result) {
+    const int right = place.columns.extent - 1, bottom = place.rows.extent - 1;
+    if (!place.closed.right) {
+        result.velocity_x = TileBlock<float>::copy_of(state.velocity_x.read(place.tile));
+        float* velocity = result.velocity_x.write();
+        for (int y = 0; y <= bottom; ++y)
+            velocity[y * kTileSize + right] = scratch.velocity_x[face_index(right, y)];
+    }
+    if (!place.closed.bottom) {
+        result.velocity_y = TileBlock<float>::copy_of(state.velocity_y.read(place.tile));
+        std::copy_n(&scratch.velocity_y[face_index(0, bottom)], right + 1,
+                    result.velocity_y.write() + bottom * kTileSize);
+    }
+}
+
 std::int64_t thickness_runoff(const TileScratch& scratch, int columns, int rows, const OpenEdges& open) {
     std::int64_t runoff = 0;
     for (int y = 0; y < rows; ++y) {
@@ -106,7 +124,9 @@ TileResult collect_tile(const FilmState& state, const TilePlace& place, const Fl
     const int columns = place.columns.extent, rows = place.rows.extent;
     TileResult result;
     result.extremes = extremes;
-    if (extremes.speed_mm_s > 0.0F || !state.velocity_x.is_background(place.tile)) {
+    if (place.closed.inside) {
+        take_edge_velocities(state, place, worker.tile, result);
+    } else if (extremes.speed_mm_s > 0.0F || !state.velocity_x.is_background(place.tile)) {
         result.velocity_x = velocity_block(worker.tile.velocity_x);
         result.velocity_y = velocity_block(worker.tile.velocity_y);
     }

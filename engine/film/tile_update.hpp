@@ -26,7 +26,7 @@ struct TilePlace {
     int tile = 0, tile_x = 0;
     const HaloMap& columns;
     const HaloMap& rows;
-    ClosedEdges closed;
+    ClosedFaces closed;
     OpenEdges runoff_edges;
     CanvasEdges canvas_edges;
     std::span<const AirJet> air;  ///< what blows on the canvas

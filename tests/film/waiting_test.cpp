@@ -1,0 +1,159 @@
+// Paint that hardly moves waits for its step: it ends up where it would have without waiting, nothing is
+// lost between tiles of different pace, and it is less work.
+#include "film/film_bench.hpp"
+#include "film/tile_activity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace pastoso::film::test {
+namespace {
+
+constexpr double kTick_s = 1.0 / 60.0;
+
+/// A slow sheet with a thick, faster blob that runs down through four tiles.
+Scene sheet(Edge edge, double longest_wait_s, int threads = 1) {
+    return {.width = 320,
+            .height = 192,
+            .cell_mm = 0.125,
+            .gravity = 9000,
+            .force_y = 3000,
+            .viscosity = 2e4,
+            .tension = 2.5e4,
+            .edge_x = edge,
+            .edge_y = edge,
+            .full_curvature = true,
+            .sleeping = true,
+            .threads = threads,
+            .solver = {.longest_wait_s = longest_wait_s}};
+}
+
+double ripples(int x, int y) {
+    return 0.4 + 0.05 * std::sin(0.3 * x) * std::cos(0.2 * y) + blob(x, y, 130, 50, 30, 3.0);
+}
+
+/// The sheet after two seconds, tick by tick.
+struct Outcome {
+    Outcome(Edge edge, double longest_wait_s, int threads)
+        : bench(sheet(edge, longest_wait_s, threads)) {
+        bench.fill(ripples);
+        bench.tint(1, [](int x, int y) { return 1.0 + 0.5 * std::sin(0.1 * x + 0.05 * y); });
+        for (int tick = 0; tick < 120; ++tick)
+            report.add(bench.solver->advance(kTick_s));
+    }
+    Bench bench;
+    AdvanceReport report;
+};
+
+TEST(Waiting, PaintGoesWhereItWouldHaveGone) {
+    const Outcome punctual(Edge::Open, 0.0, 2);
+    const Outcome waiting(Edge::Open, 1.0, 2);
+    double moved_mm = 0.0, apart_mm = 0.0, furthest_mm = 0.0;
+    for (int y = 0; y < 192; ++y)
+        for (int x = 0; x < 320; ++x) {
+            const double apart = std::abs(waiting.bench.h(x, y) - punctual.bench.h(x, y));
+            moved_mm += std::abs(punctual.bench.h(x, y) - ripples(x, y));
+            apart_mm += apart;
+            furthest_mm = std::max(furthest_mm, apart);
+        }
+    // A tile may lag by a tenth of a cell of travel, and so may the one beside it; the blob's slope
+    // reaches 1.6, which makes that 0.32 cells of thickness at most.
+    EXPECT_LT(furthest_mm, 0.32 * 0.125);
+    EXPECT_LT(apart_mm / moved_mm, 0.05);
+    EXPECT_LT(waiting.report.cells_stepped, 0.6 * punctual.report.cells_stepped);
+    EXPECT_GT(waiting.report.steps, 120);  // groups of several paces
+}
+
+class WaitingAtEdges : public testing::TestWithParam<Edge> {};
+
+TEST_P(WaitingAtEdges, NothingIsLost) {
+    Bench bench(sheet(GetParam(), 1.0));
+    bench.fill(ripples);
+    bench.tint(1, [](int x, int) { return 1.0 + 0.01 * x; });
+    const Totals before = totals(bench.state);
+    for (int tick = 0; tick < 100; ++tick) {
+        if (tick % 10 == 3) bench.solver->wake({100 + tick, 60, 110 + tick, 70});
+        bench.solver->advance(kTick_s);
+    }
+    const Totals after = totals(bench.state), runoff = bench.solver->runoff();
+    EXPECT_EQ(after.thickness + runoff.thickness, before.thickness);
+    for (int channel = 0; channel < kPaintChannels; ++channel)
+        EXPECT_EQ(after.paint[channel] + runoff.paint[channel], before.paint[channel]) << channel;
+}
+INSTANTIATE_TEST_SUITE_P(Kinds, WaitingAtEdges, testing::Values(Edge::Open, Edge::Wall, Edge::Periodic),
+                         [](const auto& test) { return name_of(test.param); });
+
+TEST(Waiting, AnyNumberOfThreadsGivesTheSameBits) {
+    const std::uint64_t reference = state_hash(Outcome(Edge::Open, 1.0, 1).bench.state);
+    for (const int threads : {2, 3})
+        EXPECT_EQ(state_hash(Outcome(Edge::Open, 1.0, threads).bench.state), reference);
+}
+
+TEST(Waiting, TimeGivenUpAndTakenAgainIsTheSame) {
+    Outcome straight(Edge::Open, 1.0, 1);
+    Outcome interrupted(Edge::Open, 1.0, 1);
+    for (int tick = 0; tick < 8; ++tick) {
+        straight.bench.solver->advance(kTick_s);
+        int questions = 0;
+        const auto impatient = [&] { return ++questions > 1; };
+        if (!interrupted.bench.solver->advance_unless(impatient, kTick_s))
+            interrupted.bench.solver->advance(kTick_s);
+    }
+    EXPECT_EQ(state_hash(interrupted.bench.state), state_hash(straight.bench.state));
+}
+
+/// Two tiles of one-millimetre cells, measured at 0.02 mm/s and 1 mm/s in the first second.
+ActivityMap slow_beside_fast() {
+    ActivityMap map({128, 64}, 1.0, false, false, false);
+    map.wake(0);
+    map.wake(1);
+    map.let_pass(1.0, 8.0);
+    map.begin_group();
+    map.record(0, 1.0F, std::nullopt, {.speed_mm_s = 0.02F});
+    map.record(1, 1.0F, std::nullopt, {.speed_mm_s = 1.0F});
+    return map;
+}
+
+TEST(Waiting, APaceIsAPowerOfTwoOfCalls) {
+    ActivityMap map = slow_beside_fast();
+    for (int call = 2; call <= 3; ++call) {
+        map.let_pass(1.0, 8.0);
+        EXPECT_EQ(map.begin_group(), 1.0);
+        EXPECT_EQ(map.stepping_tiles(), std::vector{1});
+        EXPECT_FALSE(map.exchange(0, 1));  // the face waits for the slower tile
+        EXPECT_FALSE(map.begin_group());
+    }
+    // 0.02 mm/s go 0.08 cells in four calls: the fourth call is due, after three that were missed.
+    map.let_pass(1.0, 8.0);
+    EXPECT_EQ(map.begin_group(), 1.0);
+    EXPECT_EQ(map.begin_group(), 3.0);
+    EXPECT_EQ(map.stepping_tiles(), std::vector{0});
+    EXPECT_TRUE(map.exchange(0, 1));
+    EXPECT_TRUE(map.exchange(1, 0));
+    EXPECT_FALSE(map.begin_group());
+}
+
+TEST(Waiting, WhatArrivesFromANeighbourHurriesATile) {
+    ActivityMap map = slow_beside_fast();
+    TileMotion arriving;
+    arriving.near_side_mm[kLeft] = 1.0F;
+    map.let_pass(1.0, 8.0);
+    map.begin_group();
+    map.record(1, 1.0F, arriving, {.speed_mm_s = 1.0F});
+    map.let_pass(1.0, 8.0);
+    EXPECT_EQ(map.begin_group(), 1.0);
+    EXPECT_EQ(map.begin_group(), 2.0);
+    EXPECT_EQ(map.stepping_tiles(), std::vector{0});
+}
+
+TEST(Waiting, NoOneWaitsUnlessTold) {
+    ActivityMap map = slow_beside_fast();
+    map.let_pass(1.0, 0.0);
+    EXPECT_EQ(map.begin_group(), 1.0);
+    EXPECT_EQ(map.stepping_tiles(), (std::vector{0, 1}));
+}
+
+}  // namespace
+}  // namespace pastoso::film::test
