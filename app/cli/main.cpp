@@ -102,7 +102,7 @@ void add_output_options(CLI::App& command, ReplayOptions& options) {
         ->type_name("FILE");
     command
         .add_option("--well", options.well,
-                    "A picture of the mixing well at the end, 4 cells per mm whatever the canvas has")
+                    "A picture of the mixing well at the end, 3 cells per mm whatever the canvas has")
         ->type_name("FILE");
     command.add_option("--scale", options.scale, "Pixels per cell of every picture")
         ->type_name("S")

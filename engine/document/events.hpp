@@ -60,7 +60,7 @@ enum class Surface { Canvas, Well };
 /// for stays in the tube.
 struct SqueezePaint {
     PaintRecipe paint{};
-    double volume_mm3 = 500.0;  ///< 1 to 5000
+    double volume_mm3 = 250.0;  ///< 1 to 5000
     double x_mm = 0.0;          ///< on the well
     double y_mm = 0.0;
     friend bool operator==(const SqueezePaint&, const SqueezePaint&) = default;

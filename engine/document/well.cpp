@@ -2,34 +2,44 @@
 
 #include "brush/cell_batch.hpp"
 #include "brush/spill.hpp"
-#include "core/elementary.hpp"
 #include "core/random.hpp"
 #include "core/units.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace pastoso::document {
 namespace {
 
-/// Height over radius of a whole heap of paint.
-constexpr double kSteepness = 0.4;
-
-/// The coil is laid in so many touching beads, winds so often, and starts this far out; a bead is this
-/// wide. Lengths in radii of the whole heap.
-constexpr int kBeads = 60;
-constexpr double kTurns = 2.25;
-constexpr double kCoilRadius = 0.62, kBeadRadius = 0.34;
+/// A dollop is a short bent strand that thins out, of beads that melt into one. Lengths are in radii a
+/// of its size, V = pi / 2 s a^3 with the steepness s: low enough that oil stands so at once.
+constexpr double kSteepness = 0.1;
+constexpr double kLength = 1.3, kBend_rad = 2.5;
+constexpr double kFirstBead = 0.55, kLastBead = 0.4;
+constexpr int kBeads = 48;
 
 constexpr film::SolverOptions kRim = {.edge_x = film::Edge::Wall, .edge_y = film::Edge::Wall};
 
-double heap_radius_mm(double volume_mm3) {
+double size_mm_of(double volume_mm3) {
     return std::cbrt(2.0 * volume_mm3 / (core::kPi * kSteepness));
 }
 
-/// The nearest place to `at` where a heap of this radius lies between 0 and `side`.
-double kept_within(double at_mm, double radius_mm, double side_mm) {
-    return std::clamp(at_mm, radius_mm, side_mm - radius_mm);
+struct Bead {
+    double x, y, radius;
+};
+
+/// `along` the strand from 0 to 1, about its middle.
+Bead bead_at(double along) {
+    const double angle = kBend_rad * (along - 0.5), bend_radius = kLength / kBend_rad;
+    const double height = bend_radius * (1.0 - std::cos(0.5 * kBend_rad));
+    return {bend_radius * std::sin(angle), bend_radius * (std::cos(angle) - 1.0) + 0.5 * height,
+            kFirstBead + (kLastBead - kFirstBead) * along};
+}
+
+/// The nearest place to `at` where a dollop of this size lies between 0 and `side`.
+double kept_within(double at_mm, double size_mm, double side_mm) {
+    return std::clamp(at_mm, size_mm, side_mm - size_mm);
 }
 
 brush::Contents amount_of(const film::PaintCoefficients& paint, double volume_mm3) {
@@ -54,21 +64,19 @@ Well::Well(const film::Medium& medium, core::ThreadPool& pool)
 
 brush::Contents squeeze_onto(Well& well, const film::PaintCoefficients& paint, double volume_mm3,
                              double x_mm, double y_mm) {
-    const double radius_mm = heap_radius_mm(volume_mm3);
-    x_mm = kept_within(x_mm, radius_mm, kWellWidth_mm);
-    y_mm = kept_within(y_mm, radius_mm, kWellHeight_mm);
+    const double size_mm = size_mm_of(volume_mm3);
+    x_mm = kept_within(x_mm, size_mm, kWellWidth_mm);
+    y_mm = kept_within(y_mm, size_mm, kWellHeight_mm);
     // put_down() never empties what it takes from, so that the tube holds more than it gives.
     const brush::Contents before = amount_of(paint, 2.0 * volume_mm3);
     brush::Contents tube = before;
     brush::CellBatch scratch;
-    for (int bead = 0; bead < kBeads; ++bead) {
-        const double along = (bead + 0.5) / kBeads;
-        const double out_mm = kCoilRadius * radius_mm * std::sqrt(1.0 - along);
-        const double angle = 2.0 * core::kPi * kTurns * along;
-        const grid::Rect cells =
-            brush::put_down(tube, volume_mm3 / kBeads, x_mm + out_mm * std::cos(angle),
-                            y_mm + out_mm * std::sin(angle), kBeadRadius * radius_mm,
-                            core::scramble(static_cast<std::uint32_t>(bead)), well.film, scratch);
+    for (int i = 0; i < kBeads; ++i) {
+        const double along = (i + 0.5) / kBeads;
+        const Bead bead = bead_at(along);
+        const grid::Rect cells = brush::put_down(
+            tube, volume_mm3 / kBeads, x_mm + bead.x * size_mm, y_mm + bead.y * size_mm,
+            bead.radius * size_mm, core::scramble(static_cast<std::uint32_t>(i)), well.film, scratch);
         well.solver.wake(cells);
     }
     brush::Contents squeezed = before;

@@ -15,7 +15,7 @@ inline constexpr double kWellWidth_mm = 120.0;
 inline constexpr double kWellHeight_mm = 90.0;
 
 /// Whatever the canvas's resolution is, so that a mixture does not depend on it.
-inline constexpr double kWellPxPerMm = 4.0;
+inline constexpr double kWellPxPerMm = 3.0;
 
 inline constexpr double kLeastSqueeze_mm3 = 1.0;
 inline constexpr double kMostSqueeze_mm3 = 5000.0;
@@ -33,8 +33,7 @@ struct Well {
     film::Solver solver;
 };
 
-/// Puts paint of these coefficients onto the well as it comes out of a tube: a coil that narrows to a
-/// peak, all of it within the rim. Returns what has come out: less than `volume_mm3` where the place is full.
+/// Puts a dollop of paint of these coefficients onto the well, all of it within the rim. Returns what has come out: less than `volume_mm3` where the place is full.
 brush::Contents squeeze_onto(Well& well, const film::PaintCoefficients& paint, double volume_mm3,
                              double x_mm, double y_mm);
 

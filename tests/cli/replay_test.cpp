@@ -73,9 +73,9 @@ TEST_F(CliReplay, PaintsAPictureOfTheMixingWell) {
     const RunResult run = run_cli(
         {"replay", path("well.json"), "--well", path("well.png"), "-q", "--stats", path("stats.json")});
     EXPECT_EQ(run.status, 0) << run.errors;
-    EXPECT_THAT(run.output, HasSubstr(path("well.png") + ": 480 x 360 pixels\n"));
+    EXPECT_THAT(run.output, HasSubstr(path("well.png") + ": 360 x 270 pixels\n"));
     const io::GreyImage image = io::read_grey_image(path("well.png"));
-    EXPECT_LT(image.values[180 * 480 + 240], 0.5F * image.values[20 * 480 + 20]);
+    EXPECT_LT(image.values[135 * 360 + 180], 0.5F * image.values[20 * 360 + 20]);
     const auto stats = nlohmann::json::parse(core::read_text_file(path("stats.json")));
     EXPECT_GT(stats["volume_well_mm3"], 100.0);
     EXPECT_LT(stats["volume_error_rel"], 1e-12);

@@ -54,7 +54,7 @@ TEST_F(WellTest, CostsNothingUntilItIsTouched) {
 
 TEST_F(WellTest, ABareWellHoldsNoTiles) {
     const film::FilmState bare = bare_well();
-    EXPECT_EQ(bare.shape, (grid::Shape{480, 360}));
+    EXPECT_EQ(bare.shape, (grid::Shape{360, 270}));
     EXPECT_EQ(bare.thickness.allocated_bytes() + bare.paint.allocated_bytes() +
                   bare.support_mm.allocated_bytes() + bare.velocity_x.allocated_bytes() +
                   bare.strata.ground.allocated_bytes(),
@@ -69,8 +69,8 @@ TEST_F(WellTest, SqueezedPaintComesOutOfTheTube) {
     EXPECT_EQ(account.canvas.volume_mm3, 0.0);
     expect_balance();
     ASSERT_NE(painting.well(), nullptr);
-    EXPECT_GT(film::thickness_mm(painting.well()->thickness.at(120, 160)), 1.0F);
-    EXPECT_EQ(painting.well()->thickness.at(240, 160), 0);
+    EXPECT_GT(film::thickness_mm(painting.well()->thickness.at(90, 120)), 1.0F);
+    EXPECT_EQ(painting.well()->thickness.at(180, 120), 0);
 }
 
 TEST_F(WellTest, PaintAtTheRimStaysInTheWell) {

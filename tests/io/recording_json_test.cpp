@@ -312,7 +312,7 @@ TEST(RecordingJson, ReadsTheWellWrittenByHand) {
                   R"({"tick":0,"stroke":{"surface":"canvas","samples":[[0,1,2,0.5]]}},)"
                   R"({"tick":0,"clean_well":{}})"),
         "s.json");
-    const std::vector<Event> expected = {{0, SqueezePaint{{{{"PY35", 1.0}}, 1.0}, 500.0, 60, 45}},
+    const std::vector<Event> expected = {{0, SqueezePaint{{{{"PY35", 1.0}}, 1.0}, 250.0, 60, 45}},
                                          {0, PenDown{{0, 60, 45, 0.5}, Surface::Well}},
                                          {0, PenUp{}},
                                          {0, PenDown{{0, 1, 2, 0.5}, Surface::Canvas}},
