@@ -15,8 +15,8 @@ namespace {
 /// A dollop is a short bent strand that thins out, of beads that melt into one. Lengths are in radii a
 /// of its size, V = pi / 2 s a^3 with the steepness s: low enough that oil stands so at once.
 constexpr double kSteepness = 0.1;
-constexpr double kLength = 1.3, kBend_rad = 2.5;
-constexpr double kFirstBead = 0.55, kLastBead = 0.4;
+constexpr double kLength = 1.2, kBend_rad = 1.1;
+constexpr double kFirstBead = 0.56, kLastBead = 0.36;
 constexpr int kBeads = 48;
 
 constexpr film::SolverOptions kRim = {.edge_x = film::Edge::Wall, .edge_y = film::Edge::Wall};
@@ -29,11 +29,12 @@ struct Bead {
     double x, y, radius;
 };
 
-/// `along` the strand from 0 to 1, about its middle.
+/// `along` the strand from 0 to 1, about its middle and downwards.
 Bead bead_at(double along) {
     const double angle = kBend_rad * (along - 0.5), bend_radius = kLength / kBend_rad;
-    const double height = bend_radius * (1.0 - std::cos(0.5 * kBend_rad));
-    return {bend_radius * std::sin(angle), bend_radius * (std::cos(angle) - 1.0) + 0.5 * height,
+    const double depth = bend_radius * (1.0 - std::cos(0.5 * kBend_rad));
+    return {bend_radius * (std::cos(angle) - 1.0) + 0.5 * depth,
+            bend_radius * std::sin(angle) + 0.5 * (kFirstBead - kLastBead),
             kFirstBead + (kLastBead - kFirstBead) * along};
 }
 
