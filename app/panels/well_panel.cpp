@@ -31,8 +31,9 @@ QDockWidget* well_panel(QWidget* well, const std::vector<QAction*>& actions) {
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(6, 6, 6, 6);
-    column->addWidget(well, 1);
+    column->addWidget(well);
     column->addLayout(button_row(actions));
+    column->addStretch(1);
     dock->setWidget(content);
     return dock;
 }

@@ -23,6 +23,9 @@ constexpr int kWait_ms = 25;
 /// A frame that has spent this much on what changed refines nothing more.
 constexpr double kBusy_s = 0.010;
 
+/// Of the well's view, unless somebody wants it larger.
+constexpr QSize kWellSize(360, 272);
+
 QRect qt_rect(const grid::Rect& cells) {
     return {cells.x0, cells.y0, cells.width(), cells.height()};
 }
@@ -45,6 +48,9 @@ CanvasView::CanvasView(tools::Easel* easel, document::Surface surface, QWidget* 
     setMouseTracking(true);
     setTabletTracking(true);
     setMinimumSize(surface == document::Surface::Canvas ? QSize(320, 240) : QSize(200, 150));
+    QSizePolicy policy = sizePolicy();
+    policy.setHeightForWidth(surface == document::Surface::Well);
+    setSizePolicy(policy);
     cooling_.setSingleShot(true);
     cooling_.setInterval(kCoolingTime_ms);
     connect(&cooling_, &QTimer::timeout, this, [this] {
@@ -55,6 +61,15 @@ CanvasView::CanvasView(tools::Easel* easel, document::Surface surface, QWidget* 
     connect(&waiting_, &QTimer::timeout, this, [this] { easel_->wait(0.001 * kWait_ms, surface_); });
     waiting_.start();
     set_cursor();
+}
+
+QSize CanvasView::sizeHint() const {
+    return surface_ == document::Surface::Well ? kWellSize : QOpenGLWidget::sizeHint();
+}
+
+int CanvasView::heightForWidth(int width) const {
+    if (surface_ == document::Surface::Canvas) return -1;
+    return width * kWellSize.height() / kWellSize.width();
 }
 
 CanvasView::~CanvasView() {

@@ -55,6 +55,10 @@ class CanvasView : public QOpenGLWidget {
     glm::dvec2 canvas_mm(const QPointF& position) const;
     QPointF widget_position(const glm::dvec2& canvas_mm) const;
 
+    /// A canvas takes what room there is; the well keeps its proportions.
+    QSize sizeHint() const override;
+    int heightForWidth(int width) const override;
+
   Q_SIGNALS:
     void view_changed();
     void pointer_moved(const QPointF& canvas_mm);
