@@ -33,7 +33,8 @@ struct Well {
     film::Solver solver;
 };
 
-/// Puts a dollop of paint of these coefficients onto the well, all of it within the rim. Returns what has come out: less than `volume_mm3` where the place is full.
+/// Puts a dollop of paint of these coefficients onto the well, all of it within the rim. Returns what
+/// has come out: less than `volume_mm3` where the place is full.
 brush::Contents squeeze_onto(Well& well, const film::PaintCoefficients& paint, double volume_mm3,
                              double x_mm, double y_mm);
 
