@@ -64,7 +64,7 @@ std::string paint_text(const document::PaintRecipe& paint) {
 /// What a recording uses, every name once, in alphabetical order.
 struct Inventory {
     std::set<std::string> brushes, paints, media;
-    long strokes = 0;
+    long strokes = 0, well_strokes = 0, squeezes = 0;
 
     void operator()(const document::TakeBrush& take) { brushes.insert(take.preset); }
     void operator()(const document::LoadPaint& load) {
@@ -72,7 +72,14 @@ struct Inventory {
         if (!load.second.ingredients.empty()) paints.insert(paint_text(load.second));
     }
     void operator()(const document::UseMedium& medium) { media.insert(medium.name); }
-    void operator()(const document::PenDown&) { ++strokes; }
+    void operator()(const document::SqueezePaint& squeeze) {
+        paints.insert(paint_text(squeeze.paint));
+        ++squeezes;
+    }
+    void operator()(const document::PenDown& pen) {
+        ++strokes;
+        well_strokes += pen.surface == document::Surface::Well ? 1 : 0;
+    }
     template <class Other>
     void operator()(const Other&) {}
 };
@@ -99,6 +106,10 @@ void print_json_recording(const std::string& path) {
     std::printf("duration: %s\n",
                 duration_text(static_cast<double>(recording.end_tick) * document::kTick_s).c_str());
     std::printf("events: %zu\nstrokes: %ld\n", recording.events.size(), inventory.strokes);
+    if (inventory.well_strokes + inventory.squeezes > 0) {
+        std::printf("mixing well: %ld of the strokes, paint squeezed %ld times\n",
+                    inventory.well_strokes, inventory.squeezes);
+    }
     print_names("brushes", inventory.brushes);
     print_names("paints", inventory.paints);
     print_names("media", inventory.media);

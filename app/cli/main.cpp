@@ -100,6 +100,10 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
 void add_output_options(CLI::App& command, ReplayOptions& options) {
     command.add_option("-o,--output", options.output, "The picture: .png, .tif, .jpg or .exr")
         ->type_name("FILE");
+    command
+        .add_option("--well", options.well,
+                    "A picture of the mixing well at the end, 3 cells per mm whatever the canvas has")
+        ->type_name("FILE");
     command.add_option("--scale", options.scale, "Pixels per cell of every picture")
         ->type_name("S")
         ->capture_default_str()

@@ -34,6 +34,7 @@ struct ReplayOptions {
     bool fit = false;
     int threads = 0;
     std::string output;
+    std::string well;
     std::string stats;
     std::string frames;
     double fps = 25.0;

@@ -5,6 +5,7 @@
 #include "core/hash.hpp"
 #include "document/canvas.hpp"
 #include "document/number_text.hpp"
+#include "document/well.hpp"
 #include "shade/render.hpp"
 
 #include <algorithm>
@@ -44,23 +45,32 @@ PictureStyle picture_style(const PictureOptions& options) {
 
 PictureWriter::PictureWriter(const document::CanvasSettings& canvas, double scale, PictureStyle style,
                              core::ThreadPool& pool)
-    : px_per_mm_(canvas.px_per_mm), scale_(scale), style_(std::move(style)), pool_(pool) {
+    : scale_(scale), style_(std::move(style)), pool_(pool) {
     check_picture_size(document::canvas_shape(canvas), scale);
 }
 
 PictureReport PictureWriter::write(const document::Painting& painting,
                                    const std::filesystem::path& path) {
     const document::Snapshot snapshot = painting.snapshot();
+    return write(snapshot.film, snapshot.ground, path);
+}
+
+PictureReport PictureWriter::write_well(const document::Painting& painting,
+                                        const std::filesystem::path& path) {
+    const document::Snapshot snapshot = painting.snapshot();
+    return write(snapshot.well ? *snapshot.well : document::bare_well(), snapshot.ground, path);
+}
+
+PictureReport PictureWriter::write(const film::FilmState& film, const pigment::Bands& ground,
+                                   const std::filesystem::path& path) {
     shade::RenderSettings settings;
     settings.scale = scale_;
     settings.viewing = style_.viewing;
     shade::LinearImage linear;
-    times_.shade_s += seconds_of([&] {
-        linear =
-            shade::render(snapshot.film, snapshot.ground, snapshot.film.shape.cells(), settings, pool_);
-    });
+    times_.shade_s +=
+        seconds_of([&] { linear = shade::render(film, ground, film.shape.cells(), settings, pool_); });
     times_.io_s +=
-        seconds_of([&] { io::write_picture(path, linear, style_.encoding, scale_ * px_per_mm_); });
+        seconds_of([&] { io::write_picture(path, linear, style_.encoding, scale_ / film.cell_mm); });
     return {linear.width, linear.height, hash_of(shade::encode_srgb8(linear))};
 }
 

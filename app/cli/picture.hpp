@@ -42,10 +42,15 @@ class PictureWriter {
     /// Renders the whole canvas and writes it to `path`.
     PictureReport write(const document::Painting& painting, const std::filesystem::path& path);
 
+    /// The same of the mixing well.
+    PictureReport write_well(const document::Painting& painting, const std::filesystem::path& path);
+
     const PictureTimes& times() const { return times_; }
 
   private:
-    double px_per_mm_;
+    PictureReport write(const film::FilmState& film, const pigment::Bands& ground,
+                        const std::filesystem::path& path);
+
     double scale_;
     PictureStyle style_;
     core::ThreadPool& pool_;

@@ -22,6 +22,7 @@ namespace {
 
 void check_outputs(const ReplayOptions& options, const PictureStyle& style) {
     if (!options.output.empty()) io::check_picture_path(options.output, style.encoding);
+    if (!options.well.empty()) io::check_picture_path(options.well, style.encoding);
     if (!options.stats.empty()) io::check_writable(options.stats);
     if (!options.frames.empty()) io::make_folder(options.frames);
 }
@@ -61,12 +62,17 @@ io::ReplayStats stats_of(const document::Painting& painting, const PictureTimes&
     return stats;
 }
 
+void print_picture(const std::string& path, const PictureReport& picture) {
+    if (path.empty()) return;
+    std::printf("%s: %d x %d pixels\n", path.c_str(), picture.width_px, picture.height_px);
+}
+
 void print_summary(const ReplayOptions& options, const document::Recording& recording,
-                   const io::ReplayStats& stats, const PictureReport& picture, int frame_count) {
+                   const io::ReplayStats& stats, const PictureReport& picture, const PictureReport& well,
+                   int frame_count) {
     const double painted_s = static_cast<double>(recording.end_tick) * document::kTick_s;
-    if (!options.output.empty()) {
-        std::printf("%s: %d x %d pixels\n", options.output.c_str(), picture.width_px, picture.height_px);
-    }
+    print_picture(options.output, picture);
+    print_picture(options.well, well);
     if (!options.frames.empty()) std::printf("%s: %d frames\n", options.frames.c_str(), frame_count);
     if (!options.stats.empty()) std::printf("%s: figures\n", options.stats.c_str());
     std::printf("%.1f s of painting in %.1f s: brush %.1f, film %.1f, rendering %.1f, files %.1f\n",
@@ -88,15 +94,16 @@ void run_replay(const ReplayOptions& options) {
     PictureWriter pictures(recording.canvas, options.scale, style, pool);
     FrameWriter frames(options.frames, options.fps, pictures);
     play(*painting, recording, options, options.frames.empty() ? nullptr : &frames);
-    PictureReport picture;
+    PictureReport picture, well;
     if (!options.output.empty()) picture = pictures.write(*painting, options.output);
+    if (!options.well.empty()) well = pictures.write_well(*painting, options.well);
 
     io::ReplayStats stats = stats_of(*painting, pictures.times(), pool.thread_count());
     stats.image_hash = picture.hash;
     stats.io_s += reading_s;
     stats.wall_s = wall.seconds();
     if (!options.stats.empty()) io::write_stats(options.stats, stats);
-    print_summary(options, recording, stats, picture, frames.frames_written());
+    print_summary(options, recording, stats, picture, well, frames.frames_written());
 }
 
 void run_sheet(ReplayOptions options) {

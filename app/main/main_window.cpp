@@ -2,6 +2,7 @@
 
 #include "brush/preset.hpp"
 #include "document/action_checks.hpp"
+#include "document/well.hpp"
 #include "io/canvas_support.hpp"
 #include "panels/brush_panel.hpp"
 #include "panels/easel_panel.hpp"
@@ -16,6 +17,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QGuiApplication>
 #include <QStatusBar>
 
@@ -36,12 +38,14 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas)
       easel_(std::make_unique<tools::Easel>(
           tools::Hand{}, [this](document::Action action) { session_->post(std::move(action)); },
           [this] { session_->note_hand(); })),
-      canvas_(new view::CanvasView(easel_.get())) {
+      canvas_(new view::CanvasView(easel_.get())),
+      well_(new view::CanvasView(easel_.get(), document::Surface::Well)) {
     start_session(canvas);
     lay_out();
     connect_canvas();
     connect_panels();
     connect_mixing();
+    connect_well();
     connect_commands();
     connect_file_commands();
     easel_->set_up();
@@ -52,8 +56,9 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas)
 }
 
 MainWindow::~MainWindow() {
-    // The view is destroyed after the members here, and shows nothing of them any more.
+    // The views are destroyed after the members here, and show nothing of them any more.
     canvas_->disconnect(this);
+    well_panel_->disconnect(this);
 }
 
 void MainWindow::start_session(const document::CanvasSettings& canvas) {
@@ -101,12 +106,24 @@ void MainWindow::replay(const document::Recording& recording) {
 }
 
 void MainWindow::show_published() {
-    canvas_->show_snapshot(session_->snapshot());
+    const auto painting = session_->snapshot();
+    canvas_->show_snapshot(painting);
+    show_well(*painting);
     const session::Status status = session_->status();
     readings_->show_status(status);
     show_enabled(status);
     for (const std::string& error : session_->take_errors())
         report(QString::fromStdString(error));
+}
+
+/// The well's view is left alone while nothing in the well changes.
+void MainWindow::show_well(const document::Snapshot& painting) {
+    static const film::FilmState bare = document::bare_well();
+    auto well = std::make_shared<const document::Snapshot>(painting.well.value_or(bare), painting.ground,
+                                                           painting.tick);
+    if (shown_well_ != nullptr && view::changed_tiles(shown_well_.get(), *well).empty()) return;
+    shown_well_ = std::move(well);
+    well_->show_snapshot(shown_well_);
 }
 
 void MainWindow::show_enabled(const session::Status& status) {
@@ -126,7 +143,8 @@ void MainWindow::show_hand() {
     medium_->setCurrentText(QString::fromStdString(hand.medium));
     commands_.action(commands::Command::ReloadEachStroke)->setChecked(hand.reload_each_stroke);
     commands_.action(commands::Command::TurnWithStroke)->setChecked(hand.turn_with_stroke);
-    canvas_->set_tip(tip_in_hand(hand));
+    for (view::CanvasView* view : {canvas_, well_})
+        view->set_tip(tip_in_hand(hand));
 }
 
 void MainWindow::set_symmetry(bool mirror, int count) {

@@ -14,6 +14,7 @@
 #include <QMainWindow>
 
 class QComboBox;
+class QDockWidget;
 
 namespace pastoso::panels {
 class BrushPanel;
@@ -42,6 +43,7 @@ class MainWindow : public QMainWindow {
     session::PaintSession& session() { return *session_; }
     tools::Easel& easel() { return *easel_; }
     view::CanvasView& canvas() { return *canvas_; }
+    view::CanvasView& well() { return *well_; }
     commands::CommandRegistry& commands() { return commands_; }
     commands::PictureSaver& saver() { return saver_; }
 
@@ -65,7 +67,10 @@ class MainWindow : public QMainWindow {
     void connect_canvas();
     void connect_commands();
     void connect_file_commands();
+    void make_well_panel();
+    void connect_well();
     void show_published();
+    void show_well(const document::Snapshot& painting);
     void show_hand();
     void set_symmetry(bool mirror, int count);  ///< about the middle of the canvas
     void lay_ruler(bool lies);
@@ -86,6 +91,9 @@ class MainWindow : public QMainWindow {
     std::int64_t saved_strokes_ = 0;
     QString light_ = QStringLiteral("D65");
     view::CanvasView* canvas_ = nullptr;
+    view::CanvasView* well_ = nullptr;
+    std::shared_ptr<const document::Snapshot> shown_well_;
+    QDockWidget* well_panel_ = nullptr;
     panels::BrushPanel* brushes_ = nullptr;
     panels::PaintPanel* paints_ = nullptr;
     panels::MixPanel* mixing_ = nullptr;

@@ -14,6 +14,7 @@
 #include <QAction>
 #include <QCloseEvent>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QMessageBox>
 #include <QStatusBar>
@@ -51,7 +52,8 @@ void MainWindow::connect_panels() {
                 shade::Lighting lighting = canvas_->lighting();
                 lighting.elevation_deg = elevation_deg;
                 lighting.azimuth_deg = azimuth_deg;
-                canvas_->set_lighting(lighting);
+                for (view::CanvasView* view : {canvas_, well_})
+                    view->set_lighting(lighting);
             });
     connect(stand_, &panels::EaselPanel::illuminant_chosen, this, &MainWindow::use_light);
     connect(stand_, &panels::EaselPanel::illuminant_file_wanted, this, &MainWindow::ask_light);
@@ -59,8 +61,10 @@ void MainWindow::connect_panels() {
 
 void MainWindow::use_light(const QString& name_or_path) {
     try {
-        canvas_->set_viewing(
-            pigment::viewing_under(pigment::find_illuminant(name_or_path.toStdString())));
+        const pigment::Viewing viewing =
+            pigment::viewing_under(pigment::find_illuminant(name_or_path.toStdString()));
+        for (view::CanvasView* view : {canvas_, well_})
+            view->set_viewing(viewing);
         light_ = name_or_path;
     } catch (const core::InputError& error) {
         report(QString::fromUtf8(error.what()));
@@ -94,6 +98,21 @@ void MainWindow::connect_mixing() {
         easel_->choose_paint(nearest_);
         show_hand();
     });
+}
+
+void MainWindow::connect_well() {
+    connect(well_panel_, &QDockWidget::visibilityChanged, this,
+            [this] { commands_.action(Command::MixingWell)->setChecked(!well_panel_->isHidden()); });
+    commands_.on(Command::MixingWell, [this](bool open) { well_panel_->setVisible(open); });
+    commands_.on(Command::SqueezePaint, [this](bool) {
+        const auto place_mm = well_->pointer_mm();
+        if (place_mm)
+            easel_->squeeze(place_mm->x, place_mm->y);
+        else
+            easel_->squeeze_next();
+        well_panel_->show();
+    });
+    commands_.on(Command::CleanWell, [this](bool) { easel_->clean_well(); });
 }
 
 void MainWindow::connect_canvas() {

@@ -8,6 +8,7 @@
 #include "panels/mix_panel.hpp"
 #include "panels/paint_panel.hpp"
 #include "panels/status_readings.hpp"
+#include "panels/well_panel.hpp"
 #include "pigment/box.hpp"
 #include "pigment/user_pigments.hpp"
 #include "tools/swatch.hpp"
@@ -17,6 +18,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QMenuBar>
 #include <QStatusBar>
@@ -92,6 +94,7 @@ void MainWindow::lay_out() {
     commands_.fill(menuBar());
     make_tool_bar();
     make_panels();
+    make_well_panel();
     readings_ = new panels::StatusReadings;
     readings_->show_canvas(session_->canvas());
     statusBar()->setSizeGripEnabled(false);
@@ -123,6 +126,7 @@ void MainWindow::make_tool_bar() {
     bar->addWidget(medium_);
     add_button(commands::Command::Pause, tr("Pause"));
     add_button(commands::Command::DryNow, tr("Dry now"));
+    add_button(commands::Command::MixingWell, tr("Mixing well"));
     bar->addSeparator();
     add_button(commands::Command::SavePicture, tr("Save picture"));
 }
@@ -177,6 +181,16 @@ void MainWindow::make_panels() {
     row->addWidget(side);
     row->addWidget(canvas_, 1);
     setCentralWidget(middle);
+}
+
+void MainWindow::make_well_panel() {
+    using commands::Command;
+    commands_.action(Command::SqueezePaint)->setIconText(tr("Squeeze"));
+    commands_.action(Command::CleanWell)->setIconText(tr("Wipe the well"));
+    well_panel_ = panels::well_panel(
+        well_, {commands_.action(Command::SqueezePaint), commands_.action(Command::CleanWell)});
+    addDockWidget(Qt::RightDockWidgetArea, well_panel_);
+    well_panel_->hide();
 }
 
 }  // namespace pastoso::main

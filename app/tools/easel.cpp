@@ -1,6 +1,7 @@
 #include "tools/easel.hpp"
 
 #include "brush/preset.hpp"
+#include "document/well.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,11 @@ constexpr double kShortestRuler_mm = 5.0;
 constexpr double kRest_s = 0.1;
 constexpr double kEventInterval_s = 0.008;
 
+/// Dollops in a row, along the upper edge of the well and then along the lower one.
+constexpr double kDollop_mm3 = 250.0;
+constexpr int kPlacesInRow = 5;
+constexpr double kPlaceMargin_mm = 13.0;
+
 /// After so many time constants a steadied brush is where the pen is, to a hundredth of its lag.
 constexpr double kCatchUp = 5.0;
 
@@ -33,6 +39,7 @@ void Easel::set_up() {
     post_(SetDrying{hand_.air});
     if (hand_.stabiliser != brush::Stabiliser{}) post_(SetStabiliser{hand_.stabiliser});
     hand_.guide = {};
+    squeezed_ = 0;
     take_brush(hand_.brush, hand_.brush_width_mm);
 }
 
@@ -64,6 +71,7 @@ void Easel::reload() {
 
 void Easel::clean() {
     end_stroke();
+    mixed_ = false;
     post_(CleanBrush{});
 }
 
@@ -128,21 +136,46 @@ void Easel::redo() {
     post_(Redo{});
 }
 
+void Easel::squeeze(double x_mm, double y_mm) {
+    end_stroke();
+    post_(SqueezePaint{hand_.paint, kDollop_mm3, std::clamp(x_mm, 0.0, kWellWidth_mm),
+                       std::clamp(y_mm, 0.0, kWellHeight_mm)});
+}
+
+void Easel::squeeze_next() {
+    const int column = squeezed_ % kPlacesInRow, row = squeezed_ / kPlacesInRow % 2;
+    const double step_mm = (kWellWidth_mm - 2.0 * kPlaceMargin_mm) / (kPlacesInRow - 1);
+    squeeze(kPlaceMargin_mm + column * step_mm,
+            row == 0 ? kPlaceMargin_mm : kWellHeight_mm - kPlaceMargin_mm);
+    ++squeezed_;
+}
+
+void Easel::clean_well() {
+    end_stroke();
+    squeezed_ = 0;
+    post_(CleanWell{});
+}
+
 void Easel::press(const Pointer& pointer, bool straight) {
     end_stroke();
-    if (hand_.reload_each_stroke) reload();
-    choose_guide(pointer, straight);
+    painting_on_ = pointer.surface;
+    if (pointer.surface == Surface::Well) {
+        mixed_ = true;
+    } else {
+        if (hand_.reload_each_stroke && !mixed_) reload();
+        choose_guide(pointer, straight);
+        pressed_ = latest_ = pointer;
+    }
     painting_ = true;
     follow(pointer);
-    pressed_ = latest_ = pointer;
     previous_ = sample(pointer);
-    post_(PenDown{previous_});
+    post_(PenDown{previous_, pointer.surface});
 }
 
 void Easel::move(const Pointer& pointer) {
     follow(pointer);
-    if (!painting_) return;
-    latest_ = pointer;
+    if (!painting_ || pointer.surface != painting_on_) return;
+    if (pointer.surface == Surface::Canvas) latest_ = pointer;
     const brush::PenSample next = sample(pointer);
     if (next.time_s - previous_.time_s > kRest_s) {
         previous_.time_s = next.time_s - kEventInterval_s;
@@ -156,8 +189,10 @@ void Easel::release() {
     end_stroke();
 }
 
-void Easel::wait(double seconds) {
-    if (!painting_ || waited_s_ >= kCatchUp * hand_.stabiliser.smoothing_ms / 1000.0) return;
+void Easel::wait(double seconds, Surface surface) {
+    if (!painting_ || surface != painting_on_ ||
+        waited_s_ >= kCatchUp * hand_.stabiliser.smoothing_ms / 1000.0)
+        return;
     waited_s_ += seconds;
     previous_time_s_ = previous_.time_s += seconds;
     post_(PenMove{previous_});
@@ -183,7 +218,9 @@ void Easel::choose_guide(const Pointer& pointer, bool straight) {
 }
 
 std::optional<Pointer> Easel::line_start() const {
-    if (!painting_ || !std::holds_alternative<brush::StraightLine>(hand_.guide.form)) return {};
+    if (!painting_ || painting_on_ != Surface::Canvas ||
+        !std::holds_alternative<brush::StraightLine>(hand_.guide.form))
+        return {};
     return pressed_;
 }
 

@@ -16,6 +16,7 @@ namespace pastoso::tools {
 struct Pointer {
     double x_mm = 0.0;
     double y_mm = 0.0;
+    document::Surface surface = document::Surface::Canvas;  ///< that x and y lie on
     double pressure = 0.5;
     double tilt_x_deg = 0.0;
     double tilt_y_deg = 0.0;
@@ -67,14 +68,21 @@ class Easel {
     void undo();
     void redo();
 
-    /// `straight`: paints a straight line to where the brush is lifted.
+    /// Squeezes a dollop of the present paint onto the mixing well: at a place, or at the next one of a
+    /// row along its edges. Keeps within the well.
+    void squeeze(double x_mm, double y_mm);
+    void squeeze_next();
+    void clean_well();
+
+    /// `straight`: paints a straight line to where the brush is lifted, on the canvas. A brush that was
+    /// in the well keeps what it took up there, until it is cleaned or loaded.
     void press(const Pointer& pointer, bool straight = false);
     void move(const Pointer& pointer);  ///< also of a pointer in the air, which paints nothing
     void release();
 
     /// The brush has not moved for this long since the last call here: one that lags behind to steady
-    /// the hand catches up.
-    void wait(double seconds);
+    /// the hand catches up. Only over the surface that it paints on.
+    void wait(double seconds, document::Surface surface = document::Surface::Canvas);
 
     /// Where the straight line that is being drawn starts.
     std::optional<Pointer> line_start() const;
@@ -94,7 +102,10 @@ class Easel {
     Heading heading_;
     double rotation_deg_ = 0.0;
     bool painting_ = false;
-    Pointer pressed_, latest_;   ///< of the latest stroke
+    document::Surface painting_on_ = document::Surface::Canvas;  ///< in the latest stroke
+    bool mixed_ = false;         ///< the brush was in the well since it was loaded
+    int squeezed_ = 0;           ///< places of the row that are taken
+    Pointer pressed_, latest_;   ///< of the latest stroke on the canvas
     brush::PenSample previous_;  ///< that was posted
     double waited_s_ = 0.0;      ///< since the brush moved
     bool has_clock_zero_ = false;

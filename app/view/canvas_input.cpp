@@ -24,6 +24,7 @@ constexpr double kNotch = 120.0;
 tools::Pointer CanvasView::mouse_pointer(const QMouseEvent& event) const {
     const glm::dvec2 mm = canvas_mm(event.position());
     tools::Pointer pointer;
+    pointer.surface = surface_;
     pointer.x_mm = mm.x;
     pointer.y_mm = mm.y;
     pointer.pressure = tools::kMousePressure;
@@ -34,6 +35,7 @@ tools::Pointer CanvasView::mouse_pointer(const QMouseEvent& event) const {
 tools::Pointer CanvasView::pen_pointer(const QTabletEvent& event) const {
     const glm::dvec2 mm = canvas_mm(event.position());
     tools::Pointer pointer;
+    pointer.surface = surface_;
     pointer.x_mm = mm.x;
     pointer.y_mm = mm.y;
     pointer.pressure = event.pressure();
@@ -45,6 +47,14 @@ tools::Pointer CanvasView::pen_pointer(const QTabletEvent& event) const {
         pointer.rotation_deg = event.rotation();
     }
     return pointer;
+}
+
+/// Control squeezes paint onto the well instead of painting there.
+void CanvasView::touch_down(const tools::Pointer& pointer, Qt::KeyboardModifiers modifiers) {
+    if (surface_ == document::Surface::Well && modifiers.testFlag(Qt::ControlModifier))
+        easel_->squeeze(pointer.x_mm, pointer.y_mm);
+    else
+        easel_->press(pointer, modifiers.testFlag(Qt::ShiftModifier));
 }
 
 void CanvasView::follow_pointer(const QPointF& position) {
@@ -60,7 +70,7 @@ void CanvasView::mousePressEvent(QMouseEvent* event) {
     if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && space_held_)) {
         start_panning(event->position());
     } else if (event->button() == Qt::LeftButton) {
-        easel_->press(mouse_pointer(*event), event->modifiers().testFlag(Qt::ShiftModifier));
+        touch_down(mouse_pointer(*event), event->modifiers());
     }
 }
 
@@ -91,7 +101,7 @@ void CanvasView::tabletEvent(QTabletEvent* event) {
             if (space_held_ || event->button() == Qt::MiddleButton) {
                 start_panning(event->position());
             } else if (event->button() == Qt::LeftButton) {
-                easel_->press(pen_pointer(*event), event->modifiers().testFlag(Qt::ShiftModifier));
+                touch_down(pen_pointer(*event), event->modifiers());
             }
             break;
         case QEvent::TabletRelease:

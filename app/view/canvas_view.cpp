@@ -23,6 +23,9 @@ constexpr int kWait_ms = 25;
 /// A frame that has spent this much on what changed refines nothing more.
 constexpr double kBusy_s = 0.010;
 
+/// Of the well's view, unless somebody wants it larger.
+constexpr QSize kWellSize(360, 272);
+
 QRect qt_rect(const grid::Rect& cells) {
     return {cells.x0, cells.y0, cells.width(), cells.height()};
 }
@@ -39,11 +42,15 @@ QRect device_rect(const ViewTransform& view, const QRect& cells) {
 
 }  // namespace
 
-CanvasView::CanvasView(tools::Easel* easel, QWidget* parent) : QOpenGLWidget(parent), easel_(easel) {
+CanvasView::CanvasView(tools::Easel* easel, document::Surface surface, QWidget* parent)
+    : QOpenGLWidget(parent), easel_(easel), surface_(surface) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setTabletTracking(true);
-    setMinimumSize(320, 240);
+    setMinimumSize(surface == document::Surface::Canvas ? QSize(320, 240) : QSize(200, 150));
+    QSizePolicy policy = sizePolicy();
+    policy.setHeightForWidth(surface == document::Surface::Well);
+    setSizePolicy(policy);
     cooling_.setSingleShot(true);
     cooling_.setInterval(kCoolingTime_ms);
     connect(&cooling_, &QTimer::timeout, this, [this] {
@@ -51,9 +58,18 @@ CanvasView::CanvasView(tools::Easel* easel, QWidget* parent) : QOpenGLWidget(par
         update();
     });
     waiting_.setInterval(kWait_ms);
-    connect(&waiting_, &QTimer::timeout, this, [this] { easel_->wait(0.001 * kWait_ms); });
+    connect(&waiting_, &QTimer::timeout, this, [this] { easel_->wait(0.001 * kWait_ms, surface_); });
     waiting_.start();
     set_cursor();
+}
+
+QSize CanvasView::sizeHint() const {
+    return surface_ == document::Surface::Well ? kWellSize : QOpenGLWidget::sizeHint();
+}
+
+int CanvasView::heightForWidth(int width) const {
+    if (surface_ == document::Surface::Canvas) return -1;
+    return width * kWellSize.height() / kWellSize.width();
 }
 
 CanvasView::~CanvasView() {
@@ -145,6 +161,11 @@ glm::dvec2 CanvasView::canvas_mm(const QPointF& position) const {
     return wanted_->film.cell_mm * view_.cell_from_device(device_px(position));
 }
 
+std::optional<glm::dvec2> CanvasView::pointer_mm() const {
+    if (!pointer_) return std::nullopt;
+    return canvas_mm(*pointer_);
+}
+
 QPointF CanvasView::widget_position(const glm::dvec2& canvas_mm) const {
     if (wanted_ == nullptr) return {};
     const glm::dvec2 px =
@@ -173,6 +194,7 @@ void CanvasView::release_graphics() {
     picture_.release();
     overlay_.release();
     doneCurrent();
+    shown_.reset();
     graphics_ready_ = false;
 }
 
@@ -192,7 +214,7 @@ void CanvasView::paintGL() {
     if (plan_.can_refine()) update();
     if (plan_.has_drafts() && !cooling_.isActive()) cooling_.start();
     picture_.copy_to(defaultFramebufferObject());
-    draw_guides();
+    if (surface_ == document::Surface::Canvas) draw_guides();
     draw_tip();
 }
 

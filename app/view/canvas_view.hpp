@@ -1,4 +1,5 @@
-// The window's canvas: shows the latest snapshot, moves over it, and hands pen and mouse to the easel.
+// The window's canvas, or its mixing well: shows the latest snapshot, moves over it, and hands pen and
+// mouse to the easel.
 #pragma once
 
 #include "core/thread_pool.hpp"
@@ -21,8 +22,9 @@ namespace pastoso::view {
 class CanvasView : public QOpenGLWidget {
     Q_OBJECT
   public:
-    /// `easel` is told of every stroke.
-    explicit CanvasView(tools::Easel* easel, QWidget* parent = nullptr);
+    /// `easel` is told of every stroke, as one on `surface`.
+    explicit CanvasView(tools::Easel* easel, document::Surface surface = document::Surface::Canvas,
+                        QWidget* parent = nullptr);
     ~CanvasView() override;
 
     /// Shows this from the next frame on. A snapshot of another canvas is shown whole.
@@ -46,9 +48,16 @@ class CanvasView : public QOpenGLWidget {
     /// What the latest frame showed; null before the first.
     const document::Snapshot* shown() const { return shown_.get(); }
 
+    /// Where the pointer is above the view, in millimetres; none when it is elsewhere.
+    std::optional<glm::dvec2> pointer_mm() const;
+
     /// Millimetres on the canvas under a point of the widget, and back.
     glm::dvec2 canvas_mm(const QPointF& position) const;
     QPointF widget_position(const glm::dvec2& canvas_mm) const;
+
+    /// A canvas takes what room there is; the well keeps its proportions.
+    QSize sizeHint() const override;
+    int heightForWidth(int width) const override;
 
   Q_SIGNALS:
     void view_changed();
@@ -89,12 +98,14 @@ class CanvasView : public QOpenGLWidget {
     glm::dvec2 canvas_cells() const;
     tools::Pointer mouse_pointer(const QMouseEvent& event) const;
     tools::Pointer pen_pointer(const QTabletEvent& event) const;
+    void touch_down(const tools::Pointer& pointer, Qt::KeyboardModifiers modifiers);
     void follow_pointer(const QPointF& position);
     void start_panning(const QPointF& position);
     void pan_to(const QPointF& position);
     void set_cursor();
 
     tools::Easel* easel_;
+    document::Surface surface_;
     core::ThreadPool pool_;
     QOpenGLExtraFunctions gl_;
     bool graphics_ready_ = false;

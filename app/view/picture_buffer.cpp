@@ -58,6 +58,7 @@ void PictureBuffer::release() {
     program_.reset();
     picture_.reset();
     coarse_.reset();
+    size_ = {};
     if (gl_ != nullptr) gl_->glDeleteVertexArrays(1, &vertex_array_);
     vertex_array_ = 0;
 }

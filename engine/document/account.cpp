@@ -15,14 +15,16 @@ double relative_error(double found, double taken) {
 }  // namespace
 
 double Account::volume_error_rel() const {
-    return relative_error(canvas.volume_mm3 + dried.volume_mm3 + brush.volume_mm3 + ledger.volume_mm3,
-                          taken.volume_mm3);
+    const double found_mm3 =
+        canvas.volume_mm3 + dried.volume_mm3 + brush.volume_mm3 + ledger.volume_mm3 + well.volume_mm3;
+    return relative_error(found_mm3, taken.volume_mm3);
 }
 
 double Account::pigment_error_rel() const {
     double largest = 0.0;
     for (int k = 0; k < pigment::kChannels; ++k) {
-        const double found = canvas.pigment[k] + dried.pigment[k] + brush.pigment[k] + ledger.pigment[k];
+        const double found = canvas.pigment[k] + dried.pigment[k] + brush.pigment[k] +
+                             ledger.pigment[k] + well.pigment[k];
         largest = std::max(largest, relative_error(found, taken.pigment[k]));
     }
     return largest;

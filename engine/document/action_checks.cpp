@@ -3,6 +3,7 @@
 #include "brush/preset.hpp"
 #include "core/error.hpp"
 #include "document/number_text.hpp"
+#include "document/well.hpp"
 #include "film/medium.hpp"
 #include "pigment/paint_name.hpp"
 
@@ -83,6 +84,14 @@ struct Checker {
     }
     void operator()(const PenDown& pen) const { check_sample(pen.sample); }
     void operator()(const PenMove& pen) const { check_sample(pen.sample); }
+    void operator()(const SqueezePaint& squeeze) const {
+        check_paint(squeeze.paint);
+        check_between("volume of the squeezed paint in mm3", squeeze.volume_mm3, kLeastSqueeze_mm3,
+                      kMostSqueeze_mm3);
+        check_between("x of the squeezed paint in mm", squeeze.x_mm, 0.0, kWellWidth_mm);
+        check_between("y of the squeezed paint in mm", squeeze.y_mm, 0.0, kWellHeight_mm);
+    }
+    void operator()(const CleanWell&) const {}
     void operator()(const CleanBrush&) const {}
     void operator()(const DryNow&) const {}
     void operator()(const PenUp&) const {}

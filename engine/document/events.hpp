@@ -52,6 +52,22 @@ struct LoadPaint {  ///< dips the brush
     double fill = 1.0;      ///< of the brush's capacity, 0 to 1.2
     friend bool operator==(const LoadPaint&, const LoadPaint&) = default;
 };
+/// What the pen is on: the canvas, or the mixing well beside it. Both have their millimetres counted
+/// from their own upper left corner.
+enum class Surface { Canvas, Well };
+
+/// Squeezes paint out of a tube onto the mixing well, in the medium in hand. What a place has no room
+/// for stays in the tube.
+struct SqueezePaint {
+    PaintRecipe paint{};
+    double volume_mm3 = 250.0;  ///< 1 to 5000
+    double x_mm = 0.0;          ///< on the well
+    double y_mm = 0.0;
+    friend bool operator==(const SqueezePaint&, const SqueezePaint&) = default;
+};
+struct CleanWell {  ///< wipes the mixing well bare, into the waste account
+    friend bool operator==(const CleanWell&, const CleanWell&) = default;
+};
 struct CleanBrush {  ///< wipes everything off the brush, into the waste account
     friend bool operator==(const CleanBrush&, const CleanBrush&) = default;
 };
@@ -66,15 +82,16 @@ struct TiltCanvas {
     double direction_deg = 90.0;  ///< where down points on the canvas: 0 right, 90 to the lower edge
     friend bool operator==(const TiltCanvas&, const TiltCanvas&) = default;
 };
-struct SetDrying {  ///< how fast paint dries from now on
+struct SetDrying {  ///< how fast paint on the canvas dries from now on; in the well it stays open
     film::DryingAir air;
     friend bool operator==(const SetDrying&, const SetDrying&) = default;
 };
-struct DryNow {  ///< all wet paint becomes dry at once
+struct DryNow {  ///< all wet paint on the canvas becomes dry at once
     friend bool operator==(const DryNow&, const DryNow&) = default;
 };
 struct PenDown {
     brush::PenSample sample;
+    Surface surface = Surface::Canvas;  ///< until the pen lifts
     friend bool operator==(const PenDown&, const PenDown&) = default;
 };
 struct PenMove {
@@ -94,19 +111,20 @@ struct SetStabiliser {  ///< steadies the hand, from the next stroke on
     brush::Stabiliser stabiliser;
     friend bool operator==(const SetStabiliser&, const SetStabiliser&) = default;
 };
-struct SetGuide {  ///< leads the pen, from the next stroke on
+struct SetGuide {  ///< leads the pen on the canvas, from the next stroke on
     brush::PenGuide guide;
     friend bool operator==(const SetGuide&, const SetGuide&) = default;
 };
-/// Paints every stroke from the next one on with several brushes at once. Each starts with what the
-/// brush in hand holds, taken from the tubes, and is wiped when the stroke ends.
+/// Paints every stroke on the canvas from the next one on with several brushes at once. Each starts with
+/// what the brush in hand holds, taken from the tubes, and is wiped when the stroke ends.
 struct SetSymmetry {
     brush::Symmetry symmetry;
     friend bool operator==(const SetSymmetry&, const SetSymmetry&) = default;
 };
 
 using Action = std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCanvas, SetDrying, DryNow,
-                            PenDown, PenMove, PenUp, Undo, Redo, SetStabiliser, SetGuide, SetSymmetry>;
+                            PenDown, PenMove, PenUp, Undo, Redo, SetStabiliser, SetGuide, SetSymmetry,
+                            SqueezePaint, CleanWell>;
 
 struct Event {
     std::int64_t tick = 0;  ///< the number of ticks that had passed when it happened

@@ -1,6 +1,7 @@
 #include "document/history.hpp"
 
 #include "core/check.hpp"
+#include "document/well.hpp"
 
 namespace pastoso::document {
 namespace {
@@ -25,6 +26,12 @@ std::size_t unshared_bytes(const film::FilmState& older, const film::FilmState& 
            unshared_field_bytes(older.strata.soluble_thickness, newer.strata.soluble_thickness) +
            unshared_field_bytes(older.strata.soluble_pigment, newer.strata.soluble_pigment) +
            unshared_field_bytes(older.strata.ground, newer.strata.ground);
+}
+
+std::size_t unshared_bytes(const Moment& older, const Moment& newer) {
+    const std::size_t canvas = unshared_bytes(older.film, newer.film);
+    if (!older.well) return canvas;
+    return canvas + unshared_bytes(*older.well, newer.well ? *newer.well : bare_well());
 }
 
 void History::set_budget(std::size_t bytes) {
@@ -63,7 +70,7 @@ Moment History::step_forward(Moment now) {
 /// comes.
 void History::push(Moment moment) {
     if (!past_.empty()) {
-        past_.back().bytes = unshared_bytes(past_.back().moment.film, moment.film);
+        past_.back().bytes = unshared_bytes(past_.back().moment, moment);
         past_bytes_ += past_.back().bytes;
     }
     past_.push_back({std::move(moment), 0});

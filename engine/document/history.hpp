@@ -22,10 +22,14 @@ struct Moment {
     brush::Contents taken;        ///< from the tubes until then
     brush::Contents wiped;        ///< off the brush until then
     film::Totals run_off;         ///< over the edges until then
+    std::optional<film::FilmState> well{};  ///< none: it was bare
 };
 
 /// Bytes of the tiles that `older` holds alone, not shared with `newer`; both of one shape.
 std::size_t unshared_bytes(const film::FilmState& older, const film::FilmState& newer);
+
+/// The same of canvas and well together.
+std::size_t unshared_bytes(const Moment& older, const Moment& newer);
 
 class History {
   public:

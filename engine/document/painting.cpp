@@ -4,10 +4,12 @@
 #include "brush/stroke_group.hpp"
 #include "core/check.hpp"
 #include "core/error.hpp"
+#include "core/hash.hpp"
 #include "document/action_checks.hpp"
 #include "document/canvas.hpp"
 #include "document/history.hpp"
 #include "document/paint_mixing.hpp"
+#include "document/well.hpp"
 #include "film/ageing.hpp"
 #include "film/support.hpp"
 
@@ -61,6 +63,11 @@ film::Totals difference(film::Totals a, const film::Totals& b) {
     for (int k = 0; k < film::kPaintChannels; ++k)
         a.paint[k] -= b.paint[k];
     return a;
+}
+
+const char* no_brush_for(Surface surface) {
+    return surface == Surface::Canvas ? "the pen touches the canvas with no brush in hand."
+                                      : "the pen touches the mixing well with no brush in hand.";
 }
 
 Account::Amount amount(const brush::Contents& contents) {
@@ -124,9 +131,13 @@ struct Painting::Parts {
 
     void operator()(const UseMedium& use) {
         const film::Medium& next = film::find_medium(use.name);
-        if (next.name != medium.name) film.varied = film::has_wet_paint(film) || brush_holds_paint();
+        if (next.name != medium.name) {
+            film.varied = film::has_wet_paint(film) || brush_holds_paint() || well;
+            if (well) well->film.varied = true;
+        }
         medium = next;
         solver.set_medium(medium);
+        if (well) well->solver.set_medium(medium);
     }
     void operator()(const TiltCanvas& tilt) {
         solver.set_gravity(film::tilted_gravity(tilt.tilt_deg, tilt.direction_deg));
@@ -141,11 +152,11 @@ struct Painting::Parts {
     }
 
     void operator()(const PenDown& pen) {
-        if (!brush) throw core::InputError("the pen touches the canvas with no brush in hand.");
+        if (!brush) throw core::InputError(no_brush_for(pen.surface));
         end_stroke();
         history.remember(moment());
         last_sample = pen.sample;
-        stroke.emplace(*brush, film, aids, symmetry);
+        begin_stroke_on(pen.surface);
         taken += stroke->copied_paint();
         stroke->begin(pen.sample);
         hand_over();
@@ -171,9 +182,47 @@ struct Painting::Parts {
         if (history.can_redo()) return_to(history.step_forward(moment()));
     }
 
+    void operator()(const SqueezePaint& squeeze) {
+        end_stroke();
+        history.remember(moment());
+        const film::PaintCoefficients paint = mixed_paint(squeeze.paint, medium);
+        taken += squeeze_onto(used_well(), paint, squeeze.volume_mm3, squeeze.x_mm, squeeze.y_mm);
+    }
+
+    void operator()(const CleanWell&) {
+        end_stroke();
+        if (!well) return;
+        history.remember(moment());
+        wiped += paint_in_well();
+        well.reset();
+    }
+
     void operator()(const SetStabiliser& set) { aids.stabiliser = set.stabiliser; }
     void operator()(const SetGuide& set) { aids.guide = set.guide; }
     void operator()(const SetSymmetry& set) { symmetry = set.symmetry; }
+
+    /// Guides and symmetries lie on the canvas; in the well the hand is free.
+    void begin_stroke_on(Surface surface) {
+        if (surface == Surface::Canvas) {
+            share_varied();
+            touched = &solver;
+            stroke.emplace(*brush, film, aids, symmetry);
+        } else {
+            touched = &used_well().solver;
+            stroke.emplace(*brush, well->film, brush::HandAids{aids.stabiliser, {}}, brush::Symmetry{});
+        }
+    }
+
+    Well& used_well() {
+        if (!well) well = std::make_unique<Well>(medium, pool);
+        share_varied();
+        return *well;
+    }
+
+    /// What differs on one surface, the brush may carry to the other.
+    void share_varied() {
+        if (well) film.varied = well->film.varied = film.varied || well->film.varied;
+    }
 
     void end_stroke() {
         if (!stroke) return;
@@ -186,8 +235,8 @@ struct Painting::Parts {
     /// Tells the solver and the account what the stroke did.
     void hand_over() {
         for (const grid::Rect& cells : stroke->take_changed_cells())
-            solver.wake(cells);
-        solver.set_air(stroke->air_jets());
+            touched->wake(cells);
+        touched->set_air(stroke->air_jets());
         wiped += stroke->take_thrown_away();
     }
 
@@ -202,10 +251,25 @@ struct Painting::Parts {
         return sum;
     }
 
+    brush::Contents paint_in_well() const {
+        return well ? contents_of(film::totals(well->film), well->film.cell_mm) : brush::Contents{};
+    }
+
     bool brush_holds_paint() const { return brush && brush->contents().volume_mm3 > 0.0; }
 
-    /// What a tick brings besides the flow.
-    void pass_tick() {
+    /// The canvas has let a tick pass: the rest of the painting does too.
+    void finish_tick(film::AdvanceReport flow) {
+        if (well) {
+            const int awake_tiles = flow.awake_tiles;
+            flow.add(well->solver.advance(kTick_s));
+            flow.awake_tiles += awake_tiles;
+        }
+        film_report.add(flow);
+        age();
+        ++tick;
+    }
+
+    void age() {
         ageing.tick(kTick_s, air, kPrimedGround, film, pool);
         if (!stroke) return;
         stroke->pass_time(kTick_s);
@@ -214,12 +278,19 @@ struct Painting::Parts {
 
     film::Totals run_off() const { return difference(solver.runoff(), forgotten_run_off); }
 
-    Moment moment() const { return {film, brush, medium.name, brush_use, taken, wiped, run_off()}; }
+    std::optional<film::FilmState> well_film() const {
+        return well ? std::optional(well->film) : std::nullopt;
+    }
+
+    Moment moment() const {
+        return {film, brush, medium.name, brush_use, taken, wiped, run_off(), well_film()};
+    }
 
     /// A brush that was not touched since then gets back what it held. Any other stays in hand as it is,
     /// as if it had been filled afresh, and what was on the old one counts as wiped off.
     void return_to(const Moment& then) {
         film = then.film;
+        return_well_to(then.well);
         if (then.medium != medium.name) film.varied = true;
         taken = then.taken;
         wiped = then.wiped;
@@ -233,17 +304,28 @@ struct Painting::Parts {
         solver.wake_all();
     }
 
+    void return_well_to(const std::optional<film::FilmState>& then) {
+        if (!then) {
+            well.reset();
+            return;
+        }
+        used_well().film = *then;
+        well->solver.wake_all();
+    }
+
     CanvasSettings settings;
     core::ThreadPool& pool;
     film::FilmState film;
     film::Medium medium;  ///< in hand: what the next load is mixed with
     film::Solver solver;
+    std::unique_ptr<Well> well;  ///< none until something touches it
     film::DryingAir air;
     film::AgeingClock ageing;
     std::optional<brush::Brush> brush;
     brush::HandAids aids;
     brush::Symmetry symmetry;
     std::optional<brush::StrokeGroup> stroke;
+    film::Solver* touched = &solver;  ///< of the surface that the stroke is on
     brush::PenSample last_sample;
     std::uint64_t brush_use = 0;  ///< grows whenever the brush is taken, loaded or cleaned
 
@@ -273,18 +355,14 @@ void Painting::apply(const Action& action) {
 
 void Painting::advance_tick() {
     const ScopedTimer timer(parts_->times.film_s);
-    parts_->film_report.add(parts_->solver.advance(kTick_s));
-    parts_->pass_tick();
-    ++parts_->tick;
+    parts_->finish_tick(parts_->solver.advance(kTick_s));
 }
 
 bool Painting::advance_tick_unless(const std::function<bool()>& give_up) {
     const ScopedTimer timer(parts_->times.film_s);
     const auto report = parts_->solver.advance_unless(give_up, kTick_s);
     if (!report) return false;
-    parts_->film_report.add(*report);
-    parts_->pass_tick();
-    ++parts_->tick;
+    parts_->finish_tick(*report);
     return true;
 }
 
@@ -301,8 +379,11 @@ const CanvasSettings& Painting::settings() const {
 const film::FilmState& Painting::film() const {
     return parts_->film;
 }
+const film::FilmState* Painting::well() const {
+    return parts_->well ? &parts_->well->film : nullptr;
+}
 Snapshot Painting::snapshot() const {
-    return {parts_->film, kPrimedGround, parts_->tick};
+    return {parts_->film, kPrimedGround, parts_->tick, parts_->well_film()};
 }
 bool Painting::can_undo() const {
     return parts_->history.can_undo();
@@ -319,8 +400,12 @@ Account Painting::account() const {
     brush::Contents ledger = parts_->wiped;
     ledger += contents_of(parts_->run_off(), cell_mm);
     ledger.volume_mm3 += film::volume_mm3(parts_->film.strata.evaporated, cell_mm);
-    return {amount(parts_->taken), amount(contents_of(film::totals(parts_->film), cell_mm)),
-            dried_amount(parts_->film.strata, cell_mm), amount(parts_->held_paint()), amount(ledger)};
+    return {amount(parts_->taken),
+            amount(contents_of(film::totals(parts_->film), cell_mm)),
+            dried_amount(parts_->film.strata, cell_mm),
+            amount(parts_->held_paint()),
+            amount(ledger),
+            amount(parts_->paint_in_well())};
 }
 
 StageTimes Painting::stage_times() const {
@@ -330,7 +415,12 @@ film::AdvanceReport Painting::film_report() const {
     return parts_->film_report;
 }
 std::uint64_t Painting::state_hash() const {
-    return film::state_hash(parts_->film);
+    const std::uint64_t canvas = film::state_hash(parts_->film);
+    if (!parts_->well) return canvas;
+    core::Hash64 both;
+    both.add_value(canvas);
+    both.add_value(film::state_hash(parts_->well->film));
+    return both.value();
 }
 
 }  // namespace pastoso::document

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace pastoso::document {
 
@@ -23,8 +24,9 @@ inline constexpr pigment::Bands kPrimedGround = {0.90F, 0.93F, 0.93F, 0.93F, 0.9
 /// and it may be read on any thread while the painting goes on.
 struct Snapshot {
     film::FilmState film;
-    pigment::Bands ground{};  ///< internal reflectance of the bare support
+    pigment::Bands ground{};  ///< internal reflectance of the bare support, and of the bare well
     std::int64_t tick = 0;
+    std::optional<film::FilmState> well{};  ///< the mixing well's; none while nothing has touched it
 };
 
 /// Where all the paint is, in mm3 of volume and in mm3 times the pigment coefficients (K_k, S_k per mm).
@@ -38,8 +40,9 @@ struct Account {
     Amount dried;   ///< on the canvas too
     Amount brush;   ///< in hand, and during a stroke those of its other copies
     Amount ledger;  ///< wiped off, run off the edges, or evaporated
+    Amount well{};  ///< in the mixing well
 
-    double volume_error_rel() const;   ///< |canvas + dried + brush + ledger - taken| / taken
+    double volume_error_rel() const;   ///< |canvas + dried + brush + ledger + well - taken| / taken
     double pigment_error_rel() const;  ///< the largest of the channels, relative to that channel's taken
 };
 
@@ -65,7 +68,8 @@ class Painting {
     /// as it was. PenMove and PenUp without a stroke, Undo and Redo with nothing to return to do
     /// nothing. Whatever touches the brush, and Undo and Redo, end a stroke in progress first.
     ///
-    /// Undo brings back film and account as they were before the last stroke or DryNow. The brush gets
+    /// Undo brings back canvas, well and account as they were before the last stroke, DryNow,
+    /// SqueezePaint or CleanWell. The brush gets
     /// back what it held then, unless it was taken, loaded or cleaned since: then it stays as it is.
     void apply(const Action& action);
 
@@ -83,6 +87,7 @@ class Painting {
     std::int64_t tick() const;
     const CanvasSettings& settings() const;
     const film::FilmState& film() const;
+    const film::FilmState* well() const;  ///< the mixing well's; null while nothing has touched it
     Snapshot snapshot() const;
     bool can_undo() const;
     bool can_redo() const;
@@ -91,7 +96,7 @@ class Painting {
     Account account() const;
     StageTimes stage_times() const;
     film::AdvanceReport film_report() const;  ///< summed over all ticks
-    std::uint64_t state_hash() const;
+    std::uint64_t state_hash() const;  ///< of the canvas, and of the well where there is something in it
 
   private:
     struct Parts;

@@ -9,9 +9,10 @@
 
 namespace pastoso::io {
 
-inline constexpr int kStrokeFormatVersion = 3;
+inline constexpr int kStrokeFormatVersion = 4;
 
-/// The recording as text, one event a line. Reading it gives an equal recording.
+/// The recording as text, one event a line, in the oldest version from 3 on that can say it. Reading it
+/// gives an equal recording.
 std::string recording_to_json(const document::Recording& recording);
 
 /// Reads the same. `name` stands for the file in errors. Throws InputError with the place in the file

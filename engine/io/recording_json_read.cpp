@@ -108,6 +108,23 @@ document::Action read_drying(const JsonPlace& place) {
     return document::SetDrying{air};
 }
 
+document::Action read_squeeze(const JsonPlace& place) {
+    place.allow_only({"paint", "volume_mm3", "x_mm", "y_mm"});
+    document::SqueezePaint squeeze;
+    squeeze.paint = read_paint(place.entry("paint"));
+    squeeze.volume_mm3 = place.number_or("volume_mm3", squeeze.volume_mm3);
+    squeeze.x_mm = place.entry("x_mm").number();
+    squeeze.y_mm = place.entry("y_mm").number();
+    return squeeze;
+}
+
+document::Surface read_surface(const JsonPlace& place) {
+    const std::string name = place.text();
+    if (name == "canvas") return document::Surface::Canvas;
+    if (name == "well") return document::Surface::Well;
+    place.fail("there is no surface \"" + name + "\"; a stroke is on the \"canvas\" or the \"well\".");
+}
+
 template <class Plain>
 document::Action read_plain(const JsonPlace& place) {
     place.allow_only({});
@@ -131,6 +148,8 @@ constexpr Kind kKinds[] = {
     {"set_stabiliser", read_stabiliser},
     {"set_guide", read_guide},
     {"set_symmetry", read_symmetry},
+    {"squeeze_paint", read_squeeze},
+    {"clean_well", read_plain<document::CleanWell>},
 };
 
 /// [time, x, y, pressure, tilt_x, tilt_y, rotation]; angles left out at the end are 0.
@@ -188,14 +207,18 @@ class EventReader {
         }
         entry.fail(
             "expected one of stroke, take_brush, load_paint, clean_brush, use_medium, tilt_canvas, "
-            "set_drying, dry_now, undo, redo, set_stabiliser, set_guide and set_symmetry beside the "
-            "tick.");
+            "set_drying, dry_now, undo, redo, set_stabiliser, set_guide, set_symmetry, squeeze_paint "
+            "and "
+            "clean_well beside the tick.");
     }
 
     void read_stroke(const JsonPlace& stroke, std::int64_t first_tick) {
-        stroke.allow_only({"samples", "ticks", "continued", "lifted", "lift_tick"});
+        stroke.allow_only({"surface", "samples", "ticks", "continued", "lifted", "lift_tick"});
         const JsonPlace samples = stroke.entry("samples");
         const bool continued = stroke.boolean_or("continued", false);
+        const auto named = stroke.optional_entry("surface");
+        if (named && continued) named->fail("a stroke that goes on stays on its surface.");
+        const document::Surface surface = named ? read_surface(*named) : document::Surface::Canvas;
         if (samples.size() == 0 && !continued) samples.fail("a stroke needs at least one sample.");
         const auto ticks = stroke.optional_entry("ticks");
         if (ticks && ticks->size() != samples.size()) {
@@ -209,7 +232,7 @@ class EventReader {
             if (!down) place.guard([&] { document::check_time_order(last_sample_, sample); });
             const std::int64_t tick = ticks ? read_tick(ticks->element(i)) : implied_tick(place, sample);
             if (down)
-                events.push_back({tick, document::PenDown{sample}});
+                events.push_back({tick, document::PenDown{sample, surface}});
             else
                 events.push_back({tick, document::PenMove{sample}});
             last_sample_ = sample;

@@ -4,6 +4,7 @@
 #include "io/recording_json.hpp"
 #include "io/stroke_ticks.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace pastoso::io {
@@ -35,6 +36,13 @@ Json load_json(const document::LoadPaint& load) {
     if (load.tip_only) json["tip_only"] = true;
     if (load.fill != 1.0) json["fill"] = load.fill;
     return json;
+}
+
+Json squeeze_json(const document::SqueezePaint& squeeze) {
+    return {{"paint", paint_json(squeeze.paint)},
+            {"volume_mm3", squeeze.volume_mm3},
+            {"x_mm", squeeze.x_mm},
+            {"y_mm", squeeze.y_mm}};
 }
 
 Json brush_json(const document::TakeBrush& take) {
@@ -79,8 +87,9 @@ class StrokeWriter {
   public:
     bool open() const { return open_; }
 
-    void begin(std::int64_t tick, bool continued) {
+    void begin(std::int64_t tick, bool continued, document::Surface surface) {
         open_ = true;
+        surface_ = surface;
         continued_ = continued;
         first_tick_ = last_tick_ = tick;
         samples_ = ticks_ = Json::array();
@@ -98,6 +107,7 @@ class StrokeWriter {
     Json end(const std::int64_t* lift_tick) {
         open_ = false;
         Json stroke{{"samples", std::move(samples_)}};
+        if (surface_ == document::Surface::Well) stroke["surface"] = "well";
         if (!ticks_follow_) stroke["ticks"] = std::move(ticks_);
         if (continued_) stroke["continued"] = true;
         if (lift_tick == nullptr) stroke["lifted"] = false;
@@ -107,6 +117,7 @@ class StrokeWriter {
 
   private:
     bool open_ = false, continued_ = false, ticks_follow_ = true;
+    document::Surface surface_ = document::Surface::Canvas;  ///< told where the pen comes down
     std::int64_t first_tick_ = 0, last_tick_ = 0;
     Json samples_, ticks_;
 };
@@ -126,15 +137,15 @@ class EntryWriter {
 
     void operator()(const document::PenDown& pen) {
         finish();
-        stroke_.begin(tick_, false);
+        stroke_.begin(tick_, false, pen.surface);
         stroke_.add(tick_, pen.sample);
     }
     void operator()(const document::PenMove& pen) {
-        if (!stroke_.open()) stroke_.begin(tick_, true);
+        if (!stroke_.open()) stroke_.begin(tick_, true, document::Surface::Canvas);
         stroke_.add(tick_, pen.sample);
     }
     void operator()(const document::PenUp&) {
-        if (!stroke_.open()) stroke_.begin(tick_, true);
+        if (!stroke_.open()) stroke_.begin(tick_, true, document::Surface::Canvas);
         entries.push_back(stroke_.end(&tick_));
     }
     void operator()(const document::TakeBrush& take) { put("take_brush", brush_json(take)); }
@@ -157,6 +168,10 @@ class EntryWriter {
     void operator()(const document::SetSymmetry& set) {
         put("set_symmetry", symmetry_json(set.symmetry));
     }
+    void operator()(const document::SqueezePaint& squeeze) {
+        put("squeeze_paint", squeeze_json(squeeze));
+    }
+    void operator()(const document::CleanWell&) { put("clean_well", Json::object()); }
 
   private:
     void put(const char* kind, Json content) {
@@ -168,6 +183,17 @@ class EntryWriter {
     std::int64_t tick_ = 0;
 };
 
+bool uses_well(const Event& event) {
+    const auto* pen = std::get_if<document::PenDown>(&event.action);
+    return (pen != nullptr && pen->surface == document::Surface::Well) ||
+           std::holds_alternative<document::SqueezePaint>(event.action) ||
+           std::holds_alternative<document::CleanWell>(event.action);
+}
+
+int version_needed(const document::Recording& recording) {
+    return std::any_of(recording.events.begin(), recording.events.end(), uses_well) ? 4 : 3;
+}
+
 }  // namespace
 
 std::string recording_to_json(const document::Recording& recording) {
@@ -177,7 +203,7 @@ std::string recording_to_json(const document::Recording& recording) {
     writer.finish();
 
     std::string text =
-        "{\n\"format\": \"pastoso-strokes\",\n\"version\": " + std::to_string(kStrokeFormatVersion);
+        "{\n\"format\": \"pastoso-strokes\",\n\"version\": " + std::to_string(version_needed(recording));
     text += ",\n\"canvas\": " + one_line(canvas_json(recording.canvas));
     text += ",\n\"end_tick\": " + std::to_string(recording.end_tick);
     text += ",\n\"events\": [";

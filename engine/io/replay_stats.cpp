@@ -40,6 +40,7 @@ std::string stats_json(const ReplayStats& stats) {
         {"volume_canvas_mm3", account.canvas.volume_mm3},
         {"volume_dried_mm3", account.dried.volume_mm3},
         {"volume_brush_mm3", account.brush.volume_mm3},
+        {"volume_well_mm3", account.well.volume_mm3},
         {"volume_ledger_mm3", account.ledger.volume_mm3},
         {"volume_error_rel", account.volume_error_rel()},
         {"pigment_error_rel", account.pigment_error_rel()},

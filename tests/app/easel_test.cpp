@@ -15,9 +15,9 @@ using ::testing::ElementsAre;
 
 /// Names of the posted actions, in their order.
 std::vector<std::string> names(const std::vector<Action>& actions) {
-    static const char* const kNames[] = {"brush",  "load", "clean",  "medium", "tilt",
-                                         "drying", "dry",  "down",   "move",   "up",
-                                         "undo",   "redo", "steady", "guide",  "symmetry"};
+    static const char* const kNames[] = {"brush",  "load",  "clean",    "medium",  "tilt",     "drying",
+                                         "dry",    "down",  "move",     "up",      "undo",     "redo",
+                                         "steady", "guide", "symmetry", "squeeze", "wipe well"};
     std::vector<std::string> list;
     for (const Action& action : actions)
         list.emplace_back(kNames[action.index()]);
@@ -55,6 +55,57 @@ TEST_F(EaselTest, EveryStrokeStartsWithAFreshBrushUnlessToldOtherwise) {
     easel_.press({});
     easel_.release();
     EXPECT_THAT(posted(), ElementsAre("down", "up"));
+}
+
+Pointer on_well(double x_mm, double y_mm) {
+    Pointer pointer;
+    pointer.surface = Surface::Well;
+    pointer.x_mm = x_mm;
+    pointer.y_mm = y_mm;
+    return pointer;
+}
+
+TEST_F(EaselTest, WhatWasMixedInTheWellIsNotThrownAway) {
+    easel_.press(on_well(20, 20));
+    EXPECT_EQ(std::get<PenDown>(actions_.back()).surface, Surface::Well);
+    easel_.release();
+    EXPECT_THAT(posted(), ElementsAre("down", "up"));
+    easel_.press({});
+    EXPECT_EQ(std::get<PenDown>(actions_.back()).surface, Surface::Canvas);
+    easel_.release();
+    EXPECT_THAT(posted(), ElementsAre("down", "up"));
+    easel_.clean();
+    easel_.press({});
+    easel_.release();
+    EXPECT_THAT(posted(), ElementsAre("clean", "clean", "load", "down", "up"));
+}
+
+TEST_F(EaselTest, TheWellKnowsNoRulerAndNoPointersElsewhere) {
+    easel_.lay_ruler({0, 0, 100, 0});
+    easel_.press(on_well(20, 20), true);
+    EXPECT_FALSE(easel_.line_start().has_value());
+    easel_.move({});
+    easel_.wait(1.0);
+    easel_.release();
+    EXPECT_THAT(posted(), ElementsAre("down", "up"));
+}
+
+TEST_F(EaselTest, SqueezesInTwoRowsAlongTheEdges) {
+    std::vector<SqueezePaint> squeezes;
+    for (int i = 0; i < 11; ++i) {
+        easel_.squeeze_next();
+        squeezes.push_back(std::get<SqueezePaint>(actions_.back()));
+    }
+    EXPECT_EQ(squeezes[0].y_mm, squeezes[4].y_mm);
+    EXPECT_GT(squeezes[1].x_mm, squeezes[0].x_mm + 15.0);
+    EXPECT_GT(squeezes[5].y_mm, squeezes[0].y_mm + 50.0);
+    EXPECT_EQ(squeezes[10], squeezes[0]);
+    easel_.clean_well();
+    easel_.squeeze_next();
+    EXPECT_EQ(std::get<SqueezePaint>(actions_.back()), squeezes[0]);
+    easel_.squeeze(-5, 500);
+    EXPECT_EQ(std::get<SqueezePaint>(actions_.back()).x_mm, 0.0);
+    EXPECT_EQ(std::get<SqueezePaint>(actions_.back()).y_mm, 90.0);
 }
 
 TEST_F(EaselTest, MovesWithoutAPressAndSecondReleasesPostNothing) {

@@ -87,7 +87,24 @@ void WindowTest::mouse_stroke(const std::vector<glm::dvec2>& path_mm) {
     release(path_mm.back());
 }
 
+void WindowTest::mouse_stroke_on(view::CanvasView& view, const std::vector<glm::dvec2>& path_mm) {
+    const auto place = [&](const glm::dvec2& place_mm) { return view.widget_position(place_mm); };
+    QTest::mousePress(&view, Qt::LeftButton, {}, place(path_mm.front()).toPoint());
+    for (const glm::dvec2& place_mm : path_mm) {
+        QMouseEvent event(QEvent::MouseMove, place(place_mm), view.mapToGlobal(place(place_mm)),
+                          Qt::NoButton, Qt::LeftButton, {});
+        event.setTimestamp(next_time_ms());
+        QApplication::sendEvent(&view, &event);
+    }
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, place(path_mm.back()).toPoint());
+}
+
 void WindowTest::pen_stroke(const std::vector<glm::dvec2>& path_mm, const Pen& pen) {
+    pen_stroke_on(canvas(), path_mm, pen);
+}
+
+void WindowTest::pen_stroke_on(view::CanvasView& view, const std::vector<glm::dvec2>& path_mm,
+                               const Pen& pen) {
     static const QPointingDevice* device = [] {
         using Capability = QInputDevice::Capability;
         auto* stylus =
@@ -108,9 +125,9 @@ void WindowTest::pen_stroke(const std::vector<glm::dvec2>& path_mm, const Pen& p
         return end;
     }();
     const QPointingDevice* tool = pen.eraser_end ? eraser : device;
-    QWindow* handle = window().windowHandle();
+    QWindow* handle = view.window()->windowHandle();
     const auto send = [&](const glm::dvec2& place_mm, Qt::MouseButtons buttons, double pressure) {
-        const QPointF global = canvas().mapToGlobal(canvas().widget_position(place_mm));
+        const QPointF global = view.mapToGlobal(view.widget_position(place_mm));
         QWindowSystemInterface::handleTabletEvent(handle, next_time_ms(), tool,
                                                   handle->mapFromGlobal(global), global, buttons,
                                                   pressure, pen.tilt_x_deg, pen.tilt_y_deg, 0.0, 0.0, 0);

@@ -23,6 +23,7 @@ class WindowTest : public ::testing::Test {
 
     /// A move or a press of the left button, the place in millimetres on the canvas.
     void mouse_stroke(const std::vector<glm::dvec2>& path_mm);
+    void mouse_stroke_on(view::CanvasView& view, const std::vector<glm::dvec2>& path_mm);
     void press(const glm::dvec2& place_mm, Qt::MouseButton button = Qt::LeftButton);
     void move(const glm::dvec2& place_mm, Qt::MouseButtons buttons = Qt::LeftButton);
     void release(const glm::dvec2& place_mm, Qt::MouseButton button = Qt::LeftButton);
@@ -34,6 +35,7 @@ class WindowTest : public ::testing::Test {
         bool eraser_end = false;
     };
     void pen_stroke(const std::vector<glm::dvec2>& path_mm, const Pen& pen);
+    void pen_stroke_on(view::CanvasView& view, const std::vector<glm::dvec2>& path_mm, const Pen& pen);
 
     /// Handles events until the condition holds; fails the test when it does not within a minute.
     void wait_for(const std::function<bool()>& condition);

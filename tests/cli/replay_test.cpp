@@ -63,6 +63,26 @@ TEST_F(CliReplay, TheSameInputGivesTheSameHashesOnAnyNumberOfThreads) {
     }
 }
 
+TEST_F(CliReplay, PaintsAPictureOfTheMixingWell) {
+    core::write_text_file(
+        path("well.json"),
+        R"({"format":"pastoso-strokes","version":4,"canvas":{"width_mm":20,"height_mm":20},"end_tick":4,)"
+        R"("events":[{"tick":0,"squeeze_paint":{"paint":{"mix":[["PB29",1]]},"x_mm":60,"y_mm":45}},)"
+        R"({"tick":0,"take_brush":{"preset":"flat","size_mm":8}},)"
+        R"({"tick":0,"stroke":{"surface":"well","samples":[[0,55,45,0.5],[0.05,65,45,0.5]]}}]})");
+    const RunResult run = run_cli(
+        {"replay", path("well.json"), "--well", path("well.png"), "-q", "--stats", path("stats.json")});
+    EXPECT_EQ(run.status, 0) << run.errors;
+    EXPECT_THAT(run.output, HasSubstr(path("well.png") + ": 360 x 270 pixels\n"));
+    const io::GreyImage image = io::read_grey_image(path("well.png"));
+    EXPECT_LT(image.values[135 * 360 + 180], 0.5F * image.values[20 * 360 + 20]);
+    const auto stats = nlohmann::json::parse(core::read_text_file(path("stats.json")));
+    EXPECT_GT(stats["volume_well_mm3"], 100.0);
+    EXPECT_LT(stats["volume_error_rel"], 1e-12);
+    EXPECT_THAT(run_cli({"info", path("well.json")}).output,
+                HasSubstr("mixing well: 1 of the strokes, paint squeezed 1 times\n"));
+}
+
 TEST_F(CliReplay, WritesNumberedFrames) {
     // 0.19 s of stroke and 0.1 s after it make 17 ticks: frames at 0, 0.1 and 0.2 s.
     const RunResult run = run_cli(small(

@@ -71,6 +71,13 @@ Recording everything() {
         {22, SetGuide{{brush::EllipseCurve{50, 30, 20.5, 10, 15}, 2.0, true}}},
         {23, SetSymmetry{{60, 28.35, 12.5, true, 8}}},
         {24, SetSymmetry{}},
+        {30, SqueezePaint{{{{"PR108", 1.0}, {"PW6", 2.0}}, 0.9}, 320.5, 20, 30.25}},
+        {31, PenDown{{0.5, 20, 30, 0.5}, Surface::Well}},
+        {32, PenMove{{0.52, 25, 30, 0.5}}},
+        {32, TiltCanvas{10, 90}},
+        {33, PenMove{{0.54, 30, 30, 0.5}}},
+        {33, PenUp{}},
+        {34, CleanWell{}},
     };
     recording.end_tick = 100;
     return recording;
@@ -154,8 +161,8 @@ TEST(RecordingJson, ReadsTheFirstVersion) {
 
 TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
     EXPECT_EQ(
-        error(R"({"format":"pastoso-strokes","version":4,"more":[]})"),
-        "s.json: this was written by a newer Pastoso (stroke format 4; this program reads up to 3).");
+        error(R"({"format":"pastoso-strokes","version":5,"more":[]})"),
+        "s.json: this was written by a newer Pastoso (stroke format 5; this program reads up to 4).");
 }
 
 TEST(RecordingJson, NamesWhatIsMissingOrMisspelt) {
@@ -296,6 +303,55 @@ TEST(RecordingJson, RefusesBadAids) {
     EXPECT_THAT(refused(R"("set_stabiliser":{"smoothing_ms":-3})"),
                 HasSubstr("events[0].set_stabiliser: the smoothing of the stabiliser in ms is -3"));
     EXPECT_THAT(refused(R"("set_stabiliser":{"string":3})"), HasSubstr("no such entry as \"string\""));
+}
+
+TEST(RecordingJson, ReadsTheWellWrittenByHand) {
+    const Recording recording = recording_from_json(
+        file_with(R"({"tick":0,"squeeze_paint":{"paint":{"mix":[["PY35",1]]},"x_mm":60,"y_mm":45}},)"
+                  R"({"tick":0,"stroke":{"surface":"well","samples":[[0,60,45,0.5]]}},)"
+                  R"({"tick":0,"stroke":{"surface":"canvas","samples":[[0,1,2,0.5]]}},)"
+                  R"({"tick":0,"clean_well":{}})"),
+        "s.json");
+    const std::vector<Event> expected = {{0, SqueezePaint{{{{"PY35", 1.0}}, 1.0}, 250.0, 60, 45}},
+                                         {0, PenDown{{0, 60, 45, 0.5}, Surface::Well}},
+                                         {0, PenUp{}},
+                                         {0, PenDown{{0, 1, 2, 0.5}, Surface::Canvas}},
+                                         {0, PenUp{}},
+                                         {0, CleanWell{}}};
+    EXPECT_EQ(recording.events, expected);
+}
+
+TEST(RecordingJson, RefusesABadWell) {
+    const auto refused = [](const std::string& event) {
+        return error(file_with(R"({"tick":0,)" + event + "}"));
+    };
+    EXPECT_EQ(refused(R"("stroke":{"surface":"floor","samples":[[0,1,2,0.5]]})"),
+              "s.json, events[0].stroke.surface: there is no surface \"floor\"; a stroke is on the "
+              "\"canvas\" or the \"well\".");
+    EXPECT_EQ(refused(R"("stroke":{"surface":3,"samples":[[0,1,2,0.5]]})"),
+              "s.json, events[0].stroke.surface: expected a text, found 3.");
+    EXPECT_EQ(refused(R"("stroke":{"surface":"well","continued":true,"samples":[[0,1,2,0.5]]})"),
+              "s.json, events[0].stroke.surface: a stroke that goes on stays on its surface.");
+    const auto squeeze = [&](const std::string& rest) {
+        return refused(R"("squeeze_paint":{"paint":{"mix":[["PY35",1]]},)" + rest + "}");
+    };
+    EXPECT_EQ(squeeze(R"("x_mm":10)"),
+              "s.json, events[0].squeeze_paint: the entry \"y_mm\" is missing.");
+    EXPECT_EQ(squeeze(R"("x_mm":10,"y_mm":91)"),
+              "s.json, events[0].squeeze_paint: the y of the squeezed paint in mm is 91, but must lie "
+              "between 0 and 90.");
+    EXPECT_EQ(squeeze(R"("x_mm":10,"y_mm":10,"volume_mm3":1e6)"),
+              "s.json, events[0].squeeze_paint: the volume of the squeezed paint in mm3 is 1e+06, but "
+              "must lie between 1 and 5000.");
+    EXPECT_EQ(refused(R"("clean_well":{"all":true})"),
+              "s.json, events[0].clean_well: there is no such entry as \"all\" here.");
+}
+
+TEST(RecordingJson, WithoutTheWellOlderProgramsCanReadIt) {
+    Recording recording;
+    EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 3,"));
+    recording.events = {{0, CleanWell{}}};
+    EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 4,"));
 }
 
 TEST(RecordingJson, RefusesAbsurdCanvases) {

@@ -33,6 +33,7 @@ TEST(ReplayStats, IsOneFlatObjectOfExactlyTheseEntries) {
                                             "volume_canvas_mm3",
                                             "volume_dried_mm3",
                                             "volume_brush_mm3",
+                                            "volume_well_mm3",
                                             "volume_ledger_mm3",
                                             "volume_error_rel",
                                             "pigment_error_rel",

@@ -80,6 +80,11 @@ void Painter::wipe() {
     note(document::CleanBrush{});
 }
 
+void Painter::squeeze(const document::PaintRecipe& paint, double x_mm, double y_mm, double volume_mm3) {
+    note(document::SqueezePaint{paint, volume_mm3, x_mm, y_mm});
+    now_s_ += kDip_s;
+}
+
 void Painter::stroke(double duration_s, const std::function<Touch(double)>& path, int least_samples) {
     const int count =
         std::max(least_samples - 1, static_cast<int>(std::lround(duration_s * kSamples_per_s)));
@@ -89,7 +94,7 @@ void Painter::stroke(double duration_s, const std::function<Touch(double)>& path
         const brush::PenSample sample = sample_at(start_s + u * duration_s, path(u));
         now_s_ = sample.time_s;
         if (i == 0)
-            note(document::PenDown{sample});
+            note(document::PenDown{sample, surface_});
         else
             note(document::PenMove{sample});
     }

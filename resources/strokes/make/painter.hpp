@@ -33,6 +33,13 @@ class Painter {
     void dip(const document::LoadPaint& load);
     void wipe();
 
+    /// Squeezes paint onto the mixing well.
+    void squeeze(const document::PaintRecipe& paint, double x_mm, double y_mm,
+                 double volume_mm3 = 250.0);
+
+    /// The strokes from now on are there.
+    void turn_to(document::Surface surface) { surface_ = surface; }
+
     /// Takes a tool that does not come with the program.
     void take_own(const brush::Preset& preset);
 
@@ -50,6 +57,7 @@ class Painter {
     document::Recording recording_;
     double now_s_ = 0.0;
     std::uint32_t brushes_taken_ = 0;
+    document::Surface surface_ = document::Surface::Canvas;
 };
 
 /// "PB29=2 PW6=1": a mixture by parts.

@@ -5,6 +5,9 @@
 
 namespace pastoso::examples {
 
+/// Mixtures made on the mixing well, by knife and brush, and carried to the canvas.
+document::Recording palette();
+
 /// What the brushes do: loaded and dry strokes, wet crossings, a knife, swells, dabs and double loads.
 document::Recording sampler();
 

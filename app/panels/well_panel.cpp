@@ -1,0 +1,41 @@
+#include "panels/well_panel.hpp"
+
+#include "panels/section.hpp"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace pastoso::panels {
+namespace {
+
+QHBoxLayout* button_row(const std::vector<QAction*>& actions) {
+    auto* row = new QHBoxLayout;
+    for (QAction* action : actions) {
+        auto* button = new QToolButton;
+        button->setDefaultAction(action);
+        keep_keys_for_canvas(button);
+        row->addWidget(button);
+    }
+    row->addStretch();
+    return row;
+}
+
+}  // namespace
+
+QDockWidget* well_panel(QWidget* well, const std::vector<QAction*>& actions) {
+    auto* dock = new QDockWidget(QObject::tr("Mixing well"));
+    dock->setObjectName(QStringLiteral("well_panel"));
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(6, 6, 6, 6);
+    column->addWidget(well);
+    column->addLayout(button_row(actions));
+    column->addStretch(1);
+    dock->setWidget(content);
+    return dock;
+}
+
+}  // namespace pastoso::panels

@@ -1,0 +1,143 @@
+// The mixing well's panel: paint squeezed there is mixed by pen and mouse and carried to the canvas.
+#include "app/window_fixture.hpp"
+#include "document/player.hpp"
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QTest>
+#include <QToolButton>
+#include <QWindow>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+
+class WellWindow : public WindowTest {
+  protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        give(Command::Pause);
+    }
+
+    void give(Command command) { window().commands().action(command)->trigger(); }
+    QDockWidget& panel() { return *window().findChild<QDockWidget*>(QStringLiteral("well_panel")); }
+    void open_panel() {
+        give(Command::MixingWell);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return window().well().finished(); }, 60000));
+    }
+    void choose(const char* pigment) { window().easel().choose_paint({{{pigment, 1.0}}, 1.0}); }
+
+    /// What the panel shows of the latest state, in its final quality.
+    QImage well_picture() {
+        const double there_mm3 = in_well_mm3();
+        wait_for([&] { return window().well().finished() && shown_mm3() == there_mm3; });
+        QEvent leave(QEvent::Leave);
+        QApplication::sendEvent(&window().well(), &leave);
+        return window().well().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+    }
+    QColor well_colour(const glm::dvec2& place_mm) {
+        const QImage picture = well_picture();
+        const double ratio = window().well().devicePixelRatioF();
+        return picture.pixelColor((ratio * window().well().widget_position(place_mm)).toPoint());
+    }
+    double shown_mm3() {
+        const document::Snapshot* shown = window().well().shown();
+        if (shown == nullptr) return -1.0;
+        return film::volume_mm3(film::totals(shown->film).thickness, shown->film.cell_mm);
+    }
+    /// Of a replay of what was recorded so far.
+    document::Account account_after_replay() {
+        session().wait_until_applied();
+        const document::Recording recording = session().recording();
+        core::ThreadPool pool(1);
+        document::Painting painting(recording.canvas, pool);
+        document::Player player(painting, recording);
+        while (!player.finished())
+            player.play_tick();
+        return painting.account();
+    }
+    double in_well_mm3() {
+        session().wait_until_applied();
+        const auto snapshot = session().snapshot();
+        if (!snapshot->well) return 0.0;
+        return film::volume_mm3(film::totals(*snapshot->well).thickness, snapshot->well->cell_mm);
+    }
+};
+
+TEST_F(WellWindow, IsClosedUntilItIsAskedForAndCostsNothing) {
+    EXPECT_TRUE(panel().isHidden());
+    EXPECT_FALSE(session().snapshot()->well.has_value());
+    open_panel();
+    EXPECT_TRUE(panel().isVisible());
+    EXPECT_TRUE(window().commands().action(Command::MixingWell)->isChecked());
+    EXPECT_FALSE(session().snapshot()->well.has_value());
+    panel().close();
+    EXPECT_FALSE(window().commands().action(Command::MixingWell)->isChecked());
+}
+
+TEST_F(WellWindow, SqueezedPaintIsSeenWhereItLies) {
+    choose("PR108");
+    give(Command::SqueezePaint);
+    ASSERT_TRUE(panel().isVisible());
+    EXPECT_GT(in_well_mm3(), 100.0);
+    const QColor bare = well_colour({60.0, 60.0});
+    EXPECT_LT(std::abs(bare.red() - bare.blue()), 20);
+    const glm::dvec2 place_mm{60.0, 60.0};
+    QTest::mouseClick(&window().well(), Qt::LeftButton, Qt::ControlModifier,
+                      window().well().widget_position(place_mm).toPoint());
+    EXPECT_GT(in_well_mm3(), 400.0);
+    const QColor red = well_colour(place_mm);
+    EXPECT_GT(red.red(), red.blue() + 80);
+}
+
+TEST_F(WellWindow, ThePenPicksUpThereAndCarriesToTheCanvas) {
+    open_panel();
+    choose("PR108");
+    window().easel().squeeze(60.0, 45.0);
+    choose("PB29");
+    give(Command::CleanBrush);
+    const QImage before = well_picture();
+    pen_stroke_on(window().well(), line_mm({35.0, 45.0}, {75.0, 45.0}), {.pressure = 0.7});
+    EXPECT_GT(difference(well_picture(), before).largest, 60);
+    const double left_mm3 = in_well_mm3();
+    EXPECT_LT(left_mm3, 240.0);
+    EXPECT_EQ(volume_mm3(), 0.0);
+    // "Reload each stroke" is on, and must not throw away what was mixed.
+    pen_stroke({{10.0, 20.0}, {20.0, 20.0}, {30.0, 20.0}, {40.0, 20.0}}, {.pressure = 0.6});
+    EXPECT_GT(volume_mm3(), 1.0);
+    const document::Account account = account_after_replay();
+    EXPECT_GT(account.canvas.pigment[0], 5.0 * account.canvas.pigment[5]) << "red, not ultramarine";
+    EXPECT_EQ(in_well_mm3(), left_mm3);
+    EXPECT_TRUE(session().take_errors().empty());
+}
+
+TEST_F(WellWindow, AMouseStrokeThereIsUndone) {
+    open_panel();
+    window().easel().squeeze(60.0, 45.0);
+    const QImage before = well_picture();
+    mouse_stroke_on(window().well(), line_mm({35.0, 45.0}, {75.0, 45.0}));
+    EXPECT_GT(difference(well_picture(), before).largest, 40);
+    give(Command::Undo);
+    EXPECT_EQ(difference(well_picture(), before).largest, 0);
+    give(Command::CleanWell);
+    EXPECT_EQ(in_well_mm3(), 0.0);
+}
+
+TEST_F(WellWindow, AFloatingPanelShowsTheSame) {
+    open_panel();
+    choose("PR108");
+    window().easel().squeeze(60.0, 45.0);
+    EXPECT_GT(well_colour({60.0, 45.0}).red(), well_colour({60.0, 45.0}).blue() + 80);
+    panel().setFloating(true);
+    QTest::qWait(50);
+    EXPECT_GT(well_colour({60.0, 45.0}).red(), well_colour({60.0, 45.0}).blue() + 80);
+    panel().setFloating(false);
+    QTest::qWait(50);
+    EXPECT_GT(well_colour({60.0, 45.0}).red(), well_colour({60.0, 45.0}).blue() + 80);
+}
+
+}  // namespace
+}  // namespace pastoso::tests
