@@ -59,15 +59,27 @@ float support_at(const film::FilmState& film, int x, int y) {
     return film.support_mm.read(film.shape.tile_at(x, y))[grid::Shape::cell_in_tile(x, y)];
 }
 
+/// The highest support of five cells: in the middle, and `left`, `right`, `above`, `below`.
+float highest_support(const film::FilmState& film, int x, int y, int left, int right, int above,
+                      int below) {
+    const int tile = film.shape.tile_at(left, above);
+    if (tile == film.shape.tile_at(right, below)) {
+        const float* support = film.support_mm.read(tile);
+        const auto at = [support](int column, int row) {
+            return support[grid::Shape::cell_in_tile(column, row)];
+        };
+        return std::max({at(x, y), at(left, y), at(right, y), at(x, above), at(x, below)});
+    }
+    return std::max({support_at(film, x, y), support_at(film, left, y), support_at(film, right, y),
+                     support_at(film, x, above), support_at(film, x, below)});
+}
+
 float support_below(const film::FilmState& film, const BristlePose& pose, double tuft_mm) {
     const double cells_per_mm = 1.0 / film.cell_mm;
     const double x = pose.x_mm * cells_per_mm, y = pose.y_mm * cells_per_mm, d = tuft_mm * cells_per_mm;
-    const int column = cell_at(x, film.shape.width), row = cell_at(y, film.shape.height);
-    const float beside = std::max(support_at(film, cell_at(x - d, film.shape.width), row),
-                                  support_at(film, cell_at(x + d, film.shape.width), row));
-    const float along = std::max(support_at(film, column, cell_at(y - d, film.shape.height)),
-                                 support_at(film, column, cell_at(y + d, film.shape.height)));
-    return std::max({support_at(film, column, row), beside, along});
+    const int width = film.shape.width, height = film.shape.height;
+    return highest_support(film, cell_at(x, width), cell_at(y, height), cell_at(x - d, width),
+                           cell_at(x + d, width), cell_at(y - d, height), cell_at(y + d, height));
 }
 
 /// The trailing offset after the root has moved to `root`.

@@ -9,6 +9,10 @@ namespace {
 /// A height no tool reaches, for the padding.
 constexpr float kUnreachable_mm = -1e6F;
 
+/// Cells of a row that are gathered at once.
+constexpr int kBlock = 8;
+static_assert(kBlock <= kBatchStep);
+
 int whole_below(double x) {
     const int truncated = static_cast<int>(x);
     return truncated - (truncated > x ? 1 : 0);
@@ -65,14 +69,22 @@ void CellBatch::gather_part(const film::FilmState& film, int tile, const grid::R
         const int first = grid::Shape::cell_in_tile(x0, y);
         float *dx = &dx_mm[count_], *dy = &dy_mm[count_], *support = &support_mm[count_];
         std::int32_t *quanta = &thickness[count_], *index = &cell[count_];
+        const auto take = [&](int begin, int end) {
 #pragma GCC ivdep  // the columns do not overlap
-        for (int i = 0; i < width; ++i) {
-            dx[i] = first_mm + static_cast<float>(i) * cell_mm;
-            dy[i] = row_mm;
-            quanta[i] = tile_thickness[first + i];
-            support[i] = tile_support[first + i];
-            index[i] = first + i;
-        }
+            for (int i = begin; i < end; ++i) {
+                dx[i] = first_mm + static_cast<float>(i) * cell_mm;
+                dy[i] = row_mm;
+                quanta[i] = tile_thickness[first + i];
+                support[i] = tile_support[first + i];
+                index[i] = first + i;
+            }
+        };
+        // Whole blocks are fastest; what is too much is overwritten by the next row. Not beyond the
+        // tile.
+        int done = 0;
+        for (; done < width && first + done + kBlock <= grid::kTileCells; done += kBlock)
+            take(done, done + kBlock);
+        take(done, width);
         count_ += width;
     }
 }

@@ -68,8 +68,7 @@ struct ExchangePreset {
     double pickup = 0.35;  ///< share of the paint in the way that is taken up; 0 to 1
     double mix = 0.3;      ///< equal-volume swap with the paint below; 0 to 1
     double wick = 0.06;    ///< exchange between neighbouring bristles per mm of travel; 0 to 1
-    double momentum =
-        0.5;  ///< share of the tip's speed for the wet paint below; 0 to 1; moves no paint itself
+    double momentum = 0.5;  ///< drags runny paint along, ploughs stiff paint aside; 0 to 1
     double overflow = 1.15;  ///< fill above which paint is pushed out sideways; 1 to 3
     /// What is taken up is thrown away, as by a rag: it counts as waste and never comes back.
     bool absorbs = false;

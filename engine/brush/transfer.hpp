@@ -58,10 +58,18 @@ struct StepRates {
 };
 StepRates step_rates(const Brush& brush, const HandPose& hand, double step_mm, double cell_mm);
 
-/// Lets bristle `index` exchange paint with the film. Returns the cells that may have changed, empty if
-/// none.
-grid::Rect exchange_paint(Brush& brush, int index, const Contact& contact, const StepRates& rates,
-                          std::uint32_t dither_seed, film::FilmState& film, CellBatch& scratch);
+/// The equations above for bristle `index`, as the kernels take them.
+ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact,
+                           const StepRates& rates);
+
+/// Fills the changes and swaps of a gathered batch. Returns their sums.
+WantedSums plan_exchange(const ExchangeRule& rule, CellBatch& batch);
+
+/// Lets bristle `index` exchange paint with the film by its rule. Returns the cells that may
+/// have changed, empty if none; `scratch` holds the cells below it as they were.
+grid::Rect exchange_paint(Brush& brush, int index, const Contact& contact, const ExchangeRule& rule,
+                          const StepRates& rates, std::uint32_t dither_seed, film::FilmState& film,
+                          CellBatch& scratch);
 
 /// Applies the changes and swaps planned in `batch` and takes what the film gained from `held`, or gives
 /// it what the film lost. At most `deposit_share` of the held volume is deposited and `swap_share`

@@ -35,7 +35,9 @@ StepRates rates_of(const Brush& brush, double step_mm = 0.2) {
 
 grid::Rect touch(Brush& brush, film::FilmState& film, const Contact& contact) {
     CellBatch scratch;
-    return exchange_paint(brush, 0, contact, rates_of(brush), 1, film, scratch);
+    const StepRates rates = rates_of(brush);
+    return exchange_paint(brush, 0, contact, exchange_rule(brush, 0, contact, rates), rates, 1, film,
+                          scratch);
 }
 
 TEST(Exchange, GivesTheFilmWhatTheBristleLoses) {
