@@ -56,6 +56,7 @@ void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, do
 void CellBatch::gather_part(const film::FilmState& film, int tile, const grid::Rect& part,
                             const Disc& disc) {
     const std::int32_t* tile_thickness = film.thickness.read(tile);
+    const film::PaintCell* tile_paint = film.paint.read(tile);
     const float* tile_support = film.support_mm.read(tile);
     const auto cell_mm = static_cast<float>(film.cell_mm);
     for (int y = part.y0; y < part.y1; ++y) {
@@ -85,6 +86,9 @@ void CellBatch::gather_part(const film::FilmState& film, int tile, const grid::R
         for (; done < width && first + done + kBlock <= grid::kTileCells; done += kBlock)
             take(done, done + kBlock);
         take(done, width);
+        // The exchange will want the paint of these cells soon.
+        for (int i = 0; i < width; ++i)
+            __builtin_prefetch(&tile_paint[first + i], 1);
         count_ += width;
     }
 }

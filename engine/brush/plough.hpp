@@ -28,7 +28,7 @@ struct PloughStep {
     const std::vector<BristlePose>& poses;
     const HandPose& hand;
     const Swath& swath;
-    const StepRates& rates;  ///< of the step's exchange
+    const StepRates& rates;
     std::uint32_t dither_seed;
     film::FilmState& film;
     CellBatch& scratch;

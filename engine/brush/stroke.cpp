@@ -22,6 +22,8 @@ constexpr double kWickInterval_mm = 1.0;
 /// A bristle exchanges paint at every second step, for the length of two; its footprint is five steps
 /// long. Even and odd ones take turns, which keeps their marks out of line.
 constexpr std::uint32_t kTurns = 2;
+/// Paint is ploughed at every second step; at every fourth the ridges got steeper than 45 degrees.
+constexpr std::uint32_t kPloughTurns = 2;
 /// The roundings of ploughed paint, apart from those of the bristles.
 constexpr int kPloughSeed = 4095;
 /// A footprint's least radius in the step length: thin hairs do not make the steps ever shorter.
@@ -166,9 +168,7 @@ void Stroke::paint_step(const PathStep& step) {
     const DragRates drag = drag_rates(brush_, hand, turn_mm, rates.radius_mm);
     const Swath swath = move_bristles(brush_, hand, step_mm_, film_, poses_);
     ++step_count_;
-    if (step_count_ % turns_ == 0)
-        note_changed(
-            plough_.push({brush_, poses_, hand, swath, rates, dither_seed(kPloughSeed), film_, cells_}));
+    if (step_count_ % kPloughTurns == 0) plough(hand, swath);
     for (auto i = static_cast<int>(step_count_ % turns_); i < static_cast<int>(poses_.size());
          i += static_cast<int>(turns_)) {
         if (!poses_[i].down) continue;
@@ -181,6 +181,12 @@ void Stroke::paint_step(const PathStep& step) {
     if (since_wick_mm_ < kWickInterval_mm) return;
     wick_paint(brush_, since_wick_mm_);
     since_wick_mm_ = 0.0;
+}
+
+void Stroke::plough(const HandPose& hand, const Swath& swath) {
+    const StepRates rates = step_rates(brush_, hand, kPloughTurns * step_mm_, film_.cell_mm);
+    note_changed(
+        plough_.push({brush_, poses_, hand, swath, rates, dither_seed(kPloughSeed), film_, cells_}));
 }
 
 void Stroke::touch(int bristle, const HandPose& hand, const Swath& swath, const StepRates& rates,

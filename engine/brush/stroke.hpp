@@ -63,6 +63,7 @@ class Stroke {
     void paint_steps();
     void take_step(const PathStep& step);
     void paint_step(const PathStep& step);
+    void plough(const HandPose& hand, const Swath& swath);
     void touch(int bristle, const HandPose& hand, const Swath& swath, const StepRates& rates,
                const DragRates& drag);
     void leave_paint();

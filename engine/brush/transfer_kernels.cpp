@@ -198,11 +198,9 @@ PASTOSO_KERNEL_INLINE void settle_changes(const ApplyRule& rule, const TileCells
     }
 }
 
-PASTOSO_KERNEL_INLINE int list_active(const TileCells& cells, int first, int count,
-                                      CellChanges& changes) {
+PASTOSO_KERNEL_INLINE int list_active(int count, CellChanges& changes) {
     int active = 0;
     for (int i = 0; i < count; ++i) {
-        __builtin_prefetch(&cells.paint[cells.cell[first + i]], 1);
         changes.active[active] = i;
         active += (changes.thickness[i] | changes.swap[i]) != 0 ? 1 : 0;
     }
@@ -214,7 +212,7 @@ PASTOSO_KERNEL_INLINE void apply_chunk(const ApplyRule& rule, const TileCells& c
                                        int count, ChangeSums& sums) {
     CellChanges changes;
     settle_changes(rule, cells, first, count, changes);
-    const int active = list_active(cells, first, count, changes);
+    const int active = list_active(count, changes);
     const auto* given = reinterpret_cast<const FloatLanes*>(rule.given.data());
     ChannelSums gains;
     for (int n = 0; n < active; ++n) {
