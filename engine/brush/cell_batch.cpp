@@ -31,7 +31,8 @@ Span cells_within(double place_mm, double reach_mm, double cell_mm) {
 
 }  // namespace
 
-void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, double radius_mm) {
+void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, double radius_mm,
+                       PassMap* pass) {
     count_ = 0;
     parts_.clear();
     const Span columns = cells_within(x_mm, radius_mm, film.cell_mm);
@@ -46,7 +47,7 @@ void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, do
             const int tile = row * film.shape.tiles_x() + column;
             const int begin = count_;
             const grid::Rect part = grid::intersection(cells_, film.shape.tile_cells(tile));
-            gather_part(film, tile, part, disc);
+            gather_part(film, tile, part, disc, pass);
             parts_.push_back({tile, begin, count_});
         }
     }
@@ -54,7 +55,7 @@ void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, do
 }
 
 void CellBatch::gather_part(const film::FilmState& film, int tile, const grid::Rect& part,
-                            const Disc& disc) {
+                            const Disc& disc, PassMap* pass) {
     const std::int32_t* tile_thickness = film.thickness.read(tile);
     const film::PaintCell* tile_paint = film.paint.read(tile);
     const float* tile_support = film.support_mm.read(tile);
@@ -86,6 +87,10 @@ void CellBatch::gather_part(const film::FilmState& film, int tile, const grid::R
         for (; done < width && first + done + kBlock <= grid::kTileCells; done += kBlock)
             take(done, done + kBlock);
         take(done, width);
+        if (pass != nullptr)
+            pass->find(tile, first, width, quanta, &found[count_]);
+        else
+            std::copy_n(quanta, width, &found[count_]);
         // The exchange will want the paint of these cells soon.
         for (int i = 0; i < width; ++i)
             __builtin_prefetch(&tile_paint[first + i], 1);
@@ -98,14 +103,14 @@ void CellBatch::reserve(int count) {
     if (cell.size() >= size) return;
     for (auto* column : {&dx_mm, &dy_mm, &support_mm})
         column->resize(size);
-    for (auto* column : {&thickness, &cell, &change, &swap})
+    for (auto* column : {&thickness, &found, &cell, &change, &swap})
         column->resize(size);
 }
 
 void CellBatch::pad() {
     for (int i = count_; i < padded_count(); ++i) {
         dx_mm[i] = dy_mm[i] = 0.0F;
-        thickness[i] = cell[i] = 0;
+        thickness[i] = found[i] = cell[i] = 0;
         support_mm[i] = kUnreachable_mm;
     }
 }

@@ -26,6 +26,8 @@ constexpr std::uint32_t kTurns = 2;
 constexpr std::uint32_t kPloughTurns = 2;
 /// The roundings of ploughed paint, apart from those of the bristles.
 constexpr int kPloughSeed = 4095;
+/// Length of a pass over a cell, in depths of the tip and radii of a footprint.
+constexpr double kPassDepths = 2.0, kPassRadii = 4.0;
 /// A footprint's least radius in the step length: thin hairs do not make the steps ever shorter.
 constexpr double kLeastStepRadius_mm = 0.15;
 /// Width of what a lifted knife leaves, in half thicknesses of its edge.
@@ -42,6 +44,15 @@ double step_length_mm(const Brush& brush) {
     const StrokePreset& stroke = brush.preset.stroke;
     return std::max(stroke.spacing * std::max(brush.tip.radius_mm, kLeastStepRadius_mm),
                     stroke.min_spacing_mm);
+}
+
+/// A tip has passed over a cell when it has travelled by its own depth, with what its hairs trail
+/// behind.
+double pass_length_mm(const Brush& brush) {
+    const TipPreset& tip = brush.preset.tip;
+    const double depth_mm =
+        std::max(tip.thickness_mm, tip.shape == TipShape::Round ? tip.width_mm : 0.0);
+    return kPassDepths * depth_mm + kPassRadii * brush.tip.radius_mm;
 }
 
 PathMeasure path_measure(const Brush& brush) {
@@ -84,6 +95,7 @@ Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const 
       filter_(steadying_filter(brush.preset.stroke, aids.stabiliser)),
       path_(path_measure(brush)),
       poses_(brush.tip.bristles.size()),
+      pass_(film.shape, pass_length_mm(brush)),
       droplets_(brush, film) {}
 
 void Stroke::begin(const PenSample& sample) {
@@ -168,6 +180,7 @@ void Stroke::paint_step(const PathStep& step) {
     const DragRates drag = drag_rates(brush_, hand, turn_mm, rates.radius_mm);
     const Swath swath = move_bristles(brush_, hand, step_mm_, film_, poses_);
     ++step_count_;
+    pass_.set_travel(step_count_ * step_mm_);
     if (step_count_ % kPloughTurns == 0) plough(hand, swath);
     for (auto i = static_cast<int>(step_count_ % turns_); i < static_cast<int>(poses_.size());
          i += static_cast<int>(turns_)) {
@@ -203,8 +216,8 @@ void Stroke::touch(int bristle, const HandPose& hand, const Swath& swath, const 
     contact.across_x = brush_.tip.rigid ? hand.cos_rotation : -hand.travel_y;
     contact.across_y = brush_.tip.rigid ? hand.sin_rotation : hand.travel_x;
     const ExchangeRule rule = exchange_rule(brush_, bristle, contact, rates);
-    note_changed(
-        exchange_paint(brush_, bristle, contact, rule, rates, dither_seed(bristle), film_, cells_));
+    note_changed(exchange_paint(brush_, bristle, contact, rule, rates, dither_seed(bristle), film_,
+                                cells_, brush_.preset.exchange.mix > 0.0 ? &pass_ : nullptr));
     note_changed(drag_.drag(rule, drag, cells_, film_));
 }
 

@@ -6,6 +6,7 @@
 #include "brush/cell_batch.hpp"
 #include "brush/drag.hpp"
 #include "brush/droplets.hpp"
+#include "brush/pass_map.hpp"
 #include "brush/pen_filter.hpp"
 #include "brush/pen_guide.hpp"
 #include "brush/plough.hpp"
@@ -81,6 +82,7 @@ class Stroke {
     StrokePath path_;
     std::vector<BristlePose> poses_;
     CellBatch cells_;
+    PassMap pass_;
     Plough plough_;
     PaintDrag drag_;
     Droplets droplets_;

@@ -167,15 +167,15 @@ ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact
 
 WantedSums plan_exchange(const ExchangeRule& rule, CellBatch& batch) {
     return transfer_kernels().plan(
-        rule, {batch.dx_mm.data(), batch.dy_mm.data(), batch.thickness.data(), batch.support_mm.data(),
-               batch.change.data(), batch.swap.data(), batch.padded_count()});
+        rule, {batch.dx_mm.data(), batch.dy_mm.data(), batch.thickness.data(), batch.found.data(),
+               batch.support_mm.data(), batch.change.data(), batch.swap.data(), batch.padded_count()});
 }
 
 grid::Rect exchange_paint(Brush& brush, int index, const Contact& contact, const ExchangeRule& rule,
                           const StepRates& rates, std::uint32_t dither_seed, film::FilmState& film,
-                          CellBatch& scratch) {
+                          CellBatch& scratch, PassMap* pass) {
     const double reach_mm = rule.lane ? std::hypot(rates.radius_mm, rates.lane_mm) : rates.radius_mm;
-    scratch.gather(film, contact.x_mm, contact.y_mm, reach_mm);
+    scratch.gather(film, contact.x_mm, contact.y_mm, reach_mm, pass);
     if (scratch.count() == 0) return {};
     const WantedSums wanted = plan_exchange(rule, scratch);
     const double deposit_share = brush.tip.rigid ? kLargestKnifeDeposit : kLargestDeposit;

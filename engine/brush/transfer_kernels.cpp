@@ -85,7 +85,8 @@ PASTOSO_KERNEL_INLINE void plan_cell(const ExchangeRule& rule, const BatchColumn
     const auto change = static_cast<std::int32_t>(change_mm * kQuantaPerMm);
     const std::int32_t room = larger(0, film::kMaxThickness_quanta - batch.thickness[i]);
     batch.change[i] = smaller(change, room);
-    const float swap_mm = room > 0 ? rule.mix * share * smaller(h, rule.mix_depth_mm) : 0.0F;
+    const float ground = static_cast<float>(smaller(batch.thickness[i], batch.found[i])) * kQuantum_mm;
+    const float swap_mm = room > 0 ? rule.mix * share * smaller(ground, rule.mix_depth_mm) : 0.0F;
     batch.swap[i] = static_cast<std::int32_t>(swap_mm * kQuantaPerMm);
 }
 
