@@ -23,24 +23,26 @@ struct Vector {
 
 /// What the whole tip has in common during one step.
 struct StepFlex {
-    double length_mm, full_depth_mm, bend, splay, tilt_gain;
+    double length_mm, full_depth_mm, per_full_depth, bend, splay, tilt_gain;
     double restore;        ///< share of the way back to rest in this step
     float freshness_left;  ///< factor of this step
-    double tuft_mm;
+    double tuft_mm, cells_per_mm;
     float descend, step_mm;
 };
 
-StepFlex step_flex(const Brush& brush, double step_mm) {
+StepFlex step_flex(const Brush& brush, double step_mm, double cell_mm) {
     const FlexPreset& flex = brush.preset.flex;
     const double length_mm = brush.preset.tip.length_mm;
     return {.length_mm = length_mm,
             .full_depth_mm = flex.press_depth * length_mm,
+            .per_full_depth = 1.0 / (brush.preset.flex.press_depth * length_mm),
             .bend = brush.tip.rigid ? 0.0 : flex.bend,
             .splay = flex.splay,
             .tilt_gain = brush.tip.rigid ? 0.0 : flex.tilt_gain,
             .restore = 1.0 - std::exp(-step_mm / (kRestoring * length_mm * flex.lag)),
             .freshness_left = static_cast<float>(std::exp(-kFreshnessDecay_per_mm * step_mm)),
             .tuft_mm = kTuft_radii * brush.tip.radius_mm,
+            .cells_per_mm = 1.0 / cell_mm,
             .descend = static_cast<float>(flex.descend),
             .step_mm = static_cast<float>(step_mm)};
 }
@@ -59,15 +61,27 @@ float support_at(const film::FilmState& film, int x, int y) {
     return film.support_mm.read(film.shape.tile_at(x, y))[grid::Shape::cell_in_tile(x, y)];
 }
 
-float support_below(const film::FilmState& film, const BristlePose& pose, double tuft_mm) {
-    const double cells_per_mm = 1.0 / film.cell_mm;
+/// The highest support of five cells: in the middle, and `left`, `right`, `above`, `below`.
+float highest_support(const film::FilmState& film, int x, int y, int left, int right, int above,
+                      int below) {
+    const int tile = film.shape.tile_at(left, above);
+    if (tile == film.shape.tile_at(right, below)) {
+        const float* support = film.support_mm.read(tile);
+        const auto at = [support](int column, int row) {
+            return support[grid::Shape::cell_in_tile(column, row)];
+        };
+        return std::max({at(x, y), at(left, y), at(right, y), at(x, above), at(x, below)});
+    }
+    return std::max({support_at(film, x, y), support_at(film, left, y), support_at(film, right, y),
+                     support_at(film, x, above), support_at(film, x, below)});
+}
+
+float support_below(const film::FilmState& film, const BristlePose& pose, double tuft_mm,
+                    double cells_per_mm) {
     const double x = pose.x_mm * cells_per_mm, y = pose.y_mm * cells_per_mm, d = tuft_mm * cells_per_mm;
-    const int column = cell_at(x, film.shape.width), row = cell_at(y, film.shape.height);
-    const float beside = std::max(support_at(film, cell_at(x - d, film.shape.width), row),
-                                  support_at(film, cell_at(x + d, film.shape.width), row));
-    const float along = std::max(support_at(film, column, cell_at(y - d, film.shape.height)),
-                                 support_at(film, column, cell_at(y + d, film.shape.height)));
-    return std::max({support_at(film, column, row), beside, along});
+    const int width = film.shape.width, height = film.shape.height;
+    return highest_support(film, cell_at(x, width), cell_at(y, height), cell_at(x - d, width),
+                           cell_at(x + d, width), cell_at(y - d, height), cell_at(y + d, height));
 }
 
 /// The trailing offset after the root has moved to `root`.
@@ -76,14 +90,15 @@ Vector trail(const BristlePose& pose, Vector root, Vector rest_direction, double
     Vector offset = pose.down ? Vector{pose.x_mm - root.x, pose.y_mm - root.y} : Vector{};
     offset.x += (rest_direction.x * reach_mm - offset.x) * restore;
     offset.y += (rest_direction.y * reach_mm - offset.y) * restore;
-    const double length = std::sqrt(offset.x * offset.x + offset.y * offset.y);
-    const double share = length > reach_mm ? reach_mm / length : 1.0;
+    const double length2 = offset.x * offset.x + offset.y * offset.y;
+    if (length2 <= reach_mm * reach_mm) return offset;
+    const double share = reach_mm / std::sqrt(length2);
     return {offset.x * share, offset.y * share};
 }
 
 void follow_support(const film::FilmState& film, const StepFlex& flex, bool touches_down,
                     BristlePose& pose) {
-    const float support = support_below(film, pose, flex.tuft_mm);
+    const float support = support_below(film, pose, flex.tuft_mm, flex.cells_per_mm);
     const float slope = flex.descend * (kLightDescent + kPressedDescent * pose.press * pose.press);
     pose.support_mm = touches_down ? support : std::max(support, pose.support_mm - slope * flex.step_mm);
 }
@@ -98,10 +113,10 @@ void move_bristle(const Bristle& bristle, const HandPose& hand, const StepFlex& 
         pose = {};
         return;
     }
-    const double press = std::min(depth_mm / flex.full_depth_mm, 1.0) * bristle.stiffness;
+    const double press = std::min(depth_mm * flex.per_full_depth, 1.0) * bristle.stiffness;
     const double spread = 1.0 + flex.splay * press;
     const Vector root = {hand.x_mm + place.x * spread, hand.y_mm + place.y * spread};
-    const double outward = kOutwardRest / (std::sqrt(place.x * place.x + place.y * place.y) + 1e-6);
+    const double outward = kOutwardRest * bristle.per_distance;
     const Vector rest = {kLeanRest * hand.lean_x + outward * place.x,
                          kLeanRest * hand.lean_y + outward * place.y};
     const double reach_mm =
@@ -133,7 +148,7 @@ float edge_support_mm(const std::vector<BristlePose>& poses) {
 
 Swath move_bristles(const Brush& brush, const HandPose& hand, double step_mm,
                     const film::FilmState& film, std::vector<BristlePose>& poses) {
-    const StepFlex flex = step_flex(brush, step_mm);
+    const StepFlex flex = step_flex(brush, step_mm, film.cell_mm);
     Swath swath{1e9, -1e9, 0.0F};
     for (std::size_t i = 0; i < poses.size(); ++i) {
         move_bristle(brush.tip.bristles[i], hand, flex, film, poses[i]);

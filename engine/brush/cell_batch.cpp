@@ -9,6 +9,10 @@ namespace {
 /// A height no tool reaches, for the padding.
 constexpr float kUnreachable_mm = -1e6F;
 
+/// Cells of a row that are gathered at once.
+constexpr int kBlock = 8;
+static_assert(kBlock <= kBatchStep);
+
 int whole_below(double x) {
     const int truncated = static_cast<int>(x);
     return truncated - (truncated > x ? 1 : 0);
@@ -27,7 +31,8 @@ Span cells_within(double place_mm, double reach_mm, double cell_mm) {
 
 }  // namespace
 
-void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, double radius_mm) {
+void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, double radius_mm,
+                       PassMap* pass) {
     count_ = 0;
     parts_.clear();
     const Span columns = cells_within(x_mm, radius_mm, film.cell_mm);
@@ -42,7 +47,7 @@ void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, do
             const int tile = row * film.shape.tiles_x() + column;
             const int begin = count_;
             const grid::Rect part = grid::intersection(cells_, film.shape.tile_cells(tile));
-            gather_part(film, tile, part, disc);
+            gather_part(film, tile, part, disc, pass);
             parts_.push_back({tile, begin, count_});
         }
     }
@@ -50,8 +55,9 @@ void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, do
 }
 
 void CellBatch::gather_part(const film::FilmState& film, int tile, const grid::Rect& part,
-                            const Disc& disc) {
+                            const Disc& disc, PassMap* pass) {
     const std::int32_t* tile_thickness = film.thickness.read(tile);
+    const film::PaintCell* tile_paint = film.paint.read(tile);
     const float* tile_support = film.support_mm.read(tile);
     const auto cell_mm = static_cast<float>(film.cell_mm);
     for (int y = part.y0; y < part.y1; ++y) {
@@ -65,14 +71,29 @@ void CellBatch::gather_part(const film::FilmState& film, int tile, const grid::R
         const int first = grid::Shape::cell_in_tile(x0, y);
         float *dx = &dx_mm[count_], *dy = &dy_mm[count_], *support = &support_mm[count_];
         std::int32_t *quanta = &thickness[count_], *index = &cell[count_];
+        const auto take = [&](int begin, int end) {
 #pragma GCC ivdep  // the columns do not overlap
-        for (int i = 0; i < width; ++i) {
-            dx[i] = first_mm + static_cast<float>(i) * cell_mm;
-            dy[i] = row_mm;
-            quanta[i] = tile_thickness[first + i];
-            support[i] = tile_support[first + i];
-            index[i] = first + i;
-        }
+            for (int i = begin; i < end; ++i) {
+                dx[i] = first_mm + static_cast<float>(i) * cell_mm;
+                dy[i] = row_mm;
+                quanta[i] = tile_thickness[first + i];
+                support[i] = tile_support[first + i];
+                index[i] = first + i;
+            }
+        };
+        // Whole blocks are fastest; what is too much is overwritten by the next row. Not beyond the
+        // tile.
+        int done = 0;
+        for (; done < width && first + done + kBlock <= grid::kTileCells; done += kBlock)
+            take(done, done + kBlock);
+        take(done, width);
+        if (pass != nullptr)
+            pass->find(tile, first, width, quanta, &found[count_]);
+        else
+            std::copy_n(quanta, width, &found[count_]);
+        // The exchange will want the paint of these cells soon.
+        for (int i = 0; i < width; ++i)
+            __builtin_prefetch(&tile_paint[first + i], 1);
         count_ += width;
     }
 }
@@ -82,14 +103,14 @@ void CellBatch::reserve(int count) {
     if (cell.size() >= size) return;
     for (auto* column : {&dx_mm, &dy_mm, &support_mm})
         column->resize(size);
-    for (auto* column : {&thickness, &cell, &change, &swap})
+    for (auto* column : {&thickness, &found, &cell, &change, &swap})
         column->resize(size);
 }
 
 void CellBatch::pad() {
     for (int i = count_; i < padded_count(); ++i) {
         dx_mm[i] = dy_mm[i] = 0.0F;
-        thickness[i] = cell[i] = 0;
+        thickness[i] = found[i] = cell[i] = 0;
         support_mm[i] = kUnreachable_mm;
     }
 }

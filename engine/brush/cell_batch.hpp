@@ -1,6 +1,7 @@
 // The cells under a tool's footprint, gathered from the tiles into plain columns for the kernels.
 #pragma once
 
+#include "brush/pass_map.hpp"
 #include "film/state.hpp"
 
 #include <cstdint>
@@ -19,8 +20,10 @@ class CellBatch {
         int tile, begin, end;
     };
 
-    /// Gathers the cells on the canvas whose centres lie within `radius_mm` of a place.
-    void gather(const film::FilmState& film, double x_mm, double y_mm, double radius_mm);
+    /// Gathers the cells on the canvas whose centres lie within `radius_mm` of a place, and what a pass
+    /// found in them (without one: what they hold).
+    void gather(const film::FilmState& film, double x_mm, double y_mm, double radius_mm,
+                PassMap* pass = nullptr);
 
     int count() const { return count_; }
     int padded_count() const { return (count_ + kBatchStep - 1) / kBatchStep * kBatchStep; }
@@ -30,6 +33,7 @@ class CellBatch {
     /// Columns of padded_count() values.
     std::vector<float> dx_mm, dy_mm;      ///< from the place to the cell's centre
     std::vector<std::int32_t> thickness;  ///< quanta
+    std::vector<std::int32_t> found;      ///< thickness when the tip came, quanta
     std::vector<float> support_mm;
     std::vector<std::int32_t> cell;    ///< index within its tile
     std::vector<std::int32_t> change;  ///< to be filled: wanted change of thickness, quanta
@@ -39,7 +43,8 @@ class CellBatch {
     struct Disc {
         double x, y, radius;  ///< in cells, from the centre of cell (0, 0)
     };
-    void gather_part(const film::FilmState& film, int tile, const grid::Rect& part, const Disc& disc);
+    void gather_part(const film::FilmState& film, int tile, const grid::Rect& part, const Disc& disc,
+                     PassMap* pass);
     void reserve(int count);
     void pad();
 

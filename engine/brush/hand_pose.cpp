@@ -90,6 +90,7 @@ HandPose hand_pose(const std::vector<DynamicsCurve>& dynamics, const PathStep& s
     pose.y_mm = step.pen.y_mm;
     pose.travel_x = step.direction_x;
     pose.travel_y = step.direction_y;
+    pose.speed_mm_s = step.speed_mm_s;
     pose.press = std::clamp(press.value_or(step.pen.pressure), 0.0, 1.0);
     pose.lean_x = tilt.tangent_x * lean_factor;
     pose.lean_y = tilt.tangent_y * lean_factor;

@@ -12,8 +12,9 @@ double evaluate(const DynamicsCurve& curve, double input);
 struct HandPose {
     double x_mm = 0.0, y_mm = 0.0;
     double travel_x = 0.0, travel_y = 1.0;  ///< direction of travel, unit length
-    double press = 0.0;                     ///< 0 to 1
-    double lean_x = 0.0, lean_y = 0.0;      ///< points where the pen leans
+    double speed_mm_s = 0.0;
+    double press = 0.0;                 ///< 0 to 1
+    double lean_x = 0.0, lean_y = 0.0;  ///< points where the pen leans
     double cos_rotation = 1.0, sin_rotation = 0.0;
     /// Factors on the preset's numbers.
     double reach = 1.0, film = 1.0, pickup = 1.0, flow = 1.0, spread = 1.0;

@@ -86,7 +86,8 @@ Preset resized(const Preset& preset, double width_mm) {
     result.tip.length_mm *= scale;
     result.tip.point_mm *= scale;
     const int count = preset.tip.bristles;
-    const auto scaled = static_cast<int>(std::lround(count * scale));
+    const bool row = preset.tip.shape == TipShape::Knife || preset.tip.shape == TipShape::Comb;
+    const auto scaled = static_cast<int>(std::lround(count * (row ? scale : scale * scale)));
     result.tip.bristles =
         std::clamp(scaled, std::min(count, kFewestBristles), std::max(count, kMostBristles));
     return result;

@@ -65,11 +65,10 @@ struct PaintPreset {
 };
 
 struct ExchangePreset {
-    double pickup = 0.35;  ///< share of the paint in the way that is taken up; 0 to 1
-    double mix = 0.3;      ///< equal-volume swap with the paint below; 0 to 1
-    double wick = 0.06;    ///< exchange between neighbouring bristles per mm of travel; 0 to 1
-    double momentum =
-        0.5;  ///< share of the tip's speed for the wet paint below; 0 to 1; moves no paint itself
+    double pickup = 0.35;    ///< share of the paint in the way that is taken up; 0 to 1
+    double mix = 0.3;        ///< equal-volume swap with the paint below; 0 to 1
+    double wick = 0.06;      ///< exchange between neighbouring bristles per mm of travel; 0 to 1
+    double momentum = 0.5;   ///< drags runny paint along, ploughs stiff paint aside; 0 to 1
     double overflow = 1.15;  ///< fill above which paint is pushed out sideways; 1 to 3
     /// What is taken up is thrown away, as by a rag: it counts as waste and never comes back.
     bool absorbs = false;
@@ -166,8 +165,9 @@ const std::vector<Preset>& bundled_presets();
 const Preset& find_preset(std::string_view name);
 
 /// The same kind of brush with a tip `width_mm` wide (0: as it is): thickness, length and point grow in
-/// proportion. A smaller tip has proportionally fewer bristles, at least 30 if the preset has them; a
-/// larger one up to 300, so that a bristle's footprint keeps its measure and the cost stays bounded.
+/// proportion, and the number of bristles with the area they fill (that of a knife or a comb with its
+/// width), so that a bristle's footprint keeps its measure: down to 30 if the preset has them, and up to
+/// 300, which bounds the cost.
 Preset resized(const Preset& preset, double width_mm);
 
 }  // namespace pastoso::brush

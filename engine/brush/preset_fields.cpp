@@ -110,7 +110,7 @@ constexpr PresetField kFields[] = {
     exchange<&ExchangePreset::mix>("mix", "", {0.0, 1.0}, "How fast it mixes with the paint below."),
     exchange<&ExchangePreset::wick>("wick", "1/mm", {0.0, 1.0}, "Exchange between neighbouring hairs."),
     exchange<&ExchangePreset::momentum>("momentum", "", {0.0, 1.0},
-                                        "How much of its speed it gives to the paint below."),
+                                        "How far a fast stroke drags paint along and ploughs it aside."),
     exchange<&ExchangePreset::overflow>("overflow", "", {1.0, 3.0},
                                         "Fill above which paint is pushed out sideways."),
 

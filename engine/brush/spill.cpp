@@ -13,6 +13,8 @@ namespace {
 constexpr double kLargestShare = 0.95;
 /// Width of a heap: at least this many cells, and this many heights of the paint that lies there.
 constexpr double kLeastSpread_cells = 1.6, kSpread_heights = 0.9;
+/// How far beyond its near side the middle of a heap lies, in its widths.
+constexpr double kOverhang = 0.75;
 /// Bristles this close to the edge of the stroke spill inwards.
 constexpr double kEdge_radii = 5.0;
 
@@ -37,12 +39,6 @@ WantedSums plan_heap(double quanta, double spread_mm, CellBatch& batch) {
     return wanted;
 }
 
-double thickness_at(const film::FilmState& film, double x_mm, double y_mm) {
-    const int x = static_cast<int>(std::clamp(x_mm / film.cell_mm, 0.0, film.shape.width - 1.0));
-    const int y = static_cast<int>(std::clamp(y_mm / film.cell_mm, 0.0, film.shape.height - 1.0));
-    return film::thickness_mm(film.thickness.at(x, y));
-}
-
 /// +1 or -1: the side of the travel that a knife's element spills to.
 double knife_side(double side_mm, const HandPose& hand, const Swath& swath) {
     const double half_mm = 0.5 * (swath.high_mm - swath.low_mm);
@@ -63,6 +59,12 @@ double bristle_side(double side_mm, const Swath& swath, double edge_mm, float no
 
 }  // namespace
 
+double thickness_at(const film::FilmState& film, double x_mm, double y_mm) {
+    const int x = static_cast<int>(std::clamp(x_mm / film.cell_mm, 0.0, film.shape.width - 1.0));
+    const int y = static_cast<int>(std::clamp(y_mm / film.cell_mm, 0.0, film.shape.height - 1.0));
+    return film::thickness_mm(film.thickness.at(x, y));
+}
+
 grid::Rect put_down(Contents& held, double volume_mm3, double x_mm, double y_mm, double spread_mm,
                     std::uint32_t dither_seed, film::FilmState& film, CellBatch& scratch) {
     scratch.gather(film, x_mm, y_mm, spread_mm);
@@ -70,6 +72,16 @@ grid::Rect put_down(Contents& held, double volume_mm3, double x_mm, double y_mm,
     const WantedSums wanted = plan_heap(quanta, spread_mm, scratch);
     if (wanted.deposit == 0) return {};
     return apply_batch(scratch, wanted, kLargestShare, 0.0, dither_seed, film, held);
+}
+
+HeapPlace place_beside(const film::FilmState& film, double x_mm, double y_mm, double away_x,
+                       double away_y, double beside_mm, double least_mm) {
+    const double narrowest_mm = std::max(least_mm, kLeastSpread_cells * film.cell_mm);
+    const double heaped_mm = thickness_at(film, x_mm + away_x * (beside_mm + narrowest_mm),
+                                          y_mm + away_y * (beside_mm + narrowest_mm));
+    const double spread_mm = std::max(narrowest_mm, kSpread_heights * heaped_mm);
+    const double away_mm = beside_mm + kOverhang * spread_mm;
+    return {x_mm + away_x * away_mm, y_mm + away_y * away_mm, spread_mm};
 }
 
 grid::Rect spill_overflow(Brush& brush, int bristle, const BristlePose& pose, const HandPose& hand,
@@ -86,15 +98,11 @@ grid::Rect spill_overflow(Brush& brush, int bristle, const BristlePose& pose, co
                               : bristle_side(side, swath, kEdge_radii * rates.radius_mm, noise);
     const double to_end_mm = !knife ? 0.0 : sign > 0.0 ? swath.high_mm - side : side - swath.low_mm;
     const double away_x = -hand.travel_y * sign, away_y = hand.travel_x * sign;
-    const double least_mm = std::max(0.5 * rates.radius_mm, kLeastSpread_cells * film.cell_mm);
-    const double beside_mm = to_end_mm + rates.radius_mm;
-    const double heaped_mm = thickness_at(film, pose.x_mm + away_x * (beside_mm + least_mm),
-                                          pose.y_mm + away_y * (beside_mm + least_mm));
-    const double spread_mm = std::max(least_mm, kSpread_heights * heaped_mm);
-    const double away_mm = beside_mm + 0.75 * spread_mm;
+    const HeapPlace heap = place_beside(film, pose.x_mm, pose.y_mm, away_x, away_y,
+                                        to_end_mm + rates.radius_mm, 0.5 * rates.radius_mm);
     const double part = 1.0 - std::exp(-rates.step_mm / (0.5 * rates.radius_mm));
-    return put_down(held, part * surplus_mm3, pose.x_mm + away_x * away_mm, pose.y_mm + away_y * away_mm,
-                    spread_mm, dither_seed, film, scratch);
+    return put_down(held, part * surplus_mm3, heap.x_mm, heap.y_mm, heap.spread_mm, dither_seed, film,
+                    scratch);
 }
 
 }  // namespace pastoso::brush

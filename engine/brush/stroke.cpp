@@ -22,6 +22,12 @@ constexpr double kWickInterval_mm = 1.0;
 /// A bristle exchanges paint at every second step, for the length of two; its footprint is five steps
 /// long. Even and odd ones take turns, which keeps their marks out of line.
 constexpr std::uint32_t kTurns = 2;
+/// Paint is ploughed at every second step; at every fourth the ridges got steeper than 45 degrees.
+constexpr std::uint32_t kPloughTurns = 2;
+/// The roundings of ploughed paint, apart from those of the bristles.
+constexpr int kPloughSeed = 4095;
+/// Length of a pass over a cell, in depths of the tip and radii of a footprint.
+constexpr double kPassDepths = 2.0, kPassRadii = 4.0;
 /// A footprint's least radius in the step length: thin hairs do not make the steps ever shorter.
 constexpr double kLeastStepRadius_mm = 0.15;
 /// Width of what a lifted knife leaves, in half thicknesses of its edge.
@@ -38,6 +44,15 @@ double step_length_mm(const Brush& brush) {
     const StrokePreset& stroke = brush.preset.stroke;
     return std::max(stroke.spacing * std::max(brush.tip.radius_mm, kLeastStepRadius_mm),
                     stroke.min_spacing_mm);
+}
+
+/// A tip has passed over a cell when it has travelled by its own depth, with what its hairs trail
+/// behind.
+double pass_length_mm(const Brush& brush) {
+    const TipPreset& tip = brush.preset.tip;
+    const double depth_mm =
+        std::max(tip.thickness_mm, tip.shape == TipShape::Round ? tip.width_mm : 0.0);
+    return kPassDepths * depth_mm + kPassRadii * brush.tip.radius_mm;
 }
 
 PathMeasure path_measure(const Brush& brush) {
@@ -80,6 +95,7 @@ Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const 
       filter_(steadying_filter(brush.preset.stroke, aids.stabiliser)),
       path_(path_measure(brush)),
       poses_(brush.tip.bristles.size()),
+      pass_(film.shape, pass_length_mm(brush)),
       droplets_(brush, film) {}
 
 void Stroke::begin(const PenSample& sample) {
@@ -161,12 +177,15 @@ void Stroke::paint_step(const PathStep& step) {
     const HandPose hand = pose(step);
     const double turn_mm = turns_ * step_mm_;
     const StepRates rates = step_rates(brush_, hand, turn_mm, film_.cell_mm);
+    const DragRates drag = drag_rates(brush_, hand, turn_mm, rates.radius_mm);
     const Swath swath = move_bristles(brush_, hand, step_mm_, film_, poses_);
     ++step_count_;
+    pass_.set_travel(step_count_ * step_mm_);
+    if (step_count_ % kPloughTurns == 0) plough(hand, swath);
     for (auto i = static_cast<int>(step_count_ % turns_); i < static_cast<int>(poses_.size());
          i += static_cast<int>(turns_)) {
         if (!poses_[i].down) continue;
-        touch(i, hand, swath, rates);
+        touch(i, hand, swath, rates, drag);
         note_changed(spill_overflow(brush_, i, poses_[i], hand, swath,
                                     {rates.radius_mm, turn_mm, jitter_seed_}, dither_seed(i), film_,
                                     cells_));
@@ -177,7 +196,14 @@ void Stroke::paint_step(const PathStep& step) {
     since_wick_mm_ = 0.0;
 }
 
-void Stroke::touch(int bristle, const HandPose& hand, const Swath& swath, const StepRates& rates) {
+void Stroke::plough(const HandPose& hand, const Swath& swath) {
+    const StepRates rates = step_rates(brush_, hand, kPloughTurns * step_mm_, film_.cell_mm);
+    note_changed(
+        plough_.push({brush_, poses_, hand, swath, rates, dither_seed(kPloughSeed), film_, cells_}));
+}
+
+void Stroke::touch(int bristle, const HandPose& hand, const Swath& swath, const StepRates& rates,
+                   const DragRates& drag) {
     const BristlePose& pose = poses_[bristle];
     const auto rigidity = static_cast<float>(brush_.preset.flex.rigidity);
     Contact contact;
@@ -189,7 +215,10 @@ void Stroke::touch(int bristle, const HandPose& hand, const Swath& swath, const 
     contact.edge = brush_.tip.rigid ? 0.0F : edge_share(side_mm(pose, hand), swath);
     contact.across_x = brush_.tip.rigid ? hand.cos_rotation : -hand.travel_y;
     contact.across_y = brush_.tip.rigid ? hand.sin_rotation : hand.travel_x;
-    note_changed(exchange_paint(brush_, bristle, contact, rates, dither_seed(bristle), film_, cells_));
+    const ExchangeRule rule = exchange_rule(brush_, bristle, contact, rates);
+    note_changed(exchange_paint(brush_, bristle, contact, rule, rates, dither_seed(bristle), film_,
+                                cells_, brush_.preset.exchange.mix > 0.0 ? &pass_ : nullptr));
+    note_changed(drag_.drag(rule, drag, cells_, film_));
 }
 
 void Stroke::leave_paint() {

@@ -4,9 +4,12 @@
 #include "brush/bristle_motion.hpp"
 #include "brush/brush.hpp"
 #include "brush/cell_batch.hpp"
+#include "brush/drag.hpp"
 #include "brush/droplets.hpp"
+#include "brush/pass_map.hpp"
 #include "brush/pen_filter.hpp"
 #include "brush/pen_guide.hpp"
+#include "brush/plough.hpp"
 #include "brush/stroke_path.hpp"
 #include "brush/symmetry.hpp"
 #include "brush/transfer.hpp"
@@ -61,7 +64,9 @@ class Stroke {
     void paint_steps();
     void take_step(const PathStep& step);
     void paint_step(const PathStep& step);
-    void touch(int bristle, const HandPose& hand, const Swath& swath, const StepRates& rates);
+    void plough(const HandPose& hand, const Swath& swath);
+    void touch(int bristle, const HandPose& hand, const Swath& swath, const StepRates& rates,
+               const DragRates& drag);
     void leave_paint();
     void note_changed(const grid::Rect& cells);
     std::uint32_t dither_seed(int bristle) const;
@@ -77,6 +82,9 @@ class Stroke {
     StrokePath path_;
     std::vector<BristlePose> poses_;
     CellBatch cells_;
+    PassMap pass_;
+    Plough plough_;
+    PaintDrag drag_;
     Droplets droplets_;
     std::optional<HandPose> blowing_;  ///< how a tool of air is held
     std::uint32_t jitter_seed_ = 0;

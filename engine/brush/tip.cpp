@@ -111,6 +111,11 @@ void level_bodies(double streak, Tip& tip) {
     }
 }
 
+void measure_distances(Tip& tip) {
+    for (Bristle& bristle : tip.bristles)
+        bristle.per_distance = 1.0F / (std::hypot(bristle.root_x_mm, bristle.root_y_mm) + 1e-6F);
+}
+
 /// Measures all deficits from the longest bristle.
 void level_deficits(Tip& tip) {
     float least = tip.bristles.front().deficit_mm;
@@ -244,6 +249,7 @@ Tip make_tip(const Preset& preset, std::uint32_t seed) {
     }
     level_bodies(preset.paint.streak, tip);
     level_deficits(tip);
+    measure_distances(tip);
     add_hairs(tip, mixed_seed);
     tip.neighbours = nearest_pairs(tip.bristles);
     return tip;

@@ -13,11 +13,12 @@
 namespace pastoso::brush {
 
 struct Bristle {
-    float root_x_mm = 0.0F;   ///< in the ferrule's frame, along the width
-    float root_y_mm = 0.0F;   ///< along the thickness
-    float deficit_mm = 0.0F;  ///< how much shorter than the longest, >= 0
-    float stiffness = 1.0F;   ///< 0.8 to 1.2
-    float body = 1.0F;        ///< film it leaves against the preset's film, 0.03 to 1.4
+    float root_x_mm = 0.0F;     ///< in the ferrule's frame, along the width
+    float root_y_mm = 0.0F;     ///< along the thickness
+    float per_distance = 0.0F;  ///< 1 / distance of the root from the middle, 1/mm
+    float deficit_mm = 0.0F;    ///< how much shorter than the longest, >= 0
+    float stiffness = 1.0F;     ///< 0.8 to 1.2
+    float body = 1.0F;          ///< film it leaves against the preset's film, 0.03 to 1.4
 };
 
 struct Tip {

@@ -70,42 +70,6 @@ void set_axes(const Brush& brush, const Contact& contact, const StepRates& rates
     rule.along_y = static_cast<float>(contact.across_x * along);
 }
 
-/// The equations of transfer.hpp for one element.
-ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact,
-                           const StepRates& rates) {
-    const PaintPreset& paint = brush.preset.paint;
-    const Bristle& bristle = brush.tip.bristles[index];
-    const double held_mm3 = brush.held[index].volume_mm3;
-    const float saturation = saturation_of(brush, index);
-    const float wet_mm = rates.film_mm * square(saturation);
-    const float tau_mm = wet_mm * bristle.body * (1.0F - 0.5F * contact.press) *
-                         (1.0F + static_cast<float>(paint.edge) * contact.edge) *
-                         (1.0F + static_cast<float>(paint.start) * saturation * contact.freshness);
-    const float bead = bead_mm(brush, bristle, saturation, contact.press, rates);
-    const bool knife = brush.tip.rigid;
-    ExchangeRule rule{};
-    set_axes(brush, contact, rates, rule);
-    rule.underside_mm = contact.support_mm + tau_mm;
-    rule.groove_mm = knife ? 0.0F : static_cast<float>(paint.groove) * wet_mm;
-    rule.hair_mm = (knife ? kKnifeHairs : 1.0F) * static_cast<float>(paint.hair) * wet_mm;
-    rule.hairs = brush.tip.hairs_of(index);
-    rule.hairs_per_bristle = brush.tip.hairs_per_bristle;
-    rule.lowest_mm = contact.support_mm - bead;
-    rule.fade_per_mm = 1.0F / (0.4F * bead);
-    rule.rate = rates.rate;
-    rule.pickup = rates.pickup;
-    rule.mix = held_mm3 > kEmpty_mm3
-                   ? static_cast<float>(brush.preset.exchange.mix) * (0.4F + 1.2F * bristle.body)
-                   : 0.0F;
-    rule.mix_depth_mm = static_cast<float>(0.5 * held_mm3 / brush.tip.area_mm2);
-    return rule;
-}
-
-BatchColumns columns_of(CellBatch& batch) {
-    return {batch.dx_mm.data(),  batch.dy_mm.data(), batch.thickness.data(), batch.support_mm.data(),
-            batch.change.data(), batch.swap.data(),  batch.padded_count()};
-}
-
 /// Scale that brings what is wanted down to what there is.
 float scale_to(double available, std::int64_t wanted) {
     return static_cast<double>(wanted) > available
@@ -171,13 +135,49 @@ StepRates step_rates(const Brush& brush, const HandPose& hand, double step_mm, d
     return rates;
 }
 
-grid::Rect exchange_paint(Brush& brush, int index, const Contact& contact, const StepRates& rates,
-                          std::uint32_t dither_seed, film::FilmState& film, CellBatch& scratch) {
-    const double reach_mm = std::hypot(rates.radius_mm, rates.lane_mm);
-    scratch.gather(film, contact.x_mm, contact.y_mm, reach_mm);
+ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact,
+                           const StepRates& rates) {
+    const PaintPreset& paint = brush.preset.paint;
+    const Bristle& bristle = brush.tip.bristles[index];
+    const double held_mm3 = brush.held[index].volume_mm3;
+    const float saturation = saturation_of(brush, index);
+    const float wet_mm = rates.film_mm * square(saturation);
+    const float tau_mm = wet_mm * bristle.body * (1.0F - 0.5F * contact.press) *
+                         (1.0F + static_cast<float>(paint.edge) * contact.edge) *
+                         (1.0F + static_cast<float>(paint.start) * saturation * contact.freshness);
+    const float bead = bead_mm(brush, bristle, saturation, contact.press, rates);
+    const bool knife = brush.tip.rigid;
+    ExchangeRule rule{};
+    set_axes(brush, contact, rates, rule);
+    rule.underside_mm = contact.support_mm + tau_mm;
+    rule.groove_mm = knife ? 0.0F : static_cast<float>(paint.groove) * wet_mm;
+    rule.hair_mm = (knife ? kKnifeHairs : 1.0F) * static_cast<float>(paint.hair) * wet_mm;
+    rule.hairs = brush.tip.hairs_of(index);
+    rule.hairs_per_bristle = brush.tip.hairs_per_bristle;
+    rule.lowest_mm = contact.support_mm - bead;
+    rule.fade_per_mm = 1.0F / (0.4F * bead);
+    rule.rate = rates.rate;
+    rule.pickup = rates.pickup;
+    rule.mix = held_mm3 > kEmpty_mm3
+                   ? static_cast<float>(brush.preset.exchange.mix) * (0.4F + 1.2F * bristle.body)
+                   : 0.0F;
+    rule.mix_depth_mm = static_cast<float>(0.5 * held_mm3 / brush.tip.area_mm2);
+    return rule;
+}
+
+WantedSums plan_exchange(const ExchangeRule& rule, CellBatch& batch) {
+    return transfer_kernels().plan(
+        rule, {batch.dx_mm.data(), batch.dy_mm.data(), batch.thickness.data(), batch.found.data(),
+               batch.support_mm.data(), batch.change.data(), batch.swap.data(), batch.padded_count()});
+}
+
+grid::Rect exchange_paint(Brush& brush, int index, const Contact& contact, const ExchangeRule& rule,
+                          const StepRates& rates, std::uint32_t dither_seed, film::FilmState& film,
+                          CellBatch& scratch, PassMap* pass) {
+    const double reach_mm = rule.lane ? std::hypot(rates.radius_mm, rates.lane_mm) : rates.radius_mm;
+    scratch.gather(film, contact.x_mm, contact.y_mm, reach_mm, pass);
     if (scratch.count() == 0) return {};
-    const ExchangeRule rule = exchange_rule(brush, index, contact, rates);
-    const WantedSums wanted = transfer_kernels().plan(rule, columns_of(scratch));
+    const WantedSums wanted = plan_exchange(rule, scratch);
     const double deposit_share = brush.tip.rigid ? kLargestKnifeDeposit : kLargestDeposit;
     const grid::Rect changed =
         apply_batch(scratch, wanted, deposit_share, kLargestSwap, dither_seed, film, brush.held[index]);

@@ -21,7 +21,10 @@
 //
 //   g > 0: the cell gains q g (a bristle gives at most half of what it holds),
 //   g < 0: it loses q |g| pickup, at most nine tenths of h,
-//   and equal volumes q mix (0.4 + 1.2 body) min(h, V / 2 area) are swapped.
+//   and equal volumes q mix (0.4 + 1.2 body) min(h, h_0, V / 2 area) are swapped,
+//
+// h_0 being what the tip found there when it came: nothing is swapped with paint that the stroke itself
+// has just laid down, which would blur its streaks.
 //
 // The elements of a knife share one s, act within lanes as wide as their distance, w = (1 - |across|)
 // (1 - along^4), which keeps colours apart, and have e = sat, E = 0 and no grooves.
@@ -58,10 +61,18 @@ struct StepRates {
 };
 StepRates step_rates(const Brush& brush, const HandPose& hand, double step_mm, double cell_mm);
 
-/// Lets bristle `index` exchange paint with the film. Returns the cells that may have changed, empty if
-/// none.
-grid::Rect exchange_paint(Brush& brush, int index, const Contact& contact, const StepRates& rates,
-                          std::uint32_t dither_seed, film::FilmState& film, CellBatch& scratch);
+/// The equations above for bristle `index`, as the kernels take them.
+ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact,
+                           const StepRates& rates);
+
+/// Fills the changes and swaps of a gathered batch. Returns their sums.
+WantedSums plan_exchange(const ExchangeRule& rule, CellBatch& batch);
+
+/// Lets bristle `index` exchange paint with the film by its rule. Returns the cells that may
+/// have changed, empty if none; `scratch` holds the cells below it as they were.
+grid::Rect exchange_paint(Brush& brush, int index, const Contact& contact, const ExchangeRule& rule,
+                          const StepRates& rates, std::uint32_t dither_seed, film::FilmState& film,
+                          CellBatch& scratch, PassMap* pass = nullptr);
 
 /// Applies the changes and swaps planned in `batch` and takes what the film gained from `held`, or gives
 /// it what the film lost. At most `deposit_share` of the held volume is deposited and `swap_share`

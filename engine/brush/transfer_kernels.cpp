@@ -85,7 +85,8 @@ PASTOSO_KERNEL_INLINE void plan_cell(const ExchangeRule& rule, const BatchColumn
     const auto change = static_cast<std::int32_t>(change_mm * kQuantaPerMm);
     const std::int32_t room = larger(0, film::kMaxThickness_quanta - batch.thickness[i]);
     batch.change[i] = smaller(change, room);
-    const float swap_mm = room > 0 ? rule.mix * share * smaller(h, rule.mix_depth_mm) : 0.0F;
+    const float ground = static_cast<float>(smaller(batch.thickness[i], batch.found[i])) * kQuantum_mm;
+    const float swap_mm = room > 0 ? rule.mix * share * smaller(ground, rule.mix_depth_mm) : 0.0F;
     batch.swap[i] = static_cast<std::int32_t>(swap_mm * kQuantaPerMm);
 }
 
@@ -198,11 +199,9 @@ PASTOSO_KERNEL_INLINE void settle_changes(const ApplyRule& rule, const TileCells
     }
 }
 
-PASTOSO_KERNEL_INLINE int list_active(const TileCells& cells, int first, int count,
-                                      CellChanges& changes) {
+PASTOSO_KERNEL_INLINE int list_active(int count, CellChanges& changes) {
     int active = 0;
     for (int i = 0; i < count; ++i) {
-        __builtin_prefetch(&cells.paint[cells.cell[first + i]], 1);
         changes.active[active] = i;
         active += (changes.thickness[i] | changes.swap[i]) != 0 ? 1 : 0;
     }
@@ -214,7 +213,7 @@ PASTOSO_KERNEL_INLINE void apply_chunk(const ApplyRule& rule, const TileCells& c
                                        int count, ChangeSums& sums) {
     CellChanges changes;
     settle_changes(rule, cells, first, count, changes);
-    const int active = list_active(cells, first, count, changes);
+    const int active = list_active(count, changes);
     const auto* given = reinterpret_cast<const FloatLanes*>(rule.given.data());
     ChannelSums gains;
     for (int n = 0; n < active; ++n) {

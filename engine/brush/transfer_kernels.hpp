@@ -15,6 +15,7 @@ struct BatchColumns {
     const float* dx_mm;
     const float* dy_mm;
     const std::int32_t* thickness;
+    const std::int32_t* found;  ///< thickness before the tip came
     const float* support_mm;
     std::int32_t* change;
     std::int32_t* swap;

@@ -30,7 +30,7 @@ void paint_group(Brush& brush, film::FilmState& film, const HandAids& aids, cons
     constexpr int kSamples = 125;
     for (int i = 0; i <= kSamples; ++i) {
         PenSample sample = movement(static_cast<double>(i) / kSamples);
-        sample.time_s = 0.008 * i;
+        sample.time_s = static_cast<double>(i) / kSamples;
         if (i == 0)
             group.begin(sample);
         else

@@ -121,12 +121,13 @@ TEST(BlottingPad, TakesWhatStandsAboveItsFilm) {
     EXPECT_GT(left_mm, pad.preset.paint.film_mm * 0.5);
 }
 
-/// Local maxima of the thickness across a stroke, at least 0.05 mm above the valleys beside them.
-int ridges_across(const film::FilmState& film, int x) {
+/// Local maxima of the thickness across some rows of a stroke, at least 0.05 mm above the valleys beside
+/// them.
+int ridges_across(const film::FilmState& film, int x, int first_row, int last_row) {
     int ridges = 0;
     double valley = 1e9, peak = 0.0;
     bool rising = false;
-    for (int y = 0; y < film.shape.height; ++y) {
+    for (int y = first_row; y <= last_row; ++y) {
         const double h = studio::thickness_mm(film, x, y);
         peak = rising ? std::max(peak, h) : h;
         valley = rising ? valley : std::min(valley, h);
@@ -147,7 +148,11 @@ TEST(Comb, LeavesARidgeBetweenEachTwoTeeth) {
     studio::cover(film, 0.6, studio::dark_paint());
     Brush comb(find_preset("comb"));
     use(comb, film, studio::line(15.0, 25.0, 55.0, 25.0, 0.7, 90.0), 1.0);
-    EXPECT_EQ(ridges_across(film, 45 * 8), comb.preset.tip.bristles - 1);
+    // From the outermost tooth on one side to that on the other: beyond them lie the ridges at the
+    // edges.
+    const int half_width = static_cast<int>(8.0 * comb.tip.bristles.back().root_x_mm);
+    EXPECT_EQ(ridges_across(film, 45 * 8, 25 * 8 - half_width, 25 * 8 + half_width),
+              comb.preset.tip.bristles - 1);
 }
 
 TEST(Fingertip, SmudgesOneColourIntoTheOther) {

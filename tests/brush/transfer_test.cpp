@@ -35,7 +35,9 @@ StepRates rates_of(const Brush& brush, double step_mm = 0.2) {
 
 grid::Rect touch(Brush& brush, film::FilmState& film, const Contact& contact) {
     CellBatch scratch;
-    return exchange_paint(brush, 0, contact, rates_of(brush), 1, film, scratch);
+    const StepRates rates = rates_of(brush);
+    return exchange_paint(brush, 0, contact, exchange_rule(brush, 0, contact, rates), rates, 1, film,
+                          scratch);
 }
 
 TEST(Exchange, GivesTheFilmWhatTheBristleLoses) {
@@ -230,7 +232,7 @@ TEST(PutDown, LeavesOutPigmentThatACellCannotCount) {
 struct RandomBatch {
     static constexpr int kCount = 96;
     std::vector<float> dx_mm, dy_mm, support_mm;
-    std::vector<std::int32_t> thickness, cell, change, swap;
+    std::vector<std::int32_t> thickness, found, cell, change, swap;
     std::vector<float> hairs;
 
     explicit RandomBatch(std::uint32_t seed) : change(kCount), swap(kCount) {
@@ -243,6 +245,7 @@ struct RandomBatch {
             support_mm.push_back(0.11F * noise(i, 2));
             const float wet_mm = noise(i, 3) < 0.3F ? 0.0F : noise(i, 4) * noise(i, 4) * 2.0F;
             thickness.push_back(static_cast<std::int32_t>(wet_mm / film::kThicknessQuantum_mm));
+            found.push_back(static_cast<std::int32_t>(noise(i, 6) * 1.5F / film::kThicknessQuantum_mm));
             cell.push_back(i);
         }
         for (int i = 0; i < 17; ++i)
@@ -271,8 +274,8 @@ struct RandomBatch {
     }
 
     BatchColumns columns() {
-        return {dx_mm.data(), dy_mm.data(), thickness.data(), support_mm.data(), change.data(),
-                swap.data(),  kCount};
+        return {dx_mm.data(),      dy_mm.data(),  thickness.data(), found.data(),
+                support_mm.data(), change.data(), swap.data(),      kCount};
     }
 
     TileCells cells(std::vector<film::PaintCell>& pigment, const std::vector<std::int32_t>& held) {

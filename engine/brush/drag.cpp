@@ -1,0 +1,117 @@
+#include "brush/drag.hpp"
+
+#include "core/elementary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pastoso::brush {
+namespace {
+
+/// Paint that stops within this way is left at rest.
+constexpr double kStop_mm = 0.002;
+
+/// Weight times contact of one cell, as the exchange has it.
+float touch_of(const ExchangeRule& rule, const CellBatch& cells, int i) {
+    const float s = cells.dx_mm[i] * rule.across_x + cells.dy_mm[i] * rule.across_y;
+    const float t = cells.dx_mm[i] * rule.along_x + cells.dy_mm[i] * rule.along_y;
+    const float radius2 = rule.lane ? t * t : s * s + t * t;
+    const float lane_share = rule.lane ? std::max(0.0F, 1.0F - std::abs(s)) : 1.0F;
+    const float weight = std::max(0.0F, 1.0F - radius2 * radius2) * lane_share;
+    const float surface = cells.support_mm[i] + film::thickness_mm(cells.thickness[i]);
+    return weight * std::clamp((surface - rule.lowest_mm) * rule.fade_per_mm, 0.0F, 1.0F);
+}
+
+/// The largest ln(nu / kThinnest_m2_s) of paint as thick as the thickest here that is dragged along.
+float stiffest(const CellBatch& cells, double speed_mm_s) {
+    constexpr double kThinnest_mm2_s = film::kThinnest_m2_s * 1e6;
+    std::int32_t thickest = 0;
+    for (int i = 0; i < cells.count(); ++i)
+        thickest = std::max(thickest, cells.thickness[i]);
+    const double h_mm = film::thickness_mm(thickest);
+    const double viscosity_mm2_s = speed_mm_s * h_mm * h_mm / (3.0 * kStop_mm);
+    if (viscosity_mm2_s <= kThinnest_mm2_s) return -1.0F;
+    return static_cast<float>(core::natural_log(viscosity_mm2_s / kThinnest_mm2_s));
+}
+
+bool flows(const film::PaintCell& paint, std::int32_t thickness, float stiffest) {
+    constexpr auto kRatio = static_cast<float>(film::kThicknessQuantum_mm / film::kPaintQuantum);
+    return static_cast<float>(paint[film::kViscosityChannel]) <=
+           stiffest * kRatio * static_cast<float>(thickness);
+}
+
+/// u += s (tip - u) at the faces from every cell of `from` to the next along one axis.
+template <class Share>
+void drag_faces(const grid::Rect& from, float tip_mm_s, const Share& share,
+                grid::TiledField<float>& velocity) {
+    for (int y = from.y0; y < from.y1; ++y) {
+        for (int x = from.x0; x < from.x1; ++x) {
+            const float s = share(x, y);
+            if (s <= 0.0F) continue;
+            float& u = velocity.write(velocity.shape().tile_at(x, y))[grid::Shape::cell_in_tile(x, y)];
+            u += s * (tip_mm_s - u);
+        }
+    }
+}
+
+}  // namespace
+
+DragRates drag_rates(const Brush& brush, const HandPose& hand, double step_mm, double radius_mm) {
+    const double share = brush.preset.exchange.momentum * (1.0 - std::exp(-step_mm / radius_mm));
+    return {static_cast<float>(share), static_cast<float>(hand.speed_mm_s * hand.travel_x),
+            static_cast<float>(hand.speed_mm_s * hand.travel_y)};
+}
+
+void PaintDrag::Shares::set(int x, int y, float share, const grid::Rect& all) {
+    if (!any) {
+        cells = all;
+        values.assign(static_cast<std::size_t>(all.width()) * static_cast<std::size_t>(all.height()),
+                      0.0F);
+        any = true;
+    }
+    at(x, y) = share;
+}
+
+void PaintDrag::find_shares(const ExchangeRule& rule, const DragRates& rates, const CellBatch& touched,
+                            const film::FilmState& film) {
+    shares_.any = false;
+    const float most = stiffest(touched, std::hypot(rates.velocity_x_mm_s, rates.velocity_y_mm_s));
+    for (const CellBatch::TilePart& part : touched.parts()) {
+        if (film.thickness.is_background(part.tile)) continue;
+        const std::int32_t* thickness = film.thickness.read(part.tile);
+        const film::PaintCell* paint = film.paint.read(part.tile);
+        const grid::Rect tile = film.shape.tile_cells(part.tile);
+        for (int i = part.begin; i < part.end; ++i) {
+            const std::int32_t cell = touched.cell[i];
+            if (thickness[cell] == 0) continue;
+            if (flows(paint[cell], thickness[cell], most)) {
+                shares_.set(tile.x0 + cell % grid::kTileSize, tile.y0 + cell / grid::kTileSize,
+                            rates.share * touch_of(rule, touched, i), touched.cells());
+            } else if (!film.varied) {
+                return;  // all paint is as stiff
+            }
+        }
+    }
+}
+
+grid::Rect PaintDrag::drag(const ExchangeRule& rule, const DragRates& rates, const CellBatch& touched,
+                           film::FilmState& film) {
+    if (rates.share <= 0.0F || touched.count() == 0) return {};
+    find_shares(rule, rates, touched, film);
+    if (!shares_.any) return {};
+    const grid::Rect& cells = shares_.cells;
+    const auto between = [&](int x, int y, int next_x, int next_y) {
+        const float a = shares_.at(x, y), b = shares_.at(next_x, next_y);
+        return a > 0.0F && b > 0.0F ? 0.5F * (a + b) : 0.0F;
+    };
+    drag_faces(
+        {cells.x0, cells.y0, cells.x1 - 1, cells.y1}, rates.velocity_x_mm_s,
+        [&](int x, int y) { return between(x, y, x + 1, y); }, film.velocity_x);
+    drag_faces(
+        {cells.x0, cells.y0, cells.x1, cells.y1 - 1}, rates.velocity_y_mm_s,
+        [&](int x, int y) { return between(x, y, x, y + 1); }, film.velocity_y);
+    return cells;
+}
+
+}  // namespace pastoso::brush
