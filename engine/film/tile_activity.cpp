@@ -3,6 +3,7 @@
 #include "film/settling.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace pastoso::film {
 namespace {
@@ -54,12 +55,15 @@ void ActivityMap::wake(int tile) {
     activity.motion = {};
 }
 
-/// Of the fastest paint in a tile, and of what arrives from its neighbours.
+/// Of the fastest paint in a tile, or in one beside it whose paint moves near it.
 float ActivityMap::speed_mm_s(int tile) const {
-    float speed = std::max(tiles_[tile].extremes.speed_mm_s, tiles_[tile].rise_mm_s);
+    float speed = tiles_[tile].extremes.speed_mm_s;
     for (const Side side : {kLeft, kRight, kTop, kBottom}) {
         const int other = neighbour(tile, side);
-        if (other >= 0) speed = std::max(speed, tiles_[other].rise_near_side_mm_s[opposite(side)]);
+        if (other < 0) continue;
+        const TileActivity& beside = tiles_[other];
+        speed = std::max(
+            speed, std::min(beside.extremes.speed_mm_s, beside.rise_near_side_mm_s[opposite(side)]));
     }
     return speed;
 }
@@ -67,12 +71,15 @@ float ActivityMap::speed_mm_s(int tile) const {
 int ActivityMap::calls_to_wait(int tile, double seconds, double longest_wait_s) const {
     const TileActivity& activity = tiles_[tile];
     if (!activity.measured || remembers_motion(activity.extremes, seconds)) return 1;
+    const bool touched = activity.changed_from_outside;
+    const int most_calls = touched ? kMostCallsWhileTouched : std::numeric_limits<int>::max() / 2;
+    const double allowed_mm = cell_mm_ * (touched ? kTouchedTravel_cells : kUnhurriedTravel_cells);
     const double travel_mm = speed_mm_s(tile) * seconds;
     int calls = 1;
-    while (2 * calls * seconds <= longest_wait_s &&
-           2 * calls * travel_mm <= kUnhurriedTravel_cells * cell_mm_)
+    while (2 * calls <= most_calls && 2 * calls * seconds <= longest_wait_s &&
+           2 * calls * travel_mm <= allowed_mm)
         calls *= 2;
-    return activity.changed_from_outside ? std::min(calls, 4) : calls;
+    return calls;
 }
 
 void ActivityMap::let_pass(double seconds, double longest_wait_s) {
@@ -138,7 +145,6 @@ bool ActivityMap::record(int tile, float dt_s, const std::optional<TileMotion>& 
     activity.extremes = extremes;
     activity.window_s += dt_s;
     if (motion) activity.motion = *motion;
-    activity.rise_mm_s = activity.motion.largest_mm / activity.window_s;
     for (int side = 0; side < kSideCount; ++side) {
         activity.rise_near_side_mm_s[side] = activity.motion.near_side_mm[side] / activity.window_s;
         if (activity.motion.near_side_mm[side] <= kWakingTravel_cells * cell_mm_) continue;

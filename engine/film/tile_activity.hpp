@@ -32,9 +32,8 @@ struct TileActivity {
     double waiting_s = 0.0;             ///< time that has passed, but not for this tile yet
     float window_s = 0.0F;              ///< time since the window began, 0 at its beginning
     TileMotion motion;
-    float rise_mm_s = 0.0F;  ///< mean rate of `motion`, as known last
-    std::array<float, kSideCount> rise_near_side_mm_s{};
-    FlowExtremes extremes;  ///< of the last step
+    std::array<float, kSideCount> rise_near_side_mm_s{};  ///< mean rate of `motion`, as known last
+    FlowExtremes extremes;                                ///< of the last step
 };
 
 /// Paint that has moved less than this over a window counts as at rest: a thousandth of a cell in half a
@@ -46,6 +45,11 @@ inline constexpr float kWakingTravel_cells = 5e-4F;
 
 /// Paint may wait for as long as it moves by less than this share of a cell.
 inline constexpr float kUnhurriedTravel_cells = 0.1F;
+
+/// The same while a tool works on the paint, which moves it much further than it flows; and the most
+/// calls of let_pass() that it waits then.
+inline constexpr float kTouchedTravel_cells = 0.4F;
+inline constexpr int kMostCallsWhileTouched = 4;
 
 class ActivityMap {
   public:

@@ -54,6 +54,16 @@ void choose_force(double thickness, Dice& dice, Scene& scene) {
     scene.force_y = dice.between(-1, 1) * largest * (scene.edge_y == Edge::Wall ? 0.2 : 1.0);
 }
 
+/// Lets paint thin under shear, and eases its force by what it thins at the shear of a film as fast as
+/// its waves: the same limit as above.
+void choose_thinning(double thickness, double flow_index, Scene& scene) {
+    scene.flow_index = flow_index;
+    const double shear = 3 * std::sqrt(scene.gravity / thickness);
+    const double thinned = (2 * flow_index + 1) / (3 * flow_index) * std::pow(shear, flow_index - 1);
+    scene.force_x *= std::min(1.0, thinned);
+    scene.force_y *= std::min(1.0, thinned);
+}
+
 void choose_properties(double thickness, Dice& dice, Scene& scene) {
     scene.gravity = dice.decades(0.1, 20);
     scene.viscosity = dice.decades(1e-2, 100);
@@ -217,7 +227,8 @@ RandomPaint random_paint(std::uint32_t seed, EdgeKind edges) {
     choose_properties(thickness, dice, paint.scene);
     paint.largest_mm = 2 * thickness;
     choose_neglect(paint.largest_mm, dice, paint.scene);
-    if (noise(seed + 6, 0, 0) < 0.25) paint.scene.flow_index = 0.4 + 0.6 * noise(seed + 6, 1, 0);
+    if (noise(seed + 6, 0, 0) < 0.25)
+        choose_thinning(paint.largest_mm, 0.4 + 0.6 * noise(seed + 6, 1, 0), paint.scene);
     paint.thickness = [seed, thickness](int x, int y) {
         return noise(seed + 4, x, y) < 0.3 ? 0.0 : 2 * thickness * noise(seed + 5, x, y);
     };
