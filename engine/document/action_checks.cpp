@@ -83,7 +83,9 @@ struct Checker {
     }
     void operator()(const PenDown& pen) const { check_sample(pen.sample); }
     void operator()(const PenMove& pen) const { check_sample(pen.sample); }
-    void operator()(const CleanBrush&) const {}
+    void operator()(const CleanBrush& clean) const {
+        check_between("share that is wiped off the brush", clean.share, 0.0, 1.0);
+    }
     void operator()(const DryNow&) const {}
     void operator()(const PenUp&) const {}
     void operator()(const Undo&) const {}

@@ -2,6 +2,7 @@
 // paint.
 #pragma once
 
+#include "brush/load_profile.hpp"
 #include "core/thread_pool.hpp"
 #include "document/events.hpp"
 #include "film/solver.hpp"
@@ -25,6 +26,7 @@ struct Snapshot {
     film::FilmState film;
     pigment::Bands ground{};  ///< internal reflectance of the bare support
     std::int64_t tick = 0;
+    brush::LoadProfile brush_load;  ///< of the brush in hand
 };
 
 /// Where all the paint is, in mm3 of volume and in mm3 times the pigment coefficients (K_k, S_k per mm).
