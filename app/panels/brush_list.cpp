@@ -84,11 +84,13 @@ void BrushList::set_thumbnail(const QString& name, const QImage& image) {
 
 void BrushList::showEvent(QShowEvent* event) {
     QListWidget::showEvent(event);
+    scrollToItem(currentItem());
     ask_for_thumbnails();
 }
 
 void BrushList::resizeEvent(QResizeEvent* event) {
     QListWidget::resizeEvent(event);
+    scrollToItem(currentItem());
     ask_for_thumbnails();
 }
 

@@ -4,6 +4,8 @@
 #include "panels/paint_swatch.hpp"
 #include "panels/section.hpp"
 #include "panels/swatch_grid.hpp"
+#include "pigment/paint_name.hpp"
+#include "pigment/recipe.hpp"
 #include "tools/colour_paint.hpp"
 #include "tools/swatch.hpp"
 
@@ -59,11 +61,11 @@ ColourPanel::ColourPanel(QAction* pick, QWidget* parent) : QWidget(parent), pick
     column->addWidget(recent_part());
     column->addWidget(palette_part());
     column->addStretch(1);
-    connect(picker_, &ColourPicker::looked_at, this, &ColourPanel::show_recipe);
+    connect(picker_, &ColourPicker::looked_at, this, &ColourPanel::show_colour);
     connect(picker_, &ColourPicker::chosen, this,
             [this](const pigment::Srgb8& colour) { Q_EMIT paint_chosen(tools::colour_paint(colour)); });
     connect(picker_, &ColourPicker::refused, this, &ColourPanel::refused);
-    show_recipe(picker_->colour());
+    show_colour(picker_->colour());
 }
 
 QWidget* ColourPanel::recipe_part() {
@@ -91,7 +93,7 @@ QWidget* ColourPanel::recipe_part() {
     column->addWidget(use_recipe_);
     connect(wanted_, &QPushButton::clicked, this,
             [this] { Q_EMIT paint_chosen(tools::colour_paint(picker_->colour())); });
-    const auto take_recipe = [this] { Q_EMIT paint_chosen(tools::recipe_paint(recipe_)); };
+    const auto take_recipe = [this] { Q_EMIT paint_chosen(document::PaintRecipe(nearest_paint_)); };
     connect(nearest_, &QPushButton::clicked, this, take_recipe);
     connect(use_recipe_, &QPushButton::clicked, this, take_recipe);
     return part;
@@ -134,26 +136,36 @@ QWidget* ColourPanel::palette_part() {
     return part;
 }
 
-void ColourPanel::show_recipe(const pigment::Srgb8& colour) {
-    recipe_ = tools::closest_in_box(colour);
-    const document::PaintRecipe paint = tools::recipe_paint(recipe_);
+void ColourPanel::show_colour(const pigment::Srgb8& colour) {
     wanted_->show_paint(qcolor(colour), tr("The colour itself, as a paint of its own: %1")
                                             .arg(QString::fromStdString(pigment::hex_colour(colour))));
+    const pigment::Recipe recipe = tools::closest_in_box(colour);
+    show_nearest(tools::recipe_paint(recipe), recipe.difference);
+}
+
+void ColourPanel::show_nearest(const document::PaintRecipe& paint, double difference) {
+    nearest_paint_ = paint;
     nearest_->show_paint(qcolor(tools::screen_colour(paint)),
                          QString::fromStdString(tools::painters_recipe(paint)));
     words_->setText(tr("%1\n\u0394E %2, %3")
-                        .arg(recipe_lines(paint), QString::number(recipe_.difference, 'f', 1),
-                             difference_words(recipe_.difference)));
+                        .arg(recipe_lines(paint), QString::number(difference, 'f', 1),
+                             difference_words(difference)));
     use_recipe_->setEnabled(!(paint == in_hand_));
 }
 
+/// What comes from the tubes is its own recipe, whatever else would look the same.
 void ColourPanel::show_paint(const document::PaintRecipe& paint) {
     if (paint == in_hand_) return;
     in_hand_ = paint;
     remember(paint);
-    const bool is_recipe = paint == tools::recipe_paint(recipe_);
-    if (!is_recipe && !paint.ingredients.empty()) picker_->show_colour(tools::screen_colour(paint));
-    use_recipe_->setEnabled(!(tools::recipe_paint(recipe_) == in_hand_));
+    use_recipe_->setEnabled(!(paint == nearest_paint_));
+    const auto& parts = paint.ingredients;
+    if (parts.empty() || paint == nearest_paint_) return;
+    picker_->show_colour(tools::screen_colour(paint));
+    const bool from_tubes = std::none_of(parts.begin(), parts.end(), [](const auto& part) {
+        return pigment::names_a_colour(part.pigment);
+    });
+    if (from_tubes) show_nearest(paint, 0.0);
 }
 
 void ColourPanel::remember(const document::PaintRecipe& paint) {

@@ -3,7 +3,7 @@
 
 #include "document/events.hpp"
 #include "pigment/gpl.hpp"
-#include "pigment/recipe.hpp"
+#include "pigment/hex_colour.hpp"
 
 #include <vector>
 
@@ -40,11 +40,12 @@ class ColourPanel : public QWidget {
     QWidget* recipe_part();
     QWidget* recent_part();
     QWidget* palette_part();
-    void show_recipe(const pigment::Srgb8& colour);
+    void show_colour(const pigment::Srgb8& colour);
+    void show_nearest(const document::PaintRecipe& paint, double difference);
     void remember(const document::PaintRecipe& paint);
 
     document::PaintRecipe in_hand_;
-    pigment::Recipe recipe_;
+    document::PaintRecipe nearest_paint_;
     std::vector<document::PaintRecipe> recent_;
     pigment::ColourPalette palette_;
     ColourPicker* picker_ = nullptr;

@@ -80,6 +80,7 @@ QDoubleSpinBox* GuidesPanel::add_number(QFormLayout* form, const QString& name, 
     box->setDecimals(unit.isEmpty() ? 0 : 1);
     box->setSuffix(unit);
     box->setKeyboardTracking(false);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setAlignment(Qt::AlignRight);
     form->addRow(words, box);
     return box;

@@ -12,6 +12,11 @@ bool stands(const brush::Symmetry& symmetry) {
     return std::abs(std::remainder(symmetry.axis_deg - kRightAngle_deg, 180.0)) <= 45.0;
 }
 
+/// The direction of a line that runs both ways: 0 to below 180.
+double line_deg(double angle_deg) {
+    return angle_deg - 180.0 * std::floor(angle_deg / 180.0);
+}
+
 }  // namespace
 
 Mirrors mirrors_of(const brush::Symmetry& symmetry) {
@@ -34,7 +39,7 @@ brush::Symmetry with_mirrors(brush::Symmetry symmetry, const Mirrors& wanted) {
         symmetry.count = 2;
     else if (crossed)
         symmetry.count = 1;
-    if (turns) symmetry.axis_deg = std::remainder(symmetry.axis_deg + kRightAngle_deg, 360.0);
+    if (turns) symmetry.axis_deg = line_deg(symmetry.axis_deg + kRightAngle_deg);
     return symmetry;
 }
 

@@ -299,7 +299,7 @@ double CanvasView::mm_per_px() const {
 
 /// How far from its centre a mirror is turned.
 double CanvasView::handle_axis_mm() const {
-    constexpr double kShare = 0.3;
+    constexpr double kShare = 0.4;
     const glm::dvec2 canvas = wanted_->film.cell_mm * canvas_cells();
     return kShare * std::min(canvas.x, canvas.y);
 }

@@ -138,6 +138,11 @@ TEST_F(MixingWindow, TheRecipeTakesTheColoursPlace) {
     EXPECT_TRUE(use_recipe.isEnabled());
 }
 
+TEST_F(MixingWindow, ATubeIsItsOwnRecipe) {
+    EXPECT_THAT(recipe(), HasSubstr("Ultramarine blue\nΔE 0.0"));
+    EXPECT_FALSE(find<QPushButton>("use_recipe").isEnabled());
+}
+
 TEST_F(MixingWindow, PaintsThatWereUsedComeBackAtAClick) {
     type(QStringLiteral("#113355"));
     type(QStringLiteral("#dd9900"));
