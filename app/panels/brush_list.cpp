@@ -84,14 +84,20 @@ void BrushList::set_thumbnail(const QString& name, const QImage& image) {
 
 void BrushList::showEvent(QShowEvent* event) {
     QListWidget::showEvent(event);
-    scrollToItem(currentItem());
+    scroll_to_current();
     ask_for_thumbnails();
 }
 
 void BrushList::resizeEvent(QResizeEvent* event) {
     QListWidget::resizeEvent(event);
-    scrollToItem(currentItem());
+    scroll_to_current();
     ask_for_thumbnails();
+}
+
+/// Rows that were measured before the style was known are measured again first.
+void BrushList::scroll_to_current() {
+    doItemsLayout();
+    scrollToItem(currentItem());
 }
 
 void BrushList::ask_for_thumbnails() {

@@ -47,6 +47,7 @@ class BrushList : public QListWidget {
   private:
     void add_heading(const QString& family);
     void add_entry(const BrushEntry& entry);
+    void scroll_to_current();
     void ask_for_thumbnails();
 
     std::vector<QListWidgetItem*> items_;  ///< by entry

@@ -208,6 +208,12 @@ TEST_F(CurvesWindow, TheReadingTellsTheCurvesValue) {
 
 // ---- the painter's own
 
+TEST_F(BrushesWindow, TheBrushInHandIsInView) {
+    settle();
+    ASSERT_EQ(list().currentItem(), listed(QStringLiteral("Flat bristle 20")));
+    EXPECT_TRUE(list().viewport()->rect().contains(list().visualItemRect(list().currentItem())));
+}
+
 TEST_F(BrushesWindow, AKeptBrushIsListedAndTakenAndComesBackWithTheProgram) {
     EXPECT_FALSE(window().commands().action(Command::RenameBrush)->isEnabled());
     window().easel().set_brush_width(12.0);
