@@ -15,9 +15,9 @@ document::TakeBrush with_definition(const brush::Preset& preset) {
 }
 
 /// An unknown name may be that of a file that could not be read.
-std::string with_faults(std::string message, const std::vector<std::string>& faults) {
-    for (const std::string& fault : faults)
-        message += " Left out: " + fault;
+std::string with_faults(std::string message, const std::vector<brush::PresetLibrary::Fault>& faults) {
+    for (const auto& fault : faults)
+        message += " Left out: " + fault.sentence;
     return message;
 }
 

@@ -17,7 +17,8 @@ CommandRegistry::CommandRegistry(QObject* owner) {
         action->setShortcuts(QKeySequence::listFromString(QString::fromUtf8(text.keys)));
         const QString hint = QString::fromUtf8(text.hint);
         action->setStatusTip(hint);
-        action->setToolTip(QStringLiteral("%1  (%2)").arg(hint, action->shortcut().toString()));
+        const QString keys = action->shortcut().toString();
+        action->setToolTip(keys.isEmpty() ? hint : QStringLiteral("%1  (%2)").arg(hint, keys));
         action->setCheckable(text.checkable);
         actions_[text.command] = action;
     }

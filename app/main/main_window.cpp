@@ -1,17 +1,17 @@
 #include "main/main_window.hpp"
 
 #include "brush/preset.hpp"
-#include "document/action_checks.hpp"
 #include "document/well.hpp"
 #include "io/canvas_support.hpp"
 #include "panels/brush_panel.hpp"
+#include "panels/colour_panel.hpp"
+#include "panels/curves_panel.hpp"
 #include "panels/easel_panel.hpp"
-#include "panels/mix_panel.hpp"
+#include "panels/load_panel.hpp"
 #include "panels/paint_panel.hpp"
 #include "panels/status_readings.hpp"
 #include "pigment/user_pigments.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <utility>
 
@@ -25,7 +25,7 @@ namespace pastoso::main {
 namespace {
 
 view::TipShape tip_in_hand(const tools::Hand& hand) {
-    const brush::Preset preset = brush::resized(brush::find_preset(hand.brush), hand.brush_width_mm);
+    const brush::Preset preset = brush::resized(tools::preset_in_hand(hand), hand.brush_width_mm);
     return {.width_mm = preset.tip.width_mm,
             .thickness_mm = preset.tip.thickness_mm,
             .angular = preset.tip.shape != brush::TipShape::Round};
@@ -44,10 +44,14 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas)
     lay_out();
     connect_canvas();
     connect_panels();
-    connect_mixing();
+    connect_docks();
     connect_well();
     connect_commands();
     connect_file_commands();
+    connect_brush_commands();
+    connect_guide_commands();
+    connect_light_commands();
+    read_brushes();
     easel_->set_up();
     show_hand();
     show_published();
@@ -93,7 +97,12 @@ void MainWindow::new_canvas(const document::CanvasSettings& canvas) {
     session_->set_paused(commands_.action(commands::Command::Pause)->isChecked());
     easel_->set_up();
     const brush::Symmetry& symmetry = easel_->hand().symmetry;
-    if (symmetry != brush::Symmetry{}) set_symmetry(symmetry.mirror, symmetry.count);
+    if (symmetry.mirror || symmetry.count > 1) {
+        brush::Symmetry centred = symmetry;
+        centred.centre_x_mm = 0.5 * canvas.width_mm;
+        centred.centre_y_mm = 0.5 * canvas.height_mm;
+        set_symmetry(centred);
+    }
     readings_->show_canvas(session_->canvas());
     show_published();
 }
@@ -106,9 +115,10 @@ void MainWindow::replay(const document::Recording& recording) {
 }
 
 void MainWindow::show_published() {
-    const auto painting = session_->snapshot();
-    canvas_->show_snapshot(painting);
-    show_well(*painting);
+    const auto snapshot = session_->snapshot();
+    canvas_->show_snapshot(snapshot);
+    show_well(*snapshot);
+    load_->show_load(snapshot->brush_load);
     const session::Status status = session_->status();
     readings_->show_status(status);
     show_enabled(status);
@@ -138,39 +148,28 @@ void MainWindow::show_hand() {
     stand_->show_tilt(hand.tilt.tilt_deg, hand.tilt.direction_deg);
     stand_->show_drying(hand.air.speed);
     brushes_->show_stabiliser(hand.stabiliser);
-    commands_.action(commands::Command::MirrorSymmetry)->setChecked(hand.symmetry.mirror);
-    commands_.action(commands::Command::Ruler)->setChecked(hand.ruler.has_value());
+    load_->show_hand(hand);
+    curves_->show_preset(tools::preset_in_hand(hand), kept_brush());
+    show_guides();
     medium_->setCurrentText(QString::fromStdString(hand.medium));
     commands_.action(commands::Command::ReloadEachStroke)->setChecked(hand.reload_each_stroke);
     commands_.action(commands::Command::TurnWithStroke)->setChecked(hand.turn_with_stroke);
+    const bool dips = tools::preset_in_hand(hand).dips;
+    for (const auto command : {commands::Command::ReloadBrush, commands::Command::TopUpBrush})
+        commands_.action(command)->setEnabled(dips);
+    for (const auto command : {commands::Command::RenameBrush, commands::Command::DeleteBrush})
+        commands_.action(command)->setEnabled(own_brush_in_hand());
     for (view::CanvasView* view : {canvas_, well_})
         view->set_tip(tip_in_hand(hand));
 }
 
-void MainWindow::set_symmetry(bool mirror, int count) {
-    const document::CanvasSettings& canvas = session_->canvas();
-    easel_->set_symmetry({.centre_x_mm = 0.5 * canvas.width_mm,
-                          .centre_y_mm = 0.5 * canvas.height_mm,
-                          .mirror = mirror,
-                          .count = std::clamp(count, 1, document::kMostCopies)});
-    show_hand();
-}
-
-void MainWindow::lay_ruler(bool lies) {
-    const document::CanvasSettings& canvas = session_->canvas();
-    const double middle_mm = 0.5 * canvas.height_mm;
-    if (lies)
-        easel_->lay_ruler({0.0, middle_mm, canvas.width_mm, middle_mm});
-    else
-        easel_->take_ruler_away();
+void MainWindow::choose_paint(const document::PaintRecipe& paint) {
+    easel_->choose_paint(paint);
     show_hand();
 }
 
 void MainWindow::show_paint(const document::PaintRecipe& paint) {
-    using Dipped = panels::MixPanel::Dipped;
-    const bool is_colour = paint == picked_ && !picked_.ingredients.empty();
-    const bool is_recipe = paint == nearest_ && !nearest_.ingredients.empty();
-    mixing_->show_dipped(is_colour ? Dipped::Colour : is_recipe ? Dipped::Recipe : Dipped::Neither);
+    colours_->show_paint(paint);
     const auto& mix = paint.ingredients;
     paints_->show_paint(mix.empty() ? QString() : QString::fromStdString(mix.front().pigment));
 }

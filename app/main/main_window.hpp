@@ -1,25 +1,33 @@
 // The window: puts session, easel, canvas and panels together and connects them.
 #pragma once
 
+#include "brush/preset_library.hpp"
 #include "commands/command_registry.hpp"
 #include "commands/picture_saver.hpp"
 #include "document/events.hpp"
 #include "session/paint_session.hpp"
 #include "session/thumbnail_painter.hpp"
 #include "tools/easel.hpp"
+#include "tools/guide_handles.hpp"
 #include "view/canvas_view.hpp"
 
+#include <map>
 #include <memory>
 
+#include <QFileSystemWatcher>
 #include <QMainWindow>
+#include <QTimer>
 
 class QComboBox;
 class QDockWidget;
 
 namespace pastoso::panels {
 class BrushPanel;
+class ColourPanel;
+class CurvesPanel;
 class EaselPanel;
-class MixPanel;
+class GuidesPanel;
+class LoadPanel;
 class PaintPanel;
 class StatusReadings;
 }  // namespace pastoso::panels
@@ -53,7 +61,14 @@ class MainWindow : public QMainWindow {
     /// (pigment/illuminant.hpp). What is none is told, and the light stays.
     void use_light(const QString& name_or_path);
 
+    /// Shows it, and saves its picture, in the colours of that space.
+    void use_space(pigment::WorkingSpace space);
+
+    /// Shows the colours of a .gpl file to choose from. What is none is told.
+    void open_palette(const QString& path);
+
   protected:
+    void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
 
   private:
@@ -62,23 +77,48 @@ class MainWindow : public QMainWindow {
     void make_tool_bar();
     void make_panels();
     panels::BrushPanel* make_brush_panel();
+    void make_docks();
+    QDockWidget* add_dock(commands::Command command, const QString& title, QWidget* content);
     void connect_panels();
-    void connect_mixing();
+    void connect_docks();
+    void connect_light_commands();
     void connect_canvas();
     void connect_commands();
     void connect_file_commands();
     void make_well_panel();
     void connect_well();
+    void connect_brush_commands();
+    void connect_guide_commands();
     void show_published();
     void show_well(const document::Snapshot& painting);
     void show_hand();
-    void set_symmetry(bool mirror, int count);  ///< about the middle of the canvas
+    void show_guides();
+    void set_symmetry(const brush::Symmetry& symmetry);
+    void set_mirrors(bool upright, bool level);
+    void move_guide(const tools::Guide& guide);
     void lay_ruler(bool lies);
+    void lay_ellipse(bool lies);
+    void remove_guides();
+    void choose_paint(const document::PaintRecipe& paint);
     void show_paint(const document::PaintRecipe& paint);
+    void pick_colour(const QPointF& canvas_mm);
+    void read_brushes();
+    void reread_brushes();
+    void list_brushes();
+    void take_brush(const QString& name, double width_mm);
+    bool own_brush_in_hand() const;
+    brush::Preset kept_brush() const;
+    void save_brush();
+    void rename_brush();
+    void delete_brush();
+    bool ask_name(const QString& title, QString& name);
+    bool confirmed(const QString& question, const QString& action);
     void show_enabled(const session::Status& status);
     bool may_discard();
     void ask_new_canvas();
     void ask_light();
+    void show_under(const pigment::Viewing& viewing);  ///< canvas and well
+    void show_light();
     void ask_save_picture();
     void ask_save_recording();
     void report(const QString& sentence);
@@ -90,14 +130,20 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<session::ThumbnailPainter> thumbnails_;
     std::int64_t saved_strokes_ = 0;
     QString light_ = QStringLiteral("D65");
+    brush::PresetLibrary library_;
+    QFileSystemWatcher brush_files_;
+    QTimer brushes_changed_;  ///< soon after their files
+    std::map<commands::Command, QDockWidget*> docks_;
     view::CanvasView* canvas_ = nullptr;
     view::CanvasView* well_ = nullptr;
     std::shared_ptr<const document::Snapshot> shown_well_;
     QDockWidget* well_panel_ = nullptr;
     panels::BrushPanel* brushes_ = nullptr;
     panels::PaintPanel* paints_ = nullptr;
-    panels::MixPanel* mixing_ = nullptr;
-    document::PaintRecipe picked_, nearest_;  ///< the last picked colour and its closest recipe
+    panels::ColourPanel* colours_ = nullptr;
+    panels::LoadPanel* load_ = nullptr;
+    panels::CurvesPanel* curves_ = nullptr;
+    panels::GuidesPanel* guides_ = nullptr;
     panels::EaselPanel* stand_ = nullptr;
     panels::StatusReadings* readings_ = nullptr;
     QComboBox* medium_ = nullptr;

@@ -6,10 +6,8 @@
 #include "main/main_window.hpp"
 #include "panels/brush_panel.hpp"
 #include "panels/easel_panel.hpp"
-#include "panels/mix_panel.hpp"
 #include "panels/paint_panel.hpp"
 #include "panels/status_readings.hpp"
-#include "tools/colour_paint.hpp"
 
 #include <QAction>
 #include <QCloseEvent>
@@ -24,11 +22,11 @@ namespace pastoso::main {
 using commands::Command;
 
 void MainWindow::connect_panels() {
-    connect(brushes_, &panels::BrushPanel::brush_taken, this,
-            [this](const QString& name, double width_mm) {
-                easel_->take_brush(name.toStdString(), width_mm);
-                show_hand();
-            });
+    connect(brushes_, &panels::BrushPanel::brush_taken, this, &MainWindow::take_brush);
+    connect(brushes_, &panels::BrushPanel::faulty_clicked, this, [this](const QString& fault) {
+        report(fault);
+        show_hand();
+    });
     connect(brushes_, &panels::BrushPanel::width_chosen, this, [this](double width_mm) {
         easel_->set_brush_width(width_mm);
         show_hand();
@@ -38,8 +36,7 @@ void MainWindow::connect_panels() {
     connect(paints_, &panels::PaintPanel::paint_chosen, this, [this](const QString& pigment) {
         document::PaintRecipe paint;
         if (!pigment.isEmpty()) paint.ingredients = {{pigment.toStdString(), 1.0}};
-        easel_->choose_paint(paint);
-        show_hand();
+        choose_paint(paint);
     });
     connect(medium_, &QComboBox::activated, this,
             [this] { easel_->use_medium(medium_->currentText().toStdString()); });
@@ -57,47 +54,6 @@ void MainWindow::connect_panels() {
             });
     connect(stand_, &panels::EaselPanel::illuminant_chosen, this, &MainWindow::use_light);
     connect(stand_, &panels::EaselPanel::illuminant_file_wanted, this, &MainWindow::ask_light);
-}
-
-void MainWindow::use_light(const QString& name_or_path) {
-    try {
-        const pigment::Viewing viewing =
-            pigment::viewing_under(pigment::find_illuminant(name_or_path.toStdString()));
-        for (view::CanvasView* view : {canvas_, well_})
-            view->set_viewing(viewing);
-        light_ = name_or_path;
-    } catch (const core::InputError& error) {
-        report(QString::fromUtf8(error.what()));
-    }
-    stand_->show_illuminant(light_);
-}
-
-void MainWindow::ask_light() {
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Light from a file"), QString(), tr("Spectra (*.csv)"));
-    if (path.isEmpty())
-        stand_->show_illuminant(light_);
-    else
-        use_light(path);
-}
-
-void MainWindow::connect_mixing() {
-    connect(mixing_, &panels::MixPanel::colour_picked, this, [this](const QColor& colour) {
-        const pigment::Srgb8 rgb = {static_cast<std::uint8_t>(colour.red()),
-                                    static_cast<std::uint8_t>(colour.green()),
-                                    static_cast<std::uint8_t>(colour.blue())};
-        const pigment::Recipe recipe = tools::closest_in_box(rgb);
-        picked_ = tools::colour_paint(rgb);
-        nearest_ = tools::recipe_paint(recipe);
-        mixing_->show_recipe(colour, QString::fromStdString(tools::painters_recipe(recipe)),
-                             recipe.difference);
-        easel_->choose_paint(picked_);
-        show_hand();
-    });
-    connect(mixing_, &panels::MixPanel::recipe_wanted, this, [this] {
-        easel_->choose_paint(nearest_);
-        show_hand();
-    });
 }
 
 void MainWindow::connect_well() {
@@ -122,6 +78,8 @@ void MainWindow::connect_canvas() {
             [this](const QPointF& canvas_mm) { readings_->show_pointer(canvas_mm); });
     connect(canvas_, &view::CanvasView::pointer_left, this,
             [this] { readings_->show_pointer(std::nullopt); });
+    connect(canvas_, &view::CanvasView::guide_dragged, this, &MainWindow::move_guide);
+    connect(canvas_, &view::CanvasView::colour_wanted, this, &MainWindow::pick_colour);
     readings_->show_zoom(canvas_->view_transform().zoom);
 }
 
@@ -129,7 +87,14 @@ void MainWindow::connect_commands() {
     commands_.on(Command::Undo, [this](bool) { easel_->undo(); });
     commands_.on(Command::Redo, [this](bool) { easel_->redo(); });
     commands_.on(Command::ReloadBrush, [this](bool) { easel_->reload(); });
+    commands_.on(Command::TopUpBrush, [this](bool) { easel_->dip(); });
+    commands_.on(Command::BlotBrush, [this](bool) { easel_->blot(); });
     commands_.on(Command::CleanBrush, [this](bool) { easel_->clean(); });
+    commands_.on(Command::SwapPaints, [this](bool) {
+        easel_->swap_paints();
+        show_hand();
+    });
+    commands_.on(Command::PickColour, [this](bool picks) { canvas_->pick_next(picks); });
     commands_.on(Command::DryNow, [this](bool) { easel_->dry_now(); });
     commands_.on(Command::ReloadEachStroke,
                  [this](bool reload) { easel_->set_reload_each_stroke(reload); });
@@ -142,16 +107,6 @@ void MainWindow::connect_commands() {
     };
     commands_.on(Command::SmallerBrush, [step_width](bool) { step_width(-1); });
     commands_.on(Command::LargerBrush, [step_width](bool) { step_width(1); });
-    commands_.on(Command::MirrorSymmetry,
-                 [this](bool mirror) { set_symmetry(mirror, easel_->hand().symmetry.count); });
-    const auto step_copies = [this](int steps) {
-        const brush::Symmetry& symmetry = easel_->hand().symmetry;
-        set_symmetry(symmetry.mirror, symmetry.count + steps);
-        report(tr("Strokes around the middle: %1").arg(easel_->hand().symmetry.count));
-    };
-    commands_.on(Command::MoreCopies, [step_copies](bool) { step_copies(1); });
-    commands_.on(Command::FewerCopies, [step_copies](bool) { step_copies(-1); });
-    commands_.on(Command::Ruler, [this](bool lies) { lay_ruler(lies); });
     commands_.on(Command::Pause, [this](bool paused) {
         session_->set_paused(paused);
         readings_->show_status(session_->status());

@@ -5,7 +5,6 @@
 #include "main/main_window.hpp"
 #include "panels/brush_panel.hpp"
 #include "panels/easel_panel.hpp"
-#include "panels/mix_panel.hpp"
 #include "panels/paint_panel.hpp"
 #include "panels/status_readings.hpp"
 #include "panels/well_panel.hpp"
@@ -35,27 +34,6 @@ QColor colour(const pigment::Srgb8& rgb) {
     return {rgb[0], rgb[1], rgb[2]};
 }
 
-/// The heading that a tool stands under, and its place among the headings.
-struct Family {
-    int rank;
-    QString heading;
-};
-
-/// Bristles first, then what is stiff, then what is soft.
-Family family_of(const brush::Preset& preset) {
-    if (preset.kind == brush::ToolKind::Droplets) return {3, QObject::tr("Drops and sprays")};
-    if (preset.kind == brush::ToolKind::Air) return {4, QObject::tr("Air")};
-    switch (preset.tip.shape) {
-        case brush::TipShape::Knife:
-        case brush::TipShape::Comb:
-            return {1, QObject::tr("Knives and combs")};
-        case brush::TipShape::Pad:
-            return {2, QObject::tr("Rags and fingers")};
-        default:
-            return {0, QObject::tr("Brushes")};
-    }
-}
-
 /// The box in its order, then the other tubes, the painter's own, and the medium.
 std::vector<panels::PaintEntry> paint_entries() {
     std::vector<panels::PaintEntry> entries;
@@ -79,7 +57,7 @@ std::vector<panels::PaintEntry> paint_entries() {
 
 QComboBox* make_medium_box() {
     auto* box = new QComboBox;
-    box->setFocusPolicy(Qt::NoFocus);
+    box->setFocusPolicy(Qt::TabFocus);
     box->setToolTip(QObject::tr("How the next paint flows; what lies on the canvas keeps its own way"));
     for (const film::Medium& medium : film::bundled_media()) {
         box->addItem(QString::fromStdString(medium.name));
@@ -95,11 +73,13 @@ void MainWindow::lay_out() {
     make_tool_bar();
     make_panels();
     make_well_panel();
+    make_docks();
     readings_ = new panels::StatusReadings;
     readings_->show_canvas(session_->canvas());
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addPermanentWidget(readings_);
     resize(1280, 800);
+    canvas_->setFocus();
 }
 
 void MainWindow::make_tool_bar() {
@@ -110,7 +90,7 @@ void MainWindow::make_tool_bar() {
         commands_.action(command)->setIconText(words);
         auto* button = new QToolButton;
         button->setDefaultAction(commands_.action(command));
-        button->setFocusPolicy(Qt::NoFocus);
+        button->setFocusPolicy(Qt::TabFocus);
         bar->addWidget(button);
     };
     add_button(commands::Command::Undo, tr("Undo"));
@@ -131,38 +111,40 @@ void MainWindow::make_tool_bar() {
     add_button(commands::Command::SavePicture, tr("Save picture"));
 }
 
-/// Tools by family, and their thumbnails as they come into view.
+/// Its tools come later, their thumbnails as they come into view.
 panels::BrushPanel* MainWindow::make_brush_panel() {
-    std::vector<brush::Preset> presets = brush::bundled_presets();
-    std::stable_sort(presets.begin(), presets.end(),
-                     [](const auto& a, const auto& b) { return family_of(a).rank < family_of(b).rank; });
-    std::vector<panels::BrushEntry> entries;
-    for (const brush::Preset& preset : presets)
-        entries.push_back(
-            {QString::fromStdString(preset.name), family_of(preset).heading, preset.tip.width_mm});
-    auto* panel = new panels::BrushPanel(std::move(entries));
+    std::vector<QAction*> own_actions;
+    const auto add_own = [&](commands::Command command, const QString& words) {
+        own_actions.push_back(commands_.action(command));
+        own_actions.back()->setIconText(words);
+    };
+    add_own(commands::Command::SaveBrush, tr("Save"));
+    add_own(commands::Command::RenameBrush, tr("Rename"));
+    add_own(commands::Command::DeleteBrush, tr("Delete"));
+    auto* panel = new panels::BrushPanel(own_actions);
     const double pixels = devicePixelRatioF();
     const QSize size = panels::kThumbnailSize * pixels;
     thumbnails_ = std::make_unique<session::ThumbnailPainter>(
-        std::move(presets), size.width(), size.height(),
-        [panel, pixels](std::size_t entry, const shade::Image8& thumbnail) {
+        size.width(), size.height(),
+        [panel, pixels](const std::string& name, const shade::Image8& thumbnail) {
             QImage image = QImage(thumbnail.rgb.data(), thumbnail.width, thumbnail.height,
                                   3 * thumbnail.width, QImage::Format_RGB888)
                                .copy();
             image.setDevicePixelRatio(pixels);
-            QMetaObject::invokeMethod(panel, [panel, entry, image] {
-                panel->list().set_thumbnail(static_cast<int>(entry), image);
+            QMetaObject::invokeMethod(panel, [panel, name = QString::fromStdString(name), image] {
+                panel->list().set_thumbnail(name, image);
             });
         });
-    connect(&panel->list(), &panels::BrushList::thumbnail_wanted, this,
-            [this](int entry) { thumbnails_->want(static_cast<std::size_t>(entry)); });
+    connect(panel, &panels::BrushPanel::thumbnail_wanted, this, [this](const QString& name) {
+        const auto* entry = brush::find_entry(library_, name.toStdString());
+        if (entry != nullptr) thumbnails_->want(entry->preset);
+    });
     return panel;
 }
 
 void MainWindow::make_panels() {
     brushes_ = make_brush_panel();
     paints_ = new panels::PaintPanel(paint_entries());
-    mixing_ = new panels::MixPanel;
     stand_ = new panels::EaselPanel;
     auto* side = new QWidget;
     side->setFixedWidth(kPanelWidth);
@@ -171,7 +153,6 @@ void MainWindow::make_panels() {
     column->setSpacing(12);
     column->addWidget(brushes_, 1);
     column->addWidget(paints_, 1);
-    column->addWidget(mixing_);
     column->addWidget(stand_);
 
     auto* middle = new QWidget;

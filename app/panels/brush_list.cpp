@@ -15,26 +15,49 @@ int entry_of(const QListWidgetItem* item) {
 
 }  // namespace
 
-BrushList::BrushList(const std::vector<BrushEntry>& entries, QWidget* parent)
-    : QListWidget(parent), asked_(entries.size(), false) {
+BrushList::BrushList(QWidget* parent) : QListWidget(parent) {
     setIconSize(kThumbnailSize);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setTextElideMode(Qt::ElideRight);
-    QPixmap empty(kThumbnailSize);
-    empty.fill(Qt::transparent);
+    const auto take = [this](QListWidgetItem* item) {
+        if (entry_of(item) != kNoEntry) Q_EMIT entry_clicked(entry_of(item));
+    };
+    connect(this, &QListWidget::itemClicked, this, take);
+    connect(this, &QListWidget::itemActivated, this, take);
+    connect(verticalScrollBar(), &QScrollBar::valueChanged, this, &BrushList::ask_for_thumbnails);
+}
+
+void BrushList::show_entries(const std::vector<BrushEntry>& entries) {
+    clear();
+    items_.clear();
+    asked_.assign(entries.size(), false);
     QString family;
     for (const BrushEntry& entry : entries) {
         if (entry.family != family) add_heading(family = entry.family);
-        auto* item = new QListWidgetItem(QIcon(empty), entry.name, this);
-        item->setData(kEntryRole, static_cast<int>(items_.size()));
-        item->setToolTip(entry.name);
-        items_.push_back(item);
+        add_entry(entry);
+        asked_[items_.size() - 1] = !entry.fault.isEmpty();
     }
-    connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
-        if (entry_of(item) != kNoEntry) Q_EMIT entry_clicked(entry_of(item));
-    });
-    connect(verticalScrollBar(), &QScrollBar::valueChanged, this, &BrushList::ask_for_thumbnails);
+    ask_for_thumbnails();
+}
+
+void BrushList::add_entry(const BrushEntry& entry) {
+    auto* item = new QListWidgetItem(entry.name, this);
+    item->setData(kEntryRole, static_cast<int>(items_.size()));
+    item->setToolTip(!entry.fault.isEmpty() ? entry.fault
+                     : entry.own            ? tr("%1, your own").arg(entry.name)
+                                            : entry.name);
+    QFont font = item->font();
+    font.setItalic(entry.own);
+    item->setFont(font);
+    if (entry.fault.isEmpty()) {
+        QPixmap empty(kThumbnailSize);
+        empty.fill(Qt::transparent);
+        item->setIcon(QIcon(empty));
+    } else {
+        item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
+    }
+    items_.push_back(item);
 }
 
 void BrushList::add_heading(const QString& family) {
@@ -53,18 +76,28 @@ int BrushList::current_entry() const {
     return entry_of(currentItem());
 }
 
-void BrushList::set_thumbnail(int entry, const QImage& image) {
-    items_.at(static_cast<std::size_t>(entry))->setIcon(QIcon(QPixmap::fromImage(image)));
+void BrushList::set_thumbnail(const QString& name, const QImage& image) {
+    for (QListWidgetItem* item : items_) {
+        if (item->text() == name) item->setIcon(QIcon(QPixmap::fromImage(image)));
+    }
 }
 
 void BrushList::showEvent(QShowEvent* event) {
     QListWidget::showEvent(event);
+    scroll_to_current();
     ask_for_thumbnails();
 }
 
 void BrushList::resizeEvent(QResizeEvent* event) {
     QListWidget::resizeEvent(event);
+    scroll_to_current();
     ask_for_thumbnails();
+}
+
+/// Rows that were measured before the style was known are measured again first.
+void BrushList::scroll_to_current() {
+    doItemsLayout();
+    scrollToItem(currentItem());
 }
 
 void BrushList::ask_for_thumbnails() {

@@ -12,6 +12,9 @@ struct BrushEntry {
     QString name;
     QString family;          ///< its heading; entries of one family follow each other
     double width_mm = 10.0;  ///< the tool's own
+    bool own = false;        ///< the painter's
+    QString fault{};         ///< why it cannot be taken; empty where it can
+    friend bool operator==(const BrushEntry&, const BrushEntry&) = default;
 };
 
 /// Size of the thumbnails, in pixels of the layout.
@@ -20,15 +23,19 @@ inline constexpr QSize kThumbnailSize(84, 30);
 class BrushList : public QListWidget {
     Q_OBJECT
   public:
-    explicit BrushList(const std::vector<BrushEntry>& entries, QWidget* parent = nullptr);
+    explicit BrushList(QWidget* parent = nullptr);
+
+    /// Lists these in place of what was there; their thumbnails are asked for anew.
+    void show_entries(const std::vector<BrushEntry>& entries);
 
     /// Marks the entry of that number, without a signal, and brings it into view.
     void show_entry(int entry);
     /// The entry that is marked, -1 if none.
     int current_entry() const;
-    void set_thumbnail(int entry, const QImage& image);
+    void set_thumbnail(const QString& name, const QImage& image);
 
   Q_SIGNALS:
+    /// Or chosen by key.
     void entry_clicked(int entry);
     /// The entry has come into view and has no thumbnail yet; once for each.
     void thumbnail_wanted(int entry);
@@ -39,6 +46,8 @@ class BrushList : public QListWidget {
 
   private:
     void add_heading(const QString& family);
+    void add_entry(const BrushEntry& entry);
+    void scroll_to_current();
     void ask_for_thumbnails();
 
     std::vector<QListWidgetItem*> items_;  ///< by entry

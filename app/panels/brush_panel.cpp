@@ -7,12 +7,14 @@
 #include <cmath>
 #include <utility>
 
+#include <QAction>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace pastoso::panels {
@@ -44,15 +46,39 @@ constexpr int kPlacesPerMm = 2;
 
 }  // namespace
 
-BrushPanel::BrushPanel(std::vector<BrushEntry> brushes, QWidget* parent)
-    : QWidget(parent), brushes_(std::move(brushes)), list_(new BrushList(brushes_)) {
+BrushPanel::BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent)
+    : QWidget(parent), list_(new BrushList) {
     keep_keys_for_canvas(list_);
     list_->setMinimumHeight(kListHeight);
     connect(list_, &BrushList::entry_clicked, this, [this] { take_next(0); });
+    connect(list_, &BrushList::thumbnail_wanted, this, [this](int entry) {
+        Q_EMIT thumbnail_wanted(brushes_[static_cast<std::size_t>(entry)].name);
+    });
     auto* column = section(this, tr("Brush"));
     column->addWidget(list_, 1);
+    column->addWidget(make_own_row(own_actions));
     column->addWidget(make_width_row());
     column->addWidget(make_stabiliser_rows());
+}
+
+void BrushPanel::show_brushes(std::vector<BrushEntry> brushes) {
+    brushes_ = std::move(brushes);
+    list_->show_entries(brushes_);
+}
+
+QWidget* BrushPanel::make_own_row(const std::vector<QAction*>& own_actions) {
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    for (QAction* action : own_actions) {
+        auto* button = new QToolButton;
+        button->setDefaultAction(action);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        keep_keys_for_canvas(button);
+        layout->addWidget(button);
+    }
+    return row;
 }
 
 QWidget* BrushPanel::make_width_row() {
@@ -66,7 +92,7 @@ QWidget* BrushPanel::make_width_row() {
     width_->setAlignment(Qt::AlignRight);
     width_->setFixedWidth(68);
     width_->setKeyboardTracking(false);
-    width_->setFocusPolicy(Qt::ClickFocus);
+    width_->setFocusPolicy(Qt::StrongFocus);
     width_->setToolTip(tr("Width of the brush's tip  ([ and ])"));
     slider_->setToolTip(width_->toolTip());
     keep_keys_for_canvas(slider_);
@@ -130,8 +156,9 @@ brush::Stabiliser BrushPanel::stabiliser() const {
 
 void BrushPanel::write_readings() {
     const brush::Stabiliser shown = stabiliser();
-    smoothing_reading_->setText(tr("%1 ms").arg(shown.smoothing_ms));
-    string_reading_->setText(tr("%1 mm").arg(shown.string_mm));
+    smoothing_reading_->setText(shown.smoothing_ms > 0.0 ? tr("%1 ms").arg(shown.smoothing_ms)
+                                                         : tr("off"));
+    string_reading_->setText(shown.string_mm > 0.0 ? tr("%1 mm").arg(shown.string_mm) : tr("off"));
 }
 
 void BrushPanel::show_stabiliser(const brush::Stabiliser& stabiliser) {
@@ -154,10 +181,13 @@ void BrushPanel::show_brush(const QString& name, double width_mm) {
 
 void BrushPanel::take_next(int places) {
     const int count = static_cast<int>(brushes_.size());
-    if (count == 0) return;
-    const int entry = ((list_->current_entry() + places) % count + count) % count;
-    const BrushEntry& brush = brushes_[static_cast<std::size_t>(entry)];
-    Q_EMIT brush_taken(brush.name, brush.width_mm);
+    const int step = places < 0 ? -1 : 1;
+    int entry = list_->current_entry() + places;
+    for (int tried = 0; tried < count; ++tried, entry += step) {
+        const BrushEntry& brush = brushes_[static_cast<std::size_t>((entry % count + count) % count)];
+        if (brush.fault.isEmpty()) return void(Q_EMIT brush_taken(brush.name, brush.width_mm));
+        if (places == 0) return void(Q_EMIT faulty_clicked(brush.fault));
+    }
 }
 
 }  // namespace pastoso::panels

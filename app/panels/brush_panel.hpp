@@ -9,6 +9,7 @@
 #include <QString>
 #include <QWidget>
 
+class QAction;
 class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
@@ -19,7 +20,11 @@ namespace pastoso::panels {
 class BrushPanel : public QWidget {
     Q_OBJECT
   public:
-    explicit BrushPanel(std::vector<BrushEntry> brushes, QWidget* parent = nullptr);
+    /// `own_actions` become buttons: save, rename, delete.
+    explicit BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent = nullptr);
+
+    /// Lists these in place of what was there.
+    void show_brushes(std::vector<BrushEntry> brushes);
 
     /// Shows what is in hand, without a signal.
     void show_brush(const QString& name, double width_mm);
@@ -34,10 +39,13 @@ class BrushPanel : public QWidget {
 
   Q_SIGNALS:
     void brush_taken(const QString& name, double width_mm);
+    void thumbnail_wanted(const QString& name);
+    void faulty_clicked(const QString& fault);  ///< a file that cannot be taken
     void width_chosen(double width_mm);
     void stabiliser_chosen(const brush::Stabiliser& stabiliser);
 
   private:
+    QWidget* make_own_row(const std::vector<QAction*>& own_actions);
     QWidget* make_width_row();
     QWidget* make_stabiliser_rows();
     QSlider* add_slider(QGridLayout* grid, const QString& words, const QString& hint, QLabel*& reading);

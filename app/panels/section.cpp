@@ -17,7 +17,7 @@ QVBoxLayout* section(QWidget* panel, const QString& heading) {
 }
 
 void keep_keys_for_canvas(QWidget* widget) {
-    widget->setFocusPolicy(Qt::NoFocus);
+    widget->setFocusPolicy(Qt::TabFocus);
 }
 
 void fit_to_rows(QListView* list, int rows) {

@@ -11,7 +11,8 @@ namespace pastoso::panels {
 /// A column in `panel` under a heading.
 QVBoxLayout* section(QWidget* panel, const QString& heading);
 
-/// Leaves the keyboard to the canvas, where Space and the letter keys mean something else.
+/// Leaves the keyboard to the canvas, where Space and the letter keys mean something else, until the
+/// Tab key asks for the widget.
 void keep_keys_for_canvas(QWidget* widget);
 
 /// Makes a list just tall enough for so many rows; the others are scrolled to.

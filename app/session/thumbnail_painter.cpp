@@ -7,10 +7,8 @@
 
 namespace pastoso::session {
 
-ThumbnailPainter::ThumbnailPainter(std::vector<brush::Preset> presets, int width_px, int height_px,
-                                   Deliver deliver)
-    : presets_(std::move(presets)),
-      width_px_(width_px),
+ThumbnailPainter::ThumbnailPainter(int width_px, int height_px, Deliver deliver)
+    : width_px_(width_px),
       height_px_(height_px),
       deliver_(std::move(deliver)),
       thread_([this] { run(); }) {}
@@ -24,12 +22,17 @@ ThumbnailPainter::~ThumbnailPainter() {
     thread_.join();
 }
 
-void ThumbnailPainter::want(std::size_t preset) {
+void ThumbnailPainter::want(const brush::Preset& preset) {
     {
         const std::lock_guard lock(mutex_);
         wanted_.push_back(preset);
     }
     changed_.notify_one();
+}
+
+void ThumbnailPainter::forget() {
+    const std::lock_guard lock(mutex_);
+    wanted_.clear();
 }
 
 void ThumbnailPainter::run() {
@@ -38,10 +41,10 @@ void ThumbnailPainter::run() {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [this] { return stopping_ || !wanted_.empty(); });
         if (stopping_) return;
-        const std::size_t preset = wanted_.back();
+        const brush::Preset preset = std::move(wanted_.back());
         wanted_.pop_back();
         lock.unlock();
-        deliver_(preset, document::thumbnail(presets_[preset], width_px_, height_px_, pool));
+        deliver_(preset.name, document::thumbnail(preset, width_px_, height_px_, pool));
     }
 }
 

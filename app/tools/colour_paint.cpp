@@ -1,17 +1,29 @@
 #include "tools/colour_paint.hpp"
 
+#include "document/number_text.hpp"
 #include "pigment/appearance.hpp"
 #include "pigment/box.hpp"
 #include "pigment/paint_name.hpp"
+#include "pigment/user_pigments.hpp"
 
 namespace pastoso::tools {
+namespace {
+
+std::vector<pigment::Pigment> tubes_at_hand() {
+    std::vector<pigment::Pigment> tubes = pigment::default_box();
+    const auto& own = pigment::user_pigments().pigments;
+    tubes.insert(tubes.end(), own.begin(), own.end());
+    return tubes;
+}
+
+}  // namespace
 
 document::PaintRecipe colour_paint(const pigment::Srgb8& colour) {
     return {{{pigment::hex_colour(colour), 1.0}}, 1.0};
 }
 
 pigment::Recipe closest_in_box(const pigment::Srgb8& colour) {
-    static const pigment::RecipeFinder finder(pigment::default_box());
+    static const pigment::RecipeFinder finder(tubes_at_hand());
     return finder.closest(pigment::paint_colour(pigment::decoded(colour)));
 }
 
@@ -22,14 +34,19 @@ document::PaintRecipe recipe_paint(const pigment::Recipe& recipe) {
     return paint;
 }
 
-std::string painters_recipe(const pigment::Recipe& recipe) {
+std::string painters_recipe(const document::PaintRecipe& paint) {
+    if (paint.ingredients.empty()) return "Clear medium";
     std::string text;
-    for (const pigment::RecipePart& part : recipe.ingredients) {
+    for (const document::Ingredient& part : paint.ingredients) {
         text += text.empty() ? "" : " + ";
-        if (recipe.ingredients.size() > 1) text += std::to_string(part.parts) + " ";
-        text += pigment::painters_name(part.ci_name);
+        if (paint.ingredients.size() > 1) text += document::number_text(part.parts) + " ";
+        text += pigment::painters_name(part.pigment);
     }
     return text;
+}
+
+std::string painters_recipe(const pigment::Recipe& recipe) {
+    return painters_recipe(recipe_paint(recipe));
 }
 
 }  // namespace pastoso::tools

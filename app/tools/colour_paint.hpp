@@ -10,13 +10,14 @@ namespace pastoso::tools {
 /// The free paint of a colour on the screen.
 document::PaintRecipe colour_paint(const pigment::Srgb8& colour);
 
-/// The recipe out of the box whose thick paint comes nearest to it.
+/// The recipe out of the box and the painter's own tubes whose thick paint comes nearest to it.
 pigment::Recipe closest_in_box(const pigment::Srgb8& colour);
 
 /// The same mixture as the brush is dipped in.
 document::PaintRecipe recipe_paint(const pigment::Recipe& recipe);
 
 /// "8 Titanium white + 1 Ultramarine blue"
+std::string painters_recipe(const document::PaintRecipe& paint);
 std::string painters_recipe(const pigment::Recipe& recipe);
 
 }  // namespace pastoso::tools

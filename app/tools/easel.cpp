@@ -28,6 +28,14 @@ constexpr double kPlaceMargin_mm = 13.0;
 /// After so many time constants a steadied brush is where the pen is, to a hundredth of its lag.
 constexpr double kCatchUp = 5.0;
 
+/// A brush that is no other than the bundled one of its name goes by its name.
+void keep_preset(Hand& hand, const brush::Preset& preset) {
+    const auto& bundled = brush::bundled_presets();
+    const bool is_bundled = std::find(bundled.begin(), bundled.end(), preset) != bundled.end();
+    hand.brush = preset.name;
+    hand.own_preset = is_bundled ? std::nullopt : std::optional(preset);
+}
+
 }  // namespace
 
 Easel::Easel(Hand hand, Post post, std::function<void()> note_hand)
@@ -40,20 +48,37 @@ void Easel::set_up() {
     if (hand_.stabiliser != brush::Stabiliser{}) post_(SetStabiliser{hand_.stabiliser});
     hand_.guide = {};
     squeezed_ = 0;
-    take_brush(hand_.brush, hand_.brush_width_mm);
+    take_brush(preset_in_hand(hand_), hand_.brush_width_mm);
 }
 
 void Easel::take_brush(const std::string& preset, double width_mm) {
+    take_brush(brush::find_preset(preset), width_mm);
+}
+
+void Easel::take_brush(const brush::Preset& preset, double width_mm) {
     end_stroke();
-    hand_.brush = preset;
+    keep_preset(hand_, preset);
     hand_.brush_width_mm = std::clamp(width_mm, kSmallestBrush_mm, kLargestBrush_mm);
-    post_(TakeBrush{preset, hand_.brush_width_mm, ++brushes_taken_});
+    ++brushes_taken_;
+    post_brush();
+}
+
+void Easel::post_brush() {
+    brush_changed_ = false;
+    TakeBrush take{hand_.brush, hand_.brush_width_mm, brushes_taken_};
+    if (hand_.own_preset) take.definition = brush::preset_to_json(*hand_.own_preset);
+    post_(take);
     reload();
+}
+
+void Easel::change_brush(const brush::Preset& preset) {
+    keep_preset(hand_, preset);
+    brush_changed_ = true;
 }
 
 void Easel::set_brush_width(double width_mm) {
     const double width = std::clamp(width_mm, kSmallestBrush_mm, kLargestBrush_mm);
-    if (width != hand_.brush_width_mm) take_brush(hand_.brush, width);
+    if (width != hand_.brush_width_mm) take_brush(preset_in_hand(hand_), width);
 }
 
 void Easel::choose_paint(const PaintRecipe& paint) {
@@ -63,16 +88,33 @@ void Easel::choose_paint(const PaintRecipe& paint) {
 
 void Easel::reload() {
     clean();
-    if (!brush::find_preset(hand_.brush).dips) return;
-    LoadPaint dip;
-    dip.paint = hand_.paint;
-    post_(dip);
+    dip();
+}
+
+void Easel::dip() {
+    end_stroke();
+    if (preset_in_hand(hand_).dips) post_(load_of(hand_));
+}
+
+void Easel::blot() {
+    constexpr double kTaken = 0.75;
+    end_stroke();
+    post_(CleanBrush{kTaken});
 }
 
 void Easel::clean() {
     end_stroke();
     mixed_ = false;
     post_(CleanBrush{});
+}
+
+void Easel::swap_paints() {
+    std::swap(hand_.paint, hand_.second_paint);
+    reload();
+}
+
+void Easel::set_dip(const Dip& dip) {
+    hand_.dip = dip;
 }
 
 void Easel::use_medium(const std::string& name) {
@@ -120,10 +162,25 @@ void Easel::lay_ruler(const brush::Ruler& otherwise) {
     const bool has_direction = std::hypot(x_mm, y_mm) >= kShortestRuler_mm;
     hand_.ruler = has_direction ? brush::Ruler{pressed_.x_mm, pressed_.y_mm, latest_.x_mm, latest_.y_mm}
                                 : otherwise;
+    hand_.ellipse.reset();
+}
+
+void Easel::move_ruler(const brush::Ruler& ruler) {
+    hand_.ruler = ruler;
+    hand_.ellipse.reset();
 }
 
 void Easel::take_ruler_away() {
     hand_.ruler.reset();
+}
+
+void Easel::lay_ellipse(const brush::EllipseCurve& ellipse) {
+    hand_.ellipse = ellipse;
+    hand_.ruler.reset();
+}
+
+void Easel::take_ellipse_away() {
+    hand_.ellipse.reset();
 }
 
 void Easel::undo() {
@@ -159,6 +216,7 @@ void Easel::clean_well() {
 void Easel::press(const Pointer& pointer, bool straight) {
     end_stroke();
     painting_on_ = pointer.surface;
+    if (brush_changed_) post_brush();
     if (pointer.surface == Surface::Well) {
         mixed_ = true;
     } else {
@@ -210,6 +268,8 @@ void Easel::choose_guide(const Pointer& pointer, bool straight) {
         guide.form = brush::StraightLine{};
     else if (hand_.ruler)
         guide.form = *hand_.ruler;
+    else if (hand_.ellipse)
+        guide.form = *hand_.ellipse;
     const bool guides = !std::holds_alternative<std::monostate>(guide.form);
     guide.turn_across = guides && hand_.turn_with_stroke && !pointer.rotation_deg;
     if (guide == hand_.guide) return;

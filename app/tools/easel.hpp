@@ -49,8 +49,18 @@ class Easel {
 
     void take_brush(const std::string& preset, double width_mm);
     void set_brush_width(double width_mm);
+    void take_brush(const brush::Preset& preset, double width_mm);
+
+    /// Changes what the brush in hand is like, from the next stroke on, which starts with it freshly
+    /// dipped.
+    void change_brush(const brush::Preset& preset);
+
     void choose_paint(const document::PaintRecipe& paint);  ///< cleans the brush and dips it
-    void reload();                                          ///< the same with the present paint
+    void swap_paints();                                     ///< the second becomes the first
+    void set_dip(const Dip& dip);                           ///< holds from the next dip on
+    void reload();  ///< cleans the brush and dips it again; it only cleans a tool that is not dipped
+    void dip();     ///< tops it up with what it is dipped in, over what it holds
+    void blot();    ///< leaves a quarter of what it holds
     void clean();
     void use_medium(const std::string& name);  ///< cleans the brush and dips it in paint of that kind
     void tilt(double tilt_deg, double direction_deg);
@@ -64,7 +74,12 @@ class Easel {
     /// Lays a ruler along the latest stroke, or `otherwise` where there is none worth it; every stroke
     /// follows it until it is taken away.
     void lay_ruler(const brush::Ruler& otherwise);
+    void move_ruler(const brush::Ruler& ruler);
     void take_ruler_away();
+
+    /// Lays an ellipse, or moves the one that lies there; it takes the ruler's place.
+    void lay_ellipse(const brush::EllipseCurve& ellipse);
+    void take_ellipse_away();
     void undo();
     void redo();
 
@@ -92,6 +107,7 @@ class Easel {
 
   private:
     void end_stroke();
+    void post_brush();
     void follow(const Pointer& pointer);
     void choose_guide(const Pointer& pointer, bool straight);
     brush::PenSample sample(const Pointer& pointer);
@@ -112,6 +128,7 @@ class Easel {
     std::uint64_t clock_zero_ms_ = 0;
     double previous_time_s_ = 0.0;
     std::uint32_t brushes_taken_ = 0;
+    bool brush_changed_ = false;  ///< since it was posted
 };
 
 }  // namespace pastoso::tools

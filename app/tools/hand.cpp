@@ -1,6 +1,6 @@
 #include "tools/hand.hpp"
 
-#include "brush/preset.hpp"
+#include "document/action_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +13,23 @@ struct HandChange {
     Hand& hand;
 
     void operator()(const document::TakeBrush& taken) const {
-        const brush::Preset& preset = brush::find_preset(taken.preset);
+        const brush::Preset preset = document::preset_of(taken);
         hand.brush = preset.name;
+        hand.own_preset = taken.definition.empty() ? std::nullopt : std::optional(preset);
         hand.brush_width_mm = taken.size_mm > 0.0 ? taken.size_mm : preset.tip.width_mm;
     }
-    void operator()(const document::LoadPaint& dip) const { hand.paint = dip.paint; }
+    void operator()(const document::LoadPaint& load) const {
+        using Way = Dip::Way;
+        const bool two = !load.second.ingredients.empty();
+        hand.paint = load.paint;
+        if (two) hand.second_paint = load.second;
+        hand.dip.way = two && load.side_by_side ? Way::TwoSides
+                       : two                    ? Way::HalfMixed
+                       : load.tip_only          ? Way::Tip
+                                                : Way::Full;
+        hand.dip.fill = load.fill;
+        if (hand.dip.way == Way::HalfMixed) hand.dip.second_share = load.second_share;
+    }
     void operator()(const document::UseMedium& medium) const { hand.medium = medium.name; }
     void operator()(const document::TiltCanvas& tilt) const { hand.tilt = tilt; }
     void operator()(const document::SetDrying& drying) const { hand.air = drying.air; }
@@ -25,13 +37,35 @@ struct HandChange {
     void operator()(const document::SetSymmetry& set) const { hand.symmetry = set.symmetry; }
     void operator()(const document::SetGuide& set) const {
         hand.guide = set.guide;
-        if (const auto* ruler = std::get_if<brush::Ruler>(&set.guide.form)) hand.ruler = *ruler;
+        const auto* ruler = std::get_if<brush::Ruler>(&set.guide.form);
+        const auto* ellipse = std::get_if<brush::EllipseCurve>(&set.guide.form);
+        if (ruler == nullptr && ellipse == nullptr) return;
+        hand.ruler = ruler != nullptr ? std::optional(*ruler) : std::nullopt;
+        hand.ellipse = ellipse != nullptr ? std::optional(*ellipse) : std::nullopt;
     }
     template <class Other>
     void operator()(const Other&) const {}
 };
 
 }  // namespace
+
+brush::Preset preset_in_hand(const Hand& hand) {
+    return hand.own_preset ? *hand.own_preset : brush::find_preset(hand.brush);
+}
+
+document::LoadPaint load_of(const Hand& hand) {
+    document::LoadPaint load;
+    load.paint = hand.paint;
+    load.fill = hand.dip.fill;
+    load.tip_only = hand.dip.way == Dip::Way::Tip;
+    if (hand.dip.way != Dip::Way::TwoSides && hand.dip.way != Dip::Way::HalfMixed) return load;
+    constexpr double kHalfMixed = 0.6;
+    load.second = hand.second_paint;
+    load.side_by_side = hand.dip.way == Dip::Way::TwoSides;
+    load.second_share = load.side_by_side ? 0.5 : hand.dip.second_share;
+    load.share_variation = load.side_by_side ? 0.0 : kHalfMixed;
+    return load;
+}
 
 Hand hand_after(Hand hand, const std::vector<document::Event>& events) {
     for (const document::Event& event : events)

@@ -1,6 +1,7 @@
 // What the painter holds and has laid out: the choices that outlive a stroke.
 #pragma once
 
+#include "brush/preset.hpp"
 #include "document/events.hpp"
 
 #include <optional>
@@ -12,20 +13,45 @@ namespace pastoso::tools {
 inline constexpr double kSmallestBrush_mm = 1.0;
 inline constexpr double kLargestBrush_mm = 60.0;
 
+/// How the brush is dipped.
+struct Dip {
+    enum class Way {
+        Full,      ///< all hairs in one paint
+        Tip,       ///< only those that reach deepest
+        TwoSides,  ///< one half of the width in each of two paints
+        HalfMixed  ///< in both, every hair in another mixture
+    };
+    Way way = Way::Full;
+    double fill = 1.0;          ///< of the brush's capacity, 0.05 to 1.2
+    double second_share = 0.5;  ///< of the second paint in a half-mixed load, 0 to 1
+    friend bool operator==(const Dip&, const Dip&) = default;
+};
+
 struct Hand {
     std::string brush = "Flat bristle 20";
+    /// The brush where it is not the bundled one of that name: the painter's own, or changed in hand.
+    std::optional<brush::Preset> own_preset;
     double brush_width_mm = 20.0;
     document::PaintRecipe paint{{{"PB29", 1.0}}, 1.0};
+    document::PaintRecipe second_paint{{{"PW6", 1.0}}, 1.0};  ///< beside the first, for loads of two
+    Dip dip;
     std::string medium = "heavy-body oil";
     document::TiltCanvas tilt{60.0, 90.0};
     film::DryingAir air;
     brush::Stabiliser stabiliser;
     brush::Symmetry symmetry;
-    std::optional<brush::Ruler> ruler;  ///< lies on the canvas
-    brush::PenGuide guide;              ///< that the latest stroke had
-    bool reload_each_stroke = true;     ///< a clean brush full of `paint` at every touch
-    bool turn_with_stroke = true;       ///< a pen that does not tell its rotation turns across its path
+    std::optional<brush::Ruler> ruler;           ///< lies on the canvas
+    std::optional<brush::EllipseCurve> ellipse;  ///< lies there in its place
+    brush::PenGuide guide;                       ///< that the latest stroke had
+    bool reload_each_stroke = true;              ///< a clean brush full of `paint` at every touch
+    bool turn_with_stroke = true;  ///< a pen that does not tell its rotation turns across its path
 };
+
+/// The brush in hand, as wide as its preset says.
+brush::Preset preset_in_hand(const Hand& hand);
+
+/// What the brush is dipped in.
+document::LoadPaint load_of(const Hand& hand);
 
 /// What the painter holds after these events, having held `hand` before. Throws InputError for an
 /// unknown brush.

@@ -23,11 +23,11 @@ uniform float gloss;
 uniform float dry_roughness;
 uniform float wet_roughness;
 uniform float inverse_softness_per_mm;
+uniform vec3 luminance_weights;        // of the working space
 
 out vec4 screen_colour;
 
 const int kBorder = 2;
-const vec3 kLuminance = vec3(0.2126, 0.7152, 0.0722);
 
 vec4 spline_weights(float t) {
     float s = 1.0 - t;
@@ -116,7 +116,7 @@ vec3 shade(SurfacePoint point) {
 
 // pigment/colour.hpp: half clipped, half moved towards the grey of the same luminance.
 vec3 into_gamut(vec3 colour) {
-    float grey = clamp(dot(kLuminance, colour), 0.0, 1.0);
+    float grey = clamp(dot(luminance_weights, colour), 0.0, 1.0);
     vec3 excess = max(max(colour - 1.0, -colour), 0.0);
     vec3 reach = max(abs(colour - grey), 1e-6);
     vec3 shares = excess / reach;

@@ -19,6 +19,9 @@ namespace {
 constexpr double kZoomPerNotch = 1.25;
 constexpr double kNotch = 120.0;
 
+/// So near to a handle a press takes hold of it.
+constexpr double kHandleReach_px = 9.0;
+
 }  // namespace
 
 tools::Pointer CanvasView::mouse_pointer(const QMouseEvent& event) const {
@@ -65,11 +68,37 @@ void CanvasView::follow_pointer(const QPointF& position) {
     update();
 }
 
+/// Whether the press picks a colour or takes hold of a handle; else it paints.
+bool CanvasView::press_guides(const QPointF& position, Qt::KeyboardModifiers modifiers) {
+    if (wanted_ == nullptr || surface_ == document::Surface::Well) return false;
+    const glm::dvec2 mm = canvas_mm(position);
+    picking_ =
+        picks_next_ || modifiers.testFlag(Qt::ControlModifier) || modifiers.testFlag(Qt::AltModifier);
+    if (picking_) {
+        Q_EMIT colour_wanted({mm.x, mm.y});
+        return true;
+    }
+    const double reach_mm = kHandleReach_px * devicePixelRatioF() * mm_per_px();
+    return handles_shown_ && guide_drag_.press(easel_->hand(), mm, handle_axis_mm(), reach_mm);
+}
+
+/// Whether the movement belongs to a press that does not paint.
+bool CanvasView::drag_guides(const QPointF& position, Qt::KeyboardModifiers modifiers) {
+    if (picking_) return true;
+    if (!guide_drag_.active()) return false;
+    const bool square = modifiers.testFlag(Qt::ShiftModifier);
+    if (const auto guide = guide_drag_.move(easel_->hand(), canvas_mm(position), square))
+        Q_EMIT guide_dragged(*guide);
+    update();
+    return true;
+}
+
 void CanvasView::mousePressEvent(QMouseEvent* event) {
     follow_pointer(event->position());
     if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && space_held_)) {
         start_panning(event->position());
-    } else if (event->button() == Qt::LeftButton) {
+    } else if (event->button() == Qt::LeftButton &&
+               !press_guides(event->position(), event->modifiers())) {
         touch_down(mouse_pointer(*event), event->modifiers());
     }
 }
@@ -78,8 +107,9 @@ void CanvasView::mouseMoveEvent(QMouseEvent* event) {
     if (pan_from_) pan_to(event->position());
     follow_pointer(event->position());
     // A release that got lost on its way is made good here.
-    if (!event->buttons().testFlag(Qt::LeftButton)) easel_->release();
-    if (!pan_from_) easel_->move(mouse_pointer(*event));
+    if (!event->buttons().testFlag(Qt::LeftButton)) release_pointer();
+    if (!pan_from_ && !drag_guides(event->position(), event->modifiers()))
+        easel_->move(mouse_pointer(*event));
 }
 
 void CanvasView::mouseReleaseEvent(QMouseEvent* event) {
@@ -87,9 +117,15 @@ void CanvasView::mouseReleaseEvent(QMouseEvent* event) {
         pan_from_.reset();
         set_cursor();
     } else if (event->button() == Qt::LeftButton) {
-        easel_->move(mouse_pointer(*event));
-        easel_->release();
+        if (easel_->painting()) easel_->move(mouse_pointer(*event));
+        release_pointer();
     }
+}
+
+void CanvasView::release_pointer() {
+    easel_->release();
+    guide_drag_.release();
+    picking_ = false;
 }
 
 void CanvasView::tabletEvent(QTabletEvent* event) {
@@ -100,18 +136,20 @@ void CanvasView::tabletEvent(QTabletEvent* event) {
         case QEvent::TabletPress:
             if (space_held_ || event->button() == Qt::MiddleButton) {
                 start_panning(event->position());
-            } else if (event->button() == Qt::LeftButton) {
+            } else if (event->button() == Qt::LeftButton &&
+                       !press_guides(event->position(), event->modifiers())) {
                 touch_down(pen_pointer(*event), event->modifiers());
             }
             break;
         case QEvent::TabletRelease:
             pan_from_.reset();
-            if (event->button() == Qt::LeftButton) easel_->release();
+            if (event->button() == Qt::LeftButton) release_pointer();
             set_cursor();
             break;
         default:
-            if (!event->buttons().testFlag(Qt::LeftButton)) easel_->release();
-            if (!pan_from_) easel_->move(pen_pointer(*event));
+            if (!event->buttons().testFlag(Qt::LeftButton)) release_pointer();
+            if (!pan_from_ && !drag_guides(event->position(), event->modifiers()))
+                easel_->move(pen_pointer(*event));
     }
 }
 
@@ -169,7 +207,10 @@ void CanvasView::leaveEvent(QEvent*) {
 
 /// The brush's own outline stands for the cursor, except where the hand moves the canvas.
 void CanvasView::set_cursor() {
-    setCursor(pan_from_ ? Qt::ClosedHandCursor : space_held_ ? Qt::OpenHandCursor : Qt::CrossCursor);
+    setCursor(pan_from_     ? Qt::ClosedHandCursor
+              : space_held_ ? Qt::OpenHandCursor
+              : picks_next_ ? Qt::PointingHandCursor
+                            : Qt::CrossCursor);
     update();
 }
 

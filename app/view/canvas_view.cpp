@@ -1,6 +1,7 @@
 #include "view/canvas_view.hpp"
 
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "view/guide_lines.hpp"
 
 #include <algorithm>
@@ -108,6 +109,16 @@ void CanvasView::set_viewing(const pigment::Viewing& viewing) {
 void CanvasView::set_tip(const TipShape& tip) {
     tip_ = tip;
     update();
+}
+
+void CanvasView::show_handles(bool shown) {
+    handles_shown_ = shown;
+    update();
+}
+
+void CanvasView::pick_next(bool picks) {
+    picks_next_ = picks;
+    set_cursor();
 }
 
 void CanvasView::set_view(const ViewTransform& view) {
@@ -264,7 +275,7 @@ QRegion CanvasView::damaged_region(const LayerChanges& changes) const {
 }
 
 double CanvasView::shade_job(const ShadingPlan::Job& job) {
-    const Scene scene{&textures_, shown_->film.cell_mm, view_, lighting_};
+    const Scene scene{&textures_, shown_->film.cell_mm, view_, lighting_, viewing_.space};
     double seconds = 0.0;
     for (const QRect& part : job.region)
         seconds += picture_.shade(part, job.quality, scene);
@@ -281,14 +292,42 @@ void CanvasView::draw_guides() {
     const OverlayFrame canvas = overlay_frame(view_.device_from_cell({0.0, 0.0}));
     overlay_.draw_segments(guide_lines_mm(easel_->hand(), shown_->film.cell_mm * canvas_cells()), canvas,
                            kFaint);
+    if (handles_shown_) draw_handles(canvas);
     const std::optional<tools::Pointer> start = easel_->line_start();
     if (!start || !pointer_) return;
     const glm::dvec2 end_mm = canvas_mm(*pointer_);
     overlay_.draw_segments({glm::vec2(start->x_mm, start->y_mm), glm::vec2(end_mm)}, canvas, 1.0F);
 }
 
+/// Rings that keep their size on the screen.
+void CanvasView::draw_handles(const OverlayFrame& canvas) {
+    constexpr double kRadius_px = 5.0;
+    constexpr int kCorners = 20;
+    const double radius_mm = kRadius_px * devicePixelRatioF() * mm_per_px();
+    for (const tools::PlacedHandle& handle : tools::guide_handles(easel_->hand(), handle_axis_mm())) {
+        std::vector<glm::vec2> ring;
+        for (int i = 0; i < kCorners; ++i) {
+            const double angle = 2.0 * core::kPi * i / kCorners;
+            ring.emplace_back(handle.place_mm +
+                              radius_mm * glm::dvec2(std::cos(angle), std::sin(angle)));
+        }
+        overlay_.draw_loop(ring, canvas, 1.0F);
+    }
+}
+
+double CanvasView::mm_per_px() const {
+    return wanted_->film.cell_mm / view_.zoom;
+}
+
+/// How far from its centre a mirror is turned.
+double CanvasView::handle_axis_mm() const {
+    constexpr double kShare = 0.4;
+    const glm::dvec2 canvas = wanted_->film.cell_mm * canvas_cells();
+    return kShare * std::min(canvas.x, canvas.y);
+}
+
 void CanvasView::draw_tip() {
-    if (!pointer_ || pan_from_ || space_held_) return;
+    if (!pointer_ || pan_from_ || space_held_ || picks_next_ || guide_drag_.active()) return;
     TipShape tip = tip_;
     tip.rotation_deg = easel_->rotation_deg();
     overlay_.draw_loop(outline_mm(tip), overlay_frame(device_px(*pointer_)), 1.0F);

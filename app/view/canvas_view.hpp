@@ -6,6 +6,7 @@
 #include "document/painting.hpp"
 #include "tools/easel.hpp"
 #include "view/brush_outline.hpp"
+#include "view/guide_drag.hpp"
 #include "view/line_overlay.hpp"
 #include "view/picture_buffer.hpp"
 #include "view/shading_plan.hpp"
@@ -33,6 +34,12 @@ class CanvasView : public QOpenGLWidget {
     void set_lighting(const shade::Lighting& lighting);
     void set_viewing(const pigment::Viewing& viewing);
     void set_tip(const TipShape& tip);
+
+    /// Shows the handles of the guides, by which they are dragged.
+    void show_handles(bool shown);
+
+    /// The next click picks a colour instead of painting.
+    void pick_next(bool picks);
 
     const shade::Lighting& lighting() const { return lighting_; }
     const pigment::Viewing& viewing() const { return viewing_; }
@@ -64,6 +71,12 @@ class CanvasView : public QOpenGLWidget {
     void pointer_moved(const QPointF& canvas_mm);
     void pointer_left();
 
+    /// A guide is being dragged by its handle.
+    void guide_dragged(const tools::Guide& guide);
+
+    /// The colour at this place of the canvas is asked for.
+    void colour_wanted(const QPointF& canvas_mm);
+
     /// Nothing can be shown on this machine; one sentence.
     void failed(const QString& sentence);
 
@@ -87,6 +100,7 @@ class CanvasView : public QOpenGLWidget {
     void upload_changes();
     double shade_job(const ShadingPlan::Job& job);
     void draw_guides();
+    void draw_handles(const OverlayFrame& canvas);
     void draw_tip();
     OverlayFrame overlay_frame(const glm::dvec2& origin_px) const;
     void damage_all();
@@ -100,6 +114,11 @@ class CanvasView : public QOpenGLWidget {
     tools::Pointer pen_pointer(const QTabletEvent& event) const;
     void touch_down(const tools::Pointer& pointer, Qt::KeyboardModifiers modifiers);
     void follow_pointer(const QPointF& position);
+    bool press_guides(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    bool drag_guides(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    void release_pointer();
+    double handle_axis_mm() const;
+    double mm_per_px() const;
     void start_panning(const QPointF& position);
     void pan_to(const QPointF& position);
     void set_cursor();
@@ -130,6 +149,10 @@ class CanvasView : public QOpenGLWidget {
     std::optional<QPointF> pointer_;
     std::optional<QPointF> pan_from_;
     bool space_held_ = false;
+    GuideDrag guide_drag_;
+    bool handles_shown_ = true;
+    bool picks_next_ = false;
+    bool picking_ = false;  ///< this press picks and does not paint
 };
 
 }  // namespace pastoso::view

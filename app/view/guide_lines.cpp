@@ -35,6 +35,7 @@ class Clipper {
 };
 
 constexpr double kFar = 1e6;
+constexpr int kEllipsePieces = 128;
 
 void add_symmetry(const brush::Symmetry& symmetry, Clipper& clipper) {
     if (!symmetry.mirror && symmetry.count == 1) return;
@@ -44,6 +45,19 @@ void add_symmetry(const brush::Symmetry& symmetry, Clipper& clipper) {
         const double angle = core::radians(symmetry.axis_deg + whole_deg * i / symmetry.count);
         clipper.add(centre, {std::cos(angle), std::sin(angle)}, symmetry.mirror ? -kFar : 0.0, kFar);
     }
+}
+
+void add_ellipse(const brush::EllipseCurve& ellipse, Clipper& clipper) {
+    const double turn = core::radians(ellipse.turn_deg);
+    const auto point = [&](int i) {
+        const double angle = 2.0 * core::kPi * i / kEllipsePieces;
+        const double x = ellipse.half_width_mm * std::cos(angle);
+        const double y = ellipse.half_height_mm * std::sin(angle);
+        return glm::dvec2(ellipse.centre_x_mm + x * std::cos(turn) - y * std::sin(turn),
+                          ellipse.centre_y_mm + x * std::sin(turn) + y * std::cos(turn));
+    };
+    for (int i = 0; i < kEllipsePieces; ++i)
+        clipper.add(point(i), point(i + 1) - point(i), 0.0, 1.0);
 }
 
 }  // namespace
@@ -57,6 +71,7 @@ std::vector<glm::vec2> guide_lines_mm(const tools::Hand& hand, const glm::dvec2&
         const glm::dvec2 from{ruler.x1_mm, ruler.y1_mm};
         clipper.add(from, glm::dvec2{ruler.x2_mm, ruler.y2_mm} - from, -kFar, kFar);
     }
+    if (hand.ellipse) add_ellipse(*hand.ellipse, clipper);
     return lines;
 }
 

@@ -12,6 +12,7 @@ struct Scene {
     double cell_mm = 0.25;
     ViewTransform view;
     shade::Lighting lighting;
+    pigment::WorkingSpace space = pigment::WorkingSpace::Srgb;
 };
 
 }  // namespace pastoso::view

@@ -3,6 +3,8 @@
 #include "shade/sampling.hpp"
 #include "shade/shading_model.hpp"
 
+#include <array>
+
 #include <QVector2D>
 #include <QVector3D>
 
@@ -35,6 +37,8 @@ void set_shading_uniforms(QOpenGLShaderProgram& program, const Scene& scene, con
     program.setUniformValue("pixel_size", static_cast<float>(sampling.pixel_size));
     program.setUniformValue("samples_per_side", sampling.samples_per_side);
     program.setUniformValue("colour_sharpness", shade::colour_sharpness(scene.view.zoom));
+    const std::array<float, 3> weights = pigment::luminance_weights(scene.space);
+    program.setUniformValue("luminance_weights", QVector3D(weights[0], weights[1], weights[2]));
     set_light(program, shade::shading_constants(scene.lighting));
 }
 

@@ -45,10 +45,22 @@ float dipped_to_mm(const Tip& tip) {
     return heights_mm[last];
 }
 
+/// What a bristle takes up in a full dip, of its capacity.
+double share_of_full(const Tip& tip, std::size_t bristle) {
+    return tip.rigid ? 1.0 : 0.4 + 0.6 * tip.bristles[bristle].body;
+}
+
 void check_paint(const film::PaintCoefficients& paint) {
     for (const float coefficient : paint) {
         PASTOSO_CHECK(coefficient >= 0.0F && coefficient <= kStrongestPaint_per_mm);
     }
+}
+
+Contents scaled(Contents contents, double factor) {
+    contents.volume_mm3 *= factor;
+    for (double& amount : contents.paint)
+        amount *= factor;
+    return contents;
 }
 
 Contents paint_of(const MixedLoad& paint, double second_share, double volume_mm3) {
@@ -80,9 +92,8 @@ Contents Brush::load(const MixedLoad& paint, double fill) {
     for (std::size_t i = 0; i < held.size(); ++i) {
         const Bristle& bristle = tip.bristles[i];
         if (end_height_mm(bristle) > deepest_mm) continue;
-        const double share_of_full = tip.rigid ? 1.0 : 0.4 + 0.6 * bristle.body;
         const double wanted_mm3 =
-            tip.capacity_mm3 * std::min(fill * share_of_full, preset.exchange.overflow);
+            tip.capacity_mm3 * std::min(fill * share_of_full(tip, i), preset.exchange.overflow);
         const double missing_mm3 = std::max(0.0, wanted_mm3 - held[i].volume_mm3);
         const double share = mixed_share(paint, tip, static_cast<std::uint32_t>(i));
         const Contents dip = paint_of(paint, share, missing_mm3);
@@ -92,9 +103,17 @@ Contents Brush::load(const MixedLoad& paint, double fill) {
     return taken;
 }
 
-Contents Brush::clean() {
-    const Contents taken = contents();
-    held.assign(held.size(), Contents{});
+double Brush::full_dip_mm3(std::size_t bristle) const {
+    return tip.capacity_mm3 * std::min(share_of_full(tip, bristle), preset.exchange.overflow);
+}
+
+Contents Brush::clean(double share) {
+    PASTOSO_CHECK(share >= 0.0 && share <= 1.0);
+    const Contents before = contents();
+    for (Contents& bristle : held)
+        bristle = share < 1.0 ? scaled(bristle, 1.0 - share) : Contents{};
+    Contents taken = before;
+    taken -= contents();
     return taken;
 }
 

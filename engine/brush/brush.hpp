@@ -33,14 +33,17 @@ struct Brush {
     Contents load(const film::PaintCoefficients& paint, double fill);
     Contents load(const MixedLoad& paint, double fill);
 
-    /// Takes all paint off and returns it.
-    Contents clean();
+    /// Takes paint off, that share (0 to 1) of what every bristle holds, and returns it.
+    Contents clean(double share = 1.0);
 
     /// Hands over what an absorbing tool has thrown away since the last call.
     Contents take_thrown_away();
 
     /// The sum over the bristles.
     Contents contents() const;
+
+    /// What a bristle holds after a full dip (fill 1): thin ones take less.
+    double full_dip_mm3(std::size_t bristle) const;
 
     /// Bristle's volume against its capacity; a full one has 1.
     double fill_of(int bristle) const { return held[bristle].volume_mm3 / tip.capacity_mm3; }

@@ -20,14 +20,14 @@ auto find_name(auto& entries, std::string_view name) {
                         });
 }
 
-void add_own(Preset preset, const std::string& file, std::vector<Entry>& entries) {
+void add_own(Preset preset, const std::filesystem::path& file, std::vector<Entry>& entries) {
     const auto same = find_name(entries, preset.name);
     if (same == entries.end()) {
-        entries.push_back({std::move(preset), true});
+        entries.push_back({std::move(preset), true, file});
     } else if (!same->own) {
-        *same = {std::move(preset), true};
+        *same = {std::move(preset), true, file};
     } else {
-        throw core::InputError(file + ": name is \"" + preset.name +
+        throw core::InputError(file.string() + ": name is \"" + preset.name +
                                "\", which another preset of yours has already.");
     }
 }
@@ -45,6 +45,12 @@ std::string file_name_of(const std::string& preset_name) {
     return (name.empty() ? "preset" : name) + ".json";
 }
 
+void remove_file(const std::filesystem::path& file) {
+    std::error_code failure;
+    if (!std::filesystem::remove(file, failure) && failure)
+        throw core::InputError(file.string() + ": cannot be removed (" + failure.message() + ").");
+}
+
 }  // namespace
 
 PresetLibrary load_presets(const std::filesystem::path& own_folder) {
@@ -53,10 +59,9 @@ PresetLibrary load_presets(const std::filesystem::path& own_folder) {
         library.entries.push_back({preset, false});
     for (const auto& file : core::files_in(own_folder, ".json")) {
         try {
-            add_own(parse_preset(core::read_text_file(file), file.string()), file.string(),
-                    library.entries);
+            add_own(parse_preset(core::read_text_file(file), file.string()), file, library.entries);
         } catch (const core::InputError& fault) {
-            library.faults.emplace_back(fault.what());
+            library.faults.push_back({file, fault.what()});
         }
     }
     std::sort(library.entries.begin(), library.entries.end(),
@@ -69,6 +74,10 @@ const Entry* find_entry(const PresetLibrary& library, std::string_view name) {
     return found == library.entries.end() ? nullptr : &*found;
 }
 
+std::filesystem::path preset_file(std::string_view name, const std::filesystem::path& own_folder) {
+    return own_folder / file_name_of(std::string(name));
+}
+
 std::filesystem::path save_preset(const Preset& preset, const std::filesystem::path& own_folder) {
     std::error_code failure;
     std::filesystem::create_directories(own_folder, failure);
@@ -76,9 +85,28 @@ std::filesystem::path save_preset(const Preset& preset, const std::filesystem::p
         throw core::InputError(own_folder.string() + ": this folder cannot be made (" +
                                failure.message() + ").");
     }
-    const std::filesystem::path file = own_folder / file_name_of(preset.name);
+    const std::filesystem::path file = preset_file(preset.name, own_folder);
     core::write_text_file(file, preset_to_json(preset));
     return file;
+}
+
+void rename_preset(const PresetLibrary& library, const Entry& own, const std::string& new_name) {
+    if (new_name.empty()) throw core::InputError("A brush needs a name.");
+    const Entry* same = find_entry(library, new_name);
+    if (same != nullptr && same->file != own.file)
+        throw core::InputError("There is already a brush \"" + same->preset.name + "\".");
+    const std::filesystem::path folder = own.file.parent_path(), old_file = own.file;
+    const std::filesystem::path file = preset_file(new_name, folder);
+    if (file != old_file && std::filesystem::exists(file))
+        throw core::InputError("There is already a file " + file.string() + ".");
+    Preset renamed = own.preset;
+    renamed.name = new_name;
+    save_preset(renamed, folder);
+    if (file != old_file) remove_file(old_file);
+}
+
+void delete_preset(const Entry& own) {
+    remove_file(own.file);
 }
 
 }  // namespace pastoso::brush

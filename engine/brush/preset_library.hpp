@@ -12,10 +12,15 @@ namespace pastoso::brush {
 struct PresetLibrary {
     struct Entry {
         Preset preset;
-        bool own = false;  ///< the painter's, not the program's
+        bool own = false;              ///< the painter's, not the program's
+        std::filesystem::path file{};  ///< of the painter's own, empty otherwise
     };
-    std::vector<Entry> entries;       ///< in the order of their names; no two have the same
-    std::vector<std::string> faults;  ///< a sentence for each file of the painter's that was left out
+    struct Fault {
+        std::filesystem::path file;
+        std::string sentence;  ///< names the file, the place and the value
+    };
+    std::vector<Entry> entries;  ///< in the order of their names; no two have the same
+    std::vector<Fault> faults;   ///< the painter's files that were left out
 };
 
 /// The bundled presets and those in `own_folder` (*.json, which need not exist). A preset of the
@@ -26,8 +31,21 @@ PresetLibrary load_presets(const std::filesystem::path& own_folder);
 /// The entry of that name, upper and lower case alike; null when there is none.
 const PresetLibrary::Entry* find_entry(const PresetLibrary& library, std::string_view name);
 
-/// Writes a preset of the painter's into the folder, which is made where it is missing, as NAME.json in
-/// small letters. Returns the file. Throws InputError when it cannot be written.
+/// Where save_preset() puts a preset of that name: NAME.json in small letters. Different names may have
+/// the same file.
+std::filesystem::path preset_file(std::string_view name, const std::filesystem::path& own_folder);
+
+/// Writes a preset of the painter's into the folder, which is made where it is missing. Returns the
+/// file. Throws InputError when it cannot be written.
 std::filesystem::path save_preset(const Preset& preset, const std::filesystem::path& own_folder);
+
+/// Gives a preset of the painter's another name, and the file of that name. Throws InputError, and
+/// leaves all as it was, when the name is empty or taken, by a preset or by a file, and when the file
+/// cannot be written.
+void rename_preset(const PresetLibrary& library, const PresetLibrary::Entry& own,
+                   const std::string& new_name);
+
+/// Removes the file of a preset of the painter's. Throws InputError when it cannot be removed.
+void delete_preset(const PresetLibrary::Entry& own);
 
 }  // namespace pastoso::brush

@@ -92,7 +92,9 @@ struct Checker {
         check_between("y of the squeezed paint in mm", squeeze.y_mm, 0.0, kWellHeight_mm);
     }
     void operator()(const CleanWell&) const {}
-    void operator()(const CleanBrush&) const {}
+    void operator()(const CleanBrush& clean) const {
+        check_between("share that is wiped off the brush", clean.share, 0.0, 1.0);
+    }
     void operator()(const DryNow&) const {}
     void operator()(const PenUp&) const {}
     void operator()(const Undo&) const {}

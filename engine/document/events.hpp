@@ -68,7 +68,8 @@ struct SqueezePaint {
 struct CleanWell {  ///< wipes the mixing well bare, into the waste account
     friend bool operator==(const CleanWell&, const CleanWell&) = default;
 };
-struct CleanBrush {  ///< wipes everything off the brush, into the waste account
+struct CleanBrush {      ///< wipes paint off the brush, into the waste account
+    double share = 1.0;  ///< of what every bristle holds, 0 to 1; less than all blots it
     friend bool operator==(const CleanBrush&, const CleanBrush&) = default;
 };
 /// Takes another medium in hand. Paint loaded from now on brings its viscosity, yield stress, solids and

@@ -124,9 +124,9 @@ struct Painting::Parts {
         ++brush_use;
     }
 
-    void operator()(const CleanBrush&) {
+    void operator()(const CleanBrush& clean) {
         end_stroke();
-        wipe_brush();
+        wipe_brush(clean.share);
     }
 
     void operator()(const UseMedium& use) {
@@ -240,8 +240,8 @@ struct Painting::Parts {
         wiped += stroke->take_thrown_away();
     }
 
-    void wipe_brush() {
-        if (brush) wiped += brush->clean();
+    void wipe_brush(double share = 1.0) {
+        if (brush) wiped += brush->clean(share);
         ++brush_use;
     }
 
@@ -383,7 +383,8 @@ const film::FilmState* Painting::well() const {
     return parts_->well ? &parts_->well->film : nullptr;
 }
 Snapshot Painting::snapshot() const {
-    return {parts_->film, kPrimedGround, parts_->tick, parts_->well_film()};
+    return {parts_->film, kPrimedGround, parts_->tick, parts_->well_film(),
+            parts_->brush ? brush::load_profile(*parts_->brush) : brush::LoadProfile{}};
 }
 bool Painting::can_undo() const {
     return parts_->history.can_undo();

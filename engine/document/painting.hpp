@@ -2,6 +2,7 @@
 // paint.
 #pragma once
 
+#include "brush/load_profile.hpp"
 #include "core/thread_pool.hpp"
 #include "document/events.hpp"
 #include "film/solver.hpp"
@@ -27,6 +28,7 @@ struct Snapshot {
     pigment::Bands ground{};  ///< internal reflectance of the bare support, and of the bare well
     std::int64_t tick = 0;
     std::optional<film::FilmState> well{};  ///< the mixing well's; none while nothing has touched it
+    brush::LoadProfile brush_load{};        ///< of the brush in hand
 };
 
 /// Where all the paint is, in mm3 of volume and in mm3 times the pigment coefficients (K_k, S_k per mm).

@@ -84,6 +84,11 @@ document::Action read_load_paint(const JsonPlace& place) {
     return load;
 }
 
+document::Action read_clean_brush(const JsonPlace& place) {
+    place.allow_only({"share"});
+    return document::CleanBrush{place.number_or("share", 1.0)};
+}
+
 document::Action read_tilt(const JsonPlace& place) {
     place.allow_only({"tilt_deg", "direction_deg"});
     document::TiltCanvas tilt;
@@ -138,7 +143,7 @@ struct Kind {
 constexpr Kind kKinds[] = {
     {"take_brush", read_take_brush},
     {"load_paint", read_load_paint},
-    {"clean_brush", read_plain<document::CleanBrush>},
+    {"clean_brush", read_clean_brush},
     {"use_medium", read_medium},
     {"tilt_canvas", read_tilt},
     {"set_drying", read_drying},

@@ -150,7 +150,9 @@ class EntryWriter {
     }
     void operator()(const document::TakeBrush& take) { put("take_brush", brush_json(take)); }
     void operator()(const document::LoadPaint& load) { put("load_paint", load_json(load)); }
-    void operator()(const document::CleanBrush&) { put("clean_brush", Json::object()); }
+    void operator()(const document::CleanBrush& clean) {
+        put("clean_brush", clean.share == 1.0 ? Json::object() : Json{{"share", clean.share}});
+    }
     void operator()(const document::UseMedium& medium) {
         put("use_medium", Json{{"name", medium.name}});
     }

@@ -1,8 +1,11 @@
 // Mirror, copies, straight lines, ruler and stabiliser, as the window has them.
 #include "app/window_fixture.hpp"
 
+#include <cmath>
+
 #include <QAction>
 #include <QApplication>
+#include <QDoubleSpinBox>
 #include <QMouseEvent>
 #include <QSlider>
 
@@ -84,7 +87,8 @@ TEST_F(Guides, TheAxisIsDrawnOverTheCanvas) {
     EXPECT_GT(difference(before, after).largest, 20);
     const double ratio = canvas().devicePixelRatioF();
     int changed = 0;
-    const int y = static_cast<int>(ratio * canvas().widget_position({30.0, 20.0}).y());
+    // Off the handles in the middle and on the axis.
+    const int y = static_cast<int>(ratio * canvas().widget_position({30.0, 10.0}).y());
     const double axis_px = ratio * canvas().widget_position({30.0, 20.0}).x();
     for (int x = 0; x < after.width(); ++x) {
         if (after.pixel(x, y) == before.pixel(x, y)) continue;
@@ -154,6 +158,86 @@ TEST_F(Guides, AnotherCanvasKeepsTheMirrorInItsOwnMiddle) {
     EXPECT_EQ(window().easel().hand().symmetry.centre_x_mm, 20.0);
     mouse_stroke(line_mm({6.0, 12.0}, {6.0, 28.0}));
     EXPECT_GT(paint_at(34.0, 20.0), 0.01);
+}
+
+TEST_F(Guides, BothMirrorsPaintFourImages) {
+    give(Command::MirrorSymmetry);
+    give(Command::MirrorLevel);
+    EXPECT_TRUE(window().commands().action(Command::MirrorSymmetry)->isChecked());
+    mouse_stroke(line_mm({8.0, 8.0}, {16.0, 10.0}));
+    for (const double x_mm : {12.0, 48.0}) {
+        for (const double y_mm : {9.0, 31.0})
+            EXPECT_GT(paint_at(x_mm, y_mm), 0.01) << x_mm << ", " << y_mm;
+    }
+    give(Command::MirrorSymmetry);
+    EXPECT_FALSE(window().commands().action(Command::MirrorSymmetry)->isChecked());
+    EXPECT_TRUE(window().commands().action(Command::MirrorLevel)->isChecked());
+    give(Command::RemoveGuides);
+    EXPECT_FALSE(window().easel().hand().symmetry.mirror);
+    EXPECT_FALSE(window().commands().action(Command::RemoveGuides)->isEnabled());
+}
+
+TEST_F(Guides, TheMirrorIsDraggedByItsCentre) {
+    give(Command::MirrorSymmetry);
+    press({30.0, 20.0});
+    move({25.0, 20.0});
+    move({20.0, 20.0});
+    release({20.0, 20.0});
+    EXPECT_EQ(volume_mm3(), 0.0) << "dragging does not paint";
+    // The mouse hits whole pixels, some eight a millimetre.
+    EXPECT_NEAR(window().easel().hand().symmetry.centre_x_mm, 20.0, 0.15);
+    mouse_stroke(line_mm({8.0, 12.0}, {8.0, 28.0}));
+    EXPECT_GT(paint_at(32.0, 20.0), 0.01);
+    EXPECT_EQ(paint_at(52.0, 20.0), 0.0);
+}
+
+TEST_F(Guides, WithoutHandlesTheCentreIsPaintedOn) {
+    give(Command::MirrorSymmetry);
+    const QImage with_handles = picture();
+    give(Command::GuideHandles);
+    EXPECT_GT(difference(with_handles, picture()).largest, 20);
+    mouse_stroke(line_mm({30.0, 20.0}, {40.0, 20.0}));
+    EXPECT_GT(volume_mm3(), 0.0);
+    EXPECT_EQ(window().easel().hand().symmetry.centre_x_mm, 30.0);
+}
+
+TEST_F(Guides, TheRulerIsDraggedByItsEnds) {
+    give(Command::Ruler);  // level, through the middle
+    const double end_mm = window().easel().hand().ruler->x2_mm;
+    press({end_mm, 20.0});
+    move({end_mm, 30.0});
+    release({end_mm, 30.0});
+    EXPECT_NEAR(window().easel().hand().ruler->y2_mm, 30.0, 0.15);
+    EXPECT_EQ(window().easel().hand().ruler->y1_mm, 20.0);
+    session().wait_until_applied();
+    mouse_stroke({{10.0, 12.0}, {30.0, 12.0}});
+    const auto& form = window().easel().hand().guide.form;
+    EXPECT_EQ(std::get<brush::Ruler>(form), *window().easel().hand().ruler);
+}
+
+TEST_F(Guides, StrokesRunAlongTheEllipse) {
+    give(Command::Ruler);
+    give(Command::Ellipse);
+    EXPECT_FALSE(window().commands().action(Command::Ruler)->isChecked()) << "one guide at a time";
+    auto* width = window().findChild<QDoubleSpinBox*>(QStringLiteral("ellipse_width"));
+    width->setValue(40.0);
+    ASSERT_TRUE(window().easel().hand().ellipse.has_value());
+    EXPECT_EQ(window().easel().hand().ellipse->half_width_mm, 20.0);
+    // A straight movement from the ellipse's left end over its top; its half height is 12 mm.
+    mouse_stroke({{10.5, 19.0}, {14.0, 11.0}, {22.0, 6.0}, {30.0, 4.0}});
+    EXPECT_GT(paint_at(30.0 - 20.0 * std::sqrt(0.5), 20.0 - 12.0 * std::sqrt(0.5)), 0.01);
+    EXPECT_EQ(paint_at(22.0, 5.0), 0.0);
+}
+
+TEST_F(Guides, NumbersMoveTheMirrorToo) {
+    give(Command::MirrorSymmetry);
+    window().findChild<QDoubleSpinBox*>(QStringLiteral("symmetry_x"))->setValue(20.0);
+    window().findChild<QDoubleSpinBox*>(QStringLiteral("copies"))->setValue(3.0);
+    EXPECT_EQ(window().easel().hand().symmetry.centre_x_mm, 20.0);
+    EXPECT_EQ(window().easel().hand().symmetry.count, 3);
+    EXPECT_TRUE(window().easel().hand().symmetry.mirror);
+    session().wait_until_applied();
+    EXPECT_TRUE(session().take_errors().empty());
 }
 
 TEST_F(Guides, ALostReleaseEndsTheStroke) {

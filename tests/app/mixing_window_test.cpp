@@ -1,51 +1,83 @@
-// A picked colour becomes paint, and the recipe from the tubes may take its place.
+// A colour becomes paint: picked by its channels, typed, taken from the canvas or from a palette; and
+// the recipe from the tubes may take its place.
 #include "app/window_fixture.hpp"
+#include "core/temporary_folder.hpp"
+#include "core/text_file.hpp"
+#include "pigment/hex_colour.hpp"
 
-#include <QColorDialog>
+#include <QAction>
+#include <QApplication>
+#include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMouseEvent>
 #include <QPushButton>
+#include <QSlider>
+#include <QStatusBar>
 #include <QTest>
+#include <QToolButton>
+#include <gmock/gmock.h>
 
 namespace pastoso::tests {
 namespace {
 
+using commands::Command;
+using testing::HasSubstr;
+
 class MixingWindow : public WindowTest {
   protected:
-    QPushButton& button(const char* name) {
-        auto* found = window().findChild<QPushButton*>(QString::fromLatin1(name));
+    void SetUp() override {
+        WindowTest::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        give(Command::Pause);
+        give(Command::ColourPanel);
+    }
+
+    void give(Command command) { window().commands().action(command)->trigger(); }
+
+    template <class Widget>
+    Widget& find(const char* name) {
+        auto* found = window().findChild<Widget*>(QString::fromLatin1(name));
         if (found == nullptr) throw std::runtime_error(name);
         return *found;
     }
-    QString recipe() { return window().findChild<QLabel*>(QStringLiteral("recipe"))->text(); }
+    void click(QWidget& widget) { QTest::mouseClick(&widget, Qt::LeftButton); }
+    std::string recipe() { return find<QLabel>("recipe").text().toStdString(); }
+    std::string told() { return window().statusBar()->currentMessage().toStdString(); }
     const std::vector<document::Ingredient>& paint() {
         return window().easel().hand().paint.ingredients;
     }
+    /// The paint of the last dip in the recording.
+    document::PaintRecipe dipped() {
+        session().wait_until_applied();
+        document::PaintRecipe paint;
+        for (const document::Event& event : session().recording().events) {
+            const auto* load = std::get_if<document::LoadPaint>(&event.action);
+            if (load != nullptr) paint = load->paint;
+        }
+        return paint;
+    }
 
-    /// Clicks on the button, then chooses in the dialog.
-    void pick(const QColor& colour) {
-        QTest::mouseClick(&button("mix_colour"), Qt::LeftButton);
-        auto* dialog = window().findChild<QColorDialog*>();
-        ASSERT_NE(dialog, nullptr);
-        ASSERT_TRUE(dialog->isVisible());
-        dialog->setCurrentColor(colour);
-        dialog->accept();
+    void type(const QString& colour) {
+        auto& hex = find<QLineEdit>("hex");
+        hex.setText(colour);
+        QTest::keyClick(&hex, Qt::Key_Return);
+    }
+    void click_canvas(const glm::dvec2& place_mm, Qt::KeyboardModifiers modifiers) {
+        const QPoint place = canvas().widget_position(place_mm).toPoint();
+        QTest::mousePress(&canvas(), Qt::LeftButton, modifiers, place);
+        QTest::mouseRelease(&canvas(), Qt::LeftButton, modifiers, place);
     }
 };
 
-TEST_F(MixingWindow, NoRecipeIsShownBeforeAColourIsPicked) {
-    EXPECT_FALSE(button("use_recipe").isVisible());
-}
-
-TEST_F(MixingWindow, APickedColourIsWhatTheBrushPaints) {
-    window().commands().action(commands::Command::Pause)->trigger();
-    pick(QColor(0xe0, 0x50, 0x20));
+TEST_F(MixingWindow, ATypedColourIsWhatTheBrushPaints) {
+    type(QStringLiteral("e05020"));
     ASSERT_EQ(paint().size(), 1U);
     EXPECT_EQ(paint()[0].pigment, "#e05020");
-    EXPECT_TRUE(button("use_recipe").isVisible());
-    EXPECT_TRUE(recipe().contains(QStringLiteral("#e05020")));
-    EXPECT_TRUE(recipe().contains(QStringLiteral("ΔE")));
+    EXPECT_THAT(recipe(), HasSubstr("ΔE"));
     for (int i = 0; i < 3; ++i)
         mouse_stroke(line_mm({15.0, 20.0}, {45.0, 20.0}));
+    EXPECT_EQ(dipped(), window().easel().hand().paint);
     const QImage after = picture();
     const double ratio = canvas().devicePixelRatioF();
     const QColor painted = after.pixelColor((ratio * canvas().widget_position({30.0, 20.0})).toPoint());
@@ -54,17 +86,121 @@ TEST_F(MixingWindow, APickedColourIsWhatTheBrushPaints) {
     EXPECT_TRUE(session().take_errors().empty());
 }
 
+TEST_F(MixingWindow, WhatIsNoColourIsToldAndThePaintStays) {
+    const auto before = window().easel().hand().paint;
+    type(QStringLiteral("#12345"));
+    EXPECT_THAT(told(), HasSubstr("\"#12345\" is no colour"));
+    EXPECT_EQ(window().easel().hand().paint, before);
+    EXPECT_EQ(find<QLineEdit>("hex").text().size(), 7);
+}
+
+TEST_F(MixingWindow, ChannelsOfEveryModelChangeTheColour) {
+    click(find<QToolButton>("model_rgb"));
+    type(QStringLiteral("#204060"));
+    find<QDoubleSpinBox>("channel_0").setValue(224.0);
+    EXPECT_EQ(paint()[0].pigment, "#e04060");
+    click(find<QToolButton>("model_hsv"));
+    EXPECT_EQ(paint()[0].pigment, "#e04060") << "another way to look at it changes nothing";
+    find<QDoubleSpinBox>("channel_1").setValue(0.0);
+    EXPECT_EQ(paint()[0].pigment, "#e0e0e0");
+    click(find<QToolButton>("model_oklch"));
+    find<QDoubleSpinBox>("channel_0").setValue(0.0);
+    EXPECT_EQ(paint()[0].pigment, "#000000");
+}
+
+TEST_F(MixingWindow, ASliderPaintsOnceItIsLetGo) {
+    click(find<QToolButton>("model_hsv"));
+    type(QStringLiteral("#ff0000"));
+    auto& hue = find<QSlider>("channel_slider_0");
+    const QPoint left(4, hue.height() / 2), middle(hue.width() / 2, hue.height() / 2);
+    QTest::mousePress(&hue, Qt::LeftButton, {}, left);
+    QMouseEvent drag(QEvent::MouseMove, middle, hue.mapToGlobal(middle), Qt::NoButton, Qt::LeftButton,
+                     {});
+    QApplication::sendEvent(&hue, &drag);
+    EXPECT_EQ(paint()[0].pigment, "#ff0000");
+    EXPECT_EQ(find<QLineEdit>("hex").text().toStdString().substr(0, 3), "#00");
+    QTest::mouseRelease(&hue, Qt::LeftButton, {}, middle);
+    EXPECT_EQ(paint()[0].pigment.substr(0, 3), "#00") << "cyan lies opposite red";
+}
+
 TEST_F(MixingWindow, TheRecipeTakesTheColoursPlace) {
-    pick(QColor(0x7a, 0x5c, 0x3e));
-    QTest::mouseClick(&button("use_recipe"), Qt::LeftButton);
+    type(QStringLiteral("#7a5c3e"));
+    auto& use_recipe = find<QPushButton>("use_recipe");
+    click(use_recipe);
     ASSERT_GE(paint().size(), 2U);
     for (const document::Ingredient& ingredient : paint())
         EXPECT_EQ(ingredient.pigment.front(), 'P');
-    EXPECT_FALSE(button("use_recipe").isEnabled());
-    session().wait_until_applied();
+    EXPECT_FALSE(use_recipe.isEnabled());
+    EXPECT_EQ(dipped(), window().easel().hand().paint);
     EXPECT_TRUE(session().take_errors().empty());
-    pick(QColor(0x7a, 0x5c, 0x3e));
-    EXPECT_TRUE(button("use_recipe").isEnabled());
+    click(find<QPushButton>("wanted_colour"));
+    EXPECT_EQ(paint()[0].pigment, "#7a5c3e");
+    EXPECT_TRUE(use_recipe.isEnabled());
+}
+
+TEST_F(MixingWindow, ATubeIsItsOwnRecipe) {
+    EXPECT_THAT(recipe(), HasSubstr("Ultramarine blue\nΔE 0.0"));
+    EXPECT_FALSE(find<QPushButton>("use_recipe").isEnabled());
+}
+
+TEST_F(MixingWindow, PaintsThatWereUsedComeBackAtAClick) {
+    type(QStringLiteral("#113355"));
+    type(QStringLiteral("#dd9900"));
+    auto* recent = window().findChild<QWidget*>(QStringLiteral("recent_paints"));
+    const auto patches = recent->findChildren<QPushButton*>();
+    ASSERT_GE(patches.size(), 3);
+    click(*patches[1]);
+    EXPECT_EQ(paint()[0].pigment, "#113355");
+    EXPECT_TRUE(patches[0]->toolTip().contains(QStringLiteral("#113355")));
+}
+
+TEST_F(MixingWindow, ACtrlClickTakesTheColourOfThePaintThere) {
+    type(QStringLiteral("#c03020"));
+    for (int i = 0; i < 4; ++i)
+        mouse_stroke(line_mm({15.0, 20.0}, {45.0, 20.0}));
+    const double volume = volume_mm3();
+    type(QStringLiteral("#2050c0"));
+    click_canvas({30.0, 20.0}, Qt::ControlModifier);
+    EXPECT_EQ(volume_mm3(), volume) << "picking does not paint";
+    const auto picked = pigment::parse_hex_colour(paint()[0].pigment);
+    ASSERT_TRUE(picked.has_value());
+    // Thick paint over white ground: its masstone to a few steps.
+    EXPECT_NEAR((*picked)[0], 0xc0, 8);
+    EXPECT_NEAR((*picked)[1], 0x30, 8);
+    EXPECT_NEAR((*picked)[2], 0x20, 8);
+    click_canvas({30.0, 34.0}, Qt::AltModifier);
+    EXPECT_GT((*pigment::parse_hex_colour(paint()[0].pigment))[2], 200) << "the bare ground";
+}
+
+TEST_F(MixingWindow, TheNextClickPicksOnce) {
+    give(Command::PickColour);
+    click_canvas({30.0, 20.0}, {});
+    EXPECT_EQ(volume_mm3(), 0.0);
+    EXPECT_EQ(paint()[0].pigment.front(), '#');
+    EXPECT_FALSE(window().commands().action(Command::PickColour)->isChecked());
+    mouse_stroke(line_mm({15.0, 20.0}, {45.0, 20.0}));
+    EXPECT_GT(volume_mm3(), 0.0);
+    click_canvas({-3.0, 20.0}, Qt::ControlModifier);
+    EXPECT_THAT(told(), HasSubstr("beside the canvas"));
+}
+
+TEST_F(MixingWindow, APaletteGivesItsColoursAndABadOneIsTold) {
+    const TemporaryFolder folder;
+    const auto file = [&](const char* name, const char* text) {
+        core::write_text_file(folder.path() / name, text);
+        return QString::fromStdString((folder.path() / name).string());
+    };
+    window().open_palette(
+        file("good.gpl", "GIMP Palette\nName: Earths\n120 60 20 Umber\n200 150 60 Ochre\n"));
+    auto* grid = window().findChild<QWidget*>(QStringLiteral("palette"));
+    const auto patches = grid->findChildren<QPushButton*>();
+    ASSERT_EQ(patches.size(), 2);
+    click(*patches[1]);
+    EXPECT_EQ(paint()[0].pigment, "#c8963c");
+    window().open_palette(file("bad.gpl", "GIMP Palette\nName: Bad\n120 600 20 Umber\n"));
+    EXPECT_THAT(told(), HasSubstr("bad.gpl, line 3"));
+    EXPECT_TRUE(patches[1]->isVisible());
+    EXPECT_EQ(paint()[0].pigment, "#c8963c");
 }
 
 }  // namespace

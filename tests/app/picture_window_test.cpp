@@ -101,6 +101,29 @@ TEST_F(PictureWindow, TheLightOfAnotherLampIsShownAsItIsSaved) {
     EXPECT_EQ(difference(picture(), in_daylight).largest, 0);
 }
 
+TEST_F(PictureWindow, DisplayP3IsShownAsItIsSavedAndTheMenuTellsIt) {
+    const auto action = [this](commands::Command command) {
+        return window().commands().action(command);
+    };
+    EXPECT_TRUE(action(commands::Command::SpaceSrgb)->isChecked());
+    EXPECT_TRUE(action(commands::Command::LightD65)->isChecked());
+    show_at(1.0, {20.0, 10.0});
+    const QImage in_srgb = picture();
+    action(commands::Command::SpaceDisplayP3)->trigger();
+    EXPECT_EQ(canvas().viewing().space, pigment::WorkingSpace::DisplayP3);
+    const QImage in_p3 = picture();
+    const QImage wanted = reference(1.0);
+    EXPECT_LE(difference(in_p3.copy(QRect(QPoint(20, 10), wanted.size())), wanted).mean, kMeanStep);
+    EXPECT_GT(difference(in_p3, in_srgb).largest, 2 * kLargestStep);
+    action(commands::Command::LightLed)->trigger();
+    EXPECT_EQ(canvas().viewing(),
+              pigment::viewing_under(pigment::find_illuminant("LED"), pigment::WorkingSpace::DisplayP3));
+    EXPECT_FALSE(action(commands::Command::LightD65)->isChecked());
+    EXPECT_FALSE(action(commands::Command::SpaceSrgb)->isChecked());
+    auto* box = window().findChild<QComboBox*>(QStringLiteral("illuminant"));
+    EXPECT_EQ(box->currentData().toString(), QStringLiteral("LED"));
+}
+
 TEST_F(PictureWindow, ALightFromAFileIsUsedAndABadOneIsTold) {
     const TemporaryFolder folder;
     const auto file = [&](const char* name, const std::string& text) {

@@ -37,6 +37,15 @@ ulong next_time_ms() {
     return time_ms += 10;
 }
 
+/// On the one clock: QTest's own runs ahead by half a second at every click.
+void send_mouse(view::CanvasView& canvas, QEvent::Type type, const glm::dvec2& place_mm,
+                Qt::MouseButton button, Qt::MouseButtons buttons) {
+    const QPointF position = canvas.widget_position(place_mm);
+    QMouseEvent event(type, position, canvas.mapToGlobal(position), button, buttons, {});
+    event.setTimestamp(next_time_ms());
+    QApplication::sendEvent(&canvas, &event);
+}
+
 }  // namespace
 
 void WindowTest::SetUp() {
@@ -46,7 +55,7 @@ void WindowTest::SetUp() {
     make_application();
     ASSERT_EQ(main::opengl_problem(), std::nullopt);
     window_ = std::make_unique<main::MainWindow>(canvas_settings());
-    window_->resize(900, 640);
+    window_->resize(1180, 640);
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
     settle();
@@ -65,19 +74,15 @@ document::CanvasSettings WindowTest::canvas_settings() const {
 }
 
 void WindowTest::press(const glm::dvec2& place_mm, Qt::MouseButton button) {
-    QTest::mousePress(&canvas(), button, {}, canvas().widget_position(place_mm).toPoint());
+    send_mouse(canvas(), QEvent::MouseButtonPress, place_mm, button, button);
 }
 
 void WindowTest::move(const glm::dvec2& place_mm, Qt::MouseButtons buttons) {
-    const QPointF position = canvas().widget_position(place_mm);
-    QMouseEvent event(QEvent::MouseMove, position, canvas().mapToGlobal(position), Qt::NoButton, buttons,
-                      {});
-    event.setTimestamp(next_time_ms());
-    QApplication::sendEvent(&canvas(), &event);
+    send_mouse(canvas(), QEvent::MouseMove, place_mm, Qt::NoButton, buttons);
 }
 
 void WindowTest::release(const glm::dvec2& place_mm, Qt::MouseButton button) {
-    QTest::mouseRelease(&canvas(), button, {}, canvas().widget_position(place_mm).toPoint());
+    send_mouse(canvas(), QEvent::MouseButtonRelease, place_mm, button, Qt::NoButton);
 }
 
 void WindowTest::mouse_stroke(const std::vector<glm::dvec2>& path_mm) {

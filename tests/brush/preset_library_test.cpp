@@ -64,8 +64,43 @@ TEST_F(PresetLibraryTest, TellsFaultsAndKeepsTheRest) {
     const PresetLibrary loaded = library();
     EXPECT_NE(find_entry(loaded, "Good"), nullptr);
     ASSERT_EQ(loaded.faults.size(), 2U);
-    EXPECT_THAT(loaded.faults[0], HasSubstr("broken.json: kind is \"broom\""));
-    EXPECT_THAT(loaded.faults[1], HasSubstr("good.json: name is \"Good\", which another preset"));
+    EXPECT_THAT(loaded.faults[0].sentence, HasSubstr("broken.json: kind is \"broom\""));
+    EXPECT_THAT(loaded.faults[1].sentence,
+                HasSubstr("good.json: name is \"Good\", which another preset"));
+}
+
+TEST_F(PresetLibraryTest, ARenamedPresetMovesToTheFileOfItsName) {
+    const auto old_file = save_preset(own("Mine"), folder.path());
+    const PresetLibrary before = library();
+    rename_preset(before, *find_entry(before, "Mine"), "Yours");
+    EXPECT_FALSE(std::filesystem::exists(old_file));
+    const PresetLibrary after = library();
+    EXPECT_EQ(find_entry(after, "Mine"), nullptr);
+    const auto* entry = find_entry(after, "Yours");
+    ASSERT_NE(entry, nullptr);
+    EXPECT_EQ(entry->file, folder.path() / "yours.json");
+    EXPECT_EQ(entry->preset, own("Yours"));
+}
+
+TEST_F(PresetLibraryTest, ANameThatIsTakenIsNotGivenTwice) {
+    save_preset(own("Mine"), folder.path());
+    core::write_text_file(folder.path() / "other-file.json", "no preset");
+    const PresetLibrary loaded = library();
+    const auto& mine = *find_entry(loaded, "Mine");
+    for (const char* name : {"Filbert 14", "Other file", ""})
+        EXPECT_THROW(rename_preset(loaded, mine, name), core::InputError) << name;
+    EXPECT_EQ(library().entries.size(), loaded.entries.size());
+    rename_preset(loaded, mine, "MINE");
+    EXPECT_EQ(find_entry(library(), "mine")->preset.name, "MINE");
+}
+
+TEST_F(PresetLibraryTest, ADeletedPresetIsGoneAndTheBundledOneIsBack) {
+    save_preset(own("Filbert 14"), folder.path());
+    const PresetLibrary loaded = library();
+    delete_preset(*find_entry(loaded, "Filbert 14"));
+    const PresetLibrary after = library();
+    EXPECT_FALSE(find_entry(after, "Filbert 14")->own);
+    EXPECT_EQ(after.entries.size(), bundled_presets().size());
 }
 
 TEST_F(PresetLibraryTest, UnknownNameIsNull) {

@@ -63,6 +63,17 @@ TEST_F(PaintingTest, EveryDropIsAccountedFor) {
     expect_balance();
 }
 
+TEST_F(PaintingTest, ABlottedBrushIsAccountedFor) {
+    take_loaded_brush();
+    const double held_mm3 = painting.account().brush.volume_mm3;
+    const double fill = painting.snapshot().brush_load.fill;
+    painting.apply(CleanBrush{0.25});
+    EXPECT_NEAR(painting.account().brush.volume_mm3, 0.75 * held_mm3, kRounding * held_mm3);
+    EXPECT_NEAR(painting.snapshot().brush_load.fill, 0.75 * fill, kRounding);
+    expect_balance();
+    EXPECT_THAT(error_of([&] { painting.apply(CleanBrush{1.5}); }), HasSubstr("1.5"));
+}
+
 TEST_F(PaintingTest, PaintThatRunsOffTheEdgeIsAccountedFor) {
     painting.apply(UseMedium{"ink glaze"});
     painting.apply(TiltCanvas{90, 90});

@@ -62,6 +62,7 @@ Recording everything() {
         {18, PenDown{{0.3, 6, 6, 0.5}}},
         {18, PenUp{}},
         {19, CleanBrush{}},
+        {19, CleanBrush{0.75}},
         {20, PenMove{{0.4, 6, 6, 0.5}}},
         {21, SetStabiliser{{120, 2.5}}},
         {21, SetStabiliser{}},

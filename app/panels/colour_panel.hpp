@@ -1,0 +1,61 @@
+// A paint of any colour, what of the tubes comes nearest to it, and the paints that were used before.
+#pragma once
+
+#include "document/events.hpp"
+#include "pigment/gpl.hpp"
+#include "pigment/hex_colour.hpp"
+
+#include <vector>
+
+#include <QWidget>
+
+class QAction;
+class QLabel;
+class QPushButton;
+
+namespace pastoso::panels {
+
+class ColourPicker;
+class PaintSwatch;
+class SwatchGrid;
+
+class ColourPanel : public QWidget {
+    Q_OBJECT
+  public:
+    /// `pick` becomes a button.
+    explicit ColourPanel(QAction* pick, QWidget* parent = nullptr);
+
+    /// Shows what the brush is dipped in, without a signal, and remembers it among the recent paints.
+    void show_paint(const document::PaintRecipe& paint);
+
+    /// Shows the colours of a palette to choose from.
+    void show_palette(const pigment::ColourPalette& palette);
+
+  Q_SIGNALS:
+    void paint_chosen(const document::PaintRecipe& paint);
+    void palette_wanted();
+    void refused(const QString& sentence);
+
+  private:
+    QWidget* recipe_part();
+    QWidget* recent_part();
+    QWidget* palette_part();
+    void show_colour(const pigment::Srgb8& colour);
+    void show_nearest(const document::PaintRecipe& paint, double difference);
+    void remember(const document::PaintRecipe& paint);
+
+    document::PaintRecipe in_hand_;
+    document::PaintRecipe nearest_paint_;
+    std::vector<document::PaintRecipe> recent_;
+    pigment::ColourPalette palette_;
+    ColourPicker* picker_ = nullptr;
+    PaintSwatch* wanted_ = nullptr;
+    PaintSwatch* nearest_ = nullptr;
+    QLabel* words_ = nullptr;
+    QPushButton* use_recipe_ = nullptr;
+    SwatchGrid* recent_grid_ = nullptr;
+    SwatchGrid* palette_grid_ = nullptr;
+    QLabel* palette_name_ = nullptr;
+};
+
+}  // namespace pastoso::panels

@@ -1,0 +1,57 @@
+// Chooses a colour by red, green and blue, by hue, saturation and value, or by Oklch.
+#pragma once
+
+#include "tools/colour_models.hpp"
+
+#include <array>
+
+#include <QWidget>
+
+class QButtonGroup;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+
+namespace pastoso::panels {
+
+class ChannelSlider;
+
+class ColourPicker : public QWidget {
+    Q_OBJECT
+  public:
+    explicit ColourPicker(QWidget* parent = nullptr);
+
+    const pigment::Srgb8& colour() const { return colour_; }
+
+    /// Without a signal.
+    void show_colour(const pigment::Srgb8& colour);
+
+  Q_SIGNALS:
+    void looked_at(const pigment::Srgb8& colour);  ///< while a slider is being dragged, too
+    void chosen(const pigment::Srgb8& colour);     ///< once it is let go
+    void refused(const QString& sentence);         ///< what was typed is no colour
+
+  private:
+    struct Row {
+        QLabel* letter = nullptr;
+        ChannelSlider* slider = nullptr;
+        QDoubleSpinBox* number = nullptr;
+    };
+
+    QWidget* models_row();
+    QWidget* channel_rows();
+    void use_model(tools::ColourModel model);
+    void set_channel(int channel, double value);
+    void take_typed_colour();
+    void write_rows();
+    void paint_ramps();
+
+    tools::ColourModel model_ = tools::ColourModel::Oklch;
+    tools::Channels channels_{};
+    pigment::Srgb8 colour_{};
+    QButtonGroup* models_ = nullptr;
+    std::array<Row, 3> rows_;
+    QLineEdit* hex_ = nullptr;
+};
+
+}  // namespace pastoso::panels

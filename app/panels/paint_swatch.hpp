@@ -1,0 +1,28 @@
+// A button that is a patch of paint.
+#pragma once
+
+#include <QColor>
+#include <QPushButton>
+
+namespace pastoso::panels {
+
+class PaintSwatch : public QPushButton {
+    Q_OBJECT
+  public:
+    explicit PaintSwatch(QWidget* parent = nullptr);
+
+    /// `words` name it, in the tool tip and for those who hear the screen read.
+    void show_paint(const QColor& colour, const QString& words);
+    const QColor& colour() const { return colour_; }
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    QColor colour_;
+};
+
+}  // namespace pastoso::panels

@@ -1,0 +1,33 @@
+// The colours of a screen in the terms that painters choose them by.
+#pragma once
+
+#include "pigment/hex_colour.hpp"
+
+#include <array>
+
+namespace pastoso::tools {
+
+enum class ColourModel {
+    Rgb,   ///< red, green, blue of encoded sRGB, 0 to 255
+    Hsv,   ///< hue 0 to 360, saturation and value 0 to 100 %
+    Oklch  ///< lightness 0 to 100 %, chroma 0 to 0.4, hue 0 to 360 (Ottosson 2020)
+};
+
+using Channels = std::array<double, 3>;
+
+struct ChannelText {
+    const char* letter;
+    const char* name;
+    double most;  ///< from 0
+    int decimals;
+};
+
+const std::array<ChannelText, 3>& channels_of(ColourModel model);
+
+/// Greys have hue 0.
+Channels channels_from(ColourModel model, const pigment::Srgb8& colour);
+
+/// A colour of Oklch outside sRGB is brought in, half by clipping and half by greying.
+pigment::Srgb8 colour_from(ColourModel model, const Channels& channels);
+
+}  // namespace pastoso::tools

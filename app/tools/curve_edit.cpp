@@ -1,0 +1,83 @@
+#include "tools/curve_edit.hpp"
+
+#include "brush/preset_names.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pastoso::tools {
+namespace {
+
+using brush::CurvePoint;
+using brush::DynamicsInput;
+using brush::DynamicsTarget;
+
+double usual_input(DynamicsInput input) {
+    switch (input) {
+        case DynamicsInput::Pressure:
+            return 1.0;
+        case DynamicsInput::Tilt:
+            return 90.0;
+        case DynamicsInput::BarrelRotation:
+            return 360.0;
+        case DynamicsInput::Speed:
+            return 500.0;
+    }
+    return 1.0;
+}
+
+double usual_output(DynamicsTarget target) {
+    switch (target) {
+        case DynamicsTarget::Press:
+        case DynamicsTarget::Lean:
+            return 1.0;
+        case DynamicsTarget::Rotation:
+            return 360.0;
+        default:
+            return 2.0;
+    }
+}
+
+}  // namespace
+
+CurveFrame frame_of(const brush::DynamicsCurve& curve) {
+    CurveFrame frame{usual_input(curve.input), 0.0, usual_output(curve.target)};
+    for (const CurvePoint& point : curve.points) {
+        frame.most_input = std::max(frame.most_input, point.input);
+        frame.most_output = std::max(frame.most_output, point.output);
+        frame.least_output = std::min(frame.least_output, point.output);
+    }
+    return frame;
+}
+
+CurvePoint confined(const CurvePoints& points, int index, const CurvePoint& place,
+                    const CurveFrame& frame) {
+    const double gap = kLeastGap * frame.most_input;
+    const auto i = static_cast<std::size_t>(index);
+    const double low = i == 0 ? 0.0 : points[i - 1].input + gap;
+    const double high = i + 1 < points.size() ? points[i + 1].input - gap : frame.most_input;
+    return {std::clamp(place.input, std::min(low, high), high),
+            std::clamp(place.output, frame.least_output, frame.most_output)};
+}
+
+int add_point(CurvePoints& points, const CurvePoint& place, const CurveFrame& frame) {
+    if (points.size() >= brush::kMostCurvePoints) return -1;
+    const double gap = kLeastGap * frame.most_input;
+    const double input = std::clamp(place.input, 0.0, frame.most_input);
+    const bool taken = std::any_of(points.begin(), points.end(), [&](const CurvePoint& point) {
+        return std::abs(point.input - input) < gap;
+    });
+    if (taken) return -1;
+    const auto after = std::find_if(points.begin(), points.end(),
+                                    [&](const CurvePoint& point) { return point.input > input; });
+    const double output = std::clamp(place.output, frame.least_output, frame.most_output);
+    const auto index = after - points.begin();
+    points.insert(after, {input, output});
+    return static_cast<int>(index);
+}
+
+void remove_point(CurvePoints& points, int index) {
+    if (points.size() > 1) points.erase(points.begin() + index);
+}
+
+}  // namespace pastoso::tools

@@ -1,0 +1,36 @@
+// Editing of a dynamics curve, point by point.
+#pragma once
+
+#include "brush/preset.hpp"
+
+#include <vector>
+
+namespace pastoso::tools {
+
+using CurvePoints = std::vector<brush::CurvePoint>;
+
+/// What a curve's editor shows: inputs from 0, outputs between two bounds.
+struct CurveFrame {
+    double most_input = 1.0;
+    double least_output = 0.0, most_output = 1.0;
+    friend bool operator==(const CurveFrame&, const CurveFrame&) = default;
+};
+
+/// The frame that a curve of this kind is edited in, wide enough for the points that it has.
+CurveFrame frame_of(const brush::DynamicsCurve& curve);
+
+/// Points of a curve are at least this share of the frame's width apart.
+inline constexpr double kLeastGap = 0.005;
+
+/// The point at (input, output) brought into the frame and, for point `index`, between its neighbours.
+brush::CurvePoint confined(const CurvePoints& points, int index, const brush::CurvePoint& place,
+                           const CurveFrame& frame);
+
+/// Puts a point in. Returns its index, or -1 where there is no room: next to another point, or beyond
+/// the 64 that a curve may have.
+int add_point(CurvePoints& points, const brush::CurvePoint& place, const CurveFrame& frame);
+
+/// Takes a point out; the last one stays.
+void remove_point(CurvePoints& points, int index);
+
+}  // namespace pastoso::tools

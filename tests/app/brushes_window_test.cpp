@@ -1,0 +1,396 @@
+// The painter's own brushes: curves changed in hand, kept, renamed, thrown away, read again; loads.
+#include "app/window_fixture.hpp"
+#include "core/temporary_folder.hpp"
+#include "core/text_file.hpp"
+#include "panels/brush_list.hpp"
+#include "panels/curve_editor.hpp"
+#include "panels/load_bar.hpp"
+
+#include <cstdlib>
+#include <functional>
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QInputDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStatusBar>
+#include <QTest>
+#include <QTimer>
+#include <gmock/gmock.h>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+using document::TakeBrush;
+using testing::HasSubstr;
+
+class BrushesWindow : public WindowTest {
+  protected:
+    void SetUp() override {
+        ::setenv("XDG_DATA_HOME", home_.path().c_str(), 1);
+        write_files();
+        WindowTest::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        give(Command::Pause);
+    }
+    void TearDown() override {
+        WindowTest::TearDown();
+        ::unsetenv("XDG_DATA_HOME");
+    }
+    virtual void write_files() {}
+
+    std::filesystem::path file(const char* name) const {
+        return home_.path() / "pastoso" / "brushes" / name;
+    }
+    void write(const char* name, const std::string& text) const {
+        std::filesystem::create_directories(file(name).parent_path());
+        core::write_text_file(file(name), text);
+    }
+    static std::string own_preset(const std::string& name, double film_mm = 0.4) {
+        brush::Preset preset = brush::find_preset("filbert");
+        preset.name = name;
+        preset.paint.film_mm = film_mm;
+        return brush::preset_to_json(preset);
+    }
+
+    void give(Command command) { window().commands().action(command)->trigger(); }
+    std::string told() { return window().statusBar()->currentMessage().toStdString(); }
+    const tools::Hand& hand() { return window().easel().hand(); }
+
+    panels::BrushList& list() { return *window().findChild<panels::BrushList*>(); }
+    QListWidgetItem* listed(const QString& name) {
+        const auto found = list().findItems(name, Qt::MatchExactly);
+        return found.isEmpty() ? nullptr : found.front();
+    }
+    void click(const QString& name) {
+        QListWidgetItem* item = listed(name);
+        ASSERT_NE(item, nullptr) << name.toStdString();
+        list().scrollToItem(item);
+        QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, list().visualItemRect(item).center());
+    }
+
+    /// Calls `answer` once, as soon as a dialog of that kind has come up.
+    template <class Dialog>
+    void when_asked(const std::function<void(Dialog&)>& answer) {
+        auto* poll = new QTimer(&window());
+        QObject::connect(poll, &QTimer::timeout, &window(), [poll, answer] {
+            auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+            if (dialog == nullptr) return;
+            poll->deleteLater();
+            poll->stop();
+            answer(*dialog);
+        });
+        poll->start(10);
+    }
+    void answer_name(const QString& name) {
+        when_asked<QInputDialog>([name](QInputDialog& dialog) {
+            dialog.findChild<QLineEdit*>()->setText(name);
+            dialog.accept();
+        });
+    }
+    void answer_question(bool consent) {
+        when_asked<QMessageBox>([consent](QMessageBox& box) {
+            for (QAbstractButton* button : box.buttons()) {
+                const bool cancels = box.buttonRole(button) == QMessageBox::RejectRole;
+                if (cancels != consent) return button->click();
+            }
+        });
+    }
+
+    void stroke() { mouse_stroke(line_mm({15.0, 20.0}, {45.0, 20.0})); }
+
+    TakeBrush last_taken() {
+        session().wait_until_applied();
+        TakeBrush taken;
+        for (const document::Event& event : session().recording().events) {
+            if (const auto* take = std::get_if<TakeBrush>(&event.action)) taken = *take;
+        }
+        return taken;
+    }
+    document::LoadPaint last_load() {
+        session().wait_until_applied();
+        document::LoadPaint last;
+        for (const document::Event& event : session().recording().events) {
+            if (const auto* load = std::get_if<document::LoadPaint>(&event.action)) last = *load;
+        }
+        return last;
+    }
+
+    TemporaryFolder home_;
+};
+
+// ---- curves
+
+class CurvesWindow : public BrushesWindow {
+  protected:
+    panels::CurveEditor& editor() { return *window().findChild<panels::CurveEditor*>(); }
+    void drag(const QPointF& from, const QPointF& to) {
+        QTest::mousePress(&editor(), Qt::LeftButton, {}, from.toPoint());
+        QMouseEvent event(QEvent::MouseMove, to, editor().mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                          {});
+        QApplication::sendEvent(&editor(), &event);
+        QTest::mouseRelease(&editor(), Qt::LeftButton, {}, to.toPoint());
+    }
+};
+
+TEST_F(CurvesWindow, AChangedCurveIsPaintedWithFromTheNextStrokeOnAndRecorded) {
+    const auto before = last_taken();
+    EXPECT_EQ(before.definition, "");
+    // The flat's pressure curve: (0, 0), (0.3, 0.22), (1, 1). Its last point is dragged to the ground.
+    ASSERT_EQ(editor().points().size(), 3U);
+    drag(editor().position_of({1.0, 1.0}), editor().position_of({1.0, 0.1}));
+    ASSERT_TRUE(hand().own_preset.has_value());
+    EXPECT_EQ(last_taken(), before) << "not before the next stroke";
+    stroke();
+    const TakeBrush taken = last_taken();
+    const brush::Preset painted = brush::parse_preset(taken.definition, "recorded");
+    // The mouse hits whole pixels; the editor is some 100 high.
+    EXPECT_NEAR(painted.dynamics[0].points[2].output, 0.1, 0.02);
+    EXPECT_EQ(painted.dynamics[0].points[1], (brush::CurvePoint{0.3, 0.22}));
+    EXPECT_EQ(taken.seed, before.seed) << "the same piece";
+    EXPECT_GT(volume_mm3(), 0.0);
+    EXPECT_TRUE(session().take_errors().empty());
+}
+
+TEST_F(CurvesWindow, ResetReturnsToTheBundledBrush) {
+    auto* reset = window().findChild<QPushButton*>(QStringLiteral("curve_reset"));
+    EXPECT_FALSE(reset->isEnabled());
+    drag(editor().position_of({0.3, 0.22}), editor().position_of({0.5, 0.9}));
+    EXPECT_TRUE(reset->isEnabled());
+    QTest::mouseClick(reset, Qt::LeftButton);
+    EXPECT_FALSE(hand().own_preset.has_value());
+    EXPECT_EQ(editor().points(), brush::find_preset("flat").dynamics[0].points);
+    stroke();
+    EXPECT_EQ(last_taken().definition, "");
+}
+
+TEST_F(CurvesWindow, PointsComeAndGoByMouseAndByKeys) {
+    const QPointF empty = editor().position_of({0.7, 0.2});
+    QTest::mouseClick(&editor(), Qt::LeftButton, {}, empty.toPoint());
+    ASSERT_EQ(editor().points().size(), 4U);
+    EXPECT_EQ(editor().chosen_point(), 2);
+    QTest::keyClick(&editor(), Qt::Key_Delete);
+    EXPECT_EQ(editor().points(), brush::find_preset("flat").dynamics[0].points);
+
+    for (int i = 0; i < 5; ++i)
+        QTest::keyClick(&editor(), Qt::Key_PageUp);
+    EXPECT_EQ(editor().chosen_point(), 0);
+    QTest::keyClick(&editor(), Qt::Key_Insert);
+    ASSERT_EQ(editor().points().size(), 4U);
+    EXPECT_EQ(editor().points()[1], (brush::CurvePoint{0.15, 0.11}));
+    QTest::keyClick(&editor(), Qt::Key_Right);
+    QTest::keyClick(&editor(), Qt::Key_Up, Qt::ControlModifier);
+    EXPECT_NEAR(editor().points()[1].input, 0.17, 1e-12);
+    EXPECT_NEAR(editor().points()[1].output, 0.112, 1e-12);
+    QTest::mouseClick(&editor(), Qt::RightButton, {},
+                      editor().position_of(editor().points()[1]).toPoint());
+    EXPECT_EQ(editor().points(), brush::find_preset("flat").dynamics[0].points);
+}
+
+TEST_F(CurvesWindow, TheReadingTellsTheCurvesValue) {
+    auto* reading = window().findChild<QLabel*>(QStringLiteral("curve_reading"));
+    QTest::keyClick(&editor(), Qt::Key_PageDown);
+    QTest::keyClick(&editor(), Qt::Key_PageDown);
+    EXPECT_EQ(reading->text().toStdString(), "30 % pressure → 22 %");
+    auto* choice = window().findChild<QComboBox*>(QStringLiteral("curve_choice"));
+    ASSERT_EQ(choice->count(), 4);
+    choice->setCurrentIndex(3);
+    EXPECT_EQ(editor().points(), brush::find_preset("flat").dynamics[3].points);
+    // Half of the frame's 500 mm/s, on the line from (0, 1) to (400, 0.6).
+    EXPECT_EQ(reading->text().toStdString(), "250 mm/s → × 0.75");
+}
+
+// ---- the painter's own
+
+TEST_F(BrushesWindow, TheBrushInHandIsInView) {
+    settle();
+    ASSERT_EQ(list().currentItem(), listed(QStringLiteral("Flat bristle 20")));
+    EXPECT_TRUE(list().viewport()->rect().contains(list().visualItemRect(list().currentItem())));
+}
+
+TEST_F(BrushesWindow, AKeptBrushIsListedAndTakenAndComesBackWithTheProgram) {
+    EXPECT_FALSE(window().commands().action(Command::RenameBrush)->isEnabled());
+    window().easel().set_brush_width(12.0);
+    answer_name(QStringLiteral("Evening flat"));
+    give(Command::SaveBrush);
+    EXPECT_TRUE(std::filesystem::exists(file("evening-flat.json")));
+    ASSERT_NE(listed(QStringLiteral("Evening flat")), nullptr);
+    EXPECT_TRUE(window().commands().action(Command::RenameBrush)->isEnabled());
+    click(QStringLiteral("Filbert 14"));
+    EXPECT_EQ(hand().brush, "Filbert 14");
+    click(QStringLiteral("Evening flat"));
+    EXPECT_EQ(hand().brush, "Evening flat");
+    EXPECT_EQ(hand().brush_width_mm, 12.0);
+    stroke();
+    EXPECT_EQ(brush::parse_preset(last_taken().definition, "recorded").name, "Evening flat");
+    EXPECT_TRUE(session().take_errors().empty());
+    main::MainWindow another(canvas_settings());
+    const auto* there = another.findChild<panels::BrushList*>();
+    EXPECT_EQ(there->findItems(QStringLiteral("Evening flat"), Qt::MatchExactly).size(), 1);
+}
+
+class OwnBrush : public BrushesWindow {
+  protected:
+    void write_files() override {
+        write("mine.json", own_preset("Mine"));
+        write("broken.json", "{\"version\": 2, \"kind\": \"broom\"}");
+    }
+};
+
+TEST_F(OwnBrush, StandsInItsFamilyAndAFaultyFileIsListedAndNeverTaken) {
+    const int mine = list().row(listed(QStringLiteral("Mine")));
+    EXPECT_GT(mine, list().row(listed(QStringLiteral("Mop 30"))) - 3);
+    EXPECT_LT(mine, list().row(listed(QStringLiteral("Knives and combs"))));
+    QListWidgetItem* broken = listed(QStringLiteral("broken.json"));
+    ASSERT_NE(broken, nullptr);
+    EXPECT_THAT(broken->toolTip().toStdString(), HasSubstr("broken.json: kind is \"broom\""));
+    click(QStringLiteral("Mine"));
+    click(QStringLiteral("broken.json"));
+    EXPECT_THAT(told(), HasSubstr("broken.json: kind is \"broom\""));
+    EXPECT_EQ(hand().brush, "Mine");
+    EXPECT_EQ(list().currentItem(), listed(QStringLiteral("Mine")));
+    for (int i = 0; i < 40; ++i) {
+        give(Command::NextBrush);
+        EXPECT_NE(hand().brush, "broken.json");
+    }
+}
+
+TEST_F(OwnBrush, IsOverwrittenOnlyWithConsent) {
+    const std::string before = core::read_text_file(file("mine.json"));
+    answer_name(QStringLiteral("Mine"));
+    answer_question(false);
+    give(Command::SaveBrush);
+    EXPECT_EQ(core::read_text_file(file("mine.json")), before);
+    EXPECT_EQ(hand().brush, "Flat bristle 20");
+    answer_name(QStringLiteral("mine"));
+    answer_question(true);
+    give(Command::SaveBrush);
+    EXPECT_NE(core::read_text_file(file("mine.json")), before);
+    EXPECT_EQ(list().findItems(QStringLiteral("mine"), Qt::MatchFixedString).size(), 1);
+    EXPECT_EQ(hand().brush, "mine");
+}
+
+TEST_F(OwnBrush, IsRenamedAndThrownAway) {
+    click(QStringLiteral("Mine"));
+    answer_name(QStringLiteral("Filbert 14"));
+    give(Command::RenameBrush);
+    EXPECT_THAT(told(), HasSubstr("There is already a brush \"Filbert 14\""));
+    EXPECT_EQ(hand().brush, "Mine");
+    answer_name(QStringLiteral("Yours"));
+    give(Command::RenameBrush);
+    EXPECT_EQ(hand().brush, "Yours");
+    EXPECT_EQ(listed(QStringLiteral("Mine")), nullptr);
+    EXPECT_TRUE(std::filesystem::exists(file("yours.json")));
+    answer_question(true);
+    give(Command::DeleteBrush);
+    EXPECT_FALSE(std::filesystem::exists(file("yours.json")));
+    EXPECT_EQ(listed(QStringLiteral("Yours")), nullptr);
+    EXPECT_EQ(hand().brush, "Yours") << "what is in hand stays";
+    stroke();
+    EXPECT_GT(volume_mm3(), 0.0);
+}
+
+TEST_F(OwnBrush, FollowsItsFileAndSurvivesABadOne) {
+    click(QStringLiteral("Mine"));
+    write("mine.json", own_preset("Mine", 0.9));
+    wait_for([&] { return tools::preset_in_hand(hand()).paint.film_mm == 0.9; });
+    write("mine.json", "{");
+    wait_for([&] { return listed(QStringLiteral("Mine")) == nullptr; });
+    EXPECT_THAT(told(), HasSubstr("this is not valid JSON"));
+    EXPECT_EQ(tools::preset_in_hand(hand()).paint.film_mm, 0.9);
+    stroke();
+    EXPECT_EQ(brush::parse_preset(last_taken().definition, "recorded").paint.film_mm, 0.9);
+    write("mine.json", own_preset("Mine", 0.2));
+    wait_for([&] { return listed(QStringLiteral("Mine")) != nullptr; });
+}
+
+TEST_F(OwnBrush, IsReplayedFromItsRecording) {
+    click(QStringLiteral("Mine"));
+    stroke();
+    session().wait_until_applied();
+    const document::Recording recording = session().recording();
+    click(QStringLiteral("Filbert 14"));
+    window().replay(recording);
+    EXPECT_EQ(hand().brush, "Mine");
+    EXPECT_EQ(tools::preset_in_hand(hand()).paint.film_mm, 0.4);
+}
+
+// ---- loads
+
+class Loads : public BrushesWindow {
+  protected:
+    void choose(tools::Dip::Way way) {
+        auto* box = window().findChild<QComboBox*>(QStringLiteral("dip_way"));
+        const int index = box->findData(static_cast<int>(way));
+        box->setCurrentIndex(index);
+        Q_EMIT box->activated(index);
+    }
+    const brush::LoadProfile& shown() {
+        session().wait_until_applied();
+        QApplication::processEvents();
+        return window().findChild<panels::LoadBar*>()->load();
+    }
+};
+
+TEST_F(Loads, EveryWayOfDippingReachesTheNextStroke) {
+    using Way = tools::Dip::Way;
+    stroke();
+    EXPECT_TRUE(last_load().second.ingredients.empty());
+    choose(Way::TwoSides);
+    stroke();
+    EXPECT_TRUE(last_load().side_by_side);
+    EXPECT_EQ(last_load().second, hand().second_paint);
+    choose(Way::HalfMixed);
+    window().findChild<QDoubleSpinBox*>(QStringLiteral("dip_share"))->setValue(30.0);
+    stroke();
+    EXPECT_FALSE(last_load().side_by_side);
+    EXPECT_EQ(last_load().second_share, 0.3);
+    EXPECT_GT(last_load().share_variation, 0.0);
+    choose(Way::Tip);
+    window().findChild<QDoubleSpinBox*>(QStringLiteral("dip_fill"))->setValue(40.0);
+    stroke();
+    EXPECT_TRUE(last_load().tip_only);
+    EXPECT_EQ(last_load().fill, 0.4);
+    EXPECT_TRUE(last_load().second.ingredients.empty());
+    EXPECT_TRUE(session().take_errors().empty());
+}
+
+TEST_F(Loads, TheBarShowsWhatTheBrushHolds) {
+    EXPECT_NEAR(shown().fill, 1.0, 1e-9);
+    give(Command::BlotBrush);
+    EXPECT_NEAR(shown().fill, 0.25, 1e-9);
+    give(Command::TopUpBrush);
+    EXPECT_NEAR(shown().fill, 1.0, 1e-9);
+    give(Command::CleanBrush);
+    EXPECT_EQ(shown().fill, 0.0);
+    choose(tools::Dip::Way::TwoSides);
+    give(Command::ReloadBrush);
+    EXPECT_NE(shown().stripes.front().paint, shown().stripes.back().paint);
+}
+
+TEST_F(Loads, TheTwoPaintsChangePlaces) {
+    const document::PaintRecipe first = hand().paint, second = hand().second_paint;
+    give(Command::SwapPaints);
+    EXPECT_EQ(last_load().paint, second);
+    EXPECT_EQ(hand().second_paint, first);
+    window().findChild<QPushButton*>(QStringLiteral("second_paint"))->click();
+    EXPECT_EQ(last_load().paint, first);
+}
+
+TEST_F(Loads, WhatIsNotDippedCannotBeReloaded) {
+    click(QStringLiteral("Rag 35"));
+    EXPECT_FALSE(window().commands().action(Command::ReloadBrush)->isEnabled());
+    EXPECT_FALSE(window().commands().action(Command::TopUpBrush)->isEnabled());
+    EXPECT_TRUE(window().commands().action(Command::CleanBrush)->isEnabled());
+    click(QStringLiteral("Filbert 14"));
+    EXPECT_TRUE(window().commands().action(Command::ReloadBrush)->isEnabled());
+}
+
+}  // namespace
+}  // namespace pastoso::tests
