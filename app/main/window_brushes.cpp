@@ -176,8 +176,8 @@ void MainWindow::save_brush() {
         !confirmed(tr("There is already a tool of your own named \"%1\".").arg(name), tr("Overwrite")))
         return;
     try {
-        if (same != nullptr && same->own) brush::delete_preset(*same);
-        brush::save_preset(preset, brush_folder());
+        const std::filesystem::path file = brush::save_preset(preset, brush_folder());
+        if (same != nullptr && same->own && same->file != file) brush::delete_preset(*same);
         easel_->change_brush(preset);
         read_brushes();
         report(tr("Kept \"%1\" among your own.").arg(name));

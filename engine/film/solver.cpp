@@ -273,7 +273,8 @@ void Solver::Parts::commit(int tile, float dt_s, TileResult& result, AdvanceRepo
     report.clamped_faces += result.extremes.clamped_faces;
     report.largest_speed_mm_s =
         std::max(report.largest_speed_mm_s, static_cast<double>(result.extremes.speed_mm_s));
-    if (activity.record(tile, dt_s, result.motion, result.extremes)) put_to_sleep(tile);
+    if (activity.record(tile, dt_s, result.motion, result.extremes, result.side_speeds_mm_s))
+        put_to_sleep(tile);
 }
 
 void Solver::Parts::put_to_sleep(int tile) {

@@ -3,7 +3,6 @@
 #include "film/settling.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace pastoso::film {
 namespace {
@@ -18,6 +17,9 @@ Side opposite(Side side) {
     constexpr std::array kOpposite{kRight, kLeft, kBottom, kTop};
     return kOpposite[side];
 }
+
+/// More calls than anything waits.
+constexpr int kLongestPace = 1 << 20;
 
 /// Paint of little drag may stand still for a moment, between two swings.
 bool remembers_motion(const FlowExtremes& flow, double seconds) {
@@ -55,15 +57,12 @@ void ActivityMap::wake(int tile) {
     activity.motion = {};
 }
 
-/// Of the fastest paint in a tile, or in one beside it whose paint moves near it.
+/// Of the fastest paint in a tile, and of what comes towards it from beside it.
 float ActivityMap::speed_mm_s(int tile) const {
     float speed = tiles_[tile].extremes.speed_mm_s;
     for (const Side side : {kLeft, kRight, kTop, kBottom}) {
         const int other = neighbour(tile, side);
-        if (other < 0) continue;
-        const TileActivity& beside = tiles_[other];
-        speed = std::max(
-            speed, std::min(beside.extremes.speed_mm_s, beside.rise_near_side_mm_s[opposite(side)]));
+        if (other >= 0) speed = std::max(speed, tiles_[other].side_speeds_mm_s[opposite(side)]);
     }
     return speed;
 }
@@ -72,7 +71,7 @@ int ActivityMap::calls_to_wait(int tile, double seconds, double longest_wait_s) 
     const TileActivity& activity = tiles_[tile];
     if (!activity.measured || remembers_motion(activity.extremes, seconds)) return 1;
     const bool touched = activity.changed_from_outside;
-    const int most_calls = touched ? kMostCallsWhileTouched : std::numeric_limits<int>::max() / 2;
+    const int most_calls = touched ? kMostCallsWhileTouched : kLongestPace;
     const double allowed_mm = cell_mm_ * (touched ? kTouchedTravel_cells : kUnhurriedTravel_cells);
     const double travel_mm = speed_mm_s(tile) * seconds;
     int calls = 1;
@@ -82,14 +81,45 @@ int ActivityMap::calls_to_wait(int tile, double seconds, double longest_wait_s) 
     return calls;
 }
 
+/// How many calls a flow across the side between two tiles may be held up.
+int ActivityMap::calls_to_dam_up(int tile, int other, Side side, double seconds) const {
+    const float speed =
+        std::max(tiles_[tile].side_speeds_mm_s[side], tiles_[other].side_speeds_mm_s[opposite(side)]);
+    int calls = 1;
+    while (2 * calls * seconds * speed <= kDammedTravel_cells * cell_mm_ && calls < kLongestPace)
+        calls *= 2;
+    return calls;
+}
+
+/// Has tiles wait no longer than those that they exchange paint with, unless little flows between them.
+void ActivityMap::level_waits(double seconds, std::vector<int>& calls) const {
+    for (bool settled = false; !settled;) {
+        settled = true;
+        for (int tile = 0; tile < shape_.tile_count(); ++tile)
+            for (const Side side : {kLeft, kRight, kTop, kBottom}) {
+                const int other = neighbour(tile, side);
+                if (other < 0 || calls[tile] <= calls[other]) continue;
+                const int most = std::max(calls[other], calls_to_dam_up(tile, other, side, seconds));
+                if (calls[tile] <= most) continue;
+                calls[tile] = most;
+                settled = false;
+            }
+    }
+}
+
 void ActivityMap::let_pass(double seconds, double longest_wait_s) {
     end_group();
     ++calls_;
+    // A tile that sleeps is a wall to its neighbours, and holds up nothing.
+    std::vector<int> calls(shape_.tile_count(), kLongestPace);
+    for (int tile = 0; tile < shape_.tile_count(); ++tile)
+        if (tiles_[tile].awake) calls[tile] = calls_to_wait(tile, seconds, longest_wait_s);
+    level_waits(seconds, calls);
     for (int tile = 0; tile < shape_.tile_count(); ++tile) {
         TileActivity& activity = tiles_[tile];
         if (!activity.awake) continue;
         activity.waiting_s += seconds;
-        activity.due = calls_ % calls_to_wait(tile, seconds, longest_wait_s) == 0;
+        activity.due = calls_ % calls[tile] == 0;
     }
 }
 
@@ -138,15 +168,15 @@ int ActivityMap::neighbour(int tile, Side side) const {
 }
 
 bool ActivityMap::record(int tile, float dt_s, const std::optional<TileMotion>& motion,
-                         const FlowExtremes& extremes) {
+                         const FlowExtremes& extremes, const SideSpeeds& side_speeds_mm_s) {
     TileActivity& activity = tiles_[tile];
     activity.changed_from_outside = false;
     activity.measured = true;
     activity.extremes = extremes;
+    activity.side_speeds_mm_s = side_speeds_mm_s;
     activity.window_s += dt_s;
     if (motion) activity.motion = *motion;
     for (int side = 0; side < kSideCount; ++side) {
-        activity.rise_near_side_mm_s[side] = activity.motion.near_side_mm[side] / activity.window_s;
         if (activity.motion.near_side_mm[side] <= kWakingTravel_cells * cell_mm_) continue;
         const int other = neighbour(tile, static_cast<Side>(side));
         if (other < 0 || tiles_[other].awake) continue;

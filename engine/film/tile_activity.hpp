@@ -23,6 +23,9 @@ struct TileMotion {
     std::array<float, kSideCount> near_side_mm{};
 };
 
+/// The largest speeds across a tile's sides and the faces next to them.
+using SideSpeeds = std::array<float, kSideCount>;
+
 struct TileActivity {
     bool awake = false;
     bool stepping = false;              ///< takes part in the step under way
@@ -32,8 +35,8 @@ struct TileActivity {
     double waiting_s = 0.0;             ///< time that has passed, but not for this tile yet
     float window_s = 0.0F;              ///< time since the window began, 0 at its beginning
     TileMotion motion;
-    std::array<float, kSideCount> rise_near_side_mm_s{};  ///< mean rate of `motion`, as known last
-    FlowExtremes extremes;                                ///< of the last step
+    FlowExtremes extremes;          ///< of the last step
+    SideSpeeds side_speeds_mm_s{};  ///< likewise
 };
 
 /// Paint that has moved less than this over a window counts as at rest: a thousandth of a cell in half a
@@ -50,6 +53,9 @@ inline constexpr float kUnhurriedTravel_cells = 0.1F;
 /// calls of let_pass() that it waits then.
 inline constexpr float kTouchedTravel_cells = 0.4F;
 inline constexpr int kMostCallsWhileTouched = 4;
+/// Two tiles that wait differently dam up what flows from one to the other until the slower one is
+/// stepped: they do so only while that is less than this share of what a cell holds.
+inline constexpr float kDammedTravel_cells = 0.01F;
 
 class ActivityMap {
   public:
@@ -83,11 +89,13 @@ class ActivityMap {
     /// true when the tile has come to rest and fell asleep. No `motion`: the thickness did not change in
     /// this step.
     bool record(int tile, float dt_s, const std::optional<TileMotion>& motion,
-                const FlowExtremes& extremes);
+                const FlowExtremes& extremes, const SideSpeeds& side_speeds_mm_s);
 
   private:
     float speed_mm_s(int tile) const;
     int calls_to_wait(int tile, double seconds, double longest_wait_s) const;
+    int calls_to_dam_up(int tile, int other, Side side, double seconds) const;
+    void level_waits(double seconds, std::vector<int>& calls) const;
     void end_group();
 
     grid::Shape shape_;

@@ -5,6 +5,7 @@
 #include "film/rheology_block.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pastoso::film {
 namespace {
@@ -50,6 +51,24 @@ TileMotion motion_between(const std::int32_t* before, const std::int32_t* after,
     tile_kernels().largest_changes(before, after, std::max(rows - kHalo, 0), rows, changes);
     motion.near_side_mm[kBottom] = largest(0, columns);
     return motion;
+}
+
+SideSpeeds side_speeds(const TileScratch& scratch, int columns, int rows) {
+    SideSpeeds speeds{};
+    const auto add = [&](Side side, float velocity) {
+        speeds[side] = std::max(speeds[side], std::abs(velocity));
+    };
+    for (const int depth : {0, 1}) {
+        for (int y = 0; y < rows; ++y) {
+            add(kLeft, scratch.velocity_x[face_index(depth - 1, y)]);
+            add(kRight, scratch.velocity_x[face_index(columns - 1 - depth, y)]);
+        }
+        for (int x = 0; x < columns; ++x) {
+            add(kTop, scratch.velocity_y[face_index(x, depth - 1)]);
+            add(kBottom, scratch.velocity_y[face_index(x, rows - 1 - depth)]);
+        }
+    }
+    return speeds;
 }
 
 TileBlock<float> velocity_block(const FaceArray<float>& velocity) {
@@ -124,6 +143,7 @@ TileResult collect_tile(const FilmState& state, const TilePlace& place, const Fl
     const int columns = place.columns.extent, rows = place.rows.extent;
     TileResult result;
     result.extremes = extremes;
+    result.side_speeds_mm_s = side_speeds(worker.tile, columns, rows);
     if (place.closed.inside) {
         take_edge_velocities(state, place, worker.tile, result);
     } else if (extremes.speed_mm_s > 0.0F || !state.velocity_x.is_background(place.tile)) {

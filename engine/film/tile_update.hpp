@@ -41,6 +41,7 @@ struct TileResult {
     grid::TileBlock<PaintCell> paint;
     grid::TileBlock<float> velocity_x, velocity_y;
     FlowExtremes extremes;
+    SideSpeeds side_speeds_mm_s{};
     std::optional<TileMotion> motion;
     Totals runoff;
 };
