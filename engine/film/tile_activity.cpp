@@ -92,10 +92,11 @@ int ActivityMap::calls_to_dam_up(int tile, int other, Side side, double seconds)
 }
 
 /// Has tiles wait no longer than those that they exchange paint with, unless little flows between them.
-void ActivityMap::level_waits(double seconds, std::vector<int>& calls) const {
+void ActivityMap::level_waits(const std::vector<int>& awake, double seconds,
+                              std::vector<int>& calls) const {
     for (bool settled = false; !settled;) {
         settled = true;
-        for (int tile = 0; tile < shape_.tile_count(); ++tile)
+        for (const int tile : awake)
             for (const Side side : {kLeft, kRight, kTop, kBottom}) {
                 const int other = neighbour(tile, side);
                 if (other < 0 || calls[tile] <= calls[other]) continue;
@@ -110,14 +111,17 @@ void ActivityMap::level_waits(double seconds, std::vector<int>& calls) const {
 void ActivityMap::let_pass(double seconds, double longest_wait_s) {
     end_group();
     ++calls_;
+    std::vector<int> awake;
+    for (int tile = 0; tile < shape_.tile_count(); ++tile)
+        if (tiles_[tile].awake) awake.push_back(tile);
+    if (awake.empty()) return;
     // A tile that sleeps is a wall to its neighbours, and holds up nothing.
     std::vector<int> calls(shape_.tile_count(), kLongestPace);
-    for (int tile = 0; tile < shape_.tile_count(); ++tile)
-        if (tiles_[tile].awake) calls[tile] = calls_to_wait(tile, seconds, longest_wait_s);
-    level_waits(seconds, calls);
-    for (int tile = 0; tile < shape_.tile_count(); ++tile) {
+    for (const int tile : awake)
+        calls[tile] = calls_to_wait(tile, seconds, longest_wait_s);
+    level_waits(awake, seconds, calls);
+    for (const int tile : awake) {
         TileActivity& activity = tiles_[tile];
-        if (!activity.awake) continue;
         activity.waiting_s += seconds;
         activity.due = calls_ % calls[tile] == 0;
     }

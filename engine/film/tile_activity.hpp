@@ -95,7 +95,7 @@ class ActivityMap {
     float speed_mm_s(int tile) const;
     int calls_to_wait(int tile, double seconds, double longest_wait_s) const;
     int calls_to_dam_up(int tile, int other, Side side, double seconds) const;
-    void level_waits(double seconds, std::vector<int>& calls) const;
+    void level_waits(const std::vector<int>& awake, double seconds, std::vector<int>& calls) const;
     void end_group();
 
     grid::Shape shape_;
