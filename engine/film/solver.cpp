@@ -1,92 +1,23 @@
 #include "film/solver.hpp"
 
-#include "core/check.hpp"
 #include "core/units.hpp"
 #include "film/halo_block.hpp"
 #include "film/large_step.hpp"
-#include "film/step_length.hpp"
+#include "film/step_plan.hpp"
+#include "film/step_setup.hpp"
 #include "film/tile_activity.hpp"
 #include "film/tile_update.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
-#include <limits>
 
 namespace pastoso::film {
 namespace {
 
-using grid::kTileCells;
 using grid::TileBlock;
 
-/// Share of the stability limit that is used; the lateral viscosity takes up to a quarter of it.
-constexpr double kStepSafety = 0.7;
-
-/// What a large step costs, in explicit ones.
-constexpr double kLargeStepCost = 4.0;
 /// How often a large step that does not converge is cut in half before its best is taken.
 constexpr int kMostHalvings = 6;
-
-double drag_coefficient(double alpha) {
-    return 6.0 / (3.0 * alpha - 1.0);
-}
-
-StepLimits make_limits(const Medium& medium, const Gravity& gravity, double cell_mm) {
-    StepLimits limits;
-    limits.cell_mm = cell_mm;
-    limits.gravity_mm_s2 = gravity.normal_mm_s2;
-    limits.tension = medium.surface_tension_N_m / medium.density_kg_m3 * 1e9;
-    limits.viscosity_mm2_s = medium.viscosity_m2_s * 1e6;
-    limits.smallest_drag = drag_coefficient(medium.alpha_max);
-    limits.force_mm_s2 = std::hypot(gravity.x_mm_s2, gravity.y_mm_s2);
-    limits.yield = medium.yield_stress_Pa / medium.density_kg_m3 * 1e6;
-    limits.flow_index = medium.flow_index;
-    return limits;
-}
-
-StepConstants make_constants(const Medium& medium, const Gravity& gravity, const SolverOptions& options,
-                             double cell_mm) {
-    const StepLimits limits = make_limits(medium, gravity, cell_mm);
-    StepConstants step;
-    step.cell_mm = static_cast<float>(cell_mm);
-    step.inverse_cell = static_cast<float>(1.0 / cell_mm);
-    step.gravity_mm_s2 = static_cast<float>(gravity.normal_mm_s2);
-    step.force_x_mm_s2 = static_cast<float>(gravity.x_mm_s2);
-    step.force_y_mm_s2 = static_cast<float>(gravity.y_mm_s2);
-    step.tension = static_cast<float>(limits.tension);
-    step.viscosity_mm2_s = static_cast<float>(limits.viscosity_mm2_s);
-    step.yield_per_Pa = static_cast<float>(1e6 / medium.density_kg_m3);
-    step.yield = static_cast<float>(medium.yield_stress_Pa / medium.density_kg_m3 * 1e6);
-    step.drag_against = static_cast<float>(drag_coefficient(medium.alpha_min));
-    step.drag_along = static_cast<float>(drag_coefficient(medium.alpha_max));
-    step.slip_mm = static_cast<float>(medium.slip_cells * cell_mm);
-    step.tan_advancing = static_cast<float>(std::tan(core::radians(medium.advancing_angle_deg)));
-    step.tan_receding = static_cast<float>(std::tan(core::radians(medium.receding_angle_deg)));
-    step.wet_mm = static_cast<float>(1e-4 * cell_mm);
-    step.inertia = options.inertia ? 1.0F : 0.0F;
-    step.lateral = options.lateral_drag ? 1.0F : 0.0F;
-    step.tension_rise2 = options.tension_in_space ? 1.0F : 0.0F;
-    step.horizontal_tension = static_cast<float>(options.horizontal_tension * limits.tension);
-    step.flow_index = static_cast<float>(medium.flow_index);
-    step.full_curvature = options.full_curvature;
-    return step;
-}
-
-void check_medium(const Medium& medium) {
-    PASTOSO_CHECK_OP(medium.density_kg_m3, >, 0.0);
-    PASTOSO_CHECK_OP(medium.viscosity_m2_s, >, 0.0);
-    PASTOSO_CHECK_OP(medium.flow_index, >=, 0.2);
-    PASTOSO_CHECK_OP(medium.flow_index, <=, 1.0);
-    PASTOSO_CHECK_OP(medium.alpha_min, >, 1.0 / 3.0);
-    PASTOSO_CHECK_OP(medium.alpha_min, <=, medium.alpha_max);
-    PASTOSO_CHECK_OP(medium.receding_angle_deg, <=, medium.advancing_angle_deg);
-}
-
-std::int32_t thickest_quanta(const FilmState& state, int tile) {
-    const std::int32_t* values = state.thickness.read(tile);
-    return *std::max_element(values, values + kTileCells);
-}
 
 }  // namespace
 
@@ -186,21 +117,6 @@ struct Solver::Parts {
                              std::vector<TileResult>& results);
     AdvanceReport explicit_step(double dt_s);
     AdvanceReport large_step(double dt_s, int halvings = 0);
-    double terminal_speed_mm_s(const StepLimits& forces, const std::vector<int>& tiles) const;
-    double terminal_speed_mm_s() const;
-    double large_step_s(double seconds) const;
-    /// How to get through the next `seconds`: the length of the next step, and whether it is a large
-    /// one.
-    struct Plan {
-        double step_s;
-        bool large;
-    };
-    Plan plan(double seconds) const;
-    /// Largest weight(h) / nu of a tile's cells.
-    template <class Weight>
-    double largest_per_viscosity(int tile, const Weight& weight) const;
-    double resting_step_s(int tile) const;
-    double stable_step_s() const;
     /// False when `give_up` said so before the time had passed. step_group() is for the tiles that take
     /// part.
     bool step_group(double seconds, const std::function<bool()>& give_up, AdvanceReport& report);
@@ -334,89 +250,13 @@ AdvanceReport Solver::Parts::large_step(double dt_s, int halvings) {
     return report;
 }
 
-template <class Weight>
-double Solver::Parts::largest_per_viscosity(int tile, const Weight& weight) const {
-    std::array<float, kTileCells> viscosity{}, yield{};
-    const std::int32_t* thickness = state.thickness.read(tile);
-    tile_kernels().rheology(state.paint.read(tile), thickness, kTileCells, 1.0F, viscosity.data(),
-                            yield.data());
-    double largest = 0.0;
-    for (int cell = 0; cell < kTileCells; ++cell)
-        largest = std::max(largest, weight(double{thickness_mm(thickness[cell])}) / viscosity[cell]);
-    return largest;
-}
-
-double Solver::Parts::resting_step_s(int tile) const {
-    const double thickest_mm = thickness_mm(thickest_quanta(state, tile));
-    if (!state.varied) return limits.newtonian_step_s(thickest_mm);
-    return limits.resting_step_s(thickest_mm,
-                                 largest_per_viscosity(tile, [](double h) { return h * h * h; }));
-}
-
-/// What the body force alone makes of the paint in these tiles that it carries fastest.
-double Solver::Parts::terminal_speed_mm_s(const StepLimits& forces,
-                                          const std::vector<int>& tiles) const {
-    if (!state.varied) {
-        std::int32_t thickest = 0;
-        for (const int tile : tiles)
-            thickest = std::max(thickest, thickest_quanta(state, tile));
-        return forces.terminal_speed_mm_s(thickness_mm(thickest));
-    }
-    std::vector<double> runniest(tiles.size() + 1);
-    pool.run(tiles.size(), [&](std::size_t index, int) {
-        runniest[index] = largest_per_viscosity(tiles[index], [](double h) { return h * h; });
-    });
-    return forces.newtonian_speed_mm_s(*std::max_element(runniest.begin(), runniest.end()));
-}
-
-/// The same of all paint that is stepped, where it is blown on with the push of the air.
-double Solver::Parts::terminal_speed_mm_s() const {
-    const std::vector<int> tiles = activity.stepping_tiles();
-    double speed = terminal_speed_mm_s(limits, tiles);
-    for (const AirJet& jet : air) {
-        const grid::Rect reached = cells_reached(jet, state.shape, state.cell_mm);
-        std::vector<int> blown;
-        std::copy_if(tiles.begin(), tiles.end(), std::back_inserter(blown), [&](int tile) {
-            return !grid::intersection(state.shape.tile_cells(tile), reached).empty();
-        });
-        StepLimits pushed = limits;
-        pushed.force_mm_s2 += strongest_push_mm_s2(jet, medium.density_kg_m3);
-        speed = std::max(speed, terminal_speed_mm_s(pushed, blown));
-    }
-    return speed;
-}
-
-double Solver::Parts::large_step_s(double seconds) const {
-    const double speed = terminal_speed_mm_s();
-    constexpr double kCourant = 0.2;
-    return seconds / std::max(1.0, std::ceil(seconds * speed / (kCourant * state.cell_mm)));
-}
-
-Solver::Parts::Plan Solver::Parts::plan(double seconds) const {
-    if (options.fixed_step_s > 0.0) return {options.fixed_step_s, options.scheme == Scheme::LargeStep};
-    if (options.scheme == Scheme::LargeStep) return {large_step_s(seconds), true};
-    const double explicit_s = stable_step_s();
-    if (options.scheme == Scheme::Explicit) return {explicit_s, false};
-    const double large_s = large_step_s(seconds);
-    return large_s > kLargeStepCost * explicit_s ? Plan{large_s, true} : Plan{explicit_s, false};
-}
-
-double Solver::Parts::stable_step_s() const {
-    double limit = std::numeric_limits<double>::max();
-    for (const int tile : activity.stepping_tiles()) {
-        const TileActivity& flow = activity.tile(tile);
-        limit = std::min(limit, flow.changed_from_outside ? resting_step_s(tile)
-                                                          : limits.flowing_step_s(flow.extremes));
-    }
-    return kStepSafety * limit;
-}
-
 bool Solver::Parts::step_group(double seconds, const std::function<bool()>& give_up,
                                AdvanceReport& report) {
     double remaining = seconds;
     while (remaining > 0.0 && !activity.stepping_tiles().empty()) {
         if (give_up()) return false;
-        const Plan next = plan(remaining);
+        const StepPlan next =
+            plan_step({state, activity, limits, air, medium.density_kg_m3, pool}, options, remaining);
         // A remainder of one part in a million is rounding, not a step of its own.
         const double steps_left = std::max(1.0, std::ceil(remaining / next.step_s - 1e-6));
         const double dt_s = remaining / steps_left;

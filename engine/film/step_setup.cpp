@@ -1,0 +1,68 @@
+#include "film/step_setup.hpp"
+
+#include "core/check.hpp"
+#include "core/units.hpp"
+
+#include <cmath>
+
+namespace pastoso::film {
+namespace {
+
+double drag_coefficient(double alpha) {
+    return 6.0 / (3.0 * alpha - 1.0);
+}
+
+}  // namespace
+
+StepLimits make_limits(const Medium& medium, const Gravity& gravity, double cell_mm) {
+    StepLimits limits;
+    limits.cell_mm = cell_mm;
+    limits.gravity_mm_s2 = gravity.normal_mm_s2;
+    limits.tension = medium.surface_tension_N_m / medium.density_kg_m3 * 1e9;
+    limits.viscosity_mm2_s = medium.viscosity_m2_s * 1e6;
+    limits.smallest_drag = drag_coefficient(medium.alpha_max);
+    limits.force_mm_s2 = std::hypot(gravity.x_mm_s2, gravity.y_mm_s2);
+    limits.yield = medium.yield_stress_Pa / medium.density_kg_m3 * 1e6;
+    limits.flow_index = medium.flow_index;
+    return limits;
+}
+
+StepConstants make_constants(const Medium& medium, const Gravity& gravity, const SolverOptions& options,
+                             double cell_mm) {
+    const StepLimits limits = make_limits(medium, gravity, cell_mm);
+    StepConstants step;
+    step.cell_mm = static_cast<float>(cell_mm);
+    step.inverse_cell = static_cast<float>(1.0 / cell_mm);
+    step.gravity_mm_s2 = static_cast<float>(gravity.normal_mm_s2);
+    step.force_x_mm_s2 = static_cast<float>(gravity.x_mm_s2);
+    step.force_y_mm_s2 = static_cast<float>(gravity.y_mm_s2);
+    step.tension = static_cast<float>(limits.tension);
+    step.viscosity_mm2_s = static_cast<float>(limits.viscosity_mm2_s);
+    step.yield_per_Pa = static_cast<float>(1e6 / medium.density_kg_m3);
+    step.yield = static_cast<float>(medium.yield_stress_Pa / medium.density_kg_m3 * 1e6);
+    step.drag_against = static_cast<float>(drag_coefficient(medium.alpha_min));
+    step.drag_along = static_cast<float>(drag_coefficient(medium.alpha_max));
+    step.slip_mm = static_cast<float>(medium.slip_cells * cell_mm);
+    step.tan_advancing = static_cast<float>(std::tan(core::radians(medium.advancing_angle_deg)));
+    step.tan_receding = static_cast<float>(std::tan(core::radians(medium.receding_angle_deg)));
+    step.wet_mm = static_cast<float>(1e-4 * cell_mm);
+    step.inertia = options.inertia ? 1.0F : 0.0F;
+    step.lateral = options.lateral_drag ? 1.0F : 0.0F;
+    step.tension_rise2 = options.tension_in_space ? 1.0F : 0.0F;
+    step.horizontal_tension = static_cast<float>(options.horizontal_tension * limits.tension);
+    step.flow_index = static_cast<float>(medium.flow_index);
+    step.full_curvature = options.full_curvature;
+    return step;
+}
+
+void check_medium(const Medium& medium) {
+    PASTOSO_CHECK_OP(medium.density_kg_m3, >, 0.0);
+    PASTOSO_CHECK_OP(medium.viscosity_m2_s, >, 0.0);
+    PASTOSO_CHECK_OP(medium.flow_index, >=, 0.2);
+    PASTOSO_CHECK_OP(medium.flow_index, <=, 1.0);
+    PASTOSO_CHECK_OP(medium.alpha_min, >, 1.0 / 3.0);
+    PASTOSO_CHECK_OP(medium.alpha_min, <=, medium.alpha_max);
+    PASTOSO_CHECK_OP(medium.receding_angle_deg, <=, medium.advancing_angle_deg);
+}
+
+}  // namespace pastoso::film
