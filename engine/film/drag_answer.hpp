@@ -31,6 +31,11 @@ template <bool kYield>
     return {Lanes(factor * along), factor};
 }
 
+/// The share of its last answer's slope that a face keeps at least. Newton's method may swing between an
+/// arrested and a flowing film, whose slopes are 0 and 1: a slope that rises at once and falls in steps
+/// keeps it from overshooting, and the flow found stays the law's.
+constexpr float kKeptSlope = 0.25F;
+
 /// u = u* - D dt grad p for the faces of a row that are not explicit: the tangent of the drag law at the
 /// velocity w that `pressure` (that of the row's cell 0 and its neighbours, `along` the faces' axis)
 /// leaves of the driving one, u* = F - F' (w - driven) and D = F'. The mobility is dt^2 D h / dx^2. With
@@ -50,7 +55,7 @@ float answer_row(const StepConstants& step, const float* pressure, int along, in
         const Lanes depth = load(&faces.depth[f]);
         const Lanes star = load(&faces.star[f]), mobility = load(&faces.mobility[f]);
         const Lanes velocity = driven - push;
-        const DragAnswer answer =
+        DragAnswer answer =
             drag_answer<kYield>(velocity, load(&faces.across[f]), drag, load(&faces.resistance[f]));
         const auto implicit = drag >= zero;
         if constexpr (kCompare) {
@@ -58,6 +63,10 @@ float answer_row(const StepConstants& step, const float* pressure, int along, in
             const Lanes error = lanes::abs(Lanes(answer.flow * depth * cells - flux)) /
                                 (lanes::abs(flux) + Lanes(kTraceFlux));
             worst = lanes::max(worst, lanes::select(implicit, error, zero));
+            // The depth may be another one than the last answer's.
+            const Lanes last_slope =
+                lanes::min(Lanes(1.0F), Lanes(mobility / (courant * courant * depth + Lanes(1e-30F))));
+            answer.slope = lanes::max(answer.slope, Lanes(Lanes(kKeptSlope) * last_slope));
         }
         const Lanes tangent = answer.flow - answer.slope * (velocity - driven);
         store(&faces.star[f], lanes::select(implicit, tangent, star));

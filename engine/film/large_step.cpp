@@ -18,9 +18,10 @@ constexpr float kSteadyFlux = 0.1F;
 constexpr int kMostRefinements = 4;
 /// The same where paint remembers its motion: an error stays in it as energy.
 constexpr float kSteadyLightFlux = 0.005F;
-constexpr int kMostLightRefinements = 12;
+constexpr int kMostLightRefinements = 40;
 /// A thickness error below this, relative to the film, needs no further sweep.
 constexpr float kTolerance = 0.01F;
+constexpr float kLightTolerance = 0.001F;
 /// What a sweep leaves of the error, at most, where the overlap does its work.
 constexpr float kSweepGain = 0.1F;
 constexpr int kMostSweeps = 12;
@@ -39,6 +40,10 @@ Shortage total(const std::vector<Shortage>& shortages) {
         sum.thick_cells += shortage.thick_cells;
     }
     return sum;
+}
+
+float tolerance_of(const LargeTile& tile) {
+    return tile.light ? kLightTolerance : kTolerance;
 }
 
 /// Notes that the equations of a tile have changed.
@@ -349,7 +354,7 @@ float LargeStepper::Pass::sweep(bool first) {
         gather_x_faces(place, &LargeFaces::weight, large.weight_x);
         gather_y_faces(place, &LargeFaces::weight, large.weight_y);
         tile.error = kernels.patch_residual(constants, state.thickness.read(place.tile), large);
-        if (!first && tile.error <= kTolerance) {
+        if (!first && tile.error <= tolerance_of(tile)) {
             tile.residual = std::numeric_limits<float>::max();
             return;
         }
@@ -368,11 +373,14 @@ float LargeStepper::Pass::sweep(bool first) {
 
 /// Sweeps until the error is small; `from_rest` when no pressure of this step is known yet.
 void LargeStepper::Pass::solve(bool from_rest, LargeStepReport& report) {
-    constexpr float kAllowed = kTolerance / kSweepGain;
+    const auto is_close = [this](const TilePlace& place) {
+        const LargeTile& tile = *stepper.tiles_[place.tile];
+        return tile.error * kSweepGain <= tolerance_of(tile);
+    };
     for (int count = 0; count < kMostSweeps; ++count) {
         report.residual = sweep(from_rest && count == 0);
         ++report.sweeps;
-        if (report.residual <= kAllowed) return;
+        if (std::all_of(places.begin(), places.end(), is_close)) return;
     }
 }
 
