@@ -19,7 +19,7 @@ struct LargeKernels {
     /// f = -(dt/dx) div(h_f u*)
     void (*find_source)(const StepConstants& step, LargeTile& tile);
     /// d = f - A p and the residual Pi + S d - p of the gathered patch. Returns the largest error of
-    /// thickness that it stands for in the tile, relative to the film.
+    /// thickness that it stands for in the tile, relative to the film or two cells of it.
     float (*patch_residual)(const StepConstants& step, const std::int32_t* thickness,
                             LargeScratch& scratch);
     /// The correction of the patch's pressure that removes its residual, by that many V-cycles.

@@ -9,6 +9,9 @@ namespace {
 
 using grid::kTileSize;
 
+/// Errors of thicker film are relative to this.
+constexpr float kThick_cells = 2.0F;
+
 /// sum over the four faces of coefficient (value - neighbour's value)
 Lanes difference(const WindowArray& x_faces, const WindowArray& y_faces, const WindowArray& values,
                  int i) {
@@ -54,6 +57,8 @@ float find_patch_residual(const StepConstants& step, const std::int32_t* thickne
         });
     Lanes worst(0.0F);
     const Lanes huge(1e30F);
+    // In thick paint the same relative error would be a ripple that shows.
+    const Lanes thick(kThick_cells * step.cell_mm);
     const Lanes floor(0.05F * step.cell_mm), quantum(static_cast<float>(kThicknessQuantum_mm));
     for (int y = 0; y < kTileSize; ++y)
         for (int x = 0; x < kTileSize; x += kLanes) {
@@ -64,7 +69,8 @@ float find_patch_residual(const StepConstants& step, const std::int32_t* thickne
                 lanes::abs(Lanes(a * load(&scratch.residual[i]) / (Lanes(1.0F) + a * s)));
             const lanes::stdx::rebind_simd_t<std::int32_t, Lanes> quanta(thickness + y * kTileSize + x,
                                                                          lanes::stdx::element_aligned);
-            const Lanes h = lanes::stdx::static_simd_cast<Lanes>(quanta) * quantum;
+            const Lanes h =
+                lanes::min(Lanes(lanes::stdx::static_simd_cast<Lanes>(quanta) * quantum), thick);
             const Lanes relative = error / (h + lanes::abs(load(&scratch.change[i])) + floor);
             // What is not a number counts as large.
             worst = lanes::max(worst, lanes::select(relative < huge, relative, huge));

@@ -47,7 +47,7 @@ inline constexpr float kRestTravel_cells = 1e-3F;
 inline constexpr float kWakingTravel_cells = 5e-4F;
 
 /// Paint may wait for as long as it moves by less than this share of a cell.
-inline constexpr float kUnhurriedTravel_cells = 0.1F;
+inline constexpr float kUnhurriedTravel_cells = 0.2F;
 
 /// The same while a tool works on the paint, which moves it much further than it flows; and the most
 /// calls of let_pass() that it waits then.
@@ -55,7 +55,7 @@ inline constexpr float kTouchedTravel_cells = 0.4F;
 inline constexpr int kMostCallsWhileTouched = 4;
 /// Two tiles that wait differently dam up what flows from one to the other until the slower one is
 /// stepped: they do so only while that is less than this share of what a cell holds.
-inline constexpr float kDammedTravel_cells = 0.01F;
+inline constexpr float kDammedTravel_cells = 0.02F;
 
 class ActivityMap {
   public:
