@@ -65,6 +65,7 @@ void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, do
     reserve(cells_.width() * cells_.height());
     const Disc disc = {x_mm / film.cell_mm - 0.5, y_mm / film.cell_mm - 0.5, radius_mm / film.cell_mm};
     spans_.resize(static_cast<std::size_t>(cells_.height()));
+    rows_.resize(spans_.size());
     gather_kernels().outline(disc, cells_.y0, cells_.height(), spans_.data());
     const grid::Rect tiles = film.shape.tiles_touching(cells_);
     for (int row = tiles.y0; row < tiles.y1; ++row) {
@@ -81,22 +82,20 @@ void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, do
 
 void CellBatch::gather_part(const film::FilmState& film, int tile, const grid::Rect& part,
                             const Disc& disc, PassMap* pass) {
-    rows_.clear();
-    int end = count_;
+    int row_count = 0, end = count_;
     for (int y = part.y0; y < part.y1; ++y) {
         const RowSpan& span = spans_[y - cells_.y0];
         const int x0 = std::max(part.x0, span.first);
         const int width = std::min(part.x1, span.end) - x0;
         if (width <= 0) continue;
-        rows_.push_back({grid::Shape::cell_in_tile(x0, y), width,
-                         static_cast<float>((x0 - disc.x) * film.cell_mm),
-                         static_cast<float>((y - disc.y) * film.cell_mm)});
+        rows_[row_count++] = {grid::Shape::cell_in_tile(x0, y), width,
+                              static_cast<float>((x0 - disc.x) * film.cell_mm),
+                              static_cast<float>((y - disc.y) * film.cell_mm)};
         end += width;
     }
     const GatherSource source = {film.thickness.read(tile), film.support_mm.read(tile),
                                  film.paint.read(tile), pass != nullptr ? pass->tile(tile) : PassTile{}};
-    gather_kernels().gather(source, rows_.data(), static_cast<int>(rows_.size()),
-                            static_cast<float>(film.cell_mm),
+    gather_kernels().gather(source, rows_.data(), row_count, static_cast<float>(film.cell_mm),
                             {&dx_mm[count_], &dy_mm[count_], &support_mm[count_], &thickness[count_],
                              &found[count_], &cell[count_]});
     count_ = end;
