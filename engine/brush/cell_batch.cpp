@@ -1,17 +1,27 @@
 #include "brush/cell_batch.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pastoso::brush {
+
+#define PASTOSO_DECLARE_KERNELS(isa)                                                           \
+    namespace isa {                                                                            \
+    void outline(const Disc& disc, int first_row, int rows, RowSpan* spans);                   \
+    void gather(const GatherSource& tile, const GatherRow* rows, int row_count, float cell_mm, \
+                GatherColumns to);                                                             \
+    }
+
+PASTOSO_DECLARE_KERNELS(baseline)
+#ifdef PASTOSO_MULTIPLE_ISAS
+PASTOSO_DECLARE_KERNELS(avx2)
+PASTOSO_DECLARE_KERNELS(avx512)
+#endif
+#undef PASTOSO_DECLARE_KERNELS
+
 namespace {
 
 /// A height no tool reaches, for the padding.
 constexpr float kUnreachable_mm = -1e6F;
-
-/// Cells of a row that are gathered at once.
-constexpr int kBlock = 8;
-static_assert(kBlock <= kBatchStep);
 
 int whole_below(double x) {
     const int truncated = static_cast<int>(x);
@@ -31,6 +41,19 @@ Span cells_within(double place_mm, double reach_mm, double cell_mm) {
 
 }  // namespace
 
+GatherKernels gather_kernels_for([[maybe_unused]] core::Isa isa) {
+#ifdef PASTOSO_MULTIPLE_ISAS
+    if (isa == core::Isa::Avx512) return {avx512::outline, avx512::gather};
+    if (isa == core::Isa::Avx2) return {avx2::outline, avx2::gather};
+#endif
+    return {baseline::outline, baseline::gather};
+}
+
+const GatherKernels& gather_kernels() {
+    static const GatherKernels kernels = gather_kernels_for(core::best_isa());
+    return kernels;
+}
+
 void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, double radius_mm,
                        PassMap* pass) {
     count_ = 0;
@@ -41,6 +64,9 @@ void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, do
     if (cells_.empty()) return;
     reserve(cells_.width() * cells_.height());
     const Disc disc = {x_mm / film.cell_mm - 0.5, y_mm / film.cell_mm - 0.5, radius_mm / film.cell_mm};
+    spans_.resize(static_cast<std::size_t>(cells_.height()));
+    rows_.resize(spans_.size());
+    gather_kernels().outline(disc, cells_.y0, cells_.height(), spans_.data());
     const grid::Rect tiles = film.shape.tiles_touching(cells_);
     for (int row = tiles.y0; row < tiles.y1; ++row) {
         for (int column = tiles.x0; column < tiles.x1; ++column) {
@@ -56,46 +82,23 @@ void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, do
 
 void CellBatch::gather_part(const film::FilmState& film, int tile, const grid::Rect& part,
                             const Disc& disc, PassMap* pass) {
-    const std::int32_t* tile_thickness = film.thickness.read(tile);
-    const film::PaintCell* tile_paint = film.paint.read(tile);
-    const float* tile_support = film.support_mm.read(tile);
-    const auto cell_mm = static_cast<float>(film.cell_mm);
+    int row_count = 0, end = count_;
     for (int y = part.y0; y < part.y1; ++y) {
-        const double off = y - disc.y;
-        const double half = std::sqrt(std::max(0.0, disc.radius * disc.radius - off * off));
-        const int x0 = std::max(part.x0, -whole_below(half - disc.x));
-        const int width = std::min(part.x1, whole_below(disc.x + half) + 1) - x0;
+        const RowSpan& span = spans_[y - cells_.y0];
+        const int x0 = std::max(part.x0, span.first);
+        const int width = std::min(part.x1, span.end) - x0;
         if (width <= 0) continue;
-        const auto row_mm = static_cast<float>(off * film.cell_mm);
-        const auto first_mm = static_cast<float>((x0 - disc.x) * film.cell_mm);
-        const int first = grid::Shape::cell_in_tile(x0, y);
-        float *dx = &dx_mm[count_], *dy = &dy_mm[count_], *support = &support_mm[count_];
-        std::int32_t *quanta = &thickness[count_], *index = &cell[count_];
-        const auto take = [&](int begin, int end) {
-#pragma GCC ivdep  // the columns do not overlap
-            for (int i = begin; i < end; ++i) {
-                dx[i] = first_mm + static_cast<float>(i) * cell_mm;
-                dy[i] = row_mm;
-                quanta[i] = tile_thickness[first + i];
-                support[i] = tile_support[first + i];
-                index[i] = first + i;
-            }
-        };
-        // Whole blocks are fastest; what is too much is overwritten by the next row. Not beyond the
-        // tile.
-        int done = 0;
-        for (; done < width && first + done + kBlock <= grid::kTileCells; done += kBlock)
-            take(done, done + kBlock);
-        take(done, width);
-        if (pass != nullptr)
-            pass->find(tile, first, width, quanta, &found[count_]);
-        else
-            std::copy_n(quanta, width, &found[count_]);
-        // The exchange will want the paint of these cells soon.
-        for (int i = 0; i < width; ++i)
-            __builtin_prefetch(&tile_paint[first + i], 1);
-        count_ += width;
+        rows_[row_count++] = {grid::Shape::cell_in_tile(x0, y), width,
+                              static_cast<float>((x0 - disc.x) * film.cell_mm),
+                              static_cast<float>((y - disc.y) * film.cell_mm)};
+        end += width;
     }
+    const GatherSource source = {film.thickness.read(tile), film.support_mm.read(tile),
+                                 film.paint.read(tile), pass != nullptr ? pass->tile(tile) : PassTile{}};
+    gather_kernels().gather(source, rows_.data(), row_count, static_cast<float>(film.cell_mm),
+                            {&dx_mm[count_], &dy_mm[count_], &support_mm[count_], &thickness[count_],
+                             &found[count_], &cell[count_]});
+    count_ = end;
 }
 
 void CellBatch::reserve(int count) {
@@ -108,11 +111,12 @@ void CellBatch::reserve(int count) {
 }
 
 void CellBatch::pad() {
-    for (int i = count_; i < padded_count(); ++i) {
-        dx_mm[i] = dy_mm[i] = 0.0F;
-        thickness[i] = found[i] = cell[i] = 0;
-        support_mm[i] = kUnreachable_mm;
-    }
+    // More than needed, since a fixed number is faster.
+    for (float* column : {&dx_mm[count_], &dy_mm[count_]})
+        std::fill_n(column, kBatchStep, 0.0F);
+    for (std::int32_t* column : {&thickness[count_], &found[count_], &cell[count_]})
+        std::fill_n(column, kBatchStep, 0);
+    std::fill_n(&support_mm[count_], kBatchStep, kUnreachable_mm);
 }
 
 }  // namespace pastoso::brush

@@ -1,6 +1,7 @@
 // The cells under a tool's footprint, gathered from the tiles into plain columns for the kernels.
 #pragma once
 
+#include "brush/gather_kernel.hpp"
 #include "brush/pass_map.hpp"
 #include "film/state.hpp"
 
@@ -40,9 +41,6 @@ class CellBatch {
     std::vector<std::int32_t> swap;    ///< to be filled: amount to be exchanged besides, quanta
 
   private:
-    struct Disc {
-        double x, y, radius;  ///< in cells, from the centre of cell (0, 0)
-    };
     void gather_part(const film::FilmState& film, int tile, const grid::Rect& part, const Disc& disc,
                      PassMap* pass);
     void reserve(int count);
@@ -51,6 +49,8 @@ class CellBatch {
     int count_ = 0;
     std::vector<TilePart> parts_;
     grid::Rect cells_;
+    std::vector<RowSpan> spans_;  ///< of every row of cells_
+    std::vector<GatherRow> rows_;
 };
 
 }  // namespace pastoso::brush

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 namespace pastoso::brush {
 namespace {
@@ -23,18 +23,22 @@ float touch_of(const ExchangeRule& rule, const CellBatch& cells, int i) {
     return weight * std::clamp((surface - rule.lowest_mm) * rule.fade_per_mm, 0.0F, 1.0F);
 }
 
-/// The largest ln(nu / kThinnest_m2_s) of paint as thick as the thickest here that is dragged along.
-float stiffest(const CellBatch& cells, double speed_mm_s) {
+/// The largest nu / kThinnest_m2_s of paint as thick as the thickest here that is dragged along.
+double stiffest(const CellBatch& cells, double speed_mm_s) {
     constexpr double kThinnest_mm2_s = film::kThinnest_m2_s * 1e6;
     std::int32_t thickest = 0;
     for (int i = 0; i < cells.count(); ++i)
         thickest = std::max(thickest, cells.thickness[i]);
     const double h_mm = film::thickness_mm(thickest);
-    const double viscosity_mm2_s = speed_mm_s * h_mm * h_mm / (3.0 * kStop_mm);
-    if (viscosity_mm2_s <= kThinnest_mm2_s) return -1.0F;
-    return static_cast<float>(core::natural_log(viscosity_mm2_s / kThinnest_mm2_s));
+    return speed_mm_s * h_mm * h_mm / (3.0 * kStop_mm) / kThinnest_mm2_s;
 }
 
+/// A logarithm, rounded up to those of whole powers of two: most paint is so stiff that this tells.
+float logarithm_above(double x) {
+    return static_cast<float>((std::ilogb(x) + 1) * core::kLn2);
+}
+
+/// `stiffest` is ln(nu / kThinnest_m2_s).
 bool flows(const film::PaintCell& paint, std::int32_t thickness, float stiffest) {
     constexpr auto kRatio = static_cast<float>(film::kThicknessQuantum_mm / film::kPaintQuantum);
     return static_cast<float>(paint[film::kViscosityChannel]) <=
@@ -59,8 +63,12 @@ void drag_faces(const grid::Rect& from, float tip_mm_s, const Share& share,
 
 DragRates drag_rates(const Brush& brush, const HandPose& hand, double step_mm, double radius_mm) {
     const double share = brush.preset.exchange.momentum * (1.0 - std::exp(-step_mm / radius_mm));
-    return {static_cast<float>(share), static_cast<float>(hand.speed_mm_s * hand.travel_x),
-            static_cast<float>(hand.speed_mm_s * hand.travel_y)};
+    DragRates rates;
+    rates.share = static_cast<float>(share);
+    rates.velocity_x_mm_s = static_cast<float>(hand.speed_mm_s * hand.travel_x);
+    rates.velocity_y_mm_s = static_cast<float>(hand.speed_mm_s * hand.travel_y);
+    rates.speed_mm_s = std::hypot(rates.velocity_x_mm_s, rates.velocity_y_mm_s);
+    return rates;
 }
 
 void PaintDrag::Shares::set(int x, int y, float share, const grid::Rect& all) {
@@ -76,7 +84,10 @@ void PaintDrag::Shares::set(int x, int y, float share, const grid::Rect& all) {
 void PaintDrag::find_shares(const ExchangeRule& rule, const DragRates& rates, const CellBatch& touched,
                             const film::FilmState& film) {
     shares_.any = false;
-    const float most = stiffest(touched, std::hypot(rates.velocity_x_mm_s, rates.velocity_y_mm_s));
+    const double most_viscous = stiffest(touched, rates.speed_mm_s);
+    if (most_viscous <= 1.0) return;
+    const float above = logarithm_above(most_viscous);
+    std::optional<float> most;
     for (const CellBatch::TilePart& part : touched.parts()) {
         if (film.thickness.is_background(part.tile)) continue;
         const std::int32_t* thickness = film.thickness.read(part.tile);
@@ -85,7 +96,9 @@ void PaintDrag::find_shares(const ExchangeRule& rule, const DragRates& rates, co
         for (int i = part.begin; i < part.end; ++i) {
             const std::int32_t cell = touched.cell[i];
             if (thickness[cell] == 0) continue;
-            if (flows(paint[cell], thickness[cell], most)) {
+            const bool may_flow = flows(paint[cell], thickness[cell], above);
+            if (may_flow && !most) most = static_cast<float>(core::natural_log(most_viscous));
+            if (may_flow && flows(paint[cell], thickness[cell], *most)) {
                 shares_.set(tile.x0 + cell % grid::kTileSize, tile.y0 + cell / grid::kTileSize,
                             rates.share * touch_of(rule, touched, i), touched.cells());
             } else if (!film.varied) {

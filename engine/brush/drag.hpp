@@ -16,6 +16,7 @@ namespace pastoso::brush {
 struct DragRates {
     float share = 0.0F;                                    ///< momentum (1 - e^(-ds / r))
     float velocity_x_mm_s = 0.0F, velocity_y_mm_s = 0.0F;  ///< of the tip
+    float speed_mm_s = 0.0F;                               ///< its absolute value
 };
 DragRates drag_rates(const Brush& brush, const HandPose& hand, double step_mm, double radius_mm);
 

@@ -2,6 +2,7 @@
 // what it has just written for paint that was there.
 #pragma once
 
+#include "brush/gather_kernel.hpp"
 #include "grid/tiled_field.hpp"
 
 #include <cstdint>
@@ -19,19 +20,9 @@ class PassMap {
     /// Where the tip is from now on, in travel since the stroke began.
     void set_travel(double travel_mm) { travel_mm_ = static_cast<float>(travel_mm); }
 
-    /// Begins a pass over those of `count` neighbouring cells of a tile that are not being passed over,
-    /// which hold `thickness`, and writes what was found in all of them, in quanta.
-    void find(int tile, int first_cell, int count, const std::int32_t* thickness, std::int32_t* found) {
-        float* begun = begun_mm_.write(tile) + first_cell;
-        std::int32_t* kept = found_.write(tile) + first_cell;
-        const float expired = travel_mm_ - length_mm_;
-#pragma GCC ivdep  // the columns do not overlap
-        for (int i = 0; i < count; ++i) {
-            const bool anew = begun[i] < expired;
-            begun[i] = anew ? travel_mm_ : begun[i];
-            kept[i] = anew ? thickness[i] : kept[i];
-            found[i] = kept[i];
-        }
+    /// What a gathering of cells of a tile reads and, where the tip comes anew, writes.
+    PassTile tile(int tile) {
+        return {begun_mm_.write(tile), found_.write(tile), travel_mm_, travel_mm_ - length_mm_};
     }
 
   private:

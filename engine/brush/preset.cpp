@@ -14,7 +14,7 @@ namespace pastoso::brush {
 namespace {
 
 constexpr int kFewestBristles = 30;
-constexpr int kMostBristles = 300;
+constexpr int kMostBristles = 250;
 
 /// The tool that a single word means.
 constexpr std::pair<std::string_view, std::string_view> kShortNames[] = {{"flat", "Flat bristle 20"},

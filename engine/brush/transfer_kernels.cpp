@@ -2,6 +2,7 @@
 #include "brush/transfer_kernels.hpp"
 
 #include "brush/cell_batch.hpp"
+#include "brush/kernel_lanes.hpp"
 #include "film/state.hpp"
 
 #include <limits>
@@ -21,87 +22,115 @@ constexpr float kGrooveRise = 0.25F;
 /// A film thinner than 10 nm is not left behind: it would be invisible and keep cells wet for ever.
 constexpr std::int32_t kTraceQuanta = 336;
 
-#define PASTOSO_KERNEL_INLINE [[gnu::always_inline]] inline
-
 /// The channels in groups of one register: one, two or four.
-#if defined(__AVX512F__)
-constexpr int kLanes = 16;
-#elif defined(__AVX2__)
-constexpr int kLanes = 8;
-#else
-constexpr int kLanes = 4;
-#endif
 constexpr int kGroups = film::kPaintChannels / kLanes;
-using FloatLanes [[gnu::vector_size(4 * kLanes), gnu::aligned(4), gnu::may_alias]] = float;
-using IntLanes [[gnu::vector_size(4 * kLanes), gnu::aligned(4), gnu::may_alias]] = std::int32_t;
+
+/// Sums modulo 2^32.
+using WrappingLanes [[gnu::vector_size(4 * kLanes)]] = std::uint32_t;
 
 /// For sums of single numbers: half as many as a register of 32 bits holds.
 constexpr int kWideLanes = kLanes / 2;
 using NarrowLanes [[gnu::vector_size(4 * kWideLanes), gnu::aligned(4), gnu::may_alias]] = std::int32_t;
 using WideLanes [[gnu::vector_size(8 * kWideLanes)]] = std::int64_t;
 
-PASTOSO_KERNEL_INLINE float smaller(float a, float b) {
-    return a < b ? a : b;
-}
-PASTOSO_KERNEL_INLINE float larger(float a, float b) {
-    return a > b ? a : b;
-}
-PASTOSO_KERNEL_INLINE std::int32_t smaller(std::int32_t a, std::int32_t b) {
-    return a < b ? a : b;
-}
-PASTOSO_KERNEL_INLINE std::int32_t larger(std::int32_t a, std::int32_t b) {
-    return a > b ? a : b;
-}
+/// Heights of a bristle's hairs, told apart by their number because a table of sixteen can be looked
+/// up within registers.
+struct AnyHairs {
+    const float* heights;
 
-PASTOSO_KERNEL_INLINE float hair_at(const ExchangeRule& rule, float s) {
+    PASTOSO_KERNEL_INLINE explicit AnyHairs(const ExchangeRule& rule) : heights(rule.hairs) {}
+    PASTOSO_KERNEL_INLINE FloatLanes at(IntLanes index, FloatLanes share) const {
+        FloatLanes found = {};
+        for (int lane = 0; lane < kLanes; ++lane) {
+            const float* low = heights + index[lane];
+            found[lane] = low[0] + share[lane] * (low[1] - low[0]);
+        }
+        return found;
+    }
+};
+struct SixteenHairs {
+    static constexpr int kRegisters = 16 / kLanes;
+    FloatLanes low[kRegisters], high[kRegisters];
+
+    PASTOSO_KERNEL_INLINE explicit SixteenHairs(const ExchangeRule& rule) {
+        for (int part = 0; part < kRegisters; ++part) {
+            low[part] = load<FloatLanes>(rule.hairs + part * kLanes);
+            high[part] = load<FloatLanes>(rule.hairs + 1 + part * kLanes);
+        }
+    }
+    PASTOSO_KERNEL_INLINE static FloatLanes pick(const FloatLanes* table, IntLanes index) {
+        FloatLanes found = __builtin_shuffle(table[0], index);
+        for (int part = 1; part < kRegisters; ++part)
+            found = index >= part * kLanes ? __builtin_shuffle(table[part], index) : found;
+        return found;
+    }
+    PASTOSO_KERNEL_INLINE FloatLanes at(IntLanes index, FloatLanes share) const {
+        const FloatLanes left = pick(low, index), right = pick(high, index);
+        return left + share * (right - left);
+    }
+};
+
+template <class Hairs>
+PASTOSO_KERNEL_INLINE FloatLanes hairs_at(const Hairs& hairs, const ExchangeRule& rule, FloatLanes s) {
     const float half = 0.5F * static_cast<float>(rule.hairs_per_bristle);
     const float last = static_cast<float>(rule.hairs_per_bristle) - 0.001F;
-    const float place = smaller(larger(s * half + half, 0.0F), last);
-    const auto index = static_cast<std::int32_t>(place);
-    const float share = place - static_cast<float>(index);
-    return rule.hairs[index] + share * (rule.hairs[index + 1] - rule.hairs[index]);
+    const FloatLanes place = smaller(larger(s * half + half, FloatLanes{}), all_lanes(last));
+    const IntLanes index = as_ints(place);
+    return hairs.at(index, place - as_floats(index));
 }
 
-template <bool kLane>
-PASTOSO_KERNEL_INLINE void plan_cell(const ExchangeRule& rule, const BatchColumns& batch, int i) {
-    const float s = batch.dx_mm[i] * rule.across_x + batch.dy_mm[i] * rule.across_y;
-    const float t = batch.dx_mm[i] * rule.along_x + batch.dy_mm[i] * rule.along_y;
-    const float s2 = s * s, t2 = t * t;
-    const float radius2 = kLane ? t2 : s2 + t2;
-    const float lane_share = kLane ? larger(0.0F, 1.0F - (s < 0.0F ? -s : s)) : 1.0F;
-    const float weight = larger(0.0F, 1.0F - radius2 * radius2) * lane_share;
+/// What a register of cells is to gain and to swap.
+struct Wanted {
+    IntLanes change, swap;
+};
 
-    const float h = static_cast<float>(batch.thickness[i]) * kQuantum_mm;
-    const float wanted =
-        rule.underside_mm + rule.groove_mm * (s2 + kGrooveRise) + rule.hair_mm * hair_at(rule, s);
-    const float surface = batch.support_mm[i] + h;
-    const float gap = wanted - surface;
-    const float contact = smaller(larger((surface - rule.lowest_mm) * rule.fade_per_mm, 0.0F), 1.0F);
-    const float share = rule.rate * weight * contact;
+template <bool kLane, class Hairs>
+PASTOSO_KERNEL_INLINE Wanted wanted_at(const ExchangeRule& rule, const Hairs& hairs,
+                                       const BatchColumns& batch, int i) {
+    const auto dx = load<FloatLanes>(batch.dx_mm + i), dy = load<FloatLanes>(batch.dy_mm + i);
+    const FloatLanes s = dx * rule.across_x + dy * rule.across_y;
+    const FloatLanes t = dx * rule.along_x + dy * rule.along_y;
+    const FloatLanes s2 = s * s, t2 = t * t, none = {};
+    const FloatLanes radius2 = kLane ? t2 : s2 + t2;
+    const FloatLanes core = larger(none, 1.0F - radius2 * radius2);
+    const FloatLanes weight = kLane ? core * larger(none, 1.0F - (s < none ? -s : s)) : core;
 
-    const float given = smaller(share * gap, kMost_mm);
-    const float taken = larger(share * gap * rule.pickup, -kLargestBite * h);
-    const float change_mm = gap > 0.0F ? given : taken;
-    const auto change = static_cast<std::int32_t>(change_mm * kQuantaPerMm);
-    const std::int32_t room = larger(0, film::kMaxThickness_quanta - batch.thickness[i]);
-    batch.change[i] = smaller(change, room);
-    const float ground = static_cast<float>(smaller(batch.thickness[i], batch.found[i])) * kQuantum_mm;
-    const float swap_mm = room > 0 ? rule.mix * share * smaller(ground, rule.mix_depth_mm) : 0.0F;
-    batch.swap[i] = static_cast<std::int32_t>(swap_mm * kQuantaPerMm);
+    const auto quanta = load<IntLanes>(batch.thickness + i), found = load<IntLanes>(batch.found + i);
+    const FloatLanes h = as_floats(quanta) * kQuantum_mm;
+    const FloatLanes wanted = rule.underside_mm + rule.groove_mm * (s2 + kGrooveRise) +
+                              rule.hair_mm * hairs_at(hairs, rule, s);
+    const FloatLanes surface = load<FloatLanes>(batch.support_mm + i) + h;
+    const FloatLanes gap = wanted - surface;
+    const FloatLanes reached = larger((surface - rule.lowest_mm) * rule.fade_per_mm, none);
+    const FloatLanes share = rule.rate * weight * smaller(reached, all_lanes(1.0F));
+
+    const FloatLanes given = smaller(share * gap, all_lanes(kMost_mm));
+    const FloatLanes taken = larger(share * gap * rule.pickup, -kLargestBite * h);
+    const IntLanes change = as_ints((gap > none ? given : taken) * kQuantaPerMm);
+    const IntLanes room = larger(IntLanes{}, film::kMaxThickness_quanta - quanta);
+    const FloatLanes ground = as_floats(smaller(quanta, found)) * kQuantum_mm;
+    const FloatLanes swap_mm = rule.mix * share * smaller(ground, all_lanes(rule.mix_depth_mm));
+    return {smaller(change, room), as_ints((room > 0 ? swap_mm : none) * kQuantaPerMm)};
 }
 
-template <bool kLane>
+/// Adds single numbers to sums that are wide enough for all of them.
+PASTOSO_KERNEL_INLINE void add_to(WideLanes& sums, const std::int32_t* numbers) {
+    for (int i = 0; i < kLanes; i += kWideLanes)
+        sums += __builtin_convertvector(load<NarrowLanes>(numbers + i), WideLanes);
+}
+
+template <bool kLane, class Hairs>
 PASTOSO_KERNEL_INLINE WantedSums plan_batch(const ExchangeRule& rule, const BatchColumns& batch) {
+    const Hairs hairs(rule);
     WideLanes deposit = {}, swap = {};
-    for (int first = 0; first < batch.padded_count; first += kBatchStep) {
-        for (int i = first; i < first + kBatchStep; ++i)
-            plan_cell<kLane>(rule, batch, i);
-        for (int i = first; i < first + kBatchStep; i += kWideLanes) {
-            const auto change = *reinterpret_cast<const NarrowLanes*>(&batch.change[i]);
-            deposit += __builtin_convertvector(change > 0 ? change : NarrowLanes{}, WideLanes);
-            swap += __builtin_convertvector(*reinterpret_cast<const NarrowLanes*>(&batch.swap[i]),
-                                            WideLanes);
-        }
+    for (int i = 0; i < batch.padded_count; i += kLanes) {
+        const Wanted wanted = wanted_at<kLane>(rule, hairs, batch, i);
+        store(batch.change + i, wanted.change);
+        store(batch.swap + i, wanted.swap);
+        alignas(64) std::int32_t gains[kLanes];
+        store(gains, larger(wanted.change, IntLanes{}));
+        add_to(deposit, gains);
+        add_to(swap, batch.swap + i);
     }
     WantedSums sums;
     for (int lane = 0; lane < kWideLanes; ++lane) {
@@ -111,54 +140,45 @@ PASTOSO_KERNEL_INLINE WantedSums plan_batch(const ExchangeRule& rule, const Batc
     return sums;
 }
 
-/// A number in [0, 1) that is spread evenly over neighbouring cells: roundings with it have no bias.
-PASTOSO_KERNEL_INLINE float dither(std::uint32_t cell, std::uint32_t seed) {
-    return static_cast<float>((cell * 0x9E3779B9U + seed) >> 8) * 0x1p-24F;
+/// Numbers in [0, 1) that are spread evenly over neighbouring cells: roundings with them have no bias.
+PASTOSO_KERNEL_INLINE FloatLanes dither(IntLanes cell, std::uint32_t seed) {
+    const auto scattered = reinterpret_cast<WrappingLanes>(cell) * 0x9E3779B9U + seed;
+    return as_floats(reinterpret_cast<IntLanes>(scattered >> 8)) * 0x1p-24F;
 }
 
-/// Sums of the channels' changes over up to 2^15 cells, in halves that do not overflow.
+/// Sums of the channels' changes over up to 2^15 cells. A sum S comes from that of the upper halves,
+/// H = sum floor(c / 2^16), and from S modulo 2^32: S - 2^16 H, the sum of the lower halves, is less.
 constexpr int kHalfBits = 16;
 struct ChannelSums {
-    IntLanes low[kGroups] = {};   ///< of the lower bits, as numbers >= 0
-    IntLanes high[kGroups] = {};  ///< of the upper bits
+    WrappingLanes whole[kGroups] = {};
+    IntLanes upper[kGroups] = {};
 
     PASTOSO_KERNEL_INLINE void add(int group, IntLanes change) {
-        low[group] += change & ((1 << kHalfBits) - 1);
-        high[group] += change >> kHalfBits;
+        whole[group] += reinterpret_cast<WrappingLanes>(change);
+        upper[group] += change >> kHalfBits;
     }
     PASTOSO_KERNEL_INLINE void add_to(std::array<std::int64_t, film::kPaintChannels>& sums) const {
-        alignas(64) std::int32_t lower[film::kPaintChannels], upper[film::kPaintChannels];
+        alignas(64) std::uint32_t wholes[film::kPaintChannels];
+        alignas(64) std::int32_t uppers[film::kPaintChannels];
         for (int group = 0; group < kGroups; ++group) {
-            *reinterpret_cast<IntLanes*>(lower + group * kLanes) = low[group];
-            *reinterpret_cast<IntLanes*>(upper + group * kLanes) = high[group];
+            store(wholes + group * kLanes, whole[group]);
+            store(uppers + group * kLanes, upper[group]);
         }
-        for (int k = 0; k < film::kPaintChannels; ++k)
-            sums[k] += std::int64_t{upper[k]} * (1 << kHalfBits) + lower[k];
+        for (int k = 0; k < film::kPaintChannels; ++k) {
+            const std::int64_t high = std::int64_t{uppers[k]} * (1 << kHalfBits);
+            sums[k] += high + static_cast<std::uint32_t>(wholes[k] - static_cast<std::uint32_t>(high));
+        }
     }
 };
 
-/// Exchanges pigment: `out_share` of the cell's leaves, `gained` thickness quanta of the tool's come in.
-PASTOSO_KERNEL_INLINE void exchange_pigment(IntLanes* pigment, const FloatLanes* given, float out_share,
-                                            float gained, float rounding, ChannelSums& sums) {
-    for (int group = 0; group < kGroups; ++group) {
-        const IntLanes held = pigment[group];
-        const IntLanes wanted = __builtin_convertvector(
-            __builtin_convertvector(held, FloatLanes) * out_share + rounding, IntLanes);
-        const IntLanes out = wanted < held ? wanted : held;
-        const IntLanes offered = __builtin_convertvector(given[group] * gained + rounding, IntLanes);
-        const IntLanes room = kMostPigment - (held - out);
-        const IntLanes in = offered < room ? offered : room;
-        const IntLanes change = in - out;
-        pigment[group] = held + change;
-        sums.add(group, change);
-    }
+/// `out_share` of a cell's pigment, rounded.
+PASTOSO_KERNEL_INLINE IntLanes leaving(IntLanes held, float out_share, float rounding) {
+    return smaller(as_ints(as_floats(held) * out_share + rounding), held);
 }
 
-PASTOSO_KERNEL_INLINE void take_all_pigment(IntLanes* pigment, ChannelSums& sums) {
-    for (int group = 0; group < kGroups; ++group) {
-        sums.add(group, -pigment[group]);
-        pigment[group] = IntLanes{};
-    }
+/// The tool's pigment in `gained` thickness quanta, rounded, as far as it fits on top of `held`.
+PASTOSO_KERNEL_INLINE IntLanes coming(FloatLanes given, float gained, float rounding, IntLanes held) {
+    return smaller(as_ints(given * gained + rounding), kMostPigment - held);
 }
 
 /// What happens to a few cells, worked out for all of them at once before their pigment is touched.
@@ -166,77 +186,122 @@ constexpr int kChunk = 64;
 static_assert(kChunk % kBatchStep == 0);
 struct CellChanges {
     std::int32_t thickness[kChunk];
-    std::int32_t swap[kChunk];
     float out_share[kChunk];  ///< of the cell's pigment
     float gained[kChunk];     ///< thickness quanta of the tool's paint
     float rounding[kChunk];
-    std::int32_t active[kChunk];  ///< cells that change, in order
+    std::int32_t gains[kChunk], loses[kChunk], swaps[kChunk];  ///< 1 for cells of that kind
+};
+
+/// The cells of one kind, in order.
+struct CellList {
+    std::int32_t* cells;
+    int count;
+
+    PASTOSO_KERNEL_INLINE void add_if(std::int32_t is_one, int cell) {
+        cells[count] = cell;
+        count += is_one;
+    }
+};
+/// Cells that only gain paint, that only lose some, and those where paint goes both ways. Apart, since
+/// the first two take half the work.
+struct CellLists {
+    CellList gaining, losing, swapping;
 };
 
 PASTOSO_KERNEL_INLINE void settle_change(const ApplyRule& rule, const TileCells& cells, int first, int i,
                                          CellChanges& changes) {
-    const std::int32_t h = cells.held[first + i];
-    const std::int32_t wanted = cells.change[first + i];
-    const auto scaled = static_cast<std::int32_t>(static_cast<float>(wanted) * rule.deposit_scale);
-    const std::int32_t fitting = wanted > 0 ? scaled : wanted;
-    const std::int32_t change = fitting != 0 && h + fitting < kTraceQuanta ? -h : fitting;
-    const auto swap =
-        static_cast<std::int32_t>(static_cast<float>(cells.swap[first + i]) * rule.swap_scale);
-    const float share = static_cast<float>(swap + larger(-change, 0)) / static_cast<float>(larger(h, 1));
-    changes.thickness[i] = change;
-    changes.swap[i] = swap;
-    changes.out_share[i] = smaller(share, 1.0F);
-    changes.gained[i] = static_cast<float>(swap + larger(change, 0));
-    changes.rounding[i] = dither(static_cast<std::uint32_t>(cells.cell[first + i]), rule.dither_seed);
+    const IntLanes none = {}, one = none + 1;
+    const auto h = load<IntLanes>(cells.held + first + i);
+    const auto wanted = load<IntLanes>(cells.change + first + i);
+    const IntLanes scaled = as_ints(as_floats(wanted) * rule.deposit_scale);
+    const IntLanes fitting = wanted > none ? scaled : wanted;
+    const IntLanes change = (fitting != none) & (h + fitting < kTraceQuanta) ? -h : fitting;
+    const IntLanes swap = as_ints(as_floats(load<IntLanes>(cells.swap + first + i)) * rule.swap_scale);
+    const FloatLanes share = as_floats(swap + larger(-change, none)) / as_floats(larger(h, one));
+    store(changes.thickness + i, change);
+    store(changes.out_share + i, smaller(share, all_lanes(1.0F)));
+    store(changes.gained + i, as_floats(swap + larger(change, none)));
+    store(changes.rounding + i, dither(load<IntLanes>(cells.cell + first + i), rule.dither_seed));
+    store(changes.gains + i, (swap == none) & (change > none) ? one : none);
+    store(changes.loses + i, (swap == none) & (change < none) ? one : none);
+    store(changes.swaps + i, swap != none ? one : none);
 }
 
-PASTOSO_KERNEL_INLINE void settle_changes(const ApplyRule& rule, const TileCells& cells, int first,
-                                          int count, CellChanges& changes) {
-    // Whole batch steps: a few cells of the next part or of the padding are worked out in vain.
-    for (int begin = 0; begin < count; begin += kBatchStep) {
-        for (int i = begin; i < begin + kBatchStep; ++i)
-            settle_change(rule, cells, first, i, changes);
-    }
-}
-
-PASTOSO_KERNEL_INLINE int list_active(int count, CellChanges& changes) {
-    int active = 0;
+PASTOSO_KERNEL_INLINE CellLists list_cells(int count, const CellChanges& changes, std::int32_t* gaining,
+                                           std::int32_t* losing, std::int32_t* swapping) {
+    CellLists lists = {{gaining, 0}, {losing, 0}, {swapping, 0}};
     for (int i = 0; i < count; ++i) {
-        changes.active[active] = i;
-        active += (changes.thickness[i] | changes.swap[i]) != 0 ? 1 : 0;
+        lists.gaining.add_if(changes.gains[i], i);
+        lists.losing.add_if(changes.loses[i], i);
+        lists.swapping.add_if(changes.swaps[i], i);
     }
-    return active;
+    return lists;
+}
+
+/// Moves the thickness of the listed cells, and their pigment by pigment(i, emptied, group, held), the
+/// change of a register of channels.
+template <class Pigment>
+PASTOSO_KERNEL_INLINE void change_cells(const TileCells& cells, int first, const CellList& list,
+                                        const CellChanges& changes, ChangeSums& sums, ChannelSums& gains,
+                                        const Pigment& pigment) {
+    for (int n = 0; n < list.count; ++n) {
+        const int i = list.cells[n];
+        const std::int32_t cell = cells.cell[first + i];
+        const std::int32_t thickness = cells.held[first + i] + changes.thickness[i];
+        sums.thickness += changes.thickness[i];
+        cells.thickness[cell] = thickness;
+        std::int32_t* channels = cells.paint[cell].data();
+        for (int group = 0; group < kGroups; ++group) {
+            const auto held = load<IntLanes>(channels + group * kLanes);
+            const IntLanes change = thickness == 0 ? -held : pigment(i, group, held);
+            store(channels + group * kLanes, held + change);
+            gains.add(group, change);
+        }
+    }
 }
 
 /// Moves the thickness and the pigment of up to kChunk cells.
 PASTOSO_KERNEL_INLINE void apply_chunk(const ApplyRule& rule, const TileCells& cells, int first,
                                        int count, ChangeSums& sums) {
     CellChanges changes;
-    settle_changes(rule, cells, first, count, changes);
-    const int active = list_active(count, changes);
-    const auto* given = reinterpret_cast<const FloatLanes*>(rule.given.data());
+    // Whole registers: a few cells of the next part or of the padding are worked out in vain.
+    for (int i = 0; i < count; i += kLanes)
+        settle_change(rule, cells, first, i, changes);
+    std::int32_t gaining[kChunk], losing[kChunk], swapping[kChunk];
+    const CellLists lists = list_cells(count, changes, gaining, losing, swapping);
+    FloatLanes given[kGroups];
+    for (int group = 0; group < kGroups; ++group)
+        given[group] = load<FloatLanes>(rule.given.data() + group * kLanes);
     ChannelSums gains;
-    for (int n = 0; n < active; ++n) {
-        const int i = changes.active[n];
-        const std::int32_t cell = cells.cell[first + i];
-        const std::int32_t thickness = cells.held[first + i] + changes.thickness[i];
-        sums.thickness += changes.thickness[i];
-        cells.thickness[cell] = thickness;
-        auto* pigment = reinterpret_cast<IntLanes*>(cells.paint[cell].data());
-        if (thickness == 0)
-            take_all_pigment(pigment, gains);
-        else
-            exchange_pigment(pigment, given, changes.out_share[i], changes.gained[i],
-                             changes.rounding[i], gains);
-    }
-    sums.any = sums.any || active > 0;
+    change_cells(
+        cells, first, lists.gaining, changes, sums,
+        gains, [&](int i, int group, IntLanes held) __attribute__((always_inline)) {
+            return coming(given[group], changes.gained[i], changes.rounding[i], held);
+        });
+    change_cells(
+        cells, first, lists.losing, changes, sums,
+        gains, [&](int i, int, IntLanes held) __attribute__((always_inline)) {
+            return -leaving(held, changes.out_share[i], changes.rounding[i]);
+        });
+    change_cells(
+        cells, first, lists.swapping, changes, sums,
+        gains, [&](int i, int group, IntLanes held) __attribute__((always_inline)) {
+            const IntLanes out = leaving(held, changes.out_share[i], changes.rounding[i]);
+            return coming(given[group], changes.gained[i], changes.rounding[i], held - out) - out;
+        });
+    sums.any = sums.any || lists.gaining.count + lists.losing.count + lists.swapping.count > 0;
     gains.add_to(sums.paint);
 }
 
 }  // namespace
 
 WantedSums plan(const ExchangeRule& rule, const BatchColumns& batch) {
-    return rule.lane ? plan_batch<true>(rule, batch) : plan_batch<false>(rule, batch);
+    if (rule.hairs_per_bristle == 16) {
+        return rule.lane ? plan_batch<true, SixteenHairs>(rule, batch)
+                         : plan_batch<false, SixteenHairs>(rule, batch);
+    }
+    return rule.lane ? plan_batch<true, AnyHairs>(rule, batch)
+                     : plan_batch<false, AnyHairs>(rule, batch);
 }
 
 void apply(const ApplyRule& rule, const TileCells& cells, ChangeSums& sums) {

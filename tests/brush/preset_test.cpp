@@ -188,7 +188,7 @@ TEST(Resized, ScalesTheTipInProportion) {
     EXPECT_DOUBLE_EQ(small.tip.point_mm, 3.375);
     EXPECT_EQ(small.tip.bristles, 65);
     EXPECT_EQ(resized(find_preset("knife"), 8.5).tip.bristles, 35);
-    EXPECT_EQ(resized(find_preset("flat"), 100.0).tip.bristles, 300);
+    EXPECT_EQ(resized(find_preset("flat"), 100.0).tip.bristles, 250);
     EXPECT_EQ(resized(find_preset("flat"), 0.5).tip.bristles, 30);
     EXPECT_EQ(resized(find_preset("flat"), 0.0).tip.width_mm, 20.0);
 }

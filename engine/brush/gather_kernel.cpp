@@ -1,0 +1,85 @@
+// Compiled once per instruction set; see pastoso_add_kernels.
+#include "brush/gather_kernel.hpp"
+
+#include "brush/kernel_lanes.hpp"
+#include "grid/shape.hpp"
+
+namespace pastoso::brush::PASTOSO_ISA {
+namespace {
+
+PASTOSO_KERNEL_INLINE int whole_below(double x) {
+    const int truncated = static_cast<int>(x);
+    return truncated - (truncated > x ? 1 : 0);
+}
+
+alignas(4 * kLanes) constexpr std::int32_t kCounting[] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                          8, 9, 10, 11, 12, 13, 14, 15};
+
+/// Begins a pass where none is under way and writes what was found. Leaves what lies beyond the row's
+/// end as it is.
+template <class Floats, class Ints>
+PASTOSO_KERNEL_INLINE void find(const PassTile& pass, const GatherRow& row, int i, Ints quanta,
+                                Ints number, std::int32_t* found_column) {
+    const Floats begun = load<Floats>(pass.begun_mm + row.cell + i);
+    const Ints before = load<Ints>(pass.found + row.cell + i);
+    const auto anew = (begun < pass.expired_mm) & (number < row.count);
+    const Ints found = anew ? quanta : before;
+    store(pass.begun_mm + row.cell + i, anew ? Floats{} + pass.travel_mm : begun);
+    store(pass.found + row.cell + i, found);
+    store(found_column + i, found);
+}
+
+/// Gathers cell `i` of a row, or as many from there on as a register holds.
+template <class Floats, class Ints>
+PASTOSO_KERNEL_INLINE void gather_cells(const GatherSource& tile, const GatherRow& row, int i,
+                                        float cell_mm, const GatherColumns& to) {
+    const Ints number = load<Ints>(kCounting) + i;
+    const Ints quanta = load<Ints>(tile.thickness + row.cell + i);
+    store(to.thickness + i, quanta);
+    store(to.support_mm + i, load<Floats>(tile.support_mm + row.cell + i));
+    store(to.dx_mm + i, row.x_mm + as_floats(number) * cell_mm);
+    store(to.dy_mm + i, Floats{} + row.y_mm);
+    store(to.cell + i, number + row.cell);
+    if (tile.pass.found != nullptr)
+        find<Floats>(tile.pass, row, i, quanta, number, to.found);
+    else
+        store(to.found + i, quanta);
+}
+
+/// In whole registers, as long as they do not reach beyond the tile; what is too much in the columns is
+/// overwritten by the next row.
+PASTOSO_KERNEL_INLINE void gather_row(const GatherSource& tile, const GatherRow& row, float cell_mm,
+                                      const GatherColumns& to) {
+    int i = 0;
+    for (; i < row.count && row.cell + i + kLanes <= grid::kTileCells; i += kLanes)
+        gather_cells<FloatLanes, IntLanes>(tile, row, i, cell_mm, to);
+    for (; i < row.count; ++i)
+        gather_cells<float, std::int32_t>(tile, row, i, cell_mm, to);
+}
+
+}  // namespace
+
+void outline(const Disc& disc, int first_row, int rows, RowSpan* spans) {
+    for (int i = 0; i < rows; ++i) {
+        const double off = first_row + i - disc.y;
+        const double within = disc.radius * disc.radius - off * off;
+        const double half = __builtin_sqrt(within > 0.0 ? within : 0.0);
+        spans[i].first = -whole_below(half - disc.x);
+        spans[i].end = whole_below(disc.x + half) + 1;
+    }
+}
+
+void gather(const GatherSource& tile, const GatherRow* rows, int row_count, float cell_mm,
+            GatherColumns to) {
+    for (int r = 0; r < row_count; ++r) {
+        const GatherRow& row = rows[r];
+        gather_row(tile, row, cell_mm, to);
+        // The exchange will want the paint of these cells soon.
+        for (int i = 0; i < row.count; ++i)
+            __builtin_prefetch(&tile.paint[row.cell + i], 1);
+        to = {to.dx_mm + row.count,     to.dy_mm + row.count, to.support_mm + row.count,
+              to.thickness + row.count, to.found + row.count, to.cell + row.count};
+    }
+}
+
+}  // namespace pastoso::brush::PASTOSO_ISA
