@@ -21,6 +21,7 @@ enum class Command {
     BlotBrush,
     CleanBrush,
     SwapPaints,
+    PickPaint,
     PickColour,
     ReloadEachStroke,
     TurnWithStroke,

@@ -101,7 +101,10 @@ class MainWindow : public QMainWindow {
     void remove_guides();
     void choose_paint(const document::PaintRecipe& paint);
     void show_paint(const document::PaintRecipe& paint);
-    void pick_colour(const QPointF& canvas_mm);
+    void pick_at_next_click(std::optional<tools::Pick> pick);
+    void pick_from(document::Surface surface, const QPointF& place_mm, tools::Pick pick);
+    void pick_paint(const tools::PickedPaint& paint);
+    void pick_colour(const document::Snapshot& there, const QPointF& place_mm);
     void read_brushes();
     void reread_brushes();
     void list_brushes();

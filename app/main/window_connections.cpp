@@ -79,7 +79,12 @@ void MainWindow::connect_canvas() {
     connect(canvas_, &view::CanvasView::pointer_left, this,
             [this] { readings_->show_pointer(std::nullopt); });
     connect(canvas_, &view::CanvasView::guide_dragged, this, &MainWindow::move_guide);
-    connect(canvas_, &view::CanvasView::colour_wanted, this, &MainWindow::pick_colour);
+    connect(canvas_, &view::CanvasView::picked, this, [this](const QPointF& place_mm, tools::Pick pick) {
+        pick_from(document::Surface::Canvas, place_mm, pick);
+    });
+    connect(well_, &view::CanvasView::picked, this, [this](const QPointF& place_mm, tools::Pick pick) {
+        pick_from(document::Surface::Well, place_mm, pick);
+    });
     readings_->show_zoom(canvas_->view_transform().zoom);
 }
 
@@ -94,7 +99,11 @@ void MainWindow::connect_commands() {
         easel_->swap_paints();
         show_hand();
     });
-    commands_.on(Command::PickColour, [this](bool picks) { canvas_->pick_next(picks); });
+    const auto pick_next = [this](tools::Pick pick) {
+        return [this, pick](bool picks) { pick_at_next_click(picks ? std::optional(pick) : std::nullopt); };
+    };
+    commands_.on(Command::PickPaint, pick_next(tools::Pick::Paint));
+    commands_.on(Command::PickColour, pick_next(tools::Pick::Seen));
     commands_.on(Command::DryNow, [this](bool) { easel_->dry_now(); });
     commands_.on(Command::ReloadEachStroke,
                  [this](bool reload) { easel_->set_reload_each_stroke(reload); });

@@ -8,8 +8,6 @@
 #include "panels/guides_panel.hpp"
 #include "panels/load_panel.hpp"
 #include "pigment/gpl.hpp"
-#include "tools/canvas_colour.hpp"
-#include "tools/colour_paint.hpp"
 
 #include <QAction>
 #include <QDockWidget>
@@ -51,7 +49,8 @@ void MainWindow::make_docks() {
     commands_.action(Command::TopUpBrush)->setIconText(tr("Top up"));
     commands_.action(Command::BlotBrush)->setIconText(tr("Blot"));
     commands_.action(Command::SwapPaints)->setIconText(tr("Swap"));
-    commands_.action(Command::PickColour)->setIconText(tr("Pick from the canvas"));
+    commands_.action(Command::PickPaint)->setIconText(tr("Pick paint"));
+    commands_.action(Command::PickColour)->setIconText(tr("Pick colour"));
     commands_.action(Command::MirrorSymmetry)->setIconText(tr("Left, right"));
     commands_.action(Command::MirrorLevel)->setIconText(tr("Above, below"));
     commands_.action(Command::Ruler)->setIconText(tr("Along the last stroke"));
@@ -66,7 +65,7 @@ void MainWindow::make_docks() {
     column->addWidget(load_);
     column->addWidget(curves_);
     column->addStretch(1);
-    colours_ = new panels::ColourPanel(action(Command::PickColour));
+    colours_ = new panels::ColourPanel({action(Command::PickPaint), action(Command::PickColour)});
     guides_ = new panels::GuidesPanel({action(Command::MirrorSymmetry), action(Command::MirrorLevel),
                                        action(Command::Ruler), action(Command::Ellipse),
                                        action(Command::GuideHandles), action(Command::RemoveGuides)});
@@ -100,16 +99,6 @@ void MainWindow::open_palette(const QString& path) {
     } catch (const core::InputError& error) {
         report(QString::fromUtf8(error.what()));
     }
-}
-
-void MainWindow::pick_colour(const QPointF& canvas_mm) {
-    commands_.action(Command::PickColour)->setChecked(false);
-    canvas_->pick_next(false);
-    const auto colour = tools::colour_at(*session_->snapshot(), canvas_mm.x(), canvas_mm.y());
-    if (colour)
-        choose_paint(tools::colour_paint(*colour));
-    else
-        report(tr("There is no colour to pick beside the canvas."));
 }
 
 }  // namespace pastoso::main

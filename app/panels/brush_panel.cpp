@@ -7,14 +7,12 @@
 #include <cmath>
 #include <utility>
 
-#include <QAction>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace pastoso::panels {
@@ -56,7 +54,7 @@ BrushPanel::BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent
     });
     auto* column = section(this, tr("Brush"));
     column->addWidget(list_, 1);
-    column->addWidget(make_own_row(own_actions));
+    column->addWidget(button_row(own_actions));
     column->addWidget(make_width_row());
     column->addWidget(make_stabiliser_rows());
 }
@@ -64,21 +62,6 @@ BrushPanel::BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent
 void BrushPanel::show_brushes(std::vector<BrushEntry> brushes) {
     brushes_ = std::move(brushes);
     list_->show_entries(brushes_);
-}
-
-QWidget* BrushPanel::make_own_row(const std::vector<QAction*>& own_actions) {
-    auto* row = new QWidget;
-    auto* layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    for (QAction* action : own_actions) {
-        auto* button = new QToolButton;
-        button->setDefaultAction(action);
-        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        keep_keys_for_canvas(button);
-        layout->addWidget(button);
-    }
-    return row;
 }
 
 QWidget* BrushPanel::make_width_row() {

@@ -45,7 +45,6 @@ class BrushPanel : public QWidget {
     void stabiliser_chosen(const brush::Stabiliser& stabiliser);
 
   private:
-    QWidget* make_own_row(const std::vector<QAction*>& own_actions);
     QWidget* make_width_row();
     QWidget* make_stabiliser_rows();
     QSlider* add_slider(QGridLayout* grid, const QString& words, const QString& hint, QLabel*& reading);

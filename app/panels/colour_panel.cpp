@@ -7,6 +7,7 @@
 #include "pigment/paint_name.hpp"
 #include "pigment/recipe.hpp"
 #include "tools/colour_paint.hpp"
+#include "tools/picked_paint.hpp"
 #include "tools/swatch.hpp"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ QString difference_words(double difference) {
     return QObject::tr("beyond these tubes");
 }
 
-/// One tube a line, its parts in front.
+/// One tube a line, its parts in front; below them in which shares the pigments are in it.
 QString recipe_lines(const document::PaintRecipe& paint) {
     QStringList lines;
     for (const document::Ingredient& part : paint.ingredients) {
@@ -44,19 +45,17 @@ QString recipe_lines(const document::PaintRecipe& paint) {
         const QString parts = QString::number(part.parts);
         lines += paint.ingredients.size() > 1 ? QStringLiteral("%1 \u00d7 %2").arg(parts, name) : name;
     }
+    if (paint.ingredients.size() > 1) lines += QString::fromStdString(tools::pigment_shares(paint));
     return lines.join('\n');
 }
 
 }  // namespace
 
-ColourPanel::ColourPanel(QAction* pick, QWidget* parent) : QWidget(parent), picker_(new ColourPicker) {
+ColourPanel::ColourPanel(const std::vector<QAction*>& picks, QWidget* parent)
+    : QWidget(parent), picker_(new ColourPicker) {
     auto* column = section(this, tr("Mix a colour"));
     column->addWidget(picker_);
-    auto* pick_button = new QToolButton;
-    pick_button->setDefaultAction(pick);
-    pick_button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    keep_keys_for_canvas(pick_button);
-    column->addWidget(pick_button);
+    column->addWidget(button_row(picks));
     column->addWidget(recipe_part());
     column->addWidget(recent_part());
     column->addWidget(palette_part());

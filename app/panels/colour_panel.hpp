@@ -22,8 +22,8 @@ class SwatchGrid;
 class ColourPanel : public QWidget {
     Q_OBJECT
   public:
-    /// `pick` becomes a button.
-    explicit ColourPanel(QAction* pick, QWidget* parent = nullptr);
+    /// `picks` become buttons.
+    explicit ColourPanel(const std::vector<QAction*>& picks, QWidget* parent = nullptr);
 
     /// Shows what the brush is dipped in, without a signal, and remembers it among the recent paints.
     void show_paint(const document::PaintRecipe& paint);
