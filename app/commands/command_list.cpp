@@ -31,10 +31,11 @@ constexpr std::array kCommands = {
                 "Wipe the brush: an empty one moves the paint that lies there"},
     CommandText{Command::SwapPaints, "&Brush", "S&wap the two paints", "X",
                 "Dip the brush in the second paint; the first takes its place", false, true},
-    CommandText{Command::PickPaint, "&Brush", "P&ick up the paint there", "I",
-                "The next click dips the brush in the mixture of pigments that lies there; so does Ctrl and a "
-                "click",
-                true},
+    CommandText{
+        Command::PickPaint, "&Brush", "P&ick up the paint there", "I",
+        "The next click dips the brush in the mixture of pigments that lies there; so does Ctrl and a "
+        "click",
+        true},
     CommandText{Command::PickColour, "&Brush", "Pick the c&olour seen there", "Shift+I",
                 "The next click makes paint of the colour that is seen there; so does Alt and a click",
                 true},
@@ -84,6 +85,8 @@ constexpr std::array kCommands = {
                 "A paint of any colour, and its recipe from the tubes"},
     CommandText{Command::GuidesPanel, "&View", "&Guides panel", "F7",
                 "Mirrors, ruler and ellipse in millimetres"},
+    CommandText{Command::ResetPanels, "&View", "&Reset the panels", "Shift+F5",
+                "Panels and mixing well as they stood at the first start"},
     CommandText{Command::SpaceSrgb, "&View", "Colours for s&RGB", "Ctrl+Alt+6",
                 "For common screens; pictures are saved in sRGB", true, true},
     CommandText{Command::SpaceDisplayP3, "&View", "Colours for Display &P3", "Ctrl+Alt+7",

@@ -48,6 +48,7 @@ enum class Command {
     ToolPanel,
     ColourPanel,
     GuidesPanel,
+    ResetPanels,
     SpaceSrgb,
     SpaceDisplayP3,
     LightD65,

@@ -100,7 +100,8 @@ void MainWindow::connect_commands() {
         show_hand();
     });
     const auto pick_next = [this](tools::Pick pick) {
-        return [this, pick](bool picks) { pick_at_next_click(picks ? std::optional(pick) : std::nullopt); };
+        return
+            [this, pick](bool picks) { pick_at_next_click(picks ? std::optional(pick) : std::nullopt); };
     };
     commands_.on(Command::PickPaint, pick_next(tools::Pick::Paint));
     commands_.on(Command::PickColour, pick_next(tools::Pick::Seen));
@@ -157,6 +158,7 @@ bool MainWindow::may_discard() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(may_discard());
+    if (event->isAccepted()) remember();
 }
 
 void MainWindow::ask_new_canvas() {

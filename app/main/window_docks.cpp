@@ -22,7 +22,8 @@ namespace pastoso::main {
 using commands::Command;
 
 /// What does not fit into the window is scrolled to.
-QDockWidget* MainWindow::add_dock(Command command, const QString& title, QWidget* content) {
+QDockWidget* MainWindow::add_dock(Command command, const QString& name, const QString& title,
+                                  QWidget* content) {
     content->layout()->setContentsMargins(10, 8, 10, 8);
     auto* scrolled = new QScrollArea;
     scrolled->setFrameShape(QFrame::NoFrame);
@@ -32,7 +33,7 @@ QDockWidget* MainWindow::add_dock(Command command, const QString& title, QWidget
     scrolled->setMinimumWidth(content->minimumSizeHint().width() +
                               scrolled->verticalScrollBar()->sizeHint().width());
     auto* dock = new QDockWidget(title, this);
-    dock->setObjectName(title);
+    dock->setObjectName(name);
     dock->setWidget(scrolled);
     addDockWidget(Qt::RightDockWidgetArea, dock);
     docks_[command] = dock;
@@ -70,9 +71,11 @@ void MainWindow::make_docks() {
                                        action(Command::Ruler), action(Command::Ellipse),
                                        action(Command::GuideHandles), action(Command::RemoveGuides)});
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-    QDockWidget* first = add_dock(Command::ToolPanel, tr("Tool"), tool);
-    tabifyDockWidget(first, add_dock(Command::ColourPanel, tr("Colour"), colours_));
-    tabifyDockWidget(first, add_dock(Command::GuidesPanel, tr("Guides"), guides_));
+    QDockWidget* first = add_dock(Command::ToolPanel, QStringLiteral("tool_panel"), tr("Tool"), tool);
+    tabifyDockWidget(
+        first, add_dock(Command::ColourPanel, QStringLiteral("colour_panel"), tr("Colour"), colours_));
+    tabifyDockWidget(
+        first, add_dock(Command::GuidesPanel, QStringLiteral("guides_panel"), tr("Guides"), guides_));
     first->raise();
     // As narrow as what they hold allows: the canvas gets the rest.
     resizeDocks({first}, {1}, Qt::Horizontal);

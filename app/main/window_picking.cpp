@@ -31,10 +31,9 @@ void MainWindow::pick_at_next_click(std::optional<tools::Pick> pick) {
 void MainWindow::pick_from(document::Surface surface, const QPointF& place_mm, tools::Pick pick) {
     pick_at_next_click(std::nullopt);
     const document::Snapshot there = snapshot_of(*session_->snapshot(), surface);
-    const auto paint =
-        pick == tools::Pick::Paint
-            ? tools::paint_at(there.film, session_->paints_used(), place_mm.x(), place_mm.y())
-            : std::nullopt;
+    const auto paint = pick == tools::Pick::Paint ? tools::paint_at(there.film, session_->paints_used(),
+                                                                    place_mm.x(), place_mm.y())
+                                                  : std::nullopt;
     if (paint)
         pick_paint(*paint);
     else

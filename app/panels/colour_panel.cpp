@@ -12,18 +12,15 @@
 
 #include <algorithm>
 
-#include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace pastoso::panels {
 namespace {
 
 constexpr int kColumns = 8;
-constexpr std::size_t kRecent = 16;
 
 QColor qcolor(const pigment::Srgb8& rgb) {
     return {rgb[0], rgb[1], rgb[2]};
@@ -49,6 +46,15 @@ QString recipe_lines(const document::PaintRecipe& paint) {
     return lines.join('\n');
 }
 
+std::vector<SwatchGrid::Patch> patches_of(const std::vector<document::PaintRecipe>& paints,
+                                          const QString& words) {
+    std::vector<SwatchGrid::Patch> patches;
+    for (const document::PaintRecipe& paint : paints)
+        patches.push_back({qcolor(tools::screen_colour(paint)),
+                           words.arg(QString::fromStdString(tools::painters_recipe(paint)))});
+    return patches;
+}
+
 }  // namespace
 
 ColourPanel::ColourPanel(const std::vector<QAction*>& picks, QWidget* parent)
@@ -57,6 +63,7 @@ ColourPanel::ColourPanel(const std::vector<QAction*>& picks, QWidget* parent)
     column->addWidget(picker_);
     column->addWidget(button_row(picks));
     column->addWidget(recipe_part());
+    column->addWidget(kept_part());
     column->addWidget(recent_part());
     column->addWidget(palette_part());
     column->addStretch(1);
@@ -65,6 +72,7 @@ ColourPanel::ColourPanel(const std::vector<QAction*>& picks, QWidget* parent)
             [this](const pigment::Srgb8& colour) { Q_EMIT paint_chosen(tools::colour_paint(colour)); });
     connect(picker_, &ColourPicker::refused, this, &ColourPanel::refused);
     show_colour(picker_->colour());
+    show_kept();
 }
 
 QWidget* ColourPanel::recipe_part() {
@@ -81,7 +89,7 @@ QWidget* ColourPanel::recipe_part() {
     words_ = new QLabel;
     words_->setObjectName(QStringLiteral("recipe"));
     words_->setWordWrap(true);
-    words_->setMinimumHeight(4 * words_->fontMetrics().lineSpacing() + 2);
+    words_->setMinimumHeight(5 * words_->fontMetrics().lineSpacing() + 2);
     words_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     use_recipe_ = new QPushButton(tr("Use the recipe"));
     use_recipe_->setObjectName(QStringLiteral("use_recipe"));
@@ -105,7 +113,32 @@ QWidget* ColourPanel::recent_part() {
     recent_grid_->setObjectName(QStringLiteral("recent_paints"));
     column->addWidget(recent_grid_);
     connect(recent_grid_, &SwatchGrid::patch_clicked, this, [this](int index) {
-        const document::PaintRecipe paint = recent_.at(static_cast<std::size_t>(index));
+        const document::PaintRecipe paint = shelf_.recent.at(static_cast<std::size_t>(index));
+        Q_EMIT paint_chosen(paint);
+    });
+    return part;
+}
+
+QWidget* ColourPanel::kept_part() {
+    auto* part = new QWidget;
+    auto* column = section(part, tr("Your palette"));
+    kept_hint_ = new QLabel(tr("Paints that you keep stay here."));
+    kept_hint_->setObjectName(QStringLiteral("reading"));
+    auto* keep = new QPushButton(tr("Keep"));
+    keep->setObjectName(QStringLiteral("keep_paint"));
+    keep->setToolTip(tr("Lay the paint in hand out on your palette"));
+    keep_keys_for_canvas(keep);
+    auto* row = new QHBoxLayout;
+    row->addWidget(kept_hint_, 1);
+    row->addWidget(keep);
+    kept_grid_ = new SwatchGrid(kColumns);
+    kept_grid_->setObjectName(QStringLiteral("kept_paints"));
+    column->addWidget(kept_grid_);
+    column->addLayout(row);
+    connect(keep, &QPushButton::clicked, this, &ColourPanel::keep_paint_in_hand);
+    connect(kept_grid_, &SwatchGrid::removal_wanted, this, &ColourPanel::remove_kept);
+    connect(kept_grid_, &SwatchGrid::patch_clicked, this, [this](int index) {
+        const document::PaintRecipe paint = shelf_.kept.at(static_cast<std::size_t>(index));
         Q_EMIT paint_chosen(paint);
     });
     return part;
@@ -113,7 +146,7 @@ QWidget* ColourPanel::recent_part() {
 
 QWidget* ColourPanel::palette_part() {
     auto* part = new QWidget;
-    auto* column = section(part, tr("Palette"));
+    auto* column = section(part, tr("From a file"));
     palette_name_ = new QLabel(tr("none opened"));
     palette_name_->setObjectName(QStringLiteral("reading"));
     auto* open = new QPushButton(tr("Open..."));
@@ -130,7 +163,7 @@ QWidget* ColourPanel::palette_part() {
     connect(open, &QPushButton::clicked, this, &ColourPanel::palette_wanted);
     connect(palette_grid_, &SwatchGrid::patch_clicked, this, [this](int index) {
         Q_EMIT paint_chosen(
-            tools::colour_paint(palette_.colours.at(static_cast<std::size_t>(index)).colour));
+            tools::colour_paint(shelf_.opened.colours.at(static_cast<std::size_t>(index)).colour));
     });
     return part;
 }
@@ -156,7 +189,9 @@ void ColourPanel::show_nearest(const document::PaintRecipe& paint, double differ
 void ColourPanel::show_paint(const document::PaintRecipe& paint) {
     if (paint == in_hand_) return;
     in_hand_ = paint;
-    remember(paint);
+    tools::note_recent(paint, shelf_);
+    show_recent();
+    Q_EMIT shelf_changed();
     use_recipe_->setEnabled(!(paint == nearest_paint_));
     const auto& parts = paint.ingredients;
     if (parts.empty() || paint == nearest_paint_) return;
@@ -167,20 +202,47 @@ void ColourPanel::show_paint(const document::PaintRecipe& paint) {
     if (from_tubes) show_nearest(paint, 0.0);
 }
 
-void ColourPanel::remember(const document::PaintRecipe& paint) {
-    recent_.erase(std::remove(recent_.begin(), recent_.end(), paint), recent_.end());
-    recent_.insert(recent_.begin(), paint);
-    recent_.resize(std::min(recent_.size(), kRecent));
-    std::vector<SwatchGrid::Patch> patches;
-    for (const document::PaintRecipe& used : recent_)
-        patches.push_back(
-            {qcolor(tools::screen_colour(used)), QString::fromStdString(tools::painters_recipe(used))});
-    recent_grid_->show_patches(patches);
+// ---- the shelf
+
+void ColourPanel::show_shelf(const tools::PaintShelf& shelf) {
+    shelf_ = shelf;
+    show_recent();
+    show_kept();
+    show_opened();
+}
+
+void ColourPanel::keep_paint_in_hand() {
+    if (!tools::keep_paint(in_hand_, shelf_)) return;
+    show_kept();
+    Q_EMIT shelf_changed();
+}
+
+void ColourPanel::remove_kept(int index) {
+    shelf_.kept.erase(shelf_.kept.begin() + index);
+    show_kept();
+    Q_EMIT shelf_changed();
 }
 
 void ColourPanel::show_palette(const pigment::ColourPalette& palette) {
-    palette_ = palette;
-    palette_name_->setText(QString::fromStdString(palette.name));
+    shelf_.opened = palette;
+    show_opened();
+    Q_EMIT shelf_changed();
+}
+
+void ColourPanel::show_recent() {
+    recent_grid_->show_patches(patches_of(shelf_.recent, QStringLiteral("%1")));
+}
+
+void ColourPanel::show_kept() {
+    kept_grid_->show_patches(
+        patches_of(shelf_.kept, tr("%1\nThe right button, or Delete, takes it away.")));
+    kept_grid_->setVisible(!shelf_.kept.empty());
+    kept_hint_->setVisible(shelf_.kept.empty());
+}
+
+void ColourPanel::show_opened() {
+    const pigment::ColourPalette& palette = shelf_.opened;
+    if (!palette.name.empty()) palette_name_->setText(QString::fromStdString(palette.name));
     std::vector<SwatchGrid::Patch> patches;
     for (const pigment::NamedColour& named : palette.colours) {
         const QString hex = QString::fromStdString(pigment::hex_colour(named.colour));

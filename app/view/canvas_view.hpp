@@ -4,8 +4,8 @@
 
 #include "core/thread_pool.hpp"
 #include "document/painting.hpp"
-#include "tools/picked_paint.hpp"
 #include "tools/easel.hpp"
+#include "tools/picked_paint.hpp"
 #include "view/brush_outline.hpp"
 #include "view/guide_drag.hpp"
 #include "view/line_overlay.hpp"
