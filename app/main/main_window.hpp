@@ -88,6 +88,7 @@ class MainWindow : public QMainWindow {
     void connect_commands();
     void connect_file_commands();
     void make_well_panel();
+    void open_well(bool open);
     void connect_well();
     void connect_brush_commands();
     void connect_guide_commands();
@@ -145,6 +146,7 @@ class MainWindow : public QMainWindow {
     QTimer paints_changed_;        ///< soon after the last of several changes
     bool settings_usable_ = true;  ///< their file is none that cannot be read, which is left alone
     bool shelf_usable_ = true;
+    bool well_sized_ = false;  ///< it was opened before, or stands as it was remembered
     QByteArray first_panels_;  ///< how the panels stand unless the painter moves them
     std::map<commands::Command, QDockWidget*> docks_;
     view::CanvasView* canvas_ = nullptr;

@@ -9,6 +9,8 @@
 #include "panels/paint_panel.hpp"
 #include "panels/status_readings.hpp"
 
+#include <utility>
+
 #include <QAction>
 #include <QCloseEvent>
 #include <QComboBox>
@@ -56,17 +58,25 @@ void MainWindow::connect_panels() {
     connect(stand_, &panels::EaselPanel::illuminant_file_wanted, this, &MainWindow::ask_light);
 }
 
+/// The first time it is given room to mix in; after that it is as large as the painter leaves it.
+void MainWindow::open_well(bool open) {
+    well_panel_->setVisible(open);
+    if (!open || std::exchange(well_sized_, true)) return;
+    constexpr int kRoomy = 360;
+    resizeDocks({well_panel_}, {kRoomy}, Qt::Vertical);
+}
+
 void MainWindow::connect_well() {
     connect(well_panel_, &QDockWidget::visibilityChanged, this,
             [this] { commands_.action(Command::MixingWell)->setChecked(!well_panel_->isHidden()); });
-    commands_.on(Command::MixingWell, [this](bool open) { well_panel_->setVisible(open); });
+    commands_.on(Command::MixingWell, [this](bool open) { open_well(open); });
     commands_.on(Command::SqueezePaint, [this](bool) {
         const auto place_mm = well_->pointer_mm();
         if (place_mm)
             easel_->squeeze(place_mm->x, place_mm->y);
         else
             easel_->squeeze_next();
-        well_panel_->show();
+        open_well(true);
     });
     commands_.on(Command::CleanWell, [this](bool) { easel_->clean_well(); });
 }

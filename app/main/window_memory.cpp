@@ -60,7 +60,7 @@ void MainWindow::recall() {
     easel_->adopt(hand);
     brushes_->show_steadying(settings.steadying);
     restoreGeometry(from_text(settings.window_place));
-    restoreState(from_text(settings.panels), kPanelsVersion);
+    well_sized_ = restoreState(from_text(settings.panels), kPanelsVersion);
     paints_changed_.setSingleShot(true);
     paints_changed_.setInterval(kSettling_ms);
     connect(&paints_changed_, &QTimer::timeout, this, &MainWindow::remember_paints);
@@ -98,6 +98,7 @@ void MainWindow::remember_paints() {
 
 void MainWindow::reset_panels() {
     restoreState(first_panels_, kPanelsVersion);
+    well_sized_ = false;
     QDockWidget* first = docks_.at(commands::Command::ToolPanel);
     first->raise();
     resizeDocks({first}, {1}, Qt::Horizontal);
