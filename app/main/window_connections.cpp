@@ -62,7 +62,7 @@ void MainWindow::connect_panels() {
 void MainWindow::open_well(bool open) {
     well_panel_->setVisible(open);
     if (!open || std::exchange(well_sized_, true)) return;
-    constexpr int kRoomy = 360;
+    constexpr int kRoomy = 320;
     resizeDocks({well_panel_}, {kRoomy}, Qt::Vertical);
 }
 
