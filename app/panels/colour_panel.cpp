@@ -212,7 +212,8 @@ void ColourPanel::show_shelf(const tools::PaintShelf& shelf) {
 }
 
 void ColourPanel::keep_paint_in_hand() {
-    if (!tools::keep_paint(in_hand_, shelf_)) return;
+    if (!tools::keep_paint(in_hand_, shelf_))
+        return void(Q_EMIT refused(tr("Your palette is full: the right button takes a paint away.")));
     show_kept();
     Q_EMIT shelf_changed();
 }

@@ -71,8 +71,8 @@ void note_recent(const document::PaintRecipe& paint, PaintShelf& shelf) {
 }
 
 bool keep_paint(const document::PaintRecipe& paint, PaintShelf& shelf) {
-    const bool there = std::find(shelf.kept.begin(), shelf.kept.end(), paint) != shelf.kept.end();
-    if (there || shelf.kept.size() >= kMostKeptPaints) return false;
+    if (std::find(shelf.kept.begin(), shelf.kept.end(), paint) != shelf.kept.end()) return true;
+    if (shelf.kept.size() >= kMostKeptPaints) return false;
     shelf.kept.push_back(paint);
     return true;
 }

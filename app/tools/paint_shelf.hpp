@@ -22,7 +22,7 @@ struct PaintShelf {
 /// Puts the paint first among the recent ones.
 void note_recent(const document::PaintRecipe& paint, PaintShelf& shelf);
 
-/// Puts it last among those kept, unless it is there or there is no room; says whether it did.
+/// Puts it last among those kept, unless it is there. False where there is no room for it.
 bool keep_paint(const document::PaintRecipe& paint, PaintShelf& shelf);
 
 /// An empty shelf where there is no such file. Throws InputError that names the file, the place in it

@@ -3,6 +3,8 @@
 
 #include "brush/pen_filter.hpp"
 
+#include <algorithm>
+
 namespace pastoso::tools {
 
 enum class SteadyMode {
@@ -27,10 +29,13 @@ inline brush::Stabiliser stabiliser_of(const Steadying& steadying) {
             steadying.mode == SteadyMode::String ? steadying.string_mm : 0.0};
 }
 
-/// What shows a stabiliser that came from elsewhere; a string counts for more than smoothing.
+/// What shows a stabiliser that came from elsewhere, as far as these strengths go; a string counts for
+/// more than smoothing.
 inline Steadying with_stabiliser(Steadying steadying, const brush::Stabiliser& stabiliser) {
-    if (stabiliser.smoothing_ms > 0.0) steadying.smoothing_ms = stabiliser.smoothing_ms;
-    if (stabiliser.string_mm > 0.0) steadying.string_mm = stabiliser.string_mm;
+    if (stabiliser.smoothing_ms > 0.0)
+        steadying.smoothing_ms = std::min(stabiliser.smoothing_ms, kMostSmoothing_ms);
+    if (stabiliser.string_mm > 0.0)
+        steadying.string_mm = std::min(stabiliser.string_mm, kLongestString_mm);
     steadying.mode = stabiliser.string_mm > 0.0      ? SteadyMode::String
                      : stabiliser.smoothing_ms > 0.0 ? SteadyMode::Time
                                                      : SteadyMode::Off;

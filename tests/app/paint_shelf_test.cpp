@@ -70,9 +70,11 @@ TEST_F(PaintShelfTest, TheLatestStandsFirstAndTheOldestGoes) {
 TEST_F(PaintShelfTest, APaintIsKeptOnceWhileThereIsRoom) {
     PaintShelf shelf;
     EXPECT_TRUE(keep_paint(tube("PB29"), shelf));
-    EXPECT_FALSE(keep_paint(tube("PB29"), shelf));
+    EXPECT_TRUE(keep_paint(tube("PB29"), shelf));
+    EXPECT_EQ(shelf.kept.size(), 1U);
     for (std::size_t i = 1; i < kMostKeptPaints; ++i)
         EXPECT_TRUE(keep_paint({{{"PW6", static_cast<double>(i)}}, 1.0}, shelf));
+    EXPECT_EQ(shelf.kept.size(), kMostKeptPaints);
     EXPECT_FALSE(keep_paint(tube("PR108"), shelf));
 }
 

@@ -67,6 +67,8 @@ TEST(Steadying, KeepsTheStrengthOfTheOtherMode) {
     EXPECT_EQ(with_stabiliser(steadying, {0.0, 3.0}), (Steadying{SteadyMode::String, 120.0, 3.0}));
     EXPECT_EQ(with_stabiliser(steadying, {50.0, 0.0}), (Steadying{SteadyMode::Time, 50.0, 7.0}));
     EXPECT_EQ(with_stabiliser(steadying, {}), steadying);
+    EXPECT_EQ(with_stabiliser(steadying, {900.0, 50.0}),
+              (Steadying{SteadyMode::String, kMostSmoothing_ms, kLongestString_mm}));
 }
 
 }  // namespace
