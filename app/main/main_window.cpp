@@ -52,6 +52,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas)
     connect_guide_commands();
     connect_light_commands();
     read_brushes();
+    recall();
     easel_->set_up();
     show_hand();
     show_published();

@@ -14,6 +14,7 @@
 #include <map>
 #include <memory>
 
+#include <QByteArray>
 #include <QFileSystemWatcher>
 #include <QMainWindow>
 #include <QTimer>
@@ -78,7 +79,8 @@ class MainWindow : public QMainWindow {
     void make_panels();
     panels::BrushPanel* make_brush_panel();
     void make_docks();
-    QDockWidget* add_dock(commands::Command command, const QString& title, QWidget* content);
+    QDockWidget* add_dock(commands::Command command, const QString& name, const QString& title,
+                          QWidget* content);
     void connect_panels();
     void connect_docks();
     void connect_light_commands();
@@ -86,6 +88,7 @@ class MainWindow : public QMainWindow {
     void connect_commands();
     void connect_file_commands();
     void make_well_panel();
+    void open_well(bool open);
     void connect_well();
     void connect_brush_commands();
     void connect_guide_commands();
@@ -101,7 +104,14 @@ class MainWindow : public QMainWindow {
     void remove_guides();
     void choose_paint(const document::PaintRecipe& paint);
     void show_paint(const document::PaintRecipe& paint);
-    void pick_colour(const QPointF& canvas_mm);
+    void pick_at_next_click(std::optional<tools::Pick> pick);
+    void pick_from(document::Surface surface, const QPointF& place_mm, tools::Pick pick);
+    void pick_paint(const tools::PickedPaint& paint);
+    void pick_colour(const document::Snapshot& there, const QPointF& place_mm);
+    void recall();
+    void remember();
+    void remember_paints();
+    void reset_panels();
     void read_brushes();
     void reread_brushes();
     void list_brushes();
@@ -132,7 +142,12 @@ class MainWindow : public QMainWindow {
     QString light_ = QStringLiteral("D65");
     brush::PresetLibrary library_;
     QFileSystemWatcher brush_files_;
-    QTimer brushes_changed_;  ///< soon after their files
+    QTimer brushes_changed_;       ///< soon after their files
+    QTimer paints_changed_;        ///< soon after the last of several changes
+    bool settings_usable_ = true;  ///< their file is none that cannot be read, which is left alone
+    bool shelf_usable_ = true;
+    bool well_sized_ = false;  ///< it was opened before, or stands as it was remembered
+    QByteArray first_panels_;  ///< how the panels stand unless the painter moves them
     std::map<commands::Command, QDockWidget*> docks_;
     view::CanvasView* canvas_ = nullptr;
     view::CanvasView* well_ = nullptr;

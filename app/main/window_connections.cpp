@@ -9,6 +9,8 @@
 #include "panels/paint_panel.hpp"
 #include "panels/status_readings.hpp"
 
+#include <utility>
+
 #include <QAction>
 #include <QCloseEvent>
 #include <QComboBox>
@@ -56,17 +58,25 @@ void MainWindow::connect_panels() {
     connect(stand_, &panels::EaselPanel::illuminant_file_wanted, this, &MainWindow::ask_light);
 }
 
+/// The first time it is given room to mix in; after that it is as large as the painter leaves it.
+void MainWindow::open_well(bool open) {
+    well_panel_->setVisible(open);
+    if (!open || std::exchange(well_sized_, true)) return;
+    constexpr int kRoomy = 320;
+    resizeDocks({well_panel_}, {kRoomy}, Qt::Vertical);
+}
+
 void MainWindow::connect_well() {
     connect(well_panel_, &QDockWidget::visibilityChanged, this,
             [this] { commands_.action(Command::MixingWell)->setChecked(!well_panel_->isHidden()); });
-    commands_.on(Command::MixingWell, [this](bool open) { well_panel_->setVisible(open); });
+    commands_.on(Command::MixingWell, [this](bool open) { open_well(open); });
     commands_.on(Command::SqueezePaint, [this](bool) {
         const auto place_mm = well_->pointer_mm();
         if (place_mm)
             easel_->squeeze(place_mm->x, place_mm->y);
         else
             easel_->squeeze_next();
-        well_panel_->show();
+        open_well(true);
     });
     commands_.on(Command::CleanWell, [this](bool) { easel_->clean_well(); });
 }
@@ -79,7 +89,12 @@ void MainWindow::connect_canvas() {
     connect(canvas_, &view::CanvasView::pointer_left, this,
             [this] { readings_->show_pointer(std::nullopt); });
     connect(canvas_, &view::CanvasView::guide_dragged, this, &MainWindow::move_guide);
-    connect(canvas_, &view::CanvasView::colour_wanted, this, &MainWindow::pick_colour);
+    connect(canvas_, &view::CanvasView::picked, this, [this](const QPointF& place_mm, tools::Pick pick) {
+        pick_from(document::Surface::Canvas, place_mm, pick);
+    });
+    connect(well_, &view::CanvasView::picked, this, [this](const QPointF& place_mm, tools::Pick pick) {
+        pick_from(document::Surface::Well, place_mm, pick);
+    });
     readings_->show_zoom(canvas_->view_transform().zoom);
 }
 
@@ -94,7 +109,12 @@ void MainWindow::connect_commands() {
         easel_->swap_paints();
         show_hand();
     });
-    commands_.on(Command::PickColour, [this](bool picks) { canvas_->pick_next(picks); });
+    const auto pick_next = [this](tools::Pick pick) {
+        return
+            [this, pick](bool picks) { pick_at_next_click(picks ? std::optional(pick) : std::nullopt); };
+    };
+    commands_.on(Command::PickPaint, pick_next(tools::Pick::Paint));
+    commands_.on(Command::PickColour, pick_next(tools::Pick::Seen));
     commands_.on(Command::DryNow, [this](bool) { easel_->dry_now(); });
     commands_.on(Command::ReloadEachStroke,
                  [this](bool reload) { easel_->set_reload_each_stroke(reload); });
@@ -148,6 +168,7 @@ bool MainWindow::may_discard() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(may_discard());
+    if (event->isAccepted()) remember();
 }
 
 void MainWindow::ask_new_canvas() {

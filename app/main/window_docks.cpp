@@ -8,8 +8,6 @@
 #include "panels/guides_panel.hpp"
 #include "panels/load_panel.hpp"
 #include "pigment/gpl.hpp"
-#include "tools/canvas_colour.hpp"
-#include "tools/colour_paint.hpp"
 
 #include <QAction>
 #include <QDockWidget>
@@ -24,7 +22,8 @@ namespace pastoso::main {
 using commands::Command;
 
 /// What does not fit into the window is scrolled to.
-QDockWidget* MainWindow::add_dock(Command command, const QString& title, QWidget* content) {
+QDockWidget* MainWindow::add_dock(Command command, const QString& name, const QString& title,
+                                  QWidget* content) {
     content->layout()->setContentsMargins(10, 8, 10, 8);
     auto* scrolled = new QScrollArea;
     scrolled->setFrameShape(QFrame::NoFrame);
@@ -34,7 +33,7 @@ QDockWidget* MainWindow::add_dock(Command command, const QString& title, QWidget
     scrolled->setMinimumWidth(content->minimumSizeHint().width() +
                               scrolled->verticalScrollBar()->sizeHint().width());
     auto* dock = new QDockWidget(title, this);
-    dock->setObjectName(title);
+    dock->setObjectName(name);
     dock->setWidget(scrolled);
     addDockWidget(Qt::RightDockWidgetArea, dock);
     docks_[command] = dock;
@@ -51,7 +50,8 @@ void MainWindow::make_docks() {
     commands_.action(Command::TopUpBrush)->setIconText(tr("Top up"));
     commands_.action(Command::BlotBrush)->setIconText(tr("Blot"));
     commands_.action(Command::SwapPaints)->setIconText(tr("Swap"));
-    commands_.action(Command::PickColour)->setIconText(tr("Pick from the canvas"));
+    commands_.action(Command::PickPaint)->setIconText(tr("Pick paint"));
+    commands_.action(Command::PickColour)->setIconText(tr("Pick colour"));
     commands_.action(Command::MirrorSymmetry)->setIconText(tr("Left, right"));
     commands_.action(Command::MirrorLevel)->setIconText(tr("Above, below"));
     commands_.action(Command::Ruler)->setIconText(tr("Along the last stroke"));
@@ -66,14 +66,16 @@ void MainWindow::make_docks() {
     column->addWidget(load_);
     column->addWidget(curves_);
     column->addStretch(1);
-    colours_ = new panels::ColourPanel(action(Command::PickColour));
+    colours_ = new panels::ColourPanel({action(Command::PickPaint), action(Command::PickColour)});
     guides_ = new panels::GuidesPanel({action(Command::MirrorSymmetry), action(Command::MirrorLevel),
                                        action(Command::Ruler), action(Command::Ellipse),
                                        action(Command::GuideHandles), action(Command::RemoveGuides)});
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-    QDockWidget* first = add_dock(Command::ToolPanel, tr("Tool"), tool);
-    tabifyDockWidget(first, add_dock(Command::ColourPanel, tr("Colour"), colours_));
-    tabifyDockWidget(first, add_dock(Command::GuidesPanel, tr("Guides"), guides_));
+    QDockWidget* first = add_dock(Command::ToolPanel, QStringLiteral("tool_panel"), tr("Tool"), tool);
+    tabifyDockWidget(
+        first, add_dock(Command::ColourPanel, QStringLiteral("colour_panel"), tr("Colour"), colours_));
+    tabifyDockWidget(
+        first, add_dock(Command::GuidesPanel, QStringLiteral("guides_panel"), tr("Guides"), guides_));
     first->raise();
     // As narrow as what they hold allows: the canvas gets the rest.
     resizeDocks({first}, {1}, Qt::Horizontal);
@@ -100,16 +102,6 @@ void MainWindow::open_palette(const QString& path) {
     } catch (const core::InputError& error) {
         report(QString::fromUtf8(error.what()));
     }
-}
-
-void MainWindow::pick_colour(const QPointF& canvas_mm) {
-    commands_.action(Command::PickColour)->setChecked(false);
-    canvas_->pick_next(false);
-    const auto colour = tools::colour_at(*session_->snapshot(), canvas_mm.x(), canvas_mm.y());
-    if (colour)
-        choose_paint(tools::colour_paint(*colour));
-    else
-        report(tr("There is no colour to pick beside the canvas."));
 }
 
 }  // namespace pastoso::main

@@ -84,6 +84,7 @@ void MainWindow::lay_out() {
 
 void MainWindow::make_tool_bar() {
     QToolBar* bar = addToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("tool_bar"));
     bar->setMovable(false);
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
     const auto add_button = [&](commands::Command command, const QString& words) {

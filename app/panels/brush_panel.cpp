@@ -7,14 +7,13 @@
 #include <cmath>
 #include <utility>
 
-#include <QAction>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace pastoso::panels {
@@ -39,10 +38,11 @@ double width_from_slider(int position) {
 /// Enough for half a dozen tools; the others are scrolled to.
 constexpr int kListHeight = 200;
 
-/// Slider places per millisecond of smoothing and per millimetre of string.
-constexpr int kMostSmoothing_ms = 400, kSmoothingStep_ms = 5;
-constexpr int kLongestString_mm = 20;
+/// Places of the strength's slider.
+constexpr int kSmoothingStep_ms = 5;
 constexpr int kPlacesPerMm = 2;
+
+using tools::SteadyMode;
 
 }  // namespace
 
@@ -56,7 +56,7 @@ BrushPanel::BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent
     });
     auto* column = section(this, tr("Brush"));
     column->addWidget(list_, 1);
-    column->addWidget(make_own_row(own_actions));
+    column->addWidget(button_row(own_actions));
     column->addWidget(make_width_row());
     column->addWidget(make_stabiliser_rows());
 }
@@ -64,21 +64,6 @@ BrushPanel::BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent
 void BrushPanel::show_brushes(std::vector<BrushEntry> brushes) {
     brushes_ = std::move(brushes);
     list_->show_entries(brushes_);
-}
-
-QWidget* BrushPanel::make_own_row(const std::vector<QAction*>& own_actions) {
-    auto* row = new QWidget;
-    auto* layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    for (QAction* action : own_actions) {
-        auto* button = new QToolButton;
-        button->setDefaultAction(action);
-        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        keep_keys_for_canvas(button);
-        layout->addWidget(button);
-    }
-    return row;
 }
 
 QWidget* BrushPanel::make_width_row() {
@@ -112,61 +97,75 @@ QWidget* BrushPanel::make_stabiliser_rows() {
     auto* grid = new QGridLayout(rows);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(4);
-    smoothing_ = add_slider(
-        grid, tr("Steady"),
-        tr("How far the brush lags behind to steady a trembling hand; 0 leaves it to the brush"),
-        smoothing_reading_);
-    smoothing_->setObjectName(QStringLiteral("smoothing"));
-    smoothing_->setRange(0, kMostSmoothing_ms / kSmoothingStep_ms);
-    string_ = add_slider(grid, tr("String"),
-                         tr("Pulls the brush on a string of this length: wide curves without a tremor"),
-                         string_reading_);
-    string_->setObjectName(QStringLiteral("string"));
-    string_->setRange(0, kLongestString_mm * kPlacesPerMm);
-    write_readings();
+    auto* label = new QLabel(tr("Steady"));
+    label->setObjectName(QStringLiteral("reading"));
+    steady_mode_ = new QComboBox;
+    steady_mode_->setObjectName(QStringLiteral("steady_mode"));
+    steady_mode_->setAccessibleName(tr("How the hand is steadied"));
+    steady_mode_->setToolTip(tr("How a trembling hand is steadied, besides the brush's own smoothing"));
+    steady_mode_->addItem(tr("off"), static_cast<int>(SteadyMode::Off));
+    steady_mode_->addItem(tr("lags behind"), static_cast<int>(SteadyMode::Time));
+    steady_mode_->addItem(tr("pulled on a string"), static_cast<int>(SteadyMode::String));
+    keep_keys_for_canvas(steady_mode_);
+    strength_ = new QSlider(Qt::Horizontal);
+    strength_->setObjectName(QStringLiteral("steady_strength"));
+    strength_->setAccessibleName(tr("How much the hand is steadied"));
+    keep_keys_for_canvas(strength_);
+    strength_reading_ = new QLabel;
+    strength_reading_->setObjectName(QStringLiteral("reading"));
+    strength_reading_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    strength_reading_->setFixedWidth(54);
+    grid->addWidget(label, 0, 0);
+    grid->addWidget(steady_mode_, 0, 1, 1, 2);
+    grid->addWidget(strength_, 1, 0, 1, 2);
+    grid->addWidget(strength_reading_, 1, 2);
+    grid->setColumnStretch(1, 1);
+    connect(steady_mode_, &QComboBox::activated, this, [this] {
+        steadying_.mode = static_cast<SteadyMode>(steady_mode_->currentData().toInt());
+        write_steadying();
+        Q_EMIT stabiliser_chosen(tools::stabiliser_of(steadying_));
+    });
+    connect(strength_, &QSlider::valueChanged, this, &BrushPanel::take_strength);
+    write_steadying();
     return rows;
 }
 
-QSlider* BrushPanel::add_slider(QGridLayout* grid, const QString& words, const QString& hint,
-                                QLabel*& reading) {
-    auto* slider = new QSlider(Qt::Horizontal);
-    slider->setToolTip(hint);
-    keep_keys_for_canvas(slider);
-    auto* label = new QLabel(words);
-    label->setObjectName(QStringLiteral("reading"));
-    reading = new QLabel;
-    reading->setObjectName(QStringLiteral("reading"));
-    reading->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    reading->setFixedWidth(54);
-    const int row = grid->rowCount();
-    grid->addWidget(label, row, 0);
-    grid->addWidget(slider, row, 1);
-    grid->addWidget(reading, row, 2);
-    connect(slider, &QSlider::valueChanged, this, [this] {
-        write_readings();
-        Q_EMIT stabiliser_chosen(stabiliser());
-    });
-    return slider;
+void BrushPanel::take_strength(int place) {
+    if (steadying_.mode == SteadyMode::Time) steadying_.smoothing_ms = place * kSmoothingStep_ms;
+    if (steadying_.mode == SteadyMode::String)
+        steadying_.string_mm = static_cast<double>(place) / kPlacesPerMm;
+    write_steadying();
+    Q_EMIT stabiliser_chosen(tools::stabiliser_of(steadying_));
 }
 
-brush::Stabiliser BrushPanel::stabiliser() const {
-    return {static_cast<double>(smoothing_->value() * kSmoothingStep_ms),
-            static_cast<double>(string_->value()) / kPlacesPerMm};
+/// The slider measures what the mode has: milliseconds or millimetres.
+void BrushPanel::write_steadying() {
+    const QSignalBlocker no_mode_signal(steady_mode_);
+    const QSignalBlocker no_strength_signal(strength_);
+    steady_mode_->setCurrentIndex(steady_mode_->findData(static_cast<int>(steadying_.mode)));
+    strength_->setEnabled(steadying_.mode != SteadyMode::Off);
+    if (steadying_.mode == SteadyMode::String) {
+        strength_->setRange(1, static_cast<int>(tools::kLongestString_mm) * kPlacesPerMm);
+        strength_->setValue(static_cast<int>(std::lround(steadying_.string_mm * kPlacesPerMm)));
+        strength_->setToolTip(tr("Length of the string: wide curves without a tremor"));
+        strength_reading_->setText(tr("%1 mm").arg(steadying_.string_mm));
+    } else {
+        strength_->setRange(1, static_cast<int>(tools::kMostSmoothing_ms) / kSmoothingStep_ms);
+        strength_->setValue(static_cast<int>(std::lround(steadying_.smoothing_ms / kSmoothingStep_ms)));
+        strength_->setToolTip(tr("How far the brush lags behind the hand"));
+        strength_reading_->setText(
+            steadying_.mode == SteadyMode::Off ? QString() : tr("%1 ms").arg(steadying_.smoothing_ms));
+    }
 }
 
-void BrushPanel::write_readings() {
-    const brush::Stabiliser shown = stabiliser();
-    smoothing_reading_->setText(shown.smoothing_ms > 0.0 ? tr("%1 ms").arg(shown.smoothing_ms)
-                                                         : tr("off"));
-    string_reading_->setText(shown.string_mm > 0.0 ? tr("%1 mm").arg(shown.string_mm) : tr("off"));
+void BrushPanel::show_steadying(const tools::Steadying& steadying) {
+    steadying_ = steadying;
+    write_steadying();
 }
 
 void BrushPanel::show_stabiliser(const brush::Stabiliser& stabiliser) {
-    const QSignalBlocker no_smoothing_signal(smoothing_);
-    const QSignalBlocker no_string_signal(string_);
-    smoothing_->setValue(static_cast<int>(std::lround(stabiliser.smoothing_ms / kSmoothingStep_ms)));
-    string_->setValue(static_cast<int>(std::lround(stabiliser.string_mm * kPlacesPerMm)));
-    write_readings();
+    if (stabiliser == tools::stabiliser_of(steadying_)) return;
+    show_steadying(tools::with_stabiliser(steadying_, stabiliser));
 }
 
 void BrushPanel::show_brush(const QString& name, double width_mm) {

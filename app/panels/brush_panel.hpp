@@ -1,8 +1,8 @@
 // The jar of brushes, and how wide the one in hand is.
 #pragma once
 
-#include "brush/pen_filter.hpp"
 #include "panels/brush_list.hpp"
+#include "tools/steadying.hpp"
 
 #include <vector>
 
@@ -10,8 +10,8 @@
 #include <QWidget>
 
 class QAction;
+class QComboBox;
 class QDoubleSpinBox;
-class QGridLayout;
 class QLabel;
 class QSlider;
 
@@ -31,6 +31,8 @@ class BrushPanel : public QWidget {
 
     /// Shows how the hand is steadied, without a signal.
     void show_stabiliser(const brush::Stabiliser& stabiliser);
+    void show_steadying(const tools::Steadying& steadying);
+    const tools::Steadying& steadying() const { return steadying_; }
 
     BrushList& list() { return *list_; }
 
@@ -45,21 +47,19 @@ class BrushPanel : public QWidget {
     void stabiliser_chosen(const brush::Stabiliser& stabiliser);
 
   private:
-    QWidget* make_own_row(const std::vector<QAction*>& own_actions);
     QWidget* make_width_row();
     QWidget* make_stabiliser_rows();
-    QSlider* add_slider(QGridLayout* grid, const QString& words, const QString& hint, QLabel*& reading);
-    void write_readings();
-    brush::Stabiliser stabiliser() const;
+    void take_strength(int place);
+    void write_steadying();
 
     std::vector<BrushEntry> brushes_;
     BrushList* list_ = nullptr;
     QSlider* slider_ = nullptr;
     QDoubleSpinBox* width_ = nullptr;
-    QSlider* smoothing_ = nullptr;
-    QSlider* string_ = nullptr;
-    QLabel* smoothing_reading_ = nullptr;
-    QLabel* string_reading_ = nullptr;
+    tools::Steadying steadying_;
+    QComboBox* steady_mode_ = nullptr;
+    QSlider* strength_ = nullptr;
+    QLabel* strength_reading_ = nullptr;
 };
 
 }  // namespace pastoso::panels

@@ -7,22 +7,20 @@
 #include "pigment/paint_name.hpp"
 #include "pigment/recipe.hpp"
 #include "tools/colour_paint.hpp"
+#include "tools/picked_paint.hpp"
 #include "tools/swatch.hpp"
 
 #include <algorithm>
 
-#include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace pastoso::panels {
 namespace {
 
 constexpr int kColumns = 8;
-constexpr std::size_t kRecent = 16;
 
 QColor qcolor(const pigment::Srgb8& rgb) {
     return {rgb[0], rgb[1], rgb[2]};
@@ -35,7 +33,7 @@ QString difference_words(double difference) {
     return QObject::tr("beyond these tubes");
 }
 
-/// One tube a line, its parts in front.
+/// One tube a line, its parts in front; below them in which shares the pigments are in it.
 QString recipe_lines(const document::PaintRecipe& paint) {
     QStringList lines;
     for (const document::Ingredient& part : paint.ingredients) {
@@ -44,20 +42,28 @@ QString recipe_lines(const document::PaintRecipe& paint) {
         const QString parts = QString::number(part.parts);
         lines += paint.ingredients.size() > 1 ? QStringLiteral("%1 \u00d7 %2").arg(parts, name) : name;
     }
+    if (paint.ingredients.size() > 1) lines += QString::fromStdString(tools::pigment_shares(paint));
     return lines.join('\n');
+}
+
+std::vector<SwatchGrid::Patch> patches_of(const std::vector<document::PaintRecipe>& paints,
+                                          const QString& words) {
+    std::vector<SwatchGrid::Patch> patches;
+    for (const document::PaintRecipe& paint : paints)
+        patches.push_back({qcolor(tools::screen_colour(paint)),
+                           words.arg(QString::fromStdString(tools::painters_recipe(paint)))});
+    return patches;
 }
 
 }  // namespace
 
-ColourPanel::ColourPanel(QAction* pick, QWidget* parent) : QWidget(parent), picker_(new ColourPicker) {
+ColourPanel::ColourPanel(const std::vector<QAction*>& picks, QWidget* parent)
+    : QWidget(parent), picker_(new ColourPicker) {
     auto* column = section(this, tr("Mix a colour"));
     column->addWidget(picker_);
-    auto* pick_button = new QToolButton;
-    pick_button->setDefaultAction(pick);
-    pick_button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    keep_keys_for_canvas(pick_button);
-    column->addWidget(pick_button);
+    column->addWidget(button_row(picks));
     column->addWidget(recipe_part());
+    column->addWidget(kept_part());
     column->addWidget(recent_part());
     column->addWidget(palette_part());
     column->addStretch(1);
@@ -66,6 +72,7 @@ ColourPanel::ColourPanel(QAction* pick, QWidget* parent) : QWidget(parent), pick
             [this](const pigment::Srgb8& colour) { Q_EMIT paint_chosen(tools::colour_paint(colour)); });
     connect(picker_, &ColourPicker::refused, this, &ColourPanel::refused);
     show_colour(picker_->colour());
+    show_kept();
 }
 
 QWidget* ColourPanel::recipe_part() {
@@ -82,7 +89,7 @@ QWidget* ColourPanel::recipe_part() {
     words_ = new QLabel;
     words_->setObjectName(QStringLiteral("recipe"));
     words_->setWordWrap(true);
-    words_->setMinimumHeight(4 * words_->fontMetrics().lineSpacing() + 2);
+    words_->setMinimumHeight(5 * words_->fontMetrics().lineSpacing() + 2);
     words_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     use_recipe_ = new QPushButton(tr("Use the recipe"));
     use_recipe_->setObjectName(QStringLiteral("use_recipe"));
@@ -106,7 +113,32 @@ QWidget* ColourPanel::recent_part() {
     recent_grid_->setObjectName(QStringLiteral("recent_paints"));
     column->addWidget(recent_grid_);
     connect(recent_grid_, &SwatchGrid::patch_clicked, this, [this](int index) {
-        const document::PaintRecipe paint = recent_.at(static_cast<std::size_t>(index));
+        const document::PaintRecipe paint = shelf_.recent.at(static_cast<std::size_t>(index));
+        Q_EMIT paint_chosen(paint);
+    });
+    return part;
+}
+
+QWidget* ColourPanel::kept_part() {
+    auto* part = new QWidget;
+    auto* column = section(part, tr("Your palette"));
+    kept_hint_ = new QLabel(tr("Paints that you keep stay here."));
+    kept_hint_->setObjectName(QStringLiteral("reading"));
+    auto* keep = new QPushButton(tr("Keep"));
+    keep->setObjectName(QStringLiteral("keep_paint"));
+    keep->setToolTip(tr("Lay the paint in hand out on your palette"));
+    keep_keys_for_canvas(keep);
+    auto* row = new QHBoxLayout;
+    row->addWidget(kept_hint_, 1);
+    row->addWidget(keep);
+    kept_grid_ = new SwatchGrid(kColumns);
+    kept_grid_->setObjectName(QStringLiteral("kept_paints"));
+    column->addWidget(kept_grid_);
+    column->addLayout(row);
+    connect(keep, &QPushButton::clicked, this, &ColourPanel::keep_paint_in_hand);
+    connect(kept_grid_, &SwatchGrid::removal_wanted, this, &ColourPanel::remove_kept);
+    connect(kept_grid_, &SwatchGrid::patch_clicked, this, [this](int index) {
+        const document::PaintRecipe paint = shelf_.kept.at(static_cast<std::size_t>(index));
         Q_EMIT paint_chosen(paint);
     });
     return part;
@@ -114,7 +146,7 @@ QWidget* ColourPanel::recent_part() {
 
 QWidget* ColourPanel::palette_part() {
     auto* part = new QWidget;
-    auto* column = section(part, tr("Palette"));
+    auto* column = section(part, tr("From a file"));
     palette_name_ = new QLabel(tr("none opened"));
     palette_name_->setObjectName(QStringLiteral("reading"));
     auto* open = new QPushButton(tr("Open..."));
@@ -131,7 +163,7 @@ QWidget* ColourPanel::palette_part() {
     connect(open, &QPushButton::clicked, this, &ColourPanel::palette_wanted);
     connect(palette_grid_, &SwatchGrid::patch_clicked, this, [this](int index) {
         Q_EMIT paint_chosen(
-            tools::colour_paint(palette_.colours.at(static_cast<std::size_t>(index)).colour));
+            tools::colour_paint(shelf_.opened.colours.at(static_cast<std::size_t>(index)).colour));
     });
     return part;
 }
@@ -157,7 +189,9 @@ void ColourPanel::show_nearest(const document::PaintRecipe& paint, double differ
 void ColourPanel::show_paint(const document::PaintRecipe& paint) {
     if (paint == in_hand_) return;
     in_hand_ = paint;
-    remember(paint);
+    tools::note_recent(paint, shelf_);
+    show_recent();
+    Q_EMIT shelf_changed();
     use_recipe_->setEnabled(!(paint == nearest_paint_));
     const auto& parts = paint.ingredients;
     if (parts.empty() || paint == nearest_paint_) return;
@@ -168,20 +202,48 @@ void ColourPanel::show_paint(const document::PaintRecipe& paint) {
     if (from_tubes) show_nearest(paint, 0.0);
 }
 
-void ColourPanel::remember(const document::PaintRecipe& paint) {
-    recent_.erase(std::remove(recent_.begin(), recent_.end(), paint), recent_.end());
-    recent_.insert(recent_.begin(), paint);
-    recent_.resize(std::min(recent_.size(), kRecent));
-    std::vector<SwatchGrid::Patch> patches;
-    for (const document::PaintRecipe& used : recent_)
-        patches.push_back(
-            {qcolor(tools::screen_colour(used)), QString::fromStdString(tools::painters_recipe(used))});
-    recent_grid_->show_patches(patches);
+// ---- the shelf
+
+void ColourPanel::show_shelf(const tools::PaintShelf& shelf) {
+    shelf_ = shelf;
+    show_recent();
+    show_kept();
+    show_opened();
+}
+
+void ColourPanel::keep_paint_in_hand() {
+    if (!tools::keep_paint(in_hand_, shelf_))
+        return void(Q_EMIT refused(tr("Your palette is full: the right button takes a paint away.")));
+    show_kept();
+    Q_EMIT shelf_changed();
+}
+
+void ColourPanel::remove_kept(int index) {
+    shelf_.kept.erase(shelf_.kept.begin() + index);
+    show_kept();
+    Q_EMIT shelf_changed();
 }
 
 void ColourPanel::show_palette(const pigment::ColourPalette& palette) {
-    palette_ = palette;
-    palette_name_->setText(QString::fromStdString(palette.name));
+    shelf_.opened = palette;
+    show_opened();
+    Q_EMIT shelf_changed();
+}
+
+void ColourPanel::show_recent() {
+    recent_grid_->show_patches(patches_of(shelf_.recent, QStringLiteral("%1")));
+}
+
+void ColourPanel::show_kept() {
+    kept_grid_->show_patches(
+        patches_of(shelf_.kept, tr("%1\nThe right button, or Delete, takes it away.")));
+    kept_grid_->setVisible(!shelf_.kept.empty());
+    kept_hint_->setVisible(shelf_.kept.empty());
+}
+
+void ColourPanel::show_opened() {
+    const pigment::ColourPalette& palette = shelf_.opened;
+    if (!palette.name.empty()) palette_name_->setText(QString::fromStdString(palette.name));
     std::vector<SwatchGrid::Patch> patches;
     for (const pigment::NamedColour& named : palette.colours) {
         const QString hex = QString::fromStdString(pigment::hex_colour(named.colour));

@@ -1,9 +1,10 @@
-// A paint of any colour, what of the tubes comes nearest to it, and the paints that were used before.
+// A paint of any colour, what of the tubes comes nearest to it, and the paints that were used before or
+// kept.
 #pragma once
 
 #include "document/events.hpp"
-#include "pigment/gpl.hpp"
 #include "pigment/hex_colour.hpp"
+#include "tools/paint_shelf.hpp"
 
 #include <vector>
 
@@ -22,8 +23,8 @@ class SwatchGrid;
 class ColourPanel : public QWidget {
     Q_OBJECT
   public:
-    /// `pick` becomes a button.
-    explicit ColourPanel(QAction* pick, QWidget* parent = nullptr);
+    /// `picks` become buttons.
+    explicit ColourPanel(const std::vector<QAction*>& picks, QWidget* parent = nullptr);
 
     /// Shows what the brush is dipped in, without a signal, and remembers it among the recent paints.
     void show_paint(const document::PaintRecipe& paint);
@@ -31,29 +32,41 @@ class ColourPanel : public QWidget {
     /// Shows the colours of a palette to choose from.
     void show_palette(const pigment::ColourPalette& palette);
 
+    const tools::PaintShelf& shelf() const { return shelf_; }
+
+    /// Shows the paints of an earlier session, without a signal.
+    void show_shelf(const tools::PaintShelf& shelf);
+
   Q_SIGNALS:
     void paint_chosen(const document::PaintRecipe& paint);
     void palette_wanted();
+    void shelf_changed();
     void refused(const QString& sentence);
 
   private:
     QWidget* recipe_part();
     QWidget* recent_part();
+    QWidget* kept_part();
     QWidget* palette_part();
     void show_colour(const pigment::Srgb8& colour);
     void show_nearest(const document::PaintRecipe& paint, double difference);
-    void remember(const document::PaintRecipe& paint);
+    void keep_paint_in_hand();
+    void remove_kept(int index);
+    void show_recent();
+    void show_kept();
+    void show_opened();
 
     document::PaintRecipe in_hand_;
     document::PaintRecipe nearest_paint_;
-    std::vector<document::PaintRecipe> recent_;
-    pigment::ColourPalette palette_;
+    tools::PaintShelf shelf_;
     ColourPicker* picker_ = nullptr;
     PaintSwatch* wanted_ = nullptr;
     PaintSwatch* nearest_ = nullptr;
     QLabel* words_ = nullptr;
     QPushButton* use_recipe_ = nullptr;
     SwatchGrid* recent_grid_ = nullptr;
+    SwatchGrid* kept_grid_ = nullptr;
+    QLabel* kept_hint_ = nullptr;
     SwatchGrid* palette_grid_ = nullptr;
     QLabel* palette_name_ = nullptr;
 };

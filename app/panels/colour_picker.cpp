@@ -1,6 +1,7 @@
 #include "panels/colour_picker.hpp"
 
 #include "panels/channel_slider.hpp"
+#include "panels/colour_wheel.hpp"
 #include "panels/section.hpp"
 
 #include <cmath>
@@ -29,11 +30,15 @@ QColor qcolor(const pigment::Srgb8& rgb) {
 
 }  // namespace
 
-ColourPicker::ColourPicker(QWidget* parent) : QWidget(parent), models_(new QButtonGroup(this)) {
+ColourPicker::ColourPicker(QWidget* parent)
+    : QWidget(parent), wheel_(new ColourWheel), models_(new QButtonGroup(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(wheel_);
     column->addWidget(models_row());
     column->addWidget(channel_rows());
+    connect(wheel_, &ColourWheel::moved, this, &ColourPicker::take_wheel);
+    connect(wheel_, &ColourWheel::released, this, [this] { Q_EMIT chosen(colour_); });
     use_model(model_);
 }
 
@@ -124,6 +129,15 @@ void ColourPicker::set_channel(int channel, double value) {
     if (!rows_[static_cast<std::size_t>(channel)].slider->isSliderDown()) Q_EMIT chosen(colour_);
 }
 
+/// By keys it is chosen at once, by mouse when it is let go.
+void ColourPicker::take_wheel(const tools::Channels& oklch) {
+    colour_ = tools::colour_from(ColourModel::Oklch, oklch);
+    channels_ = model_ == ColourModel::Oklch ? oklch : tools::channels_from(model_, colour_);
+    write_rows();
+    Q_EMIT looked_at(colour_);
+    if (!wheel_->dragging()) Q_EMIT chosen(colour_);
+}
+
 void ColourPicker::show_colour(const pigment::Srgb8& colour) {
     if (colour == colour_) return;
     colour_ = colour;
@@ -155,7 +169,16 @@ void ColourPicker::write_rows() {
         rows_[i].number->setValue(channels_[i]);
     }
     hex_->setText(QString::fromStdString(pigment::hex_colour(colour_)));
+    show_on_wheel();
     paint_ramps();
+}
+
+/// The wheel keeps what it showed of a colour: screens have too few to tell every hue and chroma.
+void ColourPicker::show_on_wheel() {
+    if (model_ == ColourModel::Oklch)
+        wheel_->show_colour(channels_);
+    else if (tools::colour_from(ColourModel::Oklch, wheel_->oklch()) != colour_)
+        wheel_->show_colour(tools::channels_from(ColourModel::Oklch, colour_));
 }
 
 void ColourPicker::paint_ramps() {

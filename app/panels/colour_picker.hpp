@@ -1,4 +1,4 @@
-// Chooses a colour by red, green and blue, by hue, saturation and value, or by Oklch.
+// Chooses a colour on a wheel, by red, green and blue, by hue, saturation and value, or by Oklch.
 #pragma once
 
 #include "tools/colour_models.hpp"
@@ -15,6 +15,7 @@ class QLineEdit;
 namespace pastoso::panels {
 
 class ChannelSlider;
+class ColourWheel;
 
 class ColourPicker : public QWidget {
     Q_OBJECT
@@ -42,13 +43,16 @@ class ColourPicker : public QWidget {
     QWidget* channel_rows();
     void use_model(tools::ColourModel model);
     void set_channel(int channel, double value);
+    void take_wheel(const tools::Channels& oklch);
     void take_typed_colour();
     void write_rows();
+    void show_on_wheel();
     void paint_ramps();
 
     tools::ColourModel model_ = tools::ColourModel::Oklch;
     tools::Channels channels_{};
     pigment::Srgb8 colour_{};
+    ColourWheel* wheel_ = nullptr;
     QButtonGroup* models_ = nullptr;
     std::array<Row, 3> rows_;
     QLineEdit* hex_ = nullptr;

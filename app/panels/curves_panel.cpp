@@ -4,11 +4,16 @@
 #include "panels/curve_editor.hpp"
 #include "panels/section.hpp"
 
+#include <algorithm>
+#include <array>
+
+#include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
+#include <QMenu>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace pastoso::panels {
@@ -54,6 +59,10 @@ QString target_words(DynamicsTarget target) {
     return {};
 }
 
+QString curve_words(DynamicsInput input, DynamicsTarget target) {
+    return QObject::tr("%1: %2").arg(input_words(input), target_words(target));
+}
+
 QString input_text(DynamicsInput input, double value) {
     switch (input) {
         case DynamicsInput::Pressure:
@@ -77,6 +86,22 @@ QString output_text(DynamicsTarget target, double value) {
     }
 }
 
+constexpr std::array kInputs = {DynamicsInput::Pressure, DynamicsInput::Tilt,
+                                DynamicsInput::BarrelRotation, DynamicsInput::Speed};
+constexpr std::array kTargets = {DynamicsTarget::Press, DynamicsTarget::Lean,  DynamicsTarget::Rotation,
+                                 DynamicsTarget::Reach, DynamicsTarget::Film,  DynamicsTarget::Pickup,
+                                 DynamicsTarget::Flow,  DynamicsTarget::Spread};
+
+QToolButton* small_button(const char* name, const QString& words, const QString& hint) {
+    auto* button = new QToolButton;
+    button->setObjectName(QLatin1String(name));
+    button->setText(words);
+    button->setToolTip(hint);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    keep_keys_for_canvas(button);
+    return button;
+}
+
 }  // namespace
 
 CurvesPanel::CurvesPanel(QWidget* parent)
@@ -84,45 +109,55 @@ CurvesPanel::CurvesPanel(QWidget* parent)
       which_(new QComboBox),
       editor_(new CurveEditor),
       reading_(new QLabel),
-      reset_(new QPushButton(tr("Reset"))) {
+      addable_(new QMenu(this)),
+      add_(small_button("curve_add", tr("Add"),
+                        tr("Another curve: what of the hand sets what of the tool"))),
+      remove_(small_button("curve_remove", tr("Remove"), tr("Takes this curve away"))),
+      reset_(small_button("curve_reset", tr("Reset"), tr("The curve as the tool was kept with"))) {
     auto* column = section(this, tr("How it answers to the hand"));
     which_->setObjectName(QStringLiteral("curve_choice"));
     which_->setToolTip(tr("What of the hand sets what of the tool"));
     which_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     keep_keys_for_canvas(which_);
     reading_->setObjectName(QStringLiteral("curve_reading"));
-    reset_->setObjectName(QStringLiteral("curve_reset"));
-    reset_->setToolTip(tr("The curve as the tool was kept with"));
-    keep_keys_for_canvas(reset_);
+    addable_->setObjectName(QStringLiteral("curve_addable"));
+    add_->setMenu(addable_);
+    add_->setPopupMode(QToolButton::InstantPopup);
     auto* row = new QHBoxLayout;
-    row->addWidget(reading_, 1);
-    row->addWidget(reset_);
+    row->setSpacing(4);
+    for (QToolButton* button : {add_, remove_, reset_})
+        row->addWidget(button);
     column->addWidget(which_);
     column->addWidget(editor_);
+    column->addWidget(reading_);
     column->addLayout(row);
+    connect(addable_, &QMenu::aboutToShow, this, &CurvesPanel::list_addable);
+    connect(remove_, &QToolButton::clicked, this, &CurvesPanel::remove_current);
     connect(which_, &QComboBox::currentIndexChanged, this, &CurvesPanel::show_current);
     connect(editor_, &CurveEditor::edited, this, &CurvesPanel::emit_points);
     connect(editor_, &CurveEditor::read_at, this, &CurvesPanel::read_at);
-    connect(reset_, &QPushButton::clicked, this, &CurvesPanel::reset_current);
+    connect(reset_, &QToolButton::clicked, this, &CurvesPanel::reset_current);
 }
 
 void CurvesPanel::show_preset(const brush::Preset& in_hand, const brush::Preset& kept) {
     if (in_hand == preset_ && kept == kept_) return;
-    const bool same_curves =
-        in_hand.name == preset_.name && in_hand.dynamics.size() == preset_.dynamics.size();
+    const bool same_tool = in_hand.name == preset_.name;
     preset_ = in_hand;
     kept_ = kept;
-    if (!same_curves) list_curves();
-    show_current();
+    list_curves(same_tool ? which_->currentIndex() : 0);
 }
 
-void CurvesPanel::list_curves() {
-    const QSignalBlocker quiet(which_);
-    which_->clear();
-    for (const DynamicsCurve& curve : preset_.dynamics) {
-        which_->addItem(tr("%1: %2").arg(input_words(curve.input), target_words(curve.target)));
+/// Chooses the curve of that index, or the last before it that there is.
+void CurvesPanel::list_curves(int chosen) {
+    {
+        const QSignalBlocker quiet(which_);
+        which_->clear();
+        for (const DynamicsCurve& curve : preset_.dynamics)
+            which_->addItem(curve_words(curve.input, curve.target));
+        which_->setCurrentIndex(std::min(std::max(chosen, 0), which_->count() - 1));
+        which_->setEnabled(which_->count() > 0);
     }
-    which_->setEnabled(which_->count() > 0);
+    show_current();
 }
 
 void CurvesPanel::show_current() {
@@ -132,6 +167,7 @@ void CurvesPanel::show_current() {
         any ? preset_.dynamics[static_cast<std::size_t>(index)] : DynamicsCurve{};
     editor_->show_curve(curve);
     editor_->setEnabled(any);
+    remove_->setEnabled(any);
     const DynamicsCurve* kept = any ? kept_curve() : nullptr;
     reset_->setEnabled(kept != nullptr && !(*kept == curve));
     if (any)
@@ -140,10 +176,56 @@ void CurvesPanel::show_current() {
         reading_->setText(tr("This tool has no curves."));
 }
 
+/// The current curve as the tool was kept with it, or null: it stands at another place where curves were
+/// added or removed.
 const DynamicsCurve* CurvesPanel::kept_curve() const {
     const auto index = static_cast<std::size_t>(which_->currentIndex());
-    return index < kept_.dynamics.size() ? &kept_.dynamics[index] : nullptr;
+    const DynamicsCurve& current = preset_.dynamics[index];
+    const auto& kept = kept_.dynamics;
+    const auto alike = [&](const DynamicsCurve& curve) {
+        return curve.input == current.input && curve.target == current.target;
+    };
+    if (index < kept.size() && alike(kept[index])) return &kept[index];
+    const int found = tools::find_curve(kept, current.input, current.target);
+    return found < 0 ? nullptr : &kept[static_cast<std::size_t>(found)];
 }
+
+// ---- adding and removing
+
+/// A menu for every input; what is there already cannot be chosen again.
+void CurvesPanel::list_addable() {
+    addable_->clear();
+    for (const DynamicsInput input : kInputs) {
+        QMenu* menu = addable_->addMenu(input_words(input));
+        for (const DynamicsTarget target : kTargets) {
+            if (!tools::matters(input, target, preset_.kind)) continue;
+            QAction* action = menu->addAction(target_words(target), this,
+                                              [this, input, target] { add(input, target); });
+            action->setEnabled(tools::find_curve(preset_.dynamics, input, target) < 0);
+        }
+    }
+}
+
+/// A curve that the tool was kept with comes back as it was.
+void CurvesPanel::add(DynamicsInput input, DynamicsTarget target) {
+    const int added = tools::add_curve(preset_.dynamics, input, target);
+    const int kept = tools::find_curve(kept_.dynamics, input, target);
+    if (kept >= 0)
+        preset_.dynamics[static_cast<std::size_t>(added)] =
+            kept_.dynamics[static_cast<std::size_t>(kept)];
+    list_curves(added);
+    Q_EMIT edited(preset_);
+}
+
+void CurvesPanel::remove_current() {
+    const int index = which_->currentIndex();
+    if (index < 0) return;
+    preset_.dynamics.erase(preset_.dynamics.begin() + index);
+    list_curves(index);
+    Q_EMIT edited(preset_);
+}
+
+// ---- the current curve
 
 void CurvesPanel::read_at(double input) {
     const int index = which_->currentIndex();

@@ -1,4 +1,5 @@
-// How the tool in hand answers to pressure, tilt, rotation and speed: its curves, one at a time.
+// How the tool in hand answers to pressure, tilt, rotation and speed: its curves, one at a time, which
+// are bent, added and removed.
 #pragma once
 
 #include "brush/preset.hpp"
@@ -7,7 +8,8 @@
 
 class QComboBox;
 class QLabel;
-class QPushButton;
+class QMenu;
+class QToolButton;
 
 namespace pastoso::panels {
 
@@ -26,7 +28,10 @@ class CurvesPanel : public QWidget {
     void edited(const brush::Preset& preset);
 
   private:
-    void list_curves();
+    void list_curves(int chosen);
+    void list_addable();
+    void add(brush::DynamicsInput input, brush::DynamicsTarget target);
+    void remove_current();
     void show_current();
     void read_at(double input);
     void reset_current();
@@ -37,7 +42,8 @@ class CurvesPanel : public QWidget {
     QComboBox* which_ = nullptr;
     CurveEditor* editor_ = nullptr;
     QLabel* reading_ = nullptr;
-    QPushButton* reset_ = nullptr;
+    QMenu* addable_ = nullptr;
+    QToolButton *add_ = nullptr, *remove_ = nullptr, *reset_ = nullptr;
 };
 
 }  // namespace pastoso::panels

@@ -3,6 +3,8 @@
 #include "panels/section.hpp"
 
 #include <QFontMetrics>
+#include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPainter>
 
 namespace pastoso::panels {
@@ -22,6 +24,16 @@ void PaintSwatch::show_paint(const QColor& colour, const QString& words) {
 QSize PaintSwatch::sizeHint() const {
     const int side = fontMetrics().height() + 6;
     return {side, side};
+}
+
+void PaintSwatch::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::RightButton) return void(Q_EMIT removal_wanted());
+    QPushButton::mousePressEvent(event);
+}
+
+void PaintSwatch::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Delete) return void(Q_EMIT removal_wanted());
+    QPushButton::keyPressEvent(event);
 }
 
 void PaintSwatch::paintEvent(QPaintEvent*) {

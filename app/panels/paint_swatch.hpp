@@ -18,8 +18,13 @@ class PaintSwatch : public QPushButton {
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 
+  Q_SIGNALS:
+    void removal_wanted();  ///< by the right button, or by Delete
+
   protected:
     void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
   private:
     QColor colour_;

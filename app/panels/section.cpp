@@ -1,7 +1,10 @@
 #include "panels/section.hpp"
 
+#include <QAction>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QListView>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace pastoso::panels {
@@ -18,6 +21,21 @@ QVBoxLayout* section(QWidget* panel, const QString& heading) {
 
 void keep_keys_for_canvas(QWidget* widget) {
     widget->setFocusPolicy(Qt::TabFocus);
+}
+
+QWidget* button_row(const std::vector<QAction*>& actions) {
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    for (QAction* action : actions) {
+        auto* button = new QToolButton;
+        button->setDefaultAction(action);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        keep_keys_for_canvas(button);
+        layout->addWidget(button);
+    }
+    return row;
 }
 
 void fit_to_rows(QListView* list, int rows) {

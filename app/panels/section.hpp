@@ -1,6 +1,9 @@
 // Small shared pieces of the panels.
 #pragma once
 
+#include <vector>
+
+class QAction;
 class QListView;
 class QString;
 class QVBoxLayout;
@@ -14,6 +17,9 @@ QVBoxLayout* section(QWidget* panel, const QString& heading);
 /// Leaves the keyboard to the canvas, where Space and the letter keys mean something else, until the
 /// Tab key asks for the widget.
 void keep_keys_for_canvas(QWidget* widget);
+
+/// Buttons for actions side by side, all of one width.
+QWidget* button_row(const std::vector<QAction*>& actions);
 
 /// Makes a list just tall enough for so many rows; the others are scrolled to.
 void fit_to_rows(QListView* list, int rows);

@@ -20,6 +20,8 @@ void SwatchGrid::show_patches(const std::vector<Patch>& patches) {
         const int index = static_cast<int>(swatches_.size());
         auto* swatch = new PaintSwatch;
         connect(swatch, &QPushButton::clicked, this, [this, index] { Q_EMIT patch_clicked(index); });
+        connect(swatch, &PaintSwatch::removal_wanted, this,
+                [this, index] { Q_EMIT removal_wanted(index); });
         grid->addWidget(swatch, index / columns_, index % columns_);
         swatches_.push_back(swatch);
     }

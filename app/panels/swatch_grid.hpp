@@ -24,6 +24,7 @@ class SwatchGrid : public QWidget {
 
   Q_SIGNALS:
     void patch_clicked(int index);
+    void removal_wanted(int index);
 
   private:
     int columns_;

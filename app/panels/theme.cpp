@@ -52,6 +52,8 @@ QScrollBar::add-line, QScrollBar::sub-line { height: 0px; }
 QSlider::groove:horizontal { height: 4px; background: #1f1f21; border-radius: 2px; }
 QSlider::sub-page:horizontal { background: #688aac; border-radius: 2px; }
 QSlider::handle:horizontal { width: 14px; margin: -5px 0px; border-radius: 7px; background: #dadadc; }
+QSlider::sub-page:horizontal:disabled { background: #38383b; }
+QSlider::handle:horizontal:disabled { background: #5c5c60; }
 )";
 
 QPalette dark_palette() {

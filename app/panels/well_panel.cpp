@@ -11,7 +11,7 @@
 namespace pastoso::panels {
 namespace {
 
-QHBoxLayout* button_row(const std::vector<QAction*>& actions) {
+QHBoxLayout* left_row(const std::vector<QAction*>& actions) {
     auto* row = new QHBoxLayout;
     for (QAction* action : actions) {
         auto* button = new QToolButton;
@@ -32,7 +32,7 @@ QDockWidget* well_panel(QWidget* well, const std::vector<QAction*>& actions) {
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(6, 6, 6, 6);
     column->addWidget(well);
-    column->addLayout(button_row(actions));
+    column->addLayout(left_row(actions));
     column->addStretch(1);
     dock->setWidget(content);
     return dock;

@@ -2,6 +2,7 @@
 
 #include "core/check.hpp"
 #include "core/error.hpp"
+#include "document/paint_reading.hpp"
 
 #include <utility>
 
@@ -93,6 +94,11 @@ document::Recording PaintSession::recording() const {
     return recording_;
 }
 
+std::vector<std::string> PaintSession::paints_used() const {
+    const std::lock_guard lock(mutex_);
+    return paints_used_;
+}
+
 void PaintSession::wait_until_applied() {
     std::unique_lock lock(mutex_);
     const std::uint64_t wanted = posted_count_;
@@ -158,6 +164,7 @@ void PaintSession::apply(const document::Action& action) {
         strokes_ += std::holds_alternative<document::PenDown>(action) ? 1 : 0;
         const std::lock_guard lock(mutex_);
         recording_.events.push_back({painting_->tick(), action});
+        document::note_paints(action, paints_used_);
     } catch (const core::InputError& error) {
         const std::lock_guard lock(mutex_);
         errors_.emplace_back(error.what());

@@ -72,6 +72,9 @@ class PaintSession {
     /// Everything that was done so far.
     document::Recording recording() const;
 
+    /// The names of all paints that came out of their tubes so far (document/paint_reading.hpp).
+    std::vector<std::string> paints_used() const;
+
     /// Waits until all posted actions are applied and published.
     void wait_until_applied();
 
@@ -103,6 +106,7 @@ class PaintSession {
     std::deque<document::Event> replay_;
     std::vector<std::string> errors_;
     document::Recording recording_;
+    std::vector<std::string> paints_used_;
     std::shared_ptr<const document::Snapshot> snapshot_;
     Status status_;
     WallClock::time_point hand_moved_;

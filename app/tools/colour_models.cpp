@@ -73,10 +73,13 @@ Channels oklch_from(const Srgb8& colour) {
             grey ? 0.0 : turn_deg(core::degrees(std::atan2(lab[2], lab[1])))};
 }
 
-Srgb8 from_oklch(const Channels& lch) {
+LinearRgb linear_from_oklch(const Channels& lch) {
     const double hue = core::radians(lch[2]);
-    return pigment::encoded(
-        from_oklab({lch[0] / 100.0, lch[1] * std::cos(hue), lch[1] * std::sin(hue)}));
+    return from_oklab({lch[0] / 100.0, lch[1] * std::cos(hue), lch[1] * std::sin(hue)});
+}
+
+Srgb8 from_oklch(const Channels& lch) {
+    return pigment::encoded(linear_from_oklch(lch));
 }
 
 constexpr std::array<ChannelText, 3> kRgb = {
@@ -114,6 +117,23 @@ Srgb8 colour_from(ColourModel model, const Channels& channels) {
         default:
             return {byte(channels[0]), byte(channels[1]), byte(channels[2])};
     }
+}
+
+bool in_srgb(const Channels& oklch) {
+    constexpr float kSlack = 1e-6F;  // the corners of sRGB themselves miss 0 and 1 by less, as floats
+    const LinearRgb rgb = linear_from_oklch(oklch);
+    return std::all_of(rgb.begin(), rgb.end(),
+                       [](float value) { return value >= -kSlack && value <= 1.0F + kSlack; });
+}
+
+double most_chroma(double lightness, double hue_deg) {
+    double inside = 0.0, outside = kOklch[1].most;
+    if (lightness <= 0.0 || !in_srgb({lightness, inside, hue_deg})) return 0.0;
+    while (outside - inside > 1e-4) {
+        const double middle = 0.5 * (inside + outside);
+        (in_srgb({lightness, middle, hue_deg}) ? inside : outside) = middle;
+    }
+    return inside;
 }
 
 }  // namespace pastoso::tools

@@ -30,4 +30,10 @@ Channels channels_from(ColourModel model, const pigment::Srgb8& colour);
 /// A colour of Oklch outside sRGB is brought in, half by clipping and half by greying.
 pigment::Srgb8 colour_from(ColourModel model, const Channels& channels);
 
+/// Whether sRGB has the colour of these channels of Oklch, without bringing anything in.
+bool in_srgb(const Channels& oklch);
+
+/// The most chroma that sRGB has at a lightness, %, and a hue, degrees; to 1e-4. 0 where it has none.
+double most_chroma(double lightness, double hue_deg);
+
 }  // namespace pastoso::tools

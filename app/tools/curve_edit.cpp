@@ -76,6 +76,59 @@ int add_point(CurvePoints& points, const CurvePoint& place, const CurveFrame& fr
     return static_cast<int>(index);
 }
 
+namespace {
+
+bool sets(const Curves& curves, DynamicsTarget target) {
+    return std::any_of(curves.begin(), curves.end(),
+                       [&](const brush::DynamicsCurve& curve) { return curve.target == target; });
+}
+
+/// What a tool without a curve does (brush/hand_pose.hpp); the lean is the tangent of the tilt.
+CurvePoints unchanged(DynamicsInput input, DynamicsTarget target, bool first_of_target) {
+    if (target == DynamicsTarget::Rotation) {
+        if (first_of_target) return {{0.0, 0.0}, {360.0, 360.0}};
+        return {{0.0, 0.0}, {360.0, 0.0}};
+    }
+    if (target == DynamicsTarget::Lean && first_of_target)
+        return {{0.0, 0.0}, {15.0, 0.27}, {30.0, 0.58}, {45.0, 1.0}, {60.0, 1.73}, {75.0, 3.73}};
+    if (target == DynamicsTarget::Press && first_of_target) return {{0.0, 0.0}, {1.0, 1.0}};
+    return {{0.0, 1.0}, {usual_input(input), 1.0}};
+}
+
+}  // namespace
+
+bool matters(DynamicsInput input, DynamicsTarget target, brush::ToolKind kind) {
+    if (!brush::can_set(input, target)) return false;
+    const bool touches = kind == brush::ToolKind::Contact;
+    switch (target) {
+        case DynamicsTarget::Press:
+        case DynamicsTarget::Lean:
+        case DynamicsTarget::Rotation:
+            return true;
+        case DynamicsTarget::Flow:
+        case DynamicsTarget::Spread:
+            return !touches;
+        default:
+            return touches;
+    }
+}
+
+int find_curve(const Curves& curves, DynamicsInput input, DynamicsTarget target) {
+    const auto found =
+        std::find_if(curves.begin(), curves.end(), [&](const brush::DynamicsCurve& curve) {
+            return curve.input == input && curve.target == target;
+        });
+    return found == curves.end() ? -1 : static_cast<int>(found - curves.begin());
+}
+
+int add_curve(Curves& curves, DynamicsInput input, DynamicsTarget target) {
+    const bool presses = target == DynamicsTarget::Press;
+    if (presses && input != DynamicsInput::Pressure && !sets(curves, target))
+        add_curve(curves, DynamicsInput::Pressure, target);
+    curves.push_back({input, target, unchanged(input, target, !sets(curves, target))});
+    return static_cast<int>(curves.size()) - 1;
+}
+
 void remove_point(CurvePoints& points, int index) {
     if (points.size() > 1) points.erase(points.begin() + index);
 }

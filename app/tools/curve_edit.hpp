@@ -33,4 +33,16 @@ int add_point(CurvePoints& points, const brush::CurvePoint& place, const CurveFr
 /// Takes a point out; the last one stays.
 void remove_point(CurvePoints& points, int index);
 
+using Curves = std::vector<brush::DynamicsCurve>;
+
+/// Whether a tool of that kind feels a curve from the input to the target.
+bool matters(brush::DynamicsInput input, brush::DynamicsTarget target, brush::ToolKind kind);
+
+/// The first curve from the input to the target, or -1.
+int find_curve(const Curves& curves, brush::DynamicsInput input, brush::DynamicsTarget target);
+
+/// Adds a curve that leaves the tool as it was, to be bent from there, and returns its index. What
+/// presses a tool besides its pressure leaves the pressure its say: both are then there as curves.
+int add_curve(Curves& curves, brush::DynamicsInput input, brush::DynamicsTarget target);
+
 }  // namespace pastoso::tools

@@ -68,16 +68,25 @@ void CanvasView::follow_pointer(const QPointF& position) {
     update();
 }
 
-/// Whether the press picks a colour or takes hold of a handle; else it paints.
+/// What a press picks, if anything: on the well Control squeezes paint instead.
+std::optional<tools::Pick> CanvasView::pick_wanted(Qt::KeyboardModifiers modifiers) const {
+    if (picks_next_) return picks_next_;
+    if (modifiers.testFlag(Qt::AltModifier)) return tools::Pick::Seen;
+    const bool paint = modifiers.testFlag(Qt::ControlModifier) && surface_ == document::Surface::Canvas;
+    return paint ? std::optional(tools::Pick::Paint) : std::nullopt;
+}
+
+/// Whether the press picks paint or takes hold of a handle; else it paints.
 bool CanvasView::press_guides(const QPointF& position, Qt::KeyboardModifiers modifiers) {
-    if (wanted_ == nullptr || surface_ == document::Surface::Well) return false;
+    if (wanted_ == nullptr) return false;
     const glm::dvec2 mm = canvas_mm(position);
-    picking_ =
-        picks_next_ || modifiers.testFlag(Qt::ControlModifier) || modifiers.testFlag(Qt::AltModifier);
+    const auto pick = pick_wanted(modifiers);
+    picking_ = pick.has_value();
     if (picking_) {
-        Q_EMIT colour_wanted({mm.x, mm.y});
+        Q_EMIT picked({mm.x, mm.y}, *pick);
         return true;
     }
+    if (surface_ == document::Surface::Well) return false;
     const double reach_mm = kHandleReach_px * devicePixelRatioF() * mm_per_px();
     return handles_shown_ && guide_drag_.press(easel_->hand(), mm, handle_axis_mm(), reach_mm);
 }

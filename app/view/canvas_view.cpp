@@ -116,8 +116,8 @@ void CanvasView::show_handles(bool shown) {
     update();
 }
 
-void CanvasView::pick_next(bool picks) {
-    picks_next_ = picks;
+void CanvasView::pick_next(std::optional<tools::Pick> pick) {
+    picks_next_ = pick;
     set_cursor();
 }
 

@@ -5,6 +5,7 @@
 #include "core/thread_pool.hpp"
 #include "document/painting.hpp"
 #include "tools/easel.hpp"
+#include "tools/picked_paint.hpp"
 #include "view/brush_outline.hpp"
 #include "view/guide_drag.hpp"
 #include "view/line_overlay.hpp"
@@ -38,8 +39,8 @@ class CanvasView : public QOpenGLWidget {
     /// Shows the handles of the guides, by which they are dragged.
     void show_handles(bool shown);
 
-    /// The next click picks a colour instead of painting.
-    void pick_next(bool picks);
+    /// The next click picks that instead of painting; nothing: it paints.
+    void pick_next(std::optional<tools::Pick> pick);
 
     const shade::Lighting& lighting() const { return lighting_; }
     const pigment::Viewing& viewing() const { return viewing_; }
@@ -74,8 +75,8 @@ class CanvasView : public QOpenGLWidget {
     /// A guide is being dragged by its handle.
     void guide_dragged(const tools::Guide& guide);
 
-    /// The colour at this place of the canvas is asked for.
-    void colour_wanted(const QPointF& canvas_mm);
+    /// The paint, or the colour, at this place is asked for.
+    void picked(const QPointF& place_mm, tools::Pick pick);
 
     /// Nothing can be shown on this machine; one sentence.
     void failed(const QString& sentence);
@@ -114,6 +115,7 @@ class CanvasView : public QOpenGLWidget {
     tools::Pointer pen_pointer(const QTabletEvent& event) const;
     void touch_down(const tools::Pointer& pointer, Qt::KeyboardModifiers modifiers);
     void follow_pointer(const QPointF& position);
+    std::optional<tools::Pick> pick_wanted(Qt::KeyboardModifiers modifiers) const;
     bool press_guides(const QPointF& position, Qt::KeyboardModifiers modifiers);
     bool drag_guides(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void release_pointer();
@@ -151,7 +153,7 @@ class CanvasView : public QOpenGLWidget {
     bool space_held_ = false;
     GuideDrag guide_drag_;
     bool handles_shown_ = true;
-    bool picks_next_ = false;
+    std::optional<tools::Pick> picks_next_;
     bool picking_ = false;  ///< this press picks and does not paint
 };
 

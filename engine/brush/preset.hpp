@@ -117,6 +117,14 @@ enum class DynamicsInput { Pressure, Tilt, BarrelRotation, Speed };
 /// Flow the rate of droplets or the strength of the air, Spread the width that they reach.
 enum class DynamicsTarget { Press, Lean, Rotation, Reach, Film, Pickup, Flow, Spread };
 
+/// Whether a curve may lead from the input to the target: a lean is a length along the tilt, a rotation
+/// an angle, and only their own inputs can give them.
+inline constexpr bool can_set(DynamicsInput input, DynamicsTarget target) {
+    if (target == DynamicsTarget::Lean) return input == DynamicsInput::Tilt;
+    if (target == DynamicsTarget::Rotation) return input == DynamicsInput::BarrelRotation;
+    return true;
+}
+
 struct CurvePoint {
     double input = 0.0, output = 0.0;
     friend bool operator==(const CurvePoint&, const CurvePoint&) = default;

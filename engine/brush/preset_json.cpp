@@ -195,16 +195,10 @@ std::vector<CurvePoint> read_points(const Section& curve) {
     return points;
 }
 
-/// A lean is a length along the tilt, a rotation an angle: only their own inputs can give them.
 void check_pair(const Section& section, const DynamicsCurve& curve) {
-    const bool lean_fits = (curve.target != DynamicsTarget::Lean) || curve.input == DynamicsInput::Tilt;
-    const bool rotation_fits =
-        (curve.target != DynamicsTarget::Rotation) || curve.input == DynamicsInput::BarrelRotation;
-    if (!lean_fits || !rotation_fits) {
-        section.fail(
-            section.path_of("input"),
-            "is \"" + section.text("input") + "\", which cannot set \"" + section.text("target") + "\"");
-    }
+    if (can_set(curve.input, curve.target)) return;
+    section.fail(section.path_of("input"), "is \"" + section.text("input") + "\", which cannot set \"" +
+                                               section.text("target") + "\"");
 }
 
 std::vector<DynamicsCurve> read_dynamics(const Json& list, const std::string& file_name) {

@@ -12,12 +12,22 @@ std::filesystem::path folder_in(const char* variable) {
     return folder.is_absolute() ? folder : std::filesystem::path();
 }
 
+/// Below the folder in the variable, or that one of the user's home.
+std::filesystem::path path_below(const char* variable, const std::filesystem::path& in_home,
+                                 const std::filesystem::path& relative) {
+    if (const auto folder = folder_in(variable); !folder.empty()) return folder / "pastoso" / relative;
+    const auto home = folder_in("HOME");
+    return home.empty() ? home : home / in_home / "pastoso" / relative;
+}
+
 }  // namespace
 
 std::filesystem::path user_data_path(const std::filesystem::path& relative) {
-    if (const auto data = folder_in("XDG_DATA_HOME"); !data.empty()) return data / "pastoso" / relative;
-    const auto home = folder_in("HOME");
-    return home.empty() ? home : home / ".local" / "share" / "pastoso" / relative;
+    return path_below("XDG_DATA_HOME", ".local/share", relative);
+}
+
+std::filesystem::path user_config_path(const std::filesystem::path& relative) {
+    return path_below("XDG_CONFIG_HOME", ".config", relative);
 }
 
 }  // namespace pastoso::core

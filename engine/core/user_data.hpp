@@ -10,4 +10,8 @@ namespace pastoso::core {
 /// path (XDG Base Directory Specification 0.8). Empty where there is no home either.
 std::filesystem::path user_data_path(const std::filesystem::path& relative);
 
+/// The same for how the user has set the program up: below $XDG_CONFIG_HOME/pastoso or
+/// $HOME/.config/pastoso.
+std::filesystem::path user_config_path(const std::filesystem::path& relative);
+
 }  // namespace pastoso::core

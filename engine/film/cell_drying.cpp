@@ -41,6 +41,8 @@ void seal(const StrataCell& below) {
     if (is_empty(below.soluble_pigment, below.soluble_thickness)) return;
     below.ground = layer_over(below.soluble_pigment.data(), below.ground);
     add(below.soluble_thickness, below.soluble_pigment.data(), below.fixed);
+    if (below.soluble_thickness > 0)
+        below.uppermost = mixture_of(below.soluble_pigment.data(), below.soluble_thickness);
     below.soluble_thickness = 0;
     below.soluble_pigment = {};
 }
@@ -86,6 +88,7 @@ std::int32_t become_stratum(std::int32_t& thickness, PaintCell& paint, const Str
             below.soluble_pigment[k] += paint[k];
     } else {
         below.ground = layer_over(paint.data(), below.ground);
+        below.uppermost = mixture_of(paint.data(), thickness);
         add(stays, paint.data(), below.fixed);
     }
     below.support_mm += thickness_mm(stays);

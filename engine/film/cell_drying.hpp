@@ -28,6 +28,7 @@ struct StrataCell {
     std::int32_t& soluble_thickness;
     PigmentCell& soluble_pigment;
     pigment::Bands& ground;
+    PigmentMixture& uppermost;
     DriedTotals& fixed;  ///< sums over cells
 };
 

@@ -27,6 +27,7 @@ struct TileDrying {
     TileBlock<std::int32_t> soluble_thickness;
     TileBlock<PigmentCell> soluble_pigment;
     TileBlock<pigment::Bands> ground;
+    TileBlock<PigmentMixture> uppermost;
     DriedTotals fixed;
     std::int64_t evaporated = 0;
     bool any_wet = false, any_dried = false, any_soluble = false;
@@ -47,6 +48,7 @@ void open_strata(const FilmState& state, int tile, const pigment::Bands& bare, T
         TileBlock<std::int32_t>::copy_of(state.strata.soluble_thickness.read(tile));
     result.soluble_pigment = TileBlock<PigmentCell>::copy_of(state.strata.soluble_pigment.read(tile));
     result.ground = ground_block(state.strata, tile, bare);
+    result.uppermost = TileBlock<PigmentMixture>::copy_of(state.strata.uppermost.read(tile));
 }
 
 bool holds_soluble(const TileDrying& tile) {
@@ -76,9 +78,10 @@ TileDrying dry_tile(const FilmState& state, int tile, const TimeAt& time_at,
                 continue;
             }
             open_strata(state, tile, bare, result);
-            StrataCell below{result.support_mm.write()[cell], result.soluble_thickness.write()[cell],
-                             result.soluble_pigment.write()[cell], result.ground.write()[cell],
-                             result.fixed};
+            StrataCell below{
+                result.support_mm.write()[cell],      result.soluble_thickness.write()[cell],
+                result.soluble_pigment.write()[cell], result.ground.write()[cell],
+                result.uppermost.write()[cell],       result.fixed};
             result.evaporated += become_stratum(thickness[cell], paint[cell], below);
         }
     }
@@ -103,6 +106,7 @@ void commit(int tile, TileDrying& result, FilmState& state) {
                     std::move(result.soluble_pigment), state.strata);
     if (result.fixed == DriedTotals{}) return;
     state.strata.ground.replace(tile, std::move(result.ground));
+    state.strata.uppermost.replace(tile, std::move(result.uppermost));
     state.strata.fixed += result.fixed;
 }
 

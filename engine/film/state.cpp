@@ -92,6 +92,7 @@ std::uint64_t state_hash(const FilmState& state) {
     add_field(state.strata.soluble_thickness, hash);
     add_field(state.strata.soluble_pigment, hash);
     add_field(state.strata.ground, hash);
+    add_field(state.strata.uppermost, hash);
     hash.add_value(state.strata.fixed);
     hash.add_value(state.strata.evaporated);
     hash.add_value(state.varied);

@@ -1,11 +1,41 @@
 #include "film/strata.hpp"
 
+#include "film/state.hpp"
 #include "pigment/kubelka_munk.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace pastoso::film {
+
+namespace {
+
+constexpr double kMostCode = std::numeric_limits<std::uint16_t>::max();
+
+}  // namespace
+
+PigmentMixture mixture_of(const std::int32_t* pigment, std::int32_t thickness) {
+    PigmentMixture mixture{};
+    if (thickness <= 0) return mixture;
+    const double per_quantum = kPaintQuantum / (thickness * kThicknessQuantum_mm);
+    const double densest_per_mm = per_quantum * *std::max_element(pigment, pigment + kPigmentChannels);
+    const double most_per_mm = std::max<double>(densest_per_mm, pigment::kMostPerMm);
+    for (int k = 0; k < kPigmentChannels; ++k)
+        mixture[k] = static_cast<std::uint16_t>(
+            std::lround(kMostCode * std::sqrt(per_quantum * pigment[k] / most_per_mm)));
+    return mixture;
+}
+
+pigment::Coefficients coefficients_of(const PigmentMixture& mixture) {
+    pigment::Coefficients per_mm{};
+    for (int k = 0; k < kPigmentChannels; ++k) {
+        const double root = mixture[k] / kMostCode;
+        per_mm[k] = static_cast<float>(pigment::kMostPerMm * root * root);
+    }
+    return per_mm;
+}
 
 DriedTotals& DriedTotals::operator+=(const DriedTotals& other) {
     thickness += other.thickness;

@@ -13,6 +13,16 @@ namespace pastoso::film {
 /// Optical thicknesses K_k h and S_k h in quanta of kPaintQuantum.
 using PigmentCell = std::array<std::int32_t, kPigmentChannels>;
 
+/// What a paint is made of whatever its thickness: K_k and S_k per mm of it as 65535 sqrt(c /
+/// kMostPerMm), which is true to 0.05 % at 1 per mm and to 0.5 % at a hundredth. All 0: nothing, or
+/// paint without pigment.
+using PigmentMixture = std::array<std::uint16_t, kPigmentChannels>;
+
+/// The mixture of optical thicknesses in quanta. One denser than any paint is, for what has lost its
+/// solvent, is thinned until it fits. All 0 without thickness.
+PigmentMixture mixture_of(const std::int32_t* pigment, std::int32_t thickness);
+pigment::Coefficients coefficients_of(const PigmentMixture& mixture);
+
 /// Sums over the canvas, exact. Thickness in quanta of kThicknessQuantum_mm.
 struct DriedTotals {
     std::int64_t thickness = 0;
@@ -26,7 +36,7 @@ struct DriedTotals {
 struct Strata {
     Strata() = default;
     explicit Strata(grid::Shape canvas)
-        : soluble_thickness(canvas), soluble_pigment(canvas), ground(canvas) {}
+        : soluble_thickness(canvas), soluble_pigment(canvas), ground(canvas), uppermost(canvas) {}
 
     /// The uppermost stratum as long as it can be dissolved.
     grid::TiledField<std::int32_t> soluble_thickness;
@@ -34,6 +44,9 @@ struct Strata {
 
     /// Internal reflectance of what lies below that; in tiles that are background, the bare support's.
     grid::TiledField<pigment::Bands> ground;
+
+    /// What the uppermost stratum of `ground` is made of, for a painter who wants that paint again.
+    grid::TiledField<PigmentMixture> uppermost;
 
     DriedTotals fixed;            ///< all paint in and below `ground`
     std::int64_t evaporated = 0;  ///< thickness that left the film as vapour, summed over all cells

@@ -4,6 +4,7 @@
 #include "document/canvas.hpp"
 #include "io/hand_aids_json.hpp"
 #include "io/json_place.hpp"
+#include "io/paint_json.hpp"
 #include "io/recording_json.hpp"
 #include "io/stroke_ticks.hpp"
 
@@ -29,21 +30,6 @@ document::CanvasSettings read_canvas(const JsonPlace& place) {
     canvas.support_relief_mm = place.number_or("support_relief_mm", 0.0);
     place.guard([&] { document::check_canvas(canvas); });
     return canvas;
-}
-
-document::Ingredient read_ingredient(const JsonPlace& place) {
-    if (place.size() != 2) place.fail("expected a pigment and its parts, for example [\"PB29\", 1].");
-    return {place.element(0).text(), place.element(1).number()};
-}
-
-document::PaintRecipe read_paint(const JsonPlace& place) {
-    place.allow_only({"mix", "strength"});
-    document::PaintRecipe paint;
-    const JsonPlace mix = place.entry("mix");
-    for (std::size_t i = 0; i < mix.size(); ++i)
-        paint.ingredients.push_back(read_ingredient(mix.element(i)));
-    paint.strength = place.number_or("strength", 1.0);
-    return paint;
 }
 
 /// A preset's name, or all of it.

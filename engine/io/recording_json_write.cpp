@@ -1,6 +1,7 @@
 #include "core/text_file.hpp"
 #include "io/hand_aids_json.hpp"
 #include "io/json_place.hpp"
+#include "io/paint_json.hpp"
 #include "io/recording_json.hpp"
 #include "io/stroke_ticks.hpp"
 
@@ -15,16 +16,6 @@ using document::Event;
 
 std::string one_line(const Json& value) {
     return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-Json paint_json(const document::PaintRecipe& paint) {
-    Json mix = Json::array();
-    for (const document::Ingredient& ingredient : paint.ingredients) {
-        mix.push_back(Json::array({ingredient.pigment, ingredient.parts}));
-    }
-    Json json{{"mix", std::move(mix)}};
-    if (paint.strength != 1.0) json["strength"] = paint.strength;
-    return json;
 }
 
 Json load_json(const document::LoadPaint& load) {

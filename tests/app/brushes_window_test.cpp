@@ -2,6 +2,7 @@
 #include "app/window_fixture.hpp"
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
+#include "document/action_checks.hpp"
 #include "panels/brush_list.hpp"
 #include "panels/curve_editor.hpp"
 #include "panels/load_bar.hpp"
@@ -16,11 +17,13 @@
 #include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStatusBar>
 #include <QTest>
 #include <QTimer>
+#include <QToolButton>
 #include <gmock/gmock.h>
 
 namespace pastoso::tests {
@@ -137,6 +140,21 @@ class CurvesWindow : public BrushesWindow {
         QApplication::sendEvent(&editor(), &event);
         QTest::mouseRelease(&editor(), Qt::LeftButton, {}, to.toPoint());
     }
+    /// The entry of a submenu, as it is when the menu opens.
+    static QAction* addable(QMenu& menu, const QString& input, const QString& target) {
+        Q_EMIT menu.aboutToShow();
+        for (QAction* entry : menu.actions()) {
+            if (entry->text() != input) continue;
+            for (QAction* action : entry->menu()->actions())
+                if (action->text() == target) return action;
+        }
+        return nullptr;
+    }
+    static void add_curve(QMenu& menu, const QString& input, const QString& target) {
+        QAction* action = addable(menu, input, target);
+        ASSERT_NE(action, nullptr);
+        action->trigger();
+    }
 };
 
 TEST_F(CurvesWindow, AChangedCurveIsPaintedWithFromTheNextStrokeOnAndRecorded) {
@@ -159,7 +177,7 @@ TEST_F(CurvesWindow, AChangedCurveIsPaintedWithFromTheNextStrokeOnAndRecorded) {
 }
 
 TEST_F(CurvesWindow, ResetReturnsToTheBundledBrush) {
-    auto* reset = window().findChild<QPushButton*>(QStringLiteral("curve_reset"));
+    auto* reset = window().findChild<QToolButton*>(QStringLiteral("curve_reset"));
     EXPECT_FALSE(reset->isEnabled());
     drag(editor().position_of({0.3, 0.22}), editor().position_of({0.5, 0.9}));
     EXPECT_TRUE(reset->isEnabled());
@@ -204,6 +222,44 @@ TEST_F(CurvesWindow, TheReadingTellsTheCurvesValue) {
     EXPECT_EQ(editor().points(), brush::find_preset("flat").dynamics[3].points);
     // Half of the frame's 500 mm/s, on the line from (0, 1) to (400, 0.6).
     EXPECT_EQ(reading->text().toStdString(), "250 mm/s → × 0.75");
+}
+
+TEST_F(CurvesWindow, ACurveIsAddedBentAndPaintedWith) {
+    auto& menu = *window().findChild<QMenu*>(QStringLiteral("curve_addable"));
+    auto& which = *window().findChild<QComboBox*>(QStringLiteral("curve_choice"));
+    const int before = which.count();
+    add_curve(menu, QStringLiteral("Speed"), QStringLiteral("film that it leaves"));
+    ASSERT_EQ(which.count(), before + 1);
+    EXPECT_EQ(which.currentText(), QStringLiteral("Speed: film that it leaves"));
+    drag(editor().position_of({500.0, 1.0}), editor().position_of({500.0, 0.2}));
+    stroke();
+    const auto preset = document::preset_of(last_taken());
+    ASSERT_EQ(preset.dynamics.size(), static_cast<std::size_t>(before) + 1);
+    EXPECT_EQ(preset.dynamics.back().target, brush::DynamicsTarget::Film);
+    EXPECT_NEAR(preset.dynamics.back().points.back().output, 0.2, 0.02);  // a pixel of the editor
+    EXPECT_TRUE(session().take_errors().empty());
+    EXPECT_FALSE(
+        addable(menu, QStringLiteral("Speed"), QStringLiteral("film that it leaves"))->isEnabled());
+}
+
+TEST_F(CurvesWindow, ARemovedCurveIsGoneAndComesBackAsItWasKept) {
+    auto& menu = *window().findChild<QMenu*>(QStringLiteral("curve_addable"));
+    auto& which = *window().findChild<QComboBox*>(QStringLiteral("curve_choice"));
+    auto& remove = *window().findChild<QToolButton*>(QStringLiteral("curve_remove"));
+    const auto kept = tools::preset_in_hand(hand()).dynamics;
+    ASSERT_EQ(kept[0].target, brush::DynamicsTarget::Press);
+    which.setCurrentIndex(0);
+    remove.click();
+    EXPECT_EQ(tools::preset_in_hand(hand()).dynamics.size(), kept.size() - 1);
+    while (remove.isEnabled())
+        remove.click();
+    EXPECT_EQ(which.count(), 0);
+    stroke();
+    EXPECT_TRUE(document::preset_of(last_taken()).dynamics.empty());
+    EXPECT_GT(volume_mm3(), 0.0);
+    add_curve(menu, QStringLiteral("Pressure"), QStringLiteral("how far it is pressed"));
+    EXPECT_EQ(editor().points(), kept[0].points);
+    EXPECT_TRUE(session().take_errors().empty());
 }
 
 // ---- the painter's own

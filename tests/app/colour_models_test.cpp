@@ -49,5 +49,18 @@ TEST(ColourModels, WhatLiesOutsideIsBroughtIn) {
     EXPECT_GT(colour[1], colour[2]);
 }
 
+TEST(MostChroma, EndsWhereSrgbEnds) {
+    // Ottosson's red, a corner of sRGB.
+    const Channels red = channels_from(ColourModel::Oklch, {255, 0, 0});
+    EXPECT_NEAR(most_chroma(red[0], red[2]), red[1], 5e-4);
+    EXPECT_EQ(most_chroma(0.0, 30.0), 0.0);
+    EXPECT_LT(most_chroma(100.0, 30.0), 5e-4);
+    for (double hue_deg = 0.0; hue_deg < 360.0; hue_deg += 15.0) {
+        const double most = most_chroma(65.0, hue_deg);
+        EXPECT_TRUE(in_srgb({65.0, most, hue_deg})) << hue_deg;
+        EXPECT_FALSE(in_srgb({65.0, most + 2e-3, hue_deg})) << hue_deg;
+    }
+}
+
 }  // namespace
 }  // namespace pastoso::tools

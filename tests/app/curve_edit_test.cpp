@@ -1,5 +1,7 @@
 #include "tools/curve_edit.hpp"
 
+#include "brush/hand_pose.hpp"
+
 #include <gtest/gtest.h>
 
 namespace pastoso::tools {
@@ -53,6 +55,60 @@ TEST(CurvePoints, TheLastOneStays) {
     EXPECT_EQ(points, (CurvePoints{{1, 1}}));
     remove_point(points, 0);
     EXPECT_EQ(points.size(), 1U);
+}
+
+// ---- adding curves
+
+using brush::ToolKind;
+
+/// What the curves of a tool make of the hand.
+brush::HandPose pose_of(const Curves& curves, const brush::PenSample& pen, double speed_mm_s) {
+    brush::PathStep step{};
+    step.pen = pen;
+    step.speed_mm_s = speed_mm_s;
+    return brush::hand_pose(curves, step);
+}
+
+TEST(AddedCurves, ChangeNothingUntilTheyAreBent) {
+    const std::vector<Curves> tools = {
+        {}, {{DynamicsInput::Pressure, DynamicsTarget::Press, {{0, 0}, {0.3, 0.22}, {1, 1}}}}};
+    for (const Curves& before : tools) {
+        for (const auto input : {DynamicsInput::Pressure, DynamicsInput::Tilt,
+                                 DynamicsInput::BarrelRotation, DynamicsInput::Speed}) {
+            for (const auto target :
+                 {DynamicsTarget::Press, DynamicsTarget::Lean, DynamicsTarget::Rotation,
+                  DynamicsTarget::Film, DynamicsTarget::Pickup, DynamicsTarget::Spread}) {
+                if (!brush::can_set(input, target)) continue;
+                Curves after = before;
+                const int added = add_curve(after, input, target);
+                EXPECT_EQ(after[static_cast<std::size_t>(added)].input, input);
+                EXPECT_EQ(after[static_cast<std::size_t>(added)].target, target);
+                const brush::PenSample pen{.pressure = 0.4, .tilt_x_deg = 15.0, .rotation_deg = 70.0};
+                const brush::HandPose was = pose_of(before, pen, 90.0), is = pose_of(after, pen, 90.0);
+                EXPECT_NEAR(is.press, was.press, 1e-12);
+                EXPECT_NEAR(is.lean_x, was.lean_x, 5e-3);  // the tangent, to two digits
+                EXPECT_NEAR(is.cos_rotation, was.cos_rotation, 1e-12);
+                EXPECT_EQ(is.film, was.film);
+                EXPECT_EQ(is.pickup, was.pickup);
+                EXPECT_EQ(is.spread, was.spread);
+            }
+        }
+    }
+}
+
+TEST(AddedCurves, LeaveThePressureItsSay) {
+    Curves curves;
+    EXPECT_EQ(add_curve(curves, DynamicsInput::Speed, DynamicsTarget::Press), 1);
+    EXPECT_EQ(find_curve(curves, DynamicsInput::Pressure, DynamicsTarget::Press), 0);
+    EXPECT_EQ(find_curve(curves, DynamicsInput::Tilt, DynamicsTarget::Press), -1);
+}
+
+TEST(AddedCurves, AreThoseThatTheToolFeels) {
+    EXPECT_TRUE(matters(DynamicsInput::Speed, DynamicsTarget::Film, ToolKind::Contact));
+    EXPECT_FALSE(matters(DynamicsInput::Speed, DynamicsTarget::Film, ToolKind::Air));
+    EXPECT_TRUE(matters(DynamicsInput::Speed, DynamicsTarget::Flow, ToolKind::Droplets));
+    EXPECT_FALSE(matters(DynamicsInput::Speed, DynamicsTarget::Flow, ToolKind::Contact));
+    EXPECT_FALSE(matters(DynamicsInput::Speed, DynamicsTarget::Lean, ToolKind::Contact));
 }
 
 }  // namespace

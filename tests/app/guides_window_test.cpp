@@ -5,6 +5,8 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QMouseEvent>
 #include <QSlider>
@@ -126,15 +128,31 @@ TEST_F(Guides, TheRulerKeepsStrokesParallelToTheLast) {
     EXPECT_FALSE(window().easel().hand().ruler.has_value());
 }
 
-TEST_F(Guides, TheSliderSteadiesTheHand) {
-    auto* slider = window().findChild<QSlider*>(QStringLiteral("smoothing"));
-    ASSERT_NE(slider, nullptr);
-    slider->setValue(slider->maximum() / 2);
-    const brush::Stabiliser wanted{200.0, 0.0};
-    EXPECT_EQ(window().easel().hand().stabiliser, wanted);
-    session().wait_until_applied();
-    const auto events = session().recording().events;
-    EXPECT_EQ(std::get<document::SetStabiliser>(events.back().action).stabiliser, wanted);
+TEST_F(Guides, TheHandIsSteadiedByTimeOrByAString) {
+    auto& mode = *window().findChild<QComboBox*>(QStringLiteral("steady_mode"));
+    auto& strength = *window().findChild<QSlider*>(QStringLiteral("steady_strength"));
+    const auto choose = [&](int index) {
+        mode.setCurrentIndex(index);
+        Q_EMIT mode.activated(index);
+    };
+    const auto steadied = [&] {
+        session().wait_until_applied();
+        const auto events = session().recording().events;
+        return std::get<document::SetStabiliser>(events.back().action).stabiliser;
+    };
+    EXPECT_FALSE(strength.isEnabled());
+    choose(1);
+    strength.setValue(strength.maximum() / 2);
+    EXPECT_EQ(steadied(), (brush::Stabiliser{200.0, 0.0}));
+    choose(2);
+    strength.setValue(strength.maximum());
+    EXPECT_EQ(steadied(), (brush::Stabiliser{0.0, 20.0}));
+    choose(0);
+    EXPECT_EQ(steadied(), brush::Stabiliser{});
+    EXPECT_FALSE(strength.isEnabled());
+    choose(1);
+    EXPECT_EQ(steadied(), (brush::Stabiliser{200.0, 0.0})) << "each mode keeps its strength";
+    EXPECT_EQ(window().easel().hand().stabiliser, steadied());
     EXPECT_TRUE(session().take_errors().empty());
 }
 

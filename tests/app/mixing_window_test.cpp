@@ -3,6 +3,7 @@
 #include "app/window_fixture.hpp"
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
+#include "panels/colour_wheel.hpp"
 #include "pigment/hex_colour.hpp"
 
 #include <QAction>
@@ -201,6 +202,173 @@ TEST_F(MixingWindow, APaletteGivesItsColoursAndABadOneIsTold) {
     EXPECT_THAT(told(), HasSubstr("bad.gpl, line 3"));
     EXPECT_TRUE(patches[1]->isVisible());
     EXPECT_EQ(paint()[0].pigment, "#c8963c");
+}
+
+// ---- the eyedropper
+
+class Eyedropper : public MixingWindow {
+  protected:
+    void SetUp() override {
+        MixingWindow::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        window().easel().choose_paint({{{"PB29", 62.0}, {"PW6", 38.0}}, 1.0});
+        for (int i = 0; i < 2; ++i)
+            mouse_stroke(line_mm({15.0, 20.0}, {45.0, 20.0}));
+        window().easel().choose_paint({{{"PR108", 1.0}}, 1.0});
+        session().wait_until_applied();
+    }
+    double parts_of(const char* pigment) {
+        for (const document::Ingredient& part : paint())
+            if (part.pigment == pigment) return part.parts;
+        return 0.0;
+    }
+    /// Brush and film move whole quanta; half a percent of a mixture is more than they lose.
+    void expect_the_mixture() {
+        EXPECT_EQ(paint().size(), 2U);
+        EXPECT_NEAR(parts_of("PB29"), 62.0, 0.5);
+        EXPECT_NEAR(parts_of("PW6"), 38.0, 0.5);
+        EXPECT_EQ(dipped(), window().easel().hand().paint);
+        EXPECT_TRUE(session().take_errors().empty());
+    }
+};
+
+TEST_F(Eyedropper, ACtrlClickDipsTheBrushInTheMixtureThatLiesThere) {
+    click_canvas({30.0, 20.0}, Qt::ControlModifier);
+    expect_the_mixture();
+    EXPECT_EQ(told(), "Picked up wet paint: PB29 62 %, PW6 38 %");
+    EXPECT_THAT(recipe(), HasSubstr("PB29 62 %, PW6 38 %"));
+}
+
+TEST_F(Eyedropper, DryPaintGivesTheUppermostStratum) {
+    give(Command::DryNow);
+    session().wait_until_applied();
+    click_canvas({40.0, 20.0}, Qt::ControlModifier);
+    expect_the_mixture();
+    EXPECT_EQ(told(), "Picked up dry paint: PB29 62 %, PW6 38 %");
+}
+
+TEST_F(Eyedropper, AnAltClickTakesTheColourSeen) {
+    click_canvas({30.0, 20.0}, Qt::AltModifier);
+    ASSERT_EQ(paint().size(), 1U);
+    const auto seen = pigment::parse_hex_colour(paint()[0].pigment);
+    ASSERT_TRUE(seen.has_value());
+    EXPECT_GT((*seen)[2], (*seen)[0] + 40);
+    EXPECT_THAT(told(), HasSubstr("Picked the colour seen: #"));
+}
+
+TEST_F(Eyedropper, TheKeysChooseBetweenPaintAndColourForOneClick) {
+    give(Command::PickColour);
+    give(Command::PickPaint);
+    EXPECT_FALSE(window().commands().action(Command::PickColour)->isChecked());
+    click_canvas({30.0, 20.0}, {});
+    expect_the_mixture();
+    give(Command::PickColour);
+    click_canvas({30.0, 20.0}, {});
+    EXPECT_EQ(paint()[0].pigment.front(), '#');
+    EXPECT_FALSE(window().commands().action(Command::PickColour)->isChecked());
+}
+
+TEST_F(Eyedropper, OnBareCanvasThereIsOnlyAColour) {
+    click_canvas({30.0, 35.0}, Qt::ControlModifier);
+    EXPECT_EQ(paint()[0].pigment.front(), '#');
+}
+
+TEST_F(Eyedropper, PicksWhatWasMixedInTheWell) {
+    give(Command::MixingWell);
+    window().easel().choose_paint({{{"PY35", 70.0}, {"PW6", 30.0}}, 0.5});
+    window().easel().squeeze(60.0, 45.0);
+    window().easel().choose_paint({{{"PR108", 1.0}}, 1.0});
+    session().wait_until_applied();
+    wait_for([this] { return window().well().finished(); });
+    give(Command::PickPaint);
+    const QPoint place = window().well().widget_position({60.0, 45.0}).toPoint();
+    QTest::mouseClick(&window().well(), Qt::LeftButton, {}, place);
+    EXPECT_NEAR(parts_of("PY35"), 70.0, 0.5);
+    EXPECT_NEAR(parts_of("PW6"), 30.0, 0.5);
+    EXPECT_NEAR(window().easel().hand().paint.strength, 0.5, 0.011);
+    EXPECT_THAT(told(), HasSubstr("thinned to 50 %"));
+}
+
+// ---- the wheel
+
+class Wheel : public MixingWindow {
+  protected:
+    panels::ColourWheel& wheel() { return *window().findChild<panels::ColourWheel*>(); }
+    void drag(const QPointF& from, const QPointF& to, bool lets_go = true) {
+        QTest::mousePress(&wheel(), Qt::LeftButton, {}, from.toPoint());
+        QMouseEvent event(QEvent::MouseMove, to, wheel().mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                          {});
+        QApplication::sendEvent(&wheel(), &event);
+        if (lets_go) QTest::mouseRelease(&wheel(), Qt::LeftButton, {}, to.toPoint());
+    }
+};
+
+TEST_F(Wheel, TheRingSetsTheHueAndTheFieldTheRest) {
+    type(QStringLiteral("#a06040"));
+    drag(wheel().ring_position(120.0), wheel().ring_position(250.0));
+    EXPECT_NEAR(find<QDoubleSpinBox>("channel_2").value(), 250.0, 1.0);  // a pixel of the ring
+    drag(wheel().field_position(50.0, 0.05), wheel().field_position(60.0, 0.1));
+    EXPECT_NEAR(find<QDoubleSpinBox>("channel_0").value(), 60.0, 1.0);
+    EXPECT_NEAR(find<QDoubleSpinBox>("channel_1").value(), 0.1, 0.005);
+    ASSERT_EQ(paint().size(), 1U);
+    EXPECT_EQ(paint()[0].pigment, find<QLineEdit>("hex").text().toStdString());
+}
+
+TEST_F(Wheel, ADragPaintsOnceItIsLetGoAndEndsWhereSrgbEnds) {
+    type(QStringLiteral("#a06040"));
+    drag(wheel().field_position(60.0, 0.05), wheel().field_position(60.0, 0.4), false);
+    EXPECT_EQ(paint()[0].pigment, "#a06040");
+    const auto oklch = wheel().oklch();
+    EXPECT_DOUBLE_EQ(oklch[1], tools::most_chroma(oklch[0], oklch[2]));
+    QTest::mouseRelease(&wheel(), Qt::LeftButton, {}, {});
+    EXPECT_NE(paint()[0].pigment, "#a06040");
+}
+
+TEST_F(Wheel, TheRingGivesChromaBackPastAHueThatHasLess) {
+    find<QLineEdit>("hex").setFocus();
+    type(QStringLiteral("#e03030"));
+    const double chroma = wheel().oklch()[1];
+    const double hue_deg = wheel().oklch()[2];
+    drag(wheel().ring_position(hue_deg), wheel().ring_position(200.0), false);
+    EXPECT_LT(wheel().oklch()[1], chroma - 0.05);
+    const QPointF back = wheel().ring_position(hue_deg);
+    QMouseEvent event(QEvent::MouseMove, back, wheel().mapToGlobal(back), Qt::NoButton, Qt::LeftButton,
+                      {});
+    QApplication::sendEvent(&wheel(), &event);
+    QTest::mouseRelease(&wheel(), Qt::LeftButton, {}, back.toPoint());
+    EXPECT_NEAR(wheel().oklch()[1], chroma, 0.01);
+}
+
+TEST_F(Wheel, KeysMoveTheColour) {
+    type(QStringLiteral("#806050"));
+    const tools::Channels before = wheel().oklch();
+    QTest::keyClick(&wheel(), Qt::Key_Up);
+    QTest::keyClick(&wheel(), Qt::Key_Right);
+    QTest::keyClick(&wheel(), Qt::Key_PageUp);
+    QTest::keyClick(&wheel(), Qt::Key_PageUp, Qt::ControlModifier);
+    EXPECT_NEAR(wheel().oklch()[0], before[0] + 2.0, 1e-9);
+    EXPECT_NEAR(wheel().oklch()[1], before[1] + 0.01, 1e-9);
+    EXPECT_NEAR(wheel().oklch()[2], before[2] + 6.0, 1e-9);
+    EXPECT_EQ(paint()[0].pigment, find<QLineEdit>("hex").text().toStdString());
+    QTest::keyClick(&wheel(), Qt::Key_Left, Qt::ControlModifier);
+    EXPECT_NEAR(wheel().oklch()[1], before[1] + 0.008, 1e-9);
+}
+
+TEST_F(Wheel, WhatIsSeenUnderThePointerIsWhatIsTaken) {
+    find<QToolButton>("model_oklch").click();
+    type(QStringLiteral("#3060c0"));
+    const QImage picture = wheel().grab().toImage();
+    const double ratio = picture.devicePixelRatio();
+    const QPoint place = wheel().field_position(70.0, 0.06).toPoint();
+    const QColor seen = picture.pixelColor(static_cast<int>((place.x() + 0.5) * ratio),
+                                           static_cast<int>((place.y() + 0.5) * ratio));
+    QTest::mouseClick(&wheel(), Qt::LeftButton, {}, place);
+    const auto taken = pigment::parse_hex_colour(paint()[0].pigment);
+    ASSERT_TRUE(taken.has_value());
+    // The click is at a pixel's corner, the colour at its middle: half a pixel of the field.
+    EXPECT_NEAR((*taken)[0], seen.red(), 3);
+    EXPECT_NEAR((*taken)[1], seen.green(), 3);
+    EXPECT_NEAR((*taken)[2], seen.blue(), 3);
 }
 
 }  // namespace

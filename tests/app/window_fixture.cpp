@@ -54,6 +54,20 @@ void WindowTest::SetUp() {
     }
     make_application();
     ASSERT_EQ(main::opengl_problem(), std::nullopt);
+    own_data_ = std::getenv("XDG_DATA_HOME") == nullptr;
+    if (own_data_) ::setenv("XDG_DATA_HOME", (home_.path() / "data").c_str(), 1);
+    ::setenv("XDG_CONFIG_HOME", (home_.path() / "config").c_str(), 1);
+    open_another();
+}
+
+void WindowTest::TearDown() {
+    window_.reset();
+    ::unsetenv("XDG_CONFIG_HOME");
+    if (own_data_) ::unsetenv("XDG_DATA_HOME");
+}
+
+void WindowTest::open_another() {
+    window_.reset();
     window_ = std::make_unique<main::MainWindow>(canvas_settings());
     window_->resize(1180, 640);
     window_->show();
@@ -61,8 +75,17 @@ void WindowTest::SetUp() {
     settle();
 }
 
-void WindowTest::TearDown() {
-    window_.reset();
+void WindowTest::start_again() {
+    window_->close();
+    open_another();
+}
+
+std::filesystem::path WindowTest::data_file(const char* name) const {
+    return std::filesystem::path(std::getenv("XDG_DATA_HOME")) / "pastoso" / name;
+}
+
+std::filesystem::path WindowTest::settings_file() const {
+    return home_.path() / "config" / "pastoso" / "settings.json";
 }
 
 document::CanvasSettings WindowTest::canvas_settings() const {

@@ -1,8 +1,10 @@
 // The real window on a small canvas, driven through the windowing system's own events.
 #pragma once
 
+#include "core/temporary_folder.hpp"
 #include "main/main_window.hpp"
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -51,7 +53,17 @@ class WindowTest : public ::testing::Test {
     view::CanvasView& canvas() { return window_->canvas(); }
     session::PaintSession& session() { return window_->session(); }
 
+    /// Closes the window as a painter does and opens another.
+    void start_again();
+    void open_another();
+
+    /// Where the window keeps what it remembers; a test that wants other data sets XDG_DATA_HOME first.
+    std::filesystem::path data_file(const char* name) const;
+    std::filesystem::path settings_file() const;
+
   private:
+    TemporaryFolder home_;
+    bool own_data_ = false;  ///< XDG_DATA_HOME is this fixture's
     std::unique_ptr<main::MainWindow> window_;
 };
 

@@ -8,17 +8,20 @@
 
 namespace {
 
+using pastoso::core::user_config_path;
 using pastoso::core::user_data_path;
 
-/// Both variables as they were, afterwards.
+/// The variables as they were, afterwards.
 class UserData : public testing::Test {
   protected:
     void SetUp() override {
         data_ = value_of("XDG_DATA_HOME");
+        config_ = value_of("XDG_CONFIG_HOME");
         home_ = value_of("HOME");
     }
     void TearDown() override {
         set("XDG_DATA_HOME", data_);
+        set("XDG_CONFIG_HOME", config_);
         set("HOME", home_);
     }
     static std::optional<std::string> value_of(const char* variable) {
@@ -33,7 +36,7 @@ class UserData : public testing::Test {
     }
 
   private:
-    std::optional<std::string> data_, home_;
+    std::optional<std::string> data_, config_, home_;
 };
 
 TEST_F(UserData, LiesWhereTheDesktopSays) {
@@ -54,6 +57,14 @@ TEST_F(UserData, IsNowhereWithoutAHome) {
     set("HOME", std::nullopt);
     set("XDG_DATA_HOME", "");
     EXPECT_TRUE(user_data_path("pigments").empty());
+}
+
+TEST_F(UserData, SettingsHaveAFolderOfTheirOwn) {
+    set("XDG_CONFIG_HOME", "/config");
+    EXPECT_EQ(user_config_path("settings.json"), "/config/pastoso/settings.json");
+    set("XDG_CONFIG_HOME", std::nullopt);
+    set("HOME", "/home/painter");
+    EXPECT_EQ(user_config_path("settings.json"), "/home/painter/.config/pastoso/settings.json");
 }
 
 }  // namespace

@@ -91,8 +91,11 @@ struct Below {
     std::int32_t soluble_thickness = 0;
     PigmentCell soluble_pigment{};
     pigment::Bands ground = kWhiteGround;
+    PigmentMixture uppermost{};
     DriedTotals fixed;
-    StrataCell cell() { return {support_mm, soluble_thickness, soluble_pigment, ground, fixed}; }
+    StrataCell cell() {
+        return {support_mm, soluble_thickness, soluble_pigment, ground, uppermost, fixed};
+    }
 };
 
 TEST(BecomeStratum, SolidsBecomeSupportAndPigmentGround) {

@@ -1,0 +1,32 @@
+// The eyedropper: the paint that lies at a place, as the tubes that it was mixed of.
+#pragma once
+
+#include "document/events.hpp"
+#include "film/paint_sample.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace pastoso::tools {
+
+/// What of a place is picked.
+enum class Pick {
+    Paint,  ///< the mixture that lies there
+    Seen    ///< the colour that it has to the eye
+};
+
+struct PickedPaint {
+    document::PaintRecipe recipe;
+    film::PaintLayer layer = film::PaintLayer::Bare;  ///< that it came from, wet or dry
+};
+
+/// The paint within half a millimetre, mixed of some of the paints named. Nothing where none lies, and
+/// where they do not mix to it.
+std::optional<PickedPaint> paint_at(const film::FilmState& film, std::span<const std::string> names,
+                                    double x_mm, double y_mm);
+
+/// "PB29 62 %, PW6 38 %", "PB29" alone, and ", thinned to 40 %" behind it where there is medium in it.
+std::string pigment_shares(const document::PaintRecipe& paint);
+
+}  // namespace pastoso::tools

@@ -1,0 +1,27 @@
+// How the painter likes the window and the pen: kept between two starts.
+#pragma once
+
+#include "tools/steadying.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace pastoso::tools {
+
+struct Settings {
+    Steadying steadying;
+    bool reload_each_stroke = true;
+    bool turn_with_stroke = true;
+    std::string window_place;  ///< as Qt writes it, in base 64; empty: nothing is known
+    std::string panels;        ///< the same: which stand where, how large, and which are open
+    friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+/// The settings at first where there is no such file. Throws InputError that names the file, the place
+/// in it and the value for anything malformed or out of range.
+Settings read_settings(const std::filesystem::path& file);
+
+/// Written aside, its folder made where there is none. Throws InputError where that cannot be written.
+void write_settings(const Settings& settings, const std::filesystem::path& file);
+
+}  // namespace pastoso::tools

@@ -1,0 +1,35 @@
+#include "io/paint_json.hpp"
+
+#include <utility>
+
+namespace pastoso::io {
+namespace {
+
+document::Ingredient read_ingredient(const JsonPlace& place) {
+    if (place.size() != 2) place.fail("expected a pigment and its parts, for example [\"PB29\", 1].");
+    return {place.element(0).text(), place.element(1).number()};
+}
+
+}  // namespace
+
+Json paint_json(const document::PaintRecipe& paint) {
+    Json mix = Json::array();
+    for (const document::Ingredient& ingredient : paint.ingredients) {
+        mix.push_back(Json::array({ingredient.pigment, ingredient.parts}));
+    }
+    Json json{{"mix", std::move(mix)}};
+    if (paint.strength != 1.0) json["strength"] = paint.strength;
+    return json;
+}
+
+document::PaintRecipe read_paint(const JsonPlace& place) {
+    place.allow_only({"mix", "strength"});
+    document::PaintRecipe paint;
+    const JsonPlace mix = place.entry("mix");
+    for (std::size_t i = 0; i < mix.size(); ++i)
+        paint.ingredients.push_back(read_ingredient(mix.element(i)));
+    paint.strength = place.number_or("strength", 1.0);
+    return paint;
+}
+
+}  // namespace pastoso::io
