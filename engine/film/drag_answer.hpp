@@ -6,6 +6,9 @@
 #include "film/lane_groups.hpp"
 #include "film/large_tile.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace pastoso::film::PASTOSO_ISA {
 namespace {
 
@@ -48,6 +51,10 @@ float answer_row(const StepConstants& step, const float* pressure, int along, in
     const Lanes zero(0.0F), courant(step.dt_s * step.inverse_cell);
     const Lanes cells(step.dt_s * step.inverse_cell * step.inverse_cell);
     Lanes worst(0.0F);
+    // The last group overlaps the one before it, where the row's mobility has been replaced.
+    alignas(64) std::array<float, kFaceStride> last_mobility;
+    if constexpr (kCompare)
+        std::copy_n(&faces.mobility[face_index(-1, y)], kFaceStride, last_mobility.data());
     for_each_lane_group(first_x, grid::kTileSize, [&](int x) {
         const int f = face_index(x, y);
         const Lanes push = courant * (load(pressure + x + along) - load(pressure + x));
@@ -64,8 +71,9 @@ float answer_row(const StepConstants& step, const float* pressure, int along, in
                                 (lanes::abs(flux) + Lanes(kTraceFlux));
             worst = lanes::max(worst, lanes::select(implicit, error, zero));
             // The depth may be another one than the last answer's.
-            const Lanes last_slope =
-                lanes::min(Lanes(1.0F), Lanes(mobility / (courant * courant * depth + Lanes(1e-30F))));
+            const Lanes last_slope = lanes::min(
+                Lanes(1.0F),
+                Lanes(load(&last_mobility[x + 1]) / (courant * courant * depth + Lanes(1e-30F))));
             answer.slope = lanes::max(answer.slope, Lanes(Lanes(kKeptSlope) * last_slope));
         }
         const Lanes tangent = answer.flow - answer.slope * (velocity - driven);
