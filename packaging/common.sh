@@ -40,7 +40,7 @@ build_preset() {
 # server ends with the script.
 start_virtual_display() {
     display_folder="$(mktemp -d)"
-    Xvfb -displayfd 3 -screen 0 1600x1200x24 -nolisten tcp \
+    Xvfb -displayfd 3 -screen 0 1600x1200x24 -noreset -nolisten tcp \
         3>"$display_folder/number" >"$display_folder/log" 2>&1 &
     display_server=$!
     trap stop_virtual_display EXIT
