@@ -46,6 +46,11 @@ float tolerance_of(const LargeTile& tile) {
     return tile.light ? kLightTolerance : kTolerance;
 }
 
+/// Whether the sweep that found a tile's error has brought it below what is allowed.
+bool is_close(const LargeTile& tile) {
+    return tile.error * kSweepGain <= tolerance_of(tile);
+}
+
 /// Notes that the equations of a tile have changed.
 void revise(LargeTile& tile) {
     tile.residual = std::numeric_limits<float>::max();
@@ -200,6 +205,7 @@ struct LargeStepper::Pass {
     void solve_yielding(LargeStepReport& report);
     bool is_revised_around(const TilePlace& place) const;
     float largest_error() const;
+    bool has_rough_cover(const TilePlace& place) const;
     std::vector<PatchCover> patch_covers(const TilePlace& place) const;
     float sweep(bool first);
     void solve(bool from_rest, LargeStepReport& report);
@@ -338,6 +344,16 @@ std::vector<PatchCover> LargeStepper::Pass::patch_covers(const TilePlace& place)
     return covers;
 }
 
+/// Whether a correction that reaches a tile is too large to be trusted without another look.
+bool LargeStepper::Pass::has_rough_cover(const TilePlace& place) const {
+    for (const WindowRun& row : rows(place).covers)
+        for (const WindowRun& column : columns(place).covers)
+            if (const LargeTile* tile = partner(column.tile, row.tile);
+                tile && tile->corrected && !is_close(*tile))
+                return true;
+    return false;
+}
+
 /// Solves every tile's patch once, with the pressure that its neighbours had before; after the first
 /// sweep only where there is an error left. Returns the largest relative error found on the way in. The
 /// error of a smooth wave looks small to a cell, so that the first sweep is never spared.
@@ -366,21 +382,20 @@ float LargeStepper::Pass::sweep(bool first) {
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch&, WorkerScratch&) {
         const std::vector<PatchCover> covers = patch_covers(places[index]);
         kernels.blend(covers.data(), static_cast<int>(covers.size()), tile.pressure);
-        tile.revised = !covers.empty();
+        tile.revised = has_rough_cover(places[index]);
     });
     return largest_error();
 }
 
 /// Sweeps until the error is small; `from_rest` when no pressure of this step is known yet.
 void LargeStepper::Pass::solve(bool from_rest, LargeStepReport& report) {
-    const auto is_close = [this](const TilePlace& place) {
-        const LargeTile& tile = *stepper.tiles_[place.tile];
-        return tile.error * kSweepGain <= tolerance_of(tile);
+    const auto is_done = [this](const TilePlace& place) {
+        return is_close(*stepper.tiles_[place.tile]);
     };
     for (int count = 0; count < kMostSweeps; ++count) {
         report.residual = sweep(from_rest && count == 0);
         ++report.sweeps;
-        if (std::all_of(places.begin(), places.end(), is_close)) return;
+        if (std::all_of(places.begin(), places.end(), is_done)) return;
     }
 }
 
