@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 
@@ -36,6 +37,18 @@ void flush_to_disk(const std::filesystem::path& temporary, const std::filesystem
     const bool flushed = file >= 0 && ::fsync(file) == 0;
     if (file >= 0) ::close(file);
     if (!flushed) throw InputError(path.string() + ": cannot be written (" + std::strerror(errno) + ").");
+}
+
+/// Takes the place of what stood there, and makes sure that the folder keeps it. Where a folder cannot be flushed
+/// (some network drives), the file stands there nevertheless.
+void move_into_place(const std::filesystem::path& temporary, const std::filesystem::path& path) {
+    if (::rename(temporary.c_str(), path.c_str()) != 0)
+        throw InputError(path.string() + ": cannot be written (" + std::strerror(errno) + ").");
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (file < 0) return;
+    ::fsync(file);
+    ::close(file);
 }
 
 }  // namespace
@@ -74,7 +87,7 @@ void write_aside(const std::filesystem::path& path,
     try {
         write(temporary);
         flush_to_disk(temporary, path);
-        std::filesystem::rename(temporary, path);
+        move_into_place(temporary, path);
     } catch (...) {
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);

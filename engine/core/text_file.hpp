@@ -17,8 +17,8 @@ std::string read_text_file(const std::filesystem::path& path, std::size_t max_by
 /// such folder.
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder, std::string_view extension);
 
-/// Calls `write(temporary_path)`, then renames the temporary file to `path`: readers see the old file or the
-/// whole new one. If `write` throws, the temporary file is removed and `path` is as it was. Throws InputError
+/// Calls `write(temporary_path)`, then flushes the temporary file to the disk, renames it to `path` and flushes
+/// the folder: readers see the old file or the whole new one, after a power cut too. If `write` throws, the temporary file is removed and `path` is as it was. Throws InputError
 /// when the folder does not exist or is not writable. The temporary name keeps the extension of `path`.
 void write_aside(const std::filesystem::path& path,
                  const std::function<void(const std::filesystem::path& temporary)>& write);
