@@ -9,8 +9,10 @@
 #include "document/canvas.hpp"
 #include "document/history.hpp"
 #include "document/paint_mixing.hpp"
+#include "document/painting_state.hpp"
 #include "document/well.hpp"
 #include "film/ageing.hpp"
+#include "film/solver_memory.hpp"
 #include "film/support.hpp"
 
 #include <algorithm>
@@ -58,6 +60,23 @@ Account::Amount dried_amount(const film::Strata& strata, double cell_mm) {
     return amount;
 }
 
+std::uint64_t hash_of(const film::FilmState& canvas, const film::FilmState* well) {
+    const std::uint64_t alone = film::state_hash(canvas);
+    if (well == nullptr) return alone;
+    core::Hash64 both;
+    both.add_value(alone);
+    both.add_value(film::state_hash(*well));
+    return both.value();
+}
+
+brush::Brush brush_of(const BrushState& state) {
+    brush::Brush brush(preset_of(state.taken), state.taken.size_mm, state.taken.seed);
+    PASTOSO_CHECK_OP(brush.held.size(), ==, state.held.size());
+    brush.held = state.held;
+    brush.strokes_begun = state.strokes_begun;
+    return brush;
+}
+
 film::Totals difference(film::Totals a, const film::Totals& b) {
     a.thickness -= b.thickness;
     for (int k = 0; k < film::kPaintChannels; ++k)
@@ -98,9 +117,61 @@ struct Painting::Parts {
         : settings(canvas),
           pool(threads),
           film(bare_canvas(canvas, std::move(support_mm))),
+          bare_support_mm(film.support_mm),
           medium(film::find_medium(kFirstMedium)),
           solver(film, medium, {.longest_wait_s = kLongestWait_s}, threads) {
         solver.set_gravity(film::tilted_gravity(0.0));
+    }
+
+    /// The solvers' memories come last: whatever else is set wakes paint.
+    Parts(const PaintingState& state, core::ThreadPool& threads)
+        : settings(state.settings),
+          pool(threads),
+          film(state.canvas.film),
+          bare_support_mm(state.bare_support_mm),
+          medium(film::find_medium(state.medium)),
+          solver(film, medium, {.longest_wait_s = kLongestWait_s}, threads),
+          tilt(state.tilt),
+          air(state.air),
+          aids(state.aids),
+          symmetry(state.symmetry),
+          taken(state.taken),
+          wiped(state.wiped),
+          forgotten_run_off(state.forgotten_run_off),
+          tick(state.tick) {
+        PASTOSO_CHECK(film.shape == canvas_shape(settings));
+        ageing.restore(state.ageing);
+        if (state.brush) {
+            brush = brush_of(*state.brush);
+            taken_brush = state.brush->taken;
+        }
+        solver.set_gravity(film::tilted_gravity(tilt.tilt_deg, tilt.direction_deg));
+        solver.restore(state.canvas.solver);
+        if (!state.well) return;
+        well = std::make_unique<Well>(medium, pool);
+        PASTOSO_CHECK(well->film.shape == state.well->film.shape);
+        well->film = state.well->film;
+        well->solver.restore(state.well->solver);
+    }
+
+    PaintingState state() const {
+        PASTOSO_CHECK(!stroke);
+        PaintingState state{.settings = settings,
+                            .tick = tick,
+                            .canvas = {film, solver.memory()},
+                            .bare_support_mm = bare_support_mm,
+                            .medium = medium.name,
+                            .tilt = tilt,
+                            .air = air,
+                            .ageing = ageing.pending(),
+                            .aids = aids,
+                            .symmetry = symmetry,
+                            .taken = taken,
+                            .wiped = wiped,
+                            .forgotten_run_off = forgotten_run_off};
+        if (well) state.well = SurfaceState{well->film, well->solver.memory()};
+        if (brush) state.brush = BrushState{taken_brush, brush->held, brush->strokes_begun};
+        return state;
     }
 
     void operator()(const TakeBrush& take) {
@@ -108,6 +179,7 @@ struct Painting::Parts {
         end_stroke();
         wipe_brush();
         brush = std::move(fresh);
+        taken_brush = take;
     }
 
     void operator()(const LoadPaint& load) {
@@ -139,7 +211,8 @@ struct Painting::Parts {
         solver.set_medium(medium);
         if (well) well->solver.set_medium(medium);
     }
-    void operator()(const TiltCanvas& tilt) {
+    void operator()(const TiltCanvas& wanted) {
+        tilt = wanted;
         solver.set_gravity(film::tilted_gravity(tilt.tilt_deg, tilt.direction_deg));
     }
 
@@ -316,12 +389,15 @@ struct Painting::Parts {
     CanvasSettings settings;
     core::ThreadPool& pool;
     film::FilmState film;
-    film::Medium medium;  ///< in hand: what the next load is mixed with
+    grid::TiledField<float> bare_support_mm;  ///< as it was made; shares its tiles with the film
+    film::Medium medium;                      ///< in hand: what the next load is mixed with
     film::Solver solver;
     std::unique_ptr<Well> well;  ///< none until something touches it
+    TiltCanvas tilt;
     film::DryingAir air;
     film::AgeingClock ageing;
     std::optional<brush::Brush> brush;
+    TakeBrush taken_brush;  ///< which one is in hand
     brush::HandAids aids;
     brush::Symmetry symmetry;
     std::optional<brush::StrokeGroup> stroke;
@@ -344,6 +420,9 @@ Painting::Painting(const CanvasSettings& settings, core::ThreadPool& pool)
 Painting::Painting(const CanvasSettings& settings, grid::TiledField<float> support_mm,
                    core::ThreadPool& pool)
     : parts_(std::make_unique<Parts>(settings, std::move(support_mm), pool)) {}
+
+Painting::Painting(const PaintingState& state, core::ThreadPool& pool)
+    : parts_(std::make_unique<Parts>(state, pool)) {}
 
 Painting::~Painting() = default;
 
@@ -415,13 +494,15 @@ StageTimes Painting::stage_times() const {
 film::AdvanceReport Painting::film_report() const {
     return parts_->film_report;
 }
+PaintingState Painting::state() const {
+    return parts_->state();
+}
 std::uint64_t Painting::state_hash() const {
-    const std::uint64_t canvas = film::state_hash(parts_->film);
-    if (!parts_->well) return canvas;
-    core::Hash64 both;
-    both.add_value(canvas);
-    both.add_value(film::state_hash(parts_->well->film));
-    return both.value();
+    return hash_of(parts_->film, well());
+}
+
+std::uint64_t state_hash(const PaintingState& state) {
+    return hash_of(state.canvas.film, state.well ? &state.well->film : nullptr);
 }
 
 }  // namespace pastoso::document

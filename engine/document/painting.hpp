@@ -54,6 +54,8 @@ struct StageTimes {
     double film_s = 0.0;
 };
 
+struct PaintingState;
+
 /// Single-threaded to the outside: one thread owns it and calls everything but what a Snapshot holds.
 class Painting {
   public:
@@ -63,6 +65,11 @@ class Painting {
 
     /// The same on a support that is given, of the shape canvas_shape(settings).
     Painting(const CanvasSettings& settings, grid::TiledField<float> support_mm, core::ThreadPool& pool);
+
+    /// Goes on from such a state: the same actions and ticks give the same bits as in the painting that
+    /// it was taken of. Undo has nothing to return to. The shapes are those of the settings and of the
+    /// well, and what the brush holds are as many contents as it has bristles.
+    Painting(const PaintingState& state, core::ThreadPool& pool);
     ~Painting();
 
     /// Applies an event at once. Throws InputError for an unknown brush, pigment or medium, for values
@@ -91,6 +98,7 @@ class Painting {
     const film::FilmState& film() const;
     const film::FilmState* well() const;  ///< the mixing well's; null while nothing has touched it
     Snapshot snapshot() const;
+    PaintingState state() const;  ///< no stroke is in progress
     bool can_undo() const;
     bool can_redo() const;
     bool stroke_in_progress() const;

@@ -18,14 +18,15 @@ constexpr double kDissolvingInterval_s = 0.99;
 
 void AgeingClock::tick(double tick_s, const DryingAir& air, const pigment::Bands& bare_ground,
                        FilmState& state, core::ThreadPool& pool) {
-    drying_s_ += air.speed * tick_s;
-    ++drying_ticks_;
-    if (drying_s_ >= kDryingInterval_s && drying_ticks_ >= kDryingIntervalTicks) {
-        dry(state, air, std::exchange(drying_s_, 0.0), bare_ground, pool);
-        drying_ticks_ = 0;
+    pending_.drying_s += air.speed * tick_s;
+    ++pending_.drying_ticks;
+    if (pending_.drying_s >= kDryingInterval_s && pending_.drying_ticks >= kDryingIntervalTicks) {
+        dry(state, air, std::exchange(pending_.drying_s, 0.0), bare_ground, pool);
+        pending_.drying_ticks = 0;
     }
-    dissolving_s_ += tick_s;
-    if (dissolving_s_ >= kDissolvingInterval_s) dissolve(state, std::exchange(dissolving_s_, 0.0), pool);
+    pending_.dissolving_s += tick_s;
+    if (pending_.dissolving_s >= kDissolvingInterval_s)
+        dissolve(state, std::exchange(pending_.dissolving_s, 0.0), pool);
 }
 
 }  // namespace pastoso::film

@@ -10,14 +10,23 @@ namespace pastoso::film {
 /// dissolving every second. In between, a canvas costs nothing.
 class AgeingClock {
   public:
+    /// What has come together and is not carried out yet.
+    struct Pending {
+        double drying_s = 0.0;  ///< at the air's speed
+        int drying_ticks = 0;
+        double dissolving_s = 0.0;
+        friend bool operator==(const Pending&, const Pending&) = default;
+    };
+
     /// Lets a tick of paint time pass.
     void tick(double tick_s, const DryingAir& air, const pigment::Bands& bare_ground, FilmState& state,
               core::ThreadPool& pool);
 
+    const Pending& pending() const { return pending_; }
+    void restore(const Pending& pending) { pending_ = pending; }
+
   private:
-    double drying_s_ = 0.0;  ///< at the air's speed, not carried out yet
-    int drying_ticks_ = 0;
-    double dissolving_s_ = 0.0;
+    Pending pending_;
 };
 
 }  // namespace pastoso::film

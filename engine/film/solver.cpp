@@ -1,8 +1,10 @@
 #include "film/solver.hpp"
 
+#include "core/check.hpp"
 #include "core/units.hpp"
 #include "film/halo_block.hpp"
 #include "film/large_step.hpp"
+#include "film/solver_memory.hpp"
 #include "film/step_plan.hpp"
 #include "film/step_setup.hpp"
 #include "film/tile_activity.hpp"
@@ -356,6 +358,36 @@ const Totals& Solver::runoff() const {
 
 int Solver::awake_tile_count() const {
     return parts_->activity.awake_count();
+}
+
+SolverMemory Solver::memory() const {
+    SolverMemory memory{.calls = parts_->activity.calls(), .runoff = parts_->runoff};
+    const LargeStepper::Memory pressures = parts_->large.remember();
+    for (int tile = 0; tile < parts_->state.shape.tile_count(); ++tile) {
+        const TileActivity& activity = parts_->activity.tile(tile);
+        if (activity.awake) {
+            memory.awake.push_back({tile, activity, {}});
+            if (activity.window_s > 0.0F) memory.awake.back().window_start = parts_->window_start[tile];
+        }
+        if (pressures[tile]) memory.pressures.push_back({tile, *pressures[tile]});
+    }
+    return memory;
+}
+
+void Solver::restore(const SolverMemory& memory) {
+    std::vector<TileActivity> tiles(parts_->state.shape.tile_count());
+    parts_->window_start.assign(tiles.size(), {});
+    for (const SolverMemory::AwakeTile& awake : memory.awake) {
+        PASTOSO_CHECK(awake.window_start || awake.activity.window_s == 0.0F);
+        tiles[awake.tile] = awake.activity;
+        parts_->window_start[awake.tile] = awake.window_start;
+    }
+    parts_->activity.restore(memory.calls, std::move(tiles));
+    LargeStepper::Memory pressures(parts_->window_start.size());
+    for (const SolverMemory::TilePressure& known : memory.pressures)
+        pressures[known.tile] = known.pressure_mm2_s2;
+    parts_->large.recall(pressures);
+    parts_->runoff = memory.runoff;
 }
 
 }  // namespace pastoso::film

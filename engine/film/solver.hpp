@@ -56,6 +56,8 @@ struct SolverOptions {
     double longest_wait_s = 0.0;
 };
 
+struct SolverMemory;
+
 /// What a call of advance() did.
 struct AdvanceReport {
     std::int64_t steps = 0;
@@ -114,6 +116,12 @@ class Solver {
     /// Paint that ran off open edges since the start.
     const Totals& runoff() const;
     int awake_tile_count() const;
+
+    /// What the next advance() depends on besides the state, the medium, gravity and the air. A solver
+    /// of an equal state that is given it, all else being equal, goes on to the same bits. Tiles are
+    /// those of the state, and no number is infinite.
+    SolverMemory memory() const;
+    void restore(const SolverMemory& memory);
 
   private:
     struct Parts;

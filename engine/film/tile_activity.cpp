@@ -3,6 +3,7 @@
 #include "film/settling.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace pastoso::film {
 namespace {
@@ -47,6 +48,11 @@ std::vector<int> ActivityMap::stepping_tiles() const {
 int ActivityMap::awake_count() const {
     return static_cast<int>(
         std::count_if(tiles_.begin(), tiles_.end(), [](const auto& t) { return t.awake; }));
+}
+
+void ActivityMap::restore(std::int64_t calls, std::vector<TileActivity> tiles) {
+    calls_ = calls;
+    tiles_ = std::move(tiles);
 }
 
 void ActivityMap::wake(int tile) {

@@ -65,6 +65,11 @@ class ActivityMap {
     std::vector<int> stepping_tiles() const;
     int awake_count() const;
 
+    /// How often let_pass() was called: waits end together by it.
+    std::int64_t calls() const { return calls_; }
+    /// Goes on from what another map of this shape held between two calls of let_pass().
+    void restore(std::int64_t calls, std::vector<TileActivity> tiles);
+
     void wake(int tile);
 
     /// Lets time pass for all tiles that are awake. Due are those whose paint could move noticeably if

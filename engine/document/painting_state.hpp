@@ -1,0 +1,60 @@
+// A painting between two strokes as plain data: what a project file keeps, and what a painting is made
+// of again.
+#pragma once
+
+#include "brush/stroke.hpp"
+#include "document/events.hpp"
+#include "film/ageing.hpp"
+#include "film/solver_memory.hpp"
+#include "film/state.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pastoso::document {
+
+/// Wet paint and what its solver remembers of it.
+struct SurfaceState {
+    film::FilmState film;
+    film::SolverMemory solver;
+};
+
+/// The brush in hand.
+struct BrushState {
+    TakeBrush taken;                    ///< which one it is
+    std::vector<brush::Contents> held;  ///< by each of its bristles
+    std::uint32_t strokes_begun = 0;
+};
+
+/// Everything that what comes next depends on. Not part of it: what Undo could return to, and figures of
+/// time and work. Copies share tiles.
+struct PaintingState {
+    CanvasSettings settings{};
+    std::int64_t tick = 0;
+
+    SurfaceState canvas{};
+    /// The bare support as its name tells it to be. Tiles of the canvas's support that are shared with
+    /// it are as they were made; it may be background where they are not.
+    grid::TiledField<float> bare_support_mm{};
+    std::optional<SurfaceState> well{};  ///< none: nothing has touched it
+
+    std::string medium{};  ///< in hand
+    TiltCanvas tilt{};
+    film::DryingAir air{};
+    film::AgeingClock::Pending ageing{};
+
+    std::optional<BrushState> brush{};
+    brush::HandAids aids{};
+    brush::Symmetry symmetry{};
+
+    brush::Contents taken{};           ///< from the tubes so far
+    brush::Contents wiped{};           ///< off the brush so far
+    film::Totals forgotten_run_off{};  ///< over the edges, in a past that was undone
+};
+
+/// The hash that Painting::state_hash() gives for such a painting.
+std::uint64_t state_hash(const PaintingState& state);
+
+}  // namespace pastoso::document
