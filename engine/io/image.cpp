@@ -91,6 +91,7 @@ PastosoPixels pixels_of(const Image& image, const Values& values, int channels, 
     pixels.sample_type = sample_type;
     pixels.px_per_mm = px_per_mm;
     pixels.software = "Pastoso";
+    pixels.png_effort = 6;
     return pixels;
 }
 template <class Image>
@@ -122,6 +123,23 @@ bool has_unread_profile(const std::filesystem::path& path) {
 void check_image_path(const std::filesystem::path& path) {
     format_of(path);
     check_writable(path);
+}
+
+std::string png_file(const shade::Image8& image, double px_per_mm) {
+    const IccProfile profile = icc_profile(image.space);
+    PastosoPixels pixels = pixels_of(image, kPastosoUint8, px_per_mm);
+    pixels.icc_profile = profile.data();
+    pixels.icc_bytes = profile.size();
+    pixels.format = "png";
+    pixels.png_effort = 2;
+    const ImagesLibrary& library = images_library();
+    PastosoFile file{};
+    std::array<char, 512> error{};
+    if (library.encode(&pixels, &file, error.data(), error.size()) != 0)
+        throw core::InputError(std::string("A picture ") + error.data() + ".");
+    const std::string bytes(file.bytes, file.count);
+    library.free_file(&file);
+    return with_png_chunk(bytes, "cICP", code_points(image.space));
 }
 
 bool is_linear_format(const std::filesystem::path& path) {

@@ -37,6 +37,9 @@ void write_image(const std::filesystem::path& path, const shade::LinearImage& im
                  double px_per_mm = 0.0);
 void write_image(const std::filesystem::path& path, const GreyImage& image, double px_per_mm = 0.0);
 
+/// A whole PNG file, for archives: packed fast rather than small, otherwise as write_image() writes it.
+std::string png_file(const shade::Image8& image, double px_per_mm = 0.0);
+
 /// Whether `path` names a format of linear values (EXR).
 bool is_linear_format(const std::filesystem::path& path);
 

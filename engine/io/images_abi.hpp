@@ -8,7 +8,7 @@
 extern "C" {
 
 /// Raised whenever a declaration below changes; a module of another number is refused.
-inline constexpr int kPastosoImagesAbi = 3;
+inline constexpr int kPastosoImagesAbi = 4;
 
 enum PastosoSampleType {
     kPastosoUint8 = 0,
@@ -25,9 +25,16 @@ struct PastosoPixels {
     double px_per_mm;    ///< for the file's resolution entry; 0: left out
     const char* format;  ///< OpenImageIO's name of the file format
     const char* software;
+    int png_effort;           ///< 1 fast to 9 small
     const void* icc_profile;  ///< what the values mean; null: not said
     std::size_t icc_bytes;
     const float* chromaticities;  ///< x and y of red, green, blue and white; null: not said
+};
+
+/// A picture file, allocated by the module.
+struct PastosoFile {
+    char* bytes;
+    std::size_t count;
 };
 
 /// One value a pixel, allocated by the module.
@@ -51,6 +58,9 @@ using PastosoImagesAbi = int();
 /// These return 0, or 1 and a sentence's predicate in `error`, for example "is not an image".
 using PastosoImagesWrite = int(const PastosoPixels* pixels, const char* path, char* error,
                                std::size_t capacity);
+using PastosoImagesEncode = int(const PastosoPixels* pixels, PastosoFile* file, char* error,
+                                std::size_t capacity);
+using PastosoImagesFreeFile = void(PastosoFile* file);
 using PastosoImagesReadGrey = int(const char* path, PastosoGrey* grey, char* error,
                                   std::size_t capacity);
 using PastosoImagesFree = void(PastosoGrey* grey);

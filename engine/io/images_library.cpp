@@ -27,6 +27,8 @@ ImagesLibrary open_library() {
         throw core::InputError(path + ": this part of the program is of another version; reinstall it.");
     }
     return {find<PastosoImagesWrite>(module, "pastoso_images_write"),
+            find<PastosoImagesEncode>(module, "pastoso_images_encode"),
+            find<PastosoImagesFreeFile>(module, "pastoso_images_free_file"),
             find<PastosoImagesReadGrey>(module, "pastoso_images_read_grey"),
             find<PastosoImagesFree>(module, "pastoso_images_free"),
             find<PastosoImagesReadColours>(module, "pastoso_images_read_colours"),

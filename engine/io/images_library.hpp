@@ -7,6 +7,8 @@ namespace pastoso::io {
 
 struct ImagesLibrary {
     PastosoImagesWrite* write = nullptr;
+    PastosoImagesEncode* encode = nullptr;
+    PastosoImagesFreeFile* free_file = nullptr;
     PastosoImagesReadGrey* read_grey = nullptr;
     PastosoImagesFree* free = nullptr;
     PastosoImagesReadColours* read_colours = nullptr;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 namespace {
@@ -56,7 +57,7 @@ OIIO::ImageSpec spec_of(const PastosoPixels& pixels) {
         spec.attribute("chromaticities", kChromaticities, pixels.chromaticities);
     spec.attribute("Software", pixels.software);
     spec.attribute("CompressionQuality", 95);
-    spec.attribute("png:compressionLevel", 6);
+    spec.attribute("png:compressionLevel", pixels.png_effort);
     if (pixels.px_per_mm > 0.0) {
         spec.attribute("XResolution", static_cast<float>(pixels.px_per_mm * 25.4));
         spec.attribute("YResolution", static_cast<float>(pixels.px_per_mm * 25.4));
@@ -72,6 +73,20 @@ std::string write(const PastosoPixels& pixels, const char* path) {
                          output->write_image(type_of(pixels.sample_type), pixels.data) &&
                          output->close();
     return written ? "" : "cannot be written (" + one_line(output->geterror()) + ")";
+}
+
+std::string encode(const PastosoPixels& pixels, PastosoFile& file) {
+    const auto output = OIIO::ImageOutput::create(pixels.format);
+    if (!output) return "cannot be written (" + one_line(OIIO::geterror()) + ")";
+    OIIO::Filesystem::IOVecOutput sink;
+    const bool written = output->set_ioproxy(&sink) && output->open("picture", spec_of(pixels)) &&
+                         output->write_image(type_of(pixels.sample_type), pixels.data) &&
+                         output->close();
+    if (!written) return "cannot be written (" + one_line(output->geterror()) + ")";
+    file.count = sink.buffer().size();
+    file.bytes = new char[file.count];
+    std::memcpy(file.bytes, sink.buffer().data(), file.count);
+    return "";
 }
 
 std::string size_problem(const OIIO::ImageSpec& spec) {
@@ -197,6 +212,16 @@ int pastoso_images_abi() {
 int pastoso_images_write(const PastosoPixels* pixels, const char* path, char* error,
                          std::size_t capacity) {
     return guarded(error, capacity, [&] { return write(*pixels, path); });
+}
+
+int pastoso_images_encode(const PastosoPixels* pixels, PastosoFile* file, char* error,
+                          std::size_t capacity) {
+    return guarded(error, capacity, [&] { return encode(*pixels, *file); });
+}
+
+void pastoso_images_free_file(PastosoFile* file) {
+    delete[] file->bytes;
+    file->bytes = nullptr;
 }
 
 int pastoso_images_read_grey(const char* path, PastosoGrey* grey, char* error, std::size_t capacity) {

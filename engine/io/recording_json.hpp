@@ -15,9 +15,13 @@ inline constexpr int kStrokeFormatVersion = 4;
 /// gives an equal recording.
 std::string recording_to_json(const document::Recording& recording);
 
+/// Whether what a recording names (paints, media) has to exist: to be replayed, it has to.
+enum class Names { MustBeKnown, MayBeUnknown };
+
 /// Reads the same. `name` stands for the file in errors. Throws InputError with the place in the file
 /// for anything malformed, out of range, out of order, unknown, or written by a newer version.
-document::Recording recording_from_json(std::string_view text, const std::string& name);
+document::Recording recording_from_json(std::string_view text, const std::string& name,
+                                        Names names = Names::MustBeKnown);
 
 /// recording_from_json() of a file. A relative path of a height image is taken from the file's folder.
 document::Recording read_recording_json(const std::filesystem::path& path);

@@ -193,8 +193,8 @@ TEST(RecordingJson, NamesWhatIsOfTheWrongKind) {
 
 TEST(RecordingJson, SurvivesDeepNesting) {
     const std::size_t depth = 200'000;
-    EXPECT_THAT(error(file_with(std::string(depth, '[') + std::string(depth, ']'))),
-                HasSubstr("s.json, events[0]: expected an object, found a list."));
+    EXPECT_EQ(error(file_with(std::string(depth, '[') + std::string(depth, ']'))),
+              "s.json: lists and objects are nested more than 64 deep.");
 }
 
 TEST(RecordingJson, RefusesSamplesOutOfRange) {
