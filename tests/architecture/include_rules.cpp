@@ -27,6 +27,7 @@ const Rules& engine_rules() {
         {"gpu", {"core", "grid", "pigment", "film", "shade"}},
         {"document", {"core", "grid", "pigment", "film", "brush", "shade"}},
         {"io", {"core", "grid", "pigment", "film", "brush", "shade", "document", "liquid"}},
+        {"project", {"core", "grid", "pigment", "film", "brush", "shade", "document", "io"}},
     };
     return rules;
 }
@@ -95,6 +96,10 @@ std::string objection(const Place& place, const Include& include) {
     }
     if (include.name.starts_with("lcms2")) {
         return in_engine && place.folder == "io" ? "" : "LittleCMS belongs to engine/io alone";
+    }
+    if (include.name == "zip.h" || include.name == "zstd.h") {
+        return in_engine && place.folder == "project" ? ""
+                                                      : "libzip and zstd belong to engine/project alone";
     }
     if (!include.quoted || include.name.ends_with(".moc")) return "";
 

@@ -1,0 +1,22 @@
+// What a solver knows of a tile that is awake, as a record of words.
+#pragma once
+
+#include "film/tile_activity.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace pastoso::project {
+
+/// Little-endian words: flags (1 measured, 2 changed from outside); the time it waits (a double); the
+/// window's time; its motion, largest and near the four sides; the speeds across and beside the four
+/// sides; mobility, thickness and speed at most, clamped faces.
+using ActivityRecord = std::array<std::uint32_t, 17>;
+
+ActivityRecord activity_record(const film::TileActivity& activity);
+film::TileActivity activity_of(const ActivityRecord& record);
+
+/// Whether all numbers are finite and within what paint can do: a step then has a length.
+bool is_possible(const film::TileActivity& activity);
+
+}  // namespace pastoso::project

@@ -1,0 +1,248 @@
+#include "core/error.hpp"
+#include "document/action_checks.hpp"
+#include "document/canvas.hpp"
+#include "document/well.hpp"
+#include "film/support.hpp"
+#include "io/recording_json.hpp"
+#include "project/project.hpp"
+#include "project/project_index.hpp"
+#include "project/project_layout.hpp"
+#include "project/surface_tiles.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <utility>
+
+namespace pastoso::project {
+namespace {
+
+using document::PaintingState;
+
+std::string text_of(const Bytes& bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+std::string place_of(const ZipReader& archive, const char* entry) {
+    return archive.name() + ", " + entry;
+}
+
+void check_kind(const ZipReader& archive) {
+    if (!archive.has("mimetype") || text_of(archive.read("mimetype", 64)) != kMimeType)
+        throw core::InputError(archive.name() + ": is no painting of Pastoso.");
+    if (!archive.has(kIndexEntry)) {
+        throw core::InputError(archive.name() +
+                               ": is an OpenRaster picture of another program; it holds no wet paint.");
+    }
+}
+
+ProjectIndex read_index(const ZipReader& archive) {
+    check_kind(archive);
+    return index_from_json(text_of(archive.read(kIndexEntry, kMostIndexBytes)),
+                           place_of(archive, kIndexEntry));
+}
+
+document::Recording read_setup(const ZipReader& archive) {
+    return io::recording_from_json(text_of(archive.read(kSetupEntry, kMostSetupBytes)),
+                                   place_of(archive, kSetupEntry));
+}
+
+/// Takes over what the events of the setup say.
+struct Setup {
+    PaintingState& painting;
+
+    void operator()(const document::UseMedium& use) { painting.medium = use.name; }
+    void operator()(const document::TiltCanvas& tilt) { painting.tilt = tilt; }
+    void operator()(const document::SetDrying& drying) { painting.air = drying.air; }
+    void operator()(const document::SetStabiliser& set) { painting.aids.stabiliser = set.stabiliser; }
+    void operator()(const document::SetGuide& set) { painting.aids.guide = set.guide; }
+    void operator()(const document::SetSymmetry& set) { painting.symmetry = set.symmetry; }
+    void operator()(const document::TakeBrush& take) {
+        painting.brush = document::BrushState{take, {}, 0};
+    }
+    template <class Other>
+    void operator()(const Other&) {}
+};
+
+void check_memory(const ZipReader& archive, const document::CanvasSettings& canvas) {
+    try {
+        document::check_canvas_fits(canvas, document::available_memory_bytes());
+    } catch (const core::InputError& error) {
+        archive.fail(kSetupEntry, error.what());
+    }
+}
+
+grid::TiledField<float> named_support(const ZipReader& archive, const document::CanvasSettings& canvas) {
+    try {
+        return film::named_support(canvas.support, document::canvas_shape(canvas),
+                                   1.0 / canvas.px_per_mm, canvas.support_relief_mm);
+    } catch (const core::InputError& error) {
+        archive.fail(kSetupEntry, error.what());
+    }
+}
+
+void check_surface(const ZipReader& archive, const char* which, const SurfaceIndex& index,
+                   const grid::Shape& shape, double cell_mm) {
+    if (index.shape == shape && index.cell_mm == cell_mm) return;
+    archive.fail(kIndexEntry, std::string("the ") + which + " has " + std::to_string(index.shape.width) +
+                                  " x " + std::to_string(index.shape.height) + " cells, but " +
+                                  std::to_string(shape.width) + " x " + std::to_string(shape.height) +
+                                  " of another size are expected.");
+}
+
+/// The surface with all but its tiles.
+document::SurfaceState empty_surface(const SurfaceIndex& index) {
+    document::SurfaceState surface{film::FilmState(index.shape, index.cell_mm), {}};
+    surface.film.varied = index.varied;
+    surface.film.strata.fixed = index.fixed;
+    surface.film.strata.evaporated = index.evaporated;
+    surface.solver.calls = index.calls;
+    surface.solver.runoff = index.runoff;
+    return surface;
+}
+
+void make_bare_support(const ZipReader& archive, const LayerIndex& layer, LoadedProject& project) {
+    PaintingState& painting = project.painting;
+    painting.bare_support_mm = grid::TiledField<float>(layer.surface.shape);
+    if (!layer.bare_support_checksum) return;
+    const document::CanvasSettings& canvas = painting.settings;
+    painting.bare_support_mm = named_support(archive, canvas);
+    painting.canvas.film.support_mm = painting.bare_support_mm;
+    if (bare_support_checksum(painting.bare_support_mm, layer.surface.entries) ==
+        layer.bare_support_checksum)
+        return;
+    project.notes.push_back(archive.name() + ": was saved by Pastoso with another form of " +
+                            canvas.support + "; where nothing is painted, the canvas looks different.");
+}
+
+void read_canvas(const ZipReader& archive, const LayerIndex& layer, LoadedProject& project,
+                 core::ThreadPool& pool) {
+    const document::CanvasSettings& canvas = project.painting.settings;
+    check_surface(archive, "canvas", layer.surface, document::canvas_shape(canvas),
+                  1.0 / canvas.px_per_mm);
+    project.painting.canvas = empty_surface(layer.surface);
+    make_bare_support(archive, layer, project);
+    read_tiles(archive, layer.surface.entries, project.painting.canvas, pool);
+}
+
+void read_well(const ZipReader& archive, const SurfaceIndex& index, PaintingState& painting,
+               core::ThreadPool& pool) {
+    const film::FilmState bare = document::bare_well();
+    check_surface(archive, "mixing well", index, bare.shape, bare.cell_mm);
+    painting.well = empty_surface(index);
+    read_tiles(archive, index.entries, *painting.well, pool);
+}
+
+/// Brushes hold millilitres, of paint that no channel counts more than a few thousand of per millimetre.
+bool is_possible(const brush::Contents& held) {
+    constexpr double kRounding = 1e-3, kMost_mm3 = 1e7, kMostPerVolume = 1e5;
+    if (!(held.volume_mm3 >= -kRounding && held.volume_mm3 <= kMost_mm3)) return false;
+    const double most = kMostPerVolume * std::max(0.0, held.volume_mm3) + kRounding;
+    return std::all_of(held.paint.begin(), held.paint.end(),
+                       [most](double amount) { return amount >= -kRounding && amount <= most; });
+}
+
+void read_brush(const ZipReader& archive, const BrushIndex& index, PaintingState& painting) {
+    if (!painting.brush) archive.fail(kSetupEntry, "there is no brush in hand that could hold paint.");
+    document::BrushState& state = *painting.brush;
+    const brush::Brush brush(document::preset_of(state.taken), state.taken.size_mm, state.taken.seed);
+    const Bytes content = read_packed(archive, index.held);
+    if (content.size() != brush.held.size() * sizeof(brush::Contents)) {
+        archive.fail(index.held.entry,
+                     "holds the paint of another brush than the one in hand, which has " +
+                         std::to_string(brush.held.size()) + " bristles.");
+    }
+    state.held.resize(brush.held.size());
+    std::memcpy(static_cast<void*>(state.held.data()), content.data(), content.size());
+    state.strokes_begun = index.strokes_begun;
+    if (!std::all_of(state.held.begin(), state.held.end(), is_possible))
+        archive.fail(index.held.entry, "a bristle holds what none can.");
+}
+
+/// Strokes that cannot be read cost their replay, not the painting.
+void read_strokes(const ZipReader& archive, const PackedEntry& strokes, LoadedProject& project) {
+    const PaintingState& painting = project.painting;
+    const std::string text = text_of(read_packed(archive, strokes));
+    try {
+        project.strokes =
+            io::recording_from_json(text, place_of(archive, kStrokesEntry), io::Names::MayBeUnknown);
+    } catch (const core::InputError& error) {
+        project.strokes = {};
+        project.notes.push_back(
+            std::string("The painting is whole, but its strokes cannot be replayed: ") + error.what());
+    }
+    if (!project.strokes.events.empty() && project.strokes.events.back().tick > painting.tick)
+        archive.fail(kStrokesEntry, "tells of strokes that are later than the painting.");
+    project.strokes.canvas = painting.settings;
+    project.strokes.end_tick = painting.tick;
+}
+
+LoadedProject loaded(const ZipReader& archive, core::ThreadPool& pool) {
+    const ProjectIndex index = read_index(archive);
+    const document::Recording setup = read_setup(archive);
+    check_memory(archive, setup.canvas);
+    LoadedProject project;
+    PaintingState& painting = project.painting;
+    painting.settings = setup.canvas;
+    for (const document::Event& event : setup.events)
+        std::visit(Setup{painting}, event.action);
+    if (painting.medium.empty()) archive.fail(kSetupEntry, "there is no medium in hand.");
+    painting.tick = index.tick;
+    painting.ageing = index.ageing;
+    painting.taken = index.taken;
+    painting.wiped = index.wiped;
+    painting.forgotten_run_off = index.forgotten_run_off;
+    read_canvas(archive, index.layers.front(), project, pool);
+    if (index.well) read_well(archive, *index.well, painting, pool);
+    if (index.brush.has_value() != painting.brush.has_value())
+        archive.fail(kIndexEntry, "the brush in hand is told of only in part.");
+    if (index.brush) read_brush(archive, *index.brush, painting);
+    read_strokes(archive, index.strokes, project);
+    return project;
+}
+
+void add_sizes(const SurfaceIndex& surface, std::map<std::string, KindSize>& sizes) {
+    for (const TileEntry& entry : surface.entries) {
+        KindSize& size = sizes[entry.kind];
+        size.packed_bytes += entry.packed.packed_size;
+        size.bytes += entry.packed.size;
+    }
+}
+
+}  // namespace
+
+LoadedProject load_project(const std::filesystem::path& path, core::ThreadPool& pool) {
+    return loaded(ZipReader(path), pool);
+}
+
+LoadedProject parse_project(std::span<const std::byte> file, const std::string& name,
+                            core::ThreadPool& pool) {
+    return loaded(ZipReader(file, name), pool);
+}
+
+ProjectSummary project_summary(const std::filesystem::path& path) {
+    const ZipReader archive(path);
+    const ProjectIndex index = read_index(archive);
+    const document::Recording setup = read_setup(archive);
+    PaintingState painting;
+    for (const document::Event& event : setup.events)
+        std::visit(Setup{painting}, event.action);
+    std::map<std::string, KindSize> sizes;
+    for (const LayerIndex& layer : index.layers)
+        add_sizes(layer.surface, sizes);
+    if (index.well) add_sizes(*index.well, sizes);
+    sizes["strokes"] = {"strokes", index.strokes.packed_size, index.strokes.size};
+    ProjectSummary summary{.canvas = setup.canvas,
+                           .program = index.program,
+                           .state_hash = index.state_hash,
+                           .tick = index.tick,
+                           .medium = painting.medium,
+                           .brush = painting.brush ? painting.brush->taken.preset : ""};
+    for (auto& [kind, size] : sizes) {
+        size.kind = kind;
+        summary.sizes.push_back(size);
+    }
+    return summary;
+}
+
+}  // namespace pastoso::project

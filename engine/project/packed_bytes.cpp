@@ -1,0 +1,52 @@
+#include "project/packed_bytes.hpp"
+
+#include "core/check.hpp"
+#include "core/error.hpp"
+#include "core/hash.hpp"
+
+#include <zstd.h>
+
+namespace pastoso::project {
+namespace {
+
+/// The fastest that still finds the long runs of zeros in tiles; higher ones gain little on the rest,
+/// which is noise.
+constexpr int kLevel = 1;
+
+}  // namespace
+
+std::uint64_t checksum(std::span<const std::byte> bytes) {
+    core::Hash64 hash;
+    hash.add(bytes);
+    return hash.value();
+}
+
+Bytes packed(std::span<const std::byte> bytes) {
+    Bytes frame(ZSTD_compressBound(bytes.size()));
+    const std::size_t size =
+        ZSTD_compress(frame.data(), frame.size(), bytes.data(), bytes.size(), kLevel);
+    PASTOSO_CHECK(!ZSTD_isError(size));
+    frame.resize(size);
+    frame.shrink_to_fit();
+    return frame;
+}
+
+Bytes unpacked(std::span<const std::byte> frame, std::size_t size) {
+    if (ZSTD_getFrameContentSize(frame.data(), frame.size()) != size)
+        throw core::InputError("is damaged (its length is not the one that is noted).");
+    Bytes bytes(size);
+    const std::size_t found = ZSTD_decompress(bytes.data(), size, frame.data(), frame.size());
+    if (ZSTD_isError(found) || found != size)
+        throw core::InputError("is damaged (it cannot be decompressed).");
+    return bytes;
+}
+
+std::size_t most_packed_bytes(std::size_t size) {
+    return ZSTD_compressBound(size);
+}
+
+std::span<const std::byte> bytes_of(const std::string& text) {
+    return std::as_bytes(std::span(text));
+}
+
+}  // namespace pastoso::project

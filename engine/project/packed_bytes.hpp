@@ -1,0 +1,29 @@
+// Bytes as they lie in a project file: compressed by Zstandard, with a checksum of what they were.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pastoso::project {
+
+using Bytes = std::vector<std::byte>;
+
+/// core::Hash64 over the bytes.
+std::uint64_t checksum(std::span<const std::byte> bytes);
+
+/// One Zstandard frame (RFC 8878). The same bytes give the same frame.
+Bytes packed(std::span<const std::byte> bytes);
+
+/// The frame's content, which must be `size` bytes long: no more is ever allocated. Throws InputError
+/// with a sentence that names no place when the frame is damaged or holds more or less.
+Bytes unpacked(std::span<const std::byte> frame, std::size_t size);
+
+/// The most that a frame of so many bytes takes.
+std::size_t most_packed_bytes(std::size_t size);
+
+std::span<const std::byte> bytes_of(const std::string& text);
+
+}  // namespace pastoso::project

@@ -1,0 +1,65 @@
+// Project files (.pastoso): a painting saved and opened again (docs/file-format.md).
+#pragma once
+
+#include "core/thread_pool.hpp"
+#include "document/painting_state.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pastoso::project {
+
+/// A painting and what was done to it.
+struct Project {
+    document::PaintingState painting;
+    document::Recording strokes;  ///< of the painting's canvas, no event later than its tick
+};
+
+/// What was read, and what a painter should know of it, in sentences.
+struct LoadedProject : Project {
+    std::vector<std::string> notes;
+};
+
+/// Writes aside, flushes and renames: at any moment `path` is the old file or the whole new one. The
+/// same painting gives the same bytes. Throws InputError when the file cannot be written.
+void save_project(const std::filesystem::path& path, const Project& project, core::ThreadPool& pool);
+
+/// Reads the whole file and checks everything that a painting relies on; what it names is never opened.
+/// Throws InputError "FILE, PLACE: ..." for a file that is damaged, foreign, written by a newer version,
+/// or too large for this machine's memory.
+///
+/// The bare support is made anew from its name where nothing lies on it. Where a version of the program
+/// makes it otherwise, and where strokes cannot be read, the painting is loaded nevertheless, with a
+/// note.
+LoadedProject load_project(const std::filesystem::path& path, core::ThreadPool& pool);
+
+/// The same of a file in memory; `name` stands for it in errors.
+LoadedProject parse_project(std::span<const std::byte> file, const std::string& name,
+                            core::ThreadPool& pool);
+
+/// How many bytes a kind of data takes, and how many it would without compression.
+struct KindSize {
+    std::string kind{};
+    std::size_t packed_bytes = 0, bytes = 0;
+};
+
+/// What can be said of a project without loading it.
+struct ProjectSummary {
+    document::CanvasSettings canvas;
+    std::string program;  ///< the version that wrote it
+    std::uint64_t state_hash = 0;
+    std::int64_t tick = 0;
+    std::string medium{};
+    std::string brush{};  ///< in hand, "" for none
+    std::vector<KindSize> sizes{};
+};
+ProjectSummary project_summary(const std::filesystem::path& path);
+
+/// Whether a file's name ends in .pastoso.
+bool is_project_path(const std::filesystem::path& path);
+
+}  // namespace pastoso::project

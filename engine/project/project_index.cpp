@@ -1,0 +1,311 @@
+#include "project/project_index.hpp"
+
+#include "io/json_place.hpp"
+#include "project/packed_bytes.hpp"
+#include "project/project_layout.hpp"
+#include "project/tile_kinds.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <map>
+
+namespace pastoso::project {
+namespace {
+
+using io::Json;
+using io::JsonPlace;
+
+constexpr std::int64_t kMostCounted = std::numeric_limits<std::int64_t>::max();
+
+std::string hex(std::uint64_t value) {
+    static constexpr char kDigits[] = "0123456789abcdef";
+    std::string text(16, '0');
+    for (int i = 0; i < 16; ++i)
+        text[15 - i] = kDigits[(value >> (4 * i)) & 15U];
+    return text;
+}
+
+std::uint64_t read_hex(const JsonPlace& place) {
+    const std::string text = place.text();
+    std::uint64_t value = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+    if (text.size() != 16 || fault != std::errc() || end != text.data() + text.size())
+        place.fail("expected sixteen hexadecimal digits.");
+    return value;
+}
+
+/// [[first, count], ...]
+Json runs_json(const std::vector<int>& tiles) {
+    Json runs = Json::array();
+    for (std::size_t i = 0; i < tiles.size();) {
+        std::size_t end = i + 1;
+        while (end < tiles.size() && tiles[end] == tiles[end - 1] + 1)
+            ++end;
+        runs.push_back(Json::array({tiles[i], end - i}));
+        i = end;
+    }
+    return runs;
+}
+
+/// The tiles that were met of each kind: none may come twice, which also bounds what a file can ask for.
+using SeenTiles = std::map<std::string, std::vector<bool>, std::less<>>;
+
+std::vector<int> read_runs(const JsonPlace& place, std::vector<bool>& seen) {
+    const auto tile_count = static_cast<std::int64_t>(seen.size());
+    std::vector<int> tiles;
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        const JsonPlace run = place.element(i);
+        if (run.size() != 2) run.fail("expected the first tile and how many there are.");
+        const std::int64_t least = tiles.empty() ? 0 : tiles.back() + 1;
+        const std::int64_t first = run.element(0).integer(least, tile_count - 1);
+        const std::int64_t count = run.element(1).integer(1, tile_count - first);
+        for (std::int64_t tile = first; tile < first + count; ++tile) {
+            if (seen[tile]) run.fail("tile " + std::to_string(tile) + " comes twice.");
+            seen[tile] = true;
+            tiles.push_back(static_cast<int>(tile));
+        }
+    }
+    return tiles;
+}
+
+Json packed_json(const PackedEntry& packed) {
+    return {{"entry", packed.entry},
+            {"size", packed.size},
+            {"packed", packed.packed_size},
+            {"checksum", hex(packed.checksum)}};
+}
+
+/// The names of entries are compared with those in the archive; they lead nowhere else.
+PackedEntry read_packed(const JsonPlace& place, std::size_t most_bytes) {
+    PackedEntry packed;
+    packed.entry = place.entry("entry").text();
+    if (!packed.entry.starts_with("pastoso/"))
+        place.entry("entry").fail("expected a name that begins with pastoso/.");
+    const auto most = static_cast<std::int64_t>(most_bytes);
+    packed.size = static_cast<std::size_t>(place.entry("size").integer(0, most));
+    const auto most_packed = static_cast<std::int64_t>(most_packed_bytes(packed.size));
+    packed.packed_size = static_cast<std::size_t>(place.entry("packed").integer(1, most_packed));
+    packed.checksum = read_hex(place.entry("checksum"));
+    return packed;
+}
+
+PackedEntry read_packed_alone(const JsonPlace& place, std::size_t most_bytes) {
+    place.allow_only({"entry", "size", "packed", "checksum"});
+    return read_packed(place, most_bytes);
+}
+
+template <std::size_t kCount>
+Json counts_json(std::int64_t thickness, const std::array<std::int64_t, kCount>& channels) {
+    Json json{{"thickness", thickness}, {"channels", Json::array()}};
+    for (const std::int64_t channel : channels)
+        json["channels"].push_back(channel);
+    return json;
+}
+
+template <std::size_t kCount>
+void read_counts(const JsonPlace& place, std::int64_t& thickness,
+                 std::array<std::int64_t, kCount>& channels) {
+    place.allow_only({"thickness", "channels"});
+    thickness = place.entry("thickness").integer(-kMostCounted, kMostCounted);
+    const JsonPlace list = place.entry("channels");
+    if (list.size() != kCount) list.fail("expected " + std::to_string(kCount) + " numbers.");
+    for (std::size_t k = 0; k < kCount; ++k)
+        channels[k] = list.element(k).integer(-kMostCounted, kMostCounted);
+}
+
+Json totals_json(const film::Totals& totals) {
+    return counts_json(totals.thickness, totals.paint);
+}
+film::Totals read_totals(const JsonPlace& place) {
+    film::Totals totals;
+    read_counts(place, totals.thickness, totals.paint);
+    return totals;
+}
+
+Json contents_json(const brush::Contents& contents) {
+    return {{"volume_mm3", contents.volume_mm3}, {"channels", contents.paint}};
+}
+brush::Contents read_contents(const JsonPlace& place) {
+    place.allow_only({"volume_mm3", "channels"});
+    brush::Contents contents{.volume_mm3 = place.entry("volume_mm3").number()};
+    const JsonPlace list = place.entry("channels");
+    if (list.size() != contents.paint.size())
+        list.fail("expected " + std::to_string(contents.paint.size()) + " numbers.");
+    for (std::size_t k = 0; k < contents.paint.size(); ++k)
+        contents.paint[k] = list.element(k).number();
+    return contents;
+}
+
+Json surface_json(const SurfaceIndex& surface) {
+    Json entries = Json::array();
+    for (const TileEntry& entry : surface.entries) {
+        Json json{{"kind", entry.kind}, {"tiles", runs_json(entry.tiles)}};
+        json.update(packed_json(entry.packed));
+        entries.push_back(std::move(json));
+    }
+    return {{"cells", Json::array({surface.shape.width, surface.shape.height})},
+            {"cell_mm", surface.cell_mm},
+            {"varied", surface.varied},
+            {"fixed", counts_json(surface.fixed.thickness, surface.fixed.pigment)},
+            {"evaporated", surface.evaporated},
+            {"advances", surface.calls},
+            {"run_off", totals_json(surface.runoff)},
+            {"tile_entries", std::move(entries)}};
+}
+
+const TileKind& read_kind(const JsonPlace& place) {
+    const std::string name = place.text();
+    const auto kinds = tile_kinds();
+    const auto kind =
+        std::find_if(kinds.begin(), kinds.end(), [&](const TileKind& one) { return one.name == name; });
+    if (kind == kinds.end()) place.fail("there is no such kind of tiles as \"" + name + "\".");
+    return *kind;
+}
+
+TileEntry read_tile_entry(const JsonPlace& place, const grid::Shape& shape, SeenTiles& seen) {
+    place.allow_only({"kind", "tiles", "entry", "size", "packed", "checksum"});
+    const TileKind& kind = read_kind(place.entry("kind"));
+    std::vector<bool>& met = seen[kind.name];
+    met.resize(static_cast<std::size_t>(shape.tile_count()));
+    TileEntry entry{kind.name, read_runs(place.entry("tiles"), met), {}};
+    const std::size_t size = kind.bytes * entry.tiles.size();
+    entry.packed = read_packed(place, std::max(size, kEntryBytes));
+    if (entry.packed.size != size || size > std::max(kind.bytes, kEntryBytes))
+        place.entry("size").fail("the tiles hold " + std::to_string(size) + " bytes, which has to be " +
+                                 "the size and at most " + std::to_string(kEntryBytes) + ".");
+    return entry;
+}
+
+SurfaceIndex read_surface(const JsonPlace& place) {
+    place.allow_only(
+        {"cells", "cell_mm", "varied", "fixed", "evaporated", "advances", "run_off", "tile_entries"});
+    SurfaceIndex surface;
+    const JsonPlace cells = place.entry("cells");
+    if (cells.size() != 2) cells.fail("expected a width and a height.");
+    constexpr int kMostCells = 32768;
+    surface.shape.width = static_cast<int>(cells.element(0).integer(1, kMostCells));
+    surface.shape.height = static_cast<int>(cells.element(1).integer(1, kMostCells));
+    surface.cell_mm = place.entry("cell_mm").number();
+    surface.varied = place.entry("varied").boolean();
+    read_counts(place.entry("fixed"), surface.fixed.thickness, surface.fixed.pigment);
+    surface.evaporated = place.entry("evaporated").integer(0, kMostCounted);
+    surface.calls = place.entry("advances").integer(0, kMostCounted / 2);
+    surface.runoff = read_totals(place.entry("run_off"));
+    const JsonPlace entries = place.entry("tile_entries");
+    SeenTiles seen;
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        surface.entries.push_back(read_tile_entry(entries.element(i), surface.shape, seen));
+    return surface;
+}
+
+Json layer_json(const LayerIndex& layer) {
+    Json json{
+        {"name", layer.name}, {"picture", layer.picture}, {"surface", surface_json(layer.surface)}};
+    if (layer.bare_support_checksum) json["bare_support_checksum"] = hex(*layer.bare_support_checksum);
+    return json;
+}
+
+LayerIndex read_layer(const JsonPlace& place) {
+    place.allow_only({"name", "picture", "surface", "bare_support_checksum"});
+    LayerIndex layer{place.entry("name").text(),
+                     place.entry("picture").text(),
+                     read_surface(place.entry("surface")),
+                     {}};
+    if (const auto left_out = place.optional_entry("bare_support_checksum"))
+        layer.bare_support_checksum = read_hex(*left_out);
+    return layer;
+}
+
+Json ageing_json(const film::AgeingClock::Pending& ageing) {
+    return {{"drying_s", ageing.drying_s},
+            {"drying_ticks", ageing.drying_ticks},
+            {"dissolving_s", ageing.dissolving_s}};
+}
+
+double read_seconds(const JsonPlace& place) {
+    constexpr double kMost_s = 1e6;
+    const double seconds = place.number();
+    if (!(seconds >= 0.0 && seconds <= kMost_s)) place.fail("expected 0 to a million seconds.");
+    return seconds;
+}
+
+film::AgeingClock::Pending read_ageing(const JsonPlace& place) {
+    place.allow_only({"drying_s", "drying_ticks", "dissolving_s"});
+    constexpr int kMostTicks = std::numeric_limits<int>::max() / 2;
+    return {read_seconds(place.entry("drying_s")),
+            static_cast<int>(place.entry("drying_ticks").integer(0, kMostTicks)),
+            read_seconds(place.entry("dissolving_s"))};
+}
+
+BrushIndex read_brush(const JsonPlace& place) {
+    place.allow_only({"strokes_begun", "held"});
+    constexpr std::size_t kMostBristles = 2000;
+    return {static_cast<std::uint32_t>(place.entry("strokes_begun").integer(0, UINT32_MAX)),
+            read_packed_alone(place.entry("held"), kMostBristles * sizeof(brush::Contents))};
+}
+
+void check_header(const JsonPlace& root) {
+    const auto format = root.optional_entry("format");
+    if (!format || format->text() != "pastoso-project")
+        root.fail(
+            "this is no painting of Pastoso; it would begin with \"format\": \"pastoso-project\".");
+    const std::int64_t version = root.entry("version").integer(1, INT32_MAX);
+    if (version > kProjectFormatVersion) {
+        root.fail("this was written by a newer Pastoso (project format " + std::to_string(version) +
+                  "; this program reads up to " + std::to_string(kProjectFormatVersion) + ").");
+    }
+    root.allow_only({"format", "version", "program", "state_hash", "tick", "ageing", "account", "layers",
+                     "well", "brush", "strokes"});
+}
+
+}  // namespace
+
+std::string index_to_json(const ProjectIndex& index) {
+    Json layers = Json::array();
+    for (const LayerIndex& layer : index.layers)
+        layers.push_back(layer_json(layer));
+    Json json{{"format", "pastoso-project"},
+              {"version", kProjectFormatVersion},
+              {"program", index.program},
+              {"state_hash", hex(index.state_hash)},
+              {"tick", index.tick},
+              {"ageing", ageing_json(index.ageing)},
+              {"account",
+               {{"taken", contents_json(index.taken)},
+                {"wiped", contents_json(index.wiped)},
+                {"forgotten_run_off", totals_json(index.forgotten_run_off)}}},
+              {"layers", std::move(layers)}};
+    if (index.well) json["well"] = surface_json(*index.well);
+    if (index.brush) {
+        json["brush"] = {{"strokes_begun", index.brush->strokes_begun},
+                         {"held", packed_json(index.brush->held)}};
+    }
+    json["strokes"] = packed_json(index.strokes);
+    return json.dump() + "\n";
+}
+
+ProjectIndex index_from_json(const std::string& text, const std::string& name) {
+    const Json json = io::parse_json(text, name);
+    const JsonPlace root(json, name);
+    check_header(root);
+    ProjectIndex index;
+    index.program = root.entry("program").text();
+    index.state_hash = read_hex(root.entry("state_hash"));
+    index.tick = root.entry("tick").integer(0, kMostCounted / 2);
+    index.ageing = read_ageing(root.entry("ageing"));
+    const JsonPlace account = root.entry("account");
+    account.allow_only({"taken", "wiped", "forgotten_run_off"});
+    index.taken = read_contents(account.entry("taken"));
+    index.wiped = read_contents(account.entry("wiped"));
+    index.forgotten_run_off = read_totals(account.entry("forgotten_run_off"));
+    const JsonPlace layers = root.entry("layers");
+    if (layers.size() != 1) layers.fail("expected one layer.");
+    index.layers.push_back(read_layer(layers.element(0)));
+    if (const auto well = root.optional_entry("well")) index.well = read_surface(*well);
+    if (const auto brush = root.optional_entry("brush")) index.brush = read_brush(*brush);
+    index.strokes = read_packed_alone(root.entry("strokes"), kMostStrokesBytes);
+    return index;
+}
+
+}  // namespace pastoso::project

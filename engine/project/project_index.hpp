@@ -1,0 +1,75 @@
+// pastoso/index.json: what a project file holds, and where.
+#pragma once
+
+#include "document/painting_state.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pastoso::project {
+
+inline constexpr int kProjectFormatVersion = 1;
+
+/// An entry of the archive that is a Zstandard frame.
+struct PackedEntry {
+    std::string entry;            ///< its name
+    std::size_t size = 0;         ///< of the content
+    std::size_t packed_size = 0;  ///< of the frame
+    std::uint64_t checksum = 0;   ///< of the content
+};
+
+/// Tiles of one kind, one after the other.
+struct TileEntry {
+    std::string kind;
+    std::vector<int> tiles;  ///< in ascending order
+    PackedEntry packed;
+};
+
+/// A painted surface but for its tiles.
+struct SurfaceIndex {
+    grid::Shape shape{};
+    double cell_mm = 0.0;
+    bool varied = false;
+    film::DriedTotals fixed{};
+    std::int64_t evaporated = 0;
+    std::int64_t calls = 0;
+    film::Totals runoff{};
+    std::vector<TileEntry> entries{};
+};
+
+struct LayerIndex {
+    std::string name;
+    std::string picture;  ///< of the OpenRaster layer
+    SurfaceIndex surface;
+    /// Of the support's tiles that are left out, because its name tells what they are.
+    std::optional<std::uint64_t> bare_support_checksum;
+};
+
+struct BrushIndex {
+    std::uint32_t strokes_begun = 0;
+    PackedEntry held;
+};
+
+struct ProjectIndex {
+    std::string program;  ///< that wrote it
+    std::uint64_t state_hash = 0;
+    std::int64_t tick = 0;
+    film::AgeingClock::Pending ageing{};
+    brush::Contents taken{}, wiped{};
+    film::Totals forgotten_run_off{};
+    std::vector<LayerIndex> layers{};  ///< from below; version 1 has one
+    std::optional<SurfaceIndex> well{};
+    std::optional<BrushIndex> brush{};
+    PackedEntry strokes{};
+};
+
+std::string index_to_json(const ProjectIndex& index);
+
+/// Reads the same. `name` stands for the index in errors. Throws InputError with the place for anything
+/// malformed, out of range, unknown, written by a newer version, or larger than its tiles can be.
+ProjectIndex index_from_json(const std::string& text, const std::string& name);
+
+}  // namespace pastoso::project

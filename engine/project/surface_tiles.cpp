@@ -1,0 +1,178 @@
+#include "project/surface_tiles.hpp"
+
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "project/project_layout.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <utility>
+
+namespace pastoso::project {
+namespace {
+
+/// pool.run() of a body that may throw; what the lowest index threw is thrown.
+void run_guarded(core::ThreadPool& pool, std::size_t count,
+                 const std::function<void(std::size_t)>& body) {
+    std::vector<std::exception_ptr> thrown(count);
+    pool.run(count, [&](std::size_t index, int) {
+        try {
+            body(index);
+        } catch (...) {
+            thrown[index] = std::current_exception();
+        }
+    });
+    for (const std::exception_ptr& exception : thrown)
+        if (exception) std::rethrow_exception(exception);
+}
+
+std::string entry_name(const std::string& folder, const TileKind& kind, std::size_t number) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "-%03zu.zst", number);
+    return folder + kind.name + digits;
+}
+
+struct Work {
+    const TileKind* kind;
+    TileEntry entry;
+    Bytes frame;
+};
+
+std::vector<Work> works_of(const SurfaceSource& source, const std::string& folder) {
+    std::vector<Work> works;
+    for (const TileKind& kind : tile_kinds()) {
+        const std::vector<int> tiles = kind.tiles(source);
+        const std::size_t at_once = std::max<std::size_t>(1, kEntryBytes / kind.bytes);
+        for (std::size_t first = 0; first < tiles.size(); first += at_once) {
+            const std::size_t last = std::min(tiles.size(), first + at_once);
+            TileEntry entry{kind.name, {&tiles[first], &tiles[0] + last}, {}};
+            entry.packed.entry = entry_name(folder, kind, first / at_once);
+            works.push_back({&kind, std::move(entry), {}});
+        }
+    }
+    return works;
+}
+
+void carry_out(const SurfaceSource& source, Work& work) {
+    const std::size_t bytes = work.kind->bytes;
+    Bytes content(bytes * work.entry.tiles.size());
+    for (std::size_t i = 0; i < work.entry.tiles.size(); ++i)
+        work.kind->encode(source, work.entry.tiles[i], &content[i * bytes]);
+    work.frame = packed(content);
+    work.entry.packed.size = content.size();
+    work.entry.packed.packed_size = work.frame.size();
+    work.entry.packed.checksum = checksum(content);
+}
+
+const TileKind& kind_of(const TileEntry& entry) {
+    const auto kinds = tile_kinds();
+    return *std::find_if(kinds.begin(), kinds.end(),
+                         [&](const TileKind& kind) { return kind.name == entry.kind; });
+}
+
+std::vector<int> tiles_of_kind(const std::vector<TileEntry>& entries, const std::string& kind) {
+    std::vector<int> tiles;
+    for (const TileEntry& entry : entries)
+        if (entry.kind == kind) tiles.insert(tiles.end(), entry.tiles.begin(), entry.tiles.end());
+    std::sort(tiles.begin(), tiles.end());
+    return tiles;
+}
+
+/// Fills a list of the solver's memory with its tiles. Returns the place of each.
+template <class Listed>
+std::vector<int> listed_places(const std::vector<int>& tiles, int tile_count,
+                               std::vector<Listed>& list) {
+    std::vector<int> places(static_cast<std::size_t>(tile_count), -1);
+    list.resize(tiles.size());
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        list[i].tile = tiles[i];
+        places[static_cast<std::size_t>(tiles[i])] = static_cast<int>(i);
+    }
+    return places;
+}
+
+void read_entry(const ZipReader& archive, const TileEntry& entry, SurfaceTarget& target) {
+    const TileKind& kind = kind_of(entry);
+    const Bytes content = read_packed(archive, entry.packed);
+    for (std::size_t i = 0; i < entry.tiles.size(); ++i) {
+        const std::string fault = kind.decode(&content[i * kind.bytes], entry.tiles[i], target);
+        if (!fault.empty()) archive.fail(entry.packed.entry, fault);
+    }
+}
+
+/// A tile whose motion is followed needs the thickness that it is counted from.
+void check_windows(const ZipReader& archive, const document::SurfaceState& surface) {
+    for (const auto& awake : surface.solver.awake) {
+        if (awake.activity.window_s > 0.0F && !awake.window_start)
+            archive.fail(kIndexEntry, "tile " + std::to_string(awake.tile) +
+                                          " moves, but there is no \"window\" that it started from.");
+    }
+}
+
+}  // namespace
+
+std::vector<TileEntry> add_tiles(const SurfaceSource& source, const std::string& folder,
+                                 ZipWriter& archive, core::ThreadPool& pool) {
+    std::vector<Work> works = works_of(source, folder);
+    run_guarded(pool, works.size(), [&](std::size_t index) { carry_out(source, works[index]); });
+    std::vector<TileEntry> entries;
+    for (Work& work : works) {
+        archive.add(work.entry.packed.entry, std::move(work.frame));
+        entries.push_back(std::move(work.entry));
+    }
+    return entries;
+}
+
+void read_tiles(const ZipReader& archive, const std::vector<TileEntry>& entries,
+                document::SurfaceState& surface, core::ThreadPool& pool) {
+    const int tile_count = surface.film.shape.tile_count();
+    SurfaceTarget target{
+        surface, listed_places(tiles_of_kind(entries, "awake"), tile_count, surface.solver.awake),
+        listed_places(tiles_of_kind(entries, "pressure"), tile_count, surface.solver.pressures)};
+    for (const int phase : {0, 1}) {
+        std::vector<const TileEntry*> due;
+        for (const TileEntry& entry : entries)
+            if (kind_of(entry).phase == phase) due.push_back(&entry);
+        run_guarded(pool, due.size(),
+                    [&](std::size_t index) { read_entry(archive, *due[index], target); });
+    }
+    check_windows(archive, surface);
+}
+
+std::optional<std::uint64_t> bare_support_checksum(const grid::TiledField<float>& bare_support_mm,
+                                                   const std::vector<TileEntry>& entries) {
+    const std::vector<int> written = tiles_of_kind(entries, "support");
+    core::Hash64 hash;
+    bool any = false;
+    for (int tile = 0; tile < bare_support_mm.tile_count(); ++tile) {
+        if (bare_support_mm.is_background(tile)) continue;
+        if (std::binary_search(written.begin(), written.end(), tile)) continue;
+        any = true;
+        hash.add(std::span(bare_support_mm.read(tile), grid::kTileCells));
+    }
+    return any ? std::optional(hash.value()) : std::nullopt;
+}
+
+Bytes read_packed(const ZipReader& archive, const PackedEntry& packed) {
+    const Bytes frame = archive.read(packed.entry, packed.packed_size);
+    Bytes content;
+    try {
+        content = unpacked(frame, packed.size);
+    } catch (const core::InputError& error) {
+        archive.fail(packed.entry, error.what());
+    }
+    if (checksum(content) != packed.checksum)
+        archive.fail(packed.entry, "is damaged (its checksum is not the one that is noted).");
+    return content;
+}
+
+PackedEntry add_packed(std::string entry, std::span<const std::byte> content, ZipWriter& archive) {
+    Bytes frame = packed(content);
+    PackedEntry noted{entry, content.size(), frame.size(), checksum(content)};
+    archive.add(std::move(entry), std::move(frame));
+    return noted;
+}
+
+}  // namespace pastoso::project

@@ -1,0 +1,37 @@
+// A tile's values in a lossless form that compresses well (docs/file-format.md, "Tiles").
+#pragma once
+
+#include "core/isa.hpp"
+#include "grid/shape.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace pastoso::project {
+
+/// Bytes of a tile of `channels` 32-bit words a cell, in either form.
+inline constexpr std::size_t tile_bytes(int channels) {
+    return sizeof(std::uint32_t) * static_cast<std::size_t>(channels) * grid::kTileCells;
+}
+
+/// Of every word, the difference from what its neighbour leads to expect: the cell to the left, in the
+/// first column the one above, in the first cell 0. Differences are folded (0, -1, 1, -2 ... become 0,
+/// 1, 2, 3 ...) and stored channel by channel, lowest bytes first: 4096 lowest bytes, 4096 second bytes,
+/// ...
+///
+/// Where `amount` is given, words are amounts in proportion to it, cell by cell: expected is the
+/// neighbour's times amount / neighbour's amount. With a cell to the left and one above, paints mix on
+/// the line from the first to the second: how far, -1 to 1, is learned of the channel in which they
+/// differ most, the others follow. Paint of one kind leaves nearly nothing, two half-mixed ones little.
+///
+/// `words` and the bytes hold tile_bytes(channels); there are 1, 6, 12 or 16 channels.
+struct TileCodec {
+    void (*encode)(const std::uint32_t* words, int channels, const std::int32_t* amount, std::byte* out);
+    /// The inverse, with the same `amount`; any bytes give some words.
+    void (*decode)(const std::byte* in, int channels, const std::int32_t* amount, std::uint32_t* words);
+};
+
+/// The codec of an instruction set, which the processor must have; all give the same bytes.
+const TileCodec& tile_codec(core::Isa isa = core::best_isa());
+
+}  // namespace pastoso::project

@@ -1,0 +1,289 @@
+#include "project/tile_kinds.hpp"
+
+#include "project/activity_record.hpp"
+#include "project/tile_codec.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <utility>
+
+namespace pastoso::project {
+namespace {
+
+using document::SurfaceState;
+using grid::kTileCells;
+using grid::TiledField;
+
+/// Faster than any paint runs: a fall over five metres ends with a tenth of it.
+constexpr float kFastest_mm_s = 1e5F;
+/// Higher than a support with all dried paint on it: a metre.
+constexpr float kHighest_mm = 1000.0F;
+/// Far above the pressure of the strongest jet on the smallest cells.
+constexpr float kStrongestPressure_mm2_s2 = 1e9F;
+constexpr std::int32_t kMostSoluble_quanta = std::int32_t{1} << 30;
+
+bool is_within(float value, float least, float most) {
+    return value >= least && value <= most;
+}
+
+/// A field of the film: where it is, what its numbers are, and between which bounds they lie.
+struct Thickness {
+    using Value = std::int32_t;
+    static auto& of(auto& surface) { return surface.film.thickness; }
+    static bool is_possible(Value quanta) { return quanta >= 0 && quanta <= film::kMaxThickness_quanta; }
+    static constexpr const char* kWhat = "a thickness";
+};
+struct Paint {
+    using Value = film::PaintCell;
+    static auto& of(auto& surface) { return surface.film.paint; }
+    static auto& amount(auto& surface) { return surface.film.thickness; }
+    static bool is_possible(const Value& cell) {
+        return std::all_of(cell.begin(), cell.end(), [](std::int32_t channel) { return channel >= 0; });
+    }
+    static constexpr const char* kWhat = "an amount of paint";
+};
+struct VelocityX {
+    using Value = float;
+    static auto& of(auto& surface) { return surface.film.velocity_x; }
+    static bool is_possible(Value speed) { return is_within(speed, -kFastest_mm_s, kFastest_mm_s); }
+    static constexpr const char* kWhat = "a velocity";
+};
+struct VelocityY : VelocityX {
+    static auto& of(auto& surface) { return surface.film.velocity_y; }
+};
+struct Support {
+    using Value = float;
+    static auto& of(auto& surface) { return surface.film.support_mm; }
+    static bool is_possible(Value height) { return is_within(height, 0.0F, kHighest_mm); }
+    static constexpr const char* kWhat = "a height of the support";
+};
+struct SolubleThickness {
+    using Value = std::int32_t;
+    static auto& of(auto& surface) { return surface.film.strata.soluble_thickness; }
+    static bool is_possible(Value quanta) { return quanta >= 0 && quanta <= kMostSoluble_quanta; }
+    static constexpr const char* kWhat = "a thickness of dry paint";
+};
+struct SolublePigment {
+    using Value = film::PigmentCell;
+    static auto& of(auto& surface) { return surface.film.strata.soluble_pigment; }
+    static auto& amount(auto& surface) { return surface.film.strata.soluble_thickness; }
+    static bool is_possible(const Value& cell) {
+        return std::all_of(cell.begin(), cell.end(), [](std::int32_t channel) { return channel >= 0; });
+    }
+    static constexpr const char* kWhat = "an amount of dry pigment";
+};
+struct Ground {
+    using Value = pigment::Bands;
+    static auto& of(auto& surface) { return surface.film.strata.ground; }
+    static bool is_possible(const Value& bands) {
+        return std::all_of(bands.begin(), bands.end(),
+                           [](float reflectance) { return is_within(reflectance, 0.0F, 1.0F); });
+    }
+    static constexpr const char* kWhat = "a reflectance";
+};
+struct Uppermost {
+    using Value = film::PigmentMixture;
+    static auto& of(auto& surface) { return surface.film.strata.uppermost; }
+    static bool is_possible(const Value&) { return true; }
+    static constexpr const char* kWhat = "a mixture";
+};
+
+template <class Value>
+constexpr int kChannels = static_cast<int>(sizeof(Value) / sizeof(std::uint32_t));
+
+/// A value has gone through memcpy, so that floats may be read as words.
+template <class Value>
+void encode_values(const Value* values, const std::int32_t* amount, std::byte* out) {
+    std::vector<std::uint32_t> words(kTileCells * kChannels<Value>);
+    std::memcpy(words.data(), values, tile_bytes(kChannels<Value>));
+    tile_codec().encode(words.data(), kChannels<Value>, amount, out);
+}
+
+template <class Value>
+grid::TileBlock<Value> decoded_values(const std::byte* in, const std::int32_t* amount) {
+    std::vector<std::uint32_t> words(kTileCells * kChannels<Value>);
+    tile_codec().decode(in, kChannels<Value>, amount, words.data());
+    auto block = grid::TileBlock<Value>::uninitialised();
+    std::memcpy(static_cast<void*>(block.write()), words.data(), tile_bytes(kChannels<Value>));
+    return block;
+}
+
+/// Cells beyond the canvas, in the tiles on its edges, mean nothing: what is impossible there is put to
+/// nothing. On the canvas it is an error.
+template <class Value, class IsPossible>
+std::string checked(Value* values, const grid::Shape& shape, int tile, const char* what,
+                    const IsPossible& is_possible) {
+    const grid::Rect inside = shape.tile_cells(tile);
+    for (int cell = 0; cell < kTileCells; ++cell) {
+        if (is_possible(values[cell])) continue;
+        const int x = cell % grid::kTileSize, y = cell / grid::kTileSize;
+        if (x < inside.width() && y < inside.height()) {
+            return "cell (" + std::to_string(inside.x0 + x) + ", " + std::to_string(inside.y0 + y) +
+                   ") holds " + what + " that cannot be.";
+        }
+        values[cell] = Value{};
+    }
+    return "";
+}
+
+template <class Field>
+constexpr bool kIsAmount = requires(SurfaceState& surface) {
+    Field::amount(surface);
+};
+
+template <class Field>
+const std::int32_t* amount_of(const SurfaceState& surface, int tile) {
+    if constexpr (kIsAmount<Field>)
+        return Field::amount(surface).read(tile);
+    else
+        return nullptr;
+}
+
+template <class Field>
+std::vector<int> written_tiles(const SurfaceSource& source) {
+    const auto& field = Field::of(source.surface);
+    std::vector<int> tiles;
+    for (int tile = 0; tile < field.tile_count(); ++tile)
+        if (!field.is_background(tile)) tiles.push_back(tile);
+    return tiles;
+}
+
+bool holds_paint(const film::FilmState& film, int tile) {
+    return !film.thickness.is_background(tile) || !film.paint.is_background(tile) ||
+           !film.strata.ground.is_background(tile) || !film.strata.soluble_thickness.is_background(tile);
+}
+
+/// The support below paint is always written: it must not change with the version of the program.
+std::vector<int> own_support_tiles(const SurfaceSource& source) {
+    const film::FilmState& film = source.surface.film;
+    std::vector<int> tiles = written_tiles<Support>(source);
+    if (source.bare_support_mm != nullptr) {
+        std::erase_if(tiles, [&](int tile) {
+            return film.support_mm.shares_tile(*source.bare_support_mm, tile) &&
+                   !holds_paint(film, tile);
+        });
+    }
+    return tiles;
+}
+
+template <class Field>
+void encode_field(const SurfaceSource& source, int tile, std::byte* out) {
+    encode_values(Field::of(source.surface).read(tile), amount_of<Field>(source.surface, tile), out);
+}
+
+template <class Field>
+std::string decode_field(const std::byte* in, int tile, SurfaceTarget& target) {
+    using Value = typename Field::Value;
+    auto block = decoded_values<Value>(in, amount_of<Field>(target.surface, tile));
+    std::string fault = checked(block.write(), target.surface.film.shape, tile, Field::kWhat,
+                                [](const Value& value) { return Field::is_possible(value); });
+    Field::of(target.surface).replace(tile, std::move(block));
+    return fault;
+}
+
+template <class Field>
+constexpr TileKind field_kind(const char* name) {
+    return {name,
+            tile_bytes(kChannels<typename Field::Value>),
+            kIsAmount<Field> ? 1 : 0,
+            &written_tiles<Field>,
+            &encode_field<Field>,
+            &decode_field<Field>};
+}
+
+constexpr TileKind support_kind() {
+    TileKind kind = field_kind<Support>("support");
+    kind.tiles = &own_support_tiles;
+    return kind;
+}
+
+/// The place of a tile in a list in ascending order of tiles; it is there.
+template <class Listed>
+const Listed& listed(const std::vector<Listed>& list, int tile) {
+    return *std::lower_bound(list.begin(), list.end(), tile,
+                             [](const Listed& one, int wanted) { return one.tile < wanted; });
+}
+
+std::vector<int> awake_tiles(const SurfaceSource& source) {
+    std::vector<int> tiles;
+    for (const auto& awake : source.surface.solver.awake)
+        tiles.push_back(awake.tile);
+    return tiles;
+}
+
+void encode_awake(const SurfaceSource& source, int tile, std::byte* out) {
+    const ActivityRecord record = activity_record(listed(source.surface.solver.awake, tile).activity);
+    std::memcpy(out, record.data(), sizeof record);
+}
+
+std::string decode_awake(const std::byte* in, int tile, SurfaceTarget& target) {
+    ActivityRecord record;
+    std::memcpy(record.data(), in, sizeof record);
+    film::TileActivity& activity = target.surface.solver.awake[target.awake_at[tile]].activity;
+    activity = activity_of(record);
+    return is_possible(activity) ? "" : "tile " + std::to_string(tile) + " moves as no paint can.";
+}
+
+std::vector<int> window_tiles(const SurfaceSource& source) {
+    std::vector<int> tiles;
+    for (const auto& awake : source.surface.solver.awake)
+        if (awake.window_start) tiles.push_back(awake.tile);
+    return tiles;
+}
+
+void encode_window(const SurfaceSource& source, int tile, std::byte* out) {
+    encode_values(listed(source.surface.solver.awake, tile).window_start.read(), nullptr, out);
+}
+
+std::string decode_window(const std::byte* in, int tile, SurfaceTarget& target) {
+    if (target.awake_at[tile] < 0)
+        return "tile " + std::to_string(tile) + " sleeps, and yet its motion is followed.";
+    auto block = decoded_values<std::int32_t>(in, nullptr);
+    std::string fault = checked(block.write(), target.surface.film.shape, tile, Thickness::kWhat,
+                                &Thickness::is_possible);
+    target.surface.solver.awake[target.awake_at[tile]].window_start = std::move(block);
+    return fault;
+}
+
+std::vector<int> pressure_tiles(const SurfaceSource& source) {
+    std::vector<int> tiles;
+    for (const auto& known : source.surface.solver.pressures)
+        tiles.push_back(known.tile);
+    return tiles;
+}
+
+void encode_pressure(const SurfaceSource& source, int tile, std::byte* out) {
+    encode_values(listed(source.surface.solver.pressures, tile).pressure_mm2_s2.data(), nullptr, out);
+}
+
+std::string decode_pressure(const std::byte* in, int tile, SurfaceTarget& target) {
+    const auto block = decoded_values<float>(in, nullptr);
+    auto& pressure = target.surface.solver.pressures[target.pressure_at[tile]].pressure_mm2_s2;
+    std::copy_n(block.read(), kTileCells, pressure.begin());
+    return checked(pressure.data(), target.surface.film.shape, tile, "a pressure", [](float value) {
+        return is_within(value, -kStrongestPressure_mm2_s2, kStrongestPressure_mm2_s2);
+    });
+}
+
+}  // namespace
+
+std::span<const TileKind> tile_kinds() {
+    static constexpr std::array kKinds = {
+        field_kind<Thickness>("thickness"),
+        field_kind<Paint>("paint"),
+        field_kind<VelocityX>("velocity_x"),
+        field_kind<VelocityY>("velocity_y"),
+        support_kind(),
+        field_kind<SolubleThickness>("soluble_thickness"),
+        field_kind<SolublePigment>("soluble_pigment"),
+        field_kind<Ground>("ground"),
+        field_kind<Uppermost>("uppermost"),
+        TileKind{"awake", sizeof(ActivityRecord), 0, &awake_tiles, &encode_awake, &decode_awake},
+        TileKind{"window", tile_bytes(1), 0, &window_tiles, &encode_window, &decode_window},
+        TileKind{"pressure", tile_bytes(1), 0, &pressure_tiles, &encode_pressure, &decode_pressure},
+    };
+    return kKinds;
+}
+
+}  // namespace pastoso::project

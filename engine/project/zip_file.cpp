@@ -1,0 +1,150 @@
+#include "project/zip_file.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <iterator>
+#include <system_error>
+#include <utility>
+#include <zip.h>
+
+namespace pastoso::project {
+namespace {
+
+/// 1 January 1980, the first that zip archives know: the same painting gives the same file.
+constexpr zip_uint16_t kDosDate = (1 << 5) | 1;
+
+std::string text_of(zip_error_t* error) {
+    // libzip takes the number of the system's error along only in zip_error_t.
+    if (zip_error_system_type(error) == ZIP_ET_SYS && zip_error_code_system(error) != 0)
+        return std::strerror(zip_error_code_system(error));
+    return zip_error_strerror(error);
+}
+
+struct Discard {
+    void operator()(zip_t* archive) const { zip_discard(archive); }
+};
+using Archive = std::unique_ptr<zip_t, Discard>;
+
+struct CloseFile {
+    void operator()(zip_file_t* file) const { zip_fclose(file); }
+};
+
+[[noreturn]] void fail_writing(const std::string& name, zip_error_t* error) {
+    throw core::InputError(name + ": cannot be written (" + text_of(error) + ").");
+}
+
+Archive create(const std::filesystem::path& path, const std::string& name) {
+    int code = 0;
+    Archive archive(zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
+    if (archive) return archive;
+    zip_error_t error;
+    zip_error_init_with_code(&error, code);
+    fail_writing(name, &error);
+}
+
+void add_entry(zip_t* archive, const std::string& entry, const Bytes& content, const std::string& name) {
+    zip_source_t* source = zip_source_buffer(archive, content.data(), content.size(), 0);
+    const zip_int64_t index =
+        source == nullptr ? -1 : zip_file_add(archive, entry.c_str(), source, ZIP_FL_ENC_UTF_8);
+    if (index < 0) {
+        zip_source_free(source);
+        fail_writing(name, zip_get_error(archive));
+    }
+    const auto place = static_cast<zip_uint64_t>(index);
+    if (zip_set_file_compression(archive, place, ZIP_CM_STORE, 0) != 0 ||
+        zip_file_set_dostime(archive, place, 0, kDosDate, 0) != 0)
+        fail_writing(name, zip_get_error(archive));
+}
+
+Archive opened(zip_source_t* source, const std::string& name, zip_error_t* error) {
+    Archive archive(source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, error));
+    if (archive) return archive;
+    zip_source_free(source);
+    const int kind = zip_error_code_zip(error);
+    if (kind == ZIP_ER_OPEN || kind == ZIP_ER_READ || kind == ZIP_ER_NOENT)
+        throw core::InputError(name + ": cannot be opened (" + text_of(error) + ").");
+    throw core::InputError(name + ": is no painting of Pastoso, or its end is missing (" +
+                           zip_error_strerror(error) + ").");
+}
+
+}  // namespace
+
+void ZipWriter::add(std::string name, Bytes content) {
+    entries_.push_back({std::move(name), std::move(content)});
+}
+
+void ZipWriter::add(std::string name, const std::string& content) {
+    const auto bytes = bytes_of(content);
+    add(std::move(name), Bytes(bytes.begin(), bytes.end()));
+}
+
+void ZipWriter::append(ZipWriter other) {
+    std::move(other.entries_.begin(), other.entries_.end(), std::back_inserter(entries_));
+}
+
+void ZipWriter::write(const std::filesystem::path& path, const std::string& name) const {
+    Archive archive = create(path, name);
+    for (const Entry& entry : entries_)
+        add_entry(archive.get(), entry.name, entry.content, name);
+    if (zip_close(archive.get()) != 0) fail_writing(name, zip_get_error(archive.get()));
+    archive.release();
+}
+
+struct ZipReader::Archive {
+    project::Archive zip;
+};
+
+ZipReader::ZipReader(const std::filesystem::path& path) : name_(path.string()) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        throw core::InputError(name_ + ": is a folder, not a file.");
+    zip_error_t error;
+    zip_error_init(&error);
+    zip_source_t* source = zip_source_file_create(path.c_str(), 0, -1, &error);
+    archive_ = std::make_unique<Archive>(opened(source, name_, &error));
+}
+
+ZipReader::ZipReader(std::span<const std::byte> archive, std::string name) : name_(std::move(name)) {
+    zip_error_t error;
+    zip_error_init(&error);
+    zip_source_t* source = zip_source_buffer_create(archive.data(), archive.size(), 0, &error);
+    archive_ = std::make_unique<Archive>(opened(source, name_, &error));
+}
+
+ZipReader::~ZipReader() = default;
+
+void ZipReader::fail(const std::string& entry, const std::string& sentence) const {
+    throw core::InputError(name_ + ", " + entry + ": " + sentence);
+}
+
+bool ZipReader::has(const std::string& entry) const {
+    const std::lock_guard lock(mutex_);
+    return zip_name_locate(archive_->zip.get(), entry.c_str(), 0) >= 0;
+}
+
+Bytes ZipReader::read(const std::string& entry, std::size_t most_bytes) const {
+    const std::lock_guard lock(mutex_);
+    zip_t* archive = archive_->zip.get();
+    zip_stat_t stat;
+    if (zip_stat(archive, entry.c_str(), 0, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0)
+        fail(entry, "is missing.");
+    if (stat.size > most_bytes) {
+        fail(entry, "holds " + std::to_string(stat.size) + " bytes, but at most " +
+                        std::to_string(most_bytes) + " are possible here.");
+    }
+    Bytes content(stat.size);
+    const std::unique_ptr<zip_file_t, CloseFile> file(zip_fopen_index(archive, stat.index, 0));
+    if (!file) fail(entry, "cannot be read (" + text_of(zip_get_error(archive)) + ").");
+    const zip_int64_t count = zip_fread(file.get(), content.data(), content.size());
+    std::byte beyond;
+    // The checksum of the archive is compared when its end is met.
+    const bool ended = zip_fread(file.get(), &beyond, 1) == 0;
+    if (count < 0 || static_cast<std::size_t>(count) != content.size() || !ended)
+        fail(entry, "is damaged (" + text_of(zip_file_get_error(file.get())) + ").");
+    return content;
+}
+
+}  // namespace pastoso::project

@@ -1,0 +1,66 @@
+// Zip archives by libzip: written in one go, read entry by entry.
+#pragma once
+
+#include "project/packed_bytes.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pastoso::project {
+
+/// The entries of an archive to be, in their order. Nothing is compressed: what is large is packed
+/// already. The same entries give the same archive.
+class ZipWriter {
+  public:
+    void add(std::string name, Bytes content);
+    void add(std::string name, const std::string& content);
+
+    /// The entries of another archive, after those that are here.
+    void append(ZipWriter other);
+
+    /// Writes the archive to `path`, where a file may stand. Throws InputError "NAME: ..." when that
+    /// fails.
+    void write(const std::filesystem::path& path, const std::string& name) const;
+
+  private:
+    struct Entry {
+        std::string name;
+        Bytes content;
+    };
+    std::vector<Entry> entries_;
+};
+
+/// Never writes anywhere; the names in an archive are compared and not used as paths. May be used by
+/// several threads, one of which reads at a time.
+class ZipReader {
+  public:
+    /// Throws InputError when the file cannot be opened or is no zip archive.
+    explicit ZipReader(const std::filesystem::path& path);
+    /// The same of an archive in memory, which outlives the reader.
+    ZipReader(std::span<const std::byte> archive, std::string name);
+    ~ZipReader();
+
+    const std::string& name() const { return name_; }
+
+    bool has(const std::string& entry) const;
+
+    /// Content of an entry; more than `most_bytes` are not read, whatever its header says. Throws
+    /// InputError "NAME, ENTRY: ..." when it is missing, larger or damaged.
+    Bytes read(const std::string& entry, std::size_t most_bytes) const;
+
+    [[noreturn]] void fail(const std::string& entry, const std::string& sentence) const;
+
+  private:
+    struct Archive;
+    std::string name_;
+    std::unique_ptr<Archive> archive_;
+    mutable std::mutex mutex_;
+};
+
+}  // namespace pastoso::project

@@ -1,0 +1,241 @@
+// Files that are damaged, foreign, hostile or of another version: one sentence each, and nothing else.
+#include "core/error.hpp"
+#include "io/temporary_folder.hpp"
+#include "project/archives.hpp"
+#include "project/paintings.hpp"
+
+#include <limits>
+
+#include <gmock/gmock.h>
+
+namespace pastoso::project {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class BadProject : public io::TemporaryFolder {
+  protected:
+    void SetUp() override {
+        io::TemporaryFolder::SetUp();
+        file = file_of(busy_project(pool), folder, pool);
+    }
+
+    std::string error_of(std::span<const std::byte> bytes) {
+        try {
+            parse_project(bytes, "it.pastoso", pool);
+        } catch (const core::InputError& error) {
+            return error.what();
+        }
+        return "";
+    }
+    /// With a change to the index.
+    std::string error_of_index(const std::string& from, const std::string& to) {
+        return error_of(changed(file, "pastoso/index.json",
+                                [&](std::string& index) { index = replaced(index, from, to); }));
+    }
+    std::string error_of_entry(const std::string& entry, const std::string& content) {
+        return error_of(changed(file, entry, [&](std::string& old) { old = content; }));
+    }
+    std::string error_of_painting(const Project& project) {
+        return error_of(unseen_file_of(project, folder, pool));
+    }
+
+    core::ThreadPool pool{2};
+    Bytes file;
+};
+
+TEST_F(BadProject, TheGoodFileIsGood) {
+    EXPECT_EQ(error_of(file), "");
+    EXPECT_EQ(error_of(archive_of(entries_of(file))), "");
+    // Another program may have compressed the entries.
+    EXPECT_EQ(error_of(archive_of(entries_of(file), true)), "");
+}
+
+TEST_F(BadProject, WhatIsNoProjectIsToldSo) {
+    EXPECT_EQ(error_of({}), "it.pastoso: is no painting of Pastoso.");
+    EXPECT_THAT(error_of(bytes_of(std::string(5000, 'x'))), HasSubstr("is no painting of Pastoso"));
+    EXPECT_EQ(error_of(archive_of({{"a.txt", "hello"}})), "it.pastoso: is no painting of Pastoso.");
+    EXPECT_EQ(error_of(archive_of({{"mimetype", "application/x-krita"}})),
+              "it.pastoso: is no painting of Pastoso.");
+    EXPECT_EQ(error_of(archive_of({{"mimetype", "image/openraster"}, {"stack.xml", "<image/>"}})),
+              "it.pastoso: is an OpenRaster picture of another program; it holds no wet paint.");
+}
+
+TEST_F(BadProject, MissingFilesAndFoldersAreToldOfByName) {
+    EXPECT_THROW(load_project(folder / "none.pastoso", pool), core::InputError);
+    try {
+        load_project(folder, pool);
+        FAIL();
+    } catch (const core::InputError& error) {
+        EXPECT_EQ(std::string(error.what()), folder.string() + ": is a folder, not a file.");
+    }
+}
+
+TEST_F(BadProject, ATruncatedFileIsRefusedWhereverItEnds) {
+    for (std::size_t length = 0; length < file.size(); length += file.size() / 40)
+        EXPECT_NE(error_of(std::span(file).first(length)), "") << length;
+    EXPECT_NE(error_of(std::span(file).first(file.size() - 1)), "");
+}
+
+TEST_F(BadProject, OtherVersionsAreRefused) {
+    EXPECT_EQ(
+        error_of_index("\"version\":1", "\"version\":2"),
+        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 2; this "
+        "program reads up to 1).");
+    EXPECT_THAT(error_of_index("\"version\":1", "\"version\":0"),
+                HasSubstr("version: 0 is not between"));
+    EXPECT_THAT(error_of_index("pastoso-project", "pastoso-scene"), HasSubstr("this is no painting"));
+}
+
+TEST_F(BadProject, AnIndexThatSaysTooMuchOrTooLittleIsRefused) {
+    EXPECT_THAT(error_of_index("\"varied\":", "\"vared\":"), HasSubstr("no such entry as \"vared\""));
+    EXPECT_THAT(error_of_index("\"tick\":", "\"tock\":"), HasSubstr("tock"));
+    EXPECT_THAT(error_of_index("\"kind\":\"paint\"", "\"kind\":\"magic\""),
+                HasSubstr("tile_entries[1].kind: there is no such kind of tiles as \"magic\"."));
+    EXPECT_THAT(error_of_index("\"layers\":[", "\"layers\":[{},"),
+                HasSubstr("layers: expected one layer."));
+    EXPECT_THAT(error_of_entry("pastoso/index.json", "{\"format\""), HasSubstr("not valid JSON"));
+    EXPECT_THAT(error_of_entry("pastoso/index.json", std::string(2'000'000, '[')),
+                HasSubstr("nested more than 64 deep"));
+    EXPECT_THAT(error_of_entry("pastoso/setup.json", std::string(2'000'000, '[')),
+                HasSubstr("nested more than 64 deep"));
+}
+
+TEST_F(BadProject, SizesThatDoNotFitAreRefusedBeforeAnythingIsAllocated) {
+    EXPECT_THAT(error_of_index("\"cells\":[180,90]", "\"cells\":[32768,32768]"),
+                HasSubstr("the canvas has 32768 x 32768 cells, but 180 x 90"));
+    EXPECT_THAT(error_of_index("\"cells\":[180,90]", "\"cells\":[4000000000,90]"),
+                HasSubstr("is not between 1 and 32768"));
+    EXPECT_THAT(error_of_index("\"tiles\":[[", "\"tiles\":[[5,4000],["), HasSubstr("is not between"));
+    const std::string huge =
+        "{\"format\":\"pastoso-strokes\",\"version\":3,\"canvas\":{\"width_mm\":5000,"
+        "\"height_mm\":5000,\"px_per_mm\":6},\"end_tick\":0,\"events\":[]}";
+    EXPECT_THAT(error_of_entry("pastoso/setup.json", huge), HasSubstr("of memory are free"));
+}
+
+TEST_F(BadProject, ATileThatComesTwiceIsRefused) {
+    const Entries entries = entries_of(file);
+    std::string index;
+    for (const auto& [name, content] : entries)
+        if (name == "pastoso/index.json") index = content;
+    const std::size_t begin = index.find("{\"kind\":\"thickness\"");
+    const std::string entry = index.substr(begin, index.find('}', begin) + 1 - begin);
+    EXPECT_THAT(error_of_index(entry, entry + "," + entry), HasSubstr("comes twice"));
+}
+
+TEST_F(BadProject, NamesOutsideOfOurFolderAreRefused) {
+    EXPECT_THAT(error_of_index("\"entry\":\"pastoso/layer0/thickness-000.zst\"",
+                               "\"entry\":\"../../../etc/passwd\""),
+                HasSubstr("expected a name that begins with pastoso/."));
+    EXPECT_THAT(error_of_index("\"entry\":\"pastoso/layer0/thickness-000.zst\"",
+                               "\"entry\":\"pastoso/../../etc/passwd\""),
+                HasSubstr("pastoso/../../etc/passwd: is missing."));
+}
+
+TEST_F(BadProject, ZipBombsAreRefused) {
+    Entries entries = entries_of(file);
+    for (auto& [name, content] : entries)
+        if (name == "pastoso/layer0/paint-000.zst") content = std::string(200'000'000, '\0');
+    const Bytes bomb = archive_of(entries, true);
+    EXPECT_LT(bomb.size(), 2'000'000U);
+    EXPECT_THAT(error_of(bomb),
+                HasSubstr("pastoso/layer0/paint-000.zst: holds 200000000 bytes, but at most"));
+    for (auto& [name, content] : entries)
+        if (name == "mimetype") content = std::string(200'000'000, '\0');
+    EXPECT_THAT(error_of(archive_of(entries, true)), HasSubstr("mimetype: holds"));
+}
+
+TEST_F(BadProject, DamageInAnEntryIsFound) {
+    for (const std::string entry : {"pastoso/layer0/paint-000.zst", "pastoso/well/thickness-000.zst",
+                                    "pastoso/brush.zst", "pastoso/strokes.json.zst"}) {
+        const auto flip = [](std::string& content) { content[content.size() / 2] ^= 0x10; };
+        const auto shorten = [](std::string& content) { content.pop_back(); };
+        EXPECT_THAT(error_of(changed(file, entry, flip)),
+                    StartsWith("it.pastoso, " + entry + ": is damaged"));
+        EXPECT_THAT(error_of(changed(file, entry, shorten)), HasSubstr(entry + ": is damaged"));
+    }
+    // A frame that is whole, of other content.
+    const std::string other(16384, 'x');
+    const Bytes frame = packed(bytes_of(other));
+    EXPECT_THAT(error_of_entry("pastoso/layer0/thickness-000.zst",
+                               {reinterpret_cast<const char*>(frame.data()), frame.size()}),
+                HasSubstr("thickness-000.zst: is damaged"));
+}
+
+TEST_F(BadProject, ValuesThatCannotBeAreRefusedWithTheirPlace) {
+    const Project good = busy_project(pool);
+    static constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+    static constexpr float kInfinite = std::numeric_limits<float>::infinity();
+    const auto with = [&](auto&& change) {
+        Project project = good;
+        change(project.painting.canvas.film);
+        return error_of_painting(project);
+    };
+    EXPECT_EQ(
+        with([](auto& film) { film.velocity_x.set(70, 30, kNone); }),
+        "it.pastoso, pastoso/layer0/velocity_x-000.zst: cell (70, 30) holds a velocity that cannot be.");
+    EXPECT_THAT(with([](auto& film) { film.velocity_y.set(3, 80, kInfinite); }),
+                HasSubstr("cell (3, 80)"));
+    EXPECT_THAT(with([](auto& film) { film.support_mm.set(0, 0, kNone); }),
+                HasSubstr("height of the support"));
+    EXPECT_THAT(with([](auto& film) { film.support_mm.set(0, 0, -1.0F); }), HasSubstr("cell (0, 0)"));
+    EXPECT_THAT(with([](auto& film) { film.thickness.set(9, 9, -1); }),
+                HasSubstr("holds a thickness that"));
+    EXPECT_THAT(with([](auto& film) { film.thickness.set(9, 9, film::kMaxThickness_quanta + 1); }),
+                HasSubstr("holds a thickness that cannot be"));
+    EXPECT_THAT(with([](auto& film) {
+                    film::PaintCell cell{};
+                    cell[15] = -1;
+                    film.paint.set(179, 89, cell);
+                }),
+                HasSubstr("cell (179, 89) holds an amount of paint"));
+    EXPECT_THAT(with([](auto& film) {
+                    film.strata.ground.set(1, 2, {1, 1, 1, 1, 1, kNone});
+                }),
+                HasSubstr("holds a reflectance"));
+    EXPECT_THAT(with([](auto& film) { film.strata.soluble_thickness.set(1, 2, -5); }),
+                HasSubstr("holds a thickness of dry paint"));
+}
+
+TEST_F(BadProject, MotionThatCannotBeIsRefused) {
+    const Project good = busy_project(pool);
+    const auto with = [&](auto&& change) {
+        Project project = good;
+        change(project.painting);
+        return error_of_painting(project);
+    };
+    EXPECT_THAT(with([](auto& painting) { painting.canvas.solver.awake[0].activity.waiting_s = 1e30; }),
+                HasSubstr("moves as no paint can"));
+    EXPECT_THAT(with([](auto& painting) {
+                    painting.canvas.solver.awake[0].activity.extremes.speed_mm_s =
+                        std::numeric_limits<float>::quiet_NaN();
+                }),
+                HasSubstr("moves as no paint can"));
+    EXPECT_THAT(with([](auto& painting) {
+                    painting.canvas.solver.awake[0].activity.window_s = 0.25F;
+                    painting.canvas.solver.awake[0].window_start = {};
+                }),
+                HasSubstr("there is no \"window\""));
+    EXPECT_THAT(with([](auto& painting) { painting.ageing.drying_s = -1; }),
+                HasSubstr("ageing.drying_s"));
+    EXPECT_THAT(with([](auto& painting) { painting.tick = -4; }), HasSubstr("tick"));
+}
+
+TEST_F(BadProject, ABrushThatCannotBeIsRefused) {
+    const Project good = busy_project(pool);
+    const auto with = [&](auto&& change) {
+        Project project = good;
+        change(*project.painting.brush);
+        return error_of_painting(project);
+    };
+    EXPECT_THAT(
+        with([](auto& brush) { brush.held[3].volume_mm3 = std::numeric_limits<double>::quiet_NaN(); }),
+        HasSubstr("pastoso/brush.zst: a bristle holds what none can."));
+    EXPECT_THAT(with([](auto& brush) { brush.held[3].paint[2] = 1e12; }),
+                HasSubstr("holds what none can"));
+    EXPECT_THAT(with([](auto& brush) { brush.held.pop_back(); }), HasSubstr("paint of another brush"));
+}
+
+}  // namespace
+}  // namespace pastoso::project

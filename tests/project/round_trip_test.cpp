@@ -1,0 +1,202 @@
+// What is saved is what is loaded, bit by bit, and goes on like what was not saved.
+#include "document/canvas.hpp"
+#include "document/player.hpp"
+#include "film/support.hpp"
+#include "io/canvas_support.hpp"
+#include "io/image.hpp"
+#include "io/temporary_folder.hpp"
+#include "project/paintings.hpp"
+
+#include <gmock/gmock.h>
+
+namespace pastoso::project {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class ProjectRoundTrip : public io::TemporaryFolder {
+  protected:
+    LoadedProject saved_and_loaded(const Project& project) {
+        save_project(folder / "a.pastoso", project, pool);
+        return load_project(folder / "a.pastoso", pool);
+    }
+    core::ThreadPool pool{2};
+};
+
+void expect_equal(const document::PaintingState& a, const document::PaintingState& b) {
+    EXPECT_EQ(document::state_hash(a), document::state_hash(b));
+    EXPECT_EQ(a.settings, b.settings);
+    EXPECT_EQ(a.tick, b.tick);
+    EXPECT_EQ(a.medium, b.medium);
+    EXPECT_EQ(a.tilt, b.tilt);
+    EXPECT_EQ(a.air, b.air);
+    EXPECT_EQ(a.ageing, b.ageing);
+    EXPECT_EQ(a.aids.stabiliser, b.aids.stabiliser);
+    EXPECT_EQ(a.aids.guide, b.aids.guide);
+    EXPECT_EQ(a.symmetry, b.symmetry);
+    EXPECT_EQ(a.taken, b.taken);
+    EXPECT_EQ(a.wiped, b.wiped);
+    EXPECT_EQ(a.forgotten_run_off.paint, b.forgotten_run_off.paint);
+    EXPECT_EQ(a.canvas.film.varied, b.canvas.film.varied);
+    EXPECT_EQ(a.canvas.solver.calls, b.canvas.solver.calls);
+    EXPECT_EQ(a.canvas.solver.awake.size(), b.canvas.solver.awake.size());
+    EXPECT_EQ(a.canvas.solver.pressures.size(), b.canvas.solver.pressures.size());
+    EXPECT_EQ(a.well.has_value(), b.well.has_value());
+    ASSERT_EQ(a.brush.has_value(), b.brush.has_value());
+    if (!a.brush) return;
+    EXPECT_EQ(a.brush->held, b.brush->held);
+    EXPECT_EQ(a.brush->strokes_begun, b.brush->strokes_begun);
+    EXPECT_EQ(a.brush->taken.size_mm, b.brush->taken.size_mm);
+    EXPECT_EQ(a.brush->taken.seed, b.brush->taken.seed);
+}
+
+TEST_F(ProjectRoundTrip, AnUntouchedCanvasComesBack) {
+    document::CanvasSettings settings;
+    settings.support = "cotton duck";
+    const document::Painting painting(settings, pool);
+    const Project project{painting.state(), {settings, {}, 0}};
+    const LoadedProject loaded = saved_and_loaded(project);
+    expect_equal(loaded.painting, project.painting);
+    EXPECT_EQ(loaded.strokes, project.strokes);
+    EXPECT_THAT(loaded.notes, IsEmpty());
+}
+
+TEST_F(ProjectRoundTrip, ABusyPaintingComesBack) {
+    const Project project = busy_project(pool);
+    const auto& film = project.painting.canvas.film;
+    ASSERT_TRUE(film.varied);
+    ASSERT_GT(film.strata.fixed.thickness + film.strata.evaporated, 0);
+    ASSERT_FALSE(project.painting.canvas.solver.awake.empty());
+    ASSERT_TRUE(project.painting.well);
+    const LoadedProject loaded = saved_and_loaded(project);
+    expect_equal(loaded.painting, project.painting);
+    EXPECT_EQ(loaded.strokes, project.strokes);
+    EXPECT_THAT(loaded.notes, IsEmpty());
+}
+
+TEST_F(ProjectRoundTrip, PaintGoesOnToTheSameBitsOnAnyNumberOfThreads) {
+    const document::Recording recording = busy_session();
+    const std::uint64_t whole = played(recording, recording.end_tick, pool)->state_hash();
+    for (const std::int64_t tick : {26, 52, 85, 130}) {
+        const auto painting = played(recording, tick, pool);
+        ASSERT_FALSE(painting->stroke_in_progress()) << tick;
+        const LoadedProject loaded = saved_and_loaded(project_of(*painting, recording));
+        for (const int threads : {1, 3}) {
+            core::ThreadPool other(threads);
+            document::Painting again(loaded.painting, other);
+            document::Recording rest = recording;
+            std::erase_if(rest.events, [&](const auto& event) { return event.tick < tick; });
+            document::Player player(again, rest);
+            while (!player.finished())
+                player.play_tick();
+            EXPECT_EQ(again.state_hash(), whole) << tick;
+        }
+    }
+}
+
+TEST_F(ProjectRoundTrip, TheStrokesReplayToThePainting) {
+    const Project project = busy_project(pool);
+    const LoadedProject loaded = saved_and_loaded(project);
+    EXPECT_EQ(played(loaded.strokes, loaded.strokes.end_tick, pool)->state_hash(),
+              document::state_hash(project.painting));
+}
+
+TEST_F(ProjectRoundTrip, TheSamePaintingGivesTheSameBytesAndALoadedOneToo) {
+    const Project project = busy_project(pool);
+    core::ThreadPool alone(1);
+    const auto first = file_of(project, folder, pool);
+    EXPECT_EQ(file_of(project, folder, alone), first);
+    EXPECT_EQ(file_of(parse_project(first, "it", pool), folder, pool), first);
+}
+
+TEST_F(ProjectRoundTrip, AHeightImageIsNotNeededAgain) {
+    io::write_image(folder / "bumps.tif",
+                    shade::Image8{3, 2,
+                                  std::vector<std::uint8_t>{0, 0, 0, 90, 90, 90, 255, 255, 255, 30, 30,
+                                                            30, 20, 20, 20, 200, 200, 200}});
+    document::CanvasSettings settings;
+    settings.width_mm = settings.height_mm = 20.0;
+    settings.support = "image";
+    settings.support_image = (folder / "bumps.tif").string();
+    const auto painting = io::make_painting(settings, pool);
+    save_project(folder / "a.pastoso", {painting->state(), {settings, {}, 0}}, pool);
+    std::filesystem::remove(folder / "bumps.tif");
+    EXPECT_EQ(document::state_hash(load_project(folder / "a.pastoso", pool).painting),
+              painting->state_hash());
+}
+
+TEST_F(ProjectRoundTrip, ACanvasThatAnotherVersionWeavesOtherwiseIsLoadedWithANote) {
+    Project project = busy_project(pool);
+    auto& painting = project.painting;
+    const grid::Shape& shape = painting.canvas.film.shape;
+    // As if this version made another linen: what lies below paint comes from the file.
+    painting.bare_support_mm = film::named_support("panel", shape, painting.canvas.film.cell_mm);
+    const auto own = painting.canvas.film.support_mm;
+    for (int tile = 0; tile < shape.tile_count(); ++tile)
+        if (painting.canvas.film.thickness.is_background(tile) &&
+            painting.canvas.film.strata.ground.is_background(tile))
+            painting.canvas.film.support_mm.replace(tile, painting.bare_support_mm.block(tile));
+    ASSERT_NE(document::state_hash(painting), 0U);
+    const LoadedProject loaded = saved_and_loaded(project);
+    for (int tile = 0; tile < shape.tile_count(); ++tile) {
+        if (painting.canvas.film.thickness.is_background(tile)) continue;
+        EXPECT_TRUE(std::equal(own.read(tile), own.read(tile) + grid::kTileCells,
+                               loaded.painting.canvas.film.support_mm.read(tile)));
+    }
+    ASSERT_EQ(loaded.notes.size(), 1U);
+    EXPECT_THAT(loaded.notes.front(), HasSubstr("another form of linen"));
+}
+
+TEST_F(ProjectRoundTrip, PaintsOfSomebodyElseDoNotHinderLoading) {
+    Project project = busy_project(pool);
+    document::LoadPaint load;
+    load.paint.ingredients = {{"Aunt Emma's green", 1.0}};
+    project.strokes.events.push_back({project.painting.tick, load});
+    const LoadedProject loaded = saved_and_loaded(project);
+    EXPECT_EQ(loaded.strokes, project.strokes);
+    EXPECT_THAT(loaded.notes, IsEmpty());
+}
+
+TEST_F(ProjectRoundTrip, StrokesThatCannotBeReadCostOnlyTheirReplay) {
+    Project project = busy_project(pool);
+    project.strokes.events.push_back({project.painting.tick, document::PenDown{{.pressure = 7.0}}});
+    const LoadedProject loaded = saved_and_loaded(project);
+    EXPECT_EQ(document::state_hash(loaded.painting), document::state_hash(project.painting));
+    EXPECT_THAT(loaded.strokes.events, IsEmpty());
+    ASSERT_EQ(loaded.notes.size(), 1U);
+    EXPECT_THAT(loaded.notes.front(), HasSubstr("strokes cannot be replayed"));
+}
+
+TEST_F(ProjectRoundTrip, TheSummaryTellsWithoutLoading) {
+    const Project project = busy_project(pool);
+    save_project(folder / "a.pastoso", project, pool);
+    const ProjectSummary summary = project_summary(folder / "a.pastoso");
+    EXPECT_EQ(summary.canvas, project.painting.settings);
+    EXPECT_EQ(summary.state_hash, document::state_hash(project.painting));
+    EXPECT_EQ(summary.tick, project.painting.tick);
+    EXPECT_EQ(summary.medium, "house paint");
+    EXPECT_EQ(summary.brush, "Round sable 9");
+    const auto paint = std::find_if(summary.sizes.begin(), summary.sizes.end(),
+                                    [](const KindSize& size) { return size.kind == "paint"; });
+    ASSERT_NE(paint, summary.sizes.end());
+    EXPECT_EQ(paint->bytes % (64U * 4096U), 0U);
+    EXPECT_LT(paint->packed_bytes, paint->bytes / 2);
+}
+
+/// Untouched tiles are not in the file, whatever the canvas measures; its pictures are.
+TEST_F(ProjectRoundTrip, AnEmptyCanvasOf8192CellsASideIsASmallFile) {
+    document::CanvasSettings settings;
+    settings.width_mm = settings.height_mm = 2048.0;
+    settings.support = "panel";
+    const grid::Shape shape = document::canvas_shape(settings);
+    ASSERT_EQ(shape.width, 8192);
+    const document::Painting painting(settings, grid::TiledField<float>(shape), pool);
+    save_project(folder / "a.pastoso", {painting.state(), {settings, {}, 0}}, pool);
+    EXPECT_LT(std::filesystem::file_size(folder / "a.pastoso"), 1'000'000U);
+    EXPECT_THAT(project_summary(folder / "a.pastoso").sizes, ElementsAre(testing::_));
+}
+
+}  // namespace
+}  // namespace pastoso::project
