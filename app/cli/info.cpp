@@ -13,6 +13,7 @@
 #include "io/recording_json.hpp"
 #include "io/recording_text.hpp"
 #include "pigment/palette.hpp"
+#include "project/project.hpp"
 
 #include <algorithm>
 #include <array>
@@ -91,20 +92,41 @@ void print_names(const char* what, const std::set<std::string>& names) {
     std::printf("\n");
 }
 
-void print_json_recording(const std::string& path) {
-    const document::Recording recording = io::read_recording_json(path);
-    const document::CanvasSettings& canvas = recording.canvas;
+void print_canvas(const document::CanvasSettings& canvas) {
     const grid::Shape shape = document::canvas_shape(canvas);
-    Inventory inventory;
-    for (const document::Event& event : recording.events)
-        std::visit(inventory, event.action);
-    std::printf("%s: stroke recording\n", path.c_str());
     std::printf("canvas: %s x %s mm, %s, %s px/mm (%d x %d cells)\n",
                 number_text(canvas.width_mm).c_str(), number_text(canvas.height_mm).c_str(),
                 canvas.support.c_str(), number_text(canvas.px_per_mm).c_str(), shape.width,
                 shape.height);
-    std::printf("duration: %s\n",
-                duration_text(static_cast<double>(recording.end_tick) * document::kTick_s).c_str());
+}
+
+std::string time_text(std::int64_t ticks) {
+    return duration_text(static_cast<double>(ticks) * document::kTick_s);
+}
+
+void print_project(const std::string& path) {
+    const project::ProjectSummary summary = project::project_summary(path);
+    std::printf("%s: painting, saved by Pastoso %s\n", path.c_str(), summary.program.c_str());
+    print_canvas(summary.canvas);
+    std::printf("painted for: %s\n", time_text(summary.tick).c_str());
+    std::printf("medium: %s\nbrush: %s\n", summary.medium.c_str(),
+                summary.brush.empty() ? "none" : summary.brush.c_str());
+    std::printf("state: %016llx\n", static_cast<unsigned long long>(summary.state_hash));
+    for (const project::KindSize& size : summary.sizes) {
+        std::printf("%s: %.2f MB in %.2f MB\n", size.kind.c_str(),
+                    1e-6 * static_cast<double>(size.bytes),
+                    1e-6 * static_cast<double>(size.packed_bytes));
+    }
+}
+
+void print_json_recording(const std::string& path) {
+    const document::Recording recording = io::read_recording_json(path);
+    Inventory inventory;
+    for (const document::Event& event : recording.events)
+        std::visit(inventory, event.action);
+    std::printf("%s: stroke recording\n", path.c_str());
+    print_canvas(recording.canvas);
+    std::printf("duration: %s\n", time_text(recording.end_tick).c_str());
     std::printf("events: %zu\nstrokes: %ld\n", recording.events.size(), inventory.strokes);
     if (inventory.well_strokes + inventory.squeezes > 0) {
         std::printf("mixing well: %ld of the strokes, paint squeezed %ld times\n",
@@ -149,6 +171,8 @@ void print_image(const std::string& path) {
 void print_file(const std::string& path) {
     if (names_an_image(path))
         print_image(path);
+    else if (project::is_project_path(path))
+        print_project(path);
     else if (is_json_recording(path))
         print_json_recording(path);
     else

@@ -1,4 +1,5 @@
 #include "arguments/argument_fault.hpp"
+#include "cli/export.hpp"
 #include "cli/info.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/options.hpp"
@@ -97,6 +98,20 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
         ->check(CLI::IsMember({8, 16}));
 }
 
+void add_scale_option(CLI::App& command, double& scale) {
+    command.add_option("--scale", scale, "Pixels per cell of every picture")
+        ->type_name("S")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0625, 16.0));
+}
+
+void add_threads_option(CLI::App& command, int& threads) {
+    command.add_option("--threads", threads, "Threads to use; 0: one per processor")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 256));
+}
+
 void add_output_options(CLI::App& command, ReplayOptions& options) {
     command.add_option("-o,--output", options.output, "The picture: .png, .tif, .jpg or .exr")
         ->type_name("FILE");
@@ -104,11 +119,12 @@ void add_output_options(CLI::App& command, ReplayOptions& options) {
         .add_option("--well", options.well,
                     "A picture of the mixing well at the end, 3 cells per mm whatever the canvas has")
         ->type_name("FILE");
-    command.add_option("--scale", options.scale, "Pixels per cell of every picture")
-        ->type_name("S")
-        ->capture_default_str()
-        ->check(CLI::Range(0.0625, 16.0));
+    add_scale_option(command, options.scale);
     add_picture_options(command, options.picture);
+    command
+        .add_option("--save", options.save,
+                    "Keep the painting, wet as it is at the end, as a project file, FILE.pastoso")
+        ->type_name("FILE");
     command.add_option("--frames", options.frames, "Write frame-00001.png and so on into this folder")
         ->type_name("DIR");
     command.add_option("--fps", options.fps, "Frames per second of paint time")
@@ -117,10 +133,7 @@ void add_output_options(CLI::App& command, ReplayOptions& options) {
         ->check(CLI::Range(0.01, 60.0));
     command.add_option("--stats", options.stats, "Write the figures of the run as one JSON object")
         ->type_name("FILE");
-    command.add_option("--threads", options.threads, "Threads to use; 0: one per processor")
-        ->type_name("N")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 256));
+    add_threads_option(command, options.threads);
     command.add_flag("-q,--quiet", options.quiet, "Show no progress");
 }
 
@@ -147,6 +160,19 @@ void add_sheet(CLI::App& app, ReplayOptions& options) {
     command.add_option("--px-per-mm", options.px_per_mm, "Cells per millimetre (5)")->type_name("N");
     add_output_options(command, options);
     command.footer("Example:\n  pastoso-cli sheet -o sheet.png");
+}
+
+void add_export(CLI::App& app, ExportOptions& options) {
+    CLI::App& command = *app.add_subcommand("export", "Make a picture of a project file");
+    command.add_option("PROJECT", options.project, "A painting: FILE.pastoso")->required();
+    command.add_option("-o,--output", options.output, "The picture: .png, .tif, .jpg or .exr")
+        ->type_name("FILE");
+    command.add_option("--well", options.well, "A picture of the mixing well")->type_name("FILE");
+    add_scale_option(command, options.scale);
+    add_picture_options(command, options.picture);
+    add_threads_option(command, options.threads);
+    command.footer(
+        "Example:\n  pastoso-cli export painting.pastoso -o painting.tif --depth 16 --scale 2");
 }
 
 std::string bundled_scenes_text() {
@@ -188,7 +214,8 @@ void add_simulate(CLI::App& app, SimulateOptions& options) {
 
 void add_info(CLI::App& app, InfoOptions& options) {
     CLI::App& command = *app.add_subcommand(
-        "info", "Describe a recording or an image, paints and colours, or the program itself");
+        "info",
+        "Describe a painting, a recording or an image, paints and colours, or the program itself");
     command
         .add_option(
             "ABOUT", options.about,
@@ -203,6 +230,7 @@ void add_info(CLI::App& app, InfoOptions& options) {
 
 int run(int argc, char** argv) {
     ReplayOptions replay, sheet;
+    ExportOptions exporting;
     SimulateOptions simulate;
     InfoOptions info;
     CLI::App app("Paints with thick wet paint, without a screen.", "pastoso-cli");
@@ -211,13 +239,14 @@ int run(int argc, char** argv) {
     app.footer("Example:\n  pastoso-cli replay strokes.json -o picture.png");
     add_replay(app, replay);
     add_sheet(app, sheet);
+    add_export(app, exporting);
     add_simulate(app, simulate);
     add_info(app, info);
     const std::string first = argc > 1 ? argv[1] : "-";
     const auto is_named = [&](const CLI::App* command) { return command->get_name() == first; };
     if (!first.starts_with('-') && app.get_subcommands(is_named).empty()) {
         throw UsageError("there is no subcommand \"" + first +
-                         "\", only replay, sheet, simulate and info.");
+                         "\", only replay, sheet, export, simulate and info.");
     }
     try {
         app.parse(argc, argv);
@@ -230,6 +259,8 @@ int run(int argc, char** argv) {
         run_replay(replay);
     else if (app.got_subcommand("sheet"))
         run_sheet(std::move(sheet));
+    else if (app.got_subcommand("export"))
+        run_export(exporting);
     else if (app.got_subcommand("simulate"))
         run_simulate(simulate);
     else

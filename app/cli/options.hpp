@@ -35,12 +35,22 @@ struct ReplayOptions {
     int threads = 0;
     std::string output;
     std::string well;
+    std::string save;  ///< a project file
     std::string stats;
     std::string frames;
     double fps = 25.0;
     double scale = 1.0;
     PictureOptions picture;
     bool quiet = false;
+};
+
+struct ExportOptions {
+    std::string project;
+    std::string output;
+    std::string well;
+    double scale = 1.0;
+    PictureOptions picture;
+    int threads = 0;
 };
 
 struct SimulateOptions {

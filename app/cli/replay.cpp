@@ -12,17 +12,26 @@
 #include "io/canvas_support.hpp"
 #include "io/files.hpp"
 #include "io/replay_stats.hpp"
+#include "project/project.hpp"
 
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace pastoso::cli {
 namespace {
 
+void check_project_path(const std::string& path) {
+    if (!project::is_project_path(path))
+        throw core::InputError(path + ": a painting is saved as .pastoso; this name ends otherwise.");
+    io::check_writable(path);
+}
+
 void check_outputs(const ReplayOptions& options, const PictureStyle& style) {
     if (!options.output.empty()) io::check_picture_path(options.output, style.encoding);
     if (!options.well.empty()) io::check_picture_path(options.well, style.encoding);
+    if (!options.save.empty()) check_project_path(options.save);
     if (!options.stats.empty()) io::check_writable(options.stats);
     if (!options.frames.empty()) io::make_folder(options.frames);
 }
@@ -45,6 +54,16 @@ void play(document::Painting& painting, const document::Recording& recording,
     }
     if (frames != nullptr) frames->write_if_due(painting);
     stop_if_interrupted();
+}
+
+/// A pen that is still down is lifted: files hold paintings between two strokes.
+void save_painting(document::Painting& painting, document::Recording recording, const std::string& path,
+                   core::ThreadPool& pool) {
+    if (painting.stroke_in_progress()) {
+        painting.apply(document::PenUp{});
+        recording.events.push_back({painting.tick(), document::PenUp{}});
+    }
+    project::save_project(path, {painting.state(), std::move(recording)}, pool);
 }
 
 io::ReplayStats stats_of(const document::Painting& painting, const PictureTimes& times, int threads) {
@@ -73,6 +92,7 @@ void print_summary(const ReplayOptions& options, const document::Recording& reco
     const double painted_s = static_cast<double>(recording.end_tick) * document::kTick_s;
     print_picture(options.output, picture);
     print_picture(options.well, well);
+    if (!options.save.empty()) std::printf("%s: the painting\n", options.save.c_str());
     if (!options.frames.empty()) std::printf("%s: %d frames\n", options.frames.c_str(), frame_count);
     if (!options.stats.empty()) std::printf("%s: figures\n", options.stats.c_str());
     std::printf("%.1f s of painting in %.1f s: brush %.1f, film %.1f, rendering %.1f, files %.1f\n",
@@ -98,9 +118,13 @@ void run_replay(const ReplayOptions& options) {
     if (!options.output.empty()) picture = pictures.write(*painting, options.output);
     if (!options.well.empty()) well = pictures.write_well(*painting, options.well);
 
+    double saving_s = 0.0;
+    if (!options.save.empty())
+        saving_s = seconds_of([&] { save_painting(*painting, recording, options.save, pool); });
+
     io::ReplayStats stats = stats_of(*painting, pictures.times(), pool.thread_count());
     stats.image_hash = picture.hash;
-    stats.io_s += reading_s;
+    stats.io_s += reading_s + saving_s;
     stats.wall_s = wall.seconds();
     if (!options.stats.empty()) io::write_stats(options.stats, stats);
     print_summary(options, recording, stats, picture, well, frames.frames_written());

@@ -1,12 +1,12 @@
 #include "project/zip_file.hpp"
 
 #include "core/error.hpp"
+#include "io/files.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <iterator>
-#include <system_error>
 #include <utility>
 #include <zip.h>
 
@@ -63,9 +63,6 @@ Archive opened(zip_source_t* source, const std::string& name, zip_error_t* error
     Archive archive(source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, error));
     if (archive) return archive;
     zip_source_free(source);
-    const int kind = zip_error_code_zip(error);
-    if (kind == ZIP_ER_OPEN || kind == ZIP_ER_READ || kind == ZIP_ER_NOENT)
-        throw core::InputError(name + ": cannot be opened (" + text_of(error) + ").");
     throw core::InputError(name + ": is no painting of Pastoso, or its end is missing (" +
                            zip_error_strerror(error) + ").");
 }
@@ -98,9 +95,7 @@ struct ZipReader::Archive {
 };
 
 ZipReader::ZipReader(const std::filesystem::path& path) : name_(path.string()) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored))
-        throw core::InputError(name_ + ": is a folder, not a file.");
+    io::check_readable(path);
     zip_error_t error;
     zip_error_init(&error);
     zip_source_t* source = zip_source_file_create(path.c_str(), 0, -1, &error);

@@ -12,6 +12,7 @@ TEST(CliHelp, EverySubcommandHasHelpWithAnExample) {
     for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
                                                       {"replay", "--help"},
                                                       {"sheet", "--help"},
+                                                      {"export", "--help"},
                                                       {"simulate", "--help"},
                                                       {"info", "--help"}}) {
         const RunResult run = run_cli(arguments);
