@@ -7,6 +7,9 @@ namespace pastoso::commands {
 
 enum class Command {
     NewCanvas,
+    OpenPainting,
+    SavePainting,
+    SavePaintingAs,
     SavePicture,
     SaveRecording,
     Quit,

@@ -11,10 +11,12 @@ namespace pastoso::main {
 ParsedArguments parse_arguments(int argc, char** argv) {
     ParsedArguments parsed;
     Arguments& arguments = parsed.arguments;
-    CLI::App app("Paint with thick wet paint. Without a recording, an easel stands ready to paint on.",
+    CLI::App app("Paint with thick wet paint. Without a file, an easel stands ready to paint on.",
                  "pastoso");
     app.set_version_flag("--version", "pastoso " PASTOSO_VERSION);
-    app.add_option("recording", arguments.recording, "A recording (.json) to replay into the window");
+    app.add_option(
+        "file", arguments.file,
+        "A painting (.pastoso) to go on with, or a recording (.json) to replay into the window");
     auto* screenshot = app.add_option("--screenshot", arguments.screenshot,
                                       "Save a picture of the window to this file and leave");
     app.add_option("--after", arguments.after_s, "Seconds to wait before the screenshot")

@@ -7,7 +7,7 @@
 namespace pastoso::main {
 
 struct Arguments {
-    std::optional<std::filesystem::path> recording;  ///< to be replayed into the window
+    std::optional<std::filesystem::path> file;  ///< a painting to open, or a recording to replay
     std::optional<std::filesystem::path>
         screenshot;        ///< where to save a picture of the window before leaving
     double after_s = 3.0;  ///< when to take it

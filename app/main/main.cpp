@@ -6,6 +6,7 @@
 #include "main/display.hpp"
 #include "main/main_window.hpp"
 #include "panels/theme.hpp"
+#include "project/project.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -49,9 +50,11 @@ void take_screenshot_later(MainWindow& window, const Arguments& arguments) {
 
 int run(QApplication& application, const Arguments& arguments) {
     pastoso::document::Recording recording;
-    if (arguments.recording) recording = pastoso::io::read_recording_json(*arguments.recording);
+    const bool opens = arguments.file && pastoso::project::is_project_path(*arguments.file);
+    if (arguments.file && !opens) recording = pastoso::io::read_recording_json(*arguments.file);
     MainWindow window(recording.canvas);
-    if (arguments.recording) window.replay(recording);
+    if (opens) window.open_painting(QString::fromStdString(arguments.file->string()));
+    if (arguments.file && !opens) window.replay(recording);
     QObject::connect(
         &window.canvas(), &pastoso::view::CanvasView::failed, &application,
         [](const QString& sentence) { QApplication::exit(fail(sentence.toStdString())); },

@@ -51,6 +51,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas)
     connect_brush_commands();
     connect_guide_commands();
     connect_light_commands();
+    connect_project_commands();
     read_brushes();
     recall();
     easel_->set_up();
@@ -69,6 +70,11 @@ MainWindow::~MainWindow() {
 void MainWindow::start_session(const document::CanvasSettings& canvas) {
     auto pool = std::make_unique<core::ThreadPool>();
     auto painting = io::make_painting(canvas, *pool);
+    start_session(std::move(pool), std::move(painting), {});
+}
+
+void MainWindow::start_session(std::unique_ptr<core::ThreadPool> pool,
+                               std::unique_ptr<document::Painting> painting, document::Recording past) {
     // One refresh at a time waits in the event queue, however often the session publishes.
     auto pending = std::make_shared<std::atomic<bool>>(false);
     auto notify = [this, pending] {
@@ -81,9 +87,12 @@ void MainWindow::start_session(const document::CanvasSettings& canvas) {
             },
             Qt::QueuedConnection);
     };
-    session_ =
-        std::make_unique<session::PaintSession>(std::move(pool), std::move(painting), std::move(notify));
-    setWindowTitle(tr("Canvas %1 × %2 mm").arg(canvas.width_mm).arg(canvas.height_mm));
+    session_ = std::make_unique<session::PaintSession>(
+        std::move(pool), std::move(painting), std::move(notify), std::move(past),
+        commands_.action(commands::Command::Pause)->isChecked());
+    path_.clear();
+    saved_changes_ = 0;
+    show_title();
 }
 
 void MainWindow::new_canvas(const document::CanvasSettings& canvas) {
@@ -95,7 +104,6 @@ void MainWindow::new_canvas(const document::CanvasSettings& canvas) {
         throw;
     }
     QGuiApplication::restoreOverrideCursor();
-    session_->set_paused(commands_.action(commands::Command::Pause)->isChecked());
     easel_->set_up();
     const brush::Symmetry& symmetry = easel_->hand().symmetry;
     if (symmetry.mirror || symmetry.count > 1) {
@@ -123,6 +131,7 @@ void MainWindow::show_published() {
     const session::Status status = session_->status();
     readings_->show_status(status);
     show_enabled(status);
+    setWindowModified(status.changes != saved_changes_);
     for (const std::string& error : session_->take_errors())
         report(QString::fromStdString(error));
 }

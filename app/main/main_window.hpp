@@ -4,6 +4,7 @@
 #include "brush/preset_library.hpp"
 #include "commands/command_registry.hpp"
 #include "commands/picture_saver.hpp"
+#include "commands/project_saver.hpp"
 #include "document/events.hpp"
 #include "session/paint_session.hpp"
 #include "session/thumbnail_painter.hpp"
@@ -21,6 +22,7 @@
 
 class QComboBox;
 class QDockWidget;
+class QMenu;
 
 namespace pastoso::panels {
 class BrushPanel;
@@ -46,6 +48,13 @@ class MainWindow : public QMainWindow {
     /// cannot.
     void new_canvas(const document::CanvasSettings& canvas);
 
+    /// Puts up the painting in a project file, as it was. Throws core::InputError and keeps the old one
+    /// when it cannot.
+    void open_painting(const QString& path);
+
+    /// Writes the painting to a project file, in the background. From now on that is its file.
+    void save_painting(const QString& path);
+
     /// Puts up the recording's canvas and paints on it what was recorded.
     void replay(const document::Recording& recording);
 
@@ -55,6 +64,7 @@ class MainWindow : public QMainWindow {
     view::CanvasView& well() { return *well_; }
     commands::CommandRegistry& commands() { return commands_; }
     commands::PictureSaver& saver() { return saver_; }
+    commands::ProjectSaver& project_saver() { return project_saver_; }
 
     void save_picture(const QString& path);
 
@@ -74,6 +84,9 @@ class MainWindow : public QMainWindow {
 
   private:
     void start_session(const document::CanvasSettings& canvas);
+    void start_session(std::unique_ptr<core::ThreadPool> pool,
+                       std::unique_ptr<document::Painting> painting, document::Recording past);
+    void take_up_hand(const document::Recording& past);
     void lay_out();
     void make_tool_bar();
     void make_panels();
@@ -87,6 +100,12 @@ class MainWindow : public QMainWindow {
     void connect_canvas();
     void connect_commands();
     void connect_file_commands();
+    void connect_project_commands();
+    void fill_recent();
+    void try_to_open(const QString& path);
+    void ask_open_painting();
+    bool ask_save_painting();  ///< false: the painter thought better of it
+    void show_title();
     void make_well_panel();
     void open_well(bool open);
     void connect_well();
@@ -138,7 +157,10 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<tools::Easel> easel_;
     std::unique_ptr<session::PaintSession> session_;
     std::unique_ptr<session::ThumbnailPainter> thumbnails_;
-    std::int64_t saved_strokes_ = 0;
+    commands::ProjectSaver project_saver_;
+    QString path_;  ///< of the project file; empty: not saved yet
+    std::int64_t saved_changes_ = 0;
+    QMenu* recent_ = nullptr;
     QString light_ = QStringLiteral("D65");
     brush::PresetLibrary library_;
     QFileSystemWatcher brush_files_;

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include <QAction>
-#include <QCloseEvent>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QFileDialog>
@@ -148,27 +147,9 @@ void MainWindow::connect_file_commands() {
                 if (error.isEmpty()) {
                     report(tr("Saved %1.").arg(path));
                 } else {
-                    saved_strokes_ = -1;
-                    QMessageBox::warning(this, tr("Save picture"), error);
+                    QMessageBox::warning(this, tr("Export picture"), error);
                 }
             });
-}
-
-/// Whether nothing would be lost with this painting, or the painter agrees to lose it.
-bool MainWindow::may_discard() {
-    session_->wait_until_applied();
-    if (session_->status().strokes == saved_strokes_) return true;
-    QMessageBox question(QMessageBox::Question, tr("Pastoso"),
-                         tr("The painting on the easel has strokes that are not saved."),
-                         QMessageBox::Cancel, this);
-    question.addButton(tr("Discard the painting"), QMessageBox::DestructiveRole);
-    question.setDefaultButton(QMessageBox::Cancel);
-    return question.exec() != QMessageBox::Cancel;
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-    event->setAccepted(may_discard());
-    if (event->isAccepted()) remember();
 }
 
 void MainWindow::ask_new_canvas() {
@@ -183,7 +164,6 @@ void MainWindow::ask_new_canvas() {
 
 void MainWindow::save_picture(const QString& path) {
     report(tr("Saving %1...").arg(path));
-    saved_strokes_ = session_->status().strokes;
     shade::RenderSettings settings;
     settings.lighting = canvas_->lighting();
     settings.viewing = canvas_->viewing();
@@ -191,21 +171,20 @@ void MainWindow::save_picture(const QString& path) {
 }
 
 void MainWindow::ask_save_picture() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save picture"), tr("painting.png"),
+    const QString path = QFileDialog::getSaveFileName(this, tr("Export picture"), tr("painting.png"),
                                                       tr("Images (*.png *.tif *.jpg *.exr)"));
     if (!path.isEmpty()) save_picture(path);
 }
 
 void MainWindow::ask_save_recording() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save recording"), tr("painting.json"),
+    const QString path = QFileDialog::getSaveFileName(this, tr("Export recording"), tr("painting.json"),
                                                       tr("Recordings (*.json)"));
     if (path.isEmpty()) return;
     try {
         io::write_recording_json(path.toStdString(), session_->recording());
-        saved_strokes_ = session_->status().strokes;
         report(tr("Saved %1.").arg(path));
     } catch (const core::InputError& error) {
-        QMessageBox::warning(this, tr("Save recording"), QString::fromUtf8(error.what()));
+        QMessageBox::warning(this, tr("Export recording"), QString::fromUtf8(error.what()));
     }
 }
 

@@ -109,7 +109,7 @@ void MainWindow::make_tool_bar() {
     add_button(commands::Command::DryNow, tr("Dry now"));
     add_button(commands::Command::MixingWell, tr("Mixing well"));
     bar->addSeparator();
-    add_button(commands::Command::SavePicture, tr("Save picture"));
+    add_button(commands::Command::SavePainting, tr("Save"));
 }
 
 /// Its tools come later, their thumbnails as they come into view.

@@ -3,6 +3,7 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "document/paint_reading.hpp"
+#include "pigment/paint_name.hpp"
 
 #include <utility>
 
@@ -13,16 +14,49 @@ namespace {
 /// picture.
 constexpr auto kLongestBatch = std::chrono::milliseconds(8);
 
+/// Whether the action itself changes what lies on canvas and well.
+bool changes_painting(const document::Action& action) {
+    return std::holds_alternative<document::PenDown>(action) ||
+           std::holds_alternative<document::DryNow>(action) ||
+           std::holds_alternative<document::SqueezePaint>(action) ||
+           std::holds_alternative<document::CleanWell>(action) ||
+           std::holds_alternative<document::Undo>(action) ||
+           std::holds_alternative<document::Redo>(action);
+}
+
+bool is_known(const std::string& paint) {
+    try {
+        pigment::check_paint_name(paint);
+        return true;
+    } catch (const core::InputError&) {
+        return false;
+    }
+}
+
+/// What came out of the tubes in a past, but for paints of another painter that are not known here.
+std::vector<std::string> known_paints(const document::Recording& past) {
+    std::vector<std::string> names;
+    for (const document::Event& event : past.events)
+        document::note_paints(event.action, names);
+    std::erase_if(names, [](const std::string& name) { return !is_known(name); });
+    return names;
+}
+
 }  // namespace
 
 PaintSession::PaintSession(std::unique_ptr<core::ThreadPool> pool,
-                           std::unique_ptr<document::Painting> painting, Notify notify)
+                           std::unique_ptr<document::Painting> painting, Notify notify,
+                           document::Recording past, bool paused)
     : canvas_(painting->settings()),
       notify_(std::move(notify)),
       pool_(std::move(pool)),
       painting_(std::move(painting)),
       clock_(WallClock::now()) {
+    paused_ = status_.paused = paused;
+    recording_ = std::move(past);
     recording_.canvas = canvas_;
+    paints_used_ = known_paints(recording_);
+    recording_.end_tick = status_.tick = painting_->tick();
     snapshot_ = std::make_shared<const document::Snapshot>(painting_->snapshot());
     thread_ = std::thread([this] { run(); });
 }
@@ -99,6 +133,31 @@ std::vector<std::string> PaintSession::paints_used() const {
     return paints_used_;
 }
 
+Capture PaintSession::capture() {
+    std::promise<Capture> promise;
+    {
+        const std::lock_guard lock(mutex_);
+        wanted_capture_ = &promise;
+        action_waits_ = true;
+    }
+    work_.notify_all();
+    return promise.get_future().get();
+}
+
+/// Once nothing that was posted before waits any more.
+void PaintSession::hand_out_capture() {
+    {
+        const std::lock_guard lock(mutex_);
+        if (wanted_capture_ == nullptr || !posted_.empty()) return;
+    }
+    if (painting_->stroke_in_progress()) apply(document::PenUp{});
+    Capture capture{painting_->state(), {}, changes_};
+    const std::lock_guard lock(mutex_);
+    capture.recording = recording_;
+    capture.recording.end_tick = painting_->tick();
+    std::exchange(wanted_capture_, nullptr)->set_value(std::move(capture));
+}
+
 void PaintSession::wait_until_applied() {
     std::unique_lock lock(mutex_);
     const std::uint64_t wanted = posted_count_;
@@ -109,6 +168,7 @@ void PaintSession::run() {
     while (wait_for_work()) {
         apply_posted();
         apply_due_replay();
+        hand_out_capture();
         advance_if_due();
         if (changed_) publish();
     }
@@ -117,7 +177,7 @@ void PaintSession::run() {
 /// Sleeps until there is an action, a tick is due or the session ends; false at the end.
 bool PaintSession::wait_for_work() {
     std::unique_lock lock(mutex_);
-    const auto ready = [&] { return stopping_ || !posted_.empty(); };
+    const auto ready = [&] { return stopping_ || !posted_.empty() || wanted_capture_ != nullptr; };
     if (paused_) {
         work_.wait(lock, [&] { return ready() || !paused_; });
         if (!paused_) clock_.restart(WallClock::now());
@@ -162,6 +222,7 @@ void PaintSession::apply(const document::Action& action) {
     try {
         painting_->apply(action);
         strokes_ += std::holds_alternative<document::PenDown>(action) ? 1 : 0;
+        changes_ += changes_painting(action) ? 1 : 0;
         const std::lock_guard lock(mutex_);
         recording_.events.push_back({painting_->tick(), action});
         document::note_paints(action, paints_used_);
@@ -199,6 +260,7 @@ void PaintSession::publish() {
         status_ = {.tick = painting_->tick(),
                    .steps = report.steps,
                    .strokes = strokes_,
+                   .changes = changes_,
                    .awake_tiles = report.awake_tiles,
                    .paint_per_wall = clock_.paint_per_wall(),
                    .paused = paused_,

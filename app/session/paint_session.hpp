@@ -5,12 +5,14 @@
 #include "core/thread_pool.hpp"
 #include "document/events.hpp"
 #include "document/painting.hpp"
+#include "document/painting_state.hpp"
 #include "session/tick_clock.hpp"
 
 #include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -24,6 +26,7 @@ struct Status {
     std::int64_t tick = 0;
     std::int64_t steps = 0;       ///< of the solver, in all
     std::int64_t strokes = 0;     ///< begun so far, those taken back included
+    std::int64_t changes = 0;     ///< of the painting by the painter: strokes, dry_now, undo ...
     int awake_tiles = 0;          ///< tiles whose paint still moves
     double paint_per_wall = 1.0;  ///< paint time over wall time, 1 when the solver keeps up
     bool paused = false;
@@ -34,6 +37,13 @@ struct Status {
     friend bool operator==(const Status&, const Status&) = default;
 };
 
+/// A painting between two strokes, with all that was done to it.
+struct Capture {
+    document::PaintingState painting;
+    document::Recording recording;
+    std::int64_t changes = 0;  ///< Status::changes at that moment
+};
+
 /// Owns a Painting on a thread of its own. Actions are applied in the order of post(), each between two
 /// ticks; pen samples never wait for more than the tick that is being computed. The painter's whole
 /// session is recorded, so that it can be replayed to the same bits.
@@ -42,10 +52,11 @@ class PaintSession {
     using Notify = std::function<void()>;
 
     /// Takes over a painting that has just been made with `pool`; the pool is the session's alone from
-    /// now on. `notify` is called on the session's thread after every publication and every error; it
-    /// must return at once and must not call back into the session.
+    /// now on. `past` is what was done to the painting before, up to its tick; `paused` as in
+    /// set_paused(). `notify` is called on the session's thread after every publication and every error;
+    /// it must return at once and must not call back into the session.
     PaintSession(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<document::Painting> painting,
-                 Notify notify);
+                 Notify notify, document::Recording past = {}, bool paused = false);
     ~PaintSession();
     PaintSession(const PaintSession&) = delete;
     PaintSession& operator=(const PaintSession&) = delete;
@@ -75,6 +86,10 @@ class PaintSession {
     /// The names of all paints that came out of their tubes so far (document/paint_reading.hpp).
     std::vector<std::string> paints_used() const;
 
+    /// The painting as it is now, to be saved; a stroke in progress ends. Waits until all posted actions
+    /// are applied.
+    Capture capture();
+
     /// Waits until all posted actions are applied and published.
     void wait_until_applied();
 
@@ -88,6 +103,7 @@ class PaintSession {
     void apply(const document::Action& action);
     void advance_if_due();
     void publish();
+    void hand_out_capture();
 
     document::CanvasSettings canvas_;
     Notify notify_;
@@ -97,6 +113,7 @@ class PaintSession {
     std::unique_ptr<document::Painting> painting_;
     TickClock clock_;
     std::int64_t strokes_ = 0;
+    std::int64_t changes_ = 0;
     bool changed_ = false;
 
     mutable std::mutex mutex_;
@@ -111,6 +128,7 @@ class PaintSession {
     Status status_;
     WallClock::time_point hand_moved_;
     std::atomic<bool> action_waits_ = false;  ///< asked in the middle of a tick
+    std::promise<Capture>* wanted_capture_ = nullptr;
     std::uint64_t posted_count_ = 0;
     std::uint64_t applied_count_ = 0;
     std::uint64_t published_count_ = 0;  ///< of the posted actions, those that a publication shows

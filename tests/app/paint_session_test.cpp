@@ -85,6 +85,43 @@ TEST(PaintSession, AStrokeThroughTheQueueLeavesPaint) {
     EXPECT_TRUE(session->take_errors().empty());
 }
 
+TEST(PaintSession, ACapturedPaintingGoesOnInAnotherSessionWithItsWholeRecording) {
+    auto session = start_session();
+    take_loaded_brush(*session);
+    post_stroke(*session, 0.0, 15.0);
+    session->post(PenDown{sample_at(1.0, 6.0, 20.0)});
+    const Capture capture = session->capture();
+    session.reset();
+    EXPECT_EQ(capture.changes, 2);
+    // The stroke in progress was ended.
+    ASSERT_TRUE(std::holds_alternative<PenUp>(capture.recording.events.back().action));
+    EXPECT_EQ(capture.recording.end_tick, capture.painting.tick);
+
+    auto pool = std::make_unique<core::ThreadPool>(2);
+    auto painting = std::make_unique<Painting>(capture.painting, *pool);
+    PaintSession next(std::move(pool), std::move(painting), {}, capture.recording);
+    EXPECT_EQ(next.status().changes, 0);
+    EXPECT_GE(next.status().tick, capture.painting.tick);
+    post_stroke(next, 2.0, 10.0);
+    const Capture later = next.capture();
+    EXPECT_EQ(later.changes, 1);
+
+    core::ThreadPool alone(1);
+    Painting replayed(later.recording.canvas, alone);
+    Player player(replayed, later.recording);
+    while (!player.finished())
+        player.play_tick();
+    EXPECT_EQ(replayed.state_hash(), document::state_hash(later.painting));
+}
+
+TEST(PaintSession, CapturesWhilePaused) {
+    const auto session = start_session();
+    hold_still(*session);
+    take_loaded_brush(*session);
+    post_stroke(*session, 0.0, 15.0);
+    EXPECT_EQ(session->capture().recording.events.size(), 1U + 3U + 27U);
+}
+
 TEST(PaintSession, UndoTakesTheLastStrokeBackAndRedoBringsItAgain) {
     const auto session = start_session();
     session->set_paused(true);

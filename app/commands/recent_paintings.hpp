@@ -1,0 +1,17 @@
+// The paintings that were opened or saved last.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace pastoso::commands {
+
+inline constexpr std::size_t kMostRecent = 10;
+
+/// Those that are still there, the latest first. None where nothing is known.
+std::vector<std::filesystem::path> recent_paintings();
+
+/// Puts a painting first. Where the list cannot be kept, it is not.
+void remember_painting(const std::filesystem::path& path);
+
+}  // namespace pastoso::commands
