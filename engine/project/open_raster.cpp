@@ -1,5 +1,7 @@
 #include "project/open_raster.hpp"
 
+#include "project/coarse_film.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -67,10 +69,13 @@ std::string xml_text(const std::string& text) {
 
 shade::LinearImage open_raster_picture(const film::FilmState& film, const pigment::Bands& ground,
                                        core::ThreadPool& pool) {
-    shade::RenderSettings settings;
     const int longest = std::max(film.shape.width, film.shape.height);
-    settings.scale = std::min(1.0, static_cast<double>(kLongestPicture_px) / longest);
-    return shade::render(film, ground, film.shape.cells(), settings, pool);
+    int factor = 1;
+    while (longest > factor * kLongestPicture_px)
+        factor *= 2;
+    if (factor == 1) return shade::render(film, ground, film.shape.cells(), {}, pool);
+    const film::FilmState coarse = coarse_film(film, factor, ground, pool);
+    return shade::render(coarse, ground, coarse.shape.cells(), {}, pool);
 }
 
 shade::LinearImage thumbnail_of(const shade::LinearImage& picture) {

@@ -10,7 +10,7 @@
 
 namespace pastoso::project {
 
-/// The longest side of the picture: a larger canvas is shown smaller, its own data lie beside.
+/// The longest side of the picture: of a larger canvas, a half, a fourth ... of the resolution is shown.
 inline constexpr int kLongestPicture_px = 2048;
 /// The longest side of a thumbnail, which OpenRaster gives.
 inline constexpr int kLongestThumbnail_px = 256;
