@@ -21,14 +21,28 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
     return hash.value();
 }
 
-Bytes packed(std::span<const std::byte> bytes) {
-    Bytes frame(ZSTD_compressBound(bytes.size()));
-    const std::size_t size =
-        ZSTD_compress(frame.data(), frame.size(), bytes.data(), bytes.size(), kLevel);
+struct Packer::Context {
+    ZSTD_CCtx* zstd = ZSTD_createCCtx();
+    ~Context() { ZSTD_freeCCtx(zstd); }
+};
+
+Packer::Packer() : context_(std::make_unique<Context>()) {
+    PASTOSO_CHECK(context_->zstd != nullptr);
+}
+
+Packer::~Packer() = default;
+
+Bytes Packer::packed(std::span<const std::byte> bytes) {
+    const std::size_t most = ZSTD_compressBound(bytes.size());
+    if (room_.size() < most) room_.resize(most);
+    const std::size_t size = ZSTD_compressCCtx(context_->zstd, room_.data(), room_.size(), bytes.data(),
+                                               bytes.size(), kLevel);
     PASTOSO_CHECK(!ZSTD_isError(size));
-    frame.resize(size);
-    frame.shrink_to_fit();
-    return frame;
+    return {room_.begin(), room_.begin() + static_cast<std::ptrdiff_t>(size)};
+}
+
+Bytes packed(std::span<const std::byte> bytes) {
+    return Packer().packed(bytes);
 }
 
 Bytes unpacked(std::span<const std::byte> frame, std::size_t size) {

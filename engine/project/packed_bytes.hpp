@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,7 +15,24 @@ using Bytes = std::vector<std::byte>;
 /// core::Hash64 over the bytes.
 std::uint64_t checksum(std::span<const std::byte> bytes);
 
-/// One Zstandard frame (RFC 8878). The same bytes give the same frame.
+/// Makes Zstandard frames (RFC 8878), one after the other in the same memory. The same bytes give the
+/// same frame. For one thread at a time.
+class Packer {
+  public:
+    Packer();
+    ~Packer();
+    Packer(const Packer&) = delete;
+    Packer& operator=(const Packer&) = delete;
+
+    Bytes packed(std::span<const std::byte> bytes);
+
+  private:
+    struct Context;
+    std::unique_ptr<Context> context_;
+    Bytes room_;
+};
+
+/// A single frame.
 Bytes packed(std::span<const std::byte> bytes);
 
 /// The frame's content, which must be `size` bytes long: no more is ever allocated. Throws InputError

@@ -15,11 +15,11 @@ namespace {
 
 /// pool.run() of a body that may throw; what the lowest index threw is thrown.
 void run_guarded(core::ThreadPool& pool, std::size_t count,
-                 const std::function<void(std::size_t)>& body) {
+                 const std::function<void(std::size_t index, int worker)>& body) {
     std::vector<std::exception_ptr> thrown(count);
-    pool.run(count, [&](std::size_t index, int) {
+    pool.run(count, [&](std::size_t index, int worker) {
         try {
-            body(index);
+            body(index, worker);
         } catch (...) {
             thrown[index] = std::current_exception();
         }
@@ -55,12 +55,20 @@ std::vector<Work> works_of(const SurfaceSource& source, const std::string& folde
     return works;
 }
 
-void carry_out(const SurfaceSource& source, Work& work) {
+/// What a thread packs with; large memory that is asked for again and again costs more than the packing.
+struct Bench {
+    Packer packer;
+    Bytes room;
+};
+
+void carry_out(const SurfaceSource& source, Work& work, Bench& bench) {
     const std::size_t bytes = work.kind->bytes;
-    Bytes content(bytes * work.entry.tiles.size());
+    const std::size_t size = bytes * work.entry.tiles.size();
+    if (bench.room.size() < size) bench.room.resize(size);
+    const std::span content = std::span(bench.room).first(size);
     for (std::size_t i = 0; i < work.entry.tiles.size(); ++i)
         work.kind->encode(source, work.entry.tiles[i], &content[i * bytes]);
-    work.frame = packed(content);
+    work.frame = bench.packer.packed(content);
     work.entry.packed.size = content.size();
     work.entry.packed.packed_size = work.frame.size();
     work.entry.packed.checksum = checksum(content);
@@ -116,7 +124,10 @@ void check_windows(const ZipReader& archive, const document::SurfaceState& surfa
 std::vector<TileEntry> add_tiles(const SurfaceSource& source, const std::string& folder,
                                  ZipWriter& archive, core::ThreadPool& pool) {
     std::vector<Work> works = works_of(source, folder);
-    run_guarded(pool, works.size(), [&](std::size_t index) { carry_out(source, works[index]); });
+    std::vector<Bench> benches(static_cast<std::size_t>(pool.thread_count()));
+    run_guarded(pool, works.size(), [&](std::size_t index, int worker) {
+        carry_out(source, works[index], benches[static_cast<std::size_t>(worker)]);
+    });
     std::vector<TileEntry> entries;
     for (Work& work : works) {
         archive.add(work.entry.packed.entry, std::move(work.frame));
@@ -136,7 +147,7 @@ void read_tiles(const ZipReader& archive, const std::vector<TileEntry>& entries,
         for (const TileEntry& entry : entries)
             if (kind_of(entry).phase == phase) due.push_back(&entry);
         run_guarded(pool, due.size(),
-                    [&](std::size_t index) { read_entry(archive, *due[index], target); });
+                    [&](std::size_t index, int) { read_entry(archive, *due[index], target); });
     }
     check_windows(archive, surface);
 }

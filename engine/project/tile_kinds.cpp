@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <type_traits>
 #include <utility>
 
 namespace pastoso::project {
@@ -92,20 +93,35 @@ struct Uppermost {
 template <class Value>
 constexpr int kChannels = static_cast<int>(sizeof(Value) / sizeof(std::uint32_t));
 
-/// A value has gone through memcpy, so that floats may be read as words.
+template <class Value>
+constexpr bool kIsWhole =
+    std::is_same_v<Value, std::int32_t> || std::is_same_v<Value, film::PaintCell> ||
+    std::is_same_v<Value, film::PigmentCell>;
+
+/// Integers are words as they are; floats go through memcpy.
 template <class Value>
 void encode_values(const Value* values, const std::int32_t* amount, std::byte* out) {
-    std::vector<std::uint32_t> words(kTileCells * kChannels<Value>);
-    std::memcpy(words.data(), values, tile_bytes(kChannels<Value>));
-    tile_codec().encode(words.data(), kChannels<Value>, amount, out);
+    if constexpr (kIsWhole<Value>) {
+        tile_codec().encode(reinterpret_cast<const std::uint32_t*>(values), kChannels<Value>, amount,
+                            out);
+    } else {
+        std::vector<std::uint32_t> words(kTileCells * kChannels<Value>);
+        std::memcpy(words.data(), values, tile_bytes(kChannels<Value>));
+        tile_codec().encode(words.data(), kChannels<Value>, amount, out);
+    }
 }
 
 template <class Value>
 grid::TileBlock<Value> decoded_values(const std::byte* in, const std::int32_t* amount) {
-    std::vector<std::uint32_t> words(kTileCells * kChannels<Value>);
-    tile_codec().decode(in, kChannels<Value>, amount, words.data());
     auto block = grid::TileBlock<Value>::uninitialised();
-    std::memcpy(static_cast<void*>(block.write()), words.data(), tile_bytes(kChannels<Value>));
+    if constexpr (kIsWhole<Value>) {
+        tile_codec().decode(in, kChannels<Value>, amount,
+                            reinterpret_cast<std::uint32_t*>(block.write()));
+    } else {
+        std::vector<std::uint32_t> words(kTileCells * kChannels<Value>);
+        tile_codec().decode(in, kChannels<Value>, amount, words.data());
+        std::memcpy(static_cast<void*>(block.write()), words.data(), tile_bytes(kChannels<Value>));
+    }
     return block;
 }
 
