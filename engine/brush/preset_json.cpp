@@ -2,6 +2,7 @@
 #include "brush/preset_fields.hpp"
 #include "brush/preset_names.hpp"
 #include "core/error.hpp"
+#include "core/json_depth.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -214,6 +215,7 @@ std::vector<DynamicsCurve> read_dynamics(const Json& list, const std::string& fi
 }
 
 Json parse_json(std::string_view text, const std::string& file_name) {
+    core::check_json_depth(text, file_name);
     try {
         return Json::parse(text);
     } catch (const Json::parse_error& error) {

@@ -1,5 +1,7 @@
 #include "io/json_place.hpp"
 
+#include "core/json_depth.hpp"
+
 #include <algorithm>
 
 namespace pastoso::io {
@@ -32,36 +34,10 @@ std::string excerpt(const Json& value) {
     return text;
 }
 
-/// Deeper than any format of ours; a malicious file may nest deeper than the stack of those who go
-/// through it.
-constexpr int kDeepest = 64;
-
-/// Whether lists and objects stand too deep within each other. What is no JSON may be told to be so.
-bool nests_too_deep(std::string_view text) {
-    int depth = 0;
-    bool in_string = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char letter = text[i];
-        if (in_string) {
-            if (letter == '\\') ++i;
-            in_string = letter != '"';
-            continue;
-        }
-        in_string = letter == '"';
-        if (letter == '[' || letter == '{') ++depth;
-        if (letter == ']' || letter == '}') --depth;
-        if (depth > kDeepest) return true;
-    }
-    return false;
-}
-
 }  // namespace
 
 Json parse_json(std::string_view text, const std::string& file) {
-    if (nests_too_deep(text)) {
-        throw core::InputError(file + ": lists and objects are nested more than " +
-                               std::to_string(kDeepest) + " deep.");
-    }
+    core::check_json_depth(text, file);
     try {
         return Json::parse(text);
     } catch (const Json::parse_error& error) {

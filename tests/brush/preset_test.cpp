@@ -119,6 +119,8 @@ TEST(Preset, ChecksCurves) {
 
 TEST(Preset, SaysWhereTheFileIsNoJson) {
     EXPECT_EQ(error_of("{\n \"version\": 1,\n oops}"), "test.json, line 3: this is not valid JSON.");
+    EXPECT_EQ(error_of(std::string(2'000'000, '[')),
+              "test.json: lists and objects are nested more than 64 deep.");
     EXPECT_THAT(error_of("{\"version\": 1e999}"), HasSubstr("number that is too large"));
     EXPECT_THAT(error_of(""), HasSubstr("test.json, line 1"));
 }
