@@ -110,9 +110,10 @@ float grey_of(const float* channels, int count) {
                      : 0.2126F * channels[0] + 0.7152F * channels[1] + 0.0722F * channels[2];
 }
 
-/// A file as it is stored.
+/// A file as it is stored, but for channels beyond colour: one, or the first three.
 struct Contents {
     OIIO::ImageSpec spec;
+    int channel_count = 0;
     std::vector<float> channels;
 
     std::size_t pixels() const {
@@ -124,8 +125,9 @@ std::string read(const char* path, const OIIO::ImageSpec& wishes, Contents& cont
     const auto input = OIIO::ImageInput::open(path, &wishes);
     if (!input) return "is not an image that can be read (" + one_line(OIIO::geterror()) + ")";
     contents.spec = input->spec();
-    const int channels = contents.spec.nchannels;
     if (std::string problem = size_problem(contents.spec); !problem.empty()) return problem;
+    const int channels = contents.spec.nchannels < 3 ? 1 : 3;
+    contents.channel_count = channels;
     contents.channels.resize(contents.pixels() * static_cast<std::size_t>(channels));
     if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, contents.channels.data())) {
         return "cannot be read to its end (" + one_line(input->geterror()) + ")";
@@ -136,21 +138,21 @@ std::string read(const char* path, const OIIO::ImageSpec& wishes, Contents& cont
 std::string read_grey(const char* path, PastosoGrey& grey) {
     Contents contents;
     if (std::string problem = read(path, OIIO::ImageSpec(), contents); !problem.empty()) return problem;
-    const OIIO::ImageSpec& spec = contents.spec;
     const std::vector<float>& channels = contents.channels;
     const std::size_t count = contents.pixels();
     auto values = std::make_unique<float[]>(count);
     for (std::size_t i = 0; i < count; ++i) {
-        values[i] = grey_of(&channels[i * static_cast<std::size_t>(spec.nchannels)], spec.nchannels);
+        values[i] = grey_of(&channels[i * static_cast<std::size_t>(contents.channel_count)],
+                            contents.channel_count);
         if (!std::isfinite(values[i])) return "holds a value that is not a finite number";
     }
-    grey = {values.release(), spec.width, spec.height};
+    grey = {values.release(), contents.spec.width, contents.spec.height};
     return "";
 }
 
 /// The first three channels, or the first three times.
 std::string fill_rgb(const Contents& contents, PastosoColours& colours) {
-    const auto channels = static_cast<std::size_t>(contents.spec.nchannels);
+    const auto channels = static_cast<std::size_t>(contents.channel_count);
     auto rgb = std::make_unique<float[]>(3 * contents.pixels());
     for (std::size_t i = 0; i < contents.pixels(); ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
