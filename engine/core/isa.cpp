@@ -8,7 +8,8 @@ namespace pastoso::core {
 namespace {
 
 Isa processor_isa() {
-#if defined(__x86_64__)
+// Clang knows these names from version 18 on.
+#if defined(__x86_64__) && !defined(__clang__)
     if (__builtin_cpu_supports("x86-64-v4")) return Isa::Avx512;
     if (__builtin_cpu_supports("x86-64-v3")) return Isa::Avx2;
 #endif

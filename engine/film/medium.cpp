@@ -72,9 +72,10 @@ class EntryReader {
 
     void refuse_unknown_fields() const {
         for (const auto& [key, value] : entry_.items()) {
-            const bool known = key == "name" || key == "description" ||
-                               std::any_of(kNumberFields.begin(), kNumberFields.end(),
-                                           [&](const NumberField& field) { return key == field.key; });
+            const bool known =
+                key == "name" || key == "description" ||
+                std::any_of(kNumberFields.begin(), kNumberFields.end(),
+                            [&name = key](const NumberField& field) { return name == field.key; });
             if (!known) fail("there is no field " + Json(key).dump() + ".");
         }
     }

@@ -99,14 +99,14 @@ ZipReader::ZipReader(const std::filesystem::path& path) : name_(path.string()) {
     zip_error_t error;
     zip_error_init(&error);
     zip_source_t* source = zip_source_file_create(path.c_str(), 0, -1, &error);
-    archive_ = std::make_unique<Archive>(opened(source, name_, &error));
+    archive_ = std::make_unique<Archive>(Archive{opened(source, name_, &error)});
 }
 
 ZipReader::ZipReader(std::span<const std::byte> archive, std::string name) : name_(std::move(name)) {
     zip_error_t error;
     zip_error_init(&error);
     zip_source_t* source = zip_source_buffer_create(archive.data(), archive.size(), 0, &error);
-    archive_ = std::make_unique<Archive>(opened(source, name_, &error));
+    archive_ = std::make_unique<Archive>(Archive{opened(source, name_, &error)});
 }
 
 ZipReader::~ZipReader() = default;
