@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace pastoso::project::PASTOSO_ISA {
@@ -33,6 +34,19 @@ double growth(const std::int32_t* amount, int cell, int neighbour) {
 std::uint32_t rounded(double exact) {
     constexpr double kLeast = -2147483648.0, kMost = 2147483647.0;
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::clamp(exact, kLeast, kMost)));
+}
+
+/// The first of the numbers that are farthest from 0. Their magnitudes are compared as bits, which are
+/// in the same order, so that the compiler takes several at once.
+template <std::size_t kCount>
+int place_of_largest(const std::array<double, kCount>& numbers) {
+    std::array<std::int64_t, kCount> bits;
+    for (std::size_t k = 0; k < kCount; ++k)
+        bits[k] = std::bit_cast<std::int64_t>(std::abs(numbers[k]));
+    std::int64_t largest = bits[0];
+    for (std::size_t k = 1; k < kCount; ++k)
+        largest = std::max(largest, bits[k]);
+    return static_cast<int>(std::find(bits.begin(), bits.end(), largest) - bits.begin());
 }
 
 double number(std::uint32_t word) {
@@ -67,8 +81,7 @@ class AmountGuess {
         scale(words + above * kChannels, growth(amount, cell, above), way_);
         for (int k = 0; k < kChannels; ++k)
             way_[k] -= guess_[k];
-        for (int k = 1; k < kChannels; ++k)
-            first_ = std::abs(way_[k]) > std::abs(way_[first_]) ? k : first_;
+        first_ = place_of_largest(way_);
     }
 
     int first() const { return first_; }
