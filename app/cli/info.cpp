@@ -104,6 +104,16 @@ std::string time_text(std::int64_t ticks) {
     return duration_text(static_cast<double>(ticks) * document::kTick_s);
 }
 
+/// The painting is read for it: a damaged one is told of here.
+void print_state(const std::string& path) {
+    core::ThreadPool pool;
+    const project::LoadedProject project = project::load_project(path, pool);
+    std::printf("state: %016llx\n",
+                static_cast<unsigned long long>(document::state_hash(project.painting)));
+    for (const std::string& note : project.notes)
+        std::printf("note: %s\n", note.c_str());
+}
+
 void print_project(const std::string& path) {
     const project::ProjectSummary summary = project::project_summary(path);
     std::printf("%s: painting, saved by Pastoso %s\n", path.c_str(), summary.program.c_str());
@@ -111,12 +121,12 @@ void print_project(const std::string& path) {
     std::printf("painted for: %s\n", time_text(summary.tick).c_str());
     std::printf("medium: %s\nbrush: %s\n", summary.medium.c_str(),
                 summary.brush.empty() ? "none" : summary.brush.c_str());
-    std::printf("state: %016llx\n", static_cast<unsigned long long>(summary.state_hash));
     for (const project::KindSize& size : summary.sizes) {
         std::printf("%s: %.2f MB in %.2f MB\n", size.kind.c_str(),
                     1e-6 * static_cast<double>(size.bytes),
                     1e-6 * static_cast<double>(size.packed_bytes));
     }
+    print_state(path);
 }
 
 void print_json_recording(const std::string& path) {

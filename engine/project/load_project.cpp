@@ -234,7 +234,6 @@ ProjectSummary project_summary(const std::filesystem::path& path) {
     sizes["strokes"] = {"strokes", index.strokes.packed_size, index.strokes.size};
     ProjectSummary summary{.canvas = setup.canvas,
                            .program = index.program,
-                           .state_hash = index.state_hash,
                            .tick = index.tick,
                            .medium = painting.medium,
                            .brush = painting.brush ? painting.brush->taken.preset : ""};

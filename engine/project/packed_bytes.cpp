@@ -2,7 +2,6 @@
 
 #include "core/check.hpp"
 #include "core/error.hpp"
-#include "core/hash.hpp"
 
 #include <zstd.h>
 
@@ -15,12 +14,6 @@ constexpr int kLevel = 1;
 
 }  // namespace
 
-std::uint64_t checksum(std::span<const std::byte> bytes) {
-    core::Hash64 hash;
-    hash.add(bytes);
-    return hash.value();
-}
-
 struct Packer::Context {
     ZSTD_CCtx* zstd = ZSTD_createCCtx();
     ~Context() { ZSTD_freeCCtx(zstd); }
@@ -28,6 +21,8 @@ struct Packer::Context {
 
 Packer::Packer() : context_(std::make_unique<Context>()) {
     PASTOSO_CHECK(context_->zstd != nullptr);
+    ZSTD_CCtx_setParameter(context_->zstd, ZSTD_c_compressionLevel, kLevel);
+    ZSTD_CCtx_setParameter(context_->zstd, ZSTD_c_checksumFlag, 1);
 }
 
 Packer::~Packer() = default;
@@ -35,8 +30,8 @@ Packer::~Packer() = default;
 Bytes Packer::packed(std::span<const std::byte> bytes) {
     const std::size_t most = ZSTD_compressBound(bytes.size());
     if (room_.size() < most) room_.resize(most);
-    const std::size_t size = ZSTD_compressCCtx(context_->zstd, room_.data(), room_.size(), bytes.data(),
-                                               bytes.size(), kLevel);
+    const std::size_t size =
+        ZSTD_compress2(context_->zstd, room_.data(), room_.size(), bytes.data(), bytes.size());
     PASTOSO_CHECK(!ZSTD_isError(size));
     return {room_.begin(), room_.begin() + static_cast<std::ptrdiff_t>(size)};
 }
@@ -51,7 +46,7 @@ Bytes unpacked(std::span<const std::byte> frame, std::size_t size) {
     Bytes bytes(size);
     const std::size_t found = ZSTD_decompress(bytes.data(), size, frame.data(), frame.size());
     if (ZSTD_isError(found) || found != size)
-        throw core::InputError("is damaged (it cannot be decompressed).");
+        throw core::InputError("is damaged (it cannot be decompressed, or its checksum is another).");
     return bytes;
 }
 

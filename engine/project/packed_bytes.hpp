@@ -12,11 +12,8 @@ namespace pastoso::project {
 
 using Bytes = std::vector<std::byte>;
 
-/// core::Hash64 over the bytes.
-std::uint64_t checksum(std::span<const std::byte> bytes);
-
-/// Makes Zstandard frames (RFC 8878), one after the other in the same memory. The same bytes give the
-/// same frame. For one thread at a time.
+/// Makes Zstandard frames (RFC 8878) with the content's size and checksum, one after the other in the
+/// same memory. The same bytes give the same frame. For one thread at a time.
 class Packer {
   public:
     Packer();

@@ -51,7 +51,6 @@ struct KindSize {
 struct ProjectSummary {
     document::CanvasSettings canvas;
     std::string program;  ///< the version that wrote it
-    std::uint64_t state_hash = 0;
     std::int64_t tick = 0;
     std::string medium{};
     std::string brush{};  ///< in hand, "" for none

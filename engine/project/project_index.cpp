@@ -70,10 +70,7 @@ std::vector<int> read_runs(const JsonPlace& place, std::vector<bool>& seen) {
 }
 
 Json packed_json(const PackedEntry& packed) {
-    return {{"entry", packed.entry},
-            {"size", packed.size},
-            {"packed", packed.packed_size},
-            {"checksum", hex(packed.checksum)}};
+    return {{"entry", packed.entry}, {"size", packed.size}, {"packed", packed.packed_size}};
 }
 
 /// The names of entries are compared with those in the archive; they lead nowhere else.
@@ -86,12 +83,11 @@ PackedEntry read_packed(const JsonPlace& place, std::size_t most_bytes) {
     packed.size = static_cast<std::size_t>(place.entry("size").integer(0, most));
     const auto most_packed = static_cast<std::int64_t>(most_packed_bytes(packed.size));
     packed.packed_size = static_cast<std::size_t>(place.entry("packed").integer(1, most_packed));
-    packed.checksum = read_hex(place.entry("checksum"));
     return packed;
 }
 
 PackedEntry read_packed_alone(const JsonPlace& place, std::size_t most_bytes) {
-    place.allow_only({"entry", "size", "packed", "checksum"});
+    place.allow_only({"entry", "size", "packed"});
     return read_packed(place, most_bytes);
 }
 
@@ -164,7 +160,7 @@ const TileKind& read_kind(const JsonPlace& place) {
 }
 
 TileEntry read_tile_entry(const JsonPlace& place, const grid::Shape& shape, SeenTiles& seen) {
-    place.allow_only({"kind", "tiles", "entry", "size", "packed", "checksum"});
+    place.allow_only({"kind", "tiles", "entry", "size", "packed"});
     const TileKind& kind = read_kind(place.entry("kind"));
     std::vector<bool>& met = seen[kind.name];
     met.resize(static_cast<std::size_t>(shape.tile_count()));
@@ -255,8 +251,8 @@ void check_header(const JsonPlace& root) {
         root.fail("this was written by a newer Pastoso (project format " + std::to_string(version) +
                   "; this program reads up to " + std::to_string(kProjectFormatVersion) + ").");
     }
-    root.allow_only({"format", "version", "program", "state_hash", "tick", "ageing", "account", "layers",
-                     "well", "brush", "strokes"});
+    root.allow_only({"format", "version", "program", "tick", "ageing", "account", "layers", "well",
+                     "brush", "strokes"});
 }
 
 }  // namespace
@@ -268,7 +264,6 @@ std::string index_to_json(const ProjectIndex& index) {
     Json json{{"format", "pastoso-project"},
               {"version", kProjectFormatVersion},
               {"program", index.program},
-              {"state_hash", hex(index.state_hash)},
               {"tick", index.tick},
               {"ageing", ageing_json(index.ageing)},
               {"account",
@@ -291,7 +286,6 @@ ProjectIndex index_from_json(const std::string& text, const std::string& name) {
     check_header(root);
     ProjectIndex index;
     index.program = root.entry("program").text();
-    index.state_hash = read_hex(root.entry("state_hash"));
     index.tick = root.entry("tick").integer(0, kMostCounted / 2);
     index.ageing = read_ageing(root.entry("ageing"));
     const JsonPlace account = root.entry("account");

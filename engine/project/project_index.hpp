@@ -13,12 +13,11 @@ namespace pastoso::project {
 
 inline constexpr int kProjectFormatVersion = 1;
 
-/// An entry of the archive that is a Zstandard frame.
+/// An entry of the archive that is a Zstandard frame with a checksum of its own.
 struct PackedEntry {
     std::string entry;            ///< its name
     std::size_t size = 0;         ///< of the content
     std::size_t packed_size = 0;  ///< of the frame
-    std::uint64_t checksum = 0;   ///< of the content
 };
 
 /// Tiles of one kind, one after the other.
@@ -55,7 +54,6 @@ struct BrushIndex {
 
 struct ProjectIndex {
     std::string program;  ///< that wrote it
-    std::uint64_t state_hash = 0;
     std::int64_t tick = 0;
     film::AgeingClock::Pending ageing{};
     brush::Contents taken{}, wiped{};

@@ -94,16 +94,14 @@ ProjectIndex add_painting(const Project& project, ZipWriter& archive, core::Thre
 
 }  // namespace
 
-/// The pictures' files and the hash are made on threads of their own while the tiles are packed.
+/// The pictures' files are made on a thread of their own while the tiles are packed.
 ZipWriter project_archive(const Project& project, const shade::LinearImage& picture,
                           core::ThreadPool& pool) {
     const PaintingState& painting = project.painting;
     const double px_per_mm = picture.width / painting.settings.width_mm;
     auto pictures = std::async(std::launch::async, [&] { return encoded(picture, px_per_mm); });
-    auto hash = std::async(std::launch::async, [&] { return document::state_hash(painting); });
     ZipWriter tiles;
-    ProjectIndex index = add_painting(project, tiles, pool);
-    index.state_hash = hash.get();
+    const ProjectIndex index = add_painting(project, tiles, pool);
 
     ZipWriter archive;
     archive.add("mimetype", std::string(kMimeType));

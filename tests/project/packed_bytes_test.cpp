@@ -33,6 +33,12 @@ TEST(PackedBytes, DamagedFramesAreRefused) {
     EXPECT_THROW(unpacked({}, 4000), core::InputError);
     for (std::size_t length = 0; length < frame.size(); length += 7)
         EXPECT_THROW(unpacked(std::span(frame).first(length), 4000), core::InputError) << length;
+    constexpr std::size_t kHeaderBytes = 7;
+    for (std::size_t at = kHeaderBytes; at < frame.size(); ++at) {
+        Bytes flipped = frame;
+        flipped[at] ^= std::byte{0x04};
+        EXPECT_THROW(unpacked(flipped, 4000), core::InputError) << at;
+    }
 }
 
 }  // namespace
