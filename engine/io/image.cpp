@@ -3,6 +3,7 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
+#include "io/exr_header.hpp"
 #include "io/files.hpp"
 #include "io/images_library.hpp"
 #include "io/png_chunks.hpp"
@@ -173,6 +174,7 @@ void write_image(const std::filesystem::path& path, const GreyImage& image, doub
 
 shade::LinearImage read_colour_image(const std::filesystem::path& path, pigment::WorkingSpace space) {
     check_readable(path);
+    check_exr_header(path);
     const ImagesLibrary& library = images_library();
     PastosoColours colours{};
     std::array<char, 512> error{};
@@ -197,6 +199,7 @@ shade::LinearImage read_colour_image(const std::filesystem::path& path, pigment:
 
 GreyImage read_grey_image(const std::filesystem::path& path) {
     check_readable(path);
+    check_exr_header(path);
     const ImagesLibrary& library = images_library();
     PastosoGrey grey{};
     std::array<char, 512> error{};

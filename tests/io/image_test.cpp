@@ -62,6 +62,23 @@ TEST_F(ImageTest, ExrKeepsDataInSinglePrecision) {
                 HasSubstr(".png files do not hold"));
 }
 
+TEST_F(ImageTest, AnExrHeaderThatReachesBeyondTheEndIsRefused) {
+    write_image(folder / "a.exr", shade::LinearImage{2, 1, {0, 0, 0, 1, 1, 1}, {}});
+    std::string file = core::read_text_file(folder / "a.exr");
+    const std::size_t type = file.find(std::string("chlist") + '\0');
+    ASSERT_NE(type, std::string::npos);
+    file[type + 10] = 0x7f;  // the highest byte of the attribute's size
+    core::write_text_file(folder / "a.exr", file);
+    try {
+        read_grey_image(folder / "a.exr");
+        FAIL();
+    } catch (const core::InputError& error) {
+        EXPECT_EQ(error.what(),
+                  (folder / "a.exr").string() + ": is damaged (its header reaches beyond the end).");
+    }
+    EXPECT_THROW(read_colour_image(folder / "a.exr"), core::InputError);
+}
+
 TEST_F(ImageTest, ColourIsReadAsLuminance) {
     write_image(folder / "a.png", shade::Image8{3, 1, {255, 0, 0, 0, 255, 0, 0, 0, 255}});
     EXPECT_THAT(read_grey_image(folder / "a.png").values,
