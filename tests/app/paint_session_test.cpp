@@ -169,6 +169,16 @@ TEST(PaintSession, ItsRecordingReplaysToTheSameBits) {
     EXPECT_EQ(film::state_hash(painting.film()), film::state_hash(snapshot->film));
 }
 
+TEST(PaintSession, APastBringsThePaintsThatAreKnown) {
+    auto pool = std::make_unique<core::ThreadPool>(1);
+    auto painting =
+        std::make_unique<Painting>(CanvasSettings{.width_mm = 20.0, .height_mm = 20.0}, *pool);
+    LoadPaint load;
+    load.paint.ingredients = {{"PB29", 1.0}, {"Aunt Emma's green", 1.0}};
+    const PaintSession session(std::move(pool), std::move(painting), {}, {{}, {{0, load}}, 0});
+    EXPECT_THAT(session.paints_used(), ElementsAre("PB29"));
+}
+
 TEST(PaintSession, PlayingARecordingPaintsWhatWasRecorded) {
     const auto first = start_session();
     first->set_paused(true);
