@@ -50,14 +50,15 @@ using grid::kTileSize;
 /// The drag of a face that is explicit: at a film's edge that a contact angle holds, or shut.
 constexpr float kExplicit = -1.0F;
 
-/// A film that the body force alone would carry more than a fifth of a cell a step runs slower than
-/// real: the share of that force that it feels.
-[[gnu::always_inline]] inline Lanes followed_force(Lanes drag_rate, const StepConstants& step,
-                                                   const Axis& axis) {
+/// A film that the body force beyond its yield stress would carry more than a fifth of a cell a step
+/// runs slower than real: the share of that force that it feels. `yield_speed` is the velocity whose
+/// drag is the yield stress.
+[[gnu::always_inline]] inline Lanes followed_force(Lanes drag_rate, Lanes yield_speed,
+                                                   const StepConstants& step, const Axis& axis) {
     const float force_norm =
         lanes::sqrt(axis.force * axis.force + axis.force_across * axis.force_across) + 1e-30F;
-    return lanes::min(Lanes(1.0F),
-                      Lanes(Lanes(0.2F * step.cell_mm / (step.dt_s * force_norm)) * drag_rate));
+    const Lanes speed = Lanes(0.2F * step.cell_mm / step.dt_s) + yield_speed;
+    return lanes::min(Lanes(1.0F), Lanes(speed * drag_rate / Lanes(force_norm)));
 }
 
 /// Assembles a row of faces, a stage at a time: whole faces are chains of operations too long for the
@@ -143,15 +144,16 @@ struct LargeFaceRow {
             const Lanes mean = Lanes(0.5F) * (face.h_left + face.h_right);
             momentum = lanes::select(remembers, momentum * settled_share<Lanes>(mean, depth), momentum);
         }
-        Lanes across(0.0F), resistance(0.0F);
+        Lanes across(0.0F), resistance(0.0F), yield_speed(0.0F);
         if constexpr (kModel.yield) {
             across = face.v +
                      dt * (Lanes(axis.force_across) - Lanes(step.gravity_mm_s2) * face.eta_slope_across);
             resistance = paint.over_yield_in_step(Lanes(drag * drag_depth), step);
+            yield_speed = Lanes(1.0F) / (resistance + Lanes(1e-30F));
             store(&faces.across[f], across);
             store(&faces.resistance[f], resistance);
         }
-        const Lanes followed = push - force + force * followed_force(rate, step, axis);
+        const Lanes followed = push - force + force * followed_force(rate, yield_speed, step, axis);
         store(&faces.driven[f], Lanes(momentum + dt * followed));
         store(&faces.drag[f], drag);
         store(&faces.depth[f], depth);

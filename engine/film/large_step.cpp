@@ -14,8 +14,8 @@ namespace {
 using grid::kTileSize;
 
 /// A relative error of flux that is not worth another pass with refined drag.
-constexpr float kSteadyFlux = 0.1F;
-constexpr int kMostRefinements = 4;
+constexpr float kSteadyFlux = 0.01F;
+constexpr int kMostRefinements = 6;
 /// The same where paint remembers its motion: an error stays in it as energy.
 constexpr float kSteadyLightFlux = 0.005F;
 constexpr int kMostLightRefinements = 40;

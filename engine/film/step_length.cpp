@@ -24,16 +24,13 @@ double StepLimits::wave_step_s(double thickness_mm, double drag_rate) const {
     return (drag_rate + std::sqrt(drag_rate * drag_rate + 4.0 * w2)) / w2;
 }
 
-double StepLimits::newtonian_speed_mm_s(double largest_h2_per_viscosity) const {
-    return force_mm_s2 * largest_h2_per_viscosity / smallest_drag;
+double StepLimits::fastest_speed_mm_s(double thickness_mm, double viscosity, double yield_stress) const {
+    const double driving = std::max(force_mm_s2 * thickness_mm - yield_stress, 0.0);
+    return driving * thickness_mm / (smallest_drag * viscosity);
 }
 
-double StepLimits::terminal_speed_mm_s(double thickness_mm) const {
-    const double newtonian = newtonian_speed_mm_s(thickness_mm * thickness_mm / viscosity_mm2_s);
-    if (yield <= 0.0) return newtonian;
-    const double x = force_mm_s2 * thickness_mm / yield;
-    if (x <= 1.0) return 0.0;
-    return newtonian * (1.0 - 1.0 / x) * (1.0 - 1.0 / x) * (1.0 + 0.5 / x);
+double StepLimits::fastest_speed_mm_s(double thickness_mm) const {
+    return fastest_speed_mm_s(thickness_mm, viscosity_mm2_s, yield);
 }
 
 double StepLimits::newtonian_step_s(double thickness_mm) const {

@@ -19,11 +19,12 @@ struct StepLimits {
 
     /// (l + sqrt(l^2 + 4 w^2)) / w^2 with w^2 = h K (g + sigma/rho K), K = 8/cell^2, drag rate l in 1/s.
     double wave_step_s(double thickness_mm, double drag_rate) const;
-    /// Depth mean of the steady flow that the body force alone drives in a film of this thickness:
-    ///     F h^2 / (k_d nu) (1 - 1/x)^2 (1 + 1/(2x)),  x = F h rho / tau_y.
-    double terminal_speed_mm_s(double thickness_mm) const;
-    /// The same without yield stress, for paint whose cells differ, from the largest h^2/nu.
-    double newtonian_speed_mm_s(double largest_h2_per_viscosity) const;
+    /// Not exceeded by the depth mean of the steady flow that the body force alone drives in a film:
+    ///     max(F h - tau_y/rho, 0) h / (k_d nu),
+    /// what the force beyond the yield stress would make of Newtonian paint.
+    double fastest_speed_mm_s(double thickness_mm) const;
+    /// The same for paint whose cells differ, from one's own nu in mm2/s and tau_y/rho in mm2/s2.
+    double fastest_speed_mm_s(double thickness_mm, double viscosity, double yield_stress) const;
     /// For Newtonian paint of this thickness at rest; shear-thinning paint is taken at its thinnest.
     double newtonian_step_s(double thickness_mm) const;
     /// For paint at rest whose cells differ: `thickest_mm` anywhere, and the largest h^3/nu.

@@ -24,16 +24,17 @@ std::int32_t thickest_quanta(const FilmState& state, int tile) {
     return *std::max_element(values, values + kTileCells);
 }
 
-/// Largest weight(h) / nu of a tile's cells.
-template <class Weight>
-double largest_per_viscosity(const FilmState& state, int tile, const Weight& weight) {
+/// The largest value(h, nu, tau_y/rho) of a tile's cells.
+template <class Value>
+double largest_of_cells(const PlannedFilm& film, int tile, const Value& value) {
     std::array<float, kTileCells> viscosity{}, yield{};
-    const std::int32_t* thickness = state.thickness.read(tile);
-    tile_kernels().rheology(state.paint.read(tile), thickness, kTileCells, 1.0F, viscosity.data(),
-                            yield.data());
+    const std::int32_t* thickness = film.state.thickness.read(tile);
+    const auto yield_per_Pa = static_cast<float>(1e6 / film.density_kg_m3);
+    tile_kernels().rheology(film.state.paint.read(tile), thickness, kTileCells, yield_per_Pa,
+                            viscosity.data(), yield.data());
     double largest = 0.0;
     for (int cell = 0; cell < kTileCells; ++cell)
-        largest = std::max(largest, weight(double{thickness_mm(thickness[cell])}) / viscosity[cell]);
+        largest = std::max(largest, value(thickness_mm(thickness[cell]), viscosity[cell], yield[cell]));
     return largest;
 }
 
@@ -41,30 +42,34 @@ double resting_step_s(const PlannedFilm& film, int tile) {
     const double thickest_mm = thickness_mm(thickest_quanta(film.state, tile));
     if (!film.state.varied) return film.limits.newtonian_step_s(thickest_mm);
     return film.limits.resting_step_s(
-        thickest_mm, largest_per_viscosity(film.state, tile, [](double h) { return h * h * h; }));
+        thickest_mm, largest_of_cells(film, tile, [](double h, double viscosity, double) {
+            return h * h * h / viscosity;
+        }));
 }
 
-/// What the body force alone makes of the paint in these tiles that it carries fastest.
-double terminal_speed_mm_s(const PlannedFilm& film, const StepLimits& forces,
-                           const std::vector<int>& tiles) {
+/// What the body force alone makes of the paint in these tiles that it carries fastest, at most.
+double fastest_speed_mm_s(const PlannedFilm& film, const StepLimits& forces,
+                          const std::vector<int>& tiles) {
     if (!film.state.varied) {
         std::int32_t thickest = 0;
         for (const int tile : tiles)
             thickest = std::max(thickest, thickest_quanta(film.state, tile));
-        return forces.terminal_speed_mm_s(thickness_mm(thickest));
+        return forces.fastest_speed_mm_s(thickness_mm(thickest));
     }
-    std::vector<double> runniest(tiles.size() + 1);
+    std::vector<double> fastest(tiles.size() + 1);
     film.pool.run(tiles.size(), [&](std::size_t index, int) {
-        runniest[index] =
-            largest_per_viscosity(film.state, tiles[index], [](double h) { return h * h; });
+        fastest[index] =
+            largest_of_cells(film, tiles[index], [&](double h, double viscosity, double yield) {
+                return forces.fastest_speed_mm_s(h, viscosity, yield);
+            });
     });
-    return forces.newtonian_speed_mm_s(*std::max_element(runniest.begin(), runniest.end()));
+    return *std::max_element(fastest.begin(), fastest.end());
 }
 
 /// The same of all paint that is stepped, where it is blown on with the push of the air.
-double terminal_speed_mm_s(const PlannedFilm& film) {
+double fastest_speed_mm_s(const PlannedFilm& film) {
     const std::vector<int> tiles = film.activity.stepping_tiles();
-    double speed = terminal_speed_mm_s(film, film.limits, tiles);
+    double speed = fastest_speed_mm_s(film, film.limits, tiles);
     for (const AirJet& jet : film.air) {
         const grid::Rect reached = cells_reached(jet, film.state.shape, film.state.cell_mm);
         std::vector<int> blown;
@@ -73,13 +78,13 @@ double terminal_speed_mm_s(const PlannedFilm& film) {
         });
         StepLimits pushed = film.limits;
         pushed.force_mm_s2 += strongest_push_mm_s2(jet, film.density_kg_m3);
-        speed = std::max(speed, terminal_speed_mm_s(film, pushed, blown));
+        speed = std::max(speed, fastest_speed_mm_s(film, pushed, blown));
     }
     return speed;
 }
 
 double large_step_s(const PlannedFilm& film, double seconds) {
-    const double speed = terminal_speed_mm_s(film);
+    const double speed = fastest_speed_mm_s(film);
     constexpr double kCourant = 0.2;
     return seconds / std::max(1.0, std::ceil(seconds * speed / (kCourant * film.state.cell_mm)));
 }
