@@ -12,9 +12,6 @@ PASTOSO_KERNEL_INLINE int whole_below(double x) {
     return truncated - (truncated > x ? 1 : 0);
 }
 
-alignas(4 * kLanes) constexpr std::int32_t kCounting[] = {0, 1, 2,  3,  4,  5,  6,  7,
-                                                          8, 9, 10, 11, 12, 13, 14, 15};
-
 /// Begins a pass where none is under way and writes what was found. Leaves what lies beyond the row's
 /// end as it is.
 template <class Floats, class Ints>
@@ -23,6 +20,7 @@ PASTOSO_KERNEL_INLINE void find(const PassTile& pass, const GatherRow& row, int 
     const Floats begun = load<Floats>(pass.begun_mm + row.cell + i);
     const Ints before = load<Ints>(pass.found + row.cell + i);
     const auto anew = (begun < pass.expired_mm) & (number < row.count);
+    if (!may_have_any(anew)) return store(found_column + i, before);
     const Ints found = anew ? quanta : before;
     store(pass.begun_mm + row.cell + i, anew ? Floats{} + pass.travel_mm : begun);
     store(pass.found + row.cell + i, found);

@@ -3,6 +3,10 @@
 
 #include <cstdint>
 
+#if defined(__AVX512F__)
+#include <immintrin.h>
+#endif
+
 namespace pastoso::brush::PASTOSO_ISA {
 namespace {
 
@@ -17,6 +21,9 @@ constexpr int kLanes = 4;
 #endif
 using FloatLanes [[gnu::vector_size(4 * kLanes), gnu::aligned(4), gnu::may_alias]] = float;
 using IntLanes [[gnu::vector_size(4 * kLanes), gnu::aligned(4), gnu::may_alias]] = std::int32_t;
+
+alignas(4 * kLanes) constexpr std::int32_t kCounting[] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                          8, 9, 10, 11, 12, 13, 14, 15};
 
 /// One number or a register of them, from and to any address.
 template <class Lanes, class Value>
@@ -53,6 +60,35 @@ PASTOSO_KERNEL_INLINE IntLanes as_ints(FloatLanes values) {
 
 PASTOSO_KERNEL_INLINE FloatLanes all_lanes(float value) {
     return FloatLanes{} + value;
+}
+
+/// Whether a lane is -1 (the others have 0); true as well where finding out takes longer than it saves.
+PASTOSO_KERNEL_INLINE bool may_have_any([[maybe_unused]] IntLanes chosen) {
+#if defined(__AVX512F__)
+    return _mm512_movepi32_mask(reinterpret_cast<__m512i>(chosen)) != 0;
+#else
+    return true;
+#endif
+}
+PASTOSO_KERNEL_INLINE bool may_have_any(bool chosen) {
+    return chosen;
+}
+
+/// Writes those values whose lane of `chosen` is -1, one after the other (the others have 0), and
+/// returns how many. Up to kLanes values are overwritten in all.
+PASTOSO_KERNEL_INLINE int store_chosen(std::int32_t* to, IntLanes values, IntLanes chosen) {
+#if defined(__AVX512F__)
+    const __mmask16 mask = _mm512_movepi32_mask(reinterpret_cast<__m512i>(chosen));
+    store(to, _mm512_maskz_compress_epi32(mask, reinterpret_cast<__m512i>(values)));
+    return __builtin_popcount(mask);
+#else
+    int count = 0;
+    for (int lane = 0; lane < kLanes; ++lane) {
+        to[count] = values[lane];
+        count -= chosen[lane];
+    }
+    return count;
+#endif
 }
 
 }  // namespace

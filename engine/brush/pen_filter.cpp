@@ -1,5 +1,7 @@
 #include "brush/pen_filter.hpp"
 
+#include "brush/pen_resampler.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,10 +24,7 @@ PenSample PenFilter::start(const PenSample& sample) {
 }
 
 PenSample PenFilter::follow(const PenSample& sample) {
-    PenSample next = sample;
-    next.time_s = std::max(sample.time_s, input_.time_s + kLeastInterval_s);
-    next.rotation_deg =
-        input_.rotation_deg + std::remainder(sample.rotation_deg - input_.rotation_deg, 360.0);
+    const PenSample next = following(input_, sample);
     const PenSample before = smoothed_;
     if (time_constant_s_ > 0.0) {
         const double ratio = (next.time_s - input_.time_s) / time_constant_s_;

@@ -107,6 +107,7 @@ void Stroke::begin(const PenSample& sample) {
     step_count_ = 0;
     since_wick_mm_ = 0.0;
     down_ = led_ = sample;
+    events_.start(sample);
     const PenSample start = led(filter_.start(sample));
     const double rotation = core::radians(start.rotation_deg);
     path_.begin(start, -std::sin(rotation), std::cos(rotation));
@@ -116,11 +117,11 @@ void Stroke::begin(const PenSample& sample) {
 
 void Stroke::add(const PenSample& sample) {
     check_finite(sample);
-    path_.add(led(filter_.follow(sample)));
-    paint_steps();
+    follow(events_.add(sample));
 }
 
 void Stroke::end() {
+    follow(events_.end());
     path_.add(led(filter_.final_sample()));
     path_.end();
     paint_steps();
@@ -146,6 +147,12 @@ std::optional<film::AirJet> Stroke::air_jet() const {
 
 grid::Rect Stroke::take_changed_cells() {
     return grid::bounding_box(std::exchange(changed_, {}), droplets_.take_changed_cells());
+}
+
+void Stroke::follow(const std::vector<PenSample>& samples) {
+    for (const PenSample& sample : samples)
+        path_.add(led(filter_.follow(sample)));
+    paint_steps();
 }
 
 PenSample Stroke::led(const PenSample& sample) {

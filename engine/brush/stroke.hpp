@@ -9,6 +9,7 @@
 #include "brush/pass_map.hpp"
 #include "brush/pen_filter.hpp"
 #include "brush/pen_guide.hpp"
+#include "brush/pen_resampler.hpp"
 #include "brush/plough.hpp"
 #include "brush/stroke_path.hpp"
 #include "brush/symmetry.hpp"
@@ -27,12 +28,12 @@ struct HandAids {
     PenGuide guide{};
 };
 
-/// Samples are filtered in time, led along the guide, joined by a smooth curve and walked in steps of
-/// equal length; at every step the bristles exchange paint with the film. The stroke does not depend on
-/// the rate of the samples, and hardly on the size of the cells. Paint follows the pen by the filter's
-/// time constant and one sample; end() catches up. Holds on to the brush and the film, which must
-/// outlive it; between two calls the film may flow, and may be replaced by an earlier or later state of
-/// the same canvas.
+/// Samples are filled up along a smooth curve, filtered in time, led along the guide and walked in steps
+/// of equal length; at every step the bristles exchange paint with the film. The stroke does not depend
+/// on the rate of the samples, and hardly on the size of the cells. Paint follows the pen by the
+/// filter's time constant, one sample and 2 ms; end() catches up. Holds on to the brush and the film,
+/// which must outlive it; between two calls the film may flow, and may be replaced by an earlier or
+/// later state of the same canvas.
 class Stroke {
   public:
     /// `placement` says where the brush stands for the hand. A straight line has to be straight already.
@@ -59,6 +60,7 @@ class Stroke {
     grid::Rect take_changed_cells();
 
   private:
+    void follow(const std::vector<PenSample>& samples);
     PenSample led(const PenSample& sample);
     HandPose pose(const PathStep& step) const;
     void paint_steps();
@@ -77,6 +79,7 @@ class Stroke {
     std::uint32_t turns_;  ///< steps from one exchange of a bristle to its next
     PenGuide guide_;
     Placement placement_;
+    PenResampler events_;
     PenFilter filter_;
     PenSample down_, led_;  ///< the first sample, and the last one with the guide's help
     StrokePath path_;

@@ -1,108 +1,17 @@
 #include "brush/stroke_path.hpp"
 
+#include "brush/pen_curve.hpp"
 #include "core/check.hpp"
 #include "core/units.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace pastoso::brush {
 namespace {
 
-constexpr std::array kScalars = {&PenSample::pressure, &PenSample::tilt_x_deg, &PenSample::tilt_y_deg,
-                                 &PenSample::rotation_deg};
-
-/// Longest tangent of a piece against its chord. After a pause the finite difference in time can be much
-/// longer, and the curve would swing back before it starts.
-constexpr double kLongestTangent = 1.5;
-
-struct Vector {
-    double x, y;
-};
-
 /// Straight parts that a curved piece is cut into, per step of the brush.
 constexpr double kPartsPerStep = 2.5;
-
-double length(const Vector& v) {
-    return std::hypot(v.x, v.y);
-}
-
-Vector position(const PenSample& sample) {
-    return {sample.x_mm, sample.y_mm};
-}
-
-Vector velocity_mm_s(const PenSample& before, const PenSample& after) {
-    const double interval_s = std::max(after.time_s - before.time_s, 1e-9);
-    return {(after.x_mm - before.x_mm) / interval_s, (after.y_mm - before.y_mm) / interval_s};
-}
-
-double rate(const PenSample& before, const PenSample& after, double PenSample::*value) {
-    return (after.*value - before.*value) / std::max(after.time_s - before.time_s, 1e-9);
-}
-
-Vector limited(Vector tangent, double chord) {
-    const double length = std::hypot(tangent.x, tangent.y);
-    const double longest = kLongestTangent * chord;
-    const double share = length > longest ? longest / length : 1.0;
-    return {tangent.x * share, tangent.y * share};
-}
-
-double limited(double tangent, double chord) {
-    const double longest = kLongestTangent * std::abs(chord);
-    return std::clamp(tangent, -longest, longest);
-}
-
-/// Hermite's cubic at t in [0, 1], tangents with respect to t.
-double hermite(double from, double tangent_from, double to, double tangent_to, double t) {
-    const double t2 = t * t, t3 = t2 * t;
-    return (2.0 * t3 - 3.0 * t2 + 1.0) * from + (t3 - 2.0 * t2 + t) * tangent_from +
-           (3.0 * t2 - 2.0 * t3) * to + (t3 - t2) * tangent_to;
-}
-
-PenSample between(const PenSample& from, const PenSample& to, double t) {
-    PenSample result;
-    result.time_s = from.time_s + t * (to.time_s - from.time_s);
-    result.x_mm = from.x_mm + t * (to.x_mm - from.x_mm);
-    result.y_mm = from.y_mm + t * (to.y_mm - from.y_mm);
-    for (const auto value : kScalars)
-        result.*value = from.*value + t * (to.*value - from.*value);
-    return result;
-}
-
-/// The piece between two samples as a function of t in [0, 1].
-struct Piece {
-    PenSample from, to;
-    Vector tangent_from, tangent_to;
-    std::array<double, kScalars.size()> scalar_from, scalar_to;
-
-    Piece(const PenSample& before, const PenSample& start, const PenSample& stop, const PenSample& after)
-        : from(start), to(stop) {
-        const double interval_s = to.time_s - from.time_s;
-        const double chord = std::hypot(to.x_mm - from.x_mm, to.y_mm - from.y_mm);
-        const Vector leaving = velocity_mm_s(before, to), arriving = velocity_mm_s(from, after);
-        tangent_from = limited({leaving.x * interval_s, leaving.y * interval_s}, chord);
-        tangent_to = limited({arriving.x * interval_s, arriving.y * interval_s}, chord);
-        for (std::size_t i = 0; i < kScalars.size(); ++i) {
-            const double change = to.*kScalars[i] - from.*kScalars[i];
-            scalar_from[i] = limited(rate(before, to, kScalars[i]) * interval_s, change);
-            scalar_to[i] = limited(rate(from, after, kScalars[i]) * interval_s, change);
-        }
-    }
-
-    PenSample at(double t) const {
-        PenSample result = between(from, to, t);
-        const Vector a = position(from), b = position(to);
-        result.x_mm = hermite(a.x, tangent_from.x, b.x, tangent_to.x, t);
-        result.y_mm = hermite(a.y, tangent_from.y, b.y, tangent_to.y, t);
-        for (std::size_t i = 0; i < kScalars.size(); ++i) {
-            result.*kScalars[i] =
-                hermite(from.*kScalars[i], scalar_from[i], to.*kScalars[i], scalar_to[i], t);
-        }
-        result.pressure = std::clamp(result.pressure, 0.0, 1.0);
-        return result;
-    }
-};
 
 }  // namespace
 
@@ -137,9 +46,8 @@ void StrokePath::run_last_piece(const PenSample& after) {
     if (count < 2) return;
     const PenSample &from = samples_[count - 2], &to = samples_[count - 1];
     const PenSample& before = count == 3 ? samples_[0] : from;
-    const Piece piece(before, from, to, after);
-    const double speed_from = length(velocity_mm_s(before, to)),
-                 speed_to = length(velocity_mm_s(from, after));
+    const PenCurve piece(before, from, to, after);
+    const double speed_from = mean_speed_mm_s(before, to), speed_to = mean_speed_mm_s(from, after);
     const double parts = std::ceil(kPartsPerStep * length_mm(from, to) / measure_.step_mm);
     for (double part = 1.0; part <= parts; ++part) {
         const double t = part / parts;
@@ -149,11 +57,11 @@ void StrokePath::run_last_piece(const PenSample& after) {
 
 void StrokePath::run_straight(const PenSample& to, double speed_mm_s) {
     const PenSample from = at_.pen;
-    const Vector way = {to.x_mm - from.x_mm, to.y_mm - from.y_mm};
-    const double travelled_mm = length(way);
+    const double way_x_mm = to.x_mm - from.x_mm, way_y_mm = to.y_mm - from.y_mm;
+    const double travelled_mm = std::hypot(way_x_mm, way_y_mm);
     if (travelled_mm > 0.0) {
-        at_.direction_x = way.x / travelled_mm;
-        at_.direction_y = way.y / travelled_mm;
+        at_.direction_x = way_x_mm / travelled_mm;
+        at_.direction_y = way_y_mm / travelled_mm;
     }
     at_.speed_mm_s = speed_mm_s;
     const double whole_mm = length_mm(from, to);
@@ -169,7 +77,7 @@ void StrokePath::run_straight(const PenSample& to, double speed_mm_s) {
 double StrokePath::length_mm(const PenSample& from, const PenSample& to) const {
     const double slide_mm = measure_.press_slide_mm * (to.pressure - from.pressure);
     const double turn_mm = measure_.turn_radius_mm * core::radians(to.rotation_deg - from.rotation_deg);
-    return std::hypot(length({to.x_mm - from.x_mm, to.y_mm - from.y_mm}), slide_mm, turn_mm);
+    return std::hypot(std::hypot(to.x_mm - from.x_mm, to.y_mm - from.y_mm), slide_mm, turn_mm);
 }
 
 }  // namespace pastoso::brush

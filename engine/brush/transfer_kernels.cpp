@@ -30,8 +30,7 @@ using WrappingLanes [[gnu::vector_size(4 * kLanes)]] = std::uint32_t;
 
 /// For sums of single numbers: half as many as a register of 32 bits holds.
 constexpr int kWideLanes = kLanes / 2;
-using NarrowLanes [[gnu::vector_size(4 * kWideLanes), gnu::aligned(4), gnu::may_alias]] = std::int32_t;
-using WideLanes [[gnu::vector_size(8 * kWideLanes)]] = std::int64_t;
+using WideLanes [[gnu::vector_size(8 * kWideLanes)]] = std::uint64_t;
 
 /// Heights of a bristle's hairs, told apart by their number because a table of sixteen can be looked
 /// up within registers.
@@ -113,10 +112,17 @@ PASTOSO_KERNEL_INLINE Wanted wanted_at(const ExchangeRule& rule, const Hairs& ha
     return {smaller(change, room), as_ints((room > 0 ? swap_mm : none) * kQuantaPerMm)};
 }
 
-/// Adds single numbers to sums that are wide enough for all of them.
-PASTOSO_KERNEL_INLINE void add_to(WideLanes& sums, const std::int32_t* numbers) {
-    for (int i = 0; i < kLanes; i += kWideLanes)
-        sums += __builtin_convertvector(load<NarrowLanes>(numbers + i), WideLanes);
+/// Adds numbers that are not negative to sums wide enough for all of them.
+PASTOSO_KERNEL_INLINE void add_to(WideLanes& sums, IntLanes numbers) {
+    const auto pairs = reinterpret_cast<WideLanes>(numbers);
+    sums += (pairs & 0xFFFFFFFFU) + (pairs >> 32);
+}
+
+PASTOSO_KERNEL_INLINE std::int64_t total(WideLanes sums) {
+    std::uint64_t sum = 0;
+    for (int lane = 0; lane < kWideLanes; ++lane)
+        sum += sums[lane];
+    return static_cast<std::int64_t>(sum);
 }
 
 template <bool kLane, class Hairs>
@@ -127,17 +133,10 @@ PASTOSO_KERNEL_INLINE WantedSums plan_batch(const ExchangeRule& rule, const Batc
         const Wanted wanted = wanted_at<kLane>(rule, hairs, batch, i);
         store(batch.change + i, wanted.change);
         store(batch.swap + i, wanted.swap);
-        alignas(64) std::int32_t gains[kLanes];
-        store(gains, larger(wanted.change, IntLanes{}));
-        add_to(deposit, gains);
-        add_to(swap, batch.swap + i);
+        add_to(deposit, larger(wanted.change, IntLanes{}));
+        add_to(swap, wanted.swap);
     }
-    WantedSums sums;
-    for (int lane = 0; lane < kWideLanes; ++lane) {
-        sums.deposit += deposit[lane];
-        sums.swap += swap[lane];
-    }
-    return sums;
+    return {total(deposit), total(swap)};
 }
 
 /// Numbers in [0, 1) that are spread evenly over neighbouring cells: roundings with them have no bias.
@@ -189,17 +188,15 @@ struct CellChanges {
     float out_share[kChunk];  ///< of the cell's pigment
     float gained[kChunk];     ///< thickness quanta of the tool's paint
     float rounding[kChunk];
-    std::int32_t gains[kChunk], loses[kChunk], swaps[kChunk];  ///< 1 for cells of that kind
 };
 
 /// The cells of one kind, in order.
 struct CellList {
-    std::int32_t* cells;
-    int count;
+    std::int32_t cells[kChunk + kLanes];
+    int count = 0;
 
-    PASTOSO_KERNEL_INLINE void add_if(std::int32_t is_one, int cell) {
-        cells[count] = cell;
-        count += is_one;
+    PASTOSO_KERNEL_INLINE void add(IntLanes numbers, IntLanes chosen) {
+        count += store_chosen(cells + count, numbers, chosen);
     }
 };
 /// Cells that only gain paint, that only lose some, and those where paint goes both ways. Apart, since
@@ -208,8 +205,8 @@ struct CellLists {
     CellList gaining, losing, swapping;
 };
 
-PASTOSO_KERNEL_INLINE void settle_change(const ApplyRule& rule, const TileCells& cells, int first, int i,
-                                         CellChanges& changes) {
+PASTOSO_KERNEL_INLINE void settle_change(const ApplyRule& rule, const TileCells& cells, int first,
+                                         int count, int i, CellChanges& changes, CellLists& lists) {
     const IntLanes none = {}, one = none + 1;
     const auto h = load<IntLanes>(cells.held + first + i);
     const auto wanted = load<IntLanes>(cells.change + first + i);
@@ -222,20 +219,10 @@ PASTOSO_KERNEL_INLINE void settle_change(const ApplyRule& rule, const TileCells&
     store(changes.out_share + i, smaller(share, all_lanes(1.0F)));
     store(changes.gained + i, as_floats(swap + larger(change, none)));
     store(changes.rounding + i, dither(load<IntLanes>(cells.cell + first + i), rule.dither_seed));
-    store(changes.gains + i, (swap == none) & (change > none) ? one : none);
-    store(changes.loses + i, (swap == none) & (change < none) ? one : none);
-    store(changes.swaps + i, swap != none ? one : none);
-}
-
-PASTOSO_KERNEL_INLINE CellLists list_cells(int count, const CellChanges& changes, std::int32_t* gaining,
-                                           std::int32_t* losing, std::int32_t* swapping) {
-    CellLists lists = {{gaining, 0}, {losing, 0}, {swapping, 0}};
-    for (int i = 0; i < count; ++i) {
-        lists.gaining.add_if(changes.gains[i], i);
-        lists.losing.add_if(changes.loses[i], i);
-        lists.swapping.add_if(changes.swaps[i], i);
-    }
-    return lists;
+    const IntLanes number = load<IntLanes>(kCounting) + i;
+    lists.gaining.add(number, (swap == none) & (change > none) & (number < count));
+    lists.losing.add(number, (swap == none) & (change < none) & (number < count));
+    lists.swapping.add(number, (swap != none) & (number < count));
 }
 
 /// Moves the thickness of the listed cells, and their pigment by pigment(i, emptied, group, held), the
@@ -244,11 +231,12 @@ template <class Pigment>
 PASTOSO_KERNEL_INLINE void change_cells(const TileCells& cells, int first, const CellList& list,
                                         const CellChanges& changes, ChangeSums& sums, ChannelSums& gains,
                                         const Pigment& pigment) {
+    std::int64_t gained = 0;
     for (int n = 0; n < list.count; ++n) {
         const int i = list.cells[n];
         const std::int32_t cell = cells.cell[first + i];
         const std::int32_t thickness = cells.held[first + i] + changes.thickness[i];
-        sums.thickness += changes.thickness[i];
+        gained += changes.thickness[i];
         cells.thickness[cell] = thickness;
         std::int32_t* channels = cells.paint[cell].data();
         for (int group = 0; group < kGroups; ++group) {
@@ -258,6 +246,7 @@ PASTOSO_KERNEL_INLINE void change_cells(const TileCells& cells, int first, const
             gains.add(group, change);
         }
     }
+    sums.thickness += gained;
 }
 
 /// Moves the thickness and the pigment of up to kChunk cells.
@@ -265,10 +254,9 @@ PASTOSO_KERNEL_INLINE void apply_chunk(const ApplyRule& rule, const TileCells& c
                                        int count, ChangeSums& sums) {
     CellChanges changes;
     // Whole registers: a few cells of the next part or of the padding are worked out in vain.
+    CellLists lists;
     for (int i = 0; i < count; i += kLanes)
-        settle_change(rule, cells, first, i, changes);
-    std::int32_t gaining[kChunk], losing[kChunk], swapping[kChunk];
-    const CellLists lists = list_cells(count, changes, gaining, losing, swapping);
+        settle_change(rule, cells, first, count, i, changes, lists);
     FloatLanes given[kGroups];
     for (int group = 0; group < kGroups; ++group)
         given[group] = load<FloatLanes>(rule.given.data() + group * kLanes);

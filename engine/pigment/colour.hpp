@@ -16,11 +16,12 @@ using LinearRgb = std::array<float, 3>;
 using BandsToRgb = std::array<Bands, 3>;
 
 /// Band reflectances seen under D65 by the CIE 1931 observer, in linear sRGB ("band_to_linear_sRGB_D65"
-/// of resources/pigments/bands_6.json).
+/// of resources/pigments/bands_6.json): what band_fit.hpp finds for D65, rounded so that the rows still
+/// add up to 1.
 inline constexpr BandsToRgb kBandsToLinearSrgb = {{
-    {0.0475828499F, -0.210500739F, -0.271995176F, 0.199917813F, 0.716593343F, 0.51840191F},
-    {-0.0786136835F, 0.188500817F, 0.489884603F, 0.376586823F, 0.0692994162F, -0.0456579747F},
-    {0.987770637F, 0.145225176F, -0.0587831643F, -0.040976075F, -0.0368353254F, 0.00359875237F},
+    {0.0490941405F, -0.215472072F, -0.263680398F, 0.199617058F, 0.709050357F, 0.521390915F},
+    {-0.0810760111F, 0.20092614F, 0.473484725F, 0.386907101F, 0.0665526986F, -0.0467946529F},
+    {0.98027426F, 0.151456311F, -0.0549508594F, -0.046314463F, -0.0299216677F, -0.000543581322F},
 }};
 
 /// The colour of a surface of these (air-side) reflectances; may lie outside the gamut.

@@ -163,9 +163,12 @@ struct Descent {
     /// Whether the cost came to rest, its last gain being below `small_gain` of it.
     bool run(int most_iterations, double small_gain) {
         constexpr double kFirstDamping = 1e-4, kLeastDamping = 1e-12, kMostDamping = 1e8;
+        constexpr double kRoundings = 1e-12;  // of the cost: no one part of it is larger than 1e-6
         Problem problem = problem_at(z, wanted, weight);
         double damping = kFirstDamping;
-        for (iterations = 1; iterations <= most_iterations; ++iterations) {
+        for (iterations = 0; iterations < most_iterations;) {
+            if (problem.cost < kRoundings) return true;
+            ++iterations;
             const Unknowns tried = moved(z, damped_step(problem, damping));
             const Problem there = problem_at(tried, wanted, weight);
             if (there.cost < problem.cost) {
@@ -179,7 +182,6 @@ struct Descent {
                 if (damping > kMostDamping) return true;
             }
         }
-        iterations = most_iterations;
         return false;
     }
 };

@@ -14,8 +14,8 @@ struct Viewing {
 };
 
 /// The viewing in a light, by an eye that is adapted to it: white stays white, and what differs from
-/// another light is how the pigments' spectra meet that of the lamp. For D65 the matrix is the one that
-/// the bands' windows were fitted with, for every other light it is fitted to that light (band_fit.hpp).
+/// another light is how the pigments' spectra meet that of the lamp. The matrix is fitted to the
+/// light (band_fit.hpp); that for D65 has been fitted once (kBandsToLinearSrgb).
 Viewing viewing_under(const Illuminant& light, WorkingSpace space = WorkingSpace::Srgb);
 
 }  // namespace pastoso::pigment

@@ -41,7 +41,7 @@ TEST(Stroke, DoesNotDependOnTheEventRate) {
     const film::FilmState fast = wavy_stroke_on_linen(1000.0, 8.0);
     const film::FilmState slow = wavy_stroke_on_linen(125.0, 8.0);
     EXPECT_NEAR(studio::volume_mm3(slow) / studio::volume_mm3(fast), 1.0, 1e-3);
-    EXPECT_LT(studio::relative_difference(fast, slow, fast.cell_mm), 0.01);
+    EXPECT_LT(studio::relative_difference(fast, slow, fast.cell_mm), 0.005);
 }
 
 class EveryTool : public testing::TestWithParam<const char*> {
@@ -58,9 +58,8 @@ class EveryTool : public testing::TestWithParam<const char*> {
 TEST_P(EveryTool, DoesNotDependOnTheEventRate) {
     const film::FilmState fast = stroke(1000.0, 4.0), slow = stroke(125.0, 4.0);
     EXPECT_NEAR(studio::volume_mm3(slow) / studio::volume_mm3(fast), 1.0, 1e-3);
-    // A pointed tip draws a narrow stroke, of which the ends, the last catching up, are a larger part.
-    const double allowed = GetParam() == std::string("round") ? 0.015 : 0.01;
-    EXPECT_LT(studio::relative_difference(fast, slow, fast.cell_mm), allowed);
+    // The design asks for 1 %; the round, whose stroke is the narrowest, has 0.4 %, the others 0.15 %.
+    EXPECT_LT(studio::relative_difference(fast, slow, fast.cell_mm), 0.005);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, EveryTool, testing::Values("flat", "round", "filbert", "fan", "knife"));

@@ -99,14 +99,15 @@ struct Limits {
     double tint_mean, tint_95, deep_mean, deep_95;
 };
 
-// The design asks for 0.45 and 1.3 in tints under D65, for a mean of 0.55 under A; 1 is the smallest
-// difference that is seen side by side. Measured: D65 0.36, 1.00; D50 0.34, 0.94; A 0.39, 1.12; LED
-// 0.35, 0.89. In deep mixtures without white the edges of strong pigments fall between the windows: D65
-// 0.54, 1.45; D50 0.52, 1.43; A 0.61, 1.89; LED 0.49, 1.36.
-constexpr Limits kLimits[] = {{"D65", 0.45, 1.3, 0.6, 1.6},
-                              {"D50", 0.45, 1.3, 0.6, 1.6},
+// The design asks for 0.45 and 1.3 over mixtures and tints together under D65, for a mean of 0.55 under
+// A; 1 is the smallest difference that is seen side by side. Measured in tints: D65 0.35, 0.92; D50
+// 0.34, 0.94; A 0.39, 1.12; LED 0.35, 0.89. In deep mixtures without white the edges of strong pigments
+// fall between the windows: D65 0.52, 1.38; D50 0.52, 1.43; A 0.61, 1.89; LED 0.49, 1.36. Windows made
+// for those alone leave 0.49 under D65, and 0.40 in tints.
+constexpr Limits kLimits[] = {{"D65", 0.4, 1.1, 0.55, 1.5},
+                              {"D50", 0.4, 1.1, 0.55, 1.5},
                               {"A", 0.45, 1.3, 0.7, 2.1},
-                              {"LED", 0.45, 1.3, 0.6, 1.6}};
+                              {"LED", 0.4, 1.1, 0.55, 1.5}};
 
 class BandsUnder : public testing::TestWithParam<Limits> {};
 
@@ -132,11 +133,11 @@ TEST(Bands, SixGiveTheColoursOfMixturesAndTintsTogether) {
         const Illuminant light = find_illuminant(name);
         return measure(light, viewing_under(light), Tinted::EverySecond);
     };
-    // Every second one a tint, all pigments of the box. The design asks for 0.45 and 1.3 by day and 0.55
-    // under A. Measured are 0.451, 1.28 and 0.498: the first limit is missed by 0.001. It depends on
-    // what is mixed: sixteen strong pigments alone, without earths, give 0.68, 1.71 and 0.80.
+    // Every second one a tint, all pigments of the palette: the design's 0.45 and 1.3 by day and 0.55
+    // under A. It depends on what is mixed: sixteen strong pigments alone, without earths, give 0.68,
+    // 1.71 and 0.80.
     const Differences by_day = under("D65");
-    EXPECT_LE(by_day.mean, 0.455);
+    EXPECT_LE(by_day.mean, 0.45);
     EXPECT_LE(by_day.percentile_95, 1.3);
     EXPECT_LE(under("A").mean, 0.55);
 }
