@@ -256,7 +256,6 @@ void PaintSession::publish() {
         const std::lock_guard lock(mutex_);
         snapshot_.swap(snapshot);
         recording_.end_tick = painting_->tick();
-        published_count_ = applied_count_;
         status_ = {.tick = painting_->tick(),
                    .steps = report.steps,
                    .strokes = strokes_,
@@ -270,8 +269,13 @@ void PaintSession::publish() {
                    .replaying = !replay_.empty()};
     }
     changed_ = false;
-    published_.notify_all();
     if (notify_) notify_();
+    // Whoever waits for the publication finds it announced.
+    {
+        const std::lock_guard lock(mutex_);
+        published_count_ = applied_count_;
+    }
+    published_.notify_all();
 }
 
 }  // namespace pastoso::session
