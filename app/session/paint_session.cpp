@@ -14,16 +14,6 @@ namespace {
 /// picture.
 constexpr auto kLongestBatch = std::chrono::milliseconds(8);
 
-/// Whether the action itself changes what lies on canvas and well.
-bool changes_painting(const document::Action& action) {
-    return std::holds_alternative<document::PenDown>(action) ||
-           std::holds_alternative<document::DryNow>(action) ||
-           std::holds_alternative<document::SqueezePaint>(action) ||
-           std::holds_alternative<document::CleanWell>(action) ||
-           std::holds_alternative<document::Undo>(action) ||
-           std::holds_alternative<document::Redo>(action);
-}
-
 bool is_known(const std::string& paint) {
     try {
         pigment::check_paint_name(paint);
@@ -46,11 +36,13 @@ std::vector<std::string> known_paints(const document::Recording& past) {
 
 PaintSession::PaintSession(std::unique_ptr<core::ThreadPool> pool,
                            std::unique_ptr<document::Painting> painting, Notify notify,
-                           document::Recording past, bool paused)
+                           document::Recording past, bool paused,
+                           std::unique_ptr<journal::JournalWriter> journal)
     : canvas_(painting->settings()),
       notify_(std::move(notify)),
       pool_(std::move(pool)),
       painting_(std::move(painting)),
+      journal_(std::move(journal)),
       clock_(WallClock::now()) {
     paused_ = status_.paused = paused;
     recording_ = std::move(past);
@@ -151,11 +143,19 @@ void PaintSession::hand_out_capture() {
         if (wanted_capture_ == nullptr || !posted_.empty()) return;
     }
     if (painting_->stroke_in_progress()) apply(document::PenUp{});
-    Capture capture{painting_->state(), {}, changes_};
+    Capture capture{painting_->state(), {}, changes_, journal_ ? journal_->events() : 0};
     const std::lock_guard lock(mutex_);
     capture.recording = recording_;
     capture.recording.end_tick = painting_->tick();
     std::exchange(wanted_capture_, nullptr)->set_value(std::move(capture));
+}
+
+void PaintSession::note_saved(const std::filesystem::path& path, std::uint64_t journal_events) {
+    if (journal_) journal_->note_saved(path, journal_events);
+}
+
+void PaintSession::discard_journal() {
+    if (journal_) journal_->discard();
 }
 
 void PaintSession::wait_until_applied() {
@@ -170,6 +170,7 @@ void PaintSession::run() {
         apply_due_replay();
         hand_out_capture();
         advance_if_due();
+        if (journal_) keep_journal();
         if (changed_) publish();
     }
 }
@@ -217,12 +218,21 @@ void PaintSession::apply_due_replay() {
     }
 }
 
+/// Undo or Redo with nothing to return to is not recorded: replayed after the painting's past, it would
+/// find something.
 void PaintSession::apply(const document::Action& action) {
     changed_ = true;
+    const bool undoes_nothing = std::holds_alternative<document::Undo>(action) && !painting_->can_undo();
+    const bool redoes_nothing = std::holds_alternative<document::Redo>(action) && !painting_->can_redo();
+    if (undoes_nothing || redoes_nothing) {
+        if (painting_->stroke_in_progress()) apply(document::PenUp{});
+        return;
+    }
     try {
         painting_->apply(action);
         strokes_ += std::holds_alternative<document::PenDown>(action) ? 1 : 0;
-        changes_ += changes_painting(action) ? 1 : 0;
+        changes_ += journal::changes_painting(action) ? 1 : 0;
+        if (journal_) journal_->note({painting_->tick(), action});
         const std::lock_guard lock(mutex_);
         recording_.events.push_back({painting_->tick(), action});
         document::note_paints(action, paints_used_);
@@ -230,6 +240,19 @@ void PaintSession::apply(const document::Action& action) {
         const std::lock_guard lock(mutex_);
         errors_.emplace_back(error.what());
     }
+}
+
+void PaintSession::keep_journal() {
+    journal_->note_tick(painting_->tick());
+    const document::StageTimes times = painting_->stage_times();
+    const double work_s = times.brush_s + times.film_s;
+    if (!painting_->stroke_in_progress() && journal_->wants_checkpoint(work_s))
+        journal_->write_checkpoint(painting_->state(), work_s);
+    std::vector<std::string> faults = journal_->take_faults();
+    if (faults.empty()) return;
+    changed_ = true;
+    const std::lock_guard lock(mutex_);
+    errors_.insert(errors_.end(), faults.begin(), faults.end());
 }
 
 void PaintSession::advance_if_due() {

@@ -6,6 +6,7 @@
 #include "document/events.hpp"
 #include "document/painting.hpp"
 #include "document/painting_state.hpp"
+#include "journal/journal_writer.hpp"
 #include "session/tick_clock.hpp"
 
 #include <atomic>
@@ -41,7 +42,8 @@ struct Status {
 struct Capture {
     document::PaintingState painting;
     document::Recording recording;
-    std::int64_t changes = 0;  ///< Status::changes at that moment
+    std::int64_t changes = 0;          ///< Status::changes at that moment
+    std::uint64_t journal_events = 0;  ///< actions in the journal until then
 };
 
 /// Owns a Painting on a thread of its own. Actions are applied in the order of post(), each between two
@@ -54,9 +56,11 @@ class PaintSession {
     /// Takes over a painting that has just been made with `pool`; the pool is the session's alone from
     /// now on. `past` is what was done to the painting before, up to its tick; `paused` as in
     /// set_paused(). `notify` is called on the session's thread after every publication and every error;
-    /// it must return at once and must not call back into the session.
+    /// it must return at once and must not call back into the session. What is painted goes to
+    /// `journal`, where there is one; it stays to be recovered unless discard_journal() was called.
     PaintSession(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<document::Painting> painting,
-                 Notify notify, document::Recording past = {}, bool paused = false);
+                 Notify notify, document::Recording past = {}, bool paused = false,
+                 std::unique_ptr<journal::JournalWriter> journal = {});
     ~PaintSession();
     PaintSession(const PaintSession&) = delete;
     PaintSession& operator=(const PaintSession&) = delete;
@@ -93,6 +97,15 @@ class PaintSession {
     /// Waits until all posted actions are applied and published.
     void wait_until_applied();
 
+    /// Whether what is painted is kept to be recovered.
+    bool has_journal() const { return journal_ != nullptr; }
+
+    /// The painter has the painting of that capture in a file.
+    void note_saved(const std::filesystem::path& path, std::uint64_t journal_events);
+
+    /// The session ends and nothing of it needs to be recovered.
+    void discard_journal();
+
     const document::CanvasSettings& canvas() const { return canvas_; }
 
   private:
@@ -104,6 +117,7 @@ class PaintSession {
     void advance_if_due();
     void publish();
     void hand_out_capture();
+    void keep_journal();
 
     document::CanvasSettings canvas_;
     Notify notify_;
@@ -111,6 +125,7 @@ class PaintSession {
     // Of the session's thread alone.
     std::unique_ptr<core::ThreadPool> pool_;
     std::unique_ptr<document::Painting> painting_;
+    std::unique_ptr<journal::JournalWriter> journal_;
     TickClock clock_;
     std::int64_t strokes_ = 0;
     std::int64_t changes_ = 0;

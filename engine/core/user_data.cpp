@@ -30,4 +30,8 @@ std::filesystem::path user_config_path(const std::filesystem::path& relative) {
     return path_below("XDG_CONFIG_HOME", ".config", relative);
 }
 
+std::filesystem::path user_state_path(const std::filesystem::path& relative) {
+    return path_below("XDG_STATE_HOME", ".local/state", relative);
+}
+
 }  // namespace pastoso::core

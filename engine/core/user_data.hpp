@@ -14,4 +14,8 @@ std::filesystem::path user_data_path(const std::filesystem::path& relative);
 /// $HOME/.config/pastoso.
 std::filesystem::path user_config_path(const std::filesystem::path& relative);
 
+/// The same for what a run of the program leaves to the next one: below $XDG_STATE_HOME/pastoso or
+/// $HOME/.local/state/pastoso.
+std::filesystem::path user_state_path(const std::filesystem::path& relative);
+
 }  // namespace pastoso::core

@@ -220,6 +220,22 @@ LoadedProject parse_project(std::span<const std::byte> file, const std::string& 
     return loaded(ZipReader(file, name), pool);
 }
 
+document::Recording load_strokes(const std::filesystem::path& path, std::vector<std::string>& notes) {
+    const ZipReader archive(path);
+    const ProjectIndex index = read_index(archive);
+    LoadedProject project;
+    project.painting.settings = read_setup(archive).canvas;
+    project.painting.tick = index.tick;
+    read_strokes(archive, index.strokes, project);
+    notes.insert(notes.end(), project.notes.begin(), project.notes.end());
+    return project.strokes;
+}
+
+std::string load_thumbnail(const std::filesystem::path& path) {
+    constexpr std::size_t kMostThumbnailBytes = std::size_t{1} << 20;
+    return text_of(ZipReader(path).read("Thumbnails/thumbnail.png", kMostThumbnailBytes));
+}
+
 ProjectSummary project_summary(const std::filesystem::path& path) {
     const ZipReader archive(path);
     const ProjectIndex index = read_index(archive);

@@ -41,6 +41,13 @@ LoadedProject load_project(const std::filesystem::path& path, core::ThreadPool& 
 LoadedProject parse_project(std::span<const std::byte> file, const std::string& name,
                             core::ThreadPool& pool);
 
+/// The strokes of a project alone: what load_project() gives of them. `notes` gets the sentence of
+/// strokes that cannot be read.
+document::Recording load_strokes(const std::filesystem::path& path, std::vector<std::string>& notes);
+
+/// The picture that file managers show of a project: a PNG file, at most 256 pixels a side.
+std::string load_thumbnail(const std::filesystem::path& path);
+
 /// How many bytes a kind of data takes, and how many it would without compression.
 struct KindSize {
     std::string kind{};

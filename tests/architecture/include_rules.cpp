@@ -28,6 +28,7 @@ const Rules& engine_rules() {
         {"document", {"core", "grid", "pigment", "film", "brush", "shade"}},
         {"io", {"core", "grid", "pigment", "film", "brush", "shade", "document", "liquid"}},
         {"project", {"core", "grid", "pigment", "film", "brush", "shade", "document", "io"}},
+        {"journal", {"core", "grid", "pigment", "film", "brush", "shade", "document", "io", "project"}},
     };
     return rules;
 }

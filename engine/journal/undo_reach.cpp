@@ -1,0 +1,34 @@
+#include "journal/undo_reach.hpp"
+
+namespace pastoso::journal {
+namespace {
+
+template <class... Kinds>
+bool is_one_of(const document::Action& action) {
+    return (std::holds_alternative<Kinds>(action) || ...);
+}
+
+}  // namespace
+
+void UndoReach::note(const document::Action& action) {
+    // Cleaning a well that is bare already is no step, so it is not counted on.
+    if (is_one_of<document::PenDown, document::DryNow, document::SqueezePaint>(action)) ++undoable_;
+    if (changes_painting(action) && !is_one_of<document::Undo, document::Redo>(action)) redoable_ = 0;
+    if (is_one_of<document::Undo>(action)) {
+        crossed_ = crossed_ || undoable_ == 0;
+        --undoable_;
+        ++redoable_;
+    }
+    if (is_one_of<document::Redo>(action)) {
+        crossed_ = crossed_ || redoable_ == 0;
+        --redoable_;
+        ++undoable_;
+    }
+}
+
+bool changes_painting(const document::Action& action) {
+    return is_one_of<document::PenDown, document::DryNow, document::SqueezePaint, document::CleanWell,
+                     document::Undo, document::Redo>(action);
+}
+
+}  // namespace pastoso::journal

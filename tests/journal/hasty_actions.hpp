@@ -1,0 +1,82 @@
+// A painter who never rests: what is done follows from a seed alone.
+#pragma once
+
+#include "core/random.hpp"
+#include "document/events.hpp"
+
+#include <string>
+#include <vector>
+
+namespace pastoso::journal {
+
+/// Where the painting program saves to, keeps its journals and tells how far it is, in its folder.
+inline constexpr const char* kSavedName = "saved.pastoso";
+inline constexpr const char* kJournalsName = "journals";
+inline constexpr const char* kProgressName = "progress";
+
+inline document::CanvasSettings hasty_canvas() {
+    document::CanvasSettings canvas;
+    canvas.width_mm = 60.0;
+    canvas.height_mm = 40.0;
+    canvas.px_per_mm = 2.0;
+    return canvas;
+}
+
+class HastyPainter {
+  public:
+    explicit HastyPainter(std::uint32_t seed) : seed_(seed) {}
+
+    /// What is done next: a stroke as a rule, now and then Undo, Redo, DryNow, other paint, the well.
+    std::vector<document::Action> next() {
+        using namespace document;
+        if (!began_) {
+            began_ = true;
+            return {UseMedium{"soft-body acrylic"}, TiltCanvas{50, 90}, TakeBrush{"flat", 8, 1}, dip()};
+        }
+        const int what = choice(20);
+        if (what < 3) return std::vector<Action>(static_cast<std::size_t>(1 + choice(4)), Undo{});
+        if (what == 3) return {Redo{}};
+        if (what == 4) return {DryNow{}};
+        if (what == 5) return {SqueezePaint{{{{"PB29", 1.0}}}, 200.0, 20.0 + choice(60), 40.0}};
+        if (what == 6) return {CleanWell{}};
+        if (what == 7) return {dip()};
+        return stroke(what == 8 ? Surface::Well : Surface::Canvas);
+    }
+
+  private:
+    double uniform() { return core::uniform_noise(drawn_++, seed_); }
+    int choice(int count) { return static_cast<int>(uniform() * count); }
+
+    document::Action dip() {
+        static constexpr const char* kPaints[] = {"PR108", "PY35", "PB29"};
+        document::LoadPaint load;
+        load.paint.ingredients = {{kPaints[choice(3)], 1.0}};
+        return load;
+    }
+
+    std::vector<document::Action> stroke(document::Surface surface) {
+        std::vector<document::Action> actions;
+        const double x_mm = 50.0 * uniform(), y_mm = 40.0 * uniform();
+        const int samples = 5 + choice(60);
+        for (int i = 0; i < samples; ++i) {
+            brush::PenSample sample;
+            sample.time_s = time_s_ += 0.005;
+            sample.x_mm = x_mm + 0.4 * i;
+            sample.y_mm = y_mm + 3.0 * uniform();
+            sample.pressure = 0.3 + 0.5 * uniform();
+            if (i == 0)
+                actions.emplace_back(document::PenDown{sample, surface});
+            else
+                actions.emplace_back(document::PenMove{sample});
+        }
+        actions.emplace_back(document::PenUp{});
+        return actions;
+    }
+
+    const std::uint32_t seed_;
+    std::uint32_t drawn_ = 0;
+    bool began_ = false;
+    double time_s_ = 0.0;
+};
+
+}  // namespace pastoso::journal

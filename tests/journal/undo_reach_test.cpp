@@ -1,0 +1,41 @@
+#include "journal/undo_reach.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace pastoso::journal {
+namespace {
+
+using namespace document;
+
+bool crosses(const std::vector<Action>& actions) {
+    UndoReach reach;
+    for (const Action& action : actions)
+        reach.note(action);
+    return reach.crossed();
+}
+
+TEST(UndoReach, WhatWasDoneSinceMayBeUndone) {
+    EXPECT_FALSE(crosses({PenDown{}, PenUp{}, Undo{}, Redo{}, Undo{}}));
+    EXPECT_FALSE(crosses({DryNow{}, SqueezePaint{}, Undo{}, Undo{}, Redo{}, Redo{}}));
+    EXPECT_FALSE(crosses({UseMedium{}, PenMove{}, PenUp{}}));
+}
+
+TEST(UndoReach, WhatWasDoneBeforeMayNot) {
+    EXPECT_TRUE(crosses({Undo{}}));
+    EXPECT_TRUE(crosses({PenDown{}, Undo{}, Undo{}}));
+    EXPECT_TRUE(crosses({Undo{}, Redo{}, PenDown{}}));
+}
+
+TEST(UndoReach, NorMayWhatWasTakenBackBefore) {
+    EXPECT_TRUE(crosses({Redo{}}));
+    EXPECT_TRUE(crosses({DryNow{}, Undo{}, PenDown{}, Redo{}}));
+}
+
+TEST(UndoReach, CleaningABareWellIsNoStepToReturnTo) {
+    EXPECT_TRUE(crosses({CleanWell{}, Undo{}}));
+}
+
+}  // namespace
+}  // namespace pastoso::journal
