@@ -3,6 +3,7 @@
 #include "cli/info.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/options.hpp"
+#include "cli/recover.hpp"
 #include "cli/replay.hpp"
 #include "cli/simulate.hpp"
 #include "cli/usage_error.hpp"
@@ -175,6 +176,22 @@ void add_export(CLI::App& app, ExportOptions& options) {
         "Example:\n  pastoso-cli export painting.pastoso -o painting.tif --depth 16 --scale 2");
 }
 
+void add_recover(CLI::App& app, RecoverOptions& options) {
+    CLI::App& command = *app.add_subcommand(
+        "recover", "Bring back paintings that were not saved when the window was stopped");
+    command.add_option("NAME", options.name, "Which one, as --list names it (default: the latest)");
+    command.add_flag("--list", options.list, "Show what there is");
+    command
+        .add_option("-o,--output", options.output,
+                    "Paint it again and keep it as a project file, FILE.pastoso")
+        ->type_name("FILE");
+    command.add_flag("--discard", options.discard, "Forget it for good");
+    command.add_flag("--keep", options.keep, "With -o: leave it to be recovered again");
+    add_threads_option(command, options.threads);
+    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+    command.footer("Example:\n  pastoso-cli recover -o recovered.pastoso");
+}
+
 std::string bundled_scenes_text() {
     std::string text;
     for (const std::string& name : io::bundled_scene_names())
@@ -231,6 +248,7 @@ void add_info(CLI::App& app, InfoOptions& options) {
 int run(int argc, char** argv) {
     ReplayOptions replay, sheet;
     ExportOptions exporting;
+    RecoverOptions recover;
     SimulateOptions simulate;
     InfoOptions info;
     CLI::App app("Paints with thick wet paint, without a screen.", "pastoso-cli");
@@ -240,13 +258,14 @@ int run(int argc, char** argv) {
     add_replay(app, replay);
     add_sheet(app, sheet);
     add_export(app, exporting);
+    add_recover(app, recover);
     add_simulate(app, simulate);
     add_info(app, info);
     const std::string first = argc > 1 ? argv[1] : "-";
     const auto is_named = [&](const CLI::App* command) { return command->get_name() == first; };
     if (!first.starts_with('-') && app.get_subcommands(is_named).empty()) {
         throw UsageError("there is no subcommand \"" + first +
-                         "\", only replay, sheet, export, simulate and info.");
+                         "\", only replay, sheet, export, recover, simulate and info.");
     }
     try {
         app.parse(argc, argv);
@@ -261,6 +280,8 @@ int run(int argc, char** argv) {
         run_sheet(std::move(sheet));
     else if (app.got_subcommand("export"))
         run_export(exporting);
+    else if (app.got_subcommand("recover"))
+        run_recover(recover);
     else if (app.got_subcommand("simulate"))
         run_simulate(simulate);
     else

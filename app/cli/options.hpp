@@ -53,6 +53,16 @@ struct ExportOptions {
     int threads = 0;
 };
 
+struct RecoverOptions {
+    std::string name;  ///< of a journal; empty: the latest
+    std::string output;
+    bool list = false;
+    bool discard = false;
+    bool keep = false;  ///< the journal
+    int threads = 0;
+    bool quiet = false;
+};
+
 struct SimulateOptions {
     std::string scene;   ///< a file, or the name of a scene that comes with the program
     std::string output;  ///< folder
