@@ -52,7 +52,7 @@ int run(QApplication& application, const Arguments& arguments) {
     pastoso::document::Recording recording;
     const bool opens = arguments.file && pastoso::project::is_project_path(*arguments.file);
     if (arguments.file && !opens) recording = pastoso::io::read_recording_json(*arguments.file);
-    MainWindow window(recording.canvas);
+    MainWindow window(recording.canvas, !arguments.screenshot);
     if (opens) window.open_painting(QString::fromStdString(arguments.file->string()));
     if (arguments.file && !opens) window.replay(recording);
     QObject::connect(
@@ -60,7 +60,10 @@ int run(QApplication& application, const Arguments& arguments) {
         [](const QString& sentence) { QApplication::exit(fail(sentence.toStdString())); },
         Qt::QueuedConnection);
     window.show();
-    if (arguments.screenshot) take_screenshot_later(window, arguments);
+    if (arguments.screenshot)
+        take_screenshot_later(window, arguments);
+    else
+        QTimer::singleShot(0, &window, &MainWindow::offer_recovery);
     return QApplication::exec();
 }
 

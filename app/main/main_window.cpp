@@ -33,8 +33,9 @@ view::TipShape tip_in_hand(const tools::Hand& hand) {
 
 }  // namespace
 
-MainWindow::MainWindow(const document::CanvasSettings& canvas)
-    : commands_(this),
+MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journal)
+    : keeps_journal_(keeps_journal),
+      commands_(this),
       easel_(std::make_unique<tools::Easel>(
           tools::Hand{}, [this](document::Action action) { session_->post(std::move(action)); },
           [this] { session_->note_hand(); })),
@@ -70,11 +71,16 @@ MainWindow::~MainWindow() {
 void MainWindow::start_session(const document::CanvasSettings& canvas) {
     auto pool = std::make_unique<core::ThreadPool>();
     auto painting = io::make_painting(canvas, *pool);
-    start_session(std::move(pool), std::move(painting), {});
+    start_session(std::move(pool), std::move(painting), {}, {.canvas = canvas});
 }
 
 void MainWindow::start_session(std::unique_ptr<core::ThreadPool> pool,
-                               std::unique_ptr<document::Painting> painting, document::Recording past) {
+                               std::unique_ptr<document::Painting> painting, document::Recording past,
+                               journal::Beginning beginning) {
+    beginning.canvas = painting->settings();
+    beginning.tick = painting->tick();
+    auto journal = new_journal(beginning);
+    if (session_) session_->discard_journal();
     // One refresh at a time waits in the event queue, however often the session publishes.
     auto pending = std::make_shared<std::atomic<bool>>(false);
     auto notify = [this, pending] {
@@ -89,7 +95,8 @@ void MainWindow::start_session(std::unique_ptr<core::ThreadPool> pool,
     };
     session_ = std::make_unique<session::PaintSession>(
         std::move(pool), std::move(painting), std::move(notify), std::move(past),
-        commands_.action(commands::Command::Pause)->isChecked());
+        commands_.action(commands::Command::Pause)->isChecked(), std::move(journal));
+    journal_events_saved_.reset();
     path_.clear();
     saved_changes_ = 0;
     show_title();

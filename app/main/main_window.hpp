@@ -12,8 +12,10 @@
 #include "tools/guide_handles.hpp"
 #include "view/canvas_view.hpp"
 
+#include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include <QByteArray>
 #include <QFileSystemWatcher>
@@ -40,8 +42,9 @@ namespace pastoso::main {
 class MainWindow : public QMainWindow {
     Q_OBJECT
   public:
-    /// Throws core::InputError when there can be no such canvas.
-    explicit MainWindow(const document::CanvasSettings& canvas);
+    /// Throws core::InputError when there can be no such canvas. What is painted is kept on the disk as
+    /// it happens, to be recovered, unless `keeps_journal` says otherwise.
+    explicit MainWindow(const document::CanvasSettings& canvas, bool keeps_journal = true);
     ~MainWindow() override;
 
     /// Puts up another canvas with the same tools. Throws core::InputError and keeps the old one when it
@@ -54,6 +57,13 @@ class MainWindow : public QMainWindow {
 
     /// Writes the painting to a project file, in the background. From now on that is its file.
     void save_painting(const QString& path);
+
+    /// Puts up a painting that a program left unfinished; its journal then goes. Throws core::InputError
+    /// and keeps both the old painting and the journal when it cannot.
+    void recover_painting(const std::filesystem::path& journal);
+
+    /// Asks what to do with unfinished paintings, if there are any.
+    void offer_recovery();
 
     /// Puts up the recording's canvas and paints on it what was recorded.
     void replay(const document::Recording& recording);
@@ -85,7 +95,9 @@ class MainWindow : public QMainWindow {
   private:
     void start_session(const document::CanvasSettings& canvas);
     void start_session(std::unique_ptr<core::ThreadPool> pool,
-                       std::unique_ptr<document::Painting> painting, document::Recording past);
+                       std::unique_ptr<document::Painting> painting, document::Recording past,
+                       journal::Beginning beginning);
+    std::unique_ptr<journal::JournalWriter> new_journal(const journal::Beginning& beginning);
     void take_up_hand(const document::Recording& past);
     void lay_out();
     void make_tool_bar();
@@ -152,6 +164,7 @@ class MainWindow : public QMainWindow {
     void ask_save_recording();
     void report(const QString& sentence);
 
+    const bool keeps_journal_;
     commands::CommandRegistry commands_;
     commands::PictureSaver saver_;
     std::unique_ptr<tools::Easel> easel_;
@@ -160,6 +173,7 @@ class MainWindow : public QMainWindow {
     commands::ProjectSaver project_saver_;
     QString path_;  ///< of the project file; empty: not saved yet
     std::int64_t saved_changes_ = 0;
+    std::optional<std::uint64_t> journal_events_saved_;  ///< of the painting that is being saved
     QMenu* recent_ = nullptr;
     QString light_ = QStringLiteral("D65");
     brush::PresetLibrary library_;

@@ -51,6 +51,8 @@ void MainWindow::connect_project_commands() {
     connect(&project_saver_, &commands::ProjectSaver::finished, this,
             [this](const QString& path, const QString& error) {
                 if (error.isEmpty()) {
+                    if (journal_events_saved_)
+                        session_->note_saved(path.toStdString(), *journal_events_saved_);
                     commands::remember_painting(path.toStdString());
                     report(tr("Saved %1.").arg(path));
                     return;
@@ -84,7 +86,11 @@ void MainWindow::open_painting(const QString& path) {
     auto pool = std::make_unique<core::ThreadPool>();
     project::LoadedProject project = project::load_project(path.toStdString(), *pool);
     auto painting = std::make_unique<document::Painting>(project.painting, *pool);
-    start_session(std::move(pool), std::move(painting), project.strokes);
+    const std::filesystem::path file = std::filesystem::absolute(path.toStdString());
+    start_session(std::move(pool), std::move(painting), project.strokes,
+                  {.painting = file, .write_start = [&file](const std::filesystem::path& start) {
+                       std::filesystem::copy_file(file, start);
+                   }});
     path_ = path;
     show_title();
     take_up_hand(project.strokes);
@@ -111,6 +117,7 @@ void MainWindow::save_painting(const QString& path) {
     session::Capture capture = session_->capture();
     path_ = path;
     saved_changes_ = capture.changes;
+    journal_events_saved_ = capture.journal_events;
     show_title();
     setWindowModified(false);
     report(tr("Saving %1...").arg(path));
@@ -166,7 +173,9 @@ bool MainWindow::may_discard() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(may_discard());
-    if (event->isAccepted()) remember();
+    if (!event->isAccepted()) return;
+    remember();
+    session_->discard_journal();
 }
 
 }  // namespace pastoso::main

@@ -56,6 +56,7 @@ void WindowTest::SetUp() {
     ASSERT_EQ(main::opengl_problem(), std::nullopt);
     own_data_ = std::getenv("XDG_DATA_HOME") == nullptr;
     if (own_data_) ::setenv("XDG_DATA_HOME", (home_.path() / "data").c_str(), 1);
+    ::setenv("XDG_STATE_HOME", (home_.path() / "state").c_str(), 1);
     ::setenv("XDG_CONFIG_HOME", (home_.path() / "config").c_str(), 1);
     open_another();
 }
@@ -63,6 +64,7 @@ void WindowTest::SetUp() {
 void WindowTest::TearDown() {
     window_.reset();
     ::unsetenv("XDG_CONFIG_HOME");
+    ::unsetenv("XDG_STATE_HOME");
     if (own_data_) ::unsetenv("XDG_DATA_HOME");
 }
 
