@@ -2,7 +2,6 @@
 
 #include "shade/shadow.hpp"
 #include "shade/sky.hpp"
-#include "shade/surface.hpp"
 
 #include <algorithm>
 
@@ -48,8 +47,8 @@ LayerRows CellLayers::rows_from(int first_row) const {
 }
 
 CellLayers cell_layers(const film::FilmState& film, const pigment::Bands& ground,
-                       const grid::Rect& cells, const Lighting& lighting, core::ThreadPool& pool,
-                       const pigment::BandsToRgb& to_rgb) {
+                       const grid::Rect& cells, const Lighting& lighting, const HeightRange& range,
+                       core::ThreadPool& pool, const pigment::BandsToRgb& to_rgb) {
     CellLayers layers;
     layers.cells = cells;
     const std::size_t count = static_cast<std::size_t>(cells.width()) * cells.height();
@@ -58,11 +57,16 @@ CellLayers cell_layers(const film::FilmState& film, const pigment::Bands& ground
     layers.sky.resize(count);
     layers.colour.resize(count);
     const std::vector<Rect> bands = bands_of(cells);
-    const HeightRange range = surface_range(film);
     pool.run(bands.size(), [&](std::size_t index, int) {
         fill_band(film, ground, bands[index], to_rgb, lighting, range, layers);
     });
     return layers;
+}
+
+CellLayers cell_layers(const film::FilmState& film, const pigment::Bands& ground,
+                       const grid::Rect& cells, const Lighting& lighting, core::ThreadPool& pool,
+                       const pigment::BandsToRgb& to_rgb) {
+    return cell_layers(film, ground, cells, lighting, surface_range(film), pool, to_rgb);
 }
 
 }  // namespace pastoso::shade

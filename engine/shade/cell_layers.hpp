@@ -4,6 +4,7 @@
 #include "core/thread_pool.hpp"
 #include "shade/render.hpp"
 #include "shade/sampling.hpp"
+#include "shade/surface.hpp"
 #include "shade/tile_colour.hpp"
 
 #include <vector>
@@ -27,6 +28,11 @@ struct CellLayers {
     LayerRows rows_from(int first_row) const;
 };
 
+/// `range` is that of the whole canvas.
+CellLayers cell_layers(const film::FilmState& film, const pigment::Bands& ground,
+                       const grid::Rect& cells, const Lighting& lighting, const HeightRange& range,
+                       core::ThreadPool& pool,
+                       const pigment::BandsToRgb& to_rgb = pigment::kBandsToLinearSrgb);
 CellLayers cell_layers(const film::FilmState& film, const pigment::Bands& ground,
                        const grid::Rect& cells, const Lighting& lighting, core::ThreadPool& pool,
                        const pigment::BandsToRgb& to_rgb = pigment::kBandsToLinearSrgb);

@@ -9,7 +9,10 @@
                       float* out);                                                                      \
     void shade_row(const LayerRows& rows, const AxisWeights& row_weights, const SampleColumns& columns, \
                    float cell_mm, const ShadingConstants& light, float* rgb);                           \
-    inline constexpr Kernels kKernels = {colour_cells, add_horizon, raise_shadow, shade_row};           \
+    void sample_row(const LayerRows& rows, const AxisWeights& row_weights,                              \
+                    const SampleColumns& columns, float cell_mm, SurfaceSample* out);                   \
+    inline constexpr Kernels kKernels = {colour_cells, add_horizon, raise_shadow, shade_row,            \
+                                         sample_row};                                                   \
     }
 
 namespace pastoso::shade {

@@ -38,6 +38,10 @@ struct Kernels {
     void (*shade_row)(const LayerRows& rows, const AxisWeights& row_weights,
                       const SampleColumns& columns, float cell_mm, const ShadingConstants& light,
                       float* rgb);
+
+    /// What lies at one row of samples.
+    void (*sample_row)(const LayerRows& rows, const AxisWeights& row_weights,
+                       const SampleColumns& columns, float cell_mm, SurfaceSample* out);
 };
 
 /// The kernels of an instruction set, which the processor must have; the baseline's where the build

@@ -17,6 +17,7 @@ using grid::Rect;
 
 constexpr double kSmallestScale = 1.0 / 64.0;
 constexpr double kLargestScale = 64.0;
+constexpr int kMaxSide_px = 32768;
 constexpr double kMaxPixels = 1 << 28;
 
 /// Samples are at most half a cell apart: the highlights of the finest ridges, two cells wide, are then
@@ -30,51 +31,54 @@ constexpr int kMargin = 3;
 constexpr double kBlock_cells = 128.0;
 constexpr int kBlock_px = 64;
 
-/// How the picture's pixels lie on the canvas.
+/// A rectangle of a lattice's pixels, and how it is sampled.
 struct Frame {
-    Rect cells;
-    int width = 0, height = 0;
-    double scale = 1.0;
+    const Lattice& lattice;
+    Rect pixels;
     int samples = 1;  ///< along a pixel's edge
-    int block_px = 1;
+    int block_width = 1, block_height = 1;
 
-    SampleGrid samples_from(int first_cell) const {
-        return {static_cast<double>(first_cell), 1.0 / (scale * samples), colour_sharpness(scale)};
-    }
-    int blocks_x() const { return (width + block_px - 1) / block_px; }
-    int blocks_y() const { return (height + block_px - 1) / block_px; }
+    SampleGrid columns() const { return grid_along(lattice.left_cells, lattice.scale_x); }
+    SampleGrid lines() const { return grid_along(lattice.top_cells, lattice.scale_y); }
+    int blocks_x() const { return (pixels.width() + block_width - 1) / block_width; }
+    int blocks_y() const { return (pixels.height() + block_height - 1) / block_height; }
     Rect block(int index) const {
-        const int x0 = index % blocks_x() * block_px;
-        const int y0 = index / blocks_x() * block_px;
-        return {x0, y0, std::min(x0 + block_px, width), std::min(y0 + block_px, height)};
+        const int x0 = pixels.x0 + index % blocks_x() * block_width;
+        const int y0 = pixels.y0 + index / blocks_x() * block_height;
+        return grid::intersection(pixels, {x0, y0, x0 + block_width, y0 + block_height});
+    }
+
+    /// The first pixel of a row of a block, counted from the rectangle's first.
+    std::ptrdiff_t index(const Rect& block, int row) const {
+        return static_cast<std::ptrdiff_t>(block.y0 - pixels.y0 + row) * pixels.width() + block.x0 -
+               pixels.x0;
+    }
+
+  private:
+    SampleGrid grid_along(double origin, double scale) const {
+        return {origin, 1.0 / (scale * samples), colour_sharpness(scale)};
     }
 };
 
-void check_frame(const film::FilmState& film, const Rect& cells, double scale) {
-    if (!(scale >= kSmallestScale && scale <= kLargestScale)) {
-        throw core::InputError("The picture's scale is " + std::to_string(scale) +
-                               " pixels per cell, outside the range from 1/64 to 64.");
-    }
-    if (cells.empty() || grid::intersection(cells, film.shape.cells()) != cells) {
-        throw core::InputError(
-            "The part of the canvas to render is empty or reaches beyond the canvas.");
-    }
-    if (cells.width() * scale * (cells.height() * scale) > kMaxPixels) {
-        throw core::InputError("A picture of " + std::to_string(std::lround(cells.width() * scale)) +
-                               " x " + std::to_string(std::lround(cells.height() * scale)) +
-                               " pixels is larger than the 268 million that can be rendered.");
-    }
+int block_side(double scale) {
+    return std::clamp(static_cast<int>(kBlock_cells * scale), 1, kBlock_px);
 }
 
-Frame frame_of(const Rect& cells, double scale) {
-    Frame frame;
-    frame.cells = cells;
-    frame.width = std::max(1, static_cast<int>(std::lround(cells.width() * scale)));
-    frame.height = std::max(1, static_cast<int>(std::lround(cells.height() * scale)));
-    frame.scale = scale;
-    frame.samples = std::max(1, static_cast<int>(std::ceil(1.0 / (scale * kSampleSpacing_cells))));
-    frame.block_px = std::clamp(static_cast<int>(kBlock_cells * scale), 1, kBlock_px);
-    return frame;
+Frame frame_of(const Lattice& lattice, const Rect& pixels) {
+    const double finest = std::min(lattice.scale_x, lattice.scale_y);
+    const int samples = std::max(1, static_cast<int>(std::ceil(1.0 / (finest * kSampleSpacing_cells))));
+    return {lattice, pixels, samples, block_side(lattice.scale_x), block_side(lattice.scale_y)};
+}
+
+/// The cells below some pixels.
+Rect cells_below(const Lattice& lattice, const Rect& pixels) {
+    const auto cell = [](double origin, int pixel, double scale) {
+        return static_cast<int>(std::floor(origin + pixel / scale));
+    };
+    return {cell(lattice.left_cells, pixels.x0, lattice.scale_x),
+            cell(lattice.top_cells, pixels.y0, lattice.scale_y),
+            cell(lattice.left_cells, pixels.x1, lattice.scale_x) + 1,
+            cell(lattice.top_cells, pixels.y1, lattice.scale_y) + 1};
 }
 
 /// Adds the mean over each pixel's stretch of a row of samples.
@@ -89,40 +93,116 @@ void add_samples(const std::vector<float>& row, int samples, int pixels, float* 
     }
 }
 
-void render_block(const CellLayers& layers, const Frame& frame, const Rect& block, float cell_mm,
-                  const ShadingConstants& light, LinearImage& image) {
+void add_samples(const std::vector<SurfaceSample>& row, int samples, int pixels, SurfaceSample* out) {
+    const float share = 1.0F / static_cast<float>(samples * samples);
+    const SurfaceSample* sample = row.data();
+    for (int i = 0; i < pixels; ++i, ++out) {
+        for (int k = 0; k < samples; ++k, ++sample) {
+            out->red += share * sample->red;
+            out->green += share * sample->green;
+            out->blue += share * sample->blue;
+            out->wetness += share * sample->wetness;
+            out->height_mm += share * sample->height_mm;
+            out->slope_x += share * sample->slope_x;
+            out->slope_y += share * sample->slope_y;
+        }
+    }
+}
+
+struct Wanted {
+    const ShadingConstants& light;
+    float cell_mm;
+    LinearImage* lit;
+    SurfaceSamples* surface;
+};
+
+void render_block(const CellLayers& layers, const Frame& frame, const Rect& block,
+                  const Wanted& wanted) {
     const int n = frame.samples;
-    const SampleColumns columns(sample_axis(frame.samples_from(frame.cells.x0), block.x0 * n,
-                                            block.width() * n, layers.cells.x0));
-    const SampleAxis lines = sample_axis(frame.samples_from(frame.cells.y0), block.y0 * n,
-                                         block.height() * n, layers.cells.y0);
+    const SampleColumns columns(
+        sample_axis(frame.columns(), block.x0 * n, block.width() * n, layers.cells.x0));
+    const SampleAxis lines =
+        sample_axis(frame.lines(), block.y0 * n, block.height() * n, layers.cells.y0);
     PASTOSO_CHECK_OP(columns.first_cell.back() + 4 - columns.first_cell.front(), <=, kMaxRowCells);
     const Kernels& kernel = kernels(core::best_isa());
-    std::vector<float> row(static_cast<std::size_t>(columns.count) * 3);
+    std::vector<float> lit(wanted.lit == nullptr ? 0 : static_cast<std::size_t>(columns.count) * 3);
+    std::vector<SurfaceSample> surface(wanted.surface == nullptr ? 0 : columns.count);
     for (int i = 0; i < block.height() * n; ++i) {
-        kernel.shade_row(layers.rows_from(lines.first_cell[i]), lines.weights[i], columns, cell_mm,
-                         light, row.data());
-        const std::ptrdiff_t pixel =
-            static_cast<std::ptrdiff_t>(block.y0 + i / n) * frame.width + block.x0;
-        add_samples(row, n, block.width(), image.rgb.data() + 3 * pixel);
+        const LayerRows rows = layers.rows_from(lines.first_cell[i]);
+        const std::ptrdiff_t pixel = frame.index(block, i / n);
+        if (wanted.lit != nullptr) {
+            kernel.shade_row(rows, lines.weights[i], columns, wanted.cell_mm, wanted.light, lit.data());
+            add_samples(lit, n, block.width(), wanted.lit->rgb.data() + 3 * pixel);
+        }
+        if (wanted.surface != nullptr) {
+            kernel.sample_row(rows, lines.weights[i], columns, wanted.cell_mm, surface.data());
+            add_samples(surface, n, block.width(), wanted.surface->samples.data() + pixel);
+        }
     }
 }
 
 }  // namespace
 
+Lattice picture_lattice(const grid::Shape& canvas, const Rect& cells, double scale) {
+    if (!(scale >= kSmallestScale && scale <= kLargestScale)) {
+        throw core::InputError("The picture's scale is " + std::to_string(scale) +
+                               " pixels per cell, outside the range from 1/64 to 64.");
+    }
+    if (cells.empty() || grid::intersection(cells, canvas.cells()) != cells) {
+        throw core::InputError(
+            "The part of the canvas to render is empty or reaches beyond the canvas.");
+    }
+    const long width = std::max(1L, std::lround(cells.width() * scale));
+    const long height = std::max(1L, std::lround(cells.height() * scale));
+    if (width > kMaxSide_px || height > kMaxSide_px) {
+        throw core::InputError("A picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                               " pixels is larger than the 32768 a side that can be made.");
+    }
+    return {static_cast<double>(cells.x0), static_cast<double>(cells.y0), scale, scale,
+            static_cast<int>(width),       static_cast<int>(height)};
+}
+
+Renderer::Renderer(const film::FilmState& film, const pigment::Bands& ground, const Lattice& lattice,
+                   const RenderSettings& settings, core::ThreadPool& pool)
+    : film_(film), ground_(ground), lattice_(lattice), settings_(settings), pool_(pool) {
+    const HeightRange range = surface_range(film);
+    lowest_mm_ = range.lowest_mm;
+    highest_mm_ = range.highest_mm;
+}
+
+void Renderer::render(const Rect& pixels, LinearImage* lit, SurfaceSamples* surface) const {
+    PASTOSO_CHECK(!pixels.empty());
+    PASTOSO_CHECK(grid::intersection(pixels, {0, 0, lattice_.width, lattice_.height}) == pixels);
+    const ShadingConstants light = shading_constants(settings_.lighting);
+    const Frame frame = frame_of(lattice_, pixels);
+    const CellLayers layers =
+        cell_layers(film_, ground_, grown(cells_below(lattice_, pixels), kMargin), settings_.lighting,
+                    {lowest_mm_, highest_mm_}, pool_, settings_.viewing.to_rgb);
+    const std::size_t count = static_cast<std::size_t>(pixels.width()) * pixels.height();
+    if (lit != nullptr) {
+        *lit = {pixels.width(), pixels.height(), std::vector<float>(3 * count), settings_.viewing.space};
+    }
+    if (surface != nullptr) {
+        *surface = {pixels.width(), pixels.height(), std::vector<SurfaceSample>(count)};
+    }
+    const Wanted wanted{light, static_cast<float>(film_.cell_mm), lit, surface};
+    pool_.run(static_cast<std::size_t>(frame.blocks_x()) * frame.blocks_y(),
+              [&](std::size_t index, int) {
+                  render_block(layers, frame, frame.block(static_cast<int>(index)), wanted);
+              });
+}
+
 LinearImage render(const film::FilmState& film, const pigment::Bands& ground, const Rect& cells,
                    const RenderSettings& settings, core::ThreadPool& pool) {
-    check_frame(film, cells, settings.scale);
-    const ShadingConstants light = shading_constants(settings.lighting);
-    const Frame frame = frame_of(cells, settings.scale);
-    const CellLayers layers = cell_layers(film, ground, grown(cells, kMargin), settings.lighting, pool,
-                                          settings.viewing.to_rgb);
-    LinearImage image{frame.width, frame.height, {}, settings.viewing.space};
-    image.rgb.resize(static_cast<std::size_t>(frame.width) * frame.height * 3);
-    pool.run(static_cast<std::size_t>(frame.blocks_x()) * frame.blocks_y(), [&](std::size_t index, int) {
-        render_block(layers, frame, frame.block(static_cast<int>(index)),
-                     static_cast<float>(film.cell_mm), light, image);
-    });
+    const Lattice lattice = picture_lattice(film.shape, cells, settings.scale);
+    if (static_cast<double>(lattice.width) * lattice.height > kMaxPixels) {
+        throw core::InputError("A picture of " + std::to_string(lattice.width) + " x " +
+                               std::to_string(lattice.height) +
+                               " pixels is larger than the 268 million that can be rendered.");
+    }
+    LinearImage image;
+    Renderer(film, ground, lattice, settings, pool)
+        .render({0, 0, lattice.width, lattice.height}, &image, nullptr);
     return image;
 }
 

@@ -53,6 +53,53 @@ struct RenderSettings {
 LinearImage render(const film::FilmState& film, const pigment::Bands& ground, const grid::Rect& cells,
                    const RenderSettings& settings, core::ThreadPool& pool);
 
+/// What lies under a pixel, whatever light falls on it: means over the pixel.
+struct SurfaceSample {
+    float red = 0.0F, green = 0.0F, blue = 0.0F;  ///< the colour under even light, linear
+    float wetness = 0.0F;                         ///< 0 dry to 1 wet
+    float height_mm = 0.0F;                       ///< support and paint, above level 0 of the support
+    float slope_x = 0.0F, slope_y = 0.0F;         ///< of the height; x runs right, y down
+};
+
+/// Row by row from the top.
+struct SurfaceSamples {
+    int width = 0, height = 0;
+    std::vector<SurfaceSample> samples;
+};
+
+/// Even rows and columns of pixels on a canvas.
+struct Lattice {
+    double left_cells = 0.0, top_cells = 0.0;  ///< where the first pixel begins
+    double scale_x = 1.0, scale_y = 1.0;       ///< pixels per cell
+    int width = 0, height = 0;                 ///< in pixels
+};
+
+/// The pixels of a region of the canvas. Throws InputError when the scale is outside 1/64 to 64, the
+/// region is not on the canvas, or a side is longer than 32768 pixels.
+Lattice picture_lattice(const grid::Shape& canvas, const grid::Rect& cells, double scale);
+
+/// Renders a large picture part by part: each part has the bits that it has in the whole, and takes the
+/// memory of its own pixels and of the cells below them.
+class Renderer {
+  public:
+    /// `film` and `pool` outlive the renderer. The scale of `settings` does not count.
+    Renderer(const film::FilmState& film, const pigment::Bands& ground, const Lattice& lattice,
+             const RenderSettings& settings, core::ThreadPool& pool);
+
+    const Lattice& lattice() const { return lattice_; }
+
+    /// The pixels of a rectangle under the light, or as they are; null for what is not wanted.
+    void render(const grid::Rect& pixels, LinearImage* lit, SurfaceSamples* surface) const;
+
+  private:
+    const film::FilmState& film_;
+    pigment::Bands ground_;
+    Lattice lattice_;
+    RenderSettings settings_;
+    core::ThreadPool& pool_;
+    float lowest_mm_, highest_mm_;  ///< of the whole canvas
+};
+
 /// Linear to 8 or 16 bits with the curve of sRGB, in the picture's own space; values outside its gamut
 /// are brought in half by clipping, half by desaturation.
 Image8 encode_srgb8(const LinearImage& image);

@@ -91,10 +91,22 @@ void shade_points(const PointGroup& points, int count, float cells_per_mm, const
     }
 }
 
-}  // namespace
+void store_points(const PointGroup& points, int count, float cells_per_mm, SurfaceSample* out) {
+    for (int i = 0; i < count; ++i) {
+        out[i] = {points.red[i],
+                  points.green[i],
+                  points.blue[i],
+                  clamp_to_unit(points.wetness[i]),
+                  points.height_mm[i],
+                  points.slope_x[i] * cells_per_mm,
+                  points.slope_y[i] * cells_per_mm};
+    }
+}
 
-void shade_row(const LayerRows& rows, const AxisWeights& row_weights, const SampleColumns& columns,
-               float cell_mm, const ShadingConstants& light, float* rgb) {
+/// Calls use(points, first, count) for the samples of a row, group by group.
+template <class Use>
+void for_each_group(const LayerRows& rows, const AxisWeights& row_weights, const SampleColumns& columns,
+                    const Use& use) {
     const int begin = columns.first_cell[0];
     const int end = columns.first_cell[columns.count - 1] + 4;
     CellLine line;
@@ -103,8 +115,24 @@ void shade_row(const LayerRows& rows, const AxisWeights& row_weights, const Samp
     for (int first = 0; first < columns.count; first += kGroup) {
         const int count = std::min(kGroup, columns.count - first);
         blend_cells(line, begin, columns, first, count, points);
-        shade_points(points, count, 1.0F / cell_mm, light, rgb + 3 * first);
+        use(points, first, count);
     }
+}
+
+}  // namespace
+
+void shade_row(const LayerRows& rows, const AxisWeights& row_weights, const SampleColumns& columns,
+               float cell_mm, const ShadingConstants& light, float* rgb) {
+    for_each_group(rows, row_weights, columns, [&](const PointGroup& points, int first, int count) {
+        shade_points(points, count, 1.0F / cell_mm, light, rgb + 3 * first);
+    });
+}
+
+void sample_row(const LayerRows& rows, const AxisWeights& row_weights, const SampleColumns& columns,
+                float cell_mm, SurfaceSample* out) {
+    for_each_group(rows, row_weights, columns, [&](const PointGroup& points, int first, int count) {
+        store_points(points, count, 1.0F / cell_mm, out + first);
+    });
 }
 
 }  // namespace pastoso::shade::PASTOSO_ISA

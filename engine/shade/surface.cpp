@@ -90,6 +90,21 @@ void add_paint_coefficients(const film::FilmState& film, const Rect& cells, Mean
     }
 }
 
+/// The least and the greatest of what fill(film, cells, out, stride) gives for the tiles.
+template <class Fill>
+HeightRange range_of(const film::FilmState& film, const Fill& fill) {
+    HeightRange range{film.support_mm.at(0, 0), film.support_mm.at(0, 0)};
+    for (int tile = 0; tile < film.shape.tile_count(); ++tile) {
+        float values[grid::kTileCells];
+        const Rect cells = film.shape.tile_cells(tile);
+        fill(film, cells, values, cells.width());
+        const auto [low, high] = std::minmax_element(values, values + cells.width() * cells.height());
+        range.lowest_mm = std::min(range.lowest_mm, *low);
+        range.highest_mm = std::max(range.highest_mm, *high);
+    }
+    return range;
+}
+
 }  // namespace
 
 void surface_means(const film::FilmState& film, const Rect& cells, float* out, int stride) {
@@ -115,16 +130,11 @@ void height_coefficients(const film::FilmState& film, const Rect& cells, float* 
 }
 
 HeightRange surface_range(const film::FilmState& film) {
-    HeightRange range{film.support_mm.at(0, 0), film.support_mm.at(0, 0)};
-    for (int tile = 0; tile < film.shape.tile_count(); ++tile) {
-        float means[grid::kTileCells];
-        const Rect cells = film.shape.tile_cells(tile);
-        surface_means(film, cells, means, cells.width());
-        const auto [low, high] = std::minmax_element(means, means + cells.width() * cells.height());
-        range.lowest_mm = std::min(range.lowest_mm, *low);
-        range.highest_mm = std::max(range.highest_mm, *high);
-    }
-    return range;
+    return range_of(film, surface_means);
+}
+
+HeightRange surface_bounds(const film::FilmState& film) {
+    return range_of(film, height_coefficients);
 }
 
 }  // namespace pastoso::shade

@@ -21,4 +21,8 @@ struct HeightRange {
 };
 HeightRange surface_range(const film::FilmState& film);
 
+/// Two heights between which all of the interpolated surface lies: the least and the greatest of its
+/// coefficients.
+HeightRange surface_bounds(const film::FilmState& film);
+
 }  // namespace pastoso::shade
