@@ -79,20 +79,32 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
     return files;
 }
 
-void write_aside(const std::filesystem::path& path,
-                 const std::function<void(const std::filesystem::path&)>& write) {
+bool write_aside_unless(const std::filesystem::path& path,
+                        const std::function<bool(const std::filesystem::path&)>& write) {
     if (is_folder(path)) throw InputError(path.string() + ": is a folder, not a file.");
     const std::filesystem::path temporary = temporary_beside(path);
     create_empty(temporary, path);
+    std::error_code ignored;
     try {
-        write(temporary);
+        if (!write(temporary)) {
+            std::filesystem::remove(temporary, ignored);
+            return false;
+        }
         flush_to_disk(temporary, path);
         move_into_place(temporary, path);
     } catch (...) {
-        std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
         throw;
     }
+    return true;
+}
+
+void write_aside(const std::filesystem::path& path,
+                 const std::function<void(const std::filesystem::path&)>& write) {
+    write_aside_unless(path, [&](const std::filesystem::path& temporary) {
+        write(temporary);
+        return true;
+    });
 }
 
 void write_text_file(const std::filesystem::path& path, std::string_view text) {

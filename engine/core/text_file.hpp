@@ -23,6 +23,10 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
 void write_aside(const std::filesystem::path& path,
                  const std::function<void(const std::filesystem::path& temporary)>& write);
 
+/// The same, but `write` may give up: where it returns false, `path` is as it was, and false is returned.
+bool write_aside_unless(const std::filesystem::path& path,
+                        const std::function<bool(const std::filesystem::path& temporary)>& write);
+
 /// write_aside() of a text.
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 

@@ -153,16 +153,27 @@ void transform_rows(const Transform& transform, shade::LinearImage& image) {
     }
 }
 
+IccProfile named_profile(const Workshop& workshop, WorkingSpace space, const Curve& curve,
+                         const std::string& name) {
+    const Profile profile = rgb_profile(workshop, chromaticities_of(space), curve);
+    PASTOSO_CHECK(profile != nullptr);
+    set_description(workshop, profile, name.c_str());
+    IccProfile bytes = bytes_of(profile);
+    set_creation_date(bytes);
+    return bytes;
+}
+
 }  // namespace
 
 IccProfile icc_profile(WorkingSpace space) {
     const Workshop workshop;
-    const Profile profile = rgb_profile(workshop, chromaticities_of(space), srgb_curve(workshop));
-    PASTOSO_CHECK(profile != nullptr);
-    set_description(workshop, profile, pigment::name_of(space));
-    IccProfile bytes = bytes_of(profile);
-    set_creation_date(bytes);
-    return bytes;
+    return named_profile(workshop, space, srgb_curve(workshop), pigment::name_of(space));
+}
+
+IccProfile linear_icc_profile(WorkingSpace space) {
+    const Workshop workshop;
+    return named_profile(workshop, space, linear_curve(workshop),
+                         std::string(pigment::name_of(space)) + ", linear");
 }
 
 IccProfile read_icc_profile(const std::filesystem::path& path) {

@@ -18,6 +18,9 @@ using IccProfile = std::string;
 /// curve, about 600 bytes; always the same bytes). The whites are taken to D50 after Bradford.
 IccProfile icc_profile(pigment::WorkingSpace space);
 
+/// The same of pictures that hold the space's linear light.
+IccProfile linear_icc_profile(pigment::WorkingSpace space);
+
 /// The profile in a file, for pictures that are to be written in it. Throws InputError when the file
 /// holds no ICC profile, one for other than RGB pictures, or one that colours can be read but not
 /// written with.

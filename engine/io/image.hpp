@@ -17,17 +17,16 @@ struct GreyImage {
     std::vector<float> values;
 };
 
-/// The formats a picture can be saved in, by extension: .png, .tif and .tiff, .jpg and .jpeg, .exr.
+/// The formats a picture can be saved in, by extension: .png, .tif and .tiff, .jpg and .jpeg, .webp,
+/// .exr.
 /// Throws InputError when the extension is another, or when the folder is missing or not writable. To be
 /// called before long work whose result goes to `path`.
 void check_image_path(const std::filesystem::path& path);
 
-/// These write aside and rename. `px_per_mm` is kept in the file as its print resolution (0: none).
-/// Eight bits: PNG, TIFF and JPEG. Sixteen bits: PNG and TIFF. Linear values: EXR with halves. One value
-/// a pixel, for data such as heights: EXR with single precision.
-/// Files say which colours their values are: encoded ones hold the ICC profile of the picture's working
-/// space, or `profile` when the values are in that; PNG the same as cICP (ITU-T H.273) besides; EXR its
-/// chromaticities.
+/// These write aside and rename, as ImageWriter does (image_writer.hpp). `px_per_mm` is kept in the file
+/// as its print resolution (0: none). Eight bits: PNG, TIFF, JPEG and WebP. Sixteen bits: PNG and TIFF.
+/// Linear values: EXR with halves. One value a pixel, for data such as heights: EXR and TIFF with single
+/// precision. Encoded values are in the picture's working space, or in `profile`.
 /// Throw InputError when the format does not hold such values or the file cannot be written.
 void write_image(const std::filesystem::path& path, const shade::Image8& image, double px_per_mm = 0.0,
                  const IccProfile& profile = {});
@@ -39,12 +38,6 @@ void write_image(const std::filesystem::path& path, const GreyImage& image, doub
 
 /// A whole PNG file, for archives: packed fast rather than small, otherwise as write_image() writes it.
 std::string png_file(const shade::Image8& image, double px_per_mm = 0.0);
-
-/// Whether `path` names a format of linear values (EXR).
-bool is_linear_format(const std::filesystem::path& path);
-
-/// Whether `path` names a format that holds 16 bits a channel.
-bool holds_16_bits(const std::filesystem::path& path);
 
 /// Reads any image that OpenImageIO knows into linear light of the working space: by the ICC profile in
 /// the file, or the chromaticities of an EXR; what says nothing is sRGB, linear where it holds floats.

@@ -8,7 +8,7 @@
 extern "C" {
 
 /// Raised whenever a declaration below changes; a module of another number is refused.
-inline constexpr int kPastosoImagesAbi = 4;
+inline constexpr int kPastosoImagesAbi = 5;
 
 enum PastosoSampleType {
     kPastosoUint8 = 0,
@@ -17,19 +17,27 @@ enum PastosoSampleType {
     kPastosoData = 3,   ///< floats that are no colours, stored as they are
 };
 
-/// Rows from the top without gaps, channels interleaved. Integers are encoded, floats linear.
-struct PastosoPixels {
-    const void* data;
+/// What a picture file is to hold. Rows are given from the top without gaps, channels interleaved.
+/// Integers are encoded, floats linear.
+struct PastosoPicture {
     int width, height, channels;
-    int sample_type;     ///< PastosoSampleType
-    double px_per_mm;    ///< for the file's resolution entry; 0: left out
-    const char* format;  ///< OpenImageIO's name of the file format
+    int sample_type;                   ///< PastosoSampleType
+    const char* const* channel_names;  ///< one for each channel; null: the usual ones
+    const int* stored_types;           ///< of float channels, PastosoSampleType; null: all alike
+    int holds_data;                    ///< 1: integers that are no colours
+    double px_per_mm;                  ///< for the file's resolution entry; 0: left out
+    const char* format;                ///< OpenImageIO's name of the file format
     const char* software;
+    const char* description;  ///< a text for people; null: none
     int png_effort;           ///< 1 fast to 9 small
+    int quality;              ///< of JPEG and WebP, 1 to 100
     const void* icc_profile;  ///< what the values mean; null: not said
     std::size_t icc_bytes;
     const float* chromaticities;  ///< x and y of red, green, blue and white; null: not said
 };
+
+/// A picture file that is being written, owned by the module.
+struct PastosoWriter;
 
 /// A picture file, allocated by the module.
 struct PastosoFile {
@@ -56,10 +64,16 @@ struct PastosoColours {
 
 using PastosoImagesAbi = int();
 /// These return 0, or 1 and a sentence's predicate in `error`, for example "is not an image".
-using PastosoImagesWrite = int(const PastosoPixels* pixels, const char* path, char* error,
-                               std::size_t capacity);
-using PastosoImagesEncode = int(const PastosoPixels* pixels, PastosoFile* file, char* error,
-                                std::size_t capacity);
+using PastosoImagesOpen = int(const PastosoPicture* picture, const char* path, PastosoWriter** writer,
+                              char* error, std::size_t capacity);
+using PastosoImagesWriteRows = int(PastosoWriter* writer, const void* rows, int count, char* error,
+                                   std::size_t capacity);
+/// After all rows have been written.
+using PastosoImagesFinish = int(PastosoWriter* writer, char* error, std::size_t capacity);
+/// Frees the writer, finished or not.
+using PastosoImagesClose = void(PastosoWriter* writer);
+using PastosoImagesEncode = int(const PastosoPicture* picture, const void* rows, PastosoFile* file,
+                                char* error, std::size_t capacity);
 using PastosoImagesFreeFile = void(PastosoFile* file);
 using PastosoImagesReadGrey = int(const char* path, PastosoGrey* grey, char* error,
                                   std::size_t capacity);

@@ -26,7 +26,10 @@ ImagesLibrary open_library() {
     if (abi == nullptr || abi() != kPastosoImagesAbi) {
         throw core::InputError(path + ": this part of the program is of another version; reinstall it.");
     }
-    return {find<PastosoImagesWrite>(module, "pastoso_images_write"),
+    return {find<PastosoImagesOpen>(module, "pastoso_images_open"),
+            find<PastosoImagesWriteRows>(module, "pastoso_images_write_rows"),
+            find<PastosoImagesFinish>(module, "pastoso_images_finish"),
+            find<PastosoImagesClose>(module, "pastoso_images_close"),
             find<PastosoImagesEncode>(module, "pastoso_images_encode"),
             find<PastosoImagesFreeFile>(module, "pastoso_images_free_file"),
             find<PastosoImagesReadGrey>(module, "pastoso_images_read_grey"),

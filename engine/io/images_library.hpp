@@ -6,7 +6,10 @@
 namespace pastoso::io {
 
 struct ImagesLibrary {
-    PastosoImagesWrite* write = nullptr;
+    PastosoImagesOpen* open = nullptr;
+    PastosoImagesWriteRows* write_rows = nullptr;
+    PastosoImagesFinish* finish = nullptr;
+    PastosoImagesClose* close = nullptr;
     PastosoImagesEncode* encode = nullptr;
     PastosoImagesFreeFile* free_file = nullptr;
     PastosoImagesReadGrey* read_grey = nullptr;

@@ -41,48 +41,90 @@ OIIO::TypeDesc stored_type_of(int sample_type) {
     return sample_type == kPastosoFloat ? OIIO::TypeDesc(OIIO::TypeDesc::HALF) : type_of(sample_type);
 }
 
-OIIO::ImageSpec spec_of(const PastosoPixels& pixels) {
-    const bool linear = pixels.sample_type == kPastosoFloat || pixels.sample_type == kPastosoData;
-    OIIO::ImageSpec spec(pixels.width, pixels.height, pixels.channels,
-                         stored_type_of(pixels.sample_type));
-    // Without a profile of their own, integers are sRGB; with one, that says it all.
-    if (linear || pixels.icc_profile == nullptr)
-        spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
-    if (pixels.icc_profile != nullptr) {
-        spec.attribute("ICCProfile",
-                       OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(pixels.icc_bytes)),
-                       pixels.icc_profile);
+void set_channels(const PastosoPicture& picture, OIIO::ImageSpec& spec) {
+    for (int k = 0; k < picture.channels; ++k) {
+        if (picture.channel_names != nullptr)
+            spec.channelnames[static_cast<std::size_t>(k)] = picture.channel_names[k];
+        if (picture.stored_types != nullptr)
+            spec.channelformats.push_back(stored_type_of(picture.stored_types[k]));
     }
-    if (pixels.chromaticities != nullptr)
-        spec.attribute("chromaticities", kChromaticities, pixels.chromaticities);
-    spec.attribute("Software", pixels.software);
-    spec.attribute("CompressionQuality", 95);
-    spec.attribute("png:compressionLevel", pixels.png_effort);
-    if (pixels.px_per_mm > 0.0) {
-        spec.attribute("XResolution", static_cast<float>(pixels.px_per_mm * 25.4));
-        spec.attribute("YResolution", static_cast<float>(pixels.px_per_mm * 25.4));
+}
+
+/// What the values mean. Integers without a profile of their own are sRGB.
+void set_meaning(const PastosoPicture& picture, OIIO::ImageSpec& spec) {
+    const bool linear = picture.sample_type == kPastosoFloat || picture.sample_type == kPastosoData;
+    if (linear || (picture.icc_profile == nullptr && picture.holds_data == 0))
+        spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
+    if (picture.icc_profile != nullptr) {
+        spec.attribute("ICCProfile",
+                       OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(picture.icc_bytes)),
+                       picture.icc_profile);
+    }
+    if (picture.chromaticities != nullptr)
+        spec.attribute("chromaticities", kChromaticities, picture.chromaticities);
+}
+
+OIIO::ImageSpec spec_of(const PastosoPicture& picture) {
+    OIIO::ImageSpec spec(picture.width, picture.height, picture.channels,
+                         stored_type_of(picture.sample_type));
+    set_channels(picture, spec);
+    set_meaning(picture, spec);
+    spec.attribute("Software", picture.software);
+    if (picture.description != nullptr) spec.attribute("ImageDescription", picture.description);
+    const bool webp = std::strcmp(picture.format, "webp") == 0;
+    if (webp) spec.attribute("Compression", "webp:" + std::to_string(picture.quality));
+    spec.attribute("CompressionQuality", picture.quality);
+    spec.attribute("png:compressionLevel", picture.png_effort);
+    if (picture.px_per_mm > 0.0) {
+        spec.attribute("XResolution", static_cast<float>(picture.px_per_mm * 25.4));
+        spec.attribute("YResolution", static_cast<float>(picture.px_per_mm * 25.4));
         spec.attribute("ResolutionUnit", "in");
     }
     return spec;
 }
 
-std::string write(const PastosoPixels& pixels, const char* path) {
-    const auto output = OIIO::ImageOutput::create(pixels.format);
-    if (!output) return "cannot be written (" + one_line(OIIO::geterror()) + ")";
-    const bool written = output->open(path, spec_of(pixels)) &&
-                         output->write_image(type_of(pixels.sample_type), pixels.data) &&
-                         output->close();
-    return written ? "" : "cannot be written (" + one_line(output->geterror()) + ")";
+std::string refusal(std::string message) {
+    return "cannot be written (" + one_line(std::move(message)) + ")";
 }
 
-std::string encode(const PastosoPixels& pixels, PastosoFile& file) {
-    const auto output = OIIO::ImageOutput::create(pixels.format);
-    if (!output) return "cannot be written (" + one_line(OIIO::geterror()) + ")";
+}  // namespace
+
+struct PastosoWriter {
+    std::unique_ptr<OIIO::ImageOutput> output;
+    OIIO::TypeDesc type;
+    int next_row = 0;
+};
+
+namespace {
+
+std::string open(const PastosoPicture& picture, const char* path, PastosoWriter*& opened) {
+    auto writer = std::make_unique<PastosoWriter>();
+    writer->type = type_of(picture.sample_type);
+    writer->output = OIIO::ImageOutput::create(picture.format);
+    if (!writer->output) return refusal(OIIO::geterror());
+    if (!writer->output->open(path, spec_of(picture))) return refusal(writer->output->geterror());
+    opened = writer.release();
+    return "";
+}
+
+std::string write_rows(PastosoWriter& writer, const void* rows, int count) {
+    const int first = writer.next_row;
+    writer.next_row += count;
+    const bool written = writer.output->write_scanlines(first, writer.next_row, 0, writer.type, rows);
+    return written ? "" : refusal(writer.output->geterror());
+}
+
+std::string finish(PastosoWriter& writer) {
+    return writer.output->close() ? "" : refusal(writer.output->geterror());
+}
+
+std::string encode(const PastosoPicture& picture, const void* rows, PastosoFile& file) {
+    const auto output = OIIO::ImageOutput::create(picture.format);
+    if (!output) return refusal(OIIO::geterror());
     OIIO::Filesystem::IOVecOutput sink;
-    const bool written = output->set_ioproxy(&sink) && output->open("picture", spec_of(pixels)) &&
-                         output->write_image(type_of(pixels.sample_type), pixels.data) &&
-                         output->close();
-    if (!written) return "cannot be written (" + one_line(output->geterror()) + ")";
+    const bool written = output->set_ioproxy(&sink) && output->open("picture", spec_of(picture)) &&
+                         output->write_image(type_of(picture.sample_type), rows) && output->close();
+    if (!written) return refusal(output->geterror());
     file.count = sink.buffer().size();
     file.bytes = new char[file.count];
     std::memcpy(file.bytes, sink.buffer().data(), file.count);
@@ -211,14 +253,27 @@ int pastoso_images_abi() {
     return kPastosoImagesAbi;
 }
 
-int pastoso_images_write(const PastosoPixels* pixels, const char* path, char* error,
-                         std::size_t capacity) {
-    return guarded(error, capacity, [&] { return write(*pixels, path); });
+int pastoso_images_open(const PastosoPicture* picture, const char* path, PastosoWriter** writer,
+                        char* error, std::size_t capacity) {
+    return guarded(error, capacity, [&] { return open(*picture, path, *writer); });
 }
 
-int pastoso_images_encode(const PastosoPixels* pixels, PastosoFile* file, char* error,
-                          std::size_t capacity) {
-    return guarded(error, capacity, [&] { return encode(*pixels, *file); });
+int pastoso_images_write_rows(PastosoWriter* writer, const void* rows, int count, char* error,
+                              std::size_t capacity) {
+    return guarded(error, capacity, [&] { return write_rows(*writer, rows, count); });
+}
+
+int pastoso_images_finish(PastosoWriter* writer, char* error, std::size_t capacity) {
+    return guarded(error, capacity, [&] { return finish(*writer); });
+}
+
+void pastoso_images_close(PastosoWriter* writer) {
+    delete writer;
+}
+
+int pastoso_images_encode(const PastosoPicture* picture, const void* rows, PastosoFile* file,
+                          char* error, std::size_t capacity) {
+    return guarded(error, capacity, [&] { return encode(*picture, rows, *file); });
 }
 
 void pastoso_images_free_file(PastosoFile* file) {

@@ -3,6 +3,7 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "core/text_file.hpp"
 #include "io/image.hpp"
 
 #include <algorithm>
@@ -23,14 +24,10 @@ Image in_steps(const shade::LinearImage& image, float steps) {
     return result;
 }
 
-void write_in_profile(const std::filesystem::path& path, const shade::LinearImage& image,
-                      const PictureEncoding& encoding, double px_per_mm) {
-    const shade::LinearImage converted = in_profile(image, encoding.profile);
-    if (encoding.depth_bits == 16) {
-        write_image(path, in_steps<shade::Image16>(converted, 65535.0F), px_per_mm, encoding.profile);
-    } else {
-        write_image(path, in_steps<shade::Image8>(converted, 255.0F), px_per_mm, encoding.profile);
-    }
+Sample sample_of(const std::filesystem::path& path, int depth_bits) {
+    if (is_linear_format(path)) return Sample::Half;
+    if (depth_bits == 32) return Sample::Single;
+    return depth_bits == 16 ? Sample::Uint16 : Sample::Uint8;
 }
 
 }  // namespace
@@ -43,30 +40,59 @@ PictureColours picture_colours(const std::string& name_or_path) {
 
 void check_picture_path(const std::filesystem::path& path, const PictureEncoding& encoding) {
     check_image_path(path);
-    if (is_linear_format(path)) {
-        if (encoding.profile.empty()) return;
-        throw core::InputError(path.string() +
-                               ": this format holds linear light, which needs no ICC profile.");
+    const Sample sample = sample_of(path, encoding.depth_bits);
+    if (!holds(path, sample)) {
+        throw core::InputError(path.string() + ": " + path.extension().string() + " files do not hold " +
+                               std::to_string(encoding.depth_bits) + "-bit pictures.");
     }
-    if (encoding.depth_bits == 16 && !holds_16_bits(path)) {
-        throw core::InputError(path.string() + ": " + path.extension().string() +
-                               " files do not hold 16-bit pictures.");
+    if (encoding.profile.empty() || sample == Sample::Uint8 || sample == Sample::Uint16) return;
+    throw core::InputError(path.string() + ": " +
+                           (sample == Sample::Half ? "this format holds" : "32 bits a channel hold") +
+                           " linear light, which needs no ICC profile.");
+}
+
+ImageLayout picture_layout(const std::filesystem::path& path, int width, int height,
+                           pigment::WorkingSpace space, const PictureEncoding& encoding,
+                           double px_per_mm) {
+    PASTOSO_CHECK(encoding.depth_bits == 8 || encoding.depth_bits == 16 || encoding.depth_bits == 32);
+    check_picture_path(path, encoding);
+    ImageLayout layout;
+    layout.width = width;
+    layout.height = height;
+    layout.sample = sample_of(path, encoding.depth_bits);
+    layout.px_per_mm = px_per_mm;
+    layout.quality = encoding.quality;
+    layout.space = space;
+    layout.profile = encoding.profile;
+    check_layout(path, layout);
+    return layout;
+}
+
+void write_picture_rows(ImageWriter& writer, const ImageLayout& layout, const shade::LinearImage& rows) {
+    const bool converted = !layout.profile.empty();
+    if (layout.sample == Sample::Half || layout.sample == Sample::Single) {
+        writer.write_rows(rows.rgb.data(), rows.height);
+    } else if (layout.sample == Sample::Uint16) {
+        const Image16 encoded = converted ? in_steps<Image16>(in_profile(rows, layout.profile), 65535.0F)
+                                          : shade::encode_srgb16(rows);
+        writer.write_rows(encoded.rgb.data(), rows.height);
+    } else {
+        const shade::Image8 encoded =
+            converted ? in_steps<shade::Image8>(in_profile(rows, layout.profile), 255.0F)
+                      : shade::encode_srgb8(rows);
+        writer.write_rows(encoded.rgb.data(), rows.height);
     }
 }
 
 void write_picture(const std::filesystem::path& path, const shade::LinearImage& image,
                    const PictureEncoding& encoding, double px_per_mm) {
-    PASTOSO_CHECK(encoding.depth_bits == 8 || encoding.depth_bits == 16);
-    check_picture_path(path, encoding);
-    if (is_linear_format(path)) {
-        write_image(path, image, px_per_mm);
-    } else if (!encoding.profile.empty()) {
-        write_in_profile(path, image, encoding, px_per_mm);
-    } else if (encoding.depth_bits == 16) {
-        write_image(path, shade::encode_srgb16(image), px_per_mm);
-    } else {
-        write_image(path, shade::encode_srgb8(image), px_per_mm);
-    }
+    const ImageLayout layout =
+        picture_layout(path, image.width, image.height, image.space, encoding, px_per_mm);
+    core::write_aside(path, [&](const std::filesystem::path& temporary) {
+        ImageWriter writer(temporary, path, layout);
+        write_picture_rows(writer, layout, image);
+        writer.finish();
+    });
 }
 
 }  // namespace pastoso::io

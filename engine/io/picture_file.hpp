@@ -1,7 +1,7 @@
 // A rendered picture on its way into a file: which colours it is kept in, and how finely.
 #pragma once
 
-#include "io/colour_profile.hpp"
+#include "io/image_writer.hpp"
 
 #include <filesystem>
 #include <string>
@@ -9,8 +9,9 @@
 namespace pastoso::io {
 
 struct PictureEncoding {
-    int depth_bits = 8;    ///< 8 or 16 for a channel of .png and .tif
+    int depth_bits = 8;    ///< 8 or 16 for a channel of .png and .tif; 32, linear light, of .tif
     IccProfile profile{};  ///< of read_icc_profile(); empty: the picture's own working space
+    int quality = 95;      ///< of .jpg and .webp, 1 to 100
 };
 
 /// What a picture should be kept in, as users name it.
@@ -27,6 +28,15 @@ PictureColours picture_colours(const std::string& name_or_path);
 /// InputError where check_image_path() does, when the format does not hold that depth, or when an ICC
 /// profile is asked for in a format of linear light.
 void check_picture_path(const std::filesystem::path& path, const PictureEncoding& encoding);
+
+/// What a file at `path` holds of a picture in this space and encoding. Throws like
+/// check_picture_path().
+ImageLayout picture_layout(const std::filesystem::path& path, int width, int height,
+                           pigment::WorkingSpace space, const PictureEncoding& encoding,
+                           double px_per_mm);
+
+/// The next rows of such a file.
+void write_picture_rows(ImageWriter& writer, const ImageLayout& layout, const shade::LinearImage& rows);
 
 /// Encodes and writes the picture as the ending of `path` and `encoding` say; EXR takes its linear
 /// values as they are. Throws like check_picture_path() and write_image().

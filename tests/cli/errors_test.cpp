@@ -75,7 +75,7 @@ TEST_F(CliErrors, UnwritableOutputsAreFoundBeforeTheWork) {
     expect_bad_input(small({"replay", pen, "-o", path("missing/a.png")}),
                      "missing/a.png: cannot be written (No such file or directory).");
     expect_bad_input(small({"replay", pen, "-o", path("a.bmpx")}),
-                     "a.bmpx: a picture is saved as .png, .tif, .jpg or .exr");
+                     "a.bmpx: a picture is saved as .png, .tif, .jpg, .webp or .exr");
     expect_bad_input(small({"replay", pen, "--stats", path("missing/a.json")}),
                      "missing/a.json: cannot be written");
     expect_bad_input(small({"replay", pen, "--frames", path("missing/frames")}),
