@@ -1,0 +1,36 @@
+// Large exports go through the canvas in bands of rows, and can be stopped between two of them.
+#pragma once
+
+#include "shade/render.hpp"
+
+#include <functional>
+
+namespace pastoso::io {
+
+/// How an export ended. Stopped: every file is as it was before.
+enum class ExportStatus { Written, Stopped };
+
+/// Is told the share that is done, 0 to 1, now and then; returns false to stop.
+using KeepGoing = std::function<bool(double done)>;
+
+/// What is exported: a canvas, the internal reflectance of its bare support, how finely, in which light.
+struct ExportSource {
+    const film::FilmState& film;
+    pigment::Bands ground{};
+    shade::RenderSettings settings{};
+};
+
+/// The pixels of a whole canvas at the scale of the settings. Throws InputError as
+/// shade::picture_lattice() does.
+shade::Lattice export_lattice(const ExportSource& source);
+
+/// The pixels of the file per millimetre of the canvas.
+double export_px_per_mm(const ExportSource& source);
+
+/// Calls work(pixels) for bands that together make up the lattice, from the top. A band has at most some
+/// two million pixels (or eight rows) and lies over some four million cells. False when `keep_going`
+/// said so.
+bool for_each_band(const shade::Lattice& lattice, const KeepGoing& keep_going,
+                   const std::function<void(const grid::Rect& pixels)>& work);
+
+}  // namespace pastoso::io
