@@ -21,8 +21,12 @@ void watch_for_interrupts() {
     sigaction(SIGTERM, &action, nullptr);
 }
 
+bool is_interrupted() {
+    return signal_came != 0;
+}
+
 void stop_if_interrupted() {
-    if (signal_came != 0) throw Interrupted{};
+    if (is_interrupted()) throw Interrupted{};
 }
 
 }  // namespace pastoso::cli

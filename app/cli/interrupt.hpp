@@ -10,6 +10,9 @@ struct Interrupted {};
 /// once.
 void watch_for_interrupts();
 
+/// Whether a signal has come.
+bool is_interrupted();
+
 /// Throws Interrupted when a signal has come.
 void stop_if_interrupted();
 

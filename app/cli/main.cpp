@@ -6,6 +6,7 @@
 #include "cli/recover.hpp"
 #include "cli/replay.hpp"
 #include "cli/simulate.hpp"
+#include "cli/timelapse.hpp"
 #include "cli/usage_error.hpp"
 #include "core/error.hpp"
 #include "io/scene_json.hpp"
@@ -93,10 +94,16 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
                     "it is embedded")
         ->type_name("PROFILE")
         ->capture_default_str();
-    command.add_option("--depth", options.depth_bits, "Bits of a channel in .png and .tif: 8 or 16")
+    command
+        .add_option("--depth", options.depth_bits,
+                    "Bits of a channel in .png and .tif: 8 or 16; 32 for linear light in .tif")
         ->type_name("BITS")
         ->capture_default_str()
-        ->check(CLI::IsMember({8, 16}));
+        ->check(CLI::IsMember({8, 16, 32}));
+    command.add_option("--quality", options.quality, "Of .jpg and .webp: 1 small to 100 fine")
+        ->type_name("Q")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 100));
 }
 
 void add_scale_option(CLI::App& command, double& scale) {
@@ -114,7 +121,7 @@ void add_threads_option(CLI::App& command, int& threads) {
 }
 
 void add_output_options(CLI::App& command, ReplayOptions& options) {
-    command.add_option("-o,--output", options.output, "The picture: .png, .tif, .jpg or .exr")
+    command.add_option("-o,--output", options.output, "The picture: .png, .tif, .jpg, .webp or .exr")
         ->type_name("FILE");
     command
         .add_option("--well", options.well,
@@ -163,17 +170,77 @@ void add_sheet(CLI::App& app, ReplayOptions& options) {
     command.footer("Example:\n  pastoso-cli sheet -o sheet.png");
 }
 
+void add_relief_options(CLI::App& command, ExportOptions& options) {
+    command
+        .add_option("--base-mm", options.base_mm, "Reliefs: thickness below the canvas's lowest level")
+        ->type_name("MM")
+        ->capture_default_str();
+    command.add_option("--exaggerate", options.exaggeration, "Reliefs: heights are multiplied by this")
+        ->type_name("FACTOR")
+        ->capture_default_str();
+    command
+        .add_option("--resolution-mm", options.resolution_mm,
+                    "Reliefs: distance of points (default: a cell, or 1/1000 of the longer side where "
+                    "that is more)")
+        ->type_name("MM");
+}
+
 void add_export(CLI::App& app, ExportOptions& options) {
-    CLI::App& command = *app.add_subcommand("export", "Make a picture of a project file");
+    CLI::App& command = *app.add_subcommand(
+        "export", "Make a picture, maps or a printable relief of a project file (also: convert)");
+    command.alias("convert");
     command.add_option("PROJECT", options.project, "A painting: FILE.pastoso")->required();
-    command.add_option("-o,--output", options.output, "The picture: .png, .tif, .jpg or .exr")
+    command
+        .add_option("-o,--output", options.output,
+                    "The picture: .png, .tif, .jpg, .webp or .exr; or a relief for 3D printing, in "
+                    "millimetres: .stl, .ply or .obj")
         ->type_name("FILE");
     command.add_option("--well", options.well, "A picture of the mixing well")->type_name("FILE");
+    command.add_flag("--layers", options.layers,
+                     "Into .exr, beside the picture: lit, albedo, normal, height_mm, wetness and gloss");
+    command.add_flag("--maps", options.maps,
+                     "Maps for 3D programs instead of the picture, FILE-basecolor, FILE-normal "
+                     "(OpenGL, +Y up), FILE-height and FILE-roughness: .png, .tif or .exr");
+    command.add_option("--scale", options.scale, "Pixels per cell; at most 32768 pixels a side")
+        ->type_name("S")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0625, 64.0));
+    add_picture_options(command, options.picture);
+    add_relief_options(command, options);
+    add_threads_option(command, options.threads);
+    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+    command.footer(
+        "Example:\n  pastoso-cli export painting.pastoso -o painting.tif --depth 16 --scale 2\n"
+        "  pastoso-cli export painting.pastoso -o painting.stl --base-mm 3 --exaggerate 2");
+}
+
+void add_timelapse(CLI::App& app, TimelapseOptions& options) {
+    CLI::App& command = *app.add_subcommand(
+        "timelapse", "Show how a painting came about: numbered pictures, or a video");
+    command
+        .add_option("SOURCE", options.source,
+                    "A recording (.json, or text lines), or a painting with its strokes (.pastoso)")
+        ->required();
+    command
+        .add_option("-o,--output", options.output,
+                    "A folder for frame-00001.png and so on; what is there already is kept. Or a video, "
+                    ".mp4, .mkv or .webm, where the program ffmpeg is installed")
+        ->type_name("DIR|FILE")
+        ->required();
+    command.add_option("--fps", options.fps, "Frames per second of film")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 120.0));
+    command.add_option("--speed", options.speed, "Seconds of painting in a second of film")
+        ->type_name("S")
+        ->capture_default_str()
+        ->check(CLI::Range(0.01, 100000.0));
+    command.add_option("--px-per-mm", options.px_per_mm, "Cells per millimetre")->type_name("N");
     add_scale_option(command, options.scale);
     add_picture_options(command, options.picture);
     add_threads_option(command, options.threads);
-    command.footer(
-        "Example:\n  pastoso-cli export painting.pastoso -o painting.tif --depth 16 --scale 2");
+    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+    command.footer("Example:\n  pastoso-cli timelapse painting.pastoso -o painting.mp4 --speed 20");
 }
 
 void add_recover(CLI::App& app, RecoverOptions& options) {
@@ -248,6 +315,7 @@ void add_info(CLI::App& app, InfoOptions& options) {
 int run(int argc, char** argv) {
     ReplayOptions replay, sheet;
     ExportOptions exporting;
+    TimelapseOptions timelapse;
     RecoverOptions recover;
     SimulateOptions simulate;
     InfoOptions info;
@@ -258,14 +326,15 @@ int run(int argc, char** argv) {
     add_replay(app, replay);
     add_sheet(app, sheet);
     add_export(app, exporting);
+    add_timelapse(app, timelapse);
     add_recover(app, recover);
     add_simulate(app, simulate);
     add_info(app, info);
     const std::string first = argc > 1 ? argv[1] : "-";
-    const auto is_named = [&](const CLI::App* command) { return command->get_name() == first; };
+    const auto is_named = [&](const CLI::App* command) { return command->check_name(first); };
     if (!first.starts_with('-') && app.get_subcommands(is_named).empty()) {
         throw UsageError("there is no subcommand \"" + first +
-                         "\", only replay, sheet, export, recover, simulate and info.");
+                         "\", only replay, sheet, export, timelapse, recover, simulate and info.");
     }
     try {
         app.parse(argc, argv);
@@ -280,6 +349,8 @@ int run(int argc, char** argv) {
         run_sheet(std::move(sheet));
     else if (app.got_subcommand("export"))
         run_export(exporting);
+    else if (app.got_subcommand("timelapse"))
+        run_timelapse(timelapse);
     else if (app.got_subcommand("recover"))
         run_recover(recover);
     else if (app.got_subcommand("simulate"))

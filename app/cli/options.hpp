@@ -12,6 +12,7 @@ struct PictureOptions {
     std::string light = "D65";     ///< pigment::find_illuminant()
     std::string profile = "srgb";  ///< io::picture_colours()
     int depth_bits = 8;
+    int quality = 95;  ///< of JPEG and WebP
 };
 
 /// An option that is not given leaves the decision to the recording, or to the defaults of text
@@ -46,11 +47,29 @@ struct ReplayOptions {
 
 struct ExportOptions {
     std::string project;
-    std::string output;
+    std::string output;  ///< a picture, or a relief
     std::string well;
     double scale = 1.0;
     PictureOptions picture;
+    bool layers = false;  ///< channel groups instead of the lit picture alone
+    bool maps = false;    ///< a set of maps named by the output
+    double base_mm = 2.0;
+    double exaggeration = 1.0;
+    double resolution_mm = 0.0;
     int threads = 0;
+    bool quiet = false;
+};
+
+struct TimelapseOptions {
+    std::string source;  ///< a recording or a project file
+    std::string output;  ///< a folder or a video
+    double fps = 25.0;
+    double speed = 10.0;  ///< seconds of painting in a second of film
+    std::optional<double> px_per_mm;
+    double scale = 1.0;
+    PictureOptions picture;
+    int threads = 0;
+    bool quiet = false;
 };
 
 struct RecoverOptions {

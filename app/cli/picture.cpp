@@ -40,7 +40,7 @@ void check_picture_size(const grid::Shape& shape, double scale) {
 PictureStyle picture_style(const PictureOptions& options) {
     io::PictureColours colours = io::picture_colours(options.profile);
     return {pigment::viewing_under(pigment::find_illuminant(options.light), colours.space),
-            {options.depth_bits, std::move(colours.profile)}};
+            {options.depth_bits, std::move(colours.profile), options.quality}};
 }
 
 PictureWriter::PictureWriter(const document::CanvasSettings& canvas, double scale, PictureStyle style,

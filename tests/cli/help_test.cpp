@@ -13,6 +13,7 @@ TEST(CliHelp, EverySubcommandHasHelpWithAnExample) {
                                                       {"replay", "--help"},
                                                       {"sheet", "--help"},
                                                       {"export", "--help"},
+                                                      {"timelapse", "--help"},
                                                       {"simulate", "--help"},
                                                       {"info", "--help"}}) {
         const RunResult run = run_cli(arguments);

@@ -20,7 +20,7 @@ TEST_F(CliProject, APaintingIsSavedTakenBackAndTheSamePictureMadeOfIt) {
                        path("a.pastoso"), "-o", path("replayed.png"), "--stats", path("stats.json")}));
     ASSERT_EQ(run.status, 0) << run.errors;
     EXPECT_THAT(run.output, HasSubstr(path("a.pastoso") + ": the painting\n"));
-    const RunResult exported = run_cli({"export", path("a.pastoso"), "-o", path("exported.png")});
+    const RunResult exported = run_cli({"export", "-q", path("a.pastoso"), "-o", path("exported.png")});
     ASSERT_EQ(exported.status, 0) << exported.errors;
     EXPECT_EQ(exported.output, path("exported.png") + ": 80 x 60 pixels\n");
     EXPECT_EQ(exported.errors, "");

@@ -1,0 +1,93 @@
+// What "export" makes of a painting besides the usual picture.
+#include "cli/run_program.hpp"
+#include "core/text_file.hpp"
+#include "io/image.hpp"
+
+#include <gmock/gmock.h>
+
+namespace pastoso::cli {
+namespace {
+
+using testing::HasSubstr;
+using testing::MatchesRegex;
+
+class CliExport : public CliTest {
+  protected:
+    void SetUp() override {
+        CliTest::SetUp();
+        painting = path("a.pastoso");
+        const RunResult run =
+            run_cli(small({"replay", "-q", short_recording(), "--save", painting, "--paint", "PR108"}));
+        ASSERT_EQ(run.status, 0) << run.errors;
+    }
+
+    RunResult run_export(std::vector<std::string> options) const {
+        options.insert(options.begin(), {"export", "-q", painting, "-o"});
+        return run_cli(options);
+    }
+
+    std::string painting;
+};
+
+TEST_F(CliExport, EveryFormatOfPicturesIsWritten) {
+    for (const char* name : {"b.png", "b.tif", "b.jpg", "b.webp", "b.exr"}) {
+        const RunResult run = run_export({path(name)});
+        EXPECT_EQ(run.status, 0) << run.errors;
+        EXPECT_EQ(run.output, path(name) + ": 80 x 60 pixels\n");
+        EXPECT_EQ(io::read_grey_image(path(name)).width, 80);
+    }
+    EXPECT_EQ(run_export({path("c.tif"), "--depth", "32"}).status, 0);
+    EXPECT_EQ(run_export({path("c.jpg"), "--quality", "20"}).status, 0);
+    EXPECT_LT(std::filesystem::file_size(path("c.jpg")), std::filesystem::file_size(path("b.jpg")));
+    EXPECT_EQ(run_export({path("c.exr"), "--layers"}).status, 0);
+    EXPECT_THAT(core::read_text_file(path("c.exr")), HasSubstr("paint.height_mm.V"));
+}
+
+TEST_F(CliExport, ConvertIsAnotherWordForIt) {
+    ASSERT_EQ(run_export({path("b.png")}).status, 0);
+    const RunResult run = run_cli({"convert", "-q", painting, "-o", path("c.png")});
+    EXPECT_EQ(run.status, 0) << run.errors;
+    EXPECT_EQ(core::read_text_file(path("b.png")), core::read_text_file(path("c.png")));
+}
+
+TEST_F(CliExport, MapsAreASetOfFiles) {
+    const RunResult run = run_export({path("b.png"), "--maps", "--scale", "2"});
+    ASSERT_EQ(run.status, 0) << run.errors;
+    for (const char* name : {"b-basecolor.png", "b-normal.png", "b-height.png", "b-roughness.png"}) {
+        EXPECT_THAT(run.output, HasSubstr(path(name) + ": 160 x 120 pixels\n"));
+        EXPECT_EQ(io::read_grey_image(path(name)).width, 160);
+    }
+    EXPECT_THAT(run.output, HasSubstr("mm (white) on a canvas 40 mm wide\n"));
+    EXPECT_FALSE(std::filesystem::exists(path("b.png")));
+}
+
+TEST_F(CliExport, ReliefsTellTheirSize) {
+    for (const char* name : {"b.stl", "b.ply", "b.obj"}) {
+        const RunResult run = run_export({path(name), "--base-mm", "1", "--resolution-mm", "1"});
+        EXPECT_EQ(run.status, 0) << run.errors;
+        // 41 x 31 points: 2 x 40 x 30 triangles in front, 3 for each of the 140 along the border.
+        EXPECT_EQ(run.output, path(name) + ": 2820 triangles, 40 x 30 mm\n");
+    }
+    EXPECT_EQ(std::filesystem::file_size(path("b.stl")), 84U + 50U * 2820U);
+}
+
+TEST_F(CliExport, WhatCannotBeDoneIsToldInASentence) {
+    const auto refuse = [&](std::vector<std::string> options, int status, const std::string& sentence) {
+        options.insert(options.begin(), {"export", "-q", painting, "-o"});
+        expect_refusal(options, status, sentence);
+    };
+    refuse({path("b.psd")}, 1, "b.psd: a picture is saved as .png, .tif, .jpg, .webp or .exr");
+    refuse({path("b.png"), "--depth", "32"}, 1, "b.png: .png files do not hold 32-bit pictures.");
+    refuse({path("b.png"), "--layers"}, 1, "b.png: only .exr files hold --layers.");
+    refuse({path("b.jpg"), "--maps"}, 1, "b.jpg: maps are saved as .png, .tif or .exr");
+    refuse({path("b.stl"), "--maps"}, 2, "--layers and --maps are for pictures; " + path("b.stl"));
+    refuse({path("b.exr"), "--maps", "--layers"}, 2, "--layers and --maps exclude each other.");
+    refuse({path("b.stl"), "--base-mm", "-1"}, 1, "The relief's base in mm is -1, outside the range");
+    refuse({path("b.jpg"), "--quality", "0"}, 2, "--quality");
+    refuse({path("missing/b.stl")}, 1, "missing/b.stl: cannot be written (No such file or directory).");
+    refuse({path("b.tif"), "--depth", "32", "--profile", write("p.icc", "none")}, 1, "p.icc: is no ICC");
+    refuse({path("b.png"), "--scale", "65"}, 2, "65");
+}
+
+}  // namespace
+}  // namespace pastoso::cli
