@@ -92,9 +92,9 @@ TEST_F(ImageTest, TheSamePictureGivesTheSameFile) {
 }
 
 TEST_F(ImageTest, RefusesUnknownExtensions) {
-    EXPECT_EQ(
-        error_of([] { check_image_path("picture.xyz"); }),
-        "picture.xyz: a picture is saved as .png, .tif, .jpg, .webp or .exr; this name ends in none of them.");
+    EXPECT_EQ(error_of([] { check_image_path("picture.xyz"); }),
+              "picture.xyz: a picture is saved as .png, .tif, .jpg, .webp or .exr; this name ends in "
+              "none of them.");
     EXPECT_THAT(error_of([] { check_image_path("picture"); }),
                 HasSubstr("this name ends in none of them"));
 }
