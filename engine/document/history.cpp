@@ -25,7 +25,7 @@ std::size_t unshared_bytes(const film::FilmState& older, const film::FilmState& 
            unshared_field_bytes(older.support_mm, newer.support_mm) +
            unshared_field_bytes(older.strata.soluble_thickness, newer.strata.soluble_thickness) +
            unshared_field_bytes(older.strata.soluble_pigment, newer.strata.soluble_pigment) +
-           unshared_field_bytes(older.strata.ground, newer.strata.ground) +
+           unshared_field_bytes(older.strata.optics, newer.strata.optics) +
            unshared_field_bytes(older.strata.uppermost, newer.strata.uppermost);
 }
 

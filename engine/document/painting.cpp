@@ -221,7 +221,7 @@ struct Painting::Parts {
     void operator()(const DryNow&) {
         end_stroke();
         history.remember(moment());
-        film::dry_now(film, kPrimedGround, pool);
+        film::dry_now(film, pool);
     }
 
     void operator()(const PenDown& pen) {
@@ -343,7 +343,7 @@ struct Painting::Parts {
     }
 
     void age() {
-        ageing.tick(kTick_s, air, kPrimedGround, film, pool);
+        ageing.tick(kTick_s, air, film, pool);
         if (!stroke) return;
         stroke->pass_time(kTick_s);
         hand_over();

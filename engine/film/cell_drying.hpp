@@ -27,7 +27,7 @@ struct StrataCell {
     float& support_mm;
     std::int32_t& soluble_thickness;
     PigmentCell& soluble_pigment;
-    pigment::Bands& ground;
+    StrataOptics& optics;
     PigmentMixture& uppermost;
     DriedTotals& fixed;  ///< sums over cells
 };

@@ -74,7 +74,7 @@ shade::LinearImage open_raster_picture(const film::FilmState& film, const pigmen
     while (longest > factor * kLongestPicture_px)
         factor *= 2;
     if (factor == 1) return shade::render(film, ground, film.shape.cells(), {}, pool);
-    const film::FilmState coarse = coarse_film(film, factor, ground, pool);
+    const film::FilmState coarse = coarse_film(film, factor, pool);
     return shade::render(coarse, ground, coarse.shape.cells(), {}, pool);
 }
 

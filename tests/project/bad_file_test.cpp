@@ -80,10 +80,10 @@ TEST_F(BadProject, ATruncatedFileIsRefusedWhereverItEnds) {
 
 TEST_F(BadProject, OtherVersionsAreRefused) {
     EXPECT_EQ(
-        error_of_index("\"version\":1", "\"version\":2"),
-        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 2; this "
-        "program reads up to 1).");
-    EXPECT_THAT(error_of_index("\"version\":1", "\"version\":0"),
+        error_of_index("\"version\":2", "\"version\":3"),
+        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 3; this "
+        "program reads up to 2).");
+    EXPECT_THAT(error_of_index("\"version\":2", "\"version\":0"),
                 HasSubstr("version: 0 is not between"));
     EXPECT_THAT(error_of_index("pastoso-project", "pastoso-scene"), HasSubstr("this is no painting"));
 }
@@ -191,9 +191,9 @@ TEST_F(BadProject, ValuesThatCannotBeAreRefusedWithTheirPlace) {
                 }),
                 HasSubstr("cell (179, 89) holds an amount of paint"));
     EXPECT_THAT(with([](auto& film) {
-                    film.strata.ground.set(1, 2, {1, 1, 1, 1, 1, kNone});
+                    film.strata.optics.set(1, 2, {40000, 1, 1, 1, 1, 1, 40000});
                 }),
-                HasSubstr("holds a reflectance"));
+                HasSubstr("holds strata that give more light than they get"));
     EXPECT_THAT(with([](auto& film) { film.strata.soluble_thickness.set(1, 2, -5); }),
                 HasSubstr("holds a thickness of dry paint"));
 }
