@@ -15,6 +15,15 @@ std::size_t unshared_field_bytes(const grid::TiledField<T>& older, const grid::T
     return tiles * sizeof(T) * grid::kTileCells;
 }
 
+std::size_t unshared_layer_bytes(const Layer& older, const Moment& newer) {
+    for (const Layer& layer : newer.layers.layers) {
+        if (layer.id != older.id) continue;
+        if (layer.asleep == older.asleep) return 0;
+        return unshared_bytes(*older.asleep, layer.asleep ? *layer.asleep : newer.film);
+    }
+    return unshared_bytes(*older.asleep, film::FilmState(older.asleep->shape, older.asleep->cell_mm));
+}
+
 }  // namespace
 
 std::size_t unshared_bytes(const film::FilmState& older, const film::FilmState& newer) {
@@ -30,9 +39,11 @@ std::size_t unshared_bytes(const film::FilmState& older, const film::FilmState& 
 }
 
 std::size_t unshared_bytes(const Moment& older, const Moment& newer) {
-    const std::size_t canvas = unshared_bytes(older.film, newer.film);
-    if (!older.well) return canvas;
-    return canvas + unshared_bytes(*older.well, newer.well ? *newer.well : bare_well());
+    std::size_t bytes = unshared_bytes(older.film, newer.film);
+    for (const Layer& layer : older.layers.layers)
+        if (layer.asleep) bytes += unshared_layer_bytes(layer, newer);
+    if (!older.well) return bytes;
+    return bytes + unshared_bytes(*older.well, newer.well ? *newer.well : bare_well());
 }
 
 void History::set_budget(std::size_t bytes) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "brush/brush.hpp"
+#include "document/layers.hpp"
 #include "film/state.hpp"
 
 #include <cstdint>
@@ -15,7 +16,8 @@ namespace pastoso::document {
 
 /// A painting at one moment, as far as Undo brings it back.
 struct Moment {
-    film::FilmState film;
+    film::FilmState film;  ///< of the active layer
+    LayerStack layers;
     std::optional<brush::Brush> brush;
     std::string medium;           ///< in hand
     std::uint64_t brush_use = 0;  ///< tells whether the brush was loaded, cleaned or changed since

@@ -7,7 +7,9 @@
 #include "core/hash.hpp"
 #include "document/action_checks.hpp"
 #include "document/canvas.hpp"
+#include "document/contents.hpp"
 #include "document/history.hpp"
+#include "document/layered_canvas.hpp"
 #include "document/paint_mixing.hpp"
 #include "document/painting_state.hpp"
 #include "document/well.hpp"
@@ -24,8 +26,6 @@ namespace pastoso::document {
 namespace {
 
 constexpr const char* kFirstMedium = "heavy-body oil";
-/// Paint that hardly moves is brought up to date once a second.
-constexpr double kLongestWait_s = 64.0 * kTick_s;
 
 grid::TiledField<float> support_by_name(const CanvasSettings& settings) {
     check_canvas_fits(settings, available_memory_bytes());
@@ -40,28 +40,7 @@ film::FilmState bare_canvas(const CanvasSettings& settings, grid::TiledField<flo
     return film;
 }
 
-brush::Contents contents_of(const film::Totals& totals, double cell_mm) {
-    brush::Contents contents;
-    contents.volume_mm3 = film::volume_mm3(totals.thickness, cell_mm);
-    for (int k = 0; k < film::kPaintChannels; ++k) {
-        contents.paint[k] =
-            static_cast<double>(totals.paint[k]) * film::kPaintQuantum * cell_mm * cell_mm;
-    }
-    return contents;
-}
-
-Account::Amount dried_amount(const film::Strata& strata, double cell_mm) {
-    const film::DriedTotals totals = film::dried_totals(strata);
-    Account::Amount amount{.volume_mm3 = film::volume_mm3(totals.thickness, cell_mm)};
-    for (int k = 0; k < pigment::kChannels; ++k) {
-        amount.pigment[k] =
-            static_cast<double>(totals.pigment[k]) * film::kPaintQuantum * cell_mm * cell_mm;
-    }
-    return amount;
-}
-
-std::uint64_t hash_of(const film::FilmState& canvas, const film::FilmState* well) {
-    const std::uint64_t alone = film::state_hash(canvas);
+std::uint64_t hash_of(std::uint64_t alone, const film::FilmState* well) {
     if (well == nullptr) return alone;
     core::Hash64 both;
     both.add_value(alone);
@@ -89,12 +68,6 @@ const char* no_brush_for(Surface surface) {
                                       : "the pen touches the mixing well with no brush in hand.";
 }
 
-Account::Amount amount(const brush::Contents& contents) {
-    Account::Amount result{.volume_mm3 = contents.volume_mm3};
-    std::copy_n(contents.paint.begin(), pigment::kChannels, result.pigment.begin());
-    return result;
-}
-
 /// Adds the time until the end of the scope to a sum.
 class ScopedTimer {
   public:
@@ -113,13 +86,11 @@ class ScopedTimer {
 
 /// Applies actions by std::visit; the actions have passed check_action().
 struct Painting::Parts {
-    Parts(const CanvasSettings& canvas, grid::TiledField<float> support_mm, core::ThreadPool& threads)
-        : settings(canvas),
+    Parts(const CanvasSettings& wanted, grid::TiledField<float> support_mm, core::ThreadPool& threads)
+        : settings(wanted),
           pool(threads),
-          film(bare_canvas(canvas, std::move(support_mm))),
-          bare_support_mm(film.support_mm),
           medium(film::find_medium(kFirstMedium)),
-          solver(film, medium, {.longest_wait_s = kLongestWait_s}, threads) {
+          canvas(bare_canvas(wanted, std::move(support_mm)), medium, threads) {
         solver.set_gravity(film::tilted_gravity(0.0));
     }
 
@@ -127,10 +98,8 @@ struct Painting::Parts {
     Parts(const PaintingState& state, core::ThreadPool& threads)
         : settings(state.settings),
           pool(threads),
-          film(state.canvas.film),
-          bare_support_mm(state.bare_support_mm),
           medium(film::find_medium(state.medium)),
-          solver(film, medium, {.longest_wait_s = kLongestWait_s}, threads),
+          canvas(state.canvas.film, state.bare_support_mm, state.layers, medium, threads),
           tilt(state.tilt),
           air(state.air),
           aids(state.aids),
@@ -159,7 +128,8 @@ struct Painting::Parts {
         PaintingState state{.settings = settings,
                             .tick = tick,
                             .canvas = {film, solver.memory()},
-                            .bare_support_mm = bare_support_mm,
+                            .layers = canvas.stack(),
+                            .bare_support_mm = canvas.bare_mm(),
                             .medium = medium.name,
                             .tilt = tilt,
                             .air = air,
@@ -219,6 +189,7 @@ struct Painting::Parts {
     void operator()(const SetDrying& drying) { air = drying.air; }
 
     void operator()(const DryNow&) {
+        check_unlocked(canvas.stack(), canvas.stack().active);
         end_stroke();
         history.remember(moment());
         film::dry_now(film, pool);
@@ -226,6 +197,7 @@ struct Painting::Parts {
 
     void operator()(const PenDown& pen) {
         if (!brush) throw core::InputError(no_brush_for(pen.surface));
+        if (pen.surface == Surface::Canvas) check_paintable(canvas.stack(), canvas.stack().active);
         end_stroke();
         history.remember(moment());
         last_sample = pen.sample;
@@ -268,6 +240,63 @@ struct Painting::Parts {
         history.remember(moment());
         wiped += paint_in_well();
         well.reset();
+    }
+
+    void operator()(const SelectLayer& select) {
+        end_stroke();
+        canvas.select(select);
+    }
+    void operator()(const AddLayer& add) {
+        change_layers([&] { canvas.add(add); });
+    }
+    void operator()(const SetLayer& set) {
+        change_layers([&] { canvas.set(set); });
+    }
+    void operator()(const SetGroup& set) {
+        change_layers([&] { canvas.set_group(set); });
+    }
+    void operator()(const MoveLayer& move) {
+        change_layers([&] { canvas.move(move); });
+    }
+    void operator()(const MoveGroup& move) {
+        change_layers([&] { canvas.move_group(move); });
+    }
+    void operator()(const GroupLayers& group) {
+        change_layers([&] { canvas.group(group); });
+    }
+    void operator()(const UngroupLayers& ungroup) {
+        change_layers([&] { canvas.ungroup(ungroup); });
+    }
+    void operator()(const MergeDown& merge) {
+        change_layers([&] { canvas.merge_down(merge); });
+    }
+    void operator()(const FlattenLayers&) {
+        change_layers([&] { canvas.flatten(); });
+    }
+    void operator()(const DuplicateLayer& duplicate) {
+        change_layers([&] { taken += contents_of(canvas.duplicate(duplicate)); });
+    }
+    void operator()(const RemoveLayer& remove) {
+        change_layers([&] { wiped += contents_of(canvas.remove(remove)); });
+    }
+    void operator()(const ClearLayer& clear) {
+        change_layers([&] { wiped += contents_of(canvas.clear(clear)); });
+    }
+
+    /// A change that cannot be made leaves all as it was.
+    template <class Change>
+    void change_layers(const Change& change) {
+        end_stroke();
+        Moment before = moment();
+        change();
+        history.remember(std::move(before));
+    }
+
+    brush::Contents contents_of(const LayerPaint& paint) const {
+        brush::Contents sum = document::contents_of(paint.wet, film.cell_mm);
+        sum += document::contents_of(paint.dried, film.cell_mm);
+        sum.volume_mm3 += film::volume_mm3(paint.evaporated, film.cell_mm);
+        return sum;
     }
 
     void operator()(const SetStabiliser& set) { aids.stabiliser = set.stabiliser; }
@@ -325,7 +354,8 @@ struct Painting::Parts {
     }
 
     brush::Contents paint_in_well() const {
-        return well ? contents_of(film::totals(well->film), well->film.cell_mm) : brush::Contents{};
+        return well ? document::contents_of(film::totals(well->film), well->film.cell_mm)
+                    : brush::Contents{};
     }
 
     bool brush_holds_paint() const { return brush && brush->contents().volume_mm3 > 0.0; }
@@ -356,13 +386,14 @@ struct Painting::Parts {
     }
 
     Moment moment() const {
-        return {film, brush, medium.name, brush_use, taken, wiped, run_off(), well_film()};
+        return {film,  canvas.stack(), brush,     medium.name, brush_use,
+                taken, wiped,          run_off(), well_film()};
     }
 
     /// A brush that was not touched since then gets back what it held. Any other stays in hand as it is,
     /// as if it had been filled afresh, and what was on the old one counts as wiped off.
     void return_to(const Moment& then) {
-        film = then.film;
+        canvas.restore(then.film, then.layers);
         return_well_to(then.well);
         if (then.medium != medium.name) film.varied = true;
         taken = then.taken;
@@ -374,7 +405,6 @@ struct Painting::Parts {
             if (brush) taken += brush->contents();
             if (then.brush) wiped += then.brush->contents();
         }
-        solver.wake_all();
     }
 
     void return_well_to(const std::optional<film::FilmState>& then) {
@@ -388,10 +418,10 @@ struct Painting::Parts {
 
     CanvasSettings settings;
     core::ThreadPool& pool;
-    film::FilmState film;
-    grid::TiledField<float> bare_support_mm;  ///< as it was made; shares its tiles with the film
-    film::Medium medium;                      ///< in hand: what the next load is mixed with
-    film::Solver solver;
+    film::Medium medium;  ///< in hand: what the next load is mixed with
+    LayeredCanvas canvas;
+    film::FilmState& film = canvas.film;  ///< of the active layer
+    film::Solver& solver = canvas.solver;
     std::unique_ptr<Well> well;  ///< none until something touches it
     TiltCanvas tilt;
     film::DryingAir air;
@@ -462,7 +492,7 @@ const film::FilmState* Painting::well() const {
     return parts_->well ? &parts_->well->film : nullptr;
 }
 Snapshot Painting::snapshot() const {
-    return {parts_->film, kPrimedGround, parts_->tick, parts_->well_film(),
+    return {parts_->canvas.view(), kPrimedGround, parts_->tick, parts_->well_film(),
             parts_->brush ? brush::load_profile(*parts_->brush) : brush::LoadProfile{}};
 }
 bool Painting::can_undo() const {
@@ -477,12 +507,13 @@ bool Painting::stroke_in_progress() const {
 
 Account Painting::account() const {
     const double cell_mm = parts_->film.cell_mm;
+    const LayerPaint paint = parts_->canvas.paint();
     brush::Contents ledger = parts_->wiped;
     ledger += contents_of(parts_->run_off(), cell_mm);
-    ledger.volume_mm3 += film::volume_mm3(parts_->film.strata.evaporated, cell_mm);
+    ledger.volume_mm3 += film::volume_mm3(paint.evaporated, cell_mm);
     return {amount(parts_->taken),
-            amount(contents_of(film::totals(parts_->film), cell_mm)),
-            dried_amount(parts_->film.strata, cell_mm),
+            amount(contents_of(paint.wet, cell_mm)),
+            amount(contents_of(paint.dried, cell_mm)),
             amount(parts_->held_paint()),
             amount(ledger),
             amount(parts_->paint_in_well())};
@@ -498,11 +529,12 @@ PaintingState Painting::state() const {
     return parts_->state();
 }
 std::uint64_t Painting::state_hash() const {
-    return hash_of(parts_->film, well());
+    return hash_of(parts_->canvas.state_hash(), well());
 }
 
 std::uint64_t state_hash(const PaintingState& state) {
-    return hash_of(state.canvas.film, state.well ? &state.well->film : nullptr);
+    return hash_of(state_hash(state.canvas.film, state.layers),
+                   state.well ? &state.well->film : nullptr);
 }
 
 }  // namespace pastoso::document

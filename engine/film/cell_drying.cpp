@@ -36,17 +36,6 @@ void add(std::int32_t thickness, const std::int32_t* pigment, DriedTotals& sums)
         sums.pigment[k] += pigment[k];
 }
 
-/// Makes the soluble stratum part of what is fixed.
-void seal(const StrataCell& below) {
-    if (is_empty(below.soluble_pigment, below.soluble_thickness)) return;
-    below.optics = laid_over(below.soluble_pigment.data(), below.optics);
-    add(below.soluble_thickness, below.soluble_pigment.data(), below.fixed);
-    if (below.soluble_thickness > 0)
-        below.uppermost = mixture_of(below.soluble_pigment.data(), below.soluble_thickness);
-    below.soluble_thickness = 0;
-    below.soluble_pigment = {};
-}
-
 }  // namespace
 
 std::int32_t solids(std::int32_t thickness, const PaintCell& paint) {
@@ -75,6 +64,16 @@ std::int32_t dry_on(std::int32_t time, std::int32_t& thickness, PaintCell& paint
     paint[kYieldChannel] = carried(std::max(harder_Pa, yield_Pa), remaining);
     paint[kDryingChannel] = left;
     return evaporated;
+}
+
+void seal(const StrataCell& below) {
+    if (is_empty(below.soluble_pigment, below.soluble_thickness)) return;
+    below.optics = laid_over(below.soluble_pigment.data(), below.optics);
+    add(below.soluble_thickness, below.soluble_pigment.data(), below.fixed);
+    if (below.soluble_thickness > 0)
+        below.uppermost = mixture_of(below.soluble_pigment.data(), below.soluble_thickness);
+    below.soluble_thickness = 0;
+    below.soluble_pigment = {};
 }
 
 std::int32_t become_stratum(std::int32_t& thickness, PaintCell& paint, const StrataCell& below) {

@@ -32,6 +32,9 @@ struct StrataCell {
     DriedTotals& fixed;  ///< sums over cells
 };
 
+/// Makes the soluble stratum part of what is fixed.
+void seal(const StrataCell& below);
+
 /// Turns all wet paint of the cell into dry: soluble paint joins the soluble stratum; other paint covers
 /// and seals it. The solids are rounded down to whole kSupportQuantum_mm, so that the support stays on
 /// its grid. Returns the quanta of thickness that evaporate.

@@ -93,4 +93,11 @@ StrataOptics laid_over(const std::int32_t* pigment, const StrataOptics& lower) {
     return result;
 }
 
+StrataOptics laid_over(const StrataOptics& upper, const StrataOptics& lower) {
+    StrataOptics result{};
+    for (int band = 0; band < pigment::kBands; ++band)
+        set_optics(band, pigment::laid_over(optics_of(upper, band), optics_of(lower, band)), result);
+    return result;
+}
+
 }  // namespace pastoso::film

@@ -48,6 +48,9 @@ void set_optics(int band, const pigment::LayerOptics<float>& optics, StrataOptic
 /// A layer of pigment, quanta of K h and S h, over others.
 StrataOptics laid_over(const std::int32_t* pigment, const StrataOptics& lower);
 
+/// Strata over others.
+StrataOptics laid_over(const StrataOptics& upper, const StrataOptics& lower);
+
 /// Sums over the canvas, exact. Thickness in quanta of kThicknessQuantum_mm.
 struct DriedTotals {
     std::int64_t thickness = 0;

@@ -162,8 +162,8 @@ TEST(RecordingJson, ReadsTheFirstVersion) {
 
 TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
     EXPECT_EQ(
-        error(R"({"format":"pastoso-strokes","version":5,"more":[]})"),
-        "s.json: this was written by a newer Pastoso (stroke format 5; this program reads up to 4).");
+        error(R"({"format":"pastoso-strokes","version":6,"more":[]})"),
+        "s.json: this was written by a newer Pastoso (stroke format 6; this program reads up to 5).");
 }
 
 TEST(RecordingJson, NamesWhatIsMissingOrMisspelt) {
