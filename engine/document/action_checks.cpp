@@ -39,17 +39,6 @@ void check_place(const std::string& what, double x_mm, double y_mm) {
                   kMaxPenPosition_mm);
 }
 
-void check_layer_name(const std::string& name) {
-    if (name.size() <= kMostLayerName) return;
-    throw core::InputError("the name of a layer has " + std::to_string(name.size()) +
-                           " bytes, but at most " + std::to_string(kMostLayerName) + " are kept.");
-}
-
-void check_look(const LayerLook& look) {
-    check_layer_name(look.name);
-    check_between("opacity of the layer", look.opacity, 0.0, 1.0);
-}
-
 struct GuideChecker {
     void operator()(std::monostate) const {}
     void operator()(const brush::StraightLine&) const {}
@@ -115,8 +104,8 @@ struct Checker {
         check_between("smoothing of the stabiliser in ms", set.stabiliser.smoothing_ms, 0.0, 2000.0);
         check_between("string of the stabiliser in mm", set.stabiliser.string_mm, 0.0, 200.0);
     }
-    void operator()(const AddLayer& add) const { check_layer_name(add.name); }
-    void operator()(const GroupLayers& group) const { check_layer_name(group.name); }
+    void operator()(const AddLayer& add) const { check_look({.name = add.name}); }
+    void operator()(const GroupLayers& group) const { check_look({.name = group.name}); }
     void operator()(const SetLayer& set) const { check_look(set.look); }
     void operator()(const SetGroup& set) const { check_look(set.look); }
     // Whether there is such a layer, the painting alone knows.

@@ -127,7 +127,46 @@ void add_to_hash(const film::FilmState& film, const Layer& layer, core::Hash64& 
     hash.add_value(layer.look.opacity);
 }
 
+std::vector<layers::SeenLayer> seen_layers(const LayerStack& stack, const film::FilmState& active) {
+    std::vector<layers::SeenLayer> seen;
+    for (std::size_t place = 0; place < stack.layers.size(); ++place) {
+        const LayerLook look = effective_look(stack, place);
+        const film::FilmState* layer =
+            place == stack.active ? &active : stack.layers[place].asleep.get();
+        if (look.visible) seen.push_back({layer, look.opacity});
+    }
+    return seen;
+}
+
+film::FilmState bare_canvas_like(const film::FilmState& film, const grid::TiledField<float>& bare_mm) {
+    film::FilmState bare(film.shape, film.cell_mm);
+    bare.support_mm = bare_mm;
+    return bare;
+}
+
 }  // namespace
+
+LayerFilms layers_apart(const film::FilmState& film, const grid::TiledField<float>& bare_mm,
+                        const LayerStack& stack) {
+    LayerFilms films;
+    for (const Layer& layer : stack.layers)
+        films.push_back(layer.asleep);
+    films[stack.active] = asleep(layers::lifted_off(film, base_below_active(stack, bare_mm)));
+    return films;
+}
+
+grid::TiledField<float> base_below_active(const LayerStack& stack, grid::TiledField<float> bare_mm) {
+    for (std::size_t place = 0; place < stack.active; ++place)
+        if (effective_look(stack, place).visible) layers::raise_by(*stack.layers[place].asleep, bare_mm);
+    return bare_mm;
+}
+
+film::FilmState view_of(const film::FilmState& film, const grid::TiledField<float>& bare_mm,
+                        const LayerStack& stack, core::ThreadPool& pool) {
+    if (is_single(stack)) return film;
+    const film::FilmState active = layers::lifted_off(film, base_below_active(stack, bare_mm));
+    return layers::View().of(bare_canvas_like(film, bare_mm), seen_layers(stack, active), pool);
+}
 
 LayeredCanvas::LayeredCanvas(film::FilmState bare, const film::Medium& medium, core::ThreadPool& pool)
     : film(std::move(bare)),
@@ -155,9 +194,7 @@ void LayeredCanvas::restore(film::FilmState then, LayerStack stack) {
 }
 
 grid::TiledField<float> LayeredCanvas::base_of(const LayerStack& stack) const {
-    grid::TiledField<float> base = bare_mm_;
-    for (std::size_t place = 0; place < stack.active; ++place)
-        if (effective_look(stack, place).visible) layers::raise_by(*stack.layers[place].asleep, base);
+    grid::TiledField<float> base = base_below_active(stack, bare_mm_);
     share_equal_tiles(base_mm_, base);
     return base;
 }
@@ -293,17 +330,8 @@ LayerPaint LayeredCanvas::paint() const {
 
 film::FilmState LayeredCanvas::view() {
     if (is_single(stack_)) return film;
-    film::FilmState bare(film.shape, film.cell_mm);
-    bare.support_mm = bare_mm_;
     const film::FilmState active = lifter_.lifted_off(film, base_mm_);
-    std::vector<layers::SeenLayer> seen;
-    for (std::size_t place = 0; place < stack_.layers.size(); ++place) {
-        const LayerLook look = effective_look(stack_, place);
-        const film::FilmState* layer =
-            place == stack_.active ? &active : stack_.layers[place].asleep.get();
-        if (look.visible) seen.push_back({layer, look.opacity});
-    }
-    return view_.of(bare, seen, pool_);
+    return view_.of(bare_canvas_like(film, bare_mm_), seen_layers(stack_, active), pool_);
 }
 
 std::uint64_t LayeredCanvas::state_hash() const {

@@ -12,8 +12,23 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <vector>
 
 namespace pastoso::document {
+
+using LayerFilms = std::vector<std::shared_ptr<const film::FilmState>>;
+
+/// The layers from below, apart from what they lie on, `film` being the active one.
+LayerFilms layers_apart(const film::FilmState& film, const grid::TiledField<float>& bare_mm,
+                        const LayerStack& stack);
+
+/// The bare support with all that is visible below the active layer.
+grid::TiledField<float> base_below_active(const LayerStack& stack, grid::TiledField<float> bare_mm);
+
+/// All that is visible of a painting as one film (layers/view.hpp).
+film::FilmState view_of(const film::FilmState& film, const grid::TiledField<float>& bare_mm,
+                        const LayerStack& stack, core::ThreadPool& pool);
 
 /// What is on a layer in all, and what has left it as vapour.
 struct LayerPaint {

@@ -1,8 +1,10 @@
 #include "document/layers.hpp"
 
 #include "core/error.hpp"
+#include "document/number_text.hpp"
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 namespace pastoso::document {
@@ -81,6 +83,38 @@ bool is_single(const LayerStack& stack) {
     const LayerLook& look = stack.layers.front().look;
     return stack.layers.size() == 1 && stack.groups.empty() && look.visible && !look.locked &&
            look.opacity == 1.0;
+}
+
+void check_look(const LayerLook& look) {
+    if (look.name.size() > kMostLayerName)
+        throw core::InputError("the name of a layer has " + std::to_string(look.name.size()) +
+                               " bytes, but at most " + std::to_string(kMostLayerName) + " are kept.");
+    if (!(look.opacity >= 0.0 && look.opacity <= 1.0))
+        throw core::InputError("the opacity of the layer is " + number_text(look.opacity) +
+                               ", but must lie between 0 and 1.");
+}
+
+void check_stack(const LayerStack& stack) {
+    if (stack.layers.empty() || stack.layers.size() > kMostLayers)
+        throw core::InputError("a painting has 1 to " + std::to_string(kMostLayers) + " layers, not " +
+                               std::to_string(stack.layers.size()) + ".");
+    if (stack.active >= stack.layers.size()) throw core::InputError("the active layer is none.");
+    std::set<LayerId> layers;
+    std::set<GroupId> groups;
+    for (const LayerGroup& group : stack.groups) {
+        check_look(group.look);
+        if (group.id == 0 || group.id >= stack.next_group || !groups.insert(group.id).second)
+            throw core::InputError("there cannot be a group " + std::to_string(group.id) + ".");
+    }
+    for (const Layer& layer : stack.layers) {
+        check_look(layer.look);
+        if (layer.id == 0 || layer.id >= stack.next_layer || !layers.insert(layer.id).second)
+            throw core::InputError("there cannot be a layer " + std::to_string(layer.id) + ".");
+        if (layer.group != 0 && !groups.contains(layer.group))
+            throw core::InputError("there is no group " + std::to_string(layer.group) + ".");
+    }
+    if (!groups_hang_together(stack.layers))
+        throw core::InputError("the layers of a group do not lie next to each other.");
 }
 
 void check_unlocked(const LayerStack& stack, std::size_t place) {

@@ -50,6 +50,12 @@ LayerLook effective_look(const LayerStack& stack, std::size_t place);
 /// Whether nothing else is said of it than what single_layer() says.
 bool is_single(const LayerStack& stack);
 
+/// Throws InputError when numbers, groups or looks are such as no painting comes to have.
+void check_stack(const LayerStack& stack);
+
+/// Throws InputError for a name that is too long and for an opacity that is none.
+void check_look(const LayerLook& look);
+
 /// Throws InputError, naming the layer, unless it is visible and not locked.
 void check_paintable(const LayerStack& stack, std::size_t place);
 

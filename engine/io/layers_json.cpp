@@ -17,16 +17,6 @@ int read_place_in_stack(const JsonPlace& place) {
     return static_cast<int>(place.integer(0, document::kMostLayers));
 }
 
-/// The entries of a look stand beside the number of what they are of.
-document::LayerLook read_look_entries(const JsonPlace& place) {
-    document::LayerLook look;
-    look.name = place.entry("name").text();
-    look.visible = place.boolean_or("visible", true);
-    look.locked = place.boolean_or("locked", false);
-    look.opacity = place.number_or("opacity", 1.0);
-    return look;
-}
-
 }  // namespace
 
 Json look_json(const document::LayerLook& look) {
@@ -38,8 +28,12 @@ Json look_json(const document::LayerLook& look) {
 }
 
 document::LayerLook read_look(const JsonPlace& place) {
-    place.allow_only({"name", "visible", "locked", "opacity"});
-    return read_look_entries(place);
+    document::LayerLook look;
+    look.name = place.entry("name").text();
+    look.visible = place.boolean_or("visible", true);
+    look.locked = place.boolean_or("locked", false);
+    look.opacity = place.number_or("opacity", 1.0);
+    return look;
 }
 
 Json set_layer_json(const document::SetLayer& set) {
@@ -79,12 +73,12 @@ document::Action read_add_layer(const JsonPlace& place) {
 
 document::Action read_set_layer(const JsonPlace& place) {
     place.allow_only({"layer", "name", "visible", "locked", "opacity"});
-    return document::SetLayer{read_layer_id(place.entry("layer")), read_look_entries(place)};
+    return document::SetLayer{read_layer_id(place.entry("layer")), read_look(place)};
 }
 
 document::Action read_set_group(const JsonPlace& place) {
     place.allow_only({"group", "name", "visible", "locked", "opacity"});
-    return document::SetGroup{read_group_id(place.entry("group"), 1), read_look_entries(place)};
+    return document::SetGroup{read_group_id(place.entry("group"), 1), read_look(place)};
 }
 
 document::Action read_move_layer(const JsonPlace& place) {

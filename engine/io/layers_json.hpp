@@ -9,6 +9,8 @@ namespace pastoso::io {
 /// {"name": ..., "visible": ..., "locked": ..., "opacity": ...}; what is as in a new layer is left out,
 /// but for the name.
 Json look_json(const document::LayerLook& look);
+
+/// Of an object that has other entries besides.
 document::LayerLook read_look(const JsonPlace& place);
 
 Json set_layer_json(const document::SetLayer& set);

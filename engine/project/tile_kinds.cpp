@@ -58,7 +58,7 @@ struct VelocityY : VelocityX {
 struct Support {
     using Value = float;
     static auto& of(auto& surface) { return surface.film.support_mm; }
-    static bool is_possible(Value height) { return is_within(height, 0.0F, kHighest_mm); }
+    static bool is_possible(Value height) { return is_within(height, -kHighest_mm, kHighest_mm); }
     static constexpr const char* kWhat = "a height of the support";
 };
 struct SolubleThickness {

@@ -94,12 +94,26 @@ TEST_F(BadProject, AnIndexThatSaysTooMuchOrTooLittleIsRefused) {
     EXPECT_THAT(error_of_index("\"kind\":\"paint\"", "\"kind\":\"magic\""),
                 HasSubstr("tile_entries[1].kind: there is no such kind of tiles as \"magic\"."));
     EXPECT_THAT(error_of_index("\"layers\":[", "\"layers\":[{},"),
-                HasSubstr("layers: expected one layer."));
+                HasSubstr("layers[0]: the entry \"name\" is missing."));
     EXPECT_THAT(error_of_entry("pastoso/index.json", "{\"format\""), HasSubstr("not valid JSON"));
     EXPECT_THAT(error_of_entry("pastoso/index.json", std::string(2'000'000, '[')),
                 HasSubstr("nested more than 64 deep"));
     EXPECT_THAT(error_of_entry("pastoso/setup.json", std::string(2'000'000, '[')),
                 HasSubstr("nested more than 64 deep"));
+}
+
+TEST_F(BadProject, LayersThatCannotBeAreRefused) {
+    EXPECT_THAT(error_of_index("\"active\":0", "\"active\":1"),
+                HasSubstr("layers: the active layer is none."));
+    EXPECT_THAT(error_of_index("\"next_layer\":2", "\"next_layer\":1"),
+                HasSubstr("layers: there cannot be a layer 1."));
+    EXPECT_THAT(error_of_index("\"groups\":[]", "\"groups\":[{\"id\":3,\"name\":\"x\"}]"),
+                HasSubstr("layers: there cannot be a group 3."));
+    EXPECT_THAT(error_of_index("\"id\":1", "\"group\":1,\"id\":1"),
+                HasSubstr("layers: there is no group 1."));
+    EXPECT_THAT(error_of_index("\"id\":1", "\"opacity\":-0.5,\"id\":1"),
+                HasSubstr("layers: the opacity of the layer is -0.5"));
+    EXPECT_THAT(error_of_index("\"layers\":[", "\"layers\":[],\"x\":["), HasSubstr("\"x\""));
 }
 
 TEST_F(BadProject, SizesThatDoNotFitAreRefusedBeforeAnythingIsAllocated) {
@@ -179,7 +193,7 @@ TEST_F(BadProject, ValuesThatCannotBeAreRefusedWithTheirPlace) {
                 HasSubstr("cell (3, 80)"));
     EXPECT_THAT(with([](auto& film) { film.support_mm.set(0, 0, kNone); }),
                 HasSubstr("height of the support"));
-    EXPECT_THAT(with([](auto& film) { film.support_mm.set(0, 0, -1.0F); }), HasSubstr("cell (0, 0)"));
+    EXPECT_THAT(with([](auto& film) { film.support_mm.set(0, 0, -1001.0F); }), HasSubstr("cell (0, 0)"));
     EXPECT_THAT(with([](auto& film) { film.thickness.set(9, 9, -1); }),
                 HasSubstr("holds a thickness that"));
     EXPECT_THAT(with([](auto& film) { film.thickness.set(9, 9, film::kMaxThickness_quanta + 1); }),
