@@ -16,17 +16,20 @@ using CellArray = std::array<float, grid::kTileCells>;
 /// The margin that a tile's local solve takes from its neighbours, and what that solve reads around it.
 inline constexpr int kOverlap = 8;
 inline constexpr int kPatchSize = grid::kTileSize + 2 * kOverlap;
-inline constexpr int kWindowMargin = kOverlap + 2;
+inline constexpr int kWindowMargin = kOverlap + 1;
 inline constexpr int kWindowSize = grid::kTileSize + 2 * kWindowMargin;
 inline constexpr int kWindowStride = 96;
 inline constexpr int kWindowCells = kWindowSize * kWindowStride;
+/// Where a window's row keeps the tile's first cell: at the beginning of a cache line.
+inline constexpr int kWindowFirst = 16;
+static_assert(kWindowFirst >= kWindowMargin && kWindowFirst + kWindowSize <= kWindowStride + kWindowMargin);
 using WindowArray = std::array<float, kWindowCells>;
 
 using PatchArray = std::array<float, kPatchSize * kPatchSize>;
 
 /// The index of cell (x, y) of the tile in a window, -kWindowMargin <= x, y < kTileSize + kWindowMargin.
 constexpr int window_index(int x, int y) {
-    return (y + kWindowMargin) * kWindowStride + x + kWindowMargin;
+    return (y + kWindowMargin) * kWindowStride + x + kWindowFirst;
 }
 
 /// A cell that holds less, among such, is not overfilled by its four faces in a step, which carries paint
@@ -54,6 +57,8 @@ struct LargeTile {
     alignas(64) CellArray source;         ///< f, change of thickness without the new pressure, mm
     alignas(64) CellArray rest_pressure;  ///< Pi of the old surface, mm2/s2; 0 where dry
     alignas(64) CellArray pressure;       ///< p, that of the new surface, as far as it is known
+    alignas(64) CellArray change;         ///< d = f - A p, of thickness, mm
+    alignas(64) CellArray residual;       ///< Pi + S d - p
     alignas(64)
         PatchArray correction;  ///< of p, found by the sweep under way in the tile and its overlap
     alignas(64) CellArray last_pressure;  ///< p of the last step, 0 where unknown
@@ -61,9 +66,11 @@ struct LargeTile {
     alignas(64) CellArray next_share;     ///< the same after the pass under way
     alignas(64) CellArray supply;         ///< what a cell holds over what leaves it in the step
     float largest_mobility = 0.0F;        ///< of its faces
-    float residual = 0.0F;                ///< found by the last sweep
-    float error = 0.0F;                   ///< the same, but kept where the sweep found it small enough
+    float error = 0.0F;                   ///< of thickness, relative, found by the last sweep
+    float corrected_error = 0.0F;         ///< the one that the last correction was for
     bool revised = false;                 ///< its equations or pressure changed since
+    bool moved = false;                   ///< the last sweep changed its pressure
+    bool answered = false;                ///< its change is the answer to the pressure around it
     bool corrected = false;               ///< whether the last sweep left a correction
     bool stubborn = false;                ///< a single V-cycle does not get hold of its residual
     bool light = false;                   ///< somewhere its paint remembers its motion
@@ -117,7 +124,7 @@ struct MultigridLevel {
 struct LargeScratch {
     LargeScratch();
     alignas(64) BlockArray<float> lagged_pressure{};
-    alignas(64) WindowArray pressure{}, change{}, source{}, rest_pressure{}, residual{}, share{};
+    alignas(64) WindowArray pressure{}, change{}, residual{}, share{};
     alignas(64) WindowArray mobility_x{}, mobility_y{}, weight_x{}, weight_y{};
     alignas(64) std::array<std::int32_t, kWindowCells> thickness{};  ///< quanta
     /// Of the patch's solve, zero outside the patch.
