@@ -26,7 +26,10 @@ template <bool kYield>
     const Lanes one(1.0F);
     if constexpr (kYield) {
         const Lanes along2 = along * along, size2 = along2 + across * across + Lanes(1e-30F);
-        const BinghamDrag<Lanes> law = bingham_drag(drag, Lanes(lanes::sqrt(size2) * resistance));
+        const Lanes stress = lanes::sqrt(size2) * resistance;
+        // What the law comes to where all is arrested, which is most of a stiff paint.
+        if (lanes::all(stress <= drag)) return {Lanes(Lanes(0.0F) * along), Lanes(0.0F)};
+        const BinghamDrag<Lanes> law = bingham_drag(drag, stress);
         const Lanes whole = law.tangent_share / (law.tangent_share + drag + Lanes(1e-12F));
         return {Lanes(law.factor * along), Lanes(law.factor + (whole - law.factor) * along2 / size2)};
     }
@@ -57,14 +60,16 @@ float answer_row(const StepConstants& step, const float* pressure, int along, in
         std::copy_n(&faces.mobility[face_index(-1, y)], kFaceStride, last_mobility.data());
     for_each_lane_group(first_x, grid::kTileSize, [&](int x) {
         const int f = face_index(x, y);
+        const Lanes drag = load(&faces.drag[f]);
+        const auto implicit = drag >= zero;
+        if (!lanes::any(implicit)) return;
         const Lanes push = courant * (load(pressure + x + along) - load(pressure + x));
-        const Lanes driven = load(&faces.driven[f]), drag = load(&faces.drag[f]);
+        const Lanes driven = load(&faces.driven[f]);
         const Lanes depth = load(&faces.depth[f]);
         const Lanes star = load(&faces.star[f]), mobility = load(&faces.mobility[f]);
         const Lanes velocity = driven - push;
         DragAnswer answer =
             drag_answer<kYield>(velocity, load(&faces.across[f]), drag, load(&faces.resistance[f]));
-        const auto implicit = drag >= zero;
         if constexpr (kCompare) {
             const Lanes flux = star * depth * cells - mobility * push * Lanes(1.0F / step.dt_s);
             const Lanes error = lanes::abs(Lanes(answer.flow * depth * cells - flux)) /
