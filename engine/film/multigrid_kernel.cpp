@@ -28,26 +28,19 @@ void store_as(float* values, V lanes) {
     lanes.copy_to(values, lanes::stdx::element_aligned);
 }
 
-template <class V, class Body>
-[[gnu::always_inline]] inline void run_groups(int count, const Body& body) {
-    constexpr int width = static_cast<int>(V::size());
-    const int last = count - width;
-    if (last < 0) return;
-    for (int k = 0; k < last; k += width)
-        body.template operator()<V>(k);
-    body.template operator()<V>(last);
-}
-
-/// Calls body<V>(k) for groups that cover [0, count), count >= 4, the last one moved back; V is as wide
-/// as fits.
+/// Calls body<V>(k) for groups that cover [0, count), count >= 4: as wide ones as fit into what is left,
+/// the last one of four moved back.
 template <class Body>
 [[gnu::always_inline]] inline void for_each_group(int count, const Body& body) {
-    if (count >= kLanes)
-        run_groups<Lanes>(count, body);
-    else if (kLanes > 8 && count >= 8)
-        run_groups<Group<8>>(count, body);
-    else
-        run_groups<Group<4>>(count, body);
+    int k = 0;
+    for (; k + kLanes <= count; k += kLanes)
+        body.template operator()<Lanes>(k);
+    if (kLanes > 8 && k + 8 <= count) {
+        body.template operator()<Group<8>>(k);
+        k += 8;
+    }
+    for (; k < count; k += 4)
+        body.template operator()<Group<4>>(std::min(k, count - 4));
 }
 
 /// Where the cells around those of one colour in a row stand: all of them are of the other colour.
