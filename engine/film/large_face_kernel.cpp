@@ -61,6 +61,14 @@ constexpr float kExplicit = -1.0F;
     return lanes::min(Lanes(1.0F), Lanes(speed * drag_rate / Lanes(force_norm)));
 }
 
+/// Whether a group of faces has no paint on either side, so that a contact angle shuts them all.
+[[gnu::always_inline]] inline bool is_dry(const HaloBlock& block, const StepConstants& step, int i,
+                                          int along) {
+    if (!step.has_contact_angle()) return false;
+    const float* thickness = &block.thickness[i];
+    return lanes::all(lanes::max(load(thickness), load(thickness + along)) <= Lanes(step.wet_mm));
+}
+
 /// Assembles a row of faces, a stage at a time: whole faces are chains of operations too long for the
 /// processor to overlap.
 template <FaceModel kModel>
@@ -78,8 +86,11 @@ struct LargeFaceRow {
         return neighbourhood<kModel>(scratch, step, axis, AlongRow{}, block_index(x, y));
     }
 
+    bool is_shut(int x) const { return is_dry(scratch.block, step, block_index(x, y), axis.along); }
+
     void carry() const {
         for_each_lane_group(first_x, kTileSize, [&](int x) {
+            if (is_shut(x)) return;
             const FaceNeighbourhood<Lanes> face = face_at(x);
             const Lanes viscosity = face_paint<kModel>(face, step).viscosity(step);
             store(&carried[face_index(x, y)], saturated(carried_velocity(face, viscosity, step), step));
@@ -92,6 +103,7 @@ struct LargeFaceRow {
     void drive(bool thinned) const {
         for_each_lane_group(first_x, kTileSize, [&](int x) {
             const int f = face_index(x, y), i = block_index(x, y);
+            if (is_shut(x)) return shut_group(f, load(axis.velocity + i));
             const FaceNeighbourhood<Lanes> face = face_at(x);
             const Lanes gradient =
                 (load(lag + i + axis.along) - load(lag + i)) * Lanes(step.inverse_cell);
@@ -167,6 +179,14 @@ struct LargeFaceRow {
         put_explicit(!inner, edge_depth, lanes::select(flows, softly_limited(flow, step), zero), f);
     }
 
+    void shut_group(int f, Lanes old) const {
+        store(&faces.old[f], old);
+        store(&faces.drag[f], Lanes(kExplicit));
+        for (auto* values : {&faces.driven, &faces.across, &faces.resistance, &faces.depth, &faces.star,
+                             &faces.mobility})
+            store(&(*values)[f], Lanes(0.0F));
+    }
+
     /// Faces that do not wait for the new pressure.
     template <class Mask>
     void put_explicit(Mask where, Lanes depth, Lanes flow, int f) const {
@@ -221,6 +241,7 @@ void weight_row(const TileScratch& scratch, const StepConstants& step, int first
     };
     for_each_lane_group(first_x, kTileSize, [&](int x) {
         const int left = block_index(x, y), right = left + axis;
+        if (is_dry(block, step, left, axis)) return store(&weight[face_index(x, y)], zero);
         Lanes inner = one;
         if constexpr (kFullCurvature) {
             const Lanes slope = (load(eta + right) - load(eta + left)) * Lanes(step.inverse_cell);

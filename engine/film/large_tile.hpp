@@ -89,8 +89,6 @@ class LevelValues {
     const float* data() const { return lines_.data()->values; }
     float& operator[](std::size_t index) { return data()[index]; }
     const float& operator[](std::size_t index) const { return data()[index]; }
-    float* begin() { return data(); }
-    float* end() { return data() + lines_.size() * kLineFloats; }
 
   private:
     static constexpr std::size_t kLineFloats = 16;
@@ -107,7 +105,7 @@ class LevelValues {
 struct MultigridLevel {
     int size = 0;
     LevelValues pressure, change;                ///< the unknowns p and d
-    LevelValues pressure_source, change_source;  ///< right-hand sides
+    LevelValues pressure_source, change_source;  ///< right-hand sides; the finest level's second is zero
     LevelValues mobility_x, mobility_y;          ///< of the face behind the cell
     LevelValues weight_x, weight_y;
     LevelValues inverse;                             ///< 1 / (1 + a s) for a = sum m, s = g + sum w

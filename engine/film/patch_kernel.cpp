@@ -89,8 +89,6 @@ void merge_patch(const MultigridLevel& finest, const LevelValues& values, Window
 /// The correction that a V-cycle finds for the residual.
 void find_direction(const StepConstants& step, LargeScratch& scratch) {
     MultigridLevel& finest = scratch.levels[0];
-    for (auto* values : {&finest.pressure, &finest.change, &finest.change_source})
-        std::fill(values->begin(), values->end(), 0.0F);
     split_patch(scratch.residual, finest, finest.pressure_source);
     multigrid_cycle(step, scratch);
     merge_patch(finest, finest.pressure, scratch.direction);
