@@ -141,6 +141,7 @@ struct LargeStepper::Pass {
         });
         backwards = !backwards;
     }
+    LargeTile& tile_of(const TilePlace& place) const { return *stepper.tiles_[place.tile]; }
 
     const Windows& columns(const TilePlace& place) const { return stepper.columns_[place.tile_x]; }
     const Windows& rows(const TilePlace& place) const {
@@ -207,6 +208,7 @@ struct LargeStepper::Pass {
     bool any_around(const TilePlace& place, const Test& test) const;
     void answer_pressure();
     void find_residuals(bool first);
+    std::vector<const TilePlace*> places_to_correct(bool first);
     void correct(bool first);
     void blend();
     float largest_error() const;
@@ -390,23 +392,38 @@ void LargeStepper::Pass::find_residuals(bool first) {
     });
 }
 
-/// Solves every tile's patch that has changed and has an error left, all of them the `first` time.
-void LargeStepper::Pass::correct(bool first) {
-    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
-        if (!tile.corrected) return;
-        if (!first && tile.error <= tolerance_of(tile)) {
-            tile.corrected = false;
-            tile.corrected_error = std::numeric_limits<float>::max();
-            return;
+/// The tiles that have changed and have an error left; the first time all but those that only give and
+/// take at their edges, where no wave runs whose error would look small. The stubborn ones, which take
+/// longest, come first.
+std::vector<const TilePlace*> LargeStepper::Pass::places_to_correct(bool first) {
+    std::vector<const TilePlace*> result;
+    for (const TilePlace& place : places) {
+        LargeTile& tile = tile_of(place);
+        if (!tile.corrected) continue;
+        tile.corrected = (first && !place.closed.inside) || !(tile.error <= tolerance_of(tile));
+        if (tile.corrected) {
+            tile.stubborn = tile.stubborn || tile.error > kStubbornShare * tile.corrected_error;
+            result.push_back(&place);
         }
-        const TilePlace& place = places[index];
+        tile.corrected_error = tile.corrected ? tile.error : std::numeric_limits<float>::max();
+    }
+    std::stable_partition(result.begin(), result.end(),
+                          [&](const TilePlace* place) { return tile_of(*place).stubborn; });
+    return result;
+}
+
+/// Solves the patches of these tiles.
+void LargeStepper::Pass::correct(bool first) {
+    const std::vector<const TilePlace*> wanted = places_to_correct(first);
+    pool.run(wanted.size(), [&](std::size_t index, int worker) {
+        const TilePlace& place = *wanted[index];
+        LargeTile& tile = tile_of(place);
+        LargeScratch& large = *stepper.scratch_[worker];
         gather_patch(place, cells(&LargeTile::residual), large.residual);
         gather_x_faces(place, &LargeFaces::mobility, large.mobility_x);
         gather_y_faces(place, &LargeFaces::mobility, large.mobility_y);
         gather_x_faces(place, &LargeFaces::weight, large.weight_x);
         gather_y_faces(place, &LargeFaces::weight, large.weight_y);
-        tile.stubborn = tile.stubborn || tile.error > kStubbornShare * tile.corrected_error;
-        tile.corrected_error = tile.error;
         kernels.correct_patch(constants, tile.stubborn ? kMostCycles : 1, large, tile.correction);
     });
 }
