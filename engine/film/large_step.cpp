@@ -135,12 +135,12 @@ struct LargeStepper::Pass {
     template <class Visit>
     void for_each_tile(const Visit& visit) {
         pool.run(places.size(), [&](std::size_t turn, int worker) {
-            const std::size_t index = backwards ? places.size() - 1 - turn : turn;
-            visit(index, *stepper.tiles_[places[index].tile], *stepper.scratch_[worker],
-                  *workers[worker]);
+            const std::size_t index = index_of(turn);
+            visit(index, tile_of(places[index]), *stepper.scratch_[worker], *workers[worker]);
         });
         backwards = !backwards;
     }
+    std::size_t index_of(std::size_t turn) const { return backwards ? places.size() - 1 - turn : turn; }
     LargeTile& tile_of(const TilePlace& place) const { return *stepper.tiles_[place.tile]; }
 
     const Windows& columns(const TilePlace& place) const { return stepper.columns_[place.tile_x]; }
@@ -397,7 +397,8 @@ void LargeStepper::Pass::find_residuals(bool first) {
 /// longest, come first.
 std::vector<const TilePlace*> LargeStepper::Pass::places_to_correct(bool first) {
     std::vector<const TilePlace*> result;
-    for (const TilePlace& place : places) {
+    for (std::size_t turn = 0; turn < places.size(); ++turn) {
+        const TilePlace& place = places[index_of(turn)];
         LargeTile& tile = tile_of(place);
         if (!tile.corrected) continue;
         tile.corrected = (first && !place.closed.inside) || !(tile.error <= tolerance_of(tile));
@@ -426,6 +427,7 @@ void LargeStepper::Pass::correct(bool first) {
         gather_y_faces(place, &LargeFaces::weight, large.weight_y);
         kernels.correct_patch(constants, tile.stubborn ? kMostCycles : 1, large, tile.correction);
     });
+    backwards = !backwards;
 }
 
 /// Adds the corrections to the pressure.

@@ -63,9 +63,9 @@ float find_residual(const StepConstants& step, int columns, int rows, const std:
             store(&tile.residual[cell], residual);
             const Lanes a = face_sum(tile.x.mobility, tile.y.mobility, f);
             const Lanes s = gravity + tension * face_sum(tile.x.weight, tile.y.weight, f);
-            const Lanes error = lanes::abs(Lanes(a * residual / (one + a * s)));
             const Lanes h = lanes::min(thickness_mm(thickness + cell), thick);
-            const Lanes relative = error / (h + lanes::abs(change) + floor);
+            const Lanes relative =
+                lanes::abs(Lanes(a * residual)) / ((one + a * s) * (h + lanes::abs(change) + floor));
             // What is not a number counts as large, what lies beyond the canvas not at all.
             const Lanes counted = lanes::select(relative < huge, relative, huge);
             const auto on_canvas = lane_number < Lanes(static_cast<float>(columns - x));
