@@ -141,6 +141,26 @@ struct LargeStepper::Pass {
         backwards = !backwards;
     }
     std::size_t index_of(std::size_t turn) const { return backwards ? places.size() - 1 - turn : turn; }
+
+    /// The places whose test(place, tile) says yes, in the order in which the next visit is to go.
+    using ChosenPlaces = std::vector<const TilePlace*>;
+    template <class Test>
+    ChosenPlaces places_where(const Test& test) const {
+        ChosenPlaces chosen;
+        for (std::size_t turn = 0; turn < places.size(); ++turn) {
+            const TilePlace& place = places[index_of(turn)];
+            if (test(place, tile_of(place))) chosen.push_back(&place);
+        }
+        return chosen;
+    }
+    /// Calls visit(place, tile, scratch, worker) for these, on all threads.
+    template <class Visit>
+    void for_each_of(const ChosenPlaces& chosen, const Visit& visit) {
+        pool.run(chosen.size(), [&](std::size_t index, int worker) {
+            visit(*chosen[index], tile_of(*chosen[index]), *stepper.scratch_[worker], *workers[worker]);
+        });
+        if (!chosen.empty()) backwards = !backwards;
+    }
     LargeTile& tile_of(const TilePlace& place) const { return *stepper.tiles_[place.tile]; }
 
     const Windows& columns(const TilePlace& place) const { return stepper.columns_[place.tile_x]; }
@@ -208,7 +228,7 @@ struct LargeStepper::Pass {
     bool any_around(const TilePlace& place, const Test& test) const;
     void answer_pressure();
     void find_residuals(bool first);
-    std::vector<const TilePlace*> places_to_correct(bool first);
+    ChosenPlaces places_to_correct(bool first);
     void correct(bool first);
     void blend();
     float largest_error() const;
@@ -291,29 +311,29 @@ void LargeStepper::Pass::gather_y_faces(const TilePlace& place, FaceArray<float>
 /// with a steady one stay as they are: both must hold the same. Returns false when no flux was wrong by
 /// much.
 bool LargeStepper::Pass::refine_all(int pass) {
-    std::vector<float> errors(places.size());
-    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch& worker) {
-        if (!tile.unsteady) return;
-        const TilePlace& place = places[index];
+    const ChosenPlaces unsteady =
+        places_where([](const TilePlace&, const LargeTile& tile) { return tile.unsteady; });
+    for_each_of(unsteady, [&](const TilePlace& place, LargeTile& tile, LargeScratch& large,
+                              WorkerScratch& worker) {
         const SharedFaces kept(place, beside(place), tile);
         gather_next(place, cells(&LargeTile::pressure), large.pressure);
-        errors[index] = refine(place, tile, large, worker);
+        tile.flux_error = refine(place, tile, large, worker);
         revise(tile);
         if (kept.restore(tile)) kernels.find_source(constants, tile);
         kernels.find_change(large, tile);
         tile.answered = true;
     });
-    for (const TilePlace& place : places)
-        stepper.tiles_[place.tile]->unsteady = false;
+    for (const TilePlace* place : unsteady)
+        tile_of(*place).unsteady = false;
     bool changes = false;
-    for (std::size_t index = 0; index < places.size(); ++index) {
-        LargeTile& tile = *stepper.tiles_[places[index].tile];
+    for (const TilePlace* place : unsteady) {
+        LargeTile& tile = tile_of(*place);
         const bool closely = tile.light && !constants.is_shear_thinning();
-        if (errors[index] <= (closely ? kSteadyLightFlux : kSteadyFlux)) continue;
+        if (tile.flux_error <= (closely ? kSteadyLightFlux : kSteadyFlux)) continue;
         changes = true;
         if (!closely && pass + 1 >= kMostRefinements) continue;
         tile.unsteady = true;
-        for (LargeTile* neighbour : beside(places[index]))
+        for (LargeTile* neighbour : beside(*place))
             if (neighbour != nullptr) neighbour->unsteady = true;
     }
     return changes;
@@ -367,12 +387,15 @@ bool LargeStepper::Pass::has_rough_cover(const TilePlace& place) const {
 /// The changes of thickness where the last sweep moved the pressure.
 void LargeStepper::Pass::answer_pressure() {
     const auto has_moved = [](const LargeTile& tile) { return tile.moved; };
-    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
-        if (tile.answered || !any_around(places[index], has_moved)) return;
-        gather_next(places[index], cells(&LargeTile::pressure), large.pressure);
-        kernels.find_change(large, tile);
-        tile.answered = true;
+    const ChosenPlaces stale = places_where([&](const TilePlace& place, const LargeTile& tile) {
+        return !tile.answered && any_around(place, has_moved);
     });
+    for_each_of(stale,
+                [&](const TilePlace& place, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
+                    gather_next(place, cells(&LargeTile::pressure), large.pressure);
+                    kernels.find_change(large, tile);
+                    tile.answered = true;
+                });
 }
 
 /// The residuals of changes that are new. A tile's error is that of its patch's equations: it counts
@@ -380,64 +403,62 @@ void LargeStepper::Pass::answer_pressure() {
 void LargeStepper::Pass::find_residuals(bool first) {
     const auto is_new = [](const LargeTile& tile) { return tile.answered; };
     const auto is_revised = [](const LargeTile& tile) { return tile.revised; };
-    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
-        const TilePlace& place = places[index];
+    const ChosenPlaces stale = places_where([&](const TilePlace& place, LargeTile& tile) {
         tile.corrected = first || any_around(place, is_revised);
-        if (!any_around(place, is_new)) return;
-        gather_next(place, cells(&LargeTile::change), large.change);
-        const float error =
-            kernels.find_residual(constants, place.columns.extent, place.rows.extent,
-                                  state.thickness.read(place.tile), large, tile);
-        if (tile.corrected) tile.error = error;
+        return any_around(place, is_new);
     });
+    for_each_of(
+        stale, [&](const TilePlace& place, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
+            gather_next(place, cells(&LargeTile::change), large.change);
+            const float error = kernels.find_residual(constants, place.columns.extent, place.rows.extent,
+                                                      state.thickness.read(place.tile), large, tile);
+            if (tile.corrected) tile.error = error;
+        });
 }
 
 /// The tiles that have changed and have an error left; the first time all but those that only give and
 /// take at their edges, where no wave runs whose error would look small. The stubborn ones, which take
 /// longest, come first.
-std::vector<const TilePlace*> LargeStepper::Pass::places_to_correct(bool first) {
-    std::vector<const TilePlace*> result;
-    for (std::size_t turn = 0; turn < places.size(); ++turn) {
-        const TilePlace& place = places[index_of(turn)];
-        LargeTile& tile = tile_of(place);
-        if (!tile.corrected) continue;
+LargeStepper::Pass::ChosenPlaces LargeStepper::Pass::places_to_correct(bool first) {
+    ChosenPlaces chosen = places_where([&](const TilePlace& place, LargeTile& tile) {
+        if (!tile.corrected) return false;
         tile.corrected = (first && !place.closed.inside) || !(tile.error <= tolerance_of(tile));
-        if (tile.corrected) {
+        if (tile.corrected)
             tile.stubborn = tile.stubborn || tile.error > kStubbornShare * tile.corrected_error;
-            result.push_back(&place);
-        }
         tile.corrected_error = tile.corrected ? tile.error : std::numeric_limits<float>::max();
-    }
-    std::stable_partition(result.begin(), result.end(),
+        return tile.corrected;
+    });
+    std::stable_partition(chosen.begin(), chosen.end(),
                           [&](const TilePlace* place) { return tile_of(*place).stubborn; });
-    return result;
+    return chosen;
 }
 
-/// Solves the patches of these tiles.
+/// Solves the patches of the tiles that need it.
 void LargeStepper::Pass::correct(bool first) {
-    const std::vector<const TilePlace*> wanted = places_to_correct(first);
-    pool.run(wanted.size(), [&](std::size_t index, int worker) {
-        const TilePlace& place = *wanted[index];
-        LargeTile& tile = tile_of(place);
-        LargeScratch& large = *stepper.scratch_[worker];
+    const auto solve_patch = [&](const TilePlace& place, LargeTile& tile, LargeScratch& large,
+                                 WorkerScratch&) {
         gather_patch(place, cells(&LargeTile::residual), large.residual);
         gather_x_faces(place, &LargeFaces::mobility, large.mobility_x);
         gather_y_faces(place, &LargeFaces::mobility, large.mobility_y);
         gather_x_faces(place, &LargeFaces::weight, large.weight_x);
         gather_y_faces(place, &LargeFaces::weight, large.weight_y);
         kernels.correct_patch(constants, tile.stubborn ? kMostCycles : 1, large, tile.correction);
-    });
-    backwards = !backwards;
+    };
+    for_each_of(places_to_correct(first), solve_patch);
 }
 
 /// Adds the corrections to the pressure.
 void LargeStepper::Pass::blend() {
-    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch&, WorkerScratch&) {
-        const std::vector<PatchCover> covers = patch_covers(places[index]);
-        tile.revised = has_rough_cover(places[index]);
-        tile.moved = !covers.empty();
+    const auto is_corrected = [](const LargeTile& tile) { return tile.corrected; };
+    const ChosenPlaces covered = places_where([&](const TilePlace& place, LargeTile& tile) {
+        tile.revised = has_rough_cover(place);
+        tile.moved = any_around(place, is_corrected);
         tile.answered = false;
-        if (tile.moved) kernels.blend(covers.data(), static_cast<int>(covers.size()), tile.pressure);
+        return tile.moved;
+    });
+    for_each_of(covered, [&](const TilePlace& place, LargeTile& tile, LargeScratch&, WorkerScratch&) {
+        const std::vector<PatchCover> covers = patch_covers(place);
+        kernels.blend(covers.data(), static_cast<int>(covers.size()), tile.pressure);
     });
 }
 

@@ -22,7 +22,8 @@ inline constexpr int kWindowStride = 96;
 inline constexpr int kWindowCells = kWindowSize * kWindowStride;
 /// Where a window's row keeps the tile's first cell: at the beginning of a cache line.
 inline constexpr int kWindowFirst = 16;
-static_assert(kWindowFirst >= kWindowMargin && kWindowFirst + kWindowSize <= kWindowStride + kWindowMargin);
+static_assert(kWindowFirst >= kWindowMargin &&
+              kWindowFirst + kWindowSize <= kWindowStride + kWindowMargin);
 using WindowArray = std::array<float, kWindowCells>;
 
 using PatchArray = std::array<float, kPatchSize * kPatchSize>;
@@ -32,8 +33,8 @@ constexpr int window_index(int x, int y) {
     return (y + kWindowMargin) * kWindowStride + x + kWindowFirst;
 }
 
-/// A cell that holds less, among such, is not overfilled by its four faces in a step, which carries paint
-/// by a cell at most.
+/// A cell that holds less, among such, is not overfilled by its four faces in a step, which carries
+/// paint by a cell at most.
 inline constexpr std::int32_t kCrowded_quanta = kMaxThickness_quanta / 8;
 
 /// The faces of one direction.
@@ -68,6 +69,7 @@ struct LargeTile {
     float largest_mobility = 0.0F;        ///< of its faces
     float error = 0.0F;                   ///< of thickness, relative, found by the last sweep
     float corrected_error = 0.0F;         ///< the one that the last correction was for
+    float flux_error = 0.0F;              ///< by what part its last drag got a flux wrong
     bool revised = false;                 ///< its equations or pressure changed since
     bool moved = false;                   ///< the last sweep changed its pressure
     bool answered = false;                ///< its change is the answer to the pressure around it

@@ -7,9 +7,10 @@ namespace pastoso::film {
 
 struct LargeKernels {
     /// The faces but for their velocities, source, starting pressure and the change that it makes, from
-    /// the gathered block of `scratch` and the lagged pressure of `large`. `again` says that the tile holds a solution of this
-    /// step, whose pressure the lagged one is: shear-thinning paint is thinned by its velocities, and
-    /// the pressure and its change stay as they are. Returned is then by what part a flux of that solution was wrong.
+    /// the gathered block of `scratch` and the lagged pressure of `large`. `again` says that the tile
+    /// holds a solution of this step, whose pressure the lagged one is: shear-thinning paint is thinned
+    /// by its velocities, and the pressure and its change stay as they are. Returned is then by what
+    /// part a flux of that solution was wrong.
     float (*assemble)(const StepConstants& step, int columns, int rows, const ClosedFaces& closed,
                       const CanvasEdges& edges, bool again, LargeScratch& large, TileScratch& scratch,
                       LargeTile& tile);
