@@ -22,7 +22,7 @@ constexpr const char* kCaptions[kSheetRows][kSheetColumns] = {
      "violets in white"}};
 
 void write_captions(Painter& painter) {
-    painter.take_own(lettering_pen(0.6));
+    painter.take_own(lettering_pen(0.5));
     for (int row = 0; row < kSheetRows; ++row)
         for (int column = 0; column < kSheetColumns; ++column) {
             painter.wipe();
@@ -33,7 +33,6 @@ void write_captions(Painter& painter) {
 
 }  // namespace
 
-/// What is finished dries: wet, it would be stepped to the end.
 document::Recording sheet() {
     document::CanvasSettings canvas;
     canvas.width_mm = kSheetColumns * Field::kWidth_mm;
@@ -45,11 +44,11 @@ document::Recording sheet() {
     paint_sheet_grounds(painter);
     paint_sheet_fluids(painter);
     painter.dry_now();
-    for (const auto paint_part : {paint_sheet_brushes, paint_sheet_effects, paint_sheet_colours,
-                                  paint_sheet_tools, write_captions}) {
-        paint_part(painter);
-        painter.dry_now();
-    }
+    paint_sheet_brushes(painter);
+    paint_sheet_effects(painter);
+    paint_sheet_colours(painter);
+    paint_sheet_tools(painter);
+    write_captions(painter);
     return painter.finish(0.1);
 }
 

@@ -67,8 +67,8 @@ void combs_and_pads(Painter& painter) {
     paint_along(painter, Curve({fine.at(10, 25), fine.at(24, 18), fine.at(42, 26), fine.at(60, 19)}), 40,
                 {0.6, 0.05, 0.05});
     thin(painter, rag, 22, 22, "PR101");
-    painter.take("Rag 35", 16);
-    paint_along(painter, Curve({rag.at(14, 30), rag.at(26, 16), rag.at(38, 29), rag.at(54, 16)}), 60,
+    painter.take("Rag 35", 12);
+    paint_along(painter, Curve({rag.at(15, 27), rag.at(26, 18), rag.at(38, 26), rag.at(52, 18)}), 60,
                 {0.6, 0.1, 0.1});
     thin(painter, bud, 22, 22, "PG18");
     painter.take("Cotton bud 6", 5);
@@ -77,7 +77,7 @@ void combs_and_pads(Painter& painter) {
     painter.take("Eraser 15", 9);
     paint_along(painter, Curve({bud.at(46, 15), bud.at(52, 29)}), 40, {0.9, 0.1, 0.1});
     thin(painter, blot, 22, 22, "PV19 PW6=0.2");
-    painter.take("Blotting pad 40", 14);
+    painter.take("Blotting pad 40", 11);
     for (int i = 0; i < 3; ++i) {
         const Point at = blot.at(16.0 + 17.0 * i, 20);
         painter.stroke(0.3, [&](double u) {
@@ -123,7 +123,7 @@ void drops(Painter& painter) {
     });
     painter.take("Spatter 45", 20);
     painter.dip(load(mixture("PR101"), mixture("PY43"), 0.5));
-    hold(painter, spatter.at(0, 24), spatter.at(36, 20), 0.16, 0.9);
+    hold(painter, spatter.at(0, 26), spatter.at(42, 18), 0.3, 1.0);
     painter.take("Pouring bottle");
     painter.dip(load(mixture("PG7 PW6=0.3")));
     painter.stroke(0.8, [&](double u) {
@@ -147,14 +147,14 @@ void straw(Painter& painter, const Field& field) {
     painter.use_medium("house paint");
     painter.take("Pouring bottle", 4);
     painter.dip(load(mixture("PB29 PB15:3=0.4 PBk9=0.15")));
-    hold(painter, field.at(31, 34.5), field.at(37, 34.5), 0.22, 0.8);
+    hold(painter, field.at(31, 32.5), field.at(37, 32.5), 0.22, 0.8);
     painter.take("Straw 8", 3.6);
     for (const double angle_deg : {-66.0, 66.0, -34.0, 34.0, 3.0})
-        blow(painter, field.at(34 + 0.05 * angle_deg, 34), angle_deg, 24, 0.8);
+        blow(painter, field.at(34 + 0.05 * angle_deg, 32), angle_deg, 22, 0.7);
     painter.take("Straw 8", 2.8);
     for (const double side : {-1.0, 1.0}) {
-        blow(painter, field.at(34 + 7 * side, 27), -4 * side, 10, 0.4);
-        blow(painter, field.at(34 + 11 * side, 31.5), 34 * side, 11, 0.4);
+        blow(painter, field.at(34 + 7 * side, 25), -4 * side, 10, 0.35);
+        blow(painter, field.at(34 + 11 * side, 29.5), 34 * side, 11, 0.35);
     }
 }
 
