@@ -4,6 +4,7 @@
 #include "brush/gather_kernel.hpp"
 #include "brush/pass_map.hpp"
 #include "film/state.hpp"
+#include "grid/mask.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -16,6 +17,9 @@ inline constexpr int kBatchStep = 16;
 /// Reused from footprint to footprint; valid until the film changes.
 class CellBatch {
   public:
+    /// Tools may change the cells of the mask alone, which outlives the batch; null: all of them.
+    explicit CellBatch(const grid::Mask* limit = nullptr) : limit_(limit) {}
+
     /// The cells of one tile, as a range of the columns.
     struct TilePart {
         int tile, begin, end;
@@ -27,6 +31,11 @@ class CellBatch {
                 PassMap* pass = nullptr);
 
     int count() const { return count_; }
+    bool is_limited() const { return limit_ != nullptr; }
+    bool may_change(const TilePart& part, int i) const {
+        return limit_ == nullptr || limit_->read(part.tile)[cell[i]] != 0;
+    }
+
     int padded_count() const { return (count_ + kBatchStep - 1) / kBatchStep * kBatchStep; }
     const std::vector<TilePart>& parts() const { return parts_; }
     const grid::Rect& cells() const { return cells_; }  ///< that hold the whole batch
@@ -46,6 +55,7 @@ class CellBatch {
     void reserve(int count);
     void pad();
 
+    const grid::Mask* limit_;
     int count_ = 0;
     std::vector<TilePart> parts_;
     grid::Rect cells_;

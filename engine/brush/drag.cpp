@@ -95,7 +95,7 @@ void PaintDrag::find_shares(const ExchangeRule& rule, const DragRates& rates, co
         const grid::Rect tile = film.shape.tile_cells(part.tile);
         for (int i = part.begin; i < part.end; ++i) {
             const std::int32_t cell = touched.cell[i];
-            if (thickness[cell] == 0) continue;
+            if (thickness[cell] == 0 || !touched.may_change(part, i)) continue;
             const bool may_flow = flows(paint[cell], thickness[cell], above);
             if (may_flow && !most) most = static_cast<float>(core::natural_log(most_viscous));
             if (may_flow && flows(paint[cell], thickness[cell], *most)) {

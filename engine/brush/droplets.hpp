@@ -21,7 +21,9 @@ namespace pastoso::brush {
 /// a seed, so that the same pen gives the same drops. Holds on to the brush and the film.
 class Droplets {
   public:
-    Droplets(Brush& brush, film::FilmState& film) : brush_(brush), film_(film) {}
+    /// `limit` as in CellBatch: what falls beside it stays in the bottle.
+    Droplets(Brush& brush, film::FilmState& film, const grid::Mask* limit = nullptr)
+        : brush_(brush), film_(film), cells_(limit) {}
 
     /// The pen comes down: what the preset lets go at once falls here, as one drop.
     void begin(const HandPose& hand, std::uint32_t seed);

@@ -88,9 +88,11 @@ float edge_share(double side_mm, const Swath& swath) {
 
 }  // namespace
 
-Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const Placement& placement)
+Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const Placement& placement,
+               const grid::Mask* limit)
     : brush_(brush),
       film_(film),
+      limit_(limit),
       step_mm_(step_length_mm(brush)),
       turns_(turns_of(brush)),
       guide_(aids.guide),
@@ -98,8 +100,9 @@ Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const 
       filter_(steadying_filter(brush.preset.stroke, aids.stabiliser)),
       path_(path_measure(brush)),
       poses_(brush.tip.bristles.size()),
+      cells_(limit),
       pass_(film.shape, pass_length_mm(brush)),
-      droplets_(brush, film) {}
+      droplets_(brush, film, limit) {}
 
 void Stroke::begin(const PenSample& sample) {
     check_finite(sample);
@@ -146,6 +149,7 @@ std::optional<film::AirJet> Stroke::air_jet() const {
     wavering.x_mm += kWaver_radii * radius_mm * gust.x;
     wavering.y_mm += kWaver_radii * radius_mm * gust.y;
     const HandPose hand = placed(placement_, wavering);
+    if (!may_change(hand.x_mm, hand.y_mm)) return std::nullopt;
     const double lean = std::max(1.0, std::hypot(hand.lean_x, hand.lean_y));
     return film::AirJet{.x_mm = hand.x_mm,
                         .y_mm = hand.y_mm,
@@ -171,6 +175,13 @@ PenSample Stroke::led(const PenSample& sample) {
 
 HandPose Stroke::pose(const PathStep& step) const {
     return placed(placement_, hand_pose(brush_.preset.dynamics, step));
+}
+
+bool Stroke::may_change(double x_mm, double y_mm) const {
+    if (limit_ == nullptr) return true;
+    const double x = std::floor(x_mm / film_.cell_mm), y = std::floor(y_mm / film_.cell_mm);
+    if (x < 0.0 || y < 0.0 || x >= film_.shape.width || y >= film_.shape.height) return false;
+    return limit_->at(static_cast<int>(x), static_cast<int>(y)) != 0;
 }
 
 void Stroke::paint_steps() {

@@ -37,8 +37,10 @@ struct HandAids {
 class Stroke {
   public:
     /// `placement` says where the brush stands for the hand. A straight line has to be straight already.
+    /// Tools change the cells of `limit` alone, which outlives the stroke (null: all of them), and those
+    /// of air blow only where the middle of their jet is on one.
     Stroke(Brush& brush, film::FilmState& film, const HandAids& aids = {},
-           const Placement& placement = {});
+           const Placement& placement = {}, const grid::Mask* limit = nullptr);
 
     /// The pen touches down. All numbers of samples must be finite, pressures 0 to 1; far off the canvas
     /// they cost time and do nothing.
@@ -63,6 +65,7 @@ class Stroke {
     void follow(const std::vector<PenSample>& samples);
     PenSample led(const PenSample& sample);
     HandPose pose(const PathStep& step) const;
+    bool may_change(double x_mm, double y_mm) const;
     void paint_steps();
     void take_step(const PathStep& step);
     void paint_step(const PathStep& step);
@@ -75,6 +78,7 @@ class Stroke {
 
     Brush& brush_;
     film::FilmState& film_;
+    const grid::Mask* limit_;
     double step_mm_;
     std::uint32_t turns_;  ///< steps from one exchange of a bristle to its next
     PenGuide guide_;

@@ -5,16 +5,16 @@
 namespace pastoso::brush {
 
 StrokeGroup::StrokeGroup(Brush& brush, film::FilmState& film, const HandAids& aids,
-                         const Symmetry& symmetry)
+                         const Symmetry& symmetry, const grid::Mask* limit)
     : aids_(aids), brush_(brush) {
     for (const Placement& placement : placements(symmetry)) {
         if (strokes_.empty()) {
-            strokes_.emplace_back(brush, film, aids, placement);
+            strokes_.emplace_back(brush, film, aids, placement, limit);
             continue;
         }
         Brush& copy = copies_.emplace_back(brush);
         if (placement.mirrored) copy.tip = mirrored(std::move(copy.tip));
-        strokes_.emplace_back(copy, film, aids, placement);
+        strokes_.emplace_back(copy, film, aids, placement, limit);
     }
 }
 

@@ -15,7 +15,8 @@ namespace pastoso::brush {
 /// painted when the pen lifts. Otherwise like Stroke.
 class StrokeGroup {
   public:
-    StrokeGroup(Brush& brush, film::FilmState& film, const HandAids& aids, const Symmetry& symmetry);
+    StrokeGroup(Brush& brush, film::FilmState& film, const HandAids& aids, const Symmetry& symmetry,
+                const grid::Mask* limit = nullptr);
 
     void begin(const PenSample& sample);
     void add(const PenSample& sample);

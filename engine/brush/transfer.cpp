@@ -108,6 +108,20 @@ bool changes_anything(const CellBatch& batch, const CellBatch::TilePart& part) {
     return false;
 }
 
+/// Takes back what is planned for cells that must stay as they are. Returns what is wanted of the
+/// others.
+WantedSums limit_plan(CellBatch& batch, WantedSums wanted) {
+    for (const CellBatch::TilePart& part : batch.parts()) {
+        for (int i = part.begin; i < part.end; ++i) {
+            if (batch.may_change(part, i)) continue;
+            wanted.deposit -= std::max(batch.change[i], 0);
+            wanted.swap -= batch.swap[i];
+            batch.change[i] = batch.swap[i] = 0;
+        }
+    }
+    return wanted;
+}
+
 }  // namespace
 
 TransferKernels transfer_kernels_for([[maybe_unused]] core::Isa isa) {
@@ -185,9 +199,9 @@ grid::Rect exchange_paint(Brush& brush, int index, const Contact& contact, const
     return changed;
 }
 
-grid::Rect apply_batch(const CellBatch& batch, const WantedSums& wanted, double deposit_share,
-                       double swap_share, std::uint32_t dither_seed, film::FilmState& film,
-                       Contents& held) {
+grid::Rect apply_batch(CellBatch& batch, WantedSums wanted, double deposit_share, double swap_share,
+                       std::uint32_t dither_seed, film::FilmState& film, Contents& held) {
+    if (batch.is_limited()) wanted = limit_plan(batch, wanted);
     const double cell_area_mm2 = film.cell_mm * film.cell_mm;
     const bool empty = held.volume_mm3 <= kEmpty_mm3;
     const double held_quanta =

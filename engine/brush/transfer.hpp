@@ -77,8 +77,7 @@ grid::Rect exchange_paint(Brush& brush, int index, const Contact& contact, const
 /// Applies the changes and swaps planned in `batch` and takes what the film gained from `held`, or gives
 /// it what the film lost. At most `deposit_share` of the held volume is deposited and `swap_share`
 /// swapped. `wanted` are the sums of the plan. Returns the cells that may have changed.
-grid::Rect apply_batch(const CellBatch& batch, const WantedSums& wanted, double deposit_share,
-                       double swap_share, std::uint32_t dither_seed, film::FilmState& film,
-                       Contents& held);
+grid::Rect apply_batch(CellBatch& batch, WantedSums wanted, double deposit_share, double swap_share,
+                       std::uint32_t dither_seed, film::FilmState& film, Contents& held);
 
 }  // namespace pastoso::brush

@@ -30,6 +30,9 @@ constexpr double kLeastStrength = 1e-4;
 constexpr double kShortestGuide_mm = 0.1;
 constexpr double kHuge_mm = 4.0 * kMaxPenPosition_mm;
 
+/// Paint is never higher.
+constexpr double kMostPaint_mm = 1000.0;
+
 constexpr double kLongestSession_s = 7.0 * 24.0 * 3600.0;
 
 void check_place(const std::string& what, double x_mm, double y_mm) {
@@ -57,6 +60,19 @@ struct GuideChecker {
         check_between("turn of the ellipse", ellipse.turn_deg, -360.0, 360.0);
     }
 };
+
+void check_range(const char* what, double least_mm, double most_mm) {
+    const std::string name = what;
+    check_between(("least " + name + " in mm").c_str(), least_mm, 0.0, kMostPaint_mm);
+    check_between(("most " + name + " in mm").c_str(), most_mm, least_mm, kMostPaint_mm);
+}
+
+void check_outline(const std::vector<CanvasPoint>& outline) {
+    check_between("number of the outline's points", static_cast<double>(outline.size()), 3.0,
+                  kMostOutlinePoints);
+    for (const CanvasPoint& point : outline)
+        check_place("outline's point", point.x_mm, point.y_mm);
+}
 
 struct Checker {
     void operator()(const TakeBrush& take) const {
@@ -118,6 +134,15 @@ struct Checker {
     void operator()(const FlattenLayers&) const {}
     void operator()(const MoveGroup&) const {}
     void operator()(const UngroupLayers&) const {}
+    void operator()(const SelectArea& select) const { check_outline(select.outline); }
+    void operator()(const SelectByHeight& select) const {
+        check_range("height", select.least_mm, select.most_mm);
+    }
+    void operator()(const SelectByWetness& select) const {
+        check_range("thickness of wet paint", select.least_mm, select.most_mm);
+    }
+    void operator()(const InvertSelection&) const {}
+    void operator()(const SelectAll&) const {}
     void operator()(const SetGuide& set) const {
         check_between("reach of the guide in mm", set.guide.reach_mm, 0.0, kMaxPenPosition_mm);
         std::visit(GuideChecker{}, set.guide.form);

@@ -7,6 +7,7 @@
 #include "brush/pen_sample.hpp"
 #include "brush/symmetry.hpp"
 #include "document/layer_events.hpp"
+#include "document/selection_events.hpp"
 #include "film/drying_air.hpp"
 
 #include <cstdint>
@@ -88,7 +89,7 @@ struct SetDrying {  ///< how fast paint on the canvas dries from now on; in the 
     film::DryingAir air;
     friend bool operator==(const SetDrying&, const SetDrying&) = default;
 };
-struct DryNow {  ///< all wet paint on the canvas becomes dry at once
+struct DryNow {  ///< all wet paint on the canvas becomes dry at once, or what is selected of it
     friend bool operator==(const DryNow&, const DryNow&) = default;
 };
 struct PenDown {
@@ -128,7 +129,8 @@ using Action =
     std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCanvas, SetDrying, DryNow, PenDown,
                  PenMove, PenUp, Undo, Redo, SetStabiliser, SetGuide, SetSymmetry, SqueezePaint,
                  CleanWell, AddLayer, SelectLayer, SetLayer, DuplicateLayer, RemoveLayer, ClearLayer,
-                 MoveLayer, MergeDown, FlattenLayers, GroupLayers, SetGroup, MoveGroup, UngroupLayers>;
+                 MoveLayer, MergeDown, FlattenLayers, GroupLayers, SetGroup, MoveGroup, UngroupLayers,
+                 SelectArea, SelectByHeight, SelectByWetness, InvertSelection, SelectAll>;
 
 struct Event {
     std::int64_t tick = 0;  ///< the number of ticks that had passed when it happened

@@ -4,6 +4,7 @@
 
 #include "brush/brush.hpp"
 #include "document/layers.hpp"
+#include "document/selection.hpp"
 #include "film/state.hpp"
 
 #include <cstdint>
@@ -25,6 +26,7 @@ struct Moment {
     brush::Contents wiped;        ///< off the brush until then
     film::Totals run_off;         ///< over the edges until then
     std::optional<film::FilmState> well{};  ///< none: it was bare
+    Selection selection{};
 };
 
 /// Bytes of the tiles that `older` holds alone, not shared with `newer`; both of one shape.

@@ -104,6 +104,7 @@ struct Painting::Parts {
           air(state.air),
           aids(state.aids),
           symmetry(state.symmetry),
+          selection(state.selection),
           taken(state.taken),
           wiped(state.wiped),
           forgotten_run_off(state.forgotten_run_off),
@@ -136,6 +137,7 @@ struct Painting::Parts {
                             .ageing = ageing.pending(),
                             .aids = aids,
                             .symmetry = symmetry,
+                            .selection = selection,
                             .taken = taken,
                             .wiped = wiped,
                             .forgotten_run_off = forgotten_run_off};
@@ -192,7 +194,7 @@ struct Painting::Parts {
         check_unlocked(canvas.stack(), canvas.stack().active);
         end_stroke();
         history.remember(moment());
-        film::dry_now(film, pool);
+        film::dry_now(film, pool, selection.get());
     }
 
     void operator()(const PenDown& pen) {
@@ -240,6 +242,22 @@ struct Painting::Parts {
         history.remember(moment());
         wiped += paint_in_well();
         well.reset();
+    }
+
+    void operator()(const SelectArea& area) { select(area_of(area, film), area.how); }
+    void operator()(const SelectByHeight& heights) {
+        end_stroke();
+        select(area_of(heights, film, canvas.bare_mm()), heights.how);
+    }
+    void operator()(const SelectByWetness& wetness) {
+        end_stroke();
+        select(area_of(wetness, film), wetness.how);
+    }
+    void operator()(const InvertSelection&) {
+        if (selection) replace_selection(inverted(selection));
+    }
+    void operator()(const SelectAll&) {
+        if (selection) replace_selection(nullptr);
     }
 
     void operator()(const SelectLayer& select) {
@@ -308,11 +326,21 @@ struct Painting::Parts {
         if (surface == Surface::Canvas) {
             share_varied();
             touched = &solver;
-            stroke.emplace(*brush, film, aids, symmetry);
+            stroke.emplace(*brush, film, aids, symmetry, selection.get());
         } else {
             touched = &used_well().solver;
             stroke.emplace(*brush, well->film, brush::HandAids{aids.stabiliser, {}}, brush::Symmetry{});
         }
+    }
+
+    void select(const grid::Mask& area, Combination how) {
+        replace_selection(combined(selection, area, how));
+    }
+
+    void replace_selection(Selection wanted) {
+        end_stroke();
+        history.remember(moment());
+        selection = std::move(wanted);
     }
 
     Well& used_well() {
@@ -387,7 +415,7 @@ struct Painting::Parts {
 
     Moment moment() const {
         return {film,  canvas.stack(), brush,     medium.name, brush_use,
-                taken, wiped,          run_off(), well_film()};
+                taken, wiped,          run_off(), well_film(), selection};
     }
 
     /// A brush that was not touched since then gets back what it held. Any other stays in hand as it is,
@@ -395,6 +423,7 @@ struct Painting::Parts {
     void return_to(const Moment& then) {
         canvas.restore(then.film, then.layers);
         return_well_to(then.well);
+        selection = then.selection;
         if (then.medium != medium.name) film.varied = true;
         taken = then.taken;
         wiped = then.wiped;
@@ -430,6 +459,7 @@ struct Painting::Parts {
     TakeBrush taken_brush;  ///< which one is in hand
     brush::HandAids aids;
     brush::Symmetry symmetry;
+    Selection selection;
     std::optional<brush::StrokeGroup> stroke;
     film::Solver* touched = &solver;  ///< of the surface that the stroke is on
     brush::PenSample last_sample;
@@ -492,8 +522,12 @@ const film::FilmState* Painting::well() const {
     return parts_->well ? &parts_->well->film : nullptr;
 }
 Snapshot Painting::snapshot() const {
-    return {parts_->canvas.view(), kPrimedGround, parts_->tick, parts_->well_film(),
-            parts_->brush ? brush::load_profile(*parts_->brush) : brush::LoadProfile{}};
+    return {parts_->canvas.view(),
+            kPrimedGround,
+            parts_->tick,
+            parts_->well_film(),
+            parts_->brush ? brush::load_profile(*parts_->brush) : brush::LoadProfile{},
+            parts_->selection};
 }
 bool Painting::can_undo() const {
     return parts_->history.can_undo();

@@ -5,6 +5,7 @@
 #include "brush/load_profile.hpp"
 #include "core/thread_pool.hpp"
 #include "document/events.hpp"
+#include "document/selection.hpp"
 #include "film/solver.hpp"
 #include "film/state.hpp"
 #include "grid/tiled_field.hpp"
@@ -29,6 +30,7 @@ struct Snapshot {
     std::int64_t tick = 0;
     std::optional<film::FilmState> well{};  ///< the mixing well's; none while nothing has touched it
     brush::LoadProfile brush_load{};        ///< of the brush in hand
+    Selection selection{};
 };
 
 /// Where all the paint is, in mm3 of volume and in mm3 times the pigment coefficients (K_k, S_k per mm).

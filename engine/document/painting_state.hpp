@@ -5,6 +5,7 @@
 #include "brush/stroke.hpp"
 #include "document/events.hpp"
 #include "document/layers.hpp"
+#include "document/selection.hpp"
 #include "film/ageing.hpp"
 #include "film/solver_memory.hpp"
 #include "film/state.hpp"
@@ -50,6 +51,7 @@ struct PaintingState {
     std::optional<BrushState> brush{};
     brush::HandAids aids{};
     brush::Symmetry symmetry{};
+    Selection selection{};
 
     brush::Contents taken{};           ///< from the tubes so far
     brush::Contents wiped{};           ///< off the brush so far

@@ -16,8 +16,10 @@ using grid::TileBlock;
 /// Quanta of drying time in a second.
 constexpr double kQuantaPerSecond = 1.0 / 3600.0 / kPaintQuantum;
 
-/// Quanta of drying time that pass at a cell of the canvas.
+/// Quanta of drying time that pass at a cell of the canvas, or kNoTime.
 using TimeAt = std::function<std::int32_t(int x, int y)>;
+constexpr std::int32_t kNoTime = -1;
+constexpr std::int32_t kForEver = std::numeric_limits<std::int32_t>::max();
 
 /// What drying makes of a tile.
 struct TileDrying {
@@ -65,6 +67,10 @@ TileDrying dry_tile(const FilmState& state, int tile, const TimeAt& time_at) {
             const int cell = grid::Shape::cell_in_tile(x, y);
             if (thickness[cell] == 0) continue;
             const std::int32_t time = time_at(x, y);
+            if (time == kNoTime) {
+                result.any_wet = true;
+                continue;
+            }
             if (time < paint[cell][kDryingChannel]) {
                 result.evaporated += dry_on(time, thickness[cell], paint[cell]);
                 result.any_wet = true;
@@ -126,18 +132,19 @@ double DryingAir::rate_at(double x_mm, double y_mm) const {
 }
 
 void dry(FilmState& state, const DryingAir& air, double seconds, core::ThreadPool& pool) {
-    constexpr double kLongest = std::numeric_limits<std::int32_t>::max();
     const double quanta = seconds * kQuantaPerSecond;
     const auto time_at = [&](int x, int y) {
         const double rate = air.rate_at((x + 0.5) * state.cell_mm, (y + 0.5) * state.cell_mm);
-        return static_cast<std::int32_t>(std::min(quanta * rate, kLongest));
+        return static_cast<std::int32_t>(std::min(quanta * rate, double{kForEver}));
     };
     if (dry_tiles(state, time_at, pool)) state.varied = true;
 }
 
-void dry_now(FilmState& state, core::ThreadPool& pool) {
-    const auto for_ever = [](int, int) { return std::numeric_limits<std::int32_t>::max(); };
-    dry_tiles(state, for_ever, pool);
+void dry_now(FilmState& state, core::ThreadPool& pool, const grid::Mask* only) {
+    const auto time_at = [&](int x, int y) {
+        return only == nullptr || only->at(x, y) != 0 ? kForEver : kNoTime;
+    };
+    dry_tiles(state, time_at, pool);
 }
 
 }  // namespace pastoso::film

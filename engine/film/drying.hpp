@@ -15,13 +15,14 @@
 #include "core/thread_pool.hpp"
 #include "film/drying_air.hpp"
 #include "film/state.hpp"
+#include "grid/mask.hpp"
 
 namespace pastoso::film {
 
 /// Lets paint dry that lies in still air of speed 1 for `seconds`, or faster under the fan.
 void dry(FilmState& state, const DryingAir& air, double seconds, core::ThreadPool& pool);
 
-/// Makes all wet paint dry at once, its solvent gone.
-void dry_now(FilmState& state, core::ThreadPool& pool);
+/// Makes all wet paint dry at once, its solvent gone; or that of the cells of a mask alone.
+void dry_now(FilmState& state, core::ThreadPool& pool, const grid::Mask* only = nullptr);
 
 }  // namespace pastoso::film

@@ -7,6 +7,7 @@
 #include "io/layers_json.hpp"
 #include "io/paint_json.hpp"
 #include "io/recording_json.hpp"
+#include "io/selection_json.hpp"
 #include "io/stroke_ticks.hpp"
 
 #include <cmath>
@@ -155,6 +156,11 @@ constexpr Kind kKinds[] = {
     {"set_group", read_set_group},
     {"move_group", read_move_group},
     {"ungroup_layers", read_ungroup_layers},
+    {"select_area", read_select_area},
+    {"select_by_height", read_select_by_height},
+    {"select_by_wetness", read_select_by_wetness},
+    {"invert_selection", read_plain<document::InvertSelection>},
+    {"select_all", read_plain<document::SelectAll>},
 };
 
 /// [time, x, y, pressure, tilt_x, tilt_y, rotation]; angles left out at the end are 0.

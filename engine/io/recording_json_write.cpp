@@ -4,6 +4,7 @@
 #include "io/layers_json.hpp"
 #include "io/paint_json.hpp"
 #include "io/recording_json.hpp"
+#include "io/selection_json.hpp"
 #include "io/stroke_ticks.hpp"
 
 #include <algorithm>
@@ -183,6 +184,15 @@ class EntryWriter {
     void operator()(const document::UngroupLayers& ungroup) {
         put("ungroup_layers", Json{{"group", ungroup.group}});
     }
+    void operator()(const document::SelectArea& select) { put("select_area", select_area_json(select)); }
+    void operator()(const document::SelectByHeight& select) {
+        put("select_by_height", select_by_height_json(select));
+    }
+    void operator()(const document::SelectByWetness& select) {
+        put("select_by_wetness", select_by_wetness_json(select));
+    }
+    void operator()(const document::InvertSelection&) { put("invert_selection", Json::object()); }
+    void operator()(const document::SelectAll&) { put("select_all", Json::object()); }
 
   private:
     void put(const char* kind, Json content) {
@@ -214,9 +224,19 @@ bool uses_layers(const Event& event) {
         event.action);
 }
 
+bool uses_selections(const Event& event) {
+    using namespace document;
+    return is_one_of<SelectArea, SelectByHeight, SelectByWetness, InvertSelection, SelectAll>(
+        event.action);
+}
+
 int version_needed(const document::Recording& recording) {
-    if (std::any_of(recording.events.begin(), recording.events.end(), uses_layers)) return 5;
-    return std::any_of(recording.events.begin(), recording.events.end(), uses_well) ? 4 : 3;
+    const auto any = [&](bool (*uses)(const Event&)) {
+        return std::any_of(recording.events.begin(), recording.events.end(), uses);
+    };
+    if (any(uses_selections)) return 6;
+    if (any(uses_layers)) return 5;
+    return any(uses_well) ? 4 : 3;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "document/well.hpp"
 #include "film/support.hpp"
 #include "io/recording_json.hpp"
+#include "project/mask_bits.hpp"
 #include "project/project.hpp"
 #include "project/project_index.hpp"
 #include "project/project_layout.hpp"
@@ -198,6 +199,15 @@ void read_brush(const ZipReader& archive, const BrushIndex& index, PaintingState
         archive.fail(index.held.entry, "a bristle holds what none can.");
 }
 
+void read_selection(const ZipReader& archive, const PackedEntry& packed, PaintingState& painting) {
+    const grid::Shape shape = document::canvas_shape(painting.settings);
+    if (packed.size != mask_bytes(shape))
+        archive.fail(packed.entry, "holds a selection of another canvas than this one.");
+    grid::Mask mask = mask_of_bits(shape, read_packed(archive, packed));
+    if (grid::chosen_area(mask).empty()) archive.fail(packed.entry, "selects nothing.");
+    painting.selection = std::make_shared<const grid::Mask>(std::move(mask));
+}
+
 /// Strokes that cannot be read cost their replay, not the painting.
 void read_strokes(const ZipReader& archive, const PackedEntry& strokes, LoadedProject& project) {
     const PaintingState& painting = project.painting;
@@ -236,6 +246,7 @@ LoadedProject loaded(const ZipReader& archive, core::ThreadPool& pool) {
     if (index.brush.has_value() != painting.brush.has_value())
         archive.fail(kIndexEntry, "the brush in hand is told of only in part.");
     if (index.brush) read_brush(archive, *index.brush, painting);
+    if (index.selection) read_selection(archive, *index.selection, painting);
     read_strokes(archive, index.strokes, project);
     return project;
 }

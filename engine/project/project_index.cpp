@@ -303,7 +303,7 @@ void check_header(const JsonPlace& root) {
                   "; this program reads up to " + std::to_string(kProjectFormatVersion) + ").");
     }
     root.allow_only({"format", "version", "program", "tick", "ageing", "account", "layers", "stack",
-                     "bare_support", "well", "brush", "strokes"});
+                     "bare_support", "well", "brush", "selection", "strokes"});
 }
 
 }  // namespace
@@ -340,6 +340,7 @@ std::string index_to_json(const ProjectIndex& index) {
         json["brush"] = {{"strokes_begun", index.brush->strokes_begun},
                          {"held", packed_json(index.brush->held)}};
     }
+    if (index.selection) json["selection"] = packed_json(*index.selection);
     json["strokes"] = packed_json(index.strokes);
     return json.dump() + "\n";
 }
@@ -361,6 +362,8 @@ ProjectIndex index_from_json(const std::string& text, const std::string& name) {
     if (const auto bare = root.optional_entry("bare_support")) index.bare_support = read_surface(*bare);
     if (const auto well = root.optional_entry("well")) index.well = read_surface(*well);
     if (const auto brush = root.optional_entry("brush")) index.brush = read_brush(*brush);
+    if (const auto selection = root.optional_entry("selection"))
+        index.selection = read_packed_alone(*selection, kMostSelectionBytes);
     index.strokes = read_packed_alone(root.entry("strokes"), kMostStrokesBytes);
     return index;
 }

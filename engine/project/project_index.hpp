@@ -11,7 +11,7 @@
 
 namespace pastoso::project {
 
-inline constexpr int kProjectFormatVersion = 2;
+inline constexpr int kProjectFormatVersion = 3;
 
 /// An entry of the archive that is a Zstandard frame with a checksum of its own.
 struct PackedEntry {
@@ -66,6 +66,7 @@ struct ProjectIndex {
     std::optional<SurfaceIndex> bare_support{};  ///< where no name tells what it is
     std::optional<SurfaceIndex> well{};
     std::optional<BrushIndex> brush{};
+    std::optional<PackedEntry> selection{};
     PackedEntry strokes{};
 };
 

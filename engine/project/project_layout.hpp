@@ -11,6 +11,7 @@ inline constexpr const char* kIndexEntry = "pastoso/index.json";
 inline constexpr const char* kSetupEntry = "pastoso/setup.json";
 inline constexpr const char* kStrokesEntry = "pastoso/strokes.json.zst";
 inline constexpr const char* kBrushEntry = "pastoso/brush.zst";
+inline constexpr const char* kSelectionEntry = "pastoso/selection.zst";
 inline constexpr const char* kBareSupportFolder = "pastoso/bare/";
 inline constexpr const char* kWellFolder = "pastoso/well/";
 
@@ -20,6 +21,7 @@ inline constexpr std::size_t kEntryBytes = std::size_t{4} << 20;
 /// No reader takes more.
 inline constexpr std::size_t kMostIndexBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kMostSetupBytes = std::size_t{4} << 20;
+inline constexpr std::size_t kMostSelectionBytes = std::size_t{512} << 20;
 inline constexpr std::size_t kMostStrokesBytes = std::size_t{512} << 20;
 
 }  // namespace pastoso::project

@@ -2,6 +2,7 @@
 #include "core/text_file.hpp"
 #include "document/action_checks.hpp"
 #include "io/recording_json.hpp"
+#include "project/mask_bits.hpp"
 #include "project/project.hpp"
 #include "project/project_archive.hpp"
 #include "project/project_index.hpp"
@@ -115,6 +116,8 @@ ProjectIndex add_painting(const Project& project, ZipWriter& archive, core::Thre
         const auto held = std::as_bytes(std::span(painting.brush->held));
         index.brush = {painting.brush->strokes_begun, add_packed(kBrushEntry, held, archive)};
     }
+    if (painting.selection)
+        index.selection = add_packed(kSelectionEntry, mask_bits(*painting.selection), archive);
     const std::string strokes = io::recording_to_json(project.strokes);
     index.strokes = add_packed(kStrokesEntry, bytes_of(strokes), archive);
     return index;

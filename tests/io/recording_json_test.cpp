@@ -93,6 +93,12 @@ Recording everything() {
         {41, ClearLayer{3}},
         {41, RemoveLayer{3}},
         {42, FlattenLayers{}},
+        {43, SelectArea{{{1, 2}, {30.5, 2}, {20, 40}}}},
+        {43, SelectArea{{{1, 2}, {3, 2}, {2, -4}}, Combination::Subtract}},
+        {44, SelectByHeight{0.25, 3, Combination::Intersect}},
+        {44, SelectByWetness{0.5, 1000, Combination::Add}},
+        {45, InvertSelection{}},
+        {45, SelectAll{}},
     };
     recording.end_tick = 100;
     return recording;
@@ -176,8 +182,8 @@ TEST(RecordingJson, ReadsTheFirstVersion) {
 
 TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
     EXPECT_EQ(
-        error(R"({"format":"pastoso-strokes","version":6,"more":[]})"),
-        "s.json: this was written by a newer Pastoso (stroke format 6; this program reads up to 5).");
+        error(R"({"format":"pastoso-strokes","version":7,"more":[]})"),
+        "s.json: this was written by a newer Pastoso (stroke format 7; this program reads up to 6).");
 }
 
 TEST(RecordingJson, NamesWhatIsMissingOrMisspelt) {

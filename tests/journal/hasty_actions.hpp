@@ -27,14 +27,14 @@ class HastyPainter {
     explicit HastyPainter(std::uint32_t seed) : seed_(seed) {}
 
     /// What is done next: a stroke as a rule, now and then Undo, Redo, DryNow, other paint, the well,
-    /// layers.
+    /// layers, selections.
     std::vector<document::Action> next() {
         using namespace document;
         if (!began_) {
             began_ = true;
             return {UseMedium{"soft-body acrylic"}, TiltCanvas{50, 90}, TakeBrush{"flat", 8, 1}, dip()};
         }
-        const int what = choice(20);
+        const int what = choice(22);
         if (what < 3) return std::vector<Action>(static_cast<std::size_t>(1 + choice(4)), Undo{});
         if (what == 3) return {Redo{}};
         if (what == 4) return {DryNow{}};
@@ -44,6 +44,10 @@ class HastyPainter {
         if (what == 9) return {AddLayer{"Above"}};
         if (what == 10) return {SelectLayer{1}};
         if (what == 11) return {SetLayer{1, {.name = "Paint", .opacity = uniform()}}};
+        if (what == 13)
+            return {SelectArea{{{5, 5}, {50.0 * uniform(), 2}, {55, 40.0 * uniform()}},
+                               choice(2) == 0 ? Combination::Replace : Combination::Add}};
+        if (what == 14) return {choice(2) == 0 ? Action{SelectAll{}} : Action{InvertSelection{}}};
         if (what == 12 && choice(3) == 0) return {FlattenLayers{}};
         return stroke(what == 8 ? Surface::Well : Surface::Canvas);
     }

@@ -37,6 +37,11 @@ TEST(UndoReach, CleaningABareWellIsNoStepToReturnTo) {
     EXPECT_TRUE(crosses({CleanWell{}, Undo{}}));
 }
 
+TEST(UndoReach, SelectionsAreStepsWhereThereIsSomethingToSelect) {
+    EXPECT_FALSE(crosses({SelectArea{}, SelectByHeight{}, SelectByWetness{}, Undo{}, Undo{}, Undo{}}));
+    EXPECT_TRUE(crosses({InvertSelection{}, SelectAll{}, Undo{}}));
+}
+
 TEST(UndoReach, ChangesOfLayersAreStepsAndWhichOneIsActiveIsNone) {
     EXPECT_FALSE(crosses({AddLayer{"A"}, SetLayer{1, {}}, MergeDown{2}, Undo{}, Undo{}, Undo{}}));
     EXPECT_TRUE(crosses({SelectLayer{1}, Undo{}}));

@@ -80,10 +80,10 @@ TEST_F(BadProject, ATruncatedFileIsRefusedWhereverItEnds) {
 
 TEST_F(BadProject, OtherVersionsAreRefused) {
     EXPECT_EQ(
-        error_of_index("\"version\":2", "\"version\":3"),
-        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 3; this "
-        "program reads up to 2).");
-    EXPECT_THAT(error_of_index("\"version\":2", "\"version\":0"),
+        error_of_index("\"version\":3", "\"version\":4"),
+        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 4; this "
+        "program reads up to 3).");
+    EXPECT_THAT(error_of_index("\"version\":3", "\"version\":0"),
                 HasSubstr("version: 0 is not between"));
     EXPECT_THAT(error_of_index("pastoso-project", "pastoso-scene"), HasSubstr("this is no painting"));
 }

@@ -1,11 +1,13 @@
 // What is saved is what is loaded, bit by bit, and goes on like what was not saved.
 #include "document/canvas.hpp"
 #include "document/player.hpp"
+#include "document/well_session.hpp"
 #include "film/support.hpp"
 #include "io/canvas_support.hpp"
 #include "io/image.hpp"
 #include "io/temporary_folder.hpp"
 #include "project/activity_record.hpp"
+#include "project/mask_bits.hpp"
 #include "project/paintings.hpp"
 
 #include <gmock/gmock.h>
@@ -59,6 +61,10 @@ void expect_equal(const document::PaintingState& a, const document::PaintingStat
     EXPECT_EQ(a.aids.stabiliser, b.aids.stabiliser);
     EXPECT_EQ(a.aids.guide, b.aids.guide);
     EXPECT_EQ(a.symmetry, b.symmetry);
+    ASSERT_EQ(a.selection != nullptr, b.selection != nullptr);
+    if (a.selection) {
+        EXPECT_EQ(mask_bits(*a.selection), mask_bits(*b.selection));
+    }
     EXPECT_EQ(a.taken, b.taken);
     EXPECT_EQ(a.wiped, b.wiped);
     EXPECT_EQ(a.forgotten_run_off.paint, b.forgotten_run_off.paint);
@@ -119,6 +125,21 @@ TEST_F(ProjectRoundTrip, PaintGoesOnToTheSameBitsOnAnyNumberOfThreads) {
         }
     }
     EXPECT_GT(waiting, 0);
+}
+
+TEST_F(ProjectRoundTrip, ASelectionComesBackToTheCell) {
+    auto painting = played(busy_session(), 85, pool);
+    painting->apply(document::SelectArea{{{3, 2}, {40.2, 5}, {31, 28.7}, {12, 20}}});
+    const Project project{painting->state(), {}};
+    const LoadedProject loaded = saved_and_loaded(project);
+    ASSERT_TRUE(loaded.painting.selection);
+    expect_equal(loaded.painting, project.painting);
+    document::Painting again(loaded.painting, pool);
+    for (document::Painting* one : {painting.get(), &again})
+        for (const document::Action& action :
+             document::line_on(document::Surface::Canvas, 2.0, 4, 40, 15))
+            one->apply(action);
+    EXPECT_EQ(again.state_hash(), painting->state_hash());
 }
 
 TEST_F(ProjectRoundTrip, TheStrokesReplayToThePainting) {

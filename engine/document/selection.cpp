@@ -1,0 +1,61 @@
+#include "document/selection.hpp"
+
+#include <array>
+#include <utility>
+
+namespace pastoso::document {
+namespace {
+
+Selection selection_of(grid::Mask mask) {
+    if (grid::chosen_area(mask).empty()) return nullptr;
+    return std::make_shared<const grid::Mask>(std::move(mask));
+}
+
+/// The cells whose `value_mm(tile, cell)` lies in a range.
+template <class Value>
+grid::Mask cells_within(grid::Shape shape, double least_mm, double most_mm, const Value& value_mm) {
+    grid::MaskBuilder builder(shape);
+    for (int tile = 0; tile < shape.tile_count(); ++tile) {
+        std::array<std::uint8_t, grid::kTileCells> chosen;
+        for (int cell = 0; cell < grid::kTileCells; ++cell) {
+            const double value = value_mm(tile, cell);
+            chosen[cell] = value >= least_mm && value <= most_mm ? 1 : 0;
+        }
+        builder.set_tile(tile, chosen.data());
+    }
+    return builder.take();
+}
+
+}  // namespace
+
+grid::Mask area_of(const SelectArea& select, const film::FilmState& film) {
+    std::vector<grid::Point> outline;
+    for (const CanvasPoint& point : select.outline)
+        outline.push_back({point.x_mm / film.cell_mm, point.y_mm / film.cell_mm});
+    return grid::polygon_mask(film.shape, outline);
+}
+
+grid::Mask area_of(const SelectByHeight& select, const film::FilmState& film,
+                   const grid::TiledField<float>& bare_mm) {
+    return cells_within(film.shape, select.least_mm, select.most_mm, [&](int tile, int cell) {
+        return film.support_mm.read(tile)[cell] - bare_mm.read(tile)[cell] +
+               film::thickness_mm(film.thickness.read(tile)[cell]);
+    });
+}
+
+grid::Mask area_of(const SelectByWetness& select, const film::FilmState& film) {
+    return cells_within(film.shape, select.least_mm, select.most_mm, [&](int tile, int cell) {
+        return film::thickness_mm(film.thickness.read(tile)[cell]);
+    });
+}
+
+Selection combined(const Selection& before, const grid::Mask& region, Combination how) {
+    if (before) return selection_of(grid::combined(*before, region, how));
+    return selection_of(how == Combination::Subtract ? grid::inverted(region) : region);
+}
+
+Selection inverted(const Selection& before) {
+    return before ? selection_of(grid::inverted(*before)) : nullptr;
+}
+
+}  // namespace pastoso::document
