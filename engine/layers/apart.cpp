@@ -94,4 +94,16 @@ bool holds_paint(const FilmState& layer, int tile) {
            !layer.strata.soluble_pigment.is_background(tile);
 }
 
+void take_tile(const FilmState& from, int tile, FilmState& to) {
+    share_tile(from.thickness, tile, to.thickness);
+    share_tile(from.paint, tile, to.paint);
+    share_tile(from.velocity_x, tile, to.velocity_x);
+    share_tile(from.velocity_y, tile, to.velocity_y);
+    share_tile(from.support_mm, tile, to.support_mm);
+    share_tile(from.strata.soluble_thickness, tile, to.strata.soluble_thickness);
+    share_tile(from.strata.soluble_pigment, tile, to.strata.soluble_pigment);
+    share_tile(from.strata.optics, tile, to.strata.optics);
+    share_tile(from.strata.uppermost, tile, to.strata.uppermost);
+}
+
 }  // namespace pastoso::layers

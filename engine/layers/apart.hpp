@@ -44,4 +44,7 @@ void share_tile(const grid::TiledField<T>& from, int tile, grid::TiledField<T>& 
         to.replace(tile, from.block(tile));
 }
 
+/// The same for all that a layer holds in a tile. Its totals stay as they are.
+void take_tile(const film::FilmState& from, int tile, film::FilmState& to);
+
 }  // namespace pastoso::layers
