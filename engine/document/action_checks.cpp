@@ -30,6 +30,9 @@ constexpr double kLeastStrength = 1e-4;
 constexpr double kShortestGuide_mm = 0.1;
 constexpr double kHuge_mm = 4.0 * kMaxPenPosition_mm;
 
+/// What is smaller is not to be seen; larger, a cell would fill a small canvas.
+constexpr double kLeastScale = 0.05, kMostScale = 20.0;
+
 /// Paint is never higher.
 constexpr double kMostPaint_mm = 1000.0;
 
@@ -72,6 +75,11 @@ void check_outline(const std::vector<CanvasPoint>& outline) {
                   kMostOutlinePoints);
     for (const CanvasPoint& point : outline)
         check_place("outline's point", point.x_mm, point.y_mm);
+}
+
+void check_scale(const char* axis, double scale) {
+    check_between((std::string("scale of the transform along ") + axis + ", without its sign,").c_str(),
+                  std::abs(scale), kLeastScale, kMostScale);
 }
 
 struct Checker {
@@ -129,6 +137,14 @@ struct Checker {
     void operator()(const DuplicateLayer&) const {}
     void operator()(const RemoveLayer&) const {}
     void operator()(const ClearLayer&) const {}
+    void operator()(const TransformLayer& move) const {
+        const layers::Transform& transform = move.transform;
+        check_place("transform's centre", transform.centre_x_mm, transform.centre_y_mm);
+        check_place("transform's move", transform.move_x_mm, transform.move_y_mm);
+        check_between("turn of the transform", transform.turn_deg, -360.0, 360.0);
+        check_scale("x", transform.scale_x);
+        check_scale("y", transform.scale_y);
+    }
     void operator()(const MoveLayer&) const {}
     void operator()(const MergeDown&) const {}
     void operator()(const FlattenLayers&) const {}

@@ -129,8 +129,8 @@ using Action =
     std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCanvas, SetDrying, DryNow, PenDown,
                  PenMove, PenUp, Undo, Redo, SetStabiliser, SetGuide, SetSymmetry, SqueezePaint,
                  CleanWell, AddLayer, SelectLayer, SetLayer, DuplicateLayer, RemoveLayer, ClearLayer,
-                 MoveLayer, MergeDown, FlattenLayers, GroupLayers, SetGroup, MoveGroup, UngroupLayers,
-                 SelectArea, SelectByHeight, SelectByWetness, InvertSelection, SelectAll>;
+                 TransformLayer, MoveLayer, MergeDown, FlattenLayers, GroupLayers, SetGroup, MoveGroup,
+                 UngroupLayers, SelectArea, SelectByHeight, SelectByWetness, InvertSelection, SelectAll>;
 
 struct Event {
     std::int64_t tick = 0;  ///< the number of ticks that had passed when it happened

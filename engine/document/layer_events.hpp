@@ -1,6 +1,8 @@
 // What can happen to the layers of a painting (layers.hpp), as plain data.
 #pragma once
 
+#include "layers/transform.hpp"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -43,9 +45,17 @@ struct RemoveLayer {  ///< with all its paint, which is wiped off; the last one 
     LayerId layer = 0;
     friend bool operator==(const RemoveLayer&, const RemoveLayer&) = default;
 };
-struct ClearLayer {  ///< wipes all its paint off, wet and dry
+struct ClearLayer {  ///< wipes its paint off, wet and dry: all, or what is selected of it
     LayerId layer = 0;
     friend bool operator==(const ClearLayer&, const ClearLayer&) = default;
+};
+/// Moves, turns and scales its paint, or what is selected of it and the selection with it; that is then
+/// laid over the rest (layers/merging.hpp). Paint keeps its thickness: what there is more of afterwards
+/// comes out of the tubes, what there is less of and what comes beyond the canvas is wiped off.
+struct TransformLayer {
+    LayerId layer = 0;
+    layers::Transform transform;
+    friend bool operator==(const TransformLayer&, const TransformLayer&) = default;
 };
 struct MoveLayer {
     LayerId layer = 0;

@@ -3,6 +3,7 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "layers/cutting.hpp"
 #include "layers/merging.hpp"
 
 #include <algorithm>
@@ -90,6 +91,13 @@ void merge_onto_lower(LayerStack& stack, std::size_t upper, core::ThreadPool& po
     const bool was_active = stack.active == upper;
     erase_layer(stack, upper);
     if (was_active) stack.active = lower;
+}
+
+film::FilmState transformed(const film::FilmState& layer, const layers::Transform& transform,
+                            const grid::Mask* selection, core::ThreadPool& pool) {
+    if (selection == nullptr) return layers::transformed(layer, transform, pool);
+    const layers::CutLayer parts = layers::cut(layer, *selection);
+    return layers::merged(parts.outside, layers::transformed(parts.inside, transform, pool), 1.0, pool);
 }
 
 std::vector<std::size_t> visible_places(const LayerStack& stack) {
@@ -310,15 +318,31 @@ LayerPaint LayeredCanvas::remove(const RemoveLayer& remove) {
     return wiped;
 }
 
-LayerPaint LayeredCanvas::clear(const ClearLayer& clear) {
+LayerPaint LayeredCanvas::clear(const ClearLayer& clear, const grid::Mask* selection) {
     LayerPaint wiped;
     rearrange([&](LayerStack& stack) {
         const std::size_t place = place_of(stack, clear.layer);
         check_unlocked(stack, place);
-        wiped = paint_on(*stack.layers[place].asleep);
-        stack.layers[place].asleep = asleep(film::FilmState(film.shape, film.cell_mm));
+        AsleepFilm& layer = stack.layers[place].asleep;
+        layers::CutLayer parts{*layer, film::FilmState(film.shape, film.cell_mm)};
+        if (selection != nullptr) parts = layers::cut(*layer, *selection);
+        wiped = paint_on(parts.inside);
+        layer = asleep(std::move(parts.outside));
     });
     return wiped;
+}
+
+LayerChange LayeredCanvas::transform(const TransformLayer& transform, const grid::Mask* selection) {
+    LayerChange paint;
+    rearrange([&](LayerStack& stack) {
+        const std::size_t place = place_of(stack, transform.layer);
+        check_unlocked(stack, place);
+        AsleepFilm& layer = stack.layers[place].asleep;
+        paint.before = paint_on(*layer);
+        layer = asleep(transformed(*layer, transform.transform, selection, pool_));
+        paint.after = paint_on(*layer);
+    });
+    return paint;
 }
 
 LayerPaint LayeredCanvas::paint() const {

@@ -7,6 +7,7 @@
 #include "film/medium.hpp"
 #include "film/solver.hpp"
 #include "film/state.hpp"
+#include "grid/mask.hpp"
 #include "layers/apart.hpp"
 #include "layers/view.hpp"
 
@@ -35,6 +36,11 @@ struct LayerPaint {
     film::Totals wet;
     film::DriedTotals dried;
     std::int64_t evaporated = 0;
+};
+
+/// What a layer has held before and after a change.
+struct LayerChange {
+    LayerPaint before, after;
 };
 
 /// Not to be copied: the solver holds on to the film.
@@ -74,7 +80,9 @@ class LayeredCanvas {
     void flatten();
     LayerPaint duplicate(const DuplicateLayer& duplicate);  ///< what came out of the tubes
     LayerPaint remove(const RemoveLayer& remove);           ///< what was wiped off
-    LayerPaint clear(const ClearLayer& clear);              ///< what was wiped off
+    /// What was wiped off. Without a selection, null, that is everything.
+    LayerPaint clear(const ClearLayer& clear, const grid::Mask* selection);
+    LayerChange transform(const TransformLayer& transform, const grid::Mask* selection);
 
     /// Sums over all layers.
     LayerPaint paint() const;

@@ -63,6 +63,14 @@ film::Totals difference(film::Totals a, const film::Totals& b) {
     return a;
 }
 
+brush::Contents positive_part(const brush::Contents& contents, double sign) {
+    brush::Contents part;
+    part.volume_mm3 = std::max(0.0, sign * contents.volume_mm3);
+    for (int k = 0; k < film::kPaintChannels; ++k)
+        part.paint[k] = std::max(0.0, sign * contents.paint[k]);
+    return part;
+}
+
 const char* no_brush_for(Surface surface) {
     return surface == Surface::Canvas ? "the pen touches the canvas with no brush in hand."
                                       : "the pen touches the mixing well with no brush in hand.";
@@ -298,7 +306,22 @@ struct Painting::Parts {
         change_layers([&] { wiped += contents_of(canvas.remove(remove)); });
     }
     void operator()(const ClearLayer& clear) {
-        change_layers([&] { wiped += contents_of(canvas.clear(clear)); });
+        change_layers([&] { wiped += contents_of(canvas.clear(clear, selection.get())); });
+    }
+
+    void operator()(const TransformLayer& transform) {
+        change_layers([&] {
+            book(canvas.transform(transform, selection.get()));
+            selection = transformed(selection, film.cell_mm, transform.transform);
+        });
+    }
+
+    /// What there is more of came out of the tubes, what there is less of was wiped off.
+    void book(const LayerChange& paint) {
+        brush::Contents gained = contents_of(paint.after);
+        gained -= contents_of(paint.before);
+        taken += positive_part(gained, 1.0);
+        wiped += positive_part(gained, -1.0);
     }
 
     /// A change that cannot be made leaves all as it was.

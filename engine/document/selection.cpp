@@ -58,4 +58,8 @@ Selection inverted(const Selection& before) {
     return before ? selection_of(grid::inverted(*before)) : nullptr;
 }
 
+Selection transformed(const Selection& before, double cell_mm, const layers::Transform& transform) {
+    return before ? selection_of(layers::transformed(*before, cell_mm, transform)) : nullptr;
+}
+
 }  // namespace pastoso::document

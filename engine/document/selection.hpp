@@ -3,6 +3,7 @@
 
 #include "document/selection_events.hpp"
 #include "film/state.hpp"
+#include "layers/transform.hpp"
 
 #include <memory>
 
@@ -18,5 +19,6 @@ grid::Mask area_of(const SelectByWetness& select, const film::FilmState& film);
 
 Selection combined(const Selection& before, const grid::Mask& region, Combination how);
 Selection inverted(const Selection& before);
+Selection transformed(const Selection& before, double cell_mm, const layers::Transform& transform);
 
 }  // namespace pastoso::document

@@ -17,6 +17,15 @@ int read_place_in_stack(const JsonPlace& place) {
     return static_cast<int>(place.integer(0, document::kMostLayers));
 }
 
+/// Two numbers, where they are given.
+void read_pair(const JsonPlace& object, const char* key, double& x, double& y) {
+    const auto pair = object.optional_entry(key);
+    if (!pair) return;
+    if (pair->size() != 2) pair->fail("expected two numbers, x and y.");
+    x = pair->element(0).number();
+    y = pair->element(1).number();
+}
+
 }  // namespace
 
 Json look_json(const document::LayerLook& look) {
@@ -46,6 +55,15 @@ Json set_group_json(const document::SetGroup& set) {
     Json json = look_json(set.look);
     json["group"] = set.group;
     return json;
+}
+
+Json transform_layer_json(const document::TransformLayer& move) {
+    const layers::Transform& transform = move.transform;
+    return {{"layer", move.layer},
+            {"centre_mm", {transform.centre_x_mm, transform.centre_y_mm}},
+            {"move_mm", {transform.move_x_mm, transform.move_y_mm}},
+            {"turn_deg", transform.turn_deg},
+            {"scale", {transform.scale_x, transform.scale_y}}};
 }
 
 Json move_layer_json(const document::MoveLayer& move) {
@@ -79,6 +97,17 @@ document::Action read_set_layer(const JsonPlace& place) {
 document::Action read_set_group(const JsonPlace& place) {
     place.allow_only({"group", "name", "visible", "locked", "opacity"});
     return document::SetGroup{read_group_id(place.entry("group"), 1), read_look(place)};
+}
+
+document::Action read_transform_layer(const JsonPlace& place) {
+    place.allow_only({"layer", "centre_mm", "move_mm", "turn_deg", "scale"});
+    document::TransformLayer move{read_layer_id(place.entry("layer")), {}};
+    layers::Transform& transform = move.transform;
+    read_pair(place, "centre_mm", transform.centre_x_mm, transform.centre_y_mm);
+    read_pair(place, "move_mm", transform.move_x_mm, transform.move_y_mm);
+    transform.turn_deg = place.number_or("turn_deg", 0.0);
+    read_pair(place, "scale", transform.scale_x, transform.scale_y);
+    return move;
 }
 
 document::Action read_move_layer(const JsonPlace& place) {

@@ -15,6 +15,7 @@ document::LayerLook read_look(const JsonPlace& place);
 
 Json set_layer_json(const document::SetLayer& set);
 Json set_group_json(const document::SetGroup& set);
+Json transform_layer_json(const document::TransformLayer& move);
 Json move_layer_json(const document::MoveLayer& move);
 Json move_group_json(const document::MoveGroup& move);
 Json group_layers_json(const document::GroupLayers& group);
@@ -22,6 +23,7 @@ Json group_layers_json(const document::GroupLayers& group);
 document::Action read_add_layer(const JsonPlace& place);
 document::Action read_set_layer(const JsonPlace& place);
 document::Action read_set_group(const JsonPlace& place);
+document::Action read_transform_layer(const JsonPlace& place);
 document::Action read_move_layer(const JsonPlace& place);
 document::Action read_move_group(const JsonPlace& place);
 document::Action read_group_layers(const JsonPlace& place);

@@ -149,6 +149,7 @@ constexpr Kind kKinds[] = {
     {"duplicate_layer", read_of_layer<document::DuplicateLayer>},
     {"remove_layer", read_of_layer<document::RemoveLayer>},
     {"clear_layer", read_of_layer<document::ClearLayer>},
+    {"transform_layer", read_transform_layer},
     {"move_layer", read_move_layer},
     {"merge_down", read_of_layer<document::MergeDown>},
     {"flatten_layers", read_plain<document::FlattenLayers>},

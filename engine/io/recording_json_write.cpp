@@ -173,6 +173,9 @@ class EntryWriter {
     void operator()(const document::DuplicateLayer& copy) { put_layer("duplicate_layer", copy.layer); }
     void operator()(const document::RemoveLayer& remove) { put_layer("remove_layer", remove.layer); }
     void operator()(const document::ClearLayer& clear) { put_layer("clear_layer", clear.layer); }
+    void operator()(const document::TransformLayer& move) {
+        put("transform_layer", transform_layer_json(move));
+    }
     void operator()(const document::MoveLayer& move) { put("move_layer", move_layer_json(move)); }
     void operator()(const document::MergeDown& merge) { put_layer("merge_down", merge.layer); }
     void operator()(const document::FlattenLayers&) { put("flatten_layers", Json::object()); }
@@ -224,17 +227,17 @@ bool uses_layers(const Event& event) {
         event.action);
 }
 
-bool uses_selections(const Event& event) {
+bool uses_regions(const Event& event) {
     using namespace document;
-    return is_one_of<SelectArea, SelectByHeight, SelectByWetness, InvertSelection, SelectAll>(
-        event.action);
+    return is_one_of<SelectArea, SelectByHeight, SelectByWetness, InvertSelection, SelectAll,
+                     TransformLayer>(event.action);
 }
 
 int version_needed(const document::Recording& recording) {
     const auto any = [&](bool (*uses)(const Event&)) {
         return std::any_of(recording.events.begin(), recording.events.end(), uses);
     };
-    if (any(uses_selections)) return 6;
+    if (any(uses_regions)) return 6;
     if (any(uses_layers)) return 5;
     return any(uses_well) ? 4 : 3;
 }

@@ -10,8 +10,9 @@ bool is_one_of(const document::Action& action) {
 
 bool changes_layers(const document::Action& action) {
     using namespace document;
-    return is_one_of<AddLayer, SetLayer, DuplicateLayer, RemoveLayer, ClearLayer, MoveLayer, MergeDown,
-                     FlattenLayers, GroupLayers, SetGroup, MoveGroup, UngroupLayers>(action);
+    return is_one_of<AddLayer, SetLayer, DuplicateLayer, RemoveLayer, ClearLayer, TransformLayer,
+                     MoveLayer, MergeDown, FlattenLayers, GroupLayers, SetGroup, MoveGroup,
+                     UngroupLayers>(action);
 }
 
 }  // namespace

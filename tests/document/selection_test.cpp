@@ -137,6 +137,62 @@ TEST_F(SelectionTest, WhatIsHighAndWhatIsWetIsFound) {
     EXPECT_GT(selected(), 100);
 }
 
+TEST_F(SelectionTest, ClearingWipesOffWhatIsSelected) {
+    paint_wave(painting, 0.0, 12.0);
+    painting.apply(DryNow{});
+    paint_wave(painting, 1.0, 13.0);
+    const film::FilmState before = painting.film();
+    painting.apply(rectangle(0, 0, 20, 30));
+    const Selection chosen = selection();
+    painting.apply(ClearLayer{1});
+    EXPECT_EQ(differing(before, painting.film(), [&](int x, int y) { return chosen->at(x, y) == 0; }),
+              0);
+    const film::FilmState bare = Painting(small_canvas(), pool).film();
+    EXPECT_EQ(differing(bare, painting.film(), [&](int x, int y) { return chosen->at(x, y) != 0; }), 0);
+    expect_balance();
+    painting.apply(Undo{});
+    EXPECT_EQ(film::state_hash(painting.film()), film::state_hash(before));
+}
+
+TEST_F(SelectionTest, WhatIsSelectedMovesAndTheSelectionWithIt) {
+    painting.apply(TakeBrush{"flat", 4, 1});
+    painting.apply(load_of("PB29"));
+    paint_wave(painting, 0.0, 8.0);
+    const film::FilmState before = painting.film();
+    painting.apply(rectangle(0, 0, 20, 14));
+    painting.apply(TransformLayer{1, {.move_y_mm = 15.0}});
+    const film::FilmState& film = painting.film();
+    for (int y = 0; y < 45; ++y)
+        for (int x = 0; x < 120; ++x) {
+            ASSERT_EQ(film.thickness.at(x, y), x < 60 ? 0 : before.thickness.at(x, y));
+            if (x < 60) {
+                ASSERT_EQ(film.thickness.at(x, y + 45), before.thickness.at(x, y));
+            }
+        }
+    EXPECT_EQ(grid::chosen_area(*selection()), (grid::Rect{0, 45, 60, 87}));
+    expect_balance();
+    painting.apply(
+        TransformLayer{1, {.centre_x_mm = 10, .centre_y_mm = 22, .turn_deg = 40, .scale_x = 1.5}});
+    expect_balance();
+    EXPECT_GT(painting.account().taken.volume_mm3, 0.0);
+    painting.apply(SelectAll{});
+    painting.apply(TransformLayer{1, {.move_x_mm = 1000}});
+    EXPECT_EQ(painting.account().canvas.volume_mm3, 0.0);
+    expect_balance();
+}
+
+TEST_F(SelectionTest, LockedLayersStayWhereTheyAre) {
+    painting.apply(SetLayer{1, {.name = "Sky", .locked = true}});
+    EXPECT_THAT(error_of([&] {
+                    painting.apply(TransformLayer{1, {.move_x_mm = 3}});
+                }),
+                HasSubstr("\"Sky\" is locked"));
+    EXPECT_THAT(error_of([&] {
+                    painting.apply(TransformLayer{1, {.scale_x = 0.0}});
+                }),
+                HasSubstr("scale of the transform along x"));
+}
+
 TEST_F(SelectionTest, SelectionsCombineAndAreUndone) {
     painting.apply(rectangle(0, 0, 10, 10));
     EXPECT_EQ(selected(), 30 * 30);

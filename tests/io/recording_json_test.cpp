@@ -98,6 +98,7 @@ Recording everything() {
         {44, SelectByHeight{0.25, 3, Combination::Intersect}},
         {44, SelectByWetness{0.5, 1000, Combination::Add}},
         {45, InvertSelection{}},
+        {45, TransformLayer{2, {10, 12.5, -3, 4, 30, 0.5, -2}}},
         {45, SelectAll{}},
     };
     recording.end_tick = 100;

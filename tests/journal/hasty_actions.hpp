@@ -34,7 +34,7 @@ class HastyPainter {
             began_ = true;
             return {UseMedium{"soft-body acrylic"}, TiltCanvas{50, 90}, TakeBrush{"flat", 8, 1}, dip()};
         }
-        const int what = choice(22);
+        const int what = choice(23);
         if (what < 3) return std::vector<Action>(static_cast<std::size_t>(1 + choice(4)), Undo{});
         if (what == 3) return {Redo{}};
         if (what == 4) return {DryNow{}};
@@ -48,6 +48,9 @@ class HastyPainter {
             return {SelectArea{{{5, 5}, {50.0 * uniform(), 2}, {55, 40.0 * uniform()}},
                                choice(2) == 0 ? Combination::Replace : Combination::Add}};
         if (what == 14) return {choice(2) == 0 ? Action{SelectAll{}} : Action{InvertSelection{}}};
+        if (what == 15)
+            return {
+                TransformLayer{1, {.centre_x_mm = 30, .centre_y_mm = 20, .turn_deg = 60.0 * uniform()}}};
         if (what == 12 && choice(3) == 0) return {FlattenLayers{}};
         return stroke(what == 8 ? Surface::Well : Surface::Canvas);
     }
