@@ -15,6 +15,14 @@ std::size_t unshared_field_bytes(const grid::TiledField<T>& older, const grid::T
     return tiles * sizeof(T) * grid::kTileCells;
 }
 
+std::size_t unshared_field_bytes(const film::SupportHeights& older, const film::SupportHeights& newer) {
+    std::size_t bytes = 0;
+    for (int tile = 0; tile < older.tile_count(); ++tile)
+        if (!older.is_background(tile) && !older.shares_tile(newer, tile))
+            bytes += older.block(tile).bytes();
+    return bytes;
+}
+
 }  // namespace
 
 std::size_t unshared_bytes(const film::FilmState& older, const film::FilmState& newer) {

@@ -27,13 +27,13 @@ constexpr const char* kFirstMedium = "heavy-body oil";
 /// Paint that hardly moves is brought up to date once a second.
 constexpr double kLongestWait_s = 64.0 * kTick_s;
 
-grid::TiledField<float> support_by_name(const CanvasSettings& settings) {
+film::SupportHeights support_by_name(const CanvasSettings& settings, core::ThreadPool& pool) {
     check_canvas_fits(settings, available_memory_bytes());
     return film::named_support(settings.support, canvas_shape(settings), 1.0 / settings.px_per_mm,
-                               settings.support_relief_mm);
+                               settings.support_relief_mm, pool);
 }
 
-film::FilmState bare_canvas(const CanvasSettings& settings, grid::TiledField<float> support_mm) {
+film::FilmState bare_canvas(const CanvasSettings& settings, film::SupportHeights support_mm) {
     film::FilmState film(canvas_shape(settings), 1.0 / settings.px_per_mm);
     PASTOSO_CHECK(support_mm.shape() == film.shape);
     film.support_mm = std::move(support_mm);
@@ -113,7 +113,7 @@ class ScopedTimer {
 
 /// Applies actions by std::visit; the actions have passed check_action().
 struct Painting::Parts {
-    Parts(const CanvasSettings& canvas, grid::TiledField<float> support_mm, core::ThreadPool& threads)
+    Parts(const CanvasSettings& canvas, film::SupportHeights support_mm, core::ThreadPool& threads)
         : settings(canvas),
           pool(threads),
           film(bare_canvas(canvas, std::move(support_mm))),
@@ -389,8 +389,8 @@ struct Painting::Parts {
     CanvasSettings settings;
     core::ThreadPool& pool;
     film::FilmState film;
-    grid::TiledField<float> bare_support_mm;  ///< as it was made; shares its tiles with the film
-    film::Medium medium;                      ///< in hand: what the next load is mixed with
+    film::SupportHeights bare_support_mm;  ///< as it was made; shares its tiles with the film
+    film::Medium medium;                   ///< in hand: what the next load is mixed with
     film::Solver solver;
     std::unique_ptr<Well> well;  ///< none until something touches it
     TiltCanvas tilt;
@@ -415,9 +415,9 @@ struct Painting::Parts {
 };
 
 Painting::Painting(const CanvasSettings& settings, core::ThreadPool& pool)
-    : Painting(settings, support_by_name(settings), pool) {}
+    : Painting(settings, support_by_name(settings, pool), pool) {}
 
-Painting::Painting(const CanvasSettings& settings, grid::TiledField<float> support_mm,
+Painting::Painting(const CanvasSettings& settings, film::SupportHeights support_mm,
                    core::ThreadPool& pool)
     : parts_(std::make_unique<Parts>(settings, std::move(support_mm), pool)) {}
 

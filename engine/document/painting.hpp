@@ -64,7 +64,7 @@ class Painting {
     Painting(const CanvasSettings& settings, core::ThreadPool& pool);
 
     /// The same on a support that is given, of the shape canvas_shape(settings).
-    Painting(const CanvasSettings& settings, grid::TiledField<float> support_mm, core::ThreadPool& pool);
+    Painting(const CanvasSettings& settings, film::SupportHeights support_mm, core::ThreadPool& pool);
 
     /// Goes on from such a state: the same actions and ticks give the same bits as in the painting that
     /// it was taken of. Undo has nothing to return to. The shapes are those of the settings and of the

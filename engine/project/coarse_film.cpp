@@ -50,9 +50,8 @@ std::vector<int> tiles_below(const grid::Shape& fine, const grid::Shape& coarse,
 }
 
 /// Fills the tile of the coarse field; `bare` stands for tiles of the fine one that are background.
-template <class Value>
-void average(const grid::TiledField<Value>& fine, int factor, const Value& bare, int tile,
-             grid::TiledField<Value>& coarse) {
+template <class Field, class Value>
+void average(const Field& fine, int factor, const Value& bare, int tile, Field& coarse) {
     const grid::Shape& shape = fine.shape();
     bool any = false;
     const std::vector<int> below = tiles_below(shape, coarse.shape(), tile, factor);
@@ -63,13 +62,14 @@ void average(const grid::TiledField<Value>& fine, int factor, const Value& bare,
     std::vector<typename Channels<Value>::Sums> sums(kTileCells);
     std::vector<int> counts(kTileCells, 0);
     for (const int source : below) {
-        const Value* values = fine.is_background(source) ? nullptr : fine.read(source);
+        const bool is_bare = fine.is_background(source);
+        const auto values = fine.read(source);
         const grid::Rect cells = shape.tile_cells(source);
         for (int y = cells.y0; y < cells.y1; ++y)
             for (int x = cells.x0; x < cells.x1; ++x) {
                 const int into = grid::Shape::cell_in_tile(x / factor, y / factor);
                 Channels<Value>::add(sums[into],
-                                     values == nullptr ? bare : values[grid::Shape::cell_in_tile(x, y)]);
+                                     is_bare ? bare : values[grid::Shape::cell_in_tile(x, y)]);
                 ++counts[into];
             }
     }

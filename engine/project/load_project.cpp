@@ -72,10 +72,11 @@ void check_memory(const ZipReader& archive, const document::CanvasSettings& canv
     }
 }
 
-grid::TiledField<float> named_support(const ZipReader& archive, const document::CanvasSettings& canvas) {
+film::SupportHeights named_support(const ZipReader& archive, const document::CanvasSettings& canvas,
+                                   core::ThreadPool& pool) {
     try {
         return film::named_support(canvas.support, document::canvas_shape(canvas),
-                                   1.0 / canvas.px_per_mm, canvas.support_relief_mm);
+                                   1.0 / canvas.px_per_mm, canvas.support_relief_mm, pool);
     } catch (const core::InputError& error) {
         archive.fail(kSetupEntry, error.what());
     }
@@ -101,12 +102,13 @@ document::SurfaceState empty_surface(const SurfaceIndex& index) {
     return surface;
 }
 
-void make_bare_support(const ZipReader& archive, const LayerIndex& layer, LoadedProject& project) {
+void make_bare_support(const ZipReader& archive, const LayerIndex& layer, LoadedProject& project,
+                       core::ThreadPool& pool) {
     PaintingState& painting = project.painting;
-    painting.bare_support_mm = grid::TiledField<float>(layer.surface.shape);
+    painting.bare_support_mm = film::SupportHeights(layer.surface.shape);
     if (!layer.bare_support_checksum) return;
     const document::CanvasSettings& canvas = painting.settings;
-    painting.bare_support_mm = named_support(archive, canvas);
+    painting.bare_support_mm = named_support(archive, canvas, pool);
     painting.canvas.film.support_mm = painting.bare_support_mm;
     if (bare_support_checksum(painting.bare_support_mm, layer.surface.entries) ==
         layer.bare_support_checksum)
@@ -121,7 +123,7 @@ void read_canvas(const ZipReader& archive, const LayerIndex& layer, LoadedProjec
     check_surface(archive, "canvas", layer.surface, document::canvas_shape(canvas),
                   1.0 / canvas.px_per_mm);
     project.painting.canvas = empty_surface(layer.surface);
-    make_bare_support(archive, layer, project);
+    make_bare_support(archive, layer, project, pool);
     read_tiles(archive, layer.surface.entries, project.painting.canvas, pool);
 }
 

@@ -151,16 +151,18 @@ void read_tiles(const ZipReader& archive, const std::vector<TileEntry>& entries,
     check_windows(archive, surface);
 }
 
-std::optional<std::uint64_t> bare_support_checksum(const grid::TiledField<float>& bare_support_mm,
+std::optional<std::uint64_t> bare_support_checksum(const film::SupportHeights& bare_support_mm,
                                                    const std::vector<TileEntry>& entries) {
     const std::vector<int> written = tiles_of_kind(entries, "support");
+    std::vector<float> heights_mm(grid::kTileCells);
     core::Hash64 hash;
     bool any = false;
     for (int tile = 0; tile < bare_support_mm.tile_count(); ++tile) {
         if (bare_support_mm.is_background(tile)) continue;
         if (std::binary_search(written.begin(), written.end(), tile)) continue;
         any = true;
-        hash.add(std::span(bare_support_mm.read(tile), grid::kTileCells));
+        bare_support_mm.read(tile).copy(0, grid::kTileCells, heights_mm.data());
+        hash.add(std::span<const float>(heights_mm));
     }
     return any ? std::optional(hash.value()) : std::nullopt;
 }

@@ -208,10 +208,22 @@ constexpr TileKind field_kind(const char* name) {
             &decode_field<Field>};
 }
 
+void encode_support(const SurfaceSource& source, int tile, std::byte* out) {
+    std::vector<float> heights_mm(kTileCells);
+    Support::of(source.surface).read(tile).copy(0, kTileCells, heights_mm.data());
+    encode_values(heights_mm.data(), nullptr, out);
+}
+
+std::string decode_support(const std::byte* in, int tile, SurfaceTarget& target) {
+    auto block = decoded_values<float>(in, nullptr);
+    std::string fault =
+        checked(block.write(), target.surface.film.shape, tile, Support::kWhat, &Support::is_possible);
+    Support::of(target.surface).replace(tile, film::HeightBlock::smallest_of(std::move(block)));
+    return fault;
+}
+
 constexpr TileKind support_kind() {
-    TileKind kind = field_kind<Support>("support");
-    kind.tiles = &own_support_tiles;
-    return kind;
+    return {"support", tile_bytes(1), 0, &own_support_tiles, &encode_support, &decode_support};
 }
 
 /// The place of a tile in a list in ascending order of tiles; it is there.
