@@ -220,14 +220,14 @@ struct Painting::Parts {
 
     void operator()(const DryNow&) {
         end_stroke();
-        history.remember(moment());
+        history.remember(moment(), {Step::Kind::DryNow});
         film::dry_now(film, kPrimedGround, pool);
     }
 
     void operator()(const PenDown& pen) {
         if (!brush) throw core::InputError(no_brush_for(pen.surface));
         end_stroke();
-        history.remember(moment());
+        history.remember(moment(), stroke_step(pen.surface));
         last_sample = pen.sample;
         begin_stroke_on(pen.surface);
         taken += stroke->copied_paint();
@@ -257,7 +257,7 @@ struct Painting::Parts {
 
     void operator()(const SqueezePaint& squeeze) {
         end_stroke();
-        history.remember(moment());
+        history.remember(moment(), {Step::Kind::SqueezePaint});
         const film::PaintCoefficients paint = mixed_paint(squeeze.paint, medium);
         taken += squeeze_onto(used_well(), paint, squeeze.volume_mm3, squeeze.x_mm, squeeze.y_mm);
     }
@@ -265,7 +265,7 @@ struct Painting::Parts {
     void operator()(const CleanWell&) {
         end_stroke();
         if (!well) return;
-        history.remember(moment());
+        history.remember(moment(), {Step::Kind::CleanWell});
         wiped += paint_in_well();
         well.reset();
     }
@@ -355,15 +355,29 @@ struct Painting::Parts {
         return well ? std::optional(well->film) : std::nullopt;
     }
 
+    Step stroke_step(Surface surface) const {
+        return {surface == Surface::Canvas ? Step::Kind::Stroke : Step::Kind::StrokeInWell,
+                brush->preset.name};
+    }
+
     Moment moment() const {
-        return {film, brush, medium.name, brush_use, taken, wiped, run_off(), well_film()};
+        Moment moment{.canvas = {film, solver.awake_tiles()},
+                      .brush = brush,
+                      .medium = medium.name,
+                      .tilt = tilt,
+                      .brush_use = brush_use,
+                      .taken = taken,
+                      .wiped = wiped,
+                      .run_off = run_off()};
+        if (well) moment.well = {well->film, well->solver.awake_tiles()};
+        return moment;
     }
 
     /// A brush that was not touched since then gets back what it held. Any other stays in hand as it is,
     /// as if it had been filled afresh, and what was on the old one counts as wiped off.
     void return_to(const Moment& then) {
-        film = then.film;
-        return_well_to(then.well);
+        film = then.canvas.film;
+        return_well_to(then);
         if (then.medium != medium.name) film.varied = true;
         taken = then.taken;
         wiped = then.wiped;
@@ -374,16 +388,22 @@ struct Painting::Parts {
             if (brush) taken += brush->contents();
             if (then.brush) wiped += then.brush->contents();
         }
-        solver.wake_all();
+        restart(solver, then.canvas.awake, then.medium == medium.name && then.tilt == tilt);
     }
 
-    void return_well_to(const std::optional<film::FilmState>& then) {
-        if (!then) {
+    void return_well_to(const Moment& then) {
+        if (!then.well) {
             well.reset();
             return;
         }
-        used_well().film = *then;
-        well->solver.wake_all();
+        used_well().film = then.well->film;
+        restart(well->solver, then.well->awake, then.medium == medium.name);
+    }
+
+    /// What rested then rests now, unless other forces act on it.
+    static void restart(film::Solver& solver, const std::vector<bool>& awake, bool same_forces) {
+        solver.restart(awake);
+        if (!same_forces) solver.wake_all();
     }
 
     CanvasSettings settings;
@@ -470,6 +490,12 @@ bool Painting::can_undo() const {
 }
 bool Painting::can_redo() const {
     return parts_->history.can_redo();
+}
+std::vector<KeptStep> Painting::undo_steps() const {
+    return parts_->history.past_steps();
+}
+std::vector<KeptStep> Painting::redo_steps() const {
+    return parts_->history.future_steps();
 }
 bool Painting::stroke_in_progress() const {
     return parts_->stroke.has_value();

@@ -5,6 +5,7 @@
 #include "brush/load_profile.hpp"
 #include "core/thread_pool.hpp"
 #include "document/events.hpp"
+#include "document/steps.hpp"
 #include "film/solver.hpp"
 #include "film/state.hpp"
 #include "grid/tiled_field.hpp"
@@ -15,6 +16,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace pastoso::document {
 
@@ -101,6 +103,9 @@ class Painting {
     PaintingState state() const;  ///< no stroke is in progress
     bool can_undo() const;
     bool can_redo() const;
+    /// What Undo would take back, the oldest first, and what Redo would do again, the next one last.
+    std::vector<KeptStep> undo_steps() const;
+    std::vector<KeptStep> redo_steps() const;
     bool stroke_in_progress() const;
 
     Account account() const;

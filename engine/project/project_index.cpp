@@ -1,7 +1,7 @@
 #include "project/project_index.hpp"
 
 #include "io/json_place.hpp"
-#include "project/packed_bytes.hpp"
+#include "packing/packed_bytes.hpp"
 #include "project/project_layout.hpp"
 #include "project/tile_kinds.hpp"
 
@@ -81,7 +81,7 @@ PackedEntry read_packed(const JsonPlace& place, std::size_t most_bytes) {
         place.entry("entry").fail("expected a name that begins with pastoso/.");
     const auto most = static_cast<std::int64_t>(most_bytes);
     packed.size = static_cast<std::size_t>(place.entry("size").integer(0, most));
-    const auto most_packed = static_cast<std::int64_t>(most_packed_bytes(packed.size));
+    const auto most_packed = static_cast<std::int64_t>(packing::most_packed_bytes(packed.size));
     packed.packed_size = static_cast<std::size_t>(place.entry("packed").integer(1, most_packed));
     return packed;
 }

@@ -88,7 +88,7 @@ ProjectIndex add_painting(const Project& project, ZipWriter& archive, core::Thre
         index.brush = {painting.brush->strokes_begun, add_packed(kBrushEntry, held, archive)};
     }
     const std::string strokes = io::recording_to_json(project.strokes);
-    index.strokes = add_packed(kStrokesEntry, bytes_of(strokes), archive);
+    index.strokes = add_packed(kStrokesEntry, packing::bytes_of(strokes), archive);
     return index;
 }
 

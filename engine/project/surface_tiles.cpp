@@ -57,7 +57,7 @@ std::vector<Work> works_of(const SurfaceSource& source, const std::string& folde
 
 /// What a thread packs with; large memory that is asked for again and again costs more than the packing.
 struct Bench {
-    Packer packer;
+    packing::Packer packer;
     Bytes room;
 };
 
@@ -170,14 +170,14 @@ std::optional<std::uint64_t> bare_support_checksum(const film::SupportHeights& b
 Bytes read_packed(const ZipReader& archive, const PackedEntry& packed) {
     const Bytes frame = archive.read(packed.entry, packed.packed_size);
     try {
-        return unpacked(frame, packed.size);
+        return packing::unpacked(frame, packed.size);
     } catch (const core::InputError& error) {
         archive.fail(packed.entry, error.what());
     }
 }
 
 PackedEntry add_packed(std::string entry, std::span<const std::byte> content, ZipWriter& archive) {
-    Bytes frame = packed(content);
+    Bytes frame = packing::packed(content);
     PackedEntry noted{entry, content.size(), frame.size()};
     archive.add(std::move(entry), std::move(frame));
     return noted;

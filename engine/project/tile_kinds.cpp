@@ -1,7 +1,7 @@
 #include "project/tile_kinds.hpp"
 
+#include "packing/tile_values.hpp"
 #include "project/activity_record.hpp"
-#include "project/tile_codec.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +15,10 @@ namespace {
 using document::SurfaceState;
 using grid::kTileCells;
 using grid::TiledField;
+using packing::decoded_values;
+using packing::encode_values;
+using packing::kChannels;
+using packing::tile_bytes;
 
 /// Faster than any paint runs: a fall over five metres ends with a tenth of it.
 constexpr float kFastest_mm_s = 1e5F;
@@ -89,41 +93,6 @@ struct Uppermost {
     static bool is_possible(const Value&) { return true; }
     static constexpr const char* kWhat = "a mixture";
 };
-
-template <class Value>
-constexpr int kChannels = static_cast<int>(sizeof(Value) / sizeof(std::uint32_t));
-
-template <class Value>
-constexpr bool kIsWhole =
-    std::is_same_v<Value, std::int32_t> || std::is_same_v<Value, film::PaintCell> ||
-    std::is_same_v<Value, film::PigmentCell>;
-
-/// Integers are words as they are; floats go through memcpy.
-template <class Value>
-void encode_values(const Value* values, const std::int32_t* amount, std::byte* out) {
-    if constexpr (kIsWhole<Value>) {
-        tile_codec().encode(reinterpret_cast<const std::uint32_t*>(values), kChannels<Value>, amount,
-                            out);
-    } else {
-        std::vector<std::uint32_t> words(kTileCells * kChannels<Value>);
-        std::memcpy(words.data(), values, tile_bytes(kChannels<Value>));
-        tile_codec().encode(words.data(), kChannels<Value>, amount, out);
-    }
-}
-
-template <class Value>
-grid::TileBlock<Value> decoded_values(const std::byte* in, const std::int32_t* amount) {
-    auto block = grid::TileBlock<Value>::uninitialised();
-    if constexpr (kIsWhole<Value>) {
-        tile_codec().decode(in, kChannels<Value>, amount,
-                            reinterpret_cast<std::uint32_t*>(block.write()));
-    } else {
-        std::vector<std::uint32_t> words(kTileCells * kChannels<Value>);
-        tile_codec().decode(in, kChannels<Value>, amount, words.data());
-        std::memcpy(static_cast<void*>(block.write()), words.data(), tile_bytes(kChannels<Value>));
-    }
-    return block;
-}
 
 /// Cells beyond the canvas, in the tiles on its edges, mean nothing: what is impossible there is put to
 /// nothing. On the canvas it is an error.

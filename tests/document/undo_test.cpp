@@ -1,0 +1,133 @@
+// Undo and Redo of a whole painting: with packing and without, wet, dried and at rest.
+#include "core/random.hpp"
+#include "document/painting.hpp"
+#include "document/scenes.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace pastoso::document {
+namespace {
+
+/// Too little for one step of these paintings as it is, so that all but the last are packed.
+constexpr std::size_t kTightBudget_bytes = std::size_t{2} << 20;
+
+void advance(Painting& painting, int ticks) {
+    for (int i = 0; i < ticks; ++i)
+        painting.advance_tick();
+}
+
+/// One of the things that painters do, chosen by a number.
+void do_something(Painting& painting, std::uint32_t number) {
+    const auto choice = core::scramble(number) % 16;
+    if (choice < 4)
+        painting.apply(Undo{});
+    else if (choice < 6)
+        painting.apply(Redo{});
+    else if (choice == 6)
+        painting.apply(DryNow{});
+    else if (choice == 7)
+        painting.apply(SqueezePaint{load_of("PY35").paint, 50.0, 20.0, 30.0});
+    else if (choice == 8)
+        painting.apply(CleanWell{});
+    else if (choice == 9)
+        painting.apply(load_of(number % 2 == 0 ? "PB29" : "PR254"));
+    else
+        paint_wave(painting, number, 4.0 + core::scramble(number + 1) % 22);
+    advance(painting, static_cast<int>(core::scramble(number + 2) % 3));
+}
+
+TEST(PaintingUndo, ARandomSessionIsTheSameWithPackingAndWithout) {
+    core::ThreadPool pool(2);
+    Painting plain(small_canvas(), pool), packed(small_canvas(), pool);
+    plain.set_history_budget(std::size_t{4} << 30);
+    packed.set_history_budget(kTightBudget_bytes * 8);
+    for (Painting* painting : {&plain, &packed}) {
+        painting->apply(TakeBrush{"flat", 8, 1});
+        painting->apply(load_of("PB29"));
+    }
+    bool any_packed = false;
+    for (std::uint32_t number = 0; number < 90; ++number) {
+        do_something(plain, number);
+        do_something(packed, number);
+        ASSERT_EQ(plain.state_hash(), packed.state_hash()) << "after step " << number;
+        ASSERT_EQ(plain.can_undo(), packed.can_undo());
+        const auto steps = packed.undo_steps();
+        any_packed = any_packed || std::any_of(steps.begin(), steps.end(),
+                                               [](const KeptStep& step) { return step.packed; });
+    }
+    EXPECT_TRUE(any_packed);
+}
+
+TEST(PaintingUndo, TellsWhatItTakesBack) {
+    core::ThreadPool pool(1);
+    Painting painting(small_canvas(), pool);
+    painting.apply(TakeBrush{"flat", 8, 1});
+    painting.apply(load_of("PB29"));
+    paint_wave(painting, 0.0, 10.0);
+    painting.apply(DryNow{});
+    painting.apply(SqueezePaint{load_of("PY35").paint, 50.0, 20.0, 30.0});
+    painting.apply(CleanWell{});
+    painting.apply(Undo{});
+    const auto steps = painting.undo_steps();
+    ASSERT_EQ(steps.size(), 3U);
+    EXPECT_EQ(steps[0].step.kind, Step::Kind::Stroke);
+    EXPECT_FALSE(steps[0].step.brush.empty());
+    EXPECT_EQ(steps[1].step.kind, Step::Kind::DryNow);
+    EXPECT_GT(steps[1].bytes, 0U);
+    EXPECT_EQ(steps[2].step.kind, Step::Kind::SqueezePaint);
+    ASSERT_EQ(painting.redo_steps().size(), 1U);
+    EXPECT_EQ(painting.redo_steps()[0].step.kind, Step::Kind::CleanWell);
+}
+
+class UndoAtRest : public testing::Test {
+  protected:
+    UndoAtRest() {
+        painting.apply(TakeBrush{"flat", 8, 1});
+        painting.apply(load_of("PB29"));
+        paint_wave(painting, 0.0, 8.0);
+        rest();
+        paint_wave(painting, 1.0, 22.0);
+        advance(painting, 2);
+    }
+    void rest() {
+        constexpr int kMostTicks = 6000;
+        painting.advance_tick();
+        for (int tick = 0; tick < kMostTicks && painting.film_report().awake_tiles > 0; ++tick)
+            painting.advance_tick();
+    }
+    std::int64_t cells_of_next_tick() {
+        const std::int64_t before = painting.film_report().cells_stepped;
+        painting.advance_tick();
+        return painting.film_report().cells_stepped - before;
+    }
+
+    core::ThreadPool pool{1};
+    Painting painting{small_canvas(), pool};
+};
+
+TEST_F(UndoAtRest, PaintThatSleptSleepsOn) {
+    EXPECT_GT(painting.film_report().awake_tiles, 0);
+    painting.apply(Undo{});
+    const std::uint64_t hash = painting.state_hash();
+    EXPECT_EQ(cells_of_next_tick(), 0);
+    EXPECT_EQ(painting.film_report().awake_tiles, 0);
+    EXPECT_EQ(painting.state_hash(), hash);
+}
+
+TEST_F(UndoAtRest, PaintThatMovedMovesOn) {
+    painting.apply(Undo{});
+    painting.apply(Redo{});
+    EXPECT_GT(cells_of_next_tick(), 0);
+}
+
+TEST_F(UndoAtRest, PaintOnACanvasThatWasTiltedSinceIsAwake) {
+    painting.apply(TiltCanvas{60, 90});
+    painting.apply(Undo{});
+    EXPECT_GT(cells_of_next_tick(), 0);
+}
+
+}  // namespace
+}  // namespace pastoso::document
