@@ -6,6 +6,7 @@
 #include "cli/usage_error.hpp"
 #include "core/error.hpp"
 #include "core/thread_pool.hpp"
+#include "document/layered_canvas.hpp"
 #include "document/number_text.hpp"
 #include "document/well.hpp"
 #include "io/files.hpp"
@@ -129,13 +130,15 @@ void run_export(const ExportOptions& options) {
     for (const std::string& note : project.notes)
         std::fprintf(stderr, "pastoso-cli: %s\n", note.c_str());
     const document::PaintingState& painting = project.painting;
+    const film::FilmState canvas =
+        document::view_of(painting.canvas.film, painting.bare_support_mm, painting.layers, pool);
     const Exporter exporter(options, style, pool);
     if (io::is_relief_path(options.output)) {
-        exporter.write_relief(painting.canvas.film);
+        exporter.write_relief(canvas);
     } else if (options.maps) {
-        exporter.write_maps(painting.canvas.film);
+        exporter.write_maps(canvas);
     } else if (!options.output.empty()) {
-        exporter.write_picture(painting.canvas.film, options.output);
+        exporter.write_picture(canvas, options.output);
     }
     if (!options.well.empty())
         exporter.write_picture(painting.well ? painting.well->film : document::bare_well(),

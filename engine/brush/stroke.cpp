@@ -1,5 +1,6 @@
 #include "brush/stroke.hpp"
 
+#include "brush/gusts.hpp"
 #include "brush/spill.hpp"
 #include "brush/wick.hpp"
 #include "core/check.hpp"
@@ -34,6 +35,8 @@ constexpr double kLeastStepRadius_mm = 0.15;
 constexpr double kLeftHeap_radii = 2.2;
 /// A jet of air is never narrower than this share of the tip.
 constexpr double kLeastSpread = 0.05;
+/// How far a jet of air wavers, in its radii.
+constexpr double kWaver_radii = 0.6;
 
 /// The elements of a knife, side by side, act at every step.
 std::uint32_t turns_of(const Brush& brush) {
@@ -106,6 +109,7 @@ void Stroke::begin(const PenSample& sample) {
     poses_.assign(poses_.size(), BristlePose{});
     step_count_ = 0;
     since_wick_mm_ = 0.0;
+    time_s_ = 0.0;
     down_ = led_ = sample;
     events_.start(sample);
     const PenSample start = led(filter_.start(sample));
@@ -130,16 +134,22 @@ void Stroke::end() {
 }
 
 void Stroke::pass_time(double seconds) {
+    time_s_ += seconds;
     if (brush_.preset.kind == ToolKind::Droplets) droplets_.pass_time(seconds);
 }
 
 std::optional<film::AirJet> Stroke::air_jet() const {
     if (!blowing_) return std::nullopt;
-    const HandPose& hand = *blowing_;
+    const double radius_mm = brush_.tip.half_width_mm * std::max(blowing_->spread, kLeastSpread);
+    const Gust gust = gust_at(jitter_seed_, time_s_);
+    HandPose wavering = *blowing_;
+    wavering.x_mm += kWaver_radii * radius_mm * gust.x;
+    wavering.y_mm += kWaver_radii * radius_mm * gust.y;
+    const HandPose hand = placed(placement_, wavering);
     const double lean = std::max(1.0, std::hypot(hand.lean_x, hand.lean_y));
     return film::AirJet{.x_mm = hand.x_mm,
                         .y_mm = hand.y_mm,
-                        .radius_mm = brush_.tip.half_width_mm * std::max(hand.spread, kLeastSpread),
+                        .radius_mm = radius_mm,
                         .pressure_Pa = brush_.preset.air.pressure_Pa * hand.flow * hand.press,
                         .lean_x = hand.lean_x / lean,
                         .lean_y = hand.lean_y / lean};
@@ -175,7 +185,7 @@ void Stroke::take_step(const PathStep& step) {
         case ToolKind::Droplets:
             return droplets_.follow(pose(step), step.speed_mm_s);
         case ToolKind::Air:
-            blowing_ = pose(step);
+            blowing_ = hand_pose(brush_.preset.dynamics, step);
             return;
     }
 }

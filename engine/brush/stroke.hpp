@@ -89,7 +89,8 @@ class Stroke {
     Plough plough_;
     PaintDrag drag_;
     Droplets droplets_;
-    std::optional<HandPose> blowing_;  ///< how a tool of air is held
+    std::optional<HandPose> blowing_;  ///< how a tool of air is held, before it is placed
+    double time_s_ = 0.0;              ///< that the stroke has lasted
     std::uint32_t jitter_seed_ = 0;
     std::uint32_t step_count_ = 0;
     double since_wick_mm_ = 0.0;

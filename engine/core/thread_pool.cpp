@@ -54,11 +54,12 @@ void ThreadPool::run(std::size_t count, const std::function<void(std::size_t, in
     body_ = &body;
     count_ = count;
     next_ = 0;
-    busy_workers_ = static_cast<int>(workers_.size());
+    workers_inside_.store(0, std::memory_order_release);
     start_workers();
     take_indices(0);
-    while (const int busy = busy_workers_.load(std::memory_order_acquire))
-        wait_while(busy_workers_, busy);
+    unsigned inside = workers_inside_.fetch_or(kClosed, std::memory_order_acq_rel) | kClosed;
+    for (; inside != kClosed; inside = workers_inside_.load(std::memory_order_acquire))
+        wait_while(workers_inside_, inside);
     body_ = nullptr;
 }
 
@@ -68,12 +69,24 @@ void ThreadPool::start_workers() {
 }
 
 void ThreadPool::work(int worker) {
-    for (unsigned seen_generation = 0;; ++seen_generation) {
+    for (unsigned seen_generation = 0;;) {
         wait_while(generation_, seen_generation);
+        seen_generation = generation_.load(std::memory_order_acquire);
         if (stopping_) return;
+        if (!enter()) continue;
         take_indices(worker);
-        if (busy_workers_.fetch_sub(1, std::memory_order_acq_rel) == 1) busy_workers_.notify_one();
+        if (workers_inside_.fetch_sub(1, std::memory_order_acq_rel) == (kClosed | 1U))
+            workers_inside_.notify_one();
     }
+}
+
+bool ThreadPool::enter() {
+    unsigned inside = workers_inside_.load(std::memory_order_acquire);
+    while ((inside & kClosed) == 0)
+        if (workers_inside_.compare_exchange_weak(inside, inside + 1, std::memory_order_acq_rel,
+                                                  std::memory_order_acquire))
+            return true;
+    return false;
 }
 
 void ThreadPool::take_indices(int worker) {

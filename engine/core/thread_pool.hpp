@@ -30,13 +30,19 @@ class ThreadPool {
     void work(int worker);
     void take_indices(int worker);
     void start_workers();
+    /// False when the run is over: who calls run() waits for no thread that comes too late, as on a busy
+    /// machine it may, but only for those that have entered.
+    bool enter();
+
+    static constexpr unsigned kClosed = 1U << 31;
 
     const std::function<void(std::size_t, int)>* body_ = nullptr;
     std::size_t count_ = 0;
     std::atomic<std::size_t> next_ = 0;
-    std::atomic<unsigned> generation_ = 0;  ///< counts the calls that the workers have to answer
-    std::atomic<int> busy_workers_ = 0;
-    bool stopping_ = false;
+    std::atomic<unsigned> generation_ = 0;  ///< counts the runs
+    std::atomic<unsigned> workers_inside_ =
+        kClosed;  ///< of the run under way; kClosed when it takes no more
+    std::atomic<bool> stopping_ = false;
     std::vector<std::thread> workers_;
 };
 

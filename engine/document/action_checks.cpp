@@ -2,6 +2,7 @@
 
 #include "brush/preset.hpp"
 #include "core/error.hpp"
+#include "document/layers.hpp"
 #include "document/number_text.hpp"
 #include "document/well.hpp"
 #include "film/medium.hpp"
@@ -103,6 +104,20 @@ struct Checker {
         check_between("smoothing of the stabiliser in ms", set.stabiliser.smoothing_ms, 0.0, 2000.0);
         check_between("string of the stabiliser in mm", set.stabiliser.string_mm, 0.0, 200.0);
     }
+    void operator()(const AddLayer& add) const { check_look({.name = add.name}); }
+    void operator()(const GroupLayers& group) const { check_look({.name = group.name}); }
+    void operator()(const SetLayer& set) const { check_look(set.look); }
+    void operator()(const SetGroup& set) const { check_look(set.look); }
+    // Whether there is such a layer, the painting alone knows.
+    void operator()(const SelectLayer&) const {}
+    void operator()(const DuplicateLayer&) const {}
+    void operator()(const RemoveLayer&) const {}
+    void operator()(const ClearLayer&) const {}
+    void operator()(const MoveLayer&) const {}
+    void operator()(const MergeDown&) const {}
+    void operator()(const FlattenLayers&) const {}
+    void operator()(const MoveGroup&) const {}
+    void operator()(const UngroupLayers&) const {}
     void operator()(const SetGuide& set) const {
         check_between("reach of the guide in mm", set.guide.reach_mm, 0.0, kMaxPenPosition_mm);
         std::visit(GuideChecker{}, set.guide.form);

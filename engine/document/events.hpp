@@ -6,6 +6,7 @@
 #include "brush/pen_guide.hpp"
 #include "brush/pen_sample.hpp"
 #include "brush/symmetry.hpp"
+#include "document/layer_events.hpp"
 #include "film/drying_air.hpp"
 
 #include <cstdint>
@@ -123,9 +124,11 @@ struct SetSymmetry {
     friend bool operator==(const SetSymmetry&, const SetSymmetry&) = default;
 };
 
-using Action = std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCanvas, SetDrying, DryNow,
-                            PenDown, PenMove, PenUp, Undo, Redo, SetStabiliser, SetGuide, SetSymmetry,
-                            SqueezePaint, CleanWell>;
+using Action =
+    std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCanvas, SetDrying, DryNow, PenDown,
+                 PenMove, PenUp, Undo, Redo, SetStabiliser, SetGuide, SetSymmetry, SqueezePaint,
+                 CleanWell, AddLayer, SelectLayer, SetLayer, DuplicateLayer, RemoveLayer, ClearLayer,
+                 MoveLayer, MergeDown, FlattenLayers, GroupLayers, SetGroup, MoveGroup, UngroupLayers>;
 
 struct Event {
     std::int64_t tick = 0;  ///< the number of ticks that had passed when it happened

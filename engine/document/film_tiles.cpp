@@ -38,7 +38,7 @@ void for_each_field(const Visit& visit, Films&&... films) {
     visit(NoAmount{}, films.support_mm...);
     visit(NoAmount{}, films.strata.soluble_thickness...);
     visit(SolubleThickness{}, films.strata.soluble_pigment...);
-    visit(NoAmount{}, films.strata.ground...);
+    visit(NoAmount{}, films.strata.optics...);
     visit(NoAmount{}, films.strata.uppermost...);
 }
 
@@ -56,13 +56,10 @@ template <class Value>
 std::size_t bytes_of(const TileBlock<Value>& block) {
     return block ? kTileCells * sizeof(Value) : 0;
 }
+/// As floats: a file that is opened may give in levels what were floats before.
 std::size_t bytes_of(const HeightBlock& block) {
-    return block ? block.bytes() : 0;
+    return block ? kTileCells * sizeof(float) : 0;
 }
-std::size_t bytes_of(const Bytes& frame) {
-    return frame.size();
-}
-
 template <class Block>
 std::size_t bytes_of(const TileSet<Block>& set) {
     std::size_t sum = 0;
@@ -132,17 +129,20 @@ void put_range(const TileSet<Bytes>& set, std::size_t first, std::size_t end, Am
     }
 }
 
-void add(int tile, const HeightBlock& block, TileSet<HeightBlock>& set) {
+template <class Block>
+void add(int tile, Block block, TileSet<Block>& set) {
     set.tiles.push_back(tile);
-    set.blocks.push_back(block);
+    set.blocks.push_back(std::move(block));
 }
 
-/// Takes the heights in levels out of a set.
-TileSet<HeightBlock> without_levels(const TileSet<HeightBlock>& set, TileSet<HeightBlock>& levels) {
-    TileSet<HeightBlock> rest;
-    for (std::size_t i = 0; i < set.tiles.size(); ++i)
-        add(set.tiles[i], set.blocks[i], set.blocks[i].in_levels() ? levels : rest);
-    return rest;
+/// Whether a tile is kept beside its values, as the canvas has it.
+template <class Value>
+bool keep_levels(int, const TileBlock<Value>&, TileSet<HeightBlock>&) {
+    return false;
+}
+bool keep_levels(int tile, const HeightBlock& block, TileSet<HeightBlock>& levels) {
+    if (block.in_levels()) add(tile, block, levels);
+    return block.in_levels();
 }
 
 }  // namespace
@@ -166,23 +166,17 @@ void FilmTiles::put_into(FilmState& film) const {
 
 PackedFilmTiles::PackedFilmTiles(const FilmTiles& tiles, const FilmState& older) : sums_(tiles.sums) {
     Bench bench;
-    FilmTiles rest = tiles;
-    rest.support_mm = without_levels(tiles.support_mm, bare_support_mm_);
     for_each_field(
         [&](auto amount, const auto& set) {
-            auto& field = fields_.emplace_back();
-            field.tiles = set.tiles;
-            for (std::size_t i = 0; i < set.tiles.size(); ++i)
-                field.blocks.push_back(bench.packed(set.blocks[i], amount.of(older, set.tiles[i])));
+            TileSet<Bytes>& field = fields_.emplace_back();
+            for (std::size_t i = 0; i < set.tiles.size(); ++i) {
+                const int tile = set.tiles[i];
+                Bytes frame = bench.packed(set.blocks[i], amount.of(older, tile));
+                bytes_ += frame.size();
+                if (!keep_levels(tile, set.blocks[i], levels_)) add(tile, std::move(frame), field);
+            }
         },
-        rest);
-}
-
-std::size_t PackedFilmTiles::bytes() const {
-    std::size_t sum = bytes_of(bare_support_mm_);
-    for (const auto& field : fields_)
-        sum += bytes_of(field);
-    return sum;
+        tiles);
 }
 
 void PackedFilmTiles::put_into(FilmState& film) const {
@@ -197,7 +191,7 @@ void PackedFilmTiles::put_into(FilmState& film) const {
             first_half.get();
         },
         film);
-    put(bare_support_mm_, film.support_mm);
+    put(levels_, film.support_mm);
     put(sums_, film);
 }
 

@@ -30,7 +30,7 @@ struct FilmTiles {
     /// Both of one shape.
     FilmTiles(const film::FilmState& older, const film::FilmState& newer);
 
-    /// Of the tiles' storage.
+    /// Of the tiles' storage; it depends on the values alone.
     std::size_t bytes() const;
     /// Makes the older film of the newer one.
     void put_into(film::FilmState& film) const;
@@ -42,7 +42,7 @@ struct FilmTiles {
     struct {
         TileSet<grid::TileBlock<std::int32_t>> soluble_thickness;
         TileSet<grid::TileBlock<film::PigmentCell>> soluble_pigment;
-        TileSet<grid::TileBlock<pigment::Bands>> ground;
+        TileSet<grid::TileBlock<film::StrataOptics>> optics;
         TileSet<grid::TileBlock<film::PigmentMixture>> uppermost;
     } strata;
     FilmSums sums;
@@ -55,13 +55,15 @@ class PackedFilmTiles {
     /// `older` is the film that the tiles are of.
     PackedFilmTiles(const FilmTiles& tiles, const film::FilmState& older);
 
-    std::size_t bytes() const;
+    /// Of the frames; it depends on the values alone.
+    std::size_t bytes() const { return bytes_; }
     void put_into(film::FilmState& film) const;
 
   private:
     std::vector<TileSet<std::vector<std::byte>>> fields_;
-    /// Heights in levels are those of the bare support, which is kept anyway.
-    TileSet<film::HeightBlock> bare_support_mm_;
+    /// Heights in levels are mostly those of the bare support, which is kept anyway.
+    TileSet<film::HeightBlock> levels_;
+    std::size_t bytes_ = 0;
     FilmSums sums_;
 };
 

@@ -8,14 +8,60 @@
 namespace pastoso::document {
 namespace {
 
-/// Of the canvas and of the well.
+/// Of all layers and of the well.
 template <class Tiles>
-struct BothSurfaces {
-    Tiles canvas;
-    std::optional<Tiles> well;
+struct AllFilms {
+    std::vector<std::optional<Tiles>> layers;  ///< none: the film is the newer moment's, shared
+    std::optional<Tiles> well;                 ///< none: it was bare
 
-    std::size_t bytes() const { return canvas.bytes() + (well ? well->bytes() : 0); }
+    std::size_t bytes() const {
+        std::size_t sum = well ? well->bytes() : 0;
+        for (const auto& layer : layers)
+            sum += layer ? layer->bytes() : 0;
+        return sum;
+    }
 };
+
+const Layer* layer_of(const Moment& moment, LayerId id) {
+    for (const Layer& layer : moment.layers.layers)
+        if (layer.id == id) return &layer;
+    return nullptr;
+}
+
+bool is_active(const Moment& moment, std::size_t place) {
+    return place == moment.layers.active;
+}
+
+/// Whether both have the very same film asleep.
+bool is_shared(const Moment& older, std::size_t place, const Moment& newer) {
+    const Layer& layer = older.layers.layers[place];
+    const Layer* then = layer_of(newer, layer.id);
+    return !is_active(older, place) && then != nullptr && then->asleep == layer.asleep;
+}
+
+const film::FilmState& film_of(const Moment& moment, std::size_t place) {
+    return is_active(moment, place) ? moment.canvas.film : *moment.layers.layers[place].asleep;
+}
+
+film::FilmState film_of_layer(const Moment& moment, LayerId id) {
+    const film::FilmState& canvas = moment.canvas.film;
+    const Layer* layer = layer_of(moment, id);
+    if (layer == nullptr) return {canvas.shape, canvas.cell_mm};
+    return layer->asleep ? *layer->asleep : canvas;
+}
+
+/// What the tiles of an older moment's layer are told against: the newer moment's film of that layer, if
+/// there is one. The support of the active layer is the canvas, of one that is asleep its own relief:
+/// they have no tile in common.
+film::FilmState counterpart(const Layer& layer, bool active, const Moment& newer) {
+    film::FilmState film = film_of_layer(newer, layer.id);
+    const Layer* then = layer_of(newer, layer.id);
+    if (active)
+        film.support_mm = newer.canvas.film.support_mm;
+    else if (then != nullptr && !then->asleep)
+        film.support_mm = film::SupportHeights(film.shape);
+    return film;
+}
 
 const film::FilmState& well_of(const Moment& moment, const film::FilmState& bare) {
     return moment.well ? moment.well->film : bare;
@@ -24,12 +70,16 @@ const film::FilmState& well_of(const Moment& moment, const film::FilmState& bare
 Moment without_films(const Moment& moment) {
     Moment rest = moment;
     rest.canvas.film = {};
+    for (Layer& layer : rest.layers.layers)
+        layer.asleep.reset();
     if (rest.well) rest.well->film = {};
     return rest;
 }
 
 std::size_t bytes_without_films(const Moment& moment) {
-    std::size_t bytes = sizeof(Moment) + moment.canvas.awake.size() / 8;
+    std::size_t bytes = sizeof(Moment) + moment.canvas.awake.size() / 8 +
+                        moment.layers.layers.size() * sizeof(Layer) +
+                        moment.layers.groups.size() * sizeof(LayerGroup);
     if (moment.brush)
         bytes += moment.brush->held.size() * sizeof(brush::Contents) +
                  moment.brush->tip.bristles.size() * sizeof(brush::Bristle);
@@ -38,37 +88,56 @@ std::size_t bytes_without_films(const Moment& moment) {
 
 /// Makes the older moment's films of the newer one's.
 template <class Tiles>
-void put(const BothSurfaces<Tiles>& both, Moment& moment) {
-    both.canvas.put_into(moment.canvas.film);
-    if (both.well) both.well->put_into(moment.well->film);
+void put(const AllFilms<Tiles>& films, const Moment& newer, Moment& older) {
+    for (std::size_t place = 0; place < films.layers.size(); ++place) {
+        Layer& layer = older.layers.layers[place];
+        if (!films.layers[place]) {
+            layer.asleep = layer_of(newer, layer.id)->asleep;
+            continue;
+        }
+        film::FilmState film = counterpart(layer, is_active(older, place), newer);
+        films.layers[place]->put_into(film);
+        if (is_active(older, place))
+            older.canvas.film = std::move(film);
+        else
+            layer.asleep = std::make_shared<const film::FilmState>(std::move(film));
+    }
+    if (!films.well) return;
+    older.well->film = well_of(newer, bare_well());
+    films.well->put_into(older.well->film);
 }
 
 }  // namespace
 
 /// Either as they are or packed.
 struct MomentDifference::Tiles {
-    /// The older films as well, for what they are packed with.
     struct Raw {
-        BothSurfaces<FilmTiles> tiles;
-        film::FilmState canvas, well;
+        AllFilms<FilmTiles> tiles;
+        Moment older;  ///< for what the tiles are packed with
     };
-    using Packed = BothSurfaces<PackedFilmTiles>;
+    using Packed = AllFilms<PackedFilmTiles>;
 
     static std::shared_ptr<const Raw> taken(const Moment& older, const Moment& newer) {
-        const film::FilmState bare = bare_well();
         auto raw = std::make_shared<Raw>();
-        raw->tiles.canvas = FilmTiles(older.canvas.film, newer.canvas.film);
-        raw->canvas = older.canvas.film;
-        if (!older.well) return raw;
-        raw->tiles.well = FilmTiles(older.well->film, well_of(newer, bare));
-        raw->well = older.well->film;
+        raw->older = older;
+        for (std::size_t place = 0; place < older.layers.layers.size(); ++place) {
+            auto& tiles = raw->tiles.layers.emplace_back();
+            if (is_shared(older, place, newer)) continue;
+            const Layer& layer = older.layers.layers[place];
+            tiles.emplace(film_of(older, place), counterpart(layer, is_active(older, place), newer));
+        }
+        if (older.well) raw->tiles.well.emplace(older.well->film, well_of(newer, bare_well()));
         return raw;
     }
 
     static std::shared_ptr<const Packed> packed_of(const Raw& raw) {
         auto packed = std::make_shared<Packed>();
-        packed->canvas = PackedFilmTiles(raw.tiles.canvas, raw.canvas);
-        if (raw.tiles.well) packed->well = PackedFilmTiles(*raw.tiles.well, raw.well);
+        for (std::size_t place = 0; place < raw.tiles.layers.size(); ++place) {
+            const auto& tiles = raw.tiles.layers[place];
+            auto& layer = packed->layers.emplace_back();
+            if (tiles) layer.emplace(*tiles, film_of(raw.older, place));
+        }
+        if (raw.tiles.well) packed->well.emplace(*raw.tiles.well, raw.older.well->film);
         return packed;
     }
 
@@ -103,12 +172,10 @@ MomentDifference::MomentDifference(const Moment& older, const Moment& newer)
 
 Moment MomentDifference::applied_to(const Moment& newer) const {
     Moment older = rest_;
-    older.canvas.film = newer.canvas.film;
-    if (older.well) older.well->film = newer.well ? newer.well->film : bare_well();
     if (const auto raw = tiles_->locked(&Tiles::raw))
-        put(raw->tiles, older);
+        put(raw->tiles, newer, older);
     else
-        put(*tiles_->locked(&Tiles::packed), older);
+        put(*tiles_->locked(&Tiles::packed), newer, older);
     return older;
 }
 

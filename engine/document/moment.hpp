@@ -5,6 +5,7 @@
 #include "core/background_thread.hpp"
 #include "document/events.hpp"
 #include "document/film_tiles.hpp"
+#include "document/layers.hpp"
 #include "document/steps.hpp"
 
 #include <cstddef>
@@ -23,7 +24,8 @@ struct SurfaceMoment {
 };
 
 struct Moment {
-    SurfaceMoment canvas{};
+    SurfaceMoment canvas{};  ///< the active layer, on what is visible below it
+    LayerStack layers = single_layer();
     std::optional<SurfaceMoment> well{};  ///< none: it was bare
     std::optional<brush::Brush> brush{};
     std::string medium{};  ///< in hand

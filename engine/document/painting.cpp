@@ -7,7 +7,9 @@
 #include "core/hash.hpp"
 #include "document/action_checks.hpp"
 #include "document/canvas.hpp"
+#include "document/contents.hpp"
 #include "document/history.hpp"
+#include "document/layered_canvas.hpp"
 #include "document/paint_mixing.hpp"
 #include "document/painting_state.hpp"
 #include "document/well.hpp"
@@ -24,8 +26,6 @@ namespace pastoso::document {
 namespace {
 
 constexpr const char* kFirstMedium = "heavy-body oil";
-/// Paint that hardly moves is brought up to date once a second.
-constexpr double kLongestWait_s = 64.0 * kTick_s;
 
 film::SupportHeights support_by_name(const CanvasSettings& settings, core::ThreadPool& pool) {
     check_canvas_fits(settings, available_memory_bytes());
@@ -40,28 +40,7 @@ film::FilmState bare_canvas(const CanvasSettings& settings, film::SupportHeights
     return film;
 }
 
-brush::Contents contents_of(const film::Totals& totals, double cell_mm) {
-    brush::Contents contents;
-    contents.volume_mm3 = film::volume_mm3(totals.thickness, cell_mm);
-    for (int k = 0; k < film::kPaintChannels; ++k) {
-        contents.paint[k] =
-            static_cast<double>(totals.paint[k]) * film::kPaintQuantum * cell_mm * cell_mm;
-    }
-    return contents;
-}
-
-Account::Amount dried_amount(const film::Strata& strata, double cell_mm) {
-    const film::DriedTotals totals = film::dried_totals(strata);
-    Account::Amount amount{.volume_mm3 = film::volume_mm3(totals.thickness, cell_mm)};
-    for (int k = 0; k < pigment::kChannels; ++k) {
-        amount.pigment[k] =
-            static_cast<double>(totals.pigment[k]) * film::kPaintQuantum * cell_mm * cell_mm;
-    }
-    return amount;
-}
-
-std::uint64_t hash_of(const film::FilmState& canvas, const film::FilmState* well) {
-    const std::uint64_t alone = film::state_hash(canvas);
+std::uint64_t hash_of(std::uint64_t alone, const film::FilmState* well) {
     if (well == nullptr) return alone;
     core::Hash64 both;
     both.add_value(alone);
@@ -89,12 +68,6 @@ const char* no_brush_for(Surface surface) {
                                       : "the pen touches the mixing well with no brush in hand.";
 }
 
-Account::Amount amount(const brush::Contents& contents) {
-    Account::Amount result{.volume_mm3 = contents.volume_mm3};
-    std::copy_n(contents.paint.begin(), pigment::kChannels, result.pigment.begin());
-    return result;
-}
-
 /// Adds the time until the end of the scope to a sum.
 class ScopedTimer {
   public:
@@ -113,13 +86,11 @@ class ScopedTimer {
 
 /// Applies actions by std::visit; the actions have passed check_action().
 struct Painting::Parts {
-    Parts(const CanvasSettings& canvas, film::SupportHeights support_mm, core::ThreadPool& threads)
-        : settings(canvas),
+    Parts(const CanvasSettings& wanted, film::SupportHeights support_mm, core::ThreadPool& threads)
+        : settings(wanted),
           pool(threads),
-          film(bare_canvas(canvas, std::move(support_mm))),
-          bare_support_mm(film.support_mm),
           medium(film::find_medium(kFirstMedium)),
-          solver(film, medium, {.longest_wait_s = kLongestWait_s}, threads) {
+          canvas(bare_canvas(wanted, std::move(support_mm)), medium, threads) {
         solver.set_gravity(film::tilted_gravity(0.0));
     }
 
@@ -127,10 +98,8 @@ struct Painting::Parts {
     Parts(const PaintingState& state, core::ThreadPool& threads)
         : settings(state.settings),
           pool(threads),
-          film(state.canvas.film),
-          bare_support_mm(state.bare_support_mm),
           medium(film::find_medium(state.medium)),
-          solver(film, medium, {.longest_wait_s = kLongestWait_s}, threads),
+          canvas(state.canvas.film, state.bare_support_mm, state.layers, medium, threads),
           tilt(state.tilt),
           air(state.air),
           aids(state.aids),
@@ -159,7 +128,8 @@ struct Painting::Parts {
         PaintingState state{.settings = settings,
                             .tick = tick,
                             .canvas = {film, solver.memory()},
-                            .bare_support_mm = bare_support_mm,
+                            .layers = canvas.stack(),
+                            .bare_support_mm = canvas.bare_mm(),
                             .medium = medium.name,
                             .tilt = tilt,
                             .air = air,
@@ -219,13 +189,15 @@ struct Painting::Parts {
     void operator()(const SetDrying& drying) { air = drying.air; }
 
     void operator()(const DryNow&) {
+        check_unlocked(canvas.stack(), canvas.stack().active);
         end_stroke();
-        history.remember(moment(), {Step::Kind::DryNow});
-        film::dry_now(film, kPrimedGround, pool);
+        history.remember(moment(), {Step::Kind::DryNow, {}, active_name()});
+        film::dry_now(film, pool);
     }
 
     void operator()(const PenDown& pen) {
         if (!brush) throw core::InputError(no_brush_for(pen.surface));
+        if (pen.surface == Surface::Canvas) check_paintable(canvas.stack(), canvas.stack().active);
         end_stroke();
         history.remember(moment(), stroke_step(pen.surface));
         last_sample = pen.sample;
@@ -268,6 +240,67 @@ struct Painting::Parts {
         history.remember(moment(), {Step::Kind::CleanWell});
         wiped += paint_in_well();
         well.reset();
+    }
+
+    void operator()(const SelectLayer& select) {
+        end_stroke();
+        canvas.select(select);
+    }
+    void operator()(const AddLayer& add) {
+        change_layers({Step::Kind::AddLayer, {}, add.name}, [&] { canvas.add(add); });
+    }
+    void operator()(const SetLayer& set) {
+        change_layers(layer_step(Step::Kind::SetLayer, set.layer), [&] { canvas.set(set); });
+    }
+    void operator()(const SetGroup& set) {
+        change_layers(group_step(Step::Kind::SetGroup, set.group), [&] { canvas.set_group(set); });
+    }
+    void operator()(const MoveLayer& move) {
+        change_layers(layer_step(Step::Kind::MoveLayer, move.layer), [&] { canvas.move(move); });
+    }
+    void operator()(const MoveGroup& move) {
+        change_layers(group_step(Step::Kind::MoveGroup, move.group), [&] { canvas.move_group(move); });
+    }
+    void operator()(const GroupLayers& group) {
+        change_layers({Step::Kind::GroupLayers, {}, group.name}, [&] { canvas.group(group); });
+    }
+    void operator()(const UngroupLayers& ungroup) {
+        change_layers(group_step(Step::Kind::UngroupLayers, ungroup.group),
+                      [&] { canvas.ungroup(ungroup); });
+    }
+    void operator()(const MergeDown& merge) {
+        change_layers(layer_step(Step::Kind::MergeDown, merge.layer), [&] { canvas.merge_down(merge); });
+    }
+    void operator()(const FlattenLayers&) {
+        change_layers({Step::Kind::FlattenLayers}, [&] { canvas.flatten(); });
+    }
+    void operator()(const DuplicateLayer& duplicate) {
+        change_layers(layer_step(Step::Kind::DuplicateLayer, duplicate.layer),
+                      [&] { taken += contents_of(canvas.duplicate(duplicate)); });
+    }
+    void operator()(const RemoveLayer& remove) {
+        change_layers(layer_step(Step::Kind::RemoveLayer, remove.layer),
+                      [&] { wiped += contents_of(canvas.remove(remove)); });
+    }
+    void operator()(const ClearLayer& clear) {
+        change_layers(layer_step(Step::Kind::ClearLayer, clear.layer),
+                      [&] { wiped += contents_of(canvas.clear(clear)); });
+    }
+
+    /// A change that cannot be made leaves all as it was.
+    template <class Change>
+    void change_layers(Step step, const Change& change) {
+        end_stroke();
+        Moment before = moment();
+        change();
+        history.remember(std::move(before), std::move(step));
+    }
+
+    brush::Contents contents_of(const LayerPaint& paint) const {
+        brush::Contents sum = document::contents_of(paint.wet, film.cell_mm);
+        sum += document::contents_of(paint.dried, film.cell_mm);
+        sum.volume_mm3 += film::volume_mm3(paint.evaporated, film.cell_mm);
+        return sum;
     }
 
     void operator()(const SetStabiliser& set) { aids.stabiliser = set.stabiliser; }
@@ -325,7 +358,8 @@ struct Painting::Parts {
     }
 
     brush::Contents paint_in_well() const {
-        return well ? contents_of(film::totals(well->film), well->film.cell_mm) : brush::Contents{};
+        return well ? document::contents_of(film::totals(well->film), well->film.cell_mm)
+                    : brush::Contents{};
     }
 
     bool brush_holds_paint() const { return brush && brush->contents().volume_mm3 > 0.0; }
@@ -343,7 +377,7 @@ struct Painting::Parts {
     }
 
     void age() {
-        ageing.tick(kTick_s, air, kPrimedGround, film, pool);
+        ageing.tick(kTick_s, air, film, pool);
         if (!stroke) return;
         stroke->pass_time(kTick_s);
         hand_over();
@@ -356,12 +390,23 @@ struct Painting::Parts {
     }
 
     Step stroke_step(Surface surface) const {
-        return {surface == Surface::Canvas ? Step::Kind::Stroke : Step::Kind::StrokeInWell,
-                brush->preset.name};
+        if (surface == Surface::Well) return {Step::Kind::StrokeInWell, brush->preset.name};
+        return {Step::Kind::Stroke, brush->preset.name, active_name()};
+    }
+    /// Throws InputError when there is no such layer.
+    Step layer_step(Step::Kind kind, LayerId layer) const {
+        return {kind, {}, canvas.stack().layers[place_of(canvas.stack(), layer)].look.name};
+    }
+    Step group_step(Step::Kind kind, GroupId group) const {
+        return {kind, {}, group_of(canvas.stack(), group).look.name};
+    }
+    const std::string& active_name() const {
+        return canvas.stack().layers[canvas.stack().active].look.name;
     }
 
     Moment moment() const {
         Moment moment{.canvas = {film, solver.awake_tiles()},
+                      .layers = canvas.stack(),
                       .brush = brush,
                       .medium = medium.name,
                       .tilt = tilt,
@@ -376,7 +421,7 @@ struct Painting::Parts {
     /// A brush that was not touched since then gets back what it held. Any other stays in hand as it is,
     /// as if it had been filled afresh, and what was on the old one counts as wiped off.
     void return_to(const Moment& then) {
-        film = then.canvas.film;
+        canvas.restore(then.canvas.film, then.layers);
         return_well_to(then);
         if (then.medium != medium.name) film.varied = true;
         taken = then.taken;
@@ -408,10 +453,10 @@ struct Painting::Parts {
 
     CanvasSettings settings;
     core::ThreadPool& pool;
-    film::FilmState film;
-    film::SupportHeights bare_support_mm;  ///< as it was made; shares its tiles with the film
-    film::Medium medium;                   ///< in hand: what the next load is mixed with
-    film::Solver solver;
+    film::Medium medium;  ///< in hand: what the next load is mixed with
+    LayeredCanvas canvas;
+    film::FilmState& film = canvas.film;  ///< of the active layer
+    film::Solver& solver = canvas.solver;
     std::unique_ptr<Well> well;  ///< none until something touches it
     TiltCanvas tilt;
     film::DryingAir air;
@@ -482,7 +527,7 @@ const film::FilmState* Painting::well() const {
     return parts_->well ? &parts_->well->film : nullptr;
 }
 Snapshot Painting::snapshot() const {
-    return {parts_->film, kPrimedGround, parts_->tick, parts_->well_film(),
+    return {parts_->canvas.view(), kPrimedGround, parts_->tick, parts_->well_film(),
             parts_->brush ? brush::load_profile(*parts_->brush) : brush::LoadProfile{}};
 }
 bool Painting::can_undo() const {
@@ -503,12 +548,13 @@ bool Painting::stroke_in_progress() const {
 
 Account Painting::account() const {
     const double cell_mm = parts_->film.cell_mm;
+    const LayerPaint paint = parts_->canvas.paint();
     brush::Contents ledger = parts_->wiped;
     ledger += contents_of(parts_->run_off(), cell_mm);
-    ledger.volume_mm3 += film::volume_mm3(parts_->film.strata.evaporated, cell_mm);
+    ledger.volume_mm3 += film::volume_mm3(paint.evaporated, cell_mm);
     return {amount(parts_->taken),
-            amount(contents_of(film::totals(parts_->film), cell_mm)),
-            dried_amount(parts_->film.strata, cell_mm),
+            amount(contents_of(paint.wet, cell_mm)),
+            amount(contents_of(paint.dried, cell_mm)),
             amount(parts_->held_paint()),
             amount(ledger),
             amount(parts_->paint_in_well())};
@@ -524,11 +570,12 @@ PaintingState Painting::state() const {
     return parts_->state();
 }
 std::uint64_t Painting::state_hash() const {
-    return hash_of(parts_->film, well());
+    return hash_of(parts_->canvas.state_hash(), well());
 }
 
 std::uint64_t state_hash(const PaintingState& state) {
-    return hash_of(state.canvas.film, state.well ? &state.well->film : nullptr);
+    return hash_of(state_hash(state.canvas.film, state.layers),
+                   state.well ? &state.well->film : nullptr);
 }
 
 }  // namespace pastoso::document

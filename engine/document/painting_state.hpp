@@ -4,6 +4,7 @@
 
 #include "brush/stroke.hpp"
 #include "document/events.hpp"
+#include "document/layers.hpp"
 #include "film/ageing.hpp"
 #include "film/solver_memory.hpp"
 #include "film/state.hpp"
@@ -34,7 +35,8 @@ struct PaintingState {
     CanvasSettings settings{};
     std::int64_t tick = 0;
 
-    SurfaceState canvas{};
+    SurfaceState canvas{};  ///< the active layer, on what is visible below it
+    LayerStack layers = single_layer();
     /// The bare support as its name tells it to be. Tiles of the canvas's support that are shared with
     /// it are as they were made; it may be background where they are not.
     film::SupportHeights bare_support_mm{};

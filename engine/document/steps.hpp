@@ -7,9 +7,28 @@
 namespace pastoso::document {
 
 struct Step {
-    enum class Kind { Stroke, StrokeInWell, DryNow, SqueezePaint, CleanWell };
+    enum class Kind {
+        Stroke,
+        StrokeInWell,
+        DryNow,
+        SqueezePaint,
+        CleanWell,
+        AddLayer,
+        SetLayer,
+        DuplicateLayer,
+        RemoveLayer,
+        ClearLayer,
+        MoveLayer,
+        MergeDown,
+        FlattenLayers,
+        GroupLayers,
+        SetGroup,
+        MoveGroup,
+        UngroupLayers
+    };
     Kind kind = Kind::Stroke;
     std::string brush{};  ///< name of the preset; "" where none had a part in it
+    std::string layer{};  ///< name that the layer or group had then; "" where it was no single one
 };
 
 struct KeptStep {

@@ -16,12 +16,11 @@ constexpr double kDissolvingInterval_s = 0.99;
 
 }  // namespace
 
-void AgeingClock::tick(double tick_s, const DryingAir& air, const pigment::Bands& bare_ground,
-                       FilmState& state, core::ThreadPool& pool) {
+void AgeingClock::tick(double tick_s, const DryingAir& air, FilmState& state, core::ThreadPool& pool) {
     pending_.drying_s += air.speed * tick_s;
     ++pending_.drying_ticks;
     if (pending_.drying_s >= kDryingInterval_s && pending_.drying_ticks >= kDryingIntervalTicks) {
-        dry(state, air, std::exchange(pending_.drying_s, 0.0), bare_ground, pool);
+        dry(state, air, std::exchange(pending_.drying_s, 0.0), pool);
         pending_.drying_ticks = 0;
     }
     pending_.dissolving_s += tick_s;

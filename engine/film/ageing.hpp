@@ -19,8 +19,7 @@ class AgeingClock {
     };
 
     /// Lets a tick of paint time pass.
-    void tick(double tick_s, const DryingAir& air, const pigment::Bands& bare_ground, FilmState& state,
-              core::ThreadPool& pool);
+    void tick(double tick_s, const DryingAir& air, FilmState& state, core::ThreadPool& pool);
 
     const Pending& pending() const { return pending_; }
     void restore(const Pending& pending) { pending_ = pending; }

@@ -30,7 +30,7 @@ grid::Rect cells_reached(const AirJet& jet, grid::Shape canvas, double cell_mm);
 /// Pa at a place of the canvas.
 double air_pressure_Pa(const AirJet& jet, double x_mm, double y_mm);
 
-/// The acceleration that the jet gives paint at most, mm/s2.
-double strongest_push_mm_s2(const AirJet& jet, double density_kg_m3);
+/// |grad p| / rho there: the acceleration that the jet gives paint, mm/s2.
+double air_push_mm_s2(const AirJet& jet, double density_kg_m3, double x_mm, double y_mm);
 
 }  // namespace pastoso::film

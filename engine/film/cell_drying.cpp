@@ -36,17 +36,6 @@ void add(std::int32_t thickness, const std::int32_t* pigment, DriedTotals& sums)
         sums.pigment[k] += pigment[k];
 }
 
-/// Makes the soluble stratum part of the ground.
-void seal(const StrataCell& below) {
-    if (is_empty(below.soluble_pigment, below.soluble_thickness)) return;
-    below.ground = layer_over(below.soluble_pigment.data(), below.ground);
-    add(below.soluble_thickness, below.soluble_pigment.data(), below.fixed);
-    if (below.soluble_thickness > 0)
-        below.uppermost = mixture_of(below.soluble_pigment.data(), below.soluble_thickness);
-    below.soluble_thickness = 0;
-    below.soluble_pigment = {};
-}
-
 }  // namespace
 
 std::int32_t solids(std::int32_t thickness, const PaintCell& paint) {
@@ -77,6 +66,16 @@ std::int32_t dry_on(std::int32_t time, std::int32_t& thickness, PaintCell& paint
     return evaporated;
 }
 
+void seal(const StrataCell& below) {
+    if (is_empty(below.soluble_pigment, below.soluble_thickness)) return;
+    below.optics = laid_over(below.soluble_pigment.data(), below.optics);
+    add(below.soluble_thickness, below.soluble_pigment.data(), below.fixed);
+    if (below.soluble_thickness > 0)
+        below.uppermost = mixture_of(below.soluble_pigment.data(), below.soluble_thickness);
+    below.soluble_thickness = 0;
+    below.soluble_pigment = {};
+}
+
 std::int32_t become_stratum(std::int32_t& thickness, PaintCell& paint, const StrataCell& below) {
     const std::int32_t stays = solids(thickness, paint) / kQuantaPerSupport * kQuantaPerSupport;
     const std::int32_t evaporated = thickness - stays;
@@ -87,7 +86,7 @@ std::int32_t become_stratum(std::int32_t& thickness, PaintCell& paint, const Str
         for (int k = 0; k < kPigmentChannels; ++k)
             below.soluble_pigment[k] += paint[k];
     } else {
-        below.ground = layer_over(paint.data(), below.ground);
+        below.optics = laid_over(paint.data(), below.optics);
         below.uppermost = mixture_of(paint.data(), thickness);
         add(stays, paint.data(), below.fixed);
     }

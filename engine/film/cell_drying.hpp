@@ -27,10 +27,13 @@ struct StrataCell {
     float& support_mm;
     std::int32_t& soluble_thickness;
     PigmentCell& soluble_pigment;
-    pigment::Bands& ground;
+    StrataOptics& optics;
     PigmentMixture& uppermost;
     DriedTotals& fixed;  ///< sums over cells
 };
+
+/// Makes the soluble stratum part of what is fixed.
+void seal(const StrataCell& below);
 
 /// Turns all wet paint of the cell into dry: soluble paint joins the soluble stratum; other paint covers
 /// and seals it. The solids are rounded down to whole kSupportQuantum_mm, so that the support stays on

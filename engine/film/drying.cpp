@@ -26,28 +26,22 @@ struct TileDrying {
     TileBlock<float> support_mm;
     TileBlock<std::int32_t> soluble_thickness;
     TileBlock<PigmentCell> soluble_pigment;
-    TileBlock<pigment::Bands> ground;
+    TileBlock<StrataOptics> optics;
     TileBlock<PigmentMixture> uppermost;
     DriedTotals fixed;
     std::int64_t evaporated = 0;
     bool any_wet = false, any_dried = false, any_soluble = false;
 };
 
-TileBlock<pigment::Bands> ground_block(const Strata& strata, int tile, const pigment::Bands& bare) {
-    return strata.ground.is_background(tile)
-               ? TileBlock<pigment::Bands>::filled(bare)
-               : TileBlock<pigment::Bands>::copy_of(strata.ground.read(tile));
-}
-
 /// Copies what lies below the film once the first cell of the tile becomes part of it.
-void open_strata(const FilmState& state, int tile, const pigment::Bands& bare, TileDrying& result) {
+void open_strata(const FilmState& state, int tile, TileDrying& result) {
     if (result.any_dried) return;
     result.any_dried = true;
     result.support_mm = copied_heights(state.support_mm.read(tile));
     result.soluble_thickness =
         TileBlock<std::int32_t>::copy_of(state.strata.soluble_thickness.read(tile));
     result.soluble_pigment = TileBlock<PigmentCell>::copy_of(state.strata.soluble_pigment.read(tile));
-    result.ground = ground_block(state.strata, tile, bare);
+    result.optics = TileBlock<StrataOptics>::copy_of(state.strata.optics.read(tile));
     result.uppermost = TileBlock<PigmentMixture>::copy_of(state.strata.uppermost.read(tile));
 }
 
@@ -59,8 +53,7 @@ bool holds_soluble(const TileDrying& tile) {
     return false;
 }
 
-TileDrying dry_tile(const FilmState& state, int tile, const TimeAt& time_at,
-                    const pigment::Bands& bare) {
+TileDrying dry_tile(const FilmState& state, int tile, const TimeAt& time_at) {
     TileDrying result;
     result.thickness = TileBlock<std::int32_t>::copy_of(state.thickness.read(tile));
     result.paint = TileBlock<PaintCell>::copy_of(state.paint.read(tile));
@@ -77,10 +70,10 @@ TileDrying dry_tile(const FilmState& state, int tile, const TimeAt& time_at,
                 result.any_wet = true;
                 continue;
             }
-            open_strata(state, tile, bare, result);
+            open_strata(state, tile, result);
             StrataCell below{
                 result.support_mm.write()[cell],      result.soluble_thickness.write()[cell],
-                result.soluble_pigment.write()[cell], result.ground.write()[cell],
+                result.soluble_pigment.write()[cell], result.optics.write()[cell],
                 result.uppermost.write()[cell],       result.fixed};
             result.evaporated += become_stratum(thickness[cell], paint[cell], below);
         }
@@ -105,21 +98,19 @@ void commit(int tile, TileDrying& result, FilmState& state) {
     replace_soluble(tile, result.any_soluble, std::move(result.soluble_thickness),
                     std::move(result.soluble_pigment), state.strata);
     if (result.fixed == DriedTotals{}) return;
-    state.strata.ground.replace(tile, std::move(result.ground));
+    state.strata.optics.replace(tile, std::move(result.optics));
     state.strata.uppermost.replace(tile, std::move(result.uppermost));
     state.strata.fixed += result.fixed;
 }
 
 /// False when there was no wet paint.
-bool dry_tiles(FilmState& state, const TimeAt& time_at, const pigment::Bands& bare,
-               core::ThreadPool& pool) {
+bool dry_tiles(FilmState& state, const TimeAt& time_at, core::ThreadPool& pool) {
     std::vector<int> tiles;
     for (int tile = 0; tile < state.shape.tile_count(); ++tile)
         if (!state.thickness.is_background(tile)) tiles.push_back(tile);
     std::vector<TileDrying> results(tiles.size());
-    pool.run(tiles.size(), [&](std::size_t index, int) {
-        results[index] = dry_tile(state, tiles[index], time_at, bare);
-    });
+    pool.run(tiles.size(),
+             [&](std::size_t index, int) { results[index] = dry_tile(state, tiles[index], time_at); });
     for (std::size_t index = 0; index < tiles.size(); ++index)
         commit(tiles[index], results[index], state);
     return !tiles.empty();
@@ -134,20 +125,19 @@ double DryingAir::rate_at(double x_mm, double y_mm) const {
     return 1.0 + (fan - 1.0) * inside * inside;
 }
 
-void dry(FilmState& state, const DryingAir& air, double seconds, const pigment::Bands& bare_ground,
-         core::ThreadPool& pool) {
+void dry(FilmState& state, const DryingAir& air, double seconds, core::ThreadPool& pool) {
     constexpr double kLongest = std::numeric_limits<std::int32_t>::max();
     const double quanta = seconds * kQuantaPerSecond;
     const auto time_at = [&](int x, int y) {
         const double rate = air.rate_at((x + 0.5) * state.cell_mm, (y + 0.5) * state.cell_mm);
         return static_cast<std::int32_t>(std::min(quanta * rate, kLongest));
     };
-    if (dry_tiles(state, time_at, bare_ground, pool)) state.varied = true;
+    if (dry_tiles(state, time_at, pool)) state.varied = true;
 }
 
-void dry_now(FilmState& state, const pigment::Bands& bare_ground, core::ThreadPool& pool) {
+void dry_now(FilmState& state, core::ThreadPool& pool) {
     const auto for_ever = [](int, int) { return std::numeric_limits<std::int32_t>::max(); };
-    dry_tiles(state, for_ever, bare_ground, pool);
+    dry_tiles(state, for_ever, pool);
 }
 
 }  // namespace pastoso::film

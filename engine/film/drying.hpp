@@ -8,8 +8,8 @@
 //     tau_y' = tau_y + 250 Pa s/m2 (nu' - nu)     the ratio of yield stress to viscosity in real paints,
 // at most 10^4 m2/s and 1000 Pa, which stands still at any thickness. t is in proportion to the
 // thickness and mixes by volume: thin paint dries first, fresh paint and thinner keep a mixture open.
-// When t' <= 0 the cell is dry: its solids become support and its pigment ground (strata.hpp). What has
-// left and what has stayed is counted in whole quanta.
+// When t' <= 0 the cell is dry: its solids become support and its pigment a stratum (strata.hpp). What
+// has left and what has stayed is counted in whole quanta.
 #pragma once
 
 #include "core/thread_pool.hpp"
@@ -19,11 +19,9 @@
 namespace pastoso::film {
 
 /// Lets paint dry that lies in still air of speed 1 for `seconds`, or faster under the fan.
-/// `bare_ground` is the internal reflectance of the support.
-void dry(FilmState& state, const DryingAir& air, double seconds, const pigment::Bands& bare_ground,
-         core::ThreadPool& pool);
+void dry(FilmState& state, const DryingAir& air, double seconds, core::ThreadPool& pool);
 
 /// Makes all wet paint dry at once, its solvent gone.
-void dry_now(FilmState& state, const pigment::Bands& bare_ground, core::ThreadPool& pool);
+void dry_now(FilmState& state, core::ThreadPool& pool);
 
 }  // namespace pastoso::film

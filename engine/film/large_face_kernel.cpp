@@ -61,6 +61,14 @@ constexpr float kExplicit = -1.0F;
     return lanes::min(Lanes(1.0F), Lanes(speed * drag_rate / Lanes(force_norm)));
 }
 
+/// Whether a group of faces has no paint on either side, so that a contact angle shuts them all.
+[[gnu::always_inline]] inline bool is_dry(const HaloBlock& block, const StepConstants& step, int i,
+                                          int along) {
+    if (!step.has_contact_angle()) return false;
+    const float* thickness = &block.thickness[i];
+    return lanes::all(lanes::max(load(thickness), load(thickness + along)) <= Lanes(step.wet_mm));
+}
+
 /// Assembles a row of faces, a stage at a time: whole faces are chains of operations too long for the
 /// processor to overlap.
 template <FaceModel kModel>
@@ -78,8 +86,11 @@ struct LargeFaceRow {
         return neighbourhood<kModel>(scratch, step, axis, AlongRow{}, block_index(x, y));
     }
 
+    bool is_shut(int x) const { return is_dry(scratch.block, step, block_index(x, y), axis.along); }
+
     void carry() const {
         for_each_lane_group(first_x, kTileSize, [&](int x) {
+            if (is_shut(x)) return;
             const FaceNeighbourhood<Lanes> face = face_at(x);
             const Lanes viscosity = face_paint<kModel>(face, step).viscosity(step);
             store(&carried[face_index(x, y)], saturated(carried_velocity(face, viscosity, step), step));
@@ -92,6 +103,7 @@ struct LargeFaceRow {
     void drive(bool thinned) const {
         for_each_lane_group(first_x, kTileSize, [&](int x) {
             const int f = face_index(x, y), i = block_index(x, y);
+            if (is_shut(x)) return shut_group(f, load(axis.velocity + i));
             const FaceNeighbourhood<Lanes> face = face_at(x);
             const Lanes gradient =
                 (load(lag + i + axis.along) - load(lag + i)) * Lanes(step.inverse_cell);
@@ -167,6 +179,14 @@ struct LargeFaceRow {
         put_explicit(!inner, edge_depth, lanes::select(flows, softly_limited(flow, step), zero), f);
     }
 
+    void shut_group(int f, Lanes old) const {
+        store(&faces.old[f], old);
+        store(&faces.drag[f], Lanes(kExplicit));
+        for (auto* values : {&faces.driven, &faces.across, &faces.resistance, &faces.depth, &faces.star,
+                             &faces.mobility})
+            store(&(*values)[f], Lanes(0.0F));
+    }
+
     /// Faces that do not wait for the new pressure.
     template <class Mask>
     void put_explicit(Mask where, Lanes depth, Lanes flow, int f) const {
@@ -221,6 +241,7 @@ void weight_row(const TileScratch& scratch, const StepConstants& step, int first
     };
     for_each_lane_group(first_x, kTileSize, [&](int x) {
         const int left = block_index(x, y), right = left + axis;
+        if (is_dry(block, step, left, axis)) return store(&weight[face_index(x, y)], zero);
         Lanes inner = one;
         if constexpr (kFullCurvature) {
             const Lanes slope = (load(eta + right) - load(eta + left)) * Lanes(step.inverse_cell);
@@ -323,26 +344,73 @@ bool is_crowded(const HaloBlock& block) {
     return thickest > kCrowded_quanta;
 }
 
+/// Where the rest pressure of the gathered block is known, and where it counts.
+struct RestPressure {
+    const TileScratch& scratch;
+    bool wet;         ///< whether there is any paint
+    float lowest_mm;  ///< thickness above which it counts
+
+    RestPressure(const StepConstants& step, const TileScratch& tile)
+        : scratch(tile),
+          wet(tile.block.last_wet_row >= tile.block.first_wet_row),
+          lowest_mm(step.has_contact_angle() ? step.wet_mm : -1.0F) {}
+    [[gnu::always_inline]] Lanes at(int x, int y) const {
+        const HaloBlock& block = scratch.block;
+        const bool defined = wet && y >= block.first_wet_row - 1 && y <= block.last_wet_row + 1;
+        return defined ? load(&scratch.pressure[block_index(x, y)]) : Lanes(0.0F);
+    }
+    /// A pressure where paint flows, else 0.
+    [[gnu::always_inline]] Lanes where_wet(Lanes pressure, int x, int y) const {
+        const auto flows = load(&scratch.block.thickness[block_index(x, y)]) > Lanes(lowest_mm);
+        return lanes::select(flows, pressure, Lanes(0.0F));
+    }
+};
+
+/// Beyond the canvas there is no pressure that answers.
+void clear_beyond(int columns, int rows, const CanvasEdges& edges, WindowArray& pressure) {
+    for (int y = -1; y <= kTileSize; ++y) {
+        if (edges.left) pressure[window_index(-1, y)] = 0.0F;
+        if (edges.right) pressure[window_index(columns, y)] = 0.0F;
+    }
+    for (int x = -1; x <= kTileSize; ++x) {
+        if (edges.top) pressure[window_index(x, -1)] = 0.0F;
+        if (edges.bottom) pressure[window_index(x, rows)] = 0.0F;
+    }
+}
+
+/// The pressure that the step starts from, and the change of thickness that it makes.
+void start_pressure(const RestPressure& rest, int columns, int rows, const CanvasEdges& edges,
+                    LargeScratch& large, LargeTile& tile) {
+    for (int y = -1; y <= kTileSize; ++y)
+        for_each_lane_group(-1, kTileSize + 1, [&](int x) {
+            const Lanes lagged = load(&large.lagged_pressure[block_index(x, y)]);
+            store(&large.pressure[window_index(x, y)], rest.where_wet(lagged, x, y));
+        });
+    for (int y = 0; y < kTileSize; ++y)
+        for (int x = 0; x < kTileSize; x += kLanes) {
+            const int cell = y * kTileSize + x;
+            store(&tile.rest_pressure[cell], rest.where_wet(rest.at(x, y), x, y));
+            store(&tile.pressure[cell], load(&large.pressure[window_index(x, y)]));
+        }
+    clear_beyond(columns, rows, edges, large.pressure);
+    find_change(large, tile);
+}
+
 }  // namespace
 
 float assemble_large_tile(const StepConstants& step, int columns, int rows, const ClosedFaces& closed,
                           const CanvasEdges& edges, bool again, LargeScratch& large,
                           TileScratch& scratch, LargeTile& tile) {
-    const HaloBlock& block = scratch.block;
-    const bool wet = block.last_wet_row >= block.first_wet_row;
+    const RestPressure rest(step, scratch);
     tile.light = false;
-    tile.crowded = is_crowded(block);
-    if (wet) prepare_pressure(step, scratch);
+    tile.crowded = is_crowded(scratch.block);
+    if (rest.wet) prepare_pressure(step, scratch);
     BlockArray<float>& lag = large.lagged_pressure;
-    const auto is_defined = [&](int y) {
-        return wet && y >= block.first_wet_row - 1 && y <= block.last_wet_row + 1;
-    };
     for (int y = -1; y <= kTileSize; ++y)
-        for_each_lane_group(-1, kTileSize + 1, [&, defined = is_defined(y)](int x) {
+        for_each_lane_group(-1, kTileSize + 1, [&](int x) {
             const int i = block_index(x, y);
             const Lanes last = load(&lag[i]);
-            const Lanes rest = defined ? load(&scratch.pressure[i]) : Lanes(0.0F);
-            store(&lag[i], lanes::select(last != Lanes(0.0F), last, rest));
+            store(&lag[i], lanes::select(last != Lanes(0.0F), last, rest.at(x, y)));
         });
     const float error = with_face_model(step, [&]<FaceModel kModel>() {
         return assemble_faces<kModel>(step, lag.data(), again, scratch, tile);
@@ -350,16 +418,7 @@ float assemble_large_tile(const StepConstants& step, int columns, int rows, cons
     shut_closed_faces(columns, rows, closed, tile);
     cut_response(columns, rows, edges, tile);
     find_source(step, tile);
-    if (again) return error;
-    const float lowest_mm = step.has_contact_angle() ? step.wet_mm : -1.0F;
-    for (int y = 0; y < kTileSize; ++y)
-        for (int x = 0; x < kTileSize; x += kLanes) {
-            const int i = block_index(x, y), cell = y * kTileSize + x;
-            const auto flows = load(&block.thickness[i]) > Lanes(lowest_mm);
-            const Lanes rest = is_defined(y) ? load(&scratch.pressure[i]) : Lanes(0.0F);
-            store(&tile.rest_pressure[cell], lanes::select(flows, rest, Lanes(0.0F)));
-            store(&tile.pressure[cell], lanes::select(flows, load(&lag[i]), Lanes(0.0F)));
-        }
+    if (!again) start_pressure(rest, columns, rows, edges, large, tile);
     return error;
 }
 

@@ -14,8 +14,9 @@
     void slow_limited_faces(const StepConstants& step, const LargeScratch& large, LargeTile& tile);     \
     void prepare_multigrid(const StepConstants& step, LargeScratch& scratch);                           \
     void multigrid_cycle(const StepConstants& step, LargeScratch& scratch);                             \
-    float find_patch_residual(const StepConstants& step, const std::int32_t* thickness,                 \
-                              LargeScratch& scratch);                                                   \
+    void find_change(const LargeScratch& large, LargeTile& tile);                                       \
+    float find_residual(const StepConstants& step, int columns, int rows,                               \
+                        const std::int32_t* thickness, const LargeScratch& large, LargeTile& tile);     \
     void correct_patch(const StepConstants& step, int cycles, LargeScratch& scratch,                    \
                        PatchArray& correction);                                                         \
     void blend_corrections(const PatchCover* covers, int count, CellArray& pressure);                   \

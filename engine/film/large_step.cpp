@@ -53,7 +53,7 @@ bool is_close(const LargeTile& tile) {
 
 /// Notes that the equations of a tile have changed.
 void revise(LargeTile& tile) {
-    tile.residual = std::numeric_limits<float>::max();
+    tile.corrected_error = std::numeric_limits<float>::max();
     tile.revised = true;
 }
 
@@ -135,12 +135,33 @@ struct LargeStepper::Pass {
     template <class Visit>
     void for_each_tile(const Visit& visit) {
         pool.run(places.size(), [&](std::size_t turn, int worker) {
-            const std::size_t index = backwards ? places.size() - 1 - turn : turn;
-            visit(index, *stepper.tiles_[places[index].tile], *stepper.scratch_[worker],
-                  *workers[worker]);
+            const std::size_t index = index_of(turn);
+            visit(index, tile_of(places[index]), *stepper.scratch_[worker], *workers[worker]);
         });
         backwards = !backwards;
     }
+    std::size_t index_of(std::size_t turn) const { return backwards ? places.size() - 1 - turn : turn; }
+
+    /// The places whose test(place, tile) says yes, in the order in which the next visit is to go.
+    using ChosenPlaces = std::vector<const TilePlace*>;
+    template <class Test>
+    ChosenPlaces places_where(const Test& test) const {
+        ChosenPlaces chosen;
+        for (std::size_t turn = 0; turn < places.size(); ++turn) {
+            const TilePlace& place = places[index_of(turn)];
+            if (test(place, tile_of(place))) chosen.push_back(&place);
+        }
+        return chosen;
+    }
+    /// Calls visit(place, tile, scratch, worker) for these, on all threads.
+    template <class Visit>
+    void for_each_of(const ChosenPlaces& chosen, const Visit& visit) {
+        pool.run(chosen.size(), [&](std::size_t index, int worker) {
+            visit(*chosen[index], tile_of(*chosen[index]), *stepper.scratch_[worker], *workers[worker]);
+        });
+        if (!chosen.empty()) backwards = !backwards;
+    }
+    LargeTile& tile_of(const TilePlace& place) const { return *stepper.tiles_[place.tile]; }
 
     const Windows& columns(const TilePlace& place) const { return stepper.columns_[place.tile_x]; }
     const Windows& rows(const TilePlace& place) const {
@@ -182,7 +203,7 @@ struct LargeStepper::Pass {
     template <class RowOf>
     void gather_patch(const TilePlace& place, const RowOf& row_of, WindowArray& out) const {
         gather_window(columns(place).patch, rows(place).patch, kWindowSize, kWindowStride, row_of,
-                      out.data());
+                      &out[window_index(-kWindowMargin, -kWindowMargin)]);
     }
     template <class RowOf, class T>
     void gather_next(const TilePlace& place, const RowOf& row_of,
@@ -203,7 +224,13 @@ struct LargeStepper::Pass {
                         WindowArray& out) const;
     bool refine_all(int pass);
     void solve_yielding(LargeStepReport& report);
-    bool is_revised_around(const TilePlace& place) const;
+    template <class Test>
+    bool any_around(const TilePlace& place, const Test& test) const;
+    void answer_pressure();
+    void find_residuals(bool first);
+    ChosenPlaces places_to_correct(bool first);
+    void correct(bool first);
+    void blend();
     float largest_error() const;
     bool has_rough_cover(const TilePlace& place) const;
     std::vector<PatchCover> patch_covers(const TilePlace& place) const;
@@ -231,7 +258,6 @@ float LargeStepper::Pass::assemble(const TilePlace& place, bool again, LargeTile
 /// Takes a tile's drag from the pressure found. Returns by what part a flux was wrong.
 float LargeStepper::Pass::refine(const TilePlace& place, LargeTile& tile, LargeScratch& large,
                                  WorkerScratch& worker) const {
-    gather_next(place, cells(&LargeTile::pressure), large.pressure);
     if (!constants.is_shear_thinning()) return kernels.refine(constants, large, tile);
     kernels.velocities(constants, false, large, tile);
     return assemble(place, true, tile, large, worker);
@@ -240,6 +266,7 @@ float LargeStepper::Pass::refine(const TilePlace& place, LargeTile& tile, LargeS
 void LargeStepper::Pass::assemble_all() {
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch& worker) {
         assemble(places[index], false, tile, large, worker);
+        tile.answered = true;
         revise(tile);
         tile.stubborn = false;
         tile.unsteady = true;
@@ -261,7 +288,7 @@ void LargeStepper::Pass::gather_x_faces(const TilePlace& place, FaceArray<float>
         const LargeTile* tile = partner(place.tile_x, row.tile);
         if (tile == nullptr || neighbour(place.tile_x - 1, row.tile) != nullptr) continue;
         for (int k = 0; k < row.count; ++k)
-            out[(row.position + k) * kWindowStride + kWindowMargin - 1] =
+            out[window_index(-1, row.position + k - kWindowMargin)] =
                 (tile->x.*field)[face_index(-1, row.cell + k)];
     }
 }
@@ -275,7 +302,7 @@ void LargeStepper::Pass::gather_y_faces(const TilePlace& place, FaceArray<float>
         const LargeTile* tile = partner(column.tile, tile_y);
         if (tile == nullptr || neighbour(column.tile, tile_y - 1) != nullptr) continue;
         for (int k = 0; k < column.count; ++k)
-            out[(kWindowMargin - 1) * kWindowStride + column.position + k] =
+            out[window_index(column.position + k - kWindowMargin, -1)] =
                 (tile->y.*field)[face_index(column.cell + k, -1)];
     }
 }
@@ -284,37 +311,40 @@ void LargeStepper::Pass::gather_y_faces(const TilePlace& place, FaceArray<float>
 /// with a steady one stay as they are: both must hold the same. Returns false when no flux was wrong by
 /// much.
 bool LargeStepper::Pass::refine_all(int pass) {
-    std::vector<float> errors(places.size());
-    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch& worker) {
-        if (!tile.unsteady) return;
-        const TilePlace& place = places[index];
+    const ChosenPlaces unsteady =
+        places_where([](const TilePlace&, const LargeTile& tile) { return tile.unsteady; });
+    for_each_of(unsteady, [&](const TilePlace& place, LargeTile& tile, LargeScratch& large,
+                              WorkerScratch& worker) {
         const SharedFaces kept(place, beside(place), tile);
-        errors[index] = refine(place, tile, large, worker);
+        gather_next(place, cells(&LargeTile::pressure), large.pressure);
+        tile.flux_error = refine(place, tile, large, worker);
         revise(tile);
         if (kept.restore(tile)) kernels.find_source(constants, tile);
+        kernels.find_change(large, tile);
+        tile.answered = true;
     });
-    for (const TilePlace& place : places)
-        stepper.tiles_[place.tile]->unsteady = false;
+    for (const TilePlace* place : unsteady)
+        tile_of(*place).unsteady = false;
     bool changes = false;
-    for (std::size_t index = 0; index < places.size(); ++index) {
-        LargeTile& tile = *stepper.tiles_[places[index].tile];
+    for (const TilePlace* place : unsteady) {
+        LargeTile& tile = tile_of(*place);
         const bool closely = tile.light && !constants.is_shear_thinning();
-        if (errors[index] <= (closely ? kSteadyLightFlux : kSteadyFlux)) continue;
+        if (tile.flux_error <= (closely ? kSteadyLightFlux : kSteadyFlux)) continue;
         changes = true;
         if (!closely && pass + 1 >= kMostRefinements) continue;
         tile.unsteady = true;
-        for (LargeTile* neighbour : beside(places[index]))
+        for (LargeTile* neighbour : beside(*place))
             if (neighbour != nullptr) neighbour->unsteady = true;
     }
     return changes;
 }
 
-/// Whether anything has changed that a tile's patch reads.
-bool LargeStepper::Pass::is_revised_around(const TilePlace& place) const {
+/// Whether any of the tiles that a tile's patch reads passes the test.
+template <class Test>
+bool LargeStepper::Pass::any_around(const TilePlace& place, const Test& test) const {
     for (const WindowRun& row : rows(place).patch)
         for (const WindowRun& column : columns(place).patch)
-            if (const LargeTile* tile = partner(column.tile, row.tile); tile && tile->revised)
-                return true;
+            if (const LargeTile* tile = partner(column.tile, row.tile); tile && test(*tile)) return true;
     return false;
 }
 
@@ -354,36 +384,92 @@ bool LargeStepper::Pass::has_rough_cover(const TilePlace& place) const {
     return false;
 }
 
-/// Solves every tile's patch once, with the pressure that its neighbours had before; after the first
-/// sweep only where there is an error left. Returns the largest relative error found on the way in. The
-/// error of a smooth wave looks small to a cell, so that the first sweep is never spared.
-float LargeStepper::Pass::sweep(bool first) {
-    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
-        const TilePlace& place = places[index];
-        tile.corrected = false;
-        if (!first && !is_revised_around(place)) return;
-        gather_patch(place, cells(&LargeTile::pressure), large.pressure);
-        gather_patch(place, cells(&LargeTile::source), large.source);
-        gather_patch(place, cells(&LargeTile::rest_pressure), large.rest_pressure);
+/// The changes of thickness where the last sweep moved the pressure.
+void LargeStepper::Pass::answer_pressure() {
+    const auto has_moved = [](const LargeTile& tile) { return tile.moved; };
+    const ChosenPlaces stale = places_where([&](const TilePlace& place, const LargeTile& tile) {
+        return !tile.answered && any_around(place, has_moved);
+    });
+    for_each_of(stale,
+                [&](const TilePlace& place, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
+                    gather_next(place, cells(&LargeTile::pressure), large.pressure);
+                    kernels.find_change(large, tile);
+                    tile.answered = true;
+                });
+}
+
+/// The residuals of changes that are new. A tile's error is that of its patch's equations: it counts
+/// where these have changed.
+void LargeStepper::Pass::find_residuals(bool first) {
+    const auto is_new = [](const LargeTile& tile) { return tile.answered; };
+    const auto is_revised = [](const LargeTile& tile) { return tile.revised; };
+    const ChosenPlaces stale = places_where([&](const TilePlace& place, LargeTile& tile) {
+        tile.corrected = first || any_around(place, is_revised);
+        return any_around(place, is_new);
+    });
+    for_each_of(
+        stale, [&](const TilePlace& place, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
+            gather_next(place, cells(&LargeTile::change), large.change);
+            const float error = kernels.find_residual(constants, place.columns.extent, place.rows.extent,
+                                                      state.thickness.read(place.tile), large, tile);
+            if (tile.corrected) tile.error = error;
+        });
+}
+
+/// The tiles that have changed and have an error left; the first time all but those that only give and
+/// take at their edges, where no wave runs whose error would look small. The stubborn ones, which take
+/// longest, come first.
+LargeStepper::Pass::ChosenPlaces LargeStepper::Pass::places_to_correct(bool first) {
+    ChosenPlaces chosen = places_where([&](const TilePlace& place, LargeTile& tile) {
+        if (!tile.corrected) return false;
+        tile.corrected = (first && !place.closed.inside) || !(tile.error <= tolerance_of(tile));
+        if (tile.corrected)
+            tile.stubborn = tile.stubborn || tile.error > kStubbornShare * tile.corrected_error;
+        tile.corrected_error = tile.corrected ? tile.error : std::numeric_limits<float>::max();
+        return tile.corrected;
+    });
+    std::stable_partition(chosen.begin(), chosen.end(),
+                          [&](const TilePlace* place) { return tile_of(*place).stubborn; });
+    return chosen;
+}
+
+/// Solves the patches of the tiles that need it.
+void LargeStepper::Pass::correct(bool first) {
+    const auto solve_patch = [&](const TilePlace& place, LargeTile& tile, LargeScratch& large,
+                                 WorkerScratch&) {
+        gather_patch(place, cells(&LargeTile::residual), large.residual);
         gather_x_faces(place, &LargeFaces::mobility, large.mobility_x);
         gather_y_faces(place, &LargeFaces::mobility, large.mobility_y);
         gather_x_faces(place, &LargeFaces::weight, large.weight_x);
         gather_y_faces(place, &LargeFaces::weight, large.weight_y);
-        tile.error = kernels.patch_residual(constants, state.thickness.read(place.tile), large);
-        if (!first && tile.error <= tolerance_of(tile)) {
-            tile.residual = std::numeric_limits<float>::max();
-            return;
-        }
-        tile.stubborn = tile.stubborn || tile.error > kStubbornShare * tile.residual;
-        tile.residual = tile.error;
-        tile.corrected = true;
         kernels.correct_patch(constants, tile.stubborn ? kMostCycles : 1, large, tile.correction);
+    };
+    for_each_of(places_to_correct(first), solve_patch);
+}
+
+/// Adds the corrections to the pressure.
+void LargeStepper::Pass::blend() {
+    const auto is_corrected = [](const LargeTile& tile) { return tile.corrected; };
+    const ChosenPlaces covered = places_where([&](const TilePlace& place, LargeTile& tile) {
+        tile.revised = has_rough_cover(place);
+        tile.moved = any_around(place, is_corrected);
+        tile.answered = false;
+        return tile.moved;
     });
-    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch&, WorkerScratch&) {
-        const std::vector<PatchCover> covers = patch_covers(places[index]);
+    for_each_of(covered, [&](const TilePlace& place, LargeTile& tile, LargeScratch&, WorkerScratch&) {
+        const std::vector<PatchCover> covers = patch_covers(place);
         kernels.blend(covers.data(), static_cast<int>(covers.size()), tile.pressure);
-        tile.revised = has_rough_cover(places[index]);
     });
+}
+
+/// Solves every tile's patch once, with the pressure that its neighbours had before; after the first
+/// sweep only where there is an error left. Returns the largest relative error found on the way in. The
+/// error of a smooth wave looks small to a cell, so that the first sweep is never spared.
+float LargeStepper::Pass::sweep(bool first) {
+    if (!first) answer_pressure();
+    find_residuals(first);
+    correct(first);
+    blend();
     return largest_error();
 }
 
@@ -461,6 +547,9 @@ void LargeStepper::Pass::solve_within_supply(LargeStepReport& report) {
         for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
             gather_next(places[index], cells(&LargeTile::share), large.share);
             kernels.slow_limited_faces(constants, large, tile);
+            gather_next(places[index], cells(&LargeTile::pressure), large.pressure);
+            kernels.find_change(large, tile);
+            tile.answered = true;
             revise(tile);
         });
         solve(false, report);

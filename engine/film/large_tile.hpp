@@ -16,21 +16,25 @@ using CellArray = std::array<float, grid::kTileCells>;
 /// The margin that a tile's local solve takes from its neighbours, and what that solve reads around it.
 inline constexpr int kOverlap = 8;
 inline constexpr int kPatchSize = grid::kTileSize + 2 * kOverlap;
-inline constexpr int kWindowMargin = kOverlap + 2;
+inline constexpr int kWindowMargin = kOverlap + 1;
 inline constexpr int kWindowSize = grid::kTileSize + 2 * kWindowMargin;
 inline constexpr int kWindowStride = 96;
 inline constexpr int kWindowCells = kWindowSize * kWindowStride;
+/// Where a window's row keeps the tile's first cell: at the beginning of a cache line.
+inline constexpr int kWindowFirst = 16;
+static_assert(kWindowFirst >= kWindowMargin &&
+              kWindowFirst + kWindowSize <= kWindowStride + kWindowMargin);
 using WindowArray = std::array<float, kWindowCells>;
 
 using PatchArray = std::array<float, kPatchSize * kPatchSize>;
 
 /// The index of cell (x, y) of the tile in a window, -kWindowMargin <= x, y < kTileSize + kWindowMargin.
 constexpr int window_index(int x, int y) {
-    return (y + kWindowMargin) * kWindowStride + x + kWindowMargin;
+    return (y + kWindowMargin) * kWindowStride + x + kWindowFirst;
 }
 
-/// A cell that holds less, among such, is not overfilled by its four faces in a step, which carries paint
-/// by a cell at most.
+/// A cell that holds less, among such, is not overfilled by its four faces in a step, which carries
+/// paint by a cell at most.
 inline constexpr std::int32_t kCrowded_quanta = kMaxThickness_quanta / 8;
 
 /// The faces of one direction.
@@ -54,6 +58,8 @@ struct LargeTile {
     alignas(64) CellArray source;         ///< f, change of thickness without the new pressure, mm
     alignas(64) CellArray rest_pressure;  ///< Pi of the old surface, mm2/s2; 0 where dry
     alignas(64) CellArray pressure;       ///< p, that of the new surface, as far as it is known
+    alignas(64) CellArray change;         ///< d = f - A p, of thickness, mm
+    alignas(64) CellArray residual;       ///< Pi + S d - p
     alignas(64)
         PatchArray correction;  ///< of p, found by the sweep under way in the tile and its overlap
     alignas(64) CellArray last_pressure;  ///< p of the last step, 0 where unknown
@@ -61,9 +67,12 @@ struct LargeTile {
     alignas(64) CellArray next_share;     ///< the same after the pass under way
     alignas(64) CellArray supply;         ///< what a cell holds over what leaves it in the step
     float largest_mobility = 0.0F;        ///< of its faces
-    float residual = 0.0F;                ///< found by the last sweep
-    float error = 0.0F;                   ///< the same, but kept where the sweep found it small enough
+    float error = 0.0F;                   ///< of thickness, relative, found by the last sweep
+    float corrected_error = 0.0F;         ///< the one that the last correction was for
+    float flux_error = 0.0F;              ///< by what part its last drag got a flux wrong
     bool revised = false;                 ///< its equations or pressure changed since
+    bool moved = false;                   ///< the last sweep changed its pressure
+    bool answered = false;                ///< its change is the answer to the pressure around it
     bool corrected = false;               ///< whether the last sweep left a correction
     bool stubborn = false;                ///< a single V-cycle does not get hold of its residual
     bool light = false;                   ///< somewhere its paint remembers its motion
@@ -82,8 +91,6 @@ class LevelValues {
     const float* data() const { return lines_.data()->values; }
     float& operator[](std::size_t index) { return data()[index]; }
     const float& operator[](std::size_t index) const { return data()[index]; }
-    float* begin() { return data(); }
-    float* end() { return data() + lines_.size() * kLineFloats; }
 
   private:
     static constexpr std::size_t kLineFloats = 16;
@@ -100,7 +107,7 @@ class LevelValues {
 struct MultigridLevel {
     int size = 0;
     LevelValues pressure, change;                ///< the unknowns p and d
-    LevelValues pressure_source, change_source;  ///< right-hand sides
+    LevelValues pressure_source, change_source;  ///< right-hand sides; the finest level's second is zero
     LevelValues mobility_x, mobility_y;          ///< of the face behind the cell
     LevelValues weight_x, weight_y;
     LevelValues inverse;                             ///< 1 / (1 + a s) for a = sum m, s = g + sum w
@@ -117,7 +124,7 @@ struct MultigridLevel {
 struct LargeScratch {
     LargeScratch();
     alignas(64) BlockArray<float> lagged_pressure{};
-    alignas(64) WindowArray pressure{}, change{}, source{}, rest_pressure{}, residual{}, share{};
+    alignas(64) WindowArray pressure{}, change{}, residual{}, share{};
     alignas(64) WindowArray mobility_x{}, mobility_y{}, weight_x{}, weight_y{};
     alignas(64) std::array<std::int32_t, kWindowCells> thickness{};  ///< quanta
     /// Of the patch's solve, zero outside the patch.

@@ -6,10 +6,11 @@
 namespace pastoso::film {
 
 struct LargeKernels {
-    /// The faces but for their velocities, source and starting pressure from the gathered block of
-    /// `scratch` and the lagged pressure of `large`. `again` says that the tile holds a solution of this
-    /// step, whose pressure the lagged one is: shear-thinning paint is thinned by its velocities, and
-    /// the pressure stays as it is. Returned is then by what part a flux of that solution was wrong.
+    /// The faces but for their velocities, source, starting pressure and the change that it makes, from
+    /// the gathered block of `scratch` and the lagged pressure of `large`. `again` says that the tile
+    /// holds a solution of this step, whose pressure the lagged one is: shear-thinning paint is thinned
+    /// by its velocities, and the pressure and its change stay as they are. Returned is then by what
+    /// part a flux of that solution was wrong.
     float (*assemble)(const StepConstants& step, int columns, int rows, const ClosedFaces& closed,
                       const CanvasEdges& edges, bool again, LargeScratch& large, TileScratch& scratch,
                       LargeTile& tile);
@@ -18,11 +19,13 @@ struct LargeKernels {
     float (*refine)(const StepConstants& step, const LargeScratch& large, LargeTile& tile);
     /// f = -(dt/dx) div(h_f u*)
     void (*find_source)(const StepConstants& step, LargeTile& tile);
-    /// d = f - A p and the residual Pi + S d - p of the gathered patch. Returns the largest error of
-    /// thickness that it stands for in the tile, relative to the film or two cells of it.
-    float (*patch_residual)(const StepConstants& step, const std::int32_t* thickness,
-                            LargeScratch& scratch);
-    /// The correction of the patch's pressure that removes its residual, by that many V-cycles.
+    /// d = f - A p from the gathered pressure.
+    void (*find_change)(const LargeScratch& large, LargeTile& tile);
+    /// The residual Pi + S d - p from the gathered change. Returns the largest error of thickness that
+    /// it stands for, relative to the film or two cells of it.
+    float (*find_residual)(const StepConstants& step, int columns, int rows,
+                           const std::int32_t* thickness, const LargeScratch& large, LargeTile& tile);
+    /// The correction of the patch's pressure that removes the gathered residual, by that many V-cycles.
     void (*correct_patch)(const StepConstants& step, int cycles, LargeScratch& scratch,
                           PatchArray& correction);
     /// Adds the corrections of all patches that cover a tile, each with a weight that falls smoothly to

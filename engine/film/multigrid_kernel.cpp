@@ -28,26 +28,19 @@ void store_as(float* values, V lanes) {
     lanes.copy_to(values, lanes::stdx::element_aligned);
 }
 
-template <class V, class Body>
-[[gnu::always_inline]] inline void run_groups(int count, const Body& body) {
-    constexpr int width = static_cast<int>(V::size());
-    const int last = count - width;
-    if (last < 0) return;
-    for (int k = 0; k < last; k += width)
-        body.template operator()<V>(k);
-    body.template operator()<V>(last);
-}
-
-/// Calls body<V>(k) for groups that cover [0, count), count >= 4, the last one moved back; V is as wide
-/// as fits.
+/// Calls body<V>(k) for groups that cover [0, count), count >= 4: as wide ones as fit into what is left,
+/// the last one of four moved back.
 template <class Body>
 [[gnu::always_inline]] inline void for_each_group(int count, const Body& body) {
-    if (count >= kLanes)
-        run_groups<Lanes>(count, body);
-    else if (kLanes > 8 && count >= 8)
-        run_groups<Group<8>>(count, body);
-    else
-        run_groups<Group<4>>(count, body);
+    int k = 0;
+    for (; k + kLanes <= count; k += kLanes)
+        body.template operator()<Lanes>(k);
+    if (kLanes > 8 && k + 8 <= count) {
+        body.template operator()<Group<8>>(k);
+        k += 8;
+    }
+    for (; k < count; k += 4)
+        body.template operator()<Group<4>>(std::min(k, count - 4));
 }
 
 /// Where the cells around those of one colour in a row stand: all of them are of the other colour.
@@ -58,6 +51,25 @@ Neighbours neighbours(const MultigridLevel& level, int y, int colour) {
     const int other = level.row(y, 1 - colour), parity = (y ^ colour) & 1;
     return {level.row(y, colour), other + parity - 1, other + parity, level.row(y - 1, 1 - colour),
             level.row(y + 1, 1 - colour)};
+}
+
+/// a = sum m and s = g + sigma' sum w over a cell's faces.
+template <class V>
+struct CellSums {
+    V mobility, stiffness;
+};
+template <class V>
+[[gnu::always_inline]] inline CellSums<V> cell_sums(const MultigridLevel& level, const Neighbours& at,
+                                                    int k, const Stiffness& stiffness) {
+    const auto sum = [&](const LevelValues& x_faces, const LevelValues& y_faces) {
+        const auto value = [k](const LevelValues& values, int index) {
+            return load_as<V>(values.data() + index + k);
+        };
+        return V((value(x_faces, at.own) + value(x_faces, at.west)) +
+                 (value(y_faces, at.own) + value(y_faces, at.above)));
+    };
+    return {sum(level.mobility_x, level.mobility_y),
+            V(V(stiffness.gravity) + V(stiffness.tension) * sum(level.weight_x, level.weight_y))};
 }
 
 /// A cell's equations d + a p = f1 + sum m p and p - s d = f2 - sigma' sum w d, the sums over its
@@ -105,6 +117,21 @@ void relax(MultigridLevel& level, const Stiffness& stiffness, int colour) {
     }
 }
 
+/// The same where p and d are zero all around, whatever the level holds there.
+void relax_from_zero(MultigridLevel& level, const Stiffness& stiffness, int colour) {
+    for (int y = 0; y < level.size; ++y) {
+        const Neighbours at = neighbours(level, y, colour);
+        for_each_group(level.half(), [&]<class V>(int k) {
+            const CellSums<V> sums = cell_sums<V>(level, at, k, stiffness);
+            const V change = load_as<V>(&level.change_source[at.own + k]);
+            const V p = (load_as<V>(&level.pressure_source[at.own + k]) + sums.stiffness * change) *
+                        load_as<V>(&level.inverse[at.own + k]);
+            store_as(&level.pressure[at.own + k], p);
+            store_as(&level.change[at.own + k], V(change - sums.mobility * p));
+        });
+    }
+}
+
 /// The colour that a sweep relaxes first, and the one it leaves without residual.
 constexpr int kFirstColour = 0, kLastColour = 1;
 
@@ -112,6 +139,13 @@ void smooth(MultigridLevel& level, const Stiffness& stiffness, int sweeps) {
     for (int sweep = 0; sweep < sweeps; ++sweep)
         for (const int colour : {kFirstColour, kLastColour})
             relax(level, stiffness, colour);
+}
+
+/// The sweeps of a level that begins with nothing.
+void smooth_from_zero(MultigridLevel& level, const Stiffness& stiffness, int sweeps) {
+    relax_from_zero(level, stiffness, kFirstColour);
+    relax(level, stiffness, kLastColour);
+    smooth(level, stiffness, sweeps - 1);
 }
 
 /// The residual that a sweep leaves: none in the cells of its last colour.
@@ -223,15 +257,11 @@ void invert_cells(MultigridLevel& level, const Stiffness& stiffness) {
         for (const int colour : {kFirstColour, kLastColour}) {
             const Neighbours at = neighbours(level, y, colour);
             for_each_group(level.half(), [&]<class V>(int k) {
-                const CellEquations<V> cell = cell_equations<V>(level, at, k, stiffness);
+                const CellSums<V> sums = cell_sums<V>(level, at, k, stiffness);
                 store_as(&level.inverse[at.own + k],
-                         V(V(1.0F) / (V(1.0F) + cell.mobility * cell.stiffness)));
+                         V(V(1.0F) / (V(1.0F) + sums.mobility * sums.stiffness)));
             });
         }
-}
-
-void clear(LevelValues& values) {
-    std::fill(values.begin(), values.end(), 0.0F);
 }
 
 }  // namespace
@@ -268,14 +298,12 @@ void multigrid_cycle(const StepConstants& step, LargeScratch& scratch) {
     for (int depth = 0; depth + 1 < kMultigridLevels; ++depth) {
         MultigridLevel& fine = scratch.levels[depth];
         MultigridLevel& coarse = scratch.levels[depth + 1];
-        smooth(fine, stiffness, kSweeps);
+        smooth_from_zero(fine, stiffness, kSweeps);
         find_residual(fine, stiffness);
         restrict_mean(fine, fine.change_residual, coarse, coarse.change_source);
         restrict_mean(fine, fine.pressure_residual, coarse, coarse.pressure_source);
-        clear(coarse.change);
-        clear(coarse.pressure);
     }
-    smooth(scratch.levels.back(), stiffness, kCoarsestSweeps);
+    smooth_from_zero(scratch.levels.back(), stiffness, kCoarsestSweeps);
     for (int depth = kMultigridLevels - 2; depth >= 0; --depth) {
         prolong(scratch.levels[depth + 1], scratch.levels[depth]);
         smooth(scratch.levels[depth], stiffness, kSweeps);

@@ -12,68 +12,64 @@ using grid::kTileSize;
 /// Errors of thicker film are relative to this.
 constexpr float kThick_cells = 2.0F;
 
-/// sum over the four faces of coefficient (value - neighbour's value)
-Lanes difference(const WindowArray& x_faces, const WindowArray& y_faces, const WindowArray& values,
-                 int i) {
-    const float* v = values.data() + i;
+/// sum over the four faces of coefficient (value - neighbour's value) of the tile's cell (x, y)
+Lanes difference(const FaceArray<float>& x_faces, const FaceArray<float>& y_faces,
+                 const WindowArray& values, int x, int y) {
+    const float* v = &values[window_index(x, y)];
+    const int f = face_index(x, y);
     const Lanes here = load(v);
-    return (load(&x_faces[i]) * (here - load(v + 1)) + load(&x_faces[i - 1]) * (here - load(v - 1))) +
-           (load(&y_faces[i]) * (here - load(v + kWindowStride)) +
-            load(&y_faces[i - kWindowStride]) * (here - load(v - kWindowStride)));
+    return (load(&x_faces[f]) * (here - load(v + 1)) + load(&x_faces[f - 1]) * (here - load(v - 1))) +
+           (load(&y_faces[f]) * (here - load(v + kWindowStride)) +
+            load(&y_faces[f - kFaceStride]) * (here - load(v - kWindowStride)));
 }
 
-Lanes face_sum(const WindowArray& x_faces, const WindowArray& y_faces, int i) {
-    return (load(&x_faces[i]) + load(&x_faces[i - 1])) +
-           (load(&y_faces[i]) + load(&y_faces[i - kWindowStride]));
+Lanes face_sum(const FaceArray<float>& x_faces, const FaceArray<float>& y_faces, int f) {
+    return (load(&x_faces[f]) + load(&x_faces[f - 1])) +
+           (load(&y_faces[f]) + load(&y_faces[f - kFaceStride]));
 }
 
-/// d = f - A p
-void find_change(LargeScratch& scratch) {
-    const int first = -kOverlap - 1, last = kTileSize + kOverlap + 1;
-    for (int y = first; y < last; ++y)
-        for_each_lane_group(first, last, [&](int x) {
-            const int i = window_index(x, y);
-            const Lanes outflow =
-                difference(scratch.mobility_x, scratch.mobility_y, scratch.pressure, i);
-            store(&scratch.change[i], load(&scratch.source[i]) - outflow);
-        });
+Lanes thickness_mm(const std::int32_t* quanta) {
+    const lanes::stdx::rebind_simd_t<std::int32_t, Lanes> held(quanta, lanes::stdx::element_aligned);
+    return lanes::stdx::static_simd_cast<Lanes>(held) * Lanes(static_cast<float>(kThicknessQuantum_mm));
 }
 
 }  // namespace
 
-float find_patch_residual(const StepConstants& step, const std::int32_t* thickness,
-                          LargeScratch& scratch) {
-    const Lanes gravity(step.gravity_mm_s2),
-        tension(step.tension * step.inverse_cell * step.inverse_cell);
-    find_change(scratch);
-    const int first = -kOverlap, last = kTileSize + kOverlap;
-    for (int y = first; y < last; ++y)
-        for_each_lane_group(first, last, [&](int x) {
-            const int i = window_index(x, y);
-            const Lanes bend = difference(scratch.weight_x, scratch.weight_y, scratch.change, i);
-            const Lanes target =
-                load(&scratch.rest_pressure[i]) + gravity * load(&scratch.change[i]) + tension * bend;
-            store(&scratch.residual[i], target - load(&scratch.pressure[i]));
-        });
-    Lanes worst(0.0F);
-    const Lanes huge(1e30F);
-    // In thick paint the same relative error would be a ripple that shows.
-    const Lanes thick(kThick_cells * step.cell_mm);
-    const Lanes floor(0.05F * step.cell_mm), quantum(static_cast<float>(kThicknessQuantum_mm));
+void find_change(const LargeScratch& large, LargeTile& tile) {
     for (int y = 0; y < kTileSize; ++y)
         for (int x = 0; x < kTileSize; x += kLanes) {
-            const int i = window_index(x, y);
-            const Lanes a = face_sum(scratch.mobility_x, scratch.mobility_y, i);
-            const Lanes s = gravity + tension * face_sum(scratch.weight_x, scratch.weight_y, i);
-            const Lanes error =
-                lanes::abs(Lanes(a * load(&scratch.residual[i]) / (Lanes(1.0F) + a * s)));
-            const lanes::stdx::rebind_simd_t<std::int32_t, Lanes> quanta(thickness + y * kTileSize + x,
-                                                                         lanes::stdx::element_aligned);
-            const Lanes h =
-                lanes::min(Lanes(lanes::stdx::static_simd_cast<Lanes>(quanta) * quantum), thick);
-            const Lanes relative = error / (h + lanes::abs(load(&scratch.change[i])) + floor);
-            // What is not a number counts as large.
-            worst = lanes::max(worst, lanes::select(relative < huge, relative, huge));
+            const int cell = y * kTileSize + x;
+            const Lanes outflow = difference(tile.x.mobility, tile.y.mobility, large.pressure, x, y);
+            store(&tile.change[cell], load(&tile.source[cell]) - outflow);
+        }
+}
+
+float find_residual(const StepConstants& step, int columns, int rows, const std::int32_t* thickness,
+                    const LargeScratch& large, LargeTile& tile) {
+    const Lanes gravity(step.gravity_mm_s2),
+        tension(step.tension * step.inverse_cell * step.inverse_cell);
+    // In thick paint the same relative error would be a ripple that shows.
+    const Lanes thick(kThick_cells * step.cell_mm), floor(0.05F * step.cell_mm);
+    const Lanes huge(1e30F), one(1.0F);
+    const Lanes lane_number([](auto lane) { return static_cast<float>(lane); });
+    Lanes worst(0.0F);
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; x += kLanes) {
+            const int f = face_index(x, y), cell = y * kTileSize + x;
+            const Lanes change = load(&tile.change[cell]);
+            const Lanes bend = difference(tile.x.weight, tile.y.weight, large.change, x, y);
+            const Lanes target = load(&tile.rest_pressure[cell]) + gravity * change + tension * bend;
+            const Lanes residual = target - load(&tile.pressure[cell]);
+            store(&tile.residual[cell], residual);
+            const Lanes a = face_sum(tile.x.mobility, tile.y.mobility, f);
+            const Lanes s = gravity + tension * face_sum(tile.x.weight, tile.y.weight, f);
+            const Lanes h = lanes::min(thickness_mm(thickness + cell), thick);
+            const Lanes relative =
+                lanes::abs(Lanes(a * residual)) / ((one + a * s) * (h + lanes::abs(change) + floor));
+            // What is not a number counts as large, what lies beyond the canvas not at all.
+            const Lanes counted = lanes::select(relative < huge, relative, huge);
+            const auto on_canvas = lane_number < Lanes(static_cast<float>(columns - x));
+            worst = lanes::max(worst, lanes::select(on_canvas, counted, Lanes(0.0F)));
         }
     return lanes::stdx::hmax(worst);
 }
@@ -93,8 +89,6 @@ void merge_patch(const MultigridLevel& finest, const LevelValues& values, Window
 /// The correction that a V-cycle finds for the residual.
 void find_direction(const StepConstants& step, LargeScratch& scratch) {
     MultigridLevel& finest = scratch.levels[0];
-    for (auto* values : {&finest.pressure, &finest.change, &finest.change_source})
-        std::fill(values->begin(), values->end(), 0.0F);
     split_patch(scratch.residual, finest, finest.pressure_source);
     multigrid_cycle(step, scratch);
     merge_patch(finest, finest.pressure, scratch.direction);

@@ -125,6 +125,13 @@ struct PigmentFluxes {
     }
 };
 
+/// Whether anything passes one of a cell's faces.
+[[gnu::always_inline]] inline bool is_passed(const TileScratch& scratch, int x, int y) {
+    const int f = face_index(x, y);
+    return (scratch.flux_x[f - 1] | scratch.flux_x[f] | scratch.flux_y[f - kFaceStride] |
+            scratch.flux_y[f]) != 0;
+}
+
 void add_runoff(const ChannelInts& outward, PigmentMoved& moved) {
     for (int k = 0; k < kPaintChannels; ++k)
         moved.runoff[k] += outward.registers[k / kWidth][k % kWidth];
@@ -148,6 +155,12 @@ PigmentMoved transport(const TileScratch& scratch, const float* concentrations, 
         if (runoff_edges.left) add_runoff(-left, moved);
         for (int x = 0; x < columns; ++x) {
             const int cell = y * kTileSize + x;
+            if (!is_passed(scratch, x, y)) {
+                after[cell] = before[cell];
+                from_above[x] = {};
+                left = {};
+                continue;
+            }
             const ChannelInts right = fluxes.through_x(x, y);
             const ChannelInts below = fluxes.through_y(x, y);
             const ChannelInts above = ChannelInts::load(from_above[x]);

@@ -102,7 +102,7 @@ std::uint64_t state_hash(const FilmState& state) {
     add_heights(state.support_mm, hash);
     add_field(state.strata.soluble_thickness, hash);
     add_field(state.strata.soluble_pigment, hash);
-    add_field(state.strata.ground, hash);
+    add_field(state.strata.optics, hash);
     add_field(state.strata.uppermost, hash);
     hash.add_value(state.strata.fixed);
     hash.add_value(state.strata.evaporated);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 namespace pastoso::film {
@@ -16,6 +15,17 @@ using grid::kTileCells;
 /// Share of the stability limit that is used; the lateral viscosity takes up to a quarter of it.
 constexpr double kStepSafety = 0.7;
 
+/// How far the body force alone may carry paint in a large step, in cells, and how far the air: beyond
+/// one cell paint would leave its pigment behind.
+constexpr double kCourant = 0.2, kBlownCourant = 1.0;
+
+/// How much faster paint that is blown on may be after a step than before it. What stands against the
+/// air, weight and tension, is not in the push: by the push alone a heap that it holds up would race.
+constexpr double kQuickening = 2.0, kGust_mm_s = 200.0;
+
+/// Paint that the air throws faster than these steps allow lags behind: cells give what they hold.
+constexpr double kMostBlownSteps_per_s = 1200.0;
+
 /// What a large step costs, in explicit ones.
 constexpr double kLargeStepCost = 4.0;
 
@@ -24,17 +34,34 @@ std::int32_t thickest_quanta(const FilmState& state, int tile) {
     return *std::max_element(values, values + kTileCells);
 }
 
-/// The largest value(h, nu, tau_y/rho) of a tile's cells.
+/// nu and tau_y/rho of a tile's cells.
+struct TileRheology {
+    std::array<float, kTileCells> viscosity, yield;
+};
+
+TileRheology rheology_of(const PlannedFilm& film, int tile) {
+    TileRheology rheology;
+    if (film.state.varied) {
+        const auto yield_per_Pa = static_cast<float>(1e6 / film.density_kg_m3);
+        tile_kernels().rheology(film.state.paint.read(tile), film.state.thickness.read(tile), kTileCells,
+                                yield_per_Pa, rheology.viscosity.data(), rheology.yield.data());
+    } else {
+        rheology.viscosity.fill(static_cast<float>(film.limits.viscosity_mm2_s));
+        rheology.yield.fill(static_cast<float>(film.limits.yield));
+    }
+    return rheology;
+}
+
+/// The largest value(cell, h, nu, tau_y/rho) of a tile's cells.
 template <class Value>
 double largest_of_cells(const PlannedFilm& film, int tile, const Value& value) {
-    std::array<float, kTileCells> viscosity{}, yield{};
+    const TileRheology rheology = rheology_of(film, tile);
     const std::int32_t* thickness = film.state.thickness.read(tile);
-    const auto yield_per_Pa = static_cast<float>(1e6 / film.density_kg_m3);
-    tile_kernels().rheology(film.state.paint.read(tile), thickness, kTileCells, yield_per_Pa,
-                            viscosity.data(), yield.data());
     double largest = 0.0;
     for (int cell = 0; cell < kTileCells; ++cell)
-        largest = std::max(largest, value(thickness_mm(thickness[cell]), viscosity[cell], yield[cell]));
+        if (thickness[cell] > 0)
+            largest = std::max(largest, value(cell, thickness_mm(thickness[cell]),
+                                              rheology.viscosity[cell], rheology.yield[cell]));
     return largest;
 }
 
@@ -42,51 +69,78 @@ double resting_step_s(const PlannedFilm& film, int tile) {
     const double thickest_mm = thickness_mm(thickest_quanta(film.state, tile));
     if (!film.state.varied) return film.limits.newtonian_step_s(thickest_mm);
     return film.limits.resting_step_s(
-        thickest_mm, largest_of_cells(film, tile, [](double h, double viscosity, double) {
+        thickest_mm, largest_of_cells(film, tile, [](int, double h, double viscosity, double) {
             return h * h * h / viscosity;
         }));
 }
 
-/// What the body force alone makes of the paint in these tiles that it carries fastest, at most.
-double fastest_speed_mm_s(const PlannedFilm& film, const StepLimits& forces,
-                          const std::vector<int>& tiles) {
+/// The largest value(tile) of these tiles.
+template <class Value>
+double largest_of_tiles(const PlannedFilm& film, const std::vector<int>& tiles, const Value& value) {
+    std::vector<double> values(tiles.size() + 1);
+    film.pool.run(tiles.size(), [&](std::size_t index, int) { values[index] = value(tiles[index]); });
+    return *std::max_element(values.begin(), values.end());
+}
+
+/// What the body force alone makes of the paint that it carries fastest, at most.
+double fastest_speed_mm_s(const PlannedFilm& film) {
+    const std::vector<int> tiles = film.activity.stepping_tiles();
     if (!film.state.varied) {
         std::int32_t thickest = 0;
         for (const int tile : tiles)
             thickest = std::max(thickest, thickest_quanta(film.state, tile));
-        return forces.fastest_speed_mm_s(thickness_mm(thickest));
+        return film.limits.fastest_speed_mm_s(thickness_mm(thickest));
     }
-    std::vector<double> fastest(tiles.size() + 1);
-    film.pool.run(tiles.size(), [&](std::size_t index, int) {
-        fastest[index] =
-            largest_of_cells(film, tiles[index], [&](double h, double viscosity, double yield) {
-                return forces.fastest_speed_mm_s(h, viscosity, yield);
-            });
+    return largest_of_tiles(film, tiles, [&](int tile) {
+        return largest_of_cells(film, tile, [&](int, double h, double viscosity, double yield) {
+            return film.limits.fastest_speed_mm_s(h, viscosity, yield);
+        });
     });
-    return *std::max_element(fastest.begin(), fastest.end());
 }
 
-/// The same of all paint that is stepped, where it is blown on with the push of the air.
-double fastest_speed_mm_s(const PlannedFilm& film) {
-    const std::vector<int> tiles = film.activity.stepping_tiles();
-    double speed = fastest_speed_mm_s(film, film.limits, tiles);
-    for (const AirJet& jet : film.air) {
-        const grid::Rect reached = cells_reached(jet, film.state.shape, film.state.cell_mm);
-        std::vector<int> blown;
-        std::copy_if(tiles.begin(), tiles.end(), std::back_inserter(blown), [&](int tile) {
-            return !grid::intersection(film.state.shape.tile_cells(tile), reached).empty();
-        });
-        StepLimits pushed = film.limits;
-        pushed.force_mm_s2 += strongest_push_mm_s2(jet, film.density_kg_m3);
-        speed = std::max(speed, fastest_speed_mm_s(film, pushed, blown));
-    }
-    return speed;
+/// The push of all jets on a cell, mm/s2, at most.
+double push_mm_s2(const PlannedFilm& film, const grid::Rect& tile_cells, int cell) {
+    const double x_mm = (tile_cells.x0 + cell % grid::kTileSize + 0.5) * film.state.cell_mm;
+    const double y_mm = (tile_cells.y0 + cell / grid::kTileSize + 0.5) * film.state.cell_mm;
+    double push = 0.0;
+    for (const AirJet& jet : film.air)
+        push += air_push_mm_s2(jet, film.density_kg_m3, x_mm, y_mm);
+    return push;
+}
+
+bool is_reached(const PlannedFilm& film, int tile) {
+    const grid::Rect cells = film.state.shape.tile_cells(tile);
+    return std::any_of(film.air.begin(), film.air.end(), [&](const AirJet& jet) {
+        return !grid::intersection(cells, cells_reached(jet, film.state.shape, film.state.cell_mm))
+                    .empty();
+    });
+}
+
+/// What the air makes of the paint that it blows on, together with the body force, at most: thick paint
+/// in the still middle of a jet is not taken for the thin paint at its rim.
+double fastest_blown_speed_mm_s(const PlannedFilm& film) {
+    std::vector<int> blown;
+    for (const int tile : film.activity.stepping_tiles())
+        if (is_reached(film, tile)) blown.push_back(tile);
+    return largest_of_tiles(film, blown, [&](int tile) {
+        const grid::Rect cells = film.state.shape.tile_cells(tile);
+        const double bound_mm_s =
+            largest_of_cells(film, tile, [&](int cell, double h, double viscosity, double yield) {
+                StepLimits pushed = film.limits;
+                pushed.force_mm_s2 += push_mm_s2(film, cells, cell);
+                return pushed.fastest_speed_mm_s(h, viscosity, yield);
+            });
+        const double measured_mm_s = film.activity.tile(tile).extremes.speed_mm_s;
+        return std::min(bound_mm_s, kQuickening * measured_mm_s + kGust_mm_s);
+    });
 }
 
 double large_step_s(const PlannedFilm& film, double seconds) {
-    const double speed = fastest_speed_mm_s(film);
-    constexpr double kCourant = 0.2;
-    return seconds / std::max(1.0, std::ceil(seconds * speed / (kCourant * film.state.cell_mm)));
+    const double cell_mm = film.state.cell_mm;
+    const double own_per_s = fastest_speed_mm_s(film) / (kCourant * cell_mm);
+    const double blown_per_s = fastest_blown_speed_mm_s(film) / (kBlownCourant * cell_mm);
+    const double steps_per_s = std::max(own_per_s, std::min(blown_per_s, kMostBlownSteps_per_s));
+    return seconds / std::max(1.0, std::ceil(seconds * steps_per_s));
 }
 
 double stable_step_s(const PlannedFilm& film) {

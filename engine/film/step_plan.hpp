@@ -28,7 +28,7 @@ struct StepPlan {
 
 /// The next step towards the end of `seconds`; may be longer than what is left. An explicit one stays
 /// below the stability limit of every tile. In a large one the body force carries no paint further than
-/// a fifth of a cell, and the waves may be of any speed.
+/// a fifth of a cell and the air about one cell; the waves may be of any speed.
 StepPlan plan_step(const PlannedFilm& film, const SolverOptions& options, double seconds);
 
 }  // namespace pastoso::film

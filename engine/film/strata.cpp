@@ -1,7 +1,6 @@
 #include "film/strata.hpp"
 
 #include "film/state.hpp"
-#include "pigment/kubelka_munk.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,14 +74,30 @@ DriedTotals dried_totals(const Strata& strata) {
     return sums;
 }
 
-pigment::Bands layer_over(const std::int32_t* pigment, const pigment::Bands& ground) {
-    pigment::Bands reflectance{};
+void set_optics(int band, const pigment::LayerOptics<float>& optics, StrataOptics& strata) {
+    const auto code = [](float share) {
+        return static_cast<std::uint16_t>(std::clamp(share, 0.0F, 1.0F) * kOpticsCode + 0.5F);
+    };
+    strata[band] = code(optics.reflectance);
+    strata[pigment::kBands + band] = code(optics.transmittance);
+    strata[2 * pigment::kBands + band] = code(optics.reverse);
+}
+
+StrataOptics laid_over(const std::int32_t* pigment, const StrataOptics& lower) {
+    StrataOptics result{};
     for (int band = 0; band < pigment::kBands; ++band) {
-        reflectance[band] =
-            pigment::layer_reflectance(optical_thickness(pigment[band]),
-                                       optical_thickness(pigment[band + pigment::kBands]), ground[band]);
+        const auto layer = pigment::layer_optics(optical_thickness(pigment[band]),
+                                                 optical_thickness(pigment[band + pigment::kBands]));
+        set_optics(band, pigment::laid_over(layer, optics_of(lower, band)), result);
     }
-    return reflectance;
+    return result;
+}
+
+StrataOptics laid_over(const StrataOptics& upper, const StrataOptics& lower) {
+    StrataOptics result{};
+    for (int band = 0; band < pigment::kBands; ++band)
+        set_optics(band, pigment::laid_over(optics_of(upper, band), optics_of(lower, band)), result);
+    return result;
 }
 
 }  // namespace pastoso::film

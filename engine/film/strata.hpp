@@ -1,9 +1,11 @@
-// Dry paint below the wet film. What binds itself while it dries is fixed for ever: it shows as a ground
-// of its own colour. Paint with hardly any binder stays as a layer that thinner dissolves.
+// Dry paint below the wet film. What binds itself while it dries is fixed for ever: what it does to
+// light is all that is kept of its pigments. Paint with hardly any binder stays as a layer that thinner
+// dissolves.
 #pragma once
 
 #include "film/paint_cell.hpp"
 #include "grid/tiled_field.hpp"
+#include "pigment/layer_optics.hpp"
 
 #include <array>
 #include <cstdint>
@@ -23,6 +25,32 @@ using PigmentMixture = std::array<std::uint16_t, kPigmentChannels>;
 PigmentMixture mixture_of(const std::int32_t* pigment, std::int32_t thickness);
 pigment::Coefficients coefficients_of(const PigmentMixture& mixture);
 
+/// What fixed paint does to light in every band (pigment/layer_optics.hpp), each share in 65535ths:
+/// reflectances, then transmittances, then reverse reflectances.
+using StrataOptics = std::array<std::uint16_t, 3 * pigment::kBands>;
+
+inline constexpr float kOpticsCode = 65535.0F;
+inline constexpr StrataOptics kClearStrata = [] {
+    StrataOptics clear{};
+    for (int band = 0; band < pigment::kBands; ++band)
+        clear[pigment::kBands + band] = static_cast<std::uint16_t>(kOpticsCode);
+    return clear;
+}();
+
+inline pigment::LayerOptics<float> optics_of(const StrataOptics& strata, int band) {
+    return {static_cast<float>(strata[band]) / kOpticsCode,
+            static_cast<float>(strata[pigment::kBands + band]) / kOpticsCode,
+            static_cast<float>(strata[2 * pigment::kBands + band]) / kOpticsCode};
+}
+
+void set_optics(int band, const pigment::LayerOptics<float>& optics, StrataOptics& strata);
+
+/// A layer of pigment, quanta of K h and S h, over others.
+StrataOptics laid_over(const std::int32_t* pigment, const StrataOptics& lower);
+
+/// Strata over others.
+StrataOptics laid_over(const StrataOptics& upper, const StrataOptics& lower);
+
 /// Sums over the canvas, exact. Thickness in quanta of kThicknessQuantum_mm.
 struct DriedTotals {
     std::int64_t thickness = 0;
@@ -36,19 +64,22 @@ struct DriedTotals {
 struct Strata {
     Strata() = default;
     explicit Strata(grid::Shape canvas)
-        : soluble_thickness(canvas), soluble_pigment(canvas), ground(canvas), uppermost(canvas) {}
+        : soluble_thickness(canvas),
+          soluble_pigment(canvas),
+          optics(canvas, kClearStrata),
+          uppermost(canvas) {}
 
     /// The uppermost stratum as long as it can be dissolved.
     grid::TiledField<std::int32_t> soluble_thickness;
     grid::TiledField<PigmentCell> soluble_pigment;
 
-    /// Internal reflectance of what lies below that; in tiles that are background, the bare support's.
-    grid::TiledField<pigment::Bands> ground;
+    /// What lies below that down to the support, apart from it.
+    grid::TiledField<StrataOptics> optics;
 
-    /// What the uppermost stratum of `ground` is made of, for a painter who wants that paint again.
+    /// What the uppermost stratum of `optics` is made of, for a painter who wants that paint again.
     grid::TiledField<PigmentMixture> uppermost;
 
-    DriedTotals fixed;            ///< all paint in and below `ground`
+    DriedTotals fixed;            ///< all paint in `optics`
     std::int64_t evaporated = 0;  ///< thickness that left the film as vapour, summed over all cells
 };
 
@@ -61,9 +92,5 @@ void replace_soluble(int tile, bool any, grid::TileBlock<std::int32_t> thickness
 
 /// What lies dry on the canvas.
 DriedTotals dried_totals(const Strata& strata);
-
-/// The reflectance of a layer of pigment over a ground, band by band (Kubelka-Munk, all inside the
-/// binder).
-pigment::Bands layer_over(const std::int32_t* pigment, const pigment::Bands& ground);
 
 }  // namespace pastoso::film

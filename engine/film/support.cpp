@@ -108,8 +108,8 @@ struct StretchedImage {
 
 }  // namespace
 
-SupportHeights panel_support(grid::Shape shape, double cell_mm, double relief_mm,
-                             core::ThreadPool& pool) {
+SupportHeights panel_support(grid::Shape shape, double cell_mm, double relief_mm, core::ThreadPool& pool,
+                             SupportForm form) {
     PASTOSO_CHECK_OP(cell_mm, >, 0.0);
     const int samples = samples_per_cell(cell_mm, kFineBrushMark_mm / 2.0);
     const auto fill_row = [=](double y_cells, std::span<float> heights) {
@@ -118,7 +118,7 @@ SupportHeights panel_support(grid::Shape shape, double cell_mm, double relief_mm
             heights[k] = gesso_height((static_cast<double>(k) + 0.5) * step_mm, y_cells * cell_mm);
         }
     };
-    return sampled_levels(shape, samples, relief_mm, pool, [&] { return fill_row; });
+    return sampled_in(form, shape, samples, relief_mm, pool, [&] { return fill_row; });
 }
 
 SupportHeights image_support(grid::Shape shape, const std::vector<float>& grey, int width, int height,
@@ -138,17 +138,17 @@ SupportHeights image_heights(grid::Shape shape, const std::vector<float>& grey, 
 }
 
 SupportHeights named_support(std::string_view name, grid::Shape shape, double cell_mm, double relief_mm,
-                             core::ThreadPool& pool) {
+                             core::ThreadPool& pool, SupportForm form) {
     const std::string wanted = core::lower_case(name);
     if (wanted == "panel")
-        return panel_support(shape, cell_mm, relief_mm > 0.0 ? relief_mm : kGessoRelief_mm, pool);
+        return panel_support(shape, cell_mm, relief_mm > 0.0 ? relief_mm : kGessoRelief_mm, pool, form);
     if (wanted != "linen" && wanted != "cotton duck") {
         throw core::InputError("There is no support \"" + std::string(name) +
                                "\"; the supports are: linen, cotton duck, panel.");
     }
     Weave weave = wanted == "linen" ? kLinen : kCottonDuck;
     if (relief_mm > 0.0) weave.relief_mm = relief_mm;
-    return woven_support(shape, cell_mm, weave, pool);
+    return woven_support(shape, cell_mm, weave, pool, form);
 }
 
 }  // namespace pastoso::film

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/thread_pool.hpp"
-#include "film/support_heights.hpp"
+#include "film/support.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -95,6 +95,14 @@ SupportHeights sampled_levels(grid::Shape shape, int samples, double relief_mm, 
             sample_tile_row(row, samples, level_mm, relief_mm, fill_row, field);
     });
     return field;
+}
+
+/// The same, heights being 0 to 1, in either form.
+template <class MakeFillRow>
+SupportHeights sampled_in(SupportForm form, grid::Shape shape, int samples, double relief_mm,
+                          core::ThreadPool& pool, const MakeFillRow& make_fill_row) {
+    if (form == SupportForm::Fine) return sampled_heights(shape, samples, relief_mm, make_fill_row());
+    return sampled_levels(shape, samples, relief_mm, pool, make_fill_row);
 }
 
 }  // namespace pastoso::film

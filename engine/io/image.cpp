@@ -59,6 +59,21 @@ std::string png_file(const shade::Image8& image, double px_per_mm) {
     return encode_png(layout, image.rgb.data());
 }
 
+std::string png_file(const shade::Image8& image, double px_per_mm,
+                     const std::vector<std::uint8_t>& covered) {
+    if (covered.empty()) return png_file(image, px_per_mm);
+    PASTOSO_CHECK_OP(3 * covered.size(), ==, image.rgb.size());
+    std::vector<std::uint8_t> rgba(4 * covered.size(), 0);
+    for (std::size_t i = 0; i < covered.size(); ++i) {
+        if (covered[i] == 0) continue;
+        std::copy_n(&image.rgb[3 * i], 3, &rgba[4 * i]);
+        rgba[4 * i + 3] = covered[i];
+    }
+    ImageLayout layout = layout_of(image, rgba, 4, Sample::Uint8, px_per_mm);
+    layout.space = image.space;
+    return encode_png(layout, rgba.data());
+}
+
 void write_image(const std::filesystem::path& path, const shade::Image8& image, double px_per_mm,
                  const IccProfile& profile) {
     write_colours(path, image, Sample::Uint8, px_per_mm, profile);

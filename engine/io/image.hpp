@@ -39,6 +39,10 @@ void write_image(const std::filesystem::path& path, const GreyImage& image, doub
 /// A whole PNG file, for archives: packed fast rather than small, otherwise as write_image() writes it.
 std::string png_file(const shade::Image8& image, double px_per_mm = 0.0);
 
+/// The same with transparency: 255 or 0 for every pixel, or nothing at all for an opaque picture.
+std::string png_file(const shade::Image8& image, double px_per_mm,
+                     const std::vector<std::uint8_t>& covered);
+
 /// Reads any image that OpenImageIO knows into linear light of the working space: by the ICC profile in
 /// the file, or the chromaticities of an EXR; what says nothing is sRGB, linear where it holds floats.
 /// Grey becomes three equal values; transparency is left out. Throws InputError when it is no image, is

@@ -4,6 +4,7 @@
 #include "document/canvas.hpp"
 #include "io/hand_aids_json.hpp"
 #include "io/json_place.hpp"
+#include "io/layers_json.hpp"
 #include "io/paint_json.hpp"
 #include "io/recording_json.hpp"
 #include "io/stroke_ticks.hpp"
@@ -141,6 +142,19 @@ constexpr Kind kKinds[] = {
     {"set_symmetry", read_symmetry},
     {"squeeze_paint", read_squeeze},
     {"clean_well", read_plain<document::CleanWell>},
+    {"add_layer", read_add_layer},
+    {"select_layer", read_of_layer<document::SelectLayer>},
+    {"set_layer", read_set_layer},
+    {"duplicate_layer", read_of_layer<document::DuplicateLayer>},
+    {"remove_layer", read_of_layer<document::RemoveLayer>},
+    {"clear_layer", read_of_layer<document::ClearLayer>},
+    {"move_layer", read_move_layer},
+    {"merge_down", read_of_layer<document::MergeDown>},
+    {"flatten_layers", read_plain<document::FlattenLayers>},
+    {"group_layers", read_group_layers},
+    {"set_group", read_set_group},
+    {"move_group", read_move_group},
+    {"ungroup_layers", read_ungroup_layers},
 };
 
 /// [time, x, y, pressure, tilt_x, tilt_y, rotation]; angles left out at the end are 0.
@@ -198,11 +212,10 @@ class EventReader {
             events.push_back({tick, action});
             return;
         }
-        entry.fail(
-            "expected one of stroke, take_brush, load_paint, clean_brush, use_medium, tilt_canvas, "
-            "set_drying, dry_now, undo, redo, set_stabiliser, set_guide, set_symmetry, squeeze_paint "
-            "and "
-            "clean_well beside the tick.");
+        std::string kinds = "stroke";
+        for (const Kind& kind : kKinds)
+            kinds += std::string(", ") + kind.key;
+        entry.fail("expected one of " + kinds + " beside the tick.");
     }
 
     void read_stroke(const JsonPlace& stroke, std::int64_t first_tick) {

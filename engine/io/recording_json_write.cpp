@@ -1,6 +1,7 @@
 #include "core/text_file.hpp"
 #include "io/hand_aids_json.hpp"
 #include "io/json_place.hpp"
+#include "io/layers_json.hpp"
 #include "io/paint_json.hpp"
 #include "io/recording_json.hpp"
 #include "io/stroke_ticks.hpp"
@@ -165,6 +166,23 @@ class EntryWriter {
         put("squeeze_paint", squeeze_json(squeeze));
     }
     void operator()(const document::CleanWell&) { put("clean_well", Json::object()); }
+    void operator()(const document::AddLayer& add) { put("add_layer", Json{{"name", add.name}}); }
+    void operator()(const document::SelectLayer& select) { put_layer("select_layer", select.layer); }
+    void operator()(const document::SetLayer& set) { put("set_layer", set_layer_json(set)); }
+    void operator()(const document::DuplicateLayer& copy) { put_layer("duplicate_layer", copy.layer); }
+    void operator()(const document::RemoveLayer& remove) { put_layer("remove_layer", remove.layer); }
+    void operator()(const document::ClearLayer& clear) { put_layer("clear_layer", clear.layer); }
+    void operator()(const document::MoveLayer& move) { put("move_layer", move_layer_json(move)); }
+    void operator()(const document::MergeDown& merge) { put_layer("merge_down", merge.layer); }
+    void operator()(const document::FlattenLayers&) { put("flatten_layers", Json::object()); }
+    void operator()(const document::GroupLayers& group) {
+        put("group_layers", group_layers_json(group));
+    }
+    void operator()(const document::SetGroup& set) { put("set_group", set_group_json(set)); }
+    void operator()(const document::MoveGroup& move) { put("move_group", move_group_json(move)); }
+    void operator()(const document::UngroupLayers& ungroup) {
+        put("ungroup_layers", Json{{"group", ungroup.group}});
+    }
 
   private:
     void put(const char* kind, Json content) {
@@ -172,18 +190,32 @@ class EntryWriter {
         entries.push_back(Json{{"tick", tick_}, {kind, std::move(content)}});
     }
 
+    void put_layer(const char* kind, document::LayerId layer) { put(kind, Json{{"layer", layer}}); }
+
     StrokeWriter stroke_;
     std::int64_t tick_ = 0;
 };
 
+template <class... Kinds>
+bool is_one_of(const document::Action& action) {
+    return (std::holds_alternative<Kinds>(action) || ...);
+}
+
 bool uses_well(const Event& event) {
     const auto* pen = std::get_if<document::PenDown>(&event.action);
     return (pen != nullptr && pen->surface == document::Surface::Well) ||
-           std::holds_alternative<document::SqueezePaint>(event.action) ||
-           std::holds_alternative<document::CleanWell>(event.action);
+           is_one_of<document::SqueezePaint, document::CleanWell>(event.action);
+}
+
+bool uses_layers(const Event& event) {
+    using namespace document;
+    return is_one_of<AddLayer, SelectLayer, SetLayer, DuplicateLayer, RemoveLayer, ClearLayer, MoveLayer,
+                     MergeDown, FlattenLayers, GroupLayers, SetGroup, MoveGroup, UngroupLayers>(
+        event.action);
 }
 
 int version_needed(const document::Recording& recording) {
+    if (std::any_of(recording.events.begin(), recording.events.end(), uses_layers)) return 5;
     return std::any_of(recording.events.begin(), recording.events.end(), uses_well) ? 4 : 3;
 }
 

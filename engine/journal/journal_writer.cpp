@@ -19,8 +19,8 @@ constexpr const char* kStartFile = "start.pastoso";
 /// A batch of more is written in several frames: a frame stays small enough to be read.
 constexpr std::size_t kMostBatchEvents = 4096;
 
-/// Time that passes without actions is written twice a second.
-constexpr std::int64_t kQuietTicks = 30;
+/// Time that passes without actions is written four times a second.
+constexpr std::int64_t kQuietTicks = 15;
 
 Header header_of(const Beginning& beginning) {
     return {.program = PASTOSO_VERSION,

@@ -8,11 +8,19 @@ bool is_one_of(const document::Action& action) {
     return (std::holds_alternative<Kinds>(action) || ...);
 }
 
+bool changes_layers(const document::Action& action) {
+    using namespace document;
+    return is_one_of<AddLayer, SetLayer, DuplicateLayer, RemoveLayer, ClearLayer, MoveLayer, MergeDown,
+                     FlattenLayers, GroupLayers, SetGroup, MoveGroup, UngroupLayers>(action);
+}
+
 }  // namespace
 
 void UndoReach::note(const document::Action& action) {
     // Cleaning a well that is bare already is no step, so it is not counted on.
-    if (is_one_of<document::PenDown, document::DryNow, document::SqueezePaint>(action)) ++undoable_;
+    if (is_one_of<document::PenDown, document::DryNow, document::SqueezePaint>(action) ||
+        changes_layers(action))
+        ++undoable_;
     if (changes_painting(action) && !is_one_of<document::Undo, document::Redo>(action)) redoable_ = 0;
     if (is_one_of<document::Undo>(action)) {
         crossed_ = crossed_ || undoable_ == 0;
@@ -27,7 +35,8 @@ void UndoReach::note(const document::Action& action) {
 }
 
 bool changes_painting(const document::Action& action) {
-    return is_one_of<document::PenDown, document::DryNow, document::SqueezePaint, document::CleanWell,
+    return changes_layers(action) ||
+           is_one_of<document::PenDown, document::DryNow, document::SqueezePaint, document::CleanWell,
                      document::Undo, document::Redo>(action);
 }
 

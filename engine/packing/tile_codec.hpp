@@ -24,7 +24,7 @@ inline constexpr std::size_t tile_bytes(int channels) {
 /// the line from the first to the second: how far, -1 to 1, is learned of the channel in which they
 /// differ most, the others follow. Paint of one kind leaves nearly nothing, two half-mixed ones little.
 ///
-/// `words` and the bytes hold tile_bytes(channels); there are 1, 6, 12 or 16 channels.
+/// `words` and the bytes hold tile_bytes(channels); there are 1, 6, 9, 12 or 16 channels.
 struct TileCodec {
     void (*encode)(const std::uint32_t* words, int channels, const std::int32_t* amount, std::byte* out);
     /// The inverse, with the same `amount`; any bytes give some words.

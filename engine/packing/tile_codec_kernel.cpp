@@ -189,6 +189,8 @@ void encode_tile(const std::uint32_t* words, int channels, const std::int32_t* a
             return encode<1>(words, amount, out);
         case 6:
             return encode<6>(words, amount, out);
+        case 9:
+            return encode<9>(words, amount, out);
         case 12:
             return encode<12>(words, amount, out);
         default:
@@ -203,6 +205,8 @@ void decode_tile(const std::byte* in, int channels, const std::int32_t* amount, 
             return decode<1>(in, amount, words);
         case 6:
             return decode<6>(in, amount, words);
+        case 9:
+            return decode<9>(in, amount, words);
         case 12:
             return decode<12>(in, amount, words);
         default:

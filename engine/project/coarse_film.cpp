@@ -39,6 +39,9 @@ struct Channels<Number> {
     static Number mean(const Sums& sum, double count) { return static_cast<Number>(sum / count); }
 };
 
+template <class Field>
+using ValueOf = std::remove_cvref_t<decltype(std::declval<const Field&>().read(0)[0])>;
+
 /// The source tiles of a coarse tile.
 std::vector<int> tiles_below(const grid::Shape& fine, const grid::Shape& coarse, int tile, int factor) {
     std::vector<int> tiles;
@@ -49,9 +52,10 @@ std::vector<int> tiles_below(const grid::Shape& fine, const grid::Shape& coarse,
     return tiles;
 }
 
-/// Fills the tile of the coarse field; `bare` stands for tiles of the fine one that are background.
-template <class Field, class Value>
-void average(const Field& fine, int factor, const Value& bare, int tile, Field& coarse) {
+/// Fills the tile of the coarse field.
+template <class Field>
+void average(const Field& fine, int factor, int tile, Field& coarse) {
+    using Value = ValueOf<Field>;
     const grid::Shape& shape = fine.shape();
     bool any = false;
     const std::vector<int> below = tiles_below(shape, coarse.shape(), tile, factor);
@@ -62,18 +66,16 @@ void average(const Field& fine, int factor, const Value& bare, int tile, Field& 
     std::vector<typename Channels<Value>::Sums> sums(kTileCells);
     std::vector<int> counts(kTileCells, 0);
     for (const int source : below) {
-        const bool is_bare = fine.is_background(source);
         const auto values = fine.read(source);
         const grid::Rect cells = shape.tile_cells(source);
         for (int y = cells.y0; y < cells.y1; ++y)
             for (int x = cells.x0; x < cells.x1; ++x) {
                 const int into = grid::Shape::cell_in_tile(x / factor, y / factor);
-                Channels<Value>::add(sums[into],
-                                     is_bare ? bare : values[grid::Shape::cell_in_tile(x, y)]);
+                Channels<Value>::add(sums[into], values[grid::Shape::cell_in_tile(x, y)]);
                 ++counts[into];
             }
     }
-    auto block = grid::TileBlock<Value>::filled(bare);
+    auto block = grid::TileBlock<Value>::filled(coarse.read(tile)[0]);
     for (int cell = 0; cell < kTileCells; ++cell)
         if (counts[cell] > 0) block.write()[cell] = Channels<Value>::mean(sums[cell], counts[cell]);
     coarse.replace(tile, std::move(block));
@@ -81,8 +83,7 @@ void average(const Field& fine, int factor, const Value& bare, int tile, Field& 
 
 }  // namespace
 
-film::FilmState coarse_film(const film::FilmState& film, int factor, const pigment::Bands& bare_ground,
-                            core::ThreadPool& pool) {
+film::FilmState coarse_film(const film::FilmState& film, int factor, core::ThreadPool& pool) {
     PASTOSO_CHECK(factor >= 1 && factor <= kTileSize && kTileSize % factor == 0);
     const grid::Shape shape{(film.shape.width + factor - 1) / factor,
                             (film.shape.height + factor - 1) / factor};
@@ -90,14 +91,12 @@ film::FilmState coarse_film(const film::FilmState& film, int factor, const pigme
     const film::Strata& strata = film.strata;
     pool.run(static_cast<std::size_t>(shape.tile_count()), [&](std::size_t index, int) {
         const auto tile = static_cast<int>(index);
-        average(film.thickness, factor, std::int32_t{0}, tile, coarse.thickness);
-        average(film.paint, factor, film::PaintCell{}, tile, coarse.paint);
-        average(film.support_mm, factor, 0.0F, tile, coarse.support_mm);
-        average(strata.soluble_thickness, factor, std::int32_t{0}, tile,
-                coarse.strata.soluble_thickness);
-        average(strata.soluble_pigment, factor, film::PigmentCell{}, tile,
-                coarse.strata.soluble_pigment);
-        average(strata.ground, factor, bare_ground, tile, coarse.strata.ground);
+        average(film.thickness, factor, tile, coarse.thickness);
+        average(film.paint, factor, tile, coarse.paint);
+        average(film.support_mm, factor, tile, coarse.support_mm);
+        average(strata.soluble_thickness, factor, tile, coarse.strata.soluble_thickness);
+        average(strata.soluble_pigment, factor, tile, coarse.strata.soluble_pigment);
+        average(strata.optics, factor, tile, coarse.strata.optics);
     });
     return coarse;
 }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <memory>
 #include <utility>
 
 namespace pastoso::project {
@@ -73,10 +74,10 @@ void check_memory(const ZipReader& archive, const document::CanvasSettings& canv
 }
 
 film::SupportHeights named_support(const ZipReader& archive, const document::CanvasSettings& canvas,
-                                   core::ThreadPool& pool) {
+                                   film::SupportForm form, core::ThreadPool& pool) {
     try {
         return film::named_support(canvas.support, document::canvas_shape(canvas),
-                                   1.0 / canvas.px_per_mm, canvas.support_relief_mm, pool);
+                                   1.0 / canvas.px_per_mm, canvas.support_relief_mm, pool, form);
     } catch (const core::InputError& error) {
         archive.fail(kSetupEntry, error.what());
     }
@@ -102,29 +103,68 @@ document::SurfaceState empty_surface(const SurfaceIndex& index) {
     return surface;
 }
 
-void make_bare_support(const ZipReader& archive, const LayerIndex& layer, LoadedProject& project,
-                       core::ThreadPool& pool) {
+/// The heights that a painter's own image gave.
+film::SupportHeights read_bare_support(const ZipReader& archive, const SurfaceIndex& index,
+                                       const grid::Shape& shape, double cell_mm,
+                                       core::ThreadPool& pool) {
+    check_surface(archive, "bare support", index, shape, cell_mm);
+    document::SurfaceState bare = empty_surface(index);
+    read_tiles(archive, index.entries, bare, pool);
+    return bare.film.support_mm;
+}
+
+void make_named_support(const ZipReader& archive, const ProjectIndex& index, LoadedProject& project,
+                        core::ThreadPool& pool) {
+    const LayerIndex& layer = index.layers[index.active_layer];
     PaintingState& painting = project.painting;
-    painting.bare_support_mm = film::SupportHeights(layer.surface.shape);
-    if (!layer.bare_support_checksum) return;
     const document::CanvasSettings& canvas = painting.settings;
-    painting.bare_support_mm = named_support(archive, canvas, pool);
+    painting.bare_support_mm = named_support(archive, canvas, index.support_form, pool);
     painting.canvas.film.support_mm = painting.bare_support_mm;
-    if (bare_support_checksum(painting.bare_support_mm, layer.surface.entries) ==
-        layer.bare_support_checksum)
+    if (!layer.bare_support_checksum ||
+        bare_support_checksum(painting.bare_support_mm, layer.surface.entries) ==
+            layer.bare_support_checksum)
         return;
     project.notes.push_back(archive.name() + ": was saved by Pastoso with another form of " +
                             canvas.support + "; where nothing is painted, the canvas looks different.");
 }
 
-void read_canvas(const ZipReader& archive, const LayerIndex& layer, LoadedProject& project,
+/// The active layer lies on the canvas.
+void read_active(const ZipReader& archive, const ProjectIndex& index, LoadedProject& project,
+                 core::ThreadPool& pool) {
+    const LayerIndex& layer = index.layers[index.active_layer];
+    PaintingState& painting = project.painting;
+    const grid::Shape& shape = layer.surface.shape;
+    painting.canvas = empty_surface(layer.surface);
+    painting.bare_support_mm = film::SupportHeights(shape);
+    const bool is_named = painting.settings.support != "image";
+    if (is_named) make_named_support(archive, index, project, pool);
+    if (index.bare_support)
+        painting.bare_support_mm =
+            read_bare_support(archive, *index.bare_support, shape, layer.surface.cell_mm, pool);
+    painting.canvas.film.support_mm = painting.bare_support_mm;
+    read_tiles(archive, layer.surface.entries, painting.canvas, pool);
+    // Format 1 does not tell what an image gave: all that is dry counts as part of it.
+    if (!is_named && !index.bare_support) painting.bare_support_mm = painting.canvas.film.support_mm;
+}
+
+std::shared_ptr<const film::FilmState> read_asleep(const ZipReader& archive, const LayerIndex& layer,
+                                                   core::ThreadPool& pool) {
+    document::SurfaceState surface = empty_surface(layer.surface);
+    read_tiles(archive, layer.surface.entries, surface, pool);
+    return std::make_shared<const film::FilmState>(std::move(surface.film));
+}
+
+void read_layers(const ZipReader& archive, const ProjectIndex& index, LoadedProject& project,
                  core::ThreadPool& pool) {
     const document::CanvasSettings& canvas = project.painting.settings;
-    check_surface(archive, "canvas", layer.surface, document::canvas_shape(canvas),
-                  1.0 / canvas.px_per_mm);
-    project.painting.canvas = empty_surface(layer.surface);
-    make_bare_support(archive, layer, project, pool);
-    read_tiles(archive, layer.surface.entries, project.painting.canvas, pool);
+    for (const LayerIndex& layer : index.layers)
+        check_surface(archive, "canvas", layer.surface, document::canvas_shape(canvas),
+                      1.0 / canvas.px_per_mm);
+    read_active(archive, index, project, pool);
+    document::LayerStack& stack = project.painting.layers = stack_of(index);
+    for (std::size_t place = 0; place < stack.layers.size(); ++place)
+        if (place != stack.active)
+            stack.layers[place].asleep = read_asleep(archive, index.layers[place], pool);
 }
 
 void read_well(const ZipReader& archive, const SurfaceIndex& index, PaintingState& painting,
@@ -194,7 +234,7 @@ LoadedProject loaded(const ZipReader& archive, core::ThreadPool& pool) {
     painting.taken = index.taken;
     painting.wiped = index.wiped;
     painting.forgotten_run_off = index.forgotten_run_off;
-    read_canvas(archive, index.layers.front(), project, pool);
+    read_layers(archive, index, project, pool);
     if (index.well) read_well(archive, *index.well, painting, pool);
     if (index.brush.has_value() != painting.brush.has_value())
         archive.fail(kIndexEntry, "the brush in hand is told of only in part.");

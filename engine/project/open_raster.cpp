@@ -1,7 +1,5 @@
 #include "project/open_raster.hpp"
 
-#include "project/coarse_film.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -67,17 +65,6 @@ std::string xml_text(const std::string& text) {
 
 }  // namespace
 
-shade::LinearImage open_raster_picture(const film::FilmState& film, const pigment::Bands& ground,
-                                       core::ThreadPool& pool) {
-    const int longest = std::max(film.shape.width, film.shape.height);
-    int factor = 1;
-    while (longest > factor * kLongestPicture_px)
-        factor *= 2;
-    if (factor == 1) return shade::render(film, ground, film.shape.cells(), {}, pool);
-    const film::FilmState coarse = coarse_film(film, factor, ground, pool);
-    return shade::render(coarse, ground, coarse.shape.cells(), {}, pool);
-}
-
 shade::LinearImage thumbnail_of(const shade::LinearImage& picture) {
     const double scale = std::min(
         1.0, static_cast<double>(kLongestThumbnail_px) / std::max(picture.width, picture.height));
@@ -95,16 +82,19 @@ shade::LinearImage thumbnail_of(const shade::LinearImage& picture) {
     return small;
 }
 
-std::string stack_xml(const shade::LinearImage& picture, double px_per_mm, const std::string& layer,
-                      const std::string& source) {
+std::string stack_xml(int width_px, int height_px, double px_per_mm,
+                      const std::vector<StackLayer>& layers) {
     constexpr double kMmPerInch = 25.4;
     const auto density = std::to_string(std::max(1L, std::lround(px_per_mm * kMmPerInch)));
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<image version=\"0.0.3\" w=\"" +
-           std::to_string(picture.width) + "\" h=\"" + std::to_string(picture.height) + "\" xres=\"" +
-           density + "\" yres=\"" + density + "\">\n <stack>\n  <layer name=\"" + xml_text(layer) +
-           "\" src=\"" + source +
-           "\" x=\"0\" y=\"0\" opacity=\"1.0\" visibility=\"visible\" composite-op=\"svg:src-over\"/>\n"
-           " </stack>\n</image>\n";
+    std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<image version=\"0.0.3\" w=\"" +
+                      std::to_string(width_px) + "\" h=\"" + std::to_string(height_px) + "\" xres=\"" +
+                      density + "\" yres=\"" + density + "\">\n <stack>\n";
+    for (const StackLayer& layer : layers) {
+        xml += "  <layer name=\"" + xml_text(layer.name) + "\" src=\"" + layer.source +
+               "\" x=\"0\" y=\"0\" opacity=\"1.0\" visibility=\"" +
+               (layer.visible ? "visible" : "hidden") + "\" composite-op=\"svg:src-over\"/>\n";
+    }
+    return xml + " </stack>\n</image>\n";
 }
 
 }  // namespace pastoso::project

@@ -1,6 +1,7 @@
 #include "project/project_index.hpp"
 
 #include "io/json_place.hpp"
+#include "io/layers_json.hpp"
 #include "packing/packed_bytes.hpp"
 #include "project/project_layout.hpp"
 #include "project/tile_kinds.hpp"
@@ -195,22 +196,83 @@ SurfaceIndex read_surface(const JsonPlace& place) {
     return surface;
 }
 
-Json layer_json(const LayerIndex& layer) {
-    Json json{
-        {"name", layer.name}, {"picture", layer.picture}, {"surface", surface_json(layer.surface)}};
-    if (layer.bare_support_checksum) json["bare_support_checksum"] = hex(*layer.bare_support_checksum);
+/// What a layer or a group is called and how it shows, beside what else there is of it.
+Json with_look(Json json, const document::LayerLook& look) {
+    json.update(io::look_json(look));
     return json;
 }
 
+std::uint32_t read_number(const JsonPlace& place) {
+    return static_cast<std::uint32_t>(place.integer(0, UINT32_MAX));
+}
+
+Json layer_json(const LayerIndex& layer) {
+    Json json{
+        {"id", layer.layer.id}, {"picture", layer.picture}, {"surface", surface_json(layer.surface)}};
+    if (layer.layer.group != 0) json["group"] = layer.layer.group;
+    if (layer.bare_support_checksum) json["bare_support_checksum"] = hex(*layer.bare_support_checksum);
+    return with_look(std::move(json), layer.layer.look);
+}
+
 LayerIndex read_layer(const JsonPlace& place) {
-    place.allow_only({"name", "picture", "surface", "bare_support_checksum"});
-    LayerIndex layer{place.entry("name").text(),
+    place.allow_only({"id", "group", "name", "visible", "locked", "opacity", "picture", "surface",
+                      "bare_support_checksum"});
+    LayerIndex layer{{.id = 1, .look = io::read_look(place)},
                      place.entry("picture").text(),
                      read_surface(place.entry("surface")),
                      {}};
+    if (const auto id = place.optional_entry("id")) layer.layer.id = read_number(*id);
+    if (const auto group = place.optional_entry("group")) layer.layer.group = read_number(*group);
     if (const auto left_out = place.optional_entry("bare_support_checksum"))
         layer.bare_support_checksum = read_hex(*left_out);
     return layer;
+}
+
+document::LayerGroup read_group(const JsonPlace& place) {
+    place.allow_only({"id", "name", "visible", "locked", "opacity"});
+    return {read_number(place.entry("id")), io::read_look(place)};
+}
+
+Json stack_json(const ProjectIndex& index) {
+    Json json{{"active", index.active_layer},
+              {"next_layer", index.next_layer},
+              {"next_group", index.next_group},
+              {"groups", Json::array()}};
+    for (const document::LayerGroup& group : index.groups)
+        json["groups"].push_back(with_look(Json{{"id", group.id}}, group.look));
+    return json;
+}
+
+void read_stack(const JsonPlace& place, ProjectIndex& index) {
+    place.allow_only({"active", "next_layer", "next_group", "groups"});
+    index.active_layer = read_number(place.entry("active"));
+    index.next_layer = read_number(place.entry("next_layer"));
+    index.next_group = read_number(place.entry("next_group"));
+    const JsonPlace groups = place.entry("groups");
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        index.groups.push_back(read_group(groups.element(i)));
+}
+
+/// Version 1 has no stack: one layer, which is active.
+void read_layers(const JsonPlace& root, ProjectIndex& index) {
+    const JsonPlace layers = root.entry("layers");
+    if (layers.size() < 1 || layers.size() > document::kMostLayers)
+        layers.fail("expected 1 to " + std::to_string(document::kMostLayers) + " layers.");
+    for (std::size_t i = 0; i < layers.size(); ++i)
+        index.layers.push_back(read_layer(layers.element(i)));
+    if (const auto stack = root.optional_entry("stack")) read_stack(*stack, index);
+    layers.guard([&] { document::check_stack(stack_of(index)); });
+}
+
+const char* form_name(film::SupportForm form) {
+    return form == film::SupportForm::Levels ? "levels" : "fine";
+}
+
+/// Versions 1 and 2 know one form.
+film::SupportForm read_form(const std::optional<JsonPlace>& place) {
+    if (!place || place->text() == "fine") return film::SupportForm::Fine;
+    if (place->text() != "levels") place->fail("expected \"levels\" or \"fine\".");
+    return film::SupportForm::Levels;
 }
 
 Json ageing_json(const film::AgeingClock::Pending& ageing) {
@@ -251,11 +313,22 @@ void check_header(const JsonPlace& root) {
         root.fail("this was written by a newer Pastoso (project format " + std::to_string(version) +
                   "; this program reads up to " + std::to_string(kProjectFormatVersion) + ").");
     }
-    root.allow_only({"format", "version", "program", "tick", "ageing", "account", "layers", "well",
-                     "brush", "strokes"});
+    root.allow_only({"format", "version", "program", "tick", "ageing", "account", "layers", "stack",
+                     "bare_support", "support_form", "well", "brush", "strokes"});
 }
 
 }  // namespace
+
+document::LayerStack stack_of(const ProjectIndex& index) {
+    document::LayerStack stack{.layers = {},
+                               .groups = index.groups,
+                               .active = index.active_layer,
+                               .next_layer = index.next_layer,
+                               .next_group = index.next_group};
+    for (const LayerIndex& layer : index.layers)
+        stack.layers.push_back(layer.layer);
+    return stack;
+}
 
 std::string index_to_json(const ProjectIndex& index) {
     Json layers = Json::array();
@@ -270,7 +343,10 @@ std::string index_to_json(const ProjectIndex& index) {
                {{"taken", contents_json(index.taken)},
                 {"wiped", contents_json(index.wiped)},
                 {"forgotten_run_off", totals_json(index.forgotten_run_off)}}},
-              {"layers", std::move(layers)}};
+              {"layers", std::move(layers)},
+              {"stack", stack_json(index)}};
+    if (index.bare_support) json["bare_support"] = surface_json(*index.bare_support);
+    if (!index.bare_support) json["support_form"] = form_name(index.support_form);
     if (index.well) json["well"] = surface_json(*index.well);
     if (index.brush) {
         json["brush"] = {{"strokes_begun", index.brush->strokes_begun},
@@ -293,9 +369,9 @@ ProjectIndex index_from_json(const std::string& text, const std::string& name) {
     index.taken = read_contents(account.entry("taken"));
     index.wiped = read_contents(account.entry("wiped"));
     index.forgotten_run_off = read_totals(account.entry("forgotten_run_off"));
-    const JsonPlace layers = root.entry("layers");
-    if (layers.size() != 1) layers.fail("expected one layer.");
-    index.layers.push_back(read_layer(layers.element(0)));
+    read_layers(root, index);
+    if (const auto bare = root.optional_entry("bare_support")) index.bare_support = read_surface(*bare);
+    index.support_form = read_form(root.optional_entry("support_form"));
     if (const auto well = root.optional_entry("well")) index.well = read_surface(*well);
     if (const auto brush = root.optional_entry("brush")) index.brush = read_brush(*brush);
     index.strokes = read_packed_alone(root.entry("strokes"), kMostStrokesBytes);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/painting_state.hpp"
+#include "film/support.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +12,7 @@
 
 namespace pastoso::project {
 
-inline constexpr int kProjectFormatVersion = 1;
+inline constexpr int kProjectFormatVersion = 3;
 
 /// An entry of the archive that is a Zstandard frame with a checksum of its own.
 struct PackedEntry {
@@ -40,8 +41,8 @@ struct SurfaceIndex {
 };
 
 struct LayerIndex {
-    std::string name;
-    std::string picture;  ///< of the OpenRaster layer
+    document::Layer layer;  ///< without its film
+    std::string picture;    ///< of the OpenRaster layer
     SurfaceIndex surface;
     /// Of the support's tiles that are left out, because its name tells what they are.
     std::optional<std::uint64_t> bare_support_checksum;
@@ -59,10 +60,19 @@ struct ProjectIndex {
     brush::Contents taken{}, wiped{};
     film::Totals forgotten_run_off{};
     std::vector<LayerIndex> layers{};  ///< from below; version 1 has one
+    std::vector<document::LayerGroup> groups{};
+    std::size_t active_layer = 0;
+    document::LayerId next_layer = 2;
+    document::GroupId next_group = 1;
+    std::optional<SurfaceIndex> bare_support{};                  ///< where no name tells what it is
+    film::SupportForm support_form = film::SupportForm::Levels;  ///< where a name tells it
     std::optional<SurfaceIndex> well{};
     std::optional<BrushIndex> brush{};
     PackedEntry strokes{};
 };
+
+/// The layers of an index as a stack without films.
+document::LayerStack stack_of(const ProjectIndex& index);
 
 std::string index_to_json(const ProjectIndex& index);
 

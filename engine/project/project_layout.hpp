@@ -11,9 +11,8 @@ inline constexpr const char* kIndexEntry = "pastoso/index.json";
 inline constexpr const char* kSetupEntry = "pastoso/setup.json";
 inline constexpr const char* kStrokesEntry = "pastoso/strokes.json.zst";
 inline constexpr const char* kBrushEntry = "pastoso/brush.zst";
-inline constexpr const char* kLayerFolder = "pastoso/layer0/";
+inline constexpr const char* kBareSupportFolder = "pastoso/bare/";
 inline constexpr const char* kWellFolder = "pastoso/well/";
-inline constexpr const char* kLayerPicture = "data/layer0.png";
 
 /// Tiles are put together up to this size, so that a few threads share the work evenly.
 inline constexpr std::size_t kEntryBytes = std::size_t{4} << 20;

@@ -1,11 +1,9 @@
 #include "brush/preset.hpp"
 #include "core/text_file.hpp"
 #include "document/action_checks.hpp"
-#include "document/painting.hpp"
-#include "io/image.hpp"
 #include "io/recording_json.hpp"
-#include "project/open_raster.hpp"
 #include "project/project.hpp"
+#include "project/project_archive.hpp"
 #include "project/project_index.hpp"
 #include "project/project_layout.hpp"
 #include "project/surface_tiles.hpp"
@@ -50,24 +48,58 @@ SurfaceIndex surface_index(const document::SurfaceState& surface) {
             .entries = {}};
 }
 
-/// Pictures for other programs, as PNG files.
-struct Pictures {
-    std::string layer, thumbnail;
-};
-
-Pictures encoded(const shade::LinearImage& picture, double px_per_mm) {
-    return {io::png_file(shade::encode_srgb8(picture), px_per_mm),
-            io::png_file(shade::encode_srgb8(thumbnail_of(picture)))};
+std::string layer_folder(std::size_t place) {
+    return "pastoso/layer" + std::to_string(place) + "/";
 }
 
-LayerIndex add_layer(const PaintingState& painting, ZipWriter& archive, core::ThreadPool& pool) {
-    LayerIndex layer{"Paint", kLayerPicture, surface_index(painting.canvas), {}};
-    // A height image of the painter's own may be gone when the file is opened.
-    const bool has_name = painting.settings.support != "image";
-    layer.surface.entries = add_tiles({painting.canvas, has_name ? &painting.bare_support_mm : nullptr},
-                                      kLayerFolder, archive, pool);
-    layer.bare_support_checksum = bare_support_checksum(painting.bare_support_mm, layer.surface.entries);
+/// The active layer, on the canvas and with the memory of its solver.
+LayerIndex add_active(const PaintingState& painting, std::size_t place, ZipWriter& archive,
+                      core::ThreadPool& pool) {
+    LayerIndex layer{
+        painting.layers.layers[place], layer_picture(place), surface_index(painting.canvas), {}};
+    layer.surface.entries =
+        add_tiles({painting.canvas, &painting.bare_support_mm}, layer_folder(place), archive, pool);
+    if (painting.settings.support != "image")
+        layer.bare_support_checksum =
+            bare_support_checksum(painting.bare_support_mm, layer.surface.entries);
     return layer;
+}
+
+LayerIndex add_asleep(const document::Layer& layer, std::size_t place, ZipWriter& archive,
+                      core::ThreadPool& pool) {
+    const document::SurfaceState surface{*layer.asleep, {}};
+    LayerIndex index{layer, layer_picture(place), surface_index(surface), {}};
+    index.surface.entries = add_tiles({surface}, layer_folder(place), archive, pool);
+    return index;
+}
+
+void add_layers(const PaintingState& painting, ProjectIndex& index, ZipWriter& archive,
+                core::ThreadPool& pool) {
+    const document::LayerStack& stack = painting.layers;
+    index.groups = stack.groups;
+    index.active_layer = stack.active;
+    index.next_layer = stack.next_layer;
+    index.next_group = stack.next_group;
+    for (std::size_t place = 0; place < stack.layers.size(); ++place)
+        index.layers.push_back(place == stack.active
+                                   ? add_active(painting, place, archive, pool)
+                                   : add_asleep(stack.layers[place], place, archive, pool));
+}
+
+/// A height image of the painter's own may be gone when the file is opened.
+void add_bare_support(const PaintingState& painting, ProjectIndex& index, ZipWriter& archive,
+                      core::ThreadPool& pool) {
+    if (painting.settings.support != "image") return;
+    const film::FilmState& canvas = painting.canvas.film;
+    document::SurfaceState bare{film::FilmState(canvas.shape, canvas.cell_mm), {}};
+    bare.film.support_mm = painting.bare_support_mm;
+    index.bare_support = surface_index(bare);
+    index.bare_support->entries = add_tiles({bare}, kBareSupportFolder, archive, pool);
+}
+
+/// Of a support that has a name, no tile of which is background.
+film::SupportForm form_of(const film::SupportHeights& named_mm) {
+    return named_mm.block(0).in_levels() ? film::SupportForm::Levels : film::SupportForm::Fine;
 }
 
 ProjectIndex add_painting(const Project& project, ZipWriter& archive, core::ThreadPool& pool) {
@@ -78,7 +110,9 @@ ProjectIndex add_painting(const Project& project, ZipWriter& archive, core::Thre
                        .taken = painting.taken,
                        .wiped = painting.wiped,
                        .forgotten_run_off = painting.forgotten_run_off};
-    index.layers.push_back(add_layer(painting, archive, pool));
+    add_layers(painting, index, archive, pool);
+    add_bare_support(painting, index, archive, pool);
+    index.support_form = form_of(painting.bare_support_mm);
     if (painting.well) {
         index.well = surface_index(*painting.well);
         index.well->entries = add_tiles({*painting.well}, kWellFolder, archive, pool);
@@ -95,32 +129,26 @@ ProjectIndex add_painting(const Project& project, ZipWriter& archive, core::Thre
 }  // namespace
 
 /// The pictures' files are made on a thread of their own while the tiles are packed.
-ZipWriter project_archive(const Project& project, const shade::LinearImage& picture,
-                          core::ThreadPool& pool) {
-    const PaintingState& painting = project.painting;
-    const double px_per_mm = picture.width / painting.settings.width_mm;
-    auto pictures = std::async(std::launch::async, [&] { return encoded(picture, px_per_mm); });
+ZipWriter project_archive(const Project& project, const Pictures& pictures, core::ThreadPool& pool) {
+    auto files = std::async(std::launch::async, [&] { return picture_files(pictures); });
     ZipWriter tiles;
     const ProjectIndex index = add_painting(project, tiles, pool);
 
     ZipWriter archive;
     archive.add("mimetype", std::string(kMimeType));
-    archive.add("stack.xml", stack_xml(picture, px_per_mm, index.layers[0].name, kLayerPicture));
-    const Pictures made = pictures.get();
-    archive.add("mergedimage.png", made.layer);
-    archive.add(kLayerPicture, made.layer);
-    archive.add("Thumbnails/thumbnail.png", made.thumbnail);
+    archive.add("stack.xml", stack_xml(pictures));
+    for (auto& [entry, content] : files.get())
+        archive.add(entry, content);
     archive.add(kIndexEntry, index_to_json(index));
-    archive.add(kSetupEntry, io::recording_to_json(setup_of(painting)));
+    archive.add(kSetupEntry, io::recording_to_json(setup_of(project.painting)));
     archive.append(std::move(tiles));
     return archive;
 }
 
 void save_project(const std::filesystem::path& path, const Project& project, core::ThreadPool& pool) {
     core::write_aside(path, [&](const std::filesystem::path& temporary) {
-        const shade::LinearImage picture =
-            open_raster_picture(project.painting.canvas.film, document::kPrimedGround, pool);
-        project_archive(project, picture, pool).write(temporary, path.string());
+        const Pictures pictures = pictures_of(project.painting, pool);
+        project_archive(project, pictures, pool).write(temporary, path.string());
     });
 }
 

@@ -26,6 +26,8 @@ constexpr float kFastest_mm_s = 1e5F;
 constexpr float kHighest_mm = 1000.0F;
 /// Far above the pressure of the strongest jet on the smallest cells.
 constexpr float kStrongestPressure_mm2_s2 = 1e9F;
+/// In 65535ths: the whitest paint has 0.9955, and rounding adds a little with every stratum.
+constexpr int kMostReflected = 65500, kAllLight = 65535 + 256;
 constexpr std::int32_t kMostSoluble_quanta = std::int32_t{1} << 30;
 
 bool is_within(float value, float least, float most) {
@@ -60,7 +62,7 @@ struct VelocityY : VelocityX {
 struct Support {
     using Value = float;
     static auto& of(auto& surface) { return surface.film.support_mm; }
-    static bool is_possible(Value height) { return is_within(height, 0.0F, kHighest_mm); }
+    static bool is_possible(Value height) { return is_within(height, -kHighest_mm, kHighest_mm); }
     static constexpr const char* kWhat = "a height of the support";
 };
 struct SolubleThickness {
@@ -78,14 +80,20 @@ struct SolublePigment {
     }
     static constexpr const char* kWhat = "an amount of dry pigment";
 };
-struct Ground {
-    using Value = pigment::Bands;
-    static auto& of(auto& surface) { return surface.film.strata.ground; }
-    static bool is_possible(const Value& bands) {
-        return std::all_of(bands.begin(), bands.end(),
-                           [](float reflectance) { return is_within(reflectance, 0.0F, 1.0F); });
+struct Optics {
+    using Value = film::StrataOptics;
+    static auto& of(auto& surface) { return surface.film.strata.optics; }
+    static bool is_possible(const Value& strata) {
+        for (int band = 0; band < pigment::kBands; ++band) {
+            const int reflected = strata[band], passed = strata[pigment::kBands + band],
+                      reversed = strata[2 * pigment::kBands + band];
+            if (std::max(reflected, reversed) > kMostReflected ||
+                std::max(reflected, reversed) + passed > kAllLight)
+                return false;
+        }
+        return true;
     }
-    static constexpr const char* kWhat = "a reflectance";
+    static constexpr const char* kWhat = "strata that give more light than they get";
 };
 struct Uppermost {
     using Value = film::PigmentMixture;
@@ -136,7 +144,7 @@ std::vector<int> written_tiles(const SurfaceSource& source) {
 
 bool holds_paint(const film::FilmState& film, int tile) {
     return !film.thickness.is_background(tile) || !film.paint.is_background(tile) ||
-           !film.strata.ground.is_background(tile) || !film.strata.soluble_thickness.is_background(tile);
+           !film.strata.optics.is_background(tile) || !film.strata.soluble_thickness.is_background(tile);
 }
 
 /// The support below paint is always written: it must not change with the version of the program.
@@ -189,6 +197,36 @@ std::string decode_support(const std::byte* in, int tile, SurfaceTarget& target)
         checked(block.write(), target.surface.film.shape, tile, Support::kWhat, &Support::is_possible);
     Support::of(target.surface).replace(tile, film::HeightBlock::smallest_of(std::move(block)));
     return fault;
+}
+
+/// Of format 1: the reflectance of strata and support together. What lay below is not known apart, so it
+/// is hidden for good.
+std::string decode_ground(const std::byte* in, int tile, SurfaceTarget& target) {
+    auto ground = decoded_values<pigment::Bands>(in, nullptr);
+    std::string fault = checked(ground.write(), target.surface.film.shape, tile, "a reflectance",
+                                [](const pigment::Bands& bands) {
+                                    return std::all_of(bands.begin(), bands.end(), [](float share) {
+                                        return is_within(share, 0.0F, 0.999F);
+                                    });
+                                });
+    auto optics = grid::TileBlock<film::StrataOptics>::filled(film::kClearStrata);
+    for (int cell = 0; cell < kTileCells; ++cell) {
+        for (int band = 0; band < pigment::kBands; ++band) {
+            const float reflectance = ground.read()[cell][band];
+            film::set_optics(band, {reflectance, 0.0F, reflectance}, optics.write()[cell]);
+        }
+    }
+    target.surface.film.strata.optics.replace(tile, std::move(optics));
+    return fault;
+}
+
+constexpr TileKind ground_kind() {
+    return {.name = "ground",
+            .bytes = tile_bytes(pigment::kBands),
+            .phase = 0,
+            .tiles = [](const SurfaceSource&) { return std::vector<int>{}; },
+            .encode = nullptr,
+            .decode = &decode_ground};
 }
 
 constexpr TileKind support_kind() {
@@ -274,7 +312,8 @@ std::span<const TileKind> tile_kinds() {
         support_kind(),
         field_kind<SolubleThickness>("soluble_thickness"),
         field_kind<SolublePigment>("soluble_pigment"),
-        field_kind<Ground>("ground"),
+        field_kind<Optics>("optics"),
+        ground_kind(),
         field_kind<Uppermost>("uppermost"),
         TileKind{"awake", sizeof(ActivityRecord), 0, &awake_tiles, &encode_awake, &decode_awake},
         TileKind{"window", tile_bytes(1), 0, &window_tiles, &encode_window, &decode_window},

@@ -31,6 +31,7 @@ struct TileKind {
     int phase;
     /// The tiles that hold something, in ascending order.
     std::vector<int> (*tiles)(const SurfaceSource& source);
+    /// Null for kinds that are only read, in files of older versions.
     void (*encode)(const SurfaceSource& source, int tile, std::byte* out);
     /// Returns what is wrong with the values, as a sentence; empty when they are what a painting can
     /// hold. Different tiles may be decoded at the same time.

@@ -24,14 +24,29 @@ void load_pigment(const Cell* cells, int count, Group& group) {
     }
 }
 
+/// What is fixed, over the ground.
+void lay_strata(const film::StrataOptics* strata, int count, Group& group) {
+    alignas(64) float share[3 * pigment::kBands][kGroup];
+    for (int i = 0; i < count; ++i) {
+        for (int k = 0; k < 3 * pigment::kBands; ++k)
+            share[k][i] = static_cast<float>(strata[i][k]) / film::kOpticsCode;
+    }
+    for (int band = 0; band < pigment::kBands; ++band) {
+        const float* reflectance = share[band];
+        const float* transmittance = share[pigment::kBands + band];
+        const float* reverse = share[2 * pigment::kBands + band];
+        for (int i = 0; i < count; ++i)
+            group.ground[band][i] = pigment::reflectance_over(
+                {reflectance[i], transmittance[i], reverse[i]}, group.ground[band][i]);
+    }
+}
+
 /// The reflectance of all that lies below the wet paint.
 void load_ground(const CellStack& cells, int first, int count, const pigment::Bands& bare,
                  Group& group) {
-    for (int i = 0; i < count; ++i) {
-        const pigment::Bands& ground = cells.ground == nullptr ? bare : cells.ground[first + i];
-        for (int band = 0; band < pigment::kBands; ++band)
-            group.ground[band][i] = ground[band];
-    }
+    for (int band = 0; band < pigment::kBands; ++band)
+        std::fill_n(group.ground[band], count, bare[band]);
+    if (cells.strata != nullptr) lay_strata(cells.strata + first, count, group);
     if (cells.soluble == nullptr) return;
     load_pigment(cells.soluble + first, count, group);
     for (int band = 0; band < pigment::kBands; ++band) {

@@ -17,7 +17,7 @@ struct CellStack {
     const film::PaintCell* paint;
     const std::int32_t* thickness;
     const film::PigmentCell* soluble;
-    const pigment::Bands* ground;
+    const film::StrataOptics* strata;
 };
 
 struct Kernels {

@@ -10,10 +10,10 @@ namespace {
 CellStack cell_stack(const film::FilmState& film, int tile, int first) {
     const film::Strata& strata = film.strata;
     const bool soluble = !strata.soluble_pigment.is_background(tile);
-    const bool ground = !strata.ground.is_background(tile);
+    const bool fixed = !strata.optics.is_background(tile);
     return {film.paint.read(tile) + first, film.thickness.read(tile) + first,
             soluble ? strata.soluble_pigment.read(tile) + first : nullptr,
-            ground ? strata.ground.read(tile) + first : nullptr};
+            fixed ? strata.optics.read(tile) + first : nullptr};
 }
 
 }  // namespace

@@ -23,13 +23,19 @@ const Rules& engine_rules() {
         {"film", {"core", "grid", "pigment"}},
         {"liquid", {"core", "grid"}},
         {"brush", {"core", "grid", "pigment", "film"}},
+        {"layers", {"core", "grid", "pigment", "film"}},
         {"shade", {"core", "grid", "pigment", "film"}},
         {"trace", {"core", "grid", "pigment", "liquid"}},
         {"gpu", {"core", "grid", "pigment", "film", "shade"}},
-        {"document", {"core", "grid", "packing", "pigment", "film", "brush", "shade"}},
-        {"io", {"core", "grid", "packing", "pigment", "film", "brush", "shade", "document", "liquid"}},
-        {"project", {"core", "grid", "packing", "pigment", "film", "brush", "shade", "document", "io"}},
-        {"journal", {"core", "grid", "packing", "pigment", "film", "brush", "shade", "document", "io", "project"}},
+        {"document", {"core", "grid", "packing", "pigment", "film", "brush", "layers", "shade"}},
+        {"io",
+         {"core", "grid", "packing", "pigment", "film", "brush", "layers", "shade", "document",
+          "liquid"}},
+        {"project",
+         {"core", "grid", "packing", "pigment", "film", "brush", "layers", "shade", "document", "io"}},
+        {"journal",
+         {"core", "grid", "packing", "pigment", "film", "brush", "layers", "shade", "document", "io",
+          "project"}},
     };
     return rules;
 }

@@ -48,10 +48,12 @@ void stroke_across(document::Painting& painting, int number) {
     painting.apply(document::PenUp{});
 }
 
-/// The latest stroke, from a canvas that rested before it.
+/// The latest stroke, from a canvas that rested before it; on the canvas's layer or on one above it.
 void undo_latest(benchmark::State& state) {
     core::ThreadPool pool(2);
     const auto painting = resting_painting(pool);
+    for (std::int64_t layers = 1; layers < state.range(0); ++layers)
+        painting->apply(document::AddLayer{"Above"});
     double undo_s = 0.0, tick_s = 0.0;
     for (auto _ : state) {
         stroke_across(*painting, 0);
@@ -63,7 +65,7 @@ void undo_latest(benchmark::State& state) {
     state.counters["undo_ms"] = 1e3 * undo_s / count;
     state.counters["tick_after_ms"] = 1e3 * tick_s / count;
 }
-BENCHMARK(undo_latest)->Iterations(3)->Unit(benchmark::kMillisecond);
+BENCHMARK(undo_latest)->ArgName("layers")->Arg(1)->Arg(2)->Iterations(3)->Unit(benchmark::kMillisecond);
 
 /// Many strokes, after the history has had time to pack them; with so many milliseconds between two
 /// steps.

@@ -264,13 +264,43 @@ TEST(Blow, AJetFollowsThePenAndEndsWithTheStroke) {
                     .tilt_x_deg = 60.0});
     const auto jet = stroke.air_jet();
     ASSERT_TRUE(jet.has_value());
-    EXPECT_NEAR(jet->x_mm, 40.0, 1.5);
+    EXPECT_NEAR(jet->x_mm, 40.0, 1.5 + 0.6 * jet->radius_mm);
+    EXPECT_NEAR(jet->y_mm, 20.0, 0.6 * jet->radius_mm);
     EXPECT_NEAR(jet->radius_mm, 4.0, 1e-9);
     EXPECT_NEAR(jet->pressure_Pa, 0.5 * straw.preset.air.pressure_Pa,
                 0.01 * straw.preset.air.pressure_Pa);
     EXPECT_NEAR(jet->lean_x, 1.0, 0.02);
     stroke.end();
     EXPECT_EQ(stroke.air_jet(), std::nullopt);
+}
+
+/// Held still it blows now here, now there, within 0.6 radii, alike in every replay; its mirror image
+/// wavers in the mirror.
+TEST(Blow, AJetWavers) {
+    film::FilmState film = studio::smooth(60.0, 40.0, 4.0);
+    Brush straw(studio::linear(find_preset("blow"))), copied(straw), mirrored(straw);
+    Stroke stroke(straw, film), again(copied, film);
+    Placement placement;
+    placement.xx = -1.0;
+    placement.x_mm = 60.0;
+    placement.mirrored = true;
+    Stroke mirror(mirrored, film, {}, placement);
+    for (Stroke* each : {&stroke, &again, &mirror})
+        each->begin({.time_s = 0.0, .x_mm = 20.0, .y_mm = 20.0, .pressure = 0.5});
+    double least_mm = 60.0, most_mm = 0.0;
+    for (int tick = 0; tick < 120; ++tick) {
+        for (Stroke* each : {&stroke, &again, &mirror})
+            each->pass_time(kTick_s);
+        const film::AirJet jet = *stroke.air_jet();
+        EXPECT_EQ(*again.air_jet(), jet);
+        EXPECT_NEAR(mirror.air_jet()->x_mm, 60.0 - jet.x_mm, 1e-9);
+        EXPECT_NEAR(mirror.air_jet()->y_mm, jet.y_mm, 1e-9);
+        least_mm = std::min(least_mm, jet.x_mm);
+        most_mm = std::max(most_mm, jet.x_mm);
+    }
+    EXPECT_GE(least_mm, 20.0 - 0.6 * 4.0);
+    EXPECT_LE(most_mm, 20.0 + 0.6 * 4.0);
+    EXPECT_GT(most_mm - least_mm, 2.0);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ void fill_tile(film::FilmState& film, int tile, int salt) {
         film.support_mm.write(tile)[cell] = static_cast<float>(number) * 0x1p-20F;
         film.strata.soluble_thickness.write(tile)[cell] = number / 5;
         film.strata.soluble_pigment.write(tile)[cell].fill(number / 7);
-        film.strata.ground.write(tile)[cell].fill(static_cast<float>(number) * 0x1p-16F);
+        film.strata.optics.write(tile)[cell].fill(static_cast<std::uint16_t>(number));
         film.strata.uppermost.write(tile)[cell] = {};
     }
 }
@@ -94,6 +94,18 @@ TEST(PackedFilmTiles, GiveTheOlderFilmBack) {
     EXPECT_TRUE(film.thickness.is_background(5));
     EXPECT_TRUE(film.support_mm.shares_tile(films.older.support_mm, 5)) << "the bare support's own tile";
     EXPECT_LT(packed.bytes(), tiles.bytes() / 2);
+}
+
+TEST(PackedFilmTiles, CountTheSameHoweverHeightsAreKept) {
+    film::FilmState levels(kShape, 0.25), floats(kShape, 0.25);
+    core::ThreadPool pool(1);
+    levels.support_mm = film::named_support("panel", kShape, 0.25, 0.0, pool);
+    for (int tile = 0; tile < kShape.tile_count(); ++tile)
+        floats.support_mm.replace(tile, film::copied_heights(levels.support_mm.read(tile)));
+    const film::FilmState bare(kShape, 0.25);
+    const FilmTiles in_levels(levels, bare), in_floats(floats, bare);
+    EXPECT_EQ(in_levels.bytes(), in_floats.bytes());
+    EXPECT_EQ(PackedFilmTiles(in_levels, levels).bytes(), PackedFilmTiles(in_floats, floats).bytes());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "document/history.hpp"
 
 #include "core/random.hpp"
+#include "document/layered_canvas.hpp"
 #include "document/well.hpp"
 
 #include <algorithm>
@@ -183,7 +184,90 @@ TEST(History, BringsBackTheWell) {
     }
 }
 
+/// Layers that come, go, wake, fall asleep and lie on something else.
+class NoisyLayers {
+  public:
+    NoisyLayers() { add(); }
+
+    void change(std::uint32_t number) {
+        const std::uint32_t choice = core::scramble(number + 3) % 8;
+        const std::size_t other = core::scramble(number + 4) % stack_.layers.size();
+        if (choice == 0 && stack_.layers.size() < 5) return add();
+        if (choice == 1 && other != stack_.active) return remove(other);
+        if (choice == 2) return select(other);
+        if (choice == 3) stack_.layers[other].look.opacity = 0.5;
+        if (choice == 4) film_.support_mm.write(static_cast<int>(other))[9] += 0x1p-20F;
+        film_.change(static_cast<int>(core::scramble(number + 5) % 16));
+    }
+    Moment moment() const {
+        Moment moment = film_.moment();
+        moment.canvas.film.support_mm = film_.support_mm;
+        moment.layers = stack_;
+        return moment;
+    }
+    void return_to(const Moment& moment) {
+        film_.return_to(moment);
+        film_.support_mm = moment.canvas.film.support_mm;
+        stack_ = moment.layers;
+    }
+    std::uint64_t hash() const {
+        const Moment now = moment();
+        return state_hash(now.canvas.film, now.layers);
+    }
+
+  private:
+    /// The active one falls asleep, with a support of its own; another one wakes on the canvas.
+    void select(std::size_t place) {
+        film::FilmState asleep = film_.moment().canvas.film;
+        asleep.support_mm.write(3)[5] = 0x1p-20F * static_cast<float>(place + 1);
+        stack_.layers[stack_.active].asleep = std::make_shared<const film::FilmState>(asleep);
+        stack_.active = place;
+        Moment awake;
+        awake.canvas.film = *stack_.layers[place].asleep;
+        film_.return_to(awake);
+        stack_.layers[place].asleep.reset();
+    }
+    void add() {
+        stack_.layers.push_back({.id = stack_.next_layer++});
+        stack_.layers.back().asleep =
+            std::make_shared<const film::FilmState>(film_.moment().canvas.film);
+        select(stack_.layers.size() - 1);
+    }
+    void remove(std::size_t place) {
+        stack_.layers.erase(stack_.layers.begin() + static_cast<std::ptrdiff_t>(place));
+        if (stack_.active > place) --stack_.active;
+    }
+
+    struct : NoisyFilm {
+        film::SupportHeights support_mm{{256, 256}};
+    } film_;
+    LayerStack stack_ = single_layer();
+};
+
+void change_and_remember(NoisyLayers& layers, History& history, std::uint32_t number) {
+    history.remember(layers.moment(), {});
+    layers.change(number);
+}
+
+TEST(History, ALayerThatIsAsleepCostsNothing) {
+    NoisyFilm film;
+    History history;
+    Moment moment = film.moment();
+    moment.layers.layers.push_back({.id = 2});
+    moment.layers.layers[1].asleep = std::make_shared<const film::FilmState>(moment.canvas.film);
+    for (int i = 0; i < 3; ++i) {
+        history.remember(moment, {});
+        film.change(i);
+        moment.canvas.film = film.moment().canvas.film;
+    }
+    for (const KeptStep& step : history.past_steps())
+        EXPECT_LT(step.bytes, 2 * kTileBytes);
+    const Moment first = history.step_back(history.step_back(moment));
+    EXPECT_EQ(first.layers.layers[1].asleep, moment.layers.layers[1].asleep);
+}
+
 /// A random walk over changes, undo and redo, with all that was ever seen kept beside it.
+template <class Noisy>
 struct Walk {
     explicit Walk(std::size_t budget_bytes) { history.set_budget(budget_bytes); }
 
@@ -202,25 +286,30 @@ struct Walk {
         } else {
             undo.push_back(film.hash());
             redo.clear();
-            change_and_remember(film, history, static_cast<int>(core::scramble(number + 7) % 16));
+            change_and_remember(film, history, core::scramble(number + 7) % 16);
         }
     }
 
-    NoisyFilm film;
+    Noisy film;
     History history;
     std::vector<std::uint64_t> undo, redo;
 };
 
-TEST(History, ARandomWalkMeetsTheSameStates) {
+template <class Noisy>
+class RandomWalk : public testing::Test {};
+using BothKinds = testing::Types<NoisyFilm, NoisyLayers>;
+TYPED_TEST_SUITE(RandomWalk, BothKinds);
+
+TYPED_TEST(RandomWalk, MeetsTheSameStates) {
     for (const std::size_t budget : {4 * kTileBytes, 30 * kTileBytes, History::kDefaultBudget_bytes}) {
-        Walk walk(budget);
+        Walk<TypeParam> walk(budget);
         for (std::uint32_t i = 0; i < 150; ++i)
             walk.step(i);
     }
 }
 
-TEST(History, WhatCanBeUndoneDoesNotDependOnThePackingsTime) {
-    Walk hurried(10 * kTileBytes), patient(10 * kTileBytes);
+TYPED_TEST(RandomWalk, CanUndoTheSameWheneverStepsArePacked) {
+    Walk<TypeParam> hurried(10 * kTileBytes), patient(10 * kTileBytes);
     for (std::uint32_t i = 0; i < 150; ++i) {
         hurried.step(i);
         patient.step(i);

@@ -1,9 +1,12 @@
 // Undo and Redo of a whole painting: with packing and without, wet, dried and at rest.
 #include "core/random.hpp"
 #include "document/painting.hpp"
+#include "document/painting_state.hpp"
 #include "document/scenes.hpp"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -19,9 +22,29 @@ void advance(Painting& painting, int ticks) {
         painting.advance_tick();
 }
 
+/// Changes a layer or takes another one, as far as there are such.
+void change_layers(Painting& painting, std::uint32_t number) {
+    const LayerStack stack = painting.state().layers;
+    const std::vector<Layer>& layers = stack.layers;
+    const LayerId layer = layers[core::scramble(number + 3) % layers.size()].id;
+    const auto choice = core::scramble(number + 4) % 8;
+    if (choice < 2 && layers.size() < 5)
+        painting.apply(AddLayer{"More"});
+    else if (choice == 2)
+        painting.apply(SetLayer{layer, {.name = "Faded", .opacity = 0.5}});
+    else if (choice == 3)
+        painting.apply(DuplicateLayer{layer});
+    else if (choice == 4 && layers.size() > 1)
+        painting.apply(RemoveLayer{layer});
+    else if (choice == 5 && layer != layers.front().id)
+        painting.apply(MergeDown{layer});
+    else
+        painting.apply(SelectLayer{layer});
+}
+
 /// One of the things that painters do, chosen by a number.
 void do_something(Painting& painting, std::uint32_t number) {
-    const auto choice = core::scramble(number) % 16;
+    const auto choice = core::scramble(number) % 20;
     if (choice < 4)
         painting.apply(Undo{});
     else if (choice < 6)
@@ -34,6 +57,8 @@ void do_something(Painting& painting, std::uint32_t number) {
         painting.apply(CleanWell{});
     else if (choice == 9)
         painting.apply(load_of(number % 2 == 0 ? "PB29" : "PR254"));
+    else if (choice < 14)
+        change_layers(painting, number);
     else
         paint_wave(painting, number, 4.0 + core::scramble(number + 1) % 22);
     advance(painting, static_cast<int>(core::scramble(number + 2) % 3));
@@ -80,6 +105,27 @@ TEST(PaintingUndo, TellsWhatItTakesBack) {
     EXPECT_EQ(steps[2].step.kind, Step::Kind::SqueezePaint);
     ASSERT_EQ(painting.redo_steps().size(), 1U);
     EXPECT_EQ(painting.redo_steps()[0].step.kind, Step::Kind::CleanWell);
+}
+
+TEST(PaintingUndo, TellsWhichLayerItWas) {
+    core::ThreadPool pool(1);
+    Painting painting(small_canvas(), pool);
+    painting.apply(AddLayer{"Sky"});
+    painting.apply(SetLayer{2, {.name = "Clouds", .opacity = 0.5}});
+    painting.apply(GroupLayers{"Far", {2}});
+    painting.apply(DryNow{});
+    painting.apply(UngroupLayers{1});
+    painting.apply(FlattenLayers{});
+    const auto steps = painting.undo_steps();
+    const std::vector<std::pair<Step::Kind, std::string>> expected = {
+        {Step::Kind::AddLayer, "Sky"},      {Step::Kind::SetLayer, "Sky"},
+        {Step::Kind::GroupLayers, "Far"},   {Step::Kind::DryNow, "Clouds"},
+        {Step::Kind::UngroupLayers, "Far"}, {Step::Kind::FlattenLayers, ""}};
+    ASSERT_EQ(steps.size(), expected.size());
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        EXPECT_EQ(steps[i].step.kind, expected[i].first) << i;
+        EXPECT_EQ(steps[i].step.layer, expected[i].second) << i;
+    }
 }
 
 class UndoAtRest : public testing::Test {

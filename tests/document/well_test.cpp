@@ -57,7 +57,7 @@ TEST_F(WellTest, ABareWellHoldsNoTiles) {
     EXPECT_EQ(bare.shape, (grid::Shape{360, 270}));
     EXPECT_EQ(bare.thickness.allocated_bytes() + bare.paint.allocated_bytes() +
                   bare.support_mm.allocated_bytes() + bare.velocity_x.allocated_bytes() +
-                  bare.strata.ground.allocated_bytes(),
+                  bare.strata.optics.allocated_bytes(),
               0U);
 }
 

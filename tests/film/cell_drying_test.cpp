@@ -90,15 +90,15 @@ struct Below {
     float support_mm = 0.25F;
     std::int32_t soluble_thickness = 0;
     PigmentCell soluble_pigment{};
-    pigment::Bands ground = kWhiteGround;
+    StrataOptics optics = kClearStrata;
     PigmentMixture uppermost{};
     DriedTotals fixed;
     StrataCell cell() {
-        return {support_mm, soluble_thickness, soluble_pigment, ground, uppermost, fixed};
+        return {support_mm, soluble_thickness, soluble_pigment, optics, uppermost, fixed};
     }
 };
 
-TEST(BecomeStratum, SolidsBecomeSupportAndPigmentGround) {
+TEST(BecomeStratum, SolidsBecomeSupportAndPigmentAStratum) {
     Cell acrylic("soft-body acrylic", 1.0);
     const PaintCell before = acrylic.paint;
     Below below;
@@ -112,7 +112,7 @@ TEST(BecomeStratum, SolidsBecomeSupportAndPigmentGround) {
     for (int k = 0; k < kPigmentChannels; ++k)
         EXPECT_EQ(below.fixed.pigment[k], before[k]);
     EXPECT_EQ(below.soluble_thickness, 0);
-    EXPECT_EQ(below.ground, layer_over(before.data(), kWhiteGround));
+    expect_seen(below.optics, wet_over(before.data(), kWhiteGround));
 }
 
 TEST(BecomeStratum, PaintWithHardlyAnyBinderCanBeDissolved) {
@@ -121,7 +121,7 @@ TEST(BecomeStratum, PaintWithHardlyAnyBinderCanBeDissolved) {
     Below below;
     become_stratum(ink.thickness, ink.paint, below.cell());
     EXPECT_EQ(below.fixed, DriedTotals{});
-    EXPECT_EQ(below.ground, kWhiteGround);
+    EXPECT_EQ(below.optics, kClearStrata);
     EXPECT_TRUE(std::equal(below.soluble_pigment.begin(), below.soluble_pigment.end(), before.begin()));
     EXPECT_NEAR(thickness_mm(below.soluble_thickness), 0.0016, 1e-5);
 }
@@ -132,7 +132,7 @@ TEST(BecomeStratum, DryLayersLieOverEachOtherAndDoNotMix) {
     const PaintCell ink_paint = ink.paint, oil_paint = oil.paint;
     become_stratum(ink.thickness, ink.paint, below.cell());
     become_stratum(oil.thickness, oil.paint, below.cell());
-    EXPECT_EQ(below.ground, layer_over(oil_paint.data(), layer_over(ink_paint.data(), kWhiteGround)));
+    expect_seen(below.optics, wet_over(oil_paint.data(), wet_over(ink_paint.data(), kWhiteGround)));
     EXPECT_EQ(below.soluble_thickness, 0);
     EXPECT_EQ(below.soluble_pigment, PigmentCell{});
     for (int k = 0; k < kPigmentChannels; ++k)

@@ -8,9 +8,31 @@
 #include <functional>
 #include <random>
 
+#include <gtest/gtest.h>
+
 namespace pastoso::film::test {
 
 inline constexpr pigment::Bands kWhiteGround = {0.90F, 0.93F, 0.93F, 0.93F, 0.93F, 0.93F};
+
+/// Shares of light are kept in 65535ths, which rounds each of a stratum's three by half of one.
+inline constexpr float kCodeRounding = 3e-5F;
+
+/// Reflectances of pigment over a ground, without a detour over what a layer does by itself.
+inline pigment::Bands wet_over(const std::int32_t* pigment, const pigment::Bands& ground) {
+    pigment::Bands reflectance{};
+    for (int band = 0; band < pigment::kBands; ++band)
+        reflectance[band] =
+            pigment::layer_reflectance(optical_thickness(pigment[band]),
+                                       optical_thickness(pigment[band + pigment::kBands]), ground[band]);
+    return reflectance;
+}
+
+inline void expect_seen(const StrataOptics& strata, const pigment::Bands& seen) {
+    for (int band = 0; band < pigment::kBands; ++band)
+        EXPECT_NEAR(pigment::reflectance_over(optics_of(strata, band), kWhiteGround[band]), seen[band],
+                    kCodeRounding)
+            << "band " << band;
+}
 inline constexpr pigment::Coefficients kBlue = {1, 11, 41, 91, 108, 84, 1, 1, 1, 3, 3, 3};
 inline constexpr pigment::Coefficients kRed = {119, 164, 184, 218, 23, 0.4F, 8, 11, 13, 22, 63, 56};
 

@@ -26,13 +26,13 @@ TEST(Drying, BalancesExactlyInEveryChannel) {
     FilmState film = patchwork(3);
     const DriedTotals before = all_paint(film);
     for (int i = 0; i < 12; ++i) {
-        dry(film, kStillAir, 45.0 * (i + 1), kWhiteGround, pool);
+        dry(film, kStillAir, 45.0 * (i + 1), pool);
         dissolve(film, 1.0, pool);
         EXPECT_EQ(all_paint(film), before) << i;
     }
     EXPECT_GT(dried_totals(film.strata).thickness, 0);
     EXPECT_GT(totals(film).thickness, 0);
-    dry_now(film, kWhiteGround, pool);
+    dry_now(film, pool);
     EXPECT_EQ(all_paint(film), before);
     EXPECT_FALSE(has_wet_paint(film));
 }
@@ -43,9 +43,9 @@ TEST(Drying, AFilmOfTheTypicalThicknessIsDryInTheTimeOfItsMedium) {
         FilmState film({8, 8}, 0.25);
         const auto typical = [&](int, int) { return medium.typical_thickness_mm; };
         lay(film, typical, kRed, medium);
-        dry(film, kStillAir, 0.999 * medium.touch_dry_s, kWhiteGround, pool);
+        dry(film, kStillAir, 0.999 * medium.touch_dry_s, pool);
         EXPECT_TRUE(has_wet_paint(film)) << medium.name;
-        dry(film, kStillAir, 0.002 * medium.touch_dry_s, kWhiteGround, pool);
+        dry(film, kStillAir, 0.002 * medium.touch_dry_s, pool);
         EXPECT_FALSE(has_wet_paint(film)) << medium.name;
     }
 }
@@ -56,7 +56,7 @@ TEST(Drying, ThinPaintDriesBeforeThick) {
     FilmState film({60, 4}, 0.25);
     lay(
         film, [](int x, int) { return 0.02 * (x + 1); }, kRed, medium);
-    dry(film, kStillAir, 0.5 * medium.touch_dry_s, kWhiteGround, pool);
+    dry(film, kStillAir, 0.5 * medium.touch_dry_s, pool);
     for (int x = 0; x < 60; ++x) {
         // Half the time of 0.5 mm is that of 0.25 mm, between the cells 11 and 12.
         const bool wet = film.thickness.at(x, 2) > 0;
@@ -72,7 +72,7 @@ TEST(Drying, TheSurfaceDoesNotJumpWhenACellBecomesDry) {
         film, [](int, int) { return 0.35; }, kRed, medium);
     double surface = 0.35;
     for (int i = 0; i < 1000 && has_wet_paint(film); ++i) {
-        dry(film, kStillAir, medium.touch_dry_s / 500.0, kWhiteGround, pool);
+        dry(film, kStillAir, medium.touch_dry_s / 500.0, pool);
         const double now = thickness_mm(film.thickness.at(1, 1)) + film.support_mm.at(1, 1);
         EXPECT_LE(now, surface + 1e-6);
         EXPECT_GT(now, surface - 0.5 * 0.35 / 500.0 - 1e-5) << i;
@@ -88,7 +88,7 @@ TEST(Drying, AFanDriesWhereItBlows) {
     lay(
         film, [](int, int) { return 0.3; }, kRed, medium);
     const DryingAir fan{.speed = 1, .fan = 10, .fan_x_mm = 12.5, .fan_y_mm = 1, .fan_radius_mm = 10};
-    dry(film, fan, 0.15 * medium.touch_dry_s, kWhiteGround, pool);
+    dry(film, fan, 0.15 * medium.touch_dry_s, pool);
     EXPECT_EQ(film.thickness.at(50, 4), 0);
     EXPECT_GT(film.thickness.at(150, 4), 0);
     EXPECT_DOUBLE_EQ(fan.rate_at(12.5, 1.0), 10.0);
@@ -100,20 +100,20 @@ TEST(Drying, DoesNotChangeTheColour) {
     core::ThreadPool pool(1);
     FilmState film({8, 8}, 0.25);
     lay(film, 3, 3, 0.1, kBlue, find_medium("heavy-body oil"));
-    const pigment::Bands wet = layer_over(film.paint.at(3, 3).data(), kWhiteGround);
-    dry_now(film, kWhiteGround, pool);
-    EXPECT_EQ(film.strata.ground.at(3, 3), wet);
-    EXPECT_EQ(film.strata.ground.at(4, 3), kWhiteGround);
+    const pigment::Bands wet = wet_over(film.paint.at(3, 3).data(), kWhiteGround);
+    dry_now(film, pool);
+    expect_seen(film.strata.optics.at(3, 3), wet);
+    EXPECT_EQ(film.strata.optics.at(4, 3), kClearStrata);
 }
 
 TEST(Drying, TilesThatAreDryCostNothing) {
     core::ThreadPool pool(1);
     FilmState film({200, 200}, 0.25);
     lay(film, 3, 3, 0.1, kBlue, find_medium("heavy-body oil"));
-    dry_now(film, kWhiteGround, pool);
+    dry_now(film, pool);
     EXPECT_EQ(film.thickness.allocated_bytes() + film.paint.allocated_bytes(), 0U);
     EXPECT_EQ(film.strata.soluble_pigment.allocated_bytes(), 0U);
-    EXPECT_EQ(film.strata.ground.allocated_bytes(), sizeof(pigment::Bands) * grid::kTileCells);
+    EXPECT_EQ(film.strata.optics.allocated_bytes(), sizeof(StrataOptics) * grid::kTileCells);
 }
 
 TEST(Drying, GivesTheSameBitsOnAnyNumberOfThreads) {
@@ -122,7 +122,7 @@ TEST(Drying, GivesTheSameBitsOnAnyNumberOfThreads) {
         FilmState film = patchwork(8);
         for (int i = 0; i < 5; ++i) {
             dry(film, {.speed = 1, .fan = 5, .fan_x_mm = 10, .fan_y_mm = 10, .fan_radius_mm = 15}, 100.0,
-                kWhiteGround, pool);
+                pool);
             dissolve(film, 2.0, pool);
         }
         return state_hash(film);
@@ -136,7 +136,7 @@ TEST(Dissolving, ThinnerLiftsDriedInkAndTheSurfaceStays) {
     FilmState film({8, 8}, 0.25);
     lay(film, 3, 3, 0.08, kBlue, find_medium("ink glaze"));
     const PaintCell ink = film.paint.at(3, 3);
-    dry_now(film, kWhiteGround, pool);
+    dry_now(film, pool);
     const auto surface = [&] {
         return film.support_mm.at(3, 3) + thickness_mm(film.thickness.at(3, 3));
     };
@@ -159,7 +159,7 @@ TEST(Dissolving, DriedOilAndAcrylicStay) {
     for (const char* name : {"heavy-body oil", "soft-body acrylic", "fluid acrylic", "house paint"}) {
         FilmState film({8, 8}, 0.25);
         lay(film, 3, 3, 0.1, kBlue, find_medium(name));
-        dry_now(film, kWhiteGround, pool);
+        dry_now(film, pool);
         lay(film, 3, 3, 0.1, {}, find_medium("thinner"));
         const std::uint64_t before = state_hash(film);
         dissolve(film, 1000.0, pool);
@@ -171,7 +171,7 @@ TEST(Dissolving, OilHasNoSolventToDissolveWith) {
     core::ThreadPool pool(1);
     FilmState film({8, 8}, 0.25);
     lay(film, 3, 3, 0.08, kBlue, find_medium("ink glaze"));
-    dry_now(film, kWhiteGround, pool);
+    dry_now(film, pool);
     lay(film, 3, 3, 0.5, kRed, find_medium("heavy-body oil"));
     const PigmentCell before = film.strata.soluble_pigment.at(3, 3);
     dissolve(film, 10.0, pool);
@@ -188,12 +188,12 @@ TEST(AgeingClock, DriesInIntervalsThatAddUp) {
     const std::int32_t start = film.paint.at(3, 3)[kDryingChannel];
     const DryingAir air{.speed = 20.0};
     for (int tick = 0; tick < 600; ++tick)
-        clock.tick(1.0 / 60.0, air, kWhiteGround, film, pool);
+        clock.tick(1.0 / 60.0, air, film, pool);
     const double passed_s = (start - film.paint.at(3, 3)[kDryingChannel]) * kPaintQuantum * 3600.0;
     EXPECT_NEAR(passed_s, 200.0, 11.0);  // one interval may be pending
     const FilmState still = film;
     for (int tick = 0; tick < 600; ++tick)
-        clock.tick(1.0 / 60.0, {}, kWhiteGround, film, pool);
+        clock.tick(1.0 / 60.0, {}, film, pool);
     EXPECT_TRUE(film.paint.shares_tile(still.paint, 0));
 }
 

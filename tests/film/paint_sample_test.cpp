@@ -18,7 +18,7 @@ class PaintSampleTest : public ::testing::Test {
     const Medium& oil = find_medium("heavy-body oil");
     core::ThreadPool pool{1};
 
-    void dry_all() { dry_now(film, kWhiteGround, pool); }
+    void dry_all() { dry_now(film, pool); }
     PaintSample at(double x_mm, double y_mm, double radius_mm = 0.0) {
         return sample_paint(film, x_mm, y_mm, radius_mm);
     }

@@ -127,6 +127,18 @@ TEST_P(EverySupport, TakesTwoBytesACell) {
     EXPECT_EQ(field.allocated_bytes(), 2U * 128U * 128U);
 }
 
+TEST_P(EverySupport, IsTheSameInTheFineFormUpToALevel) {
+    const SupportHeights levels = named_support(GetParam().name, {70, 90}, 0.1, 0.0, pool);
+    const SupportHeights fine =
+        named_support(GetParam().name, {70, 90}, 0.1, 0.0, pool, SupportForm::Fine);
+    EXPECT_FALSE(fine.block(0).in_levels());
+    const double level_mm = finest_level_mm(GetParam().relief_mm);
+    for (int y = 0; y < 90; ++y)
+        for (int x = 0; x < 70; ++x)
+            ASSERT_EQ(std::floor(fine.at(x, y) / level_mm) * level_mm, levels.at(x, y))
+                << x << ", " << y;
+}
+
 INSTANTIATE_TEST_SUITE_P(Supports, EverySupport,
                          testing::Values(NamedSupport{"linen", 0.11, 0.01},
                                          NamedSupport{"cotton duck", 0.08, 0.007},

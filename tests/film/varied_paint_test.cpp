@@ -172,7 +172,7 @@ TEST(VariedPaint, NearlyDryPaintStandsOnAnUprightCanvas) {
         FilmState film({40, 40}, 0.25);
         const auto bump = [](int x, int y) { return 0.05 * drop_height(2 * x, 2 * y); };
         lay(film, bump, kRed, medium);
-        dry(film, {.speed = 1.0}, dried_share * medium.touch_dry_s * 0.15 / 0.3, kWhiteGround, pool);
+        dry(film, {.speed = 1.0}, dried_share * medium.touch_dry_s * 0.15 / 0.3, pool);
         film.varied = true;
         const FilmState before = film;
         Solver solver(film, medium, {}, pool);

@@ -79,6 +79,20 @@ Recording everything() {
         {33, PenMove{{0.54, 30, 30, 0.5}}},
         {33, PenUp{}},
         {34, CleanWell{}},
+        {35, AddLayer{"Sky, \"far\""}},
+        {35, SelectLayer{1}},
+        {36, SetLayer{2, {"Sky", false, true, 0.25}}},
+        {36, DuplicateLayer{2}},
+        {37, MoveLayer{3, 0, 0}},
+        {37, GroupLayers{"Both", {1, 2}}},
+        {37, MoveLayer{3, 1, 1}},
+        {38, SetGroup{1, {"Both", true, false, 0.5}}},
+        {38, MoveGroup{1, 0}},
+        {39, UngroupLayers{1}},
+        {40, MergeDown{2}},
+        {41, ClearLayer{3}},
+        {41, RemoveLayer{3}},
+        {42, FlattenLayers{}},
     };
     recording.end_tick = 100;
     return recording;
@@ -162,8 +176,8 @@ TEST(RecordingJson, ReadsTheFirstVersion) {
 
 TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
     EXPECT_EQ(
-        error(R"({"format":"pastoso-strokes","version":5,"more":[]})"),
-        "s.json: this was written by a newer Pastoso (stroke format 5; this program reads up to 4).");
+        error(R"({"format":"pastoso-strokes","version":6,"more":[]})"),
+        "s.json: this was written by a newer Pastoso (stroke format 6; this program reads up to 5).");
 }
 
 TEST(RecordingJson, NamesWhatIsMissingOrMisspelt) {

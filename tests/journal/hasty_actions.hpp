@@ -26,7 +26,8 @@ class HastyPainter {
   public:
     explicit HastyPainter(std::uint32_t seed) : seed_(seed) {}
 
-    /// What is done next: a stroke as a rule, now and then Undo, Redo, DryNow, other paint, the well.
+    /// What is done next: a stroke as a rule, now and then Undo, Redo, DryNow, other paint, the well,
+    /// layers.
     std::vector<document::Action> next() {
         using namespace document;
         if (!began_) {
@@ -40,6 +41,10 @@ class HastyPainter {
         if (what == 5) return {SqueezePaint{{{{"PB29", 1.0}}}, 200.0, 20.0 + choice(60), 40.0}};
         if (what == 6) return {CleanWell{}};
         if (what == 7) return {dip()};
+        if (what == 9) return {AddLayer{"Above"}};
+        if (what == 10) return {SelectLayer{1}};
+        if (what == 11) return {SetLayer{1, {.name = "Paint", .opacity = uniform()}}};
+        if (what == 12 && choice(3) == 0) return {FlattenLayers{}};
         return stroke(what == 8 ? Surface::Well : Surface::Canvas);
     }
 

@@ -37,5 +37,11 @@ TEST(UndoReach, CleaningABareWellIsNoStepToReturnTo) {
     EXPECT_TRUE(crosses({CleanWell{}, Undo{}}));
 }
 
+TEST(UndoReach, ChangesOfLayersAreStepsAndWhichOneIsActiveIsNone) {
+    EXPECT_FALSE(crosses({AddLayer{"A"}, SetLayer{1, {}}, MergeDown{2}, Undo{}, Undo{}, Undo{}}));
+    EXPECT_TRUE(crosses({SelectLayer{1}, Undo{}}));
+    EXPECT_TRUE(crosses({Undo{}, FlattenLayers{}, Redo{}}));
+}
+
 }  // namespace
 }  // namespace pastoso::journal

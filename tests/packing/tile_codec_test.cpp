@@ -30,7 +30,7 @@ std::vector<std::byte> encoded(const std::vector<std::uint32_t>& words, int chan
 }
 
 TEST(TileCodec, AnyWordsComeBack) {
-    for (const int channels : {1, 6, 12, 16}) {
+    for (const int channels : {1, 6, 9, 12, 16}) {
         for (const std::uint32_t mask : {0xffffffffU, 0x7fffffffU, 0xffU, 0U}) {
             const auto words = random_words(channels * kTileCells, 7, mask);
             const auto random = random_words(kTileCells, 8, mask);

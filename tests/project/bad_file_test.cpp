@@ -54,7 +54,8 @@ TEST_F(BadProject, TheGoodFileIsGood) {
 
 TEST_F(BadProject, WhatIsNoProjectIsToldSo) {
     EXPECT_EQ(error_of({}), "it.pastoso: is no painting of Pastoso.");
-    EXPECT_THAT(error_of(packing::bytes_of(std::string(5000, 'x'))), HasSubstr("is no painting of Pastoso"));
+    EXPECT_THAT(error_of(packing::bytes_of(std::string(5000, 'x'))),
+                HasSubstr("is no painting of Pastoso"));
     EXPECT_EQ(error_of(archive_of({{"a.txt", "hello"}})), "it.pastoso: is no painting of Pastoso.");
     EXPECT_EQ(error_of(archive_of({{"mimetype", "application/x-krita"}})),
               "it.pastoso: is no painting of Pastoso.");
@@ -80,10 +81,10 @@ TEST_F(BadProject, ATruncatedFileIsRefusedWhereverItEnds) {
 
 TEST_F(BadProject, OtherVersionsAreRefused) {
     EXPECT_EQ(
-        error_of_index("\"version\":1", "\"version\":2"),
-        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 2; this "
-        "program reads up to 1).");
-    EXPECT_THAT(error_of_index("\"version\":1", "\"version\":0"),
+        error_of_index("\"version\":3", "\"version\":4"),
+        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 4; this "
+        "program reads up to 3).");
+    EXPECT_THAT(error_of_index("\"version\":3", "\"version\":0"),
                 HasSubstr("version: 0 is not between"));
     EXPECT_THAT(error_of_index("pastoso-project", "pastoso-scene"), HasSubstr("this is no painting"));
 }
@@ -94,12 +95,28 @@ TEST_F(BadProject, AnIndexThatSaysTooMuchOrTooLittleIsRefused) {
     EXPECT_THAT(error_of_index("\"kind\":\"paint\"", "\"kind\":\"magic\""),
                 HasSubstr("tile_entries[1].kind: there is no such kind of tiles as \"magic\"."));
     EXPECT_THAT(error_of_index("\"layers\":[", "\"layers\":[{},"),
-                HasSubstr("layers: expected one layer."));
+                HasSubstr("layers[0]: the entry \"name\" is missing."));
+    EXPECT_THAT(error_of_index("\"support_form\":\"levels\"", "\"support_form\":\"loose\""),
+                HasSubstr("support_form: expected \"levels\" or \"fine\"."));
     EXPECT_THAT(error_of_entry("pastoso/index.json", "{\"format\""), HasSubstr("not valid JSON"));
     EXPECT_THAT(error_of_entry("pastoso/index.json", std::string(2'000'000, '[')),
                 HasSubstr("nested more than 64 deep"));
     EXPECT_THAT(error_of_entry("pastoso/setup.json", std::string(2'000'000, '[')),
                 HasSubstr("nested more than 64 deep"));
+}
+
+TEST_F(BadProject, LayersThatCannotBeAreRefused) {
+    EXPECT_THAT(error_of_index("\"active\":0", "\"active\":1"),
+                HasSubstr("layers: the active layer is none."));
+    EXPECT_THAT(error_of_index("\"next_layer\":2", "\"next_layer\":1"),
+                HasSubstr("layers: there cannot be a layer 1."));
+    EXPECT_THAT(error_of_index("\"groups\":[]", "\"groups\":[{\"id\":3,\"name\":\"x\"}]"),
+                HasSubstr("layers: there cannot be a group 3."));
+    EXPECT_THAT(error_of_index("\"id\":1", "\"group\":1,\"id\":1"),
+                HasSubstr("layers: there is no group 1."));
+    EXPECT_THAT(error_of_index("\"id\":1", "\"opacity\":-0.5,\"id\":1"),
+                HasSubstr("layers: the opacity of the layer is -0.5"));
+    EXPECT_THAT(error_of_index("\"layers\":[", "\"layers\":[],\"x\":["), HasSubstr("\"x\""));
 }
 
 TEST_F(BadProject, SizesThatDoNotFitAreRefusedBeforeAnythingIsAllocated) {
@@ -179,7 +196,7 @@ TEST_F(BadProject, ValuesThatCannotBeAreRefusedWithTheirPlace) {
                 HasSubstr("cell (3, 80)"));
     EXPECT_THAT(with([](auto& film) { film.support_mm.set(0, 0, kNone); }),
                 HasSubstr("height of the support"));
-    EXPECT_THAT(with([](auto& film) { film.support_mm.set(0, 0, -1.0F); }), HasSubstr("cell (0, 0)"));
+    EXPECT_THAT(with([](auto& film) { film.support_mm.set(0, 0, -1001.0F); }), HasSubstr("cell (0, 0)"));
     EXPECT_THAT(with([](auto& film) { film.thickness.set(9, 9, -1); }),
                 HasSubstr("holds a thickness that"));
     EXPECT_THAT(with([](auto& film) { film.thickness.set(9, 9, film::kMaxThickness_quanta + 1); }),
@@ -191,9 +208,9 @@ TEST_F(BadProject, ValuesThatCannotBeAreRefusedWithTheirPlace) {
                 }),
                 HasSubstr("cell (179, 89) holds an amount of paint"));
     EXPECT_THAT(with([](auto& film) {
-                    film.strata.ground.set(1, 2, {1, 1, 1, 1, 1, kNone});
+                    film.strata.optics.set(1, 2, {40000, 1, 1, 1, 1, 1, 40000});
                 }),
-                HasSubstr("holds a reflectance"));
+                HasSubstr("holds strata that give more light than they get"));
     EXPECT_THAT(with([](auto& film) { film.strata.soluble_thickness.set(1, 2, -5); }),
                 HasSubstr("holds a thickness of dry paint"));
 }

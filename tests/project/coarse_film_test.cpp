@@ -5,8 +5,6 @@
 namespace pastoso::project {
 namespace {
 
-constexpr pigment::Bands kBare = {0.9F, 0.9F, 0.9F, 0.9F, 0.9F, 0.9F};
-
 TEST(CoarseFilm, IsTheMeanOfTheCellsOnTheCanvas) {
     core::ThreadPool pool(2);
     film::FilmState film({131, 67}, 0.25);
@@ -15,8 +13,8 @@ TEST(CoarseFilm, IsTheMeanOfTheCellsOnTheCanvas) {
     film.thickness.set(1, 1, 800);
     film.support_mm.set(64, 1, 1.0F);
     film.paint.set(2, 0, {4, 8});
-    film.strata.ground.set(0, 0, {0.5F, 0.9F, 0.9F, 0.9F, 0.9F, 0.9F});
-    const film::FilmState coarse = coarse_film(film, 2, kBare, pool);
+    film.strata.optics.set(0, 0, {800});
+    const film::FilmState coarse = coarse_film(film, 2, pool);
     EXPECT_EQ(coarse.shape, (grid::Shape{66, 34}));
     EXPECT_EQ(coarse.cell_mm, 0.5);
     EXPECT_EQ(coarse.thickness.at(65, 33), 1000);
@@ -24,16 +22,17 @@ TEST(CoarseFilm, IsTheMeanOfTheCellsOnTheCanvas) {
     EXPECT_EQ(coarse.support_mm.at(32, 0), 0.25F);
     EXPECT_EQ(coarse.paint.at(1, 0)[1], 2);
     EXPECT_TRUE(coarse.paint.is_background(1));
+    EXPECT_EQ(coarse.strata.optics.at(0, 0)[0], 200);
 }
 
-TEST(CoarseFilm, GroundThatIsBackgroundCountsAsBare) {
+TEST(CoarseFilm, TilesWithoutStrataAreClear) {
     core::ThreadPool pool(1);
     film::FilmState film({128, 64}, 0.25);
-    auto block = grid::TileBlock<pigment::Bands>::filled({});
-    film.strata.ground.replace(0, block);
-    const film::FilmState coarse = coarse_film(film, 2, kBare, pool);
-    EXPECT_EQ(coarse.strata.ground.at(31, 0)[0], 0.0F);
-    EXPECT_EQ(coarse.strata.ground.at(32, 0)[0], 0.9F);
+    auto block = grid::TileBlock<film::StrataOptics>::filled({});
+    film.strata.optics.replace(0, block);
+    const film::FilmState coarse = coarse_film(film, 2, pool);
+    EXPECT_EQ(coarse.strata.optics.at(31, 0), film::StrataOptics{});
+    EXPECT_EQ(coarse.strata.optics.at(32, 0), film::kClearStrata);
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST_F(OpenRaster, AThumbnailOfAnOddSizeKeepsEvenColours) {
 }
 
 TEST(StackXml, EscapesANameThatAPainterGave) {
-    EXPECT_THAT(stack_xml({10, 10, {}, {}}, 4.0, "a<b & \"c\"", "x.png"),
+    EXPECT_THAT(stack_xml(10, 10, 4.0, {{"a<b & \"c\"", "x.png"}}),
                 HasSubstr("name=\"a&lt;b &amp; &quot;c&quot;\""));
 }
 

@@ -162,7 +162,7 @@ TEST_F(ProjectRoundTrip, ACanvasThatAnotherVersionWeavesOtherwiseIsLoadedWithANo
     const auto own = painting.canvas.film.support_mm;
     for (int tile = 0; tile < shape.tile_count(); ++tile)
         if (painting.canvas.film.thickness.is_background(tile) &&
-            painting.canvas.film.strata.ground.is_background(tile))
+            painting.canvas.film.strata.optics.is_background(tile))
             painting.canvas.film.support_mm.replace(tile, painting.bare_support_mm.block(tile));
     ASSERT_NE(document::state_hash(painting), 0U);
     const LoadedProject loaded = saved_and_loaded(project);

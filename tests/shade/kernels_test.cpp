@@ -31,15 +31,18 @@ void expect_same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 TEST_P(EveryIsa, ColoursCellsAlike) {
     const film::FilmState film = test::random_canvas({64, 64}, 4);
     std::vector<film::PigmentCell> soluble(grid::kTileCells);
-    std::vector<pigment::Bands> ground(grid::kTileCells);
+    std::vector<film::StrataOptics> strata(grid::kTileCells, film::kClearStrata);
     for (std::uint32_t i = 0; i < grid::kTileCells; ++i) {
         soluble[i].fill(static_cast<std::int32_t>(1e6F * core::uniform_noise(i, 8)));
-        ground[i].fill(core::uniform_noise(i, 9));
+        for (int band = 0; band < pigment::kBands; ++band) {
+            const float reflected = core::uniform_noise(i, 9 + band);
+            film::set_optics(band, {reflected, 0.5F * (1.0F - reflected), reflected}, strata[i]);
+        }
     }
     const auto colours = [&](core::Isa isa) {
         std::vector<CellColour> result(grid::kTileCells - 3);
         kernels(isa).colour_cells(
-            {film.paint.read(0), film.thickness.read(0), soluble.data(), ground.data()},
+            {film.paint.read(0), film.thickness.read(0), soluble.data(), strata.data()},
             grid::kTileCells - 3, test::kGround, pigment::kBandsToLinearSrgb, result.data());
         return result;
     };

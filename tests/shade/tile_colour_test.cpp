@@ -104,19 +104,23 @@ TEST(TileColours, WetPaintLiesOverDissolvablePaintOverItsOwnGround) {
     for (int k = 0; k < pigment::kChannels; ++k)
         soluble[k] = static_cast<std::int32_t>(0.03F * test::kBlue[k] / film::kPaintQuantum);
     film.strata.soluble_pigment.set(5, 7, soluble);
-    const pigment::Bands ground = {0.2F, 0.3F, 0.4F, 0.5F, 0.6F, 0.7F};
-    film.strata.ground.set(5, 7, ground);
+    film::PigmentCell fixed{};
+    for (int k = 0; k < pigment::kChannels; ++k)
+        fixed[k] = static_cast<std::int32_t>(0.02F * test::kRed[k] / film::kPaintQuantum);
+    film.strata.optics.set(5, 7, film::laid_over(fixed.data(), film::kClearStrata));
     std::vector<CellColour> colours(grid::kTileCells);
     tile_colours(film, 0, test::kGround, colours.data());
     pigment::Bands internal{};
     for (int band = 0; band < pigment::kBands; ++band) {
         const int scattering = pigment::kBands + band;
-        const double below = pigment::layer_reflectance<double>(
-            0.03 * test::kBlue[band], 0.03 * test::kBlue[scattering], ground[band]);
+        const double ground = pigment::layer_reflectance<double>(
+            0.02 * test::kRed[band], 0.02 * test::kRed[scattering], test::kGround[band]);
+        const double below = pigment::layer_reflectance<double>(0.03 * test::kBlue[band],
+                                                                0.03 * test::kBlue[scattering], ground);
         internal[band] = static_cast<float>(pigment::layer_reflectance<double>(
             0.05 * test::kRed[band], 0.05 * test::kRed[scattering], below));
     }
-    // As below, and as much again for the second layer.
+    // As below, and as much again for each of the other layers.
     expect_colour(colours[7 * 64 + 5], colour_of(internal), 2e-4F);
 }
 

@@ -21,26 +21,25 @@ Curve field_wave(const Field& field, double height_mm, double from_mm = 7.0, dou
     return Curve(points);
 }
 
-void flat_wave(Painter& painter, const Field& field, const char* words, const char* brush,
-               double size_mm, const document::LoadPaint& paint, double pressure) {
-    field.label(painter, words);
+void flat_wave(Painter& painter, const Field& field, const char* brush, double size_mm,
+               const document::LoadPaint& paint, double pressure) {
     painter.take(brush, size_mm);
     painter.dip(paint);
     paint_along(painter, field_wave(field, -3.0), 70, {pressure, 0.05, 0.08});
 }
 
 void flats(Painter& painter) {
-    flat_wave(painter, Field(0, 0), "flat bristle", "Flat bristle 20", 18,
+    flat_wave(painter, Field(0, 0), "Flat bristle 20", 18,
               load(mixture("PB28 PW6=0.15"), mixture("PB28 PW6=1.3"), 0.4), 0.42);
-    flat_wave(painter, Field(1, 0), "bright", "Bright 12", 0,
+    flat_wave(painter, Field(1, 0), "Bright 12", 0,
               load(mixture("PR108 PO20=0.5"), mixture("PO20"), 0.3), 0.45);
-    flat_wave(painter, Field(2, 0), "filbert", "Filbert 14", 0,
+    flat_wave(painter, Field(2, 0), "Filbert 14", 0,
               load(mixture("PG18 PW6=0.3"), mixture("PG18 PY35=0.5"), 0.35), 0.5);
-    flat_wave(painter, Field(3, 0), "large filbert", "Large filbert 26", 22,
+    flat_wave(painter, Field(3, 0), "Large filbert 26", 22,
               load(mixture("PV23 PW6=3"), mixture("PV19 PW6=1.5"), 0.4), 0.45);
-    flat_wave(painter, Field(4, 0), "fan", "Fan 26", 0,
+    flat_wave(painter, Field(4, 0), "Fan 26", 0,
               load(mixture("PG17"), mixture("PG17 PY35=0.8"), 0.35, 0.8), 0.36);
-    flat_wave(painter, Field(5, 0), "impasto flat", "Impasto flat 18", 16,
+    flat_wave(painter, Field(5, 0), "Impasto flat 18", 16,
               load(mixture("PW6 PY35=0.4"), mixture("PW6"), 0.4), 0.4);
 }
 
@@ -74,19 +73,15 @@ void dabs(Painter& painter, const Field& field, int columns, int rows, double pr
 }
 
 void rounds(Painter& painter) {
-    Field(0, 1).label(painter, "round sable");
     painter.take("Round sable 9");
     painter.dip(load(mixture("PBk9 PB29")));
     swell(painter, Field(0, 1), 0.76);
-    Field(1, 1).label(painter, "round bristle");
     painter.take("Round bristle 12");
     painter.dip(load(mixture("PR122"), mixture("PR122 PW6=0.6"), 0.35));
     swell(painter, Field(1, 1), 0.6);
-    Field(2, 1).label(painter, "rigger");
     painter.take("Rigger 2");
     painter.dip(load(mixture("PB27")));
     script(painter, Field(2, 1));
-    Field(3, 1).label(painter, "detail round");
     painter.take("Detail round 3");
     painter.dip(load(mixture("PR101")));
     for (int i = 0; i < 7; ++i) {
@@ -95,11 +90,9 @@ void rounds(Painter& painter) {
                            field.at(8.0 + 8.6 * i, 13.0)});
         paint_along(painter, stalk, 60, {0.5, 0.1, 0.8});
     }
-    Field(4, 1).label(painter, "mop");
     painter.take("Mop 30", 20);
     painter.dip(load(mixture("PB15:3 PW6=3"), mixture("PW6"), 0.3));
     paint_along(painter, field_wave(Field(4, 1), -2.0, 12, 56), 50, {0.45, 0.08, 0.1});
-    Field(5, 1).label(painter, "stippler");
     painter.take("Stippler 15", 9);
     painter.dip(load(mixture("PY43 PBr7-RU=0.3"), mixture("PY43 PW6"), 0.4, 1.1));
     dabs(painter, Field(5, 1), 6, 2, 0.6);
@@ -109,10 +102,9 @@ void rounds(Painter& painter) {
 
 void paint_sheet_brushes(Painter& painter) {
     flats(painter);
-    flat_wave(painter, Field(1, 6), "large flat", "Large flat 40", 26,
+    flat_wave(painter, Field(1, 6), "Large flat 40", 23,
               load(mixture("PY43 PW6=0.3"), mixture("PBr7-RU PW6=0.4"), 0.4), 0.4);
-    flat_wave(painter, Field(4, 6), "soft glazing flat", "Soft glazing flat 16", 0,
-              load(mixture("PG7", 0.25)), 0.3);
+    flat_wave(painter, Field(4, 6), "Soft glazing flat 16", 0, load(mixture("PG7", 0.25)), 0.3);
     rounds(painter);
 }
 

@@ -22,40 +22,34 @@ void tint_ladder(Painter& painter, const Field& field, double y_mm, const std::s
         swatch(painter, field.at(8.5 + 10.2 * i, y_mm), pigment + white[i]);
 }
 
-/// Two paints with three mixtures between them.
+/// Two paints with three mixtures between them, all of them with as much `white`.
 void mixing_row(Painter& painter, const Field& field, double y_mm, const std::string& first,
-                const std::string& second, double strength_of_first) {
+                const std::string& second, double strength_of_first, const std::string& white = "") {
     painter.take("Flat bristle 20", kSwatchWidth_mm);
     for (int i = 0; i < 5; ++i) {
         const double share = i / 4.0;
         const std::string a = first + "=" + std::to_string(strength_of_first * (1.0 - share) + 1e-6);
         const std::string b = second + "=" + std::to_string(share + 1e-6);
         const std::string paint = i == 0 ? first : i == 4 ? second : a + " " + b;
-        swatch(painter, field.at(10.0 + 12.0 * i, y_mm), paint);
+        swatch(painter, field.at(10.0 + 12.0 * i, y_mm), paint + white);
     }
 }
 
 }  // namespace
 
 void paint_sheet_colours(Painter& painter) {
-    Field(0, 7).label(painter, "tints");
     tint_ladder(painter, Field(0, 7), 14, "PB15:3");
     tint_ladder(painter, Field(0, 7), 28, "PR122");
-    Field(1, 7).label(painter, "tints");
     tint_ladder(painter, Field(1, 7), 14, "PG7");
     tint_ladder(painter, Field(1, 7), 28, "PB29");
-    Field(2, 7).label(painter, "yellow and blue");
     mixing_row(painter, Field(2, 7), 14, "PY74", "PB15:3", 20);
     mixing_row(painter, Field(2, 7), 28, "PY35", "PB29", 1);
-    Field(3, 7).label(painter, "yellow and red");
     mixing_row(painter, Field(3, 7), 14, "PY74", "PR254", 3);
     mixing_row(painter, Field(3, 7), 28, "PY35", "PBk9", 4);
-    Field(4, 7).label(painter, "greys");
-    mixing_row(painter, Field(4, 7), 14, "PBr7-BU", "PB29", 1);
-    mixing_row(painter, Field(4, 7), 28, "PR101", "PG18", 1);
-    Field(5, 7).label(painter, "purples");
-    mixing_row(painter, Field(5, 7), 14, "PR122", "PB29", 1);
-    mixing_row(painter, Field(5, 7), 28, "PV19", "PB15:3", 4);
+    mixing_row(painter, Field(4, 7), 14, "PBr7-BU", "PB29", 1, " PW6=2");
+    mixing_row(painter, Field(4, 7), 28, "PR101", "PG18", 1, " PW6=3");
+    mixing_row(painter, Field(5, 7), 14, "PR122", "PB29", 1, " PW6=2");
+    mixing_row(painter, Field(5, 7), 28, "PV19", "PB15:3", 4, " PW6=6");
 }
 
 }  // namespace pastoso::examples

@@ -14,7 +14,6 @@ void band(Painter& painter, const Field& field, double y_mm, const char* paint, 
 }
 
 void dry_brush(Painter& painter, const Field& field) {
-    field.label(painter, "dry brush");
     const double fills[] = {0.06, 0.12, 0.3};
     for (int i = 0; i < 3; ++i) {
         painter.take("Flat bristle 20", 9);
@@ -25,7 +24,6 @@ void dry_brush(Painter& painter, const Field& field) {
 }
 
 void wet_in_wet(Painter& painter, const Field& field) {
-    field.label(painter, "wet in wet");
     band(painter, field, 22, "PY35 PW6=0.1", 18);
     const char* crossing[] = {"PB29 PW6=0.3", "PW6", "PR122"};
     for (int i = 0; i < 3; ++i) {
@@ -37,14 +35,12 @@ void wet_in_wet(Painter& painter, const Field& field) {
 }
 
 void loads(Painter& painter, const Field& half_mixed, const Field& doubled) {
-    half_mixed.label(painter, "half mixed");
     painter.take("Flat bristle 20", 19);
     document::LoadPaint mixed = load(mixture("PR254"), mixture("PW6"), 0.5);
     mixed.share_variation = 1.0;
     painter.dip(mixed);
     paint_along(painter, Curve({half_mixed.at(6, 22), half_mixed.at(34, 20), half_mixed.at(62, 23)}), 70,
                 {0.45, 0.05, 0.06});
-    doubled.label(painter, "double load");
     painter.take("Flat bristle 20", 19);
     document::LoadPaint two = load(mixture("PB29 PW6=0.5"));
     two.second = mixture("PW6");
@@ -58,7 +54,6 @@ void loads(Painter& painter, const Field& half_mixed, const Field& doubled) {
 
 /// A white brush whose one side was dipped in red: laid over, the red comes off first.
 void dipped_tip(Painter& painter, const Field& field) {
-    field.label(painter, "dipped tip");
     painter.take("Flat bristle 20", 18);
     painter.dip(load(mixture("PW6 PY43=0.05"), 0.5));
     document::LoadPaint tip = load(mixture("PR254 PV19=0.3"), 1.1);
@@ -69,7 +64,6 @@ void dipped_tip(Painter& painter, const Field& field) {
 }
 
 void symmetry(Painter& painter, const Field& field) {
-    field.label(painter, "symmetry");
     const Point middle = field.at(34, 22);
     painter.set_symmetry({.centre_x_mm = middle.x, .centre_y_mm = middle.y, .mirror = true, .count = 7});
     painter.take("Round sable 9", 4);
@@ -81,7 +75,6 @@ void symmetry(Painter& painter, const Field& field) {
 }
 
 void blend(Painter& painter, const Field& field) {
-    field.label(painter, "blender");
     band(painter, field, 15.5, "PB28 PW6=0.4", 12, 0.7);
     band(painter, field, 27.5, "PW6 PO20=0.12", 12, 0.7);
     painter.take("Blender 28", 16);
@@ -92,14 +85,12 @@ void blend(Painter& painter, const Field& field) {
 }
 
 void scumble(Painter& painter, const Field& field) {
-    field.label(painter, "scumble on dry");
     painter.take("Dry scumbler 22");
     painter.dip(load(mixture("PW6 PY43=0.1"), 0.35));
     paint_along(painter, Curve({field.at(8, 22), field.at(60, 22)}), 70, {0.25, 0.06, 0.15});
 }
 
 void glazes(Painter& painter, const Field& field) {
-    field.label(painter, "glazes on dry");
     const char* colours[] = {"PR83", "PG7", "PY74"};
     for (int i = 0; i < 3; ++i) {
         painter.take("Soft glazing flat 16", 6.5);

@@ -3,8 +3,6 @@
 
 #include "paths.hpp"
 
-#include <string_view>
-
 namespace pastoso::examples {
 
 inline constexpr int kSheetColumns = 6, kSheetRows = 8;
@@ -17,9 +15,6 @@ struct Field {
 
     /// A place of the field, from its upper left corner.
     Point at(double x_mm, double y_mm) const { return corner + Point{x_mm, y_mm}; }
-
-    /// The tool's name in the upper left corner.
-    void label(Painter& painter, std::string_view words) const;
 
     Point corner;
 };

@@ -1,0 +1,17 @@
+// What makes a jet of air waver.
+#pragma once
+
+#include <cstdint>
+
+namespace pastoso::brush {
+
+/// How far a jet is off its place, each from -1 to 1.
+struct Gust {
+    double x = 0.0, y = 0.0;
+};
+
+/// The gust at a time of a stroke: values by a hash of `seed`, twelve a second, joined smoothly
+/// (3 t^2 - 2 t^3). Breath is as turbulent as that, and paint that it drives runs in bends.
+Gust gust_at(std::uint32_t seed, double time_s);
+
+}  // namespace pastoso::brush

@@ -1,0 +1,369 @@
+#include "document/layered_canvas.hpp"
+
+#include "core/check.hpp"
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "layers/merging.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace pastoso::document {
+namespace {
+
+/// Paint that hardly moves is brought up to date once a second.
+constexpr film::SolverOptions kSolving{.longest_wait_s = 64.0 / 60.0};
+
+using AsleepFilm = std::shared_ptr<const film::FilmState>;
+
+AsleepFilm asleep(film::FilmState film) {
+    return std::make_shared<const film::FilmState>(std::move(film));
+}
+
+LayerPaint paint_on(const film::FilmState& film) {
+    return {film::totals(film), film::dried_totals(film.strata), film.strata.evaporated};
+}
+
+void add(const LayerPaint& more, LayerPaint& sums) {
+    sums.wet.thickness += more.wet.thickness;
+    for (std::size_t k = 0; k < sums.wet.paint.size(); ++k)
+        sums.wet.paint[k] += more.wet.paint[k];
+    sums.dried += more.dried;
+    sums.evaporated += more.evaporated;
+}
+
+bool have_same_heights(const film::TileHeights& a, const film::TileHeights& b) {
+    for (int cell = 0; cell < grid::kTileCells; ++cell)
+        if (a[cell] != b[cell]) return false;
+    return true;
+}
+
+/// Tiles that are equal are shared with those of before, so that they count as unchanged.
+void share_equal_tiles(const film::SupportHeights& before, film::SupportHeights& after) {
+    if (before.shape() != after.shape()) return;
+    for (int tile = 0; tile < after.tile_count(); ++tile) {
+        if (!after.shares_tile(before, tile) && have_same_heights(after.read(tile), before.read(tile)))
+            layers::share_tile(before, tile, after);
+    }
+}
+
+bool shares_all_tiles(const film::SupportHeights& a, const film::SupportHeights& b) {
+    for (int tile = 0; tile < a.tile_count(); ++tile)
+        if (!a.shares_tile(b, tile)) return false;
+    return true;
+}
+
+void check_room(const LayerStack& stack) {
+    if (stack.layers.size() < kMostLayers) return;
+    throw core::InputError("a painting has at most " + std::to_string(kMostLayers) + " layers.");
+}
+
+/// Puts a new layer over the one at `place`, into the same group, and makes it active.
+void insert_above(LayerStack& stack, std::size_t place, LayerLook look, AsleepFilm film) {
+    const Layer layer{stack.next_layer++, stack.layers[place].group, std::move(look), std::move(film)};
+    stack.active = place + 1;
+    stack.layers.insert(stack.layers.begin() + static_cast<std::ptrdiff_t>(stack.active), layer);
+}
+
+/// The layer below stands for it if it was active.
+void erase_layer(LayerStack& stack, std::size_t place) {
+    stack.layers.erase(stack.layers.begin() + static_cast<std::ptrdiff_t>(place));
+    if (stack.active > place || stack.active == stack.layers.size()) --stack.active;
+    drop_empty_groups(stack);
+}
+
+/// A layer as it looks through its opacity, fully opaque.
+film::FilmState opaque(const film::FilmState& layer, double opacity, core::ThreadPool& pool) {
+    if (opacity == 1.0) return layer;
+    return layers::merged(film::FilmState(layer.shape, layer.cell_mm), layer, opacity, pool);
+}
+
+/// In one group, what the group says holds for the result as well; otherwise the result is in none.
+void merge_onto_lower(LayerStack& stack, std::size_t upper, core::ThreadPool& pool) {
+    const std::size_t lower = upper - 1;
+    const Layer above = stack.layers[upper];
+    Layer& below = stack.layers[lower];
+    const bool same_group = above.group == below.group;
+    const auto opacity = [&](std::size_t place) {
+        return same_group ? stack.layers[place].look.opacity : effective_look(stack, place).opacity;
+    };
+    const film::FilmState ground = opaque(*below.asleep, opacity(lower), pool);
+    below.asleep = asleep(layers::merged(ground, *above.asleep, opacity(upper), pool));
+    below.look.opacity = 1.0;
+    if (!same_group) below.group = 0;
+    const bool was_active = stack.active == upper;
+    erase_layer(stack, upper);
+    if (was_active) stack.active = lower;
+}
+
+std::vector<std::size_t> visible_places(const LayerStack& stack) {
+    std::vector<std::size_t> places;
+    for (std::size_t place = 0; place < stack.layers.size(); ++place)
+        if (effective_look(stack, place).visible) places.push_back(place);
+    return places;
+}
+
+film::FilmState flattened(const LayerStack& stack, const std::vector<std::size_t>& places,
+                          core::ThreadPool& pool) {
+    const auto opacity = [&](std::size_t place) { return effective_look(stack, place).opacity; };
+    film::FilmState sum = opaque(*stack.layers[places[0]].asleep, opacity(places[0]), pool);
+    for (std::size_t i = 1; i < places.size(); ++i)
+        sum = layers::merged(sum, *stack.layers[places[i]].asleep, opacity(places[i]), pool);
+    return sum;
+}
+
+/// At that place or, where that would tear a group apart, below the group.
+void insert_between_groups(LayerStack& stack, std::size_t place, Layer layer) {
+    auto& list = stack.layers;
+    while (place > 0 && place < list.size() && list[place].group != 0 &&
+           list[place - 1].group == list[place].group)
+        --place;
+    list.insert(list.begin() + static_cast<std::ptrdiff_t>(place), std::move(layer));
+    stack.active = place;
+}
+
+void add_to_hash(const film::FilmState& film, const Layer& layer, core::Hash64& hash) {
+    hash.add_value(film::state_hash(film));
+    hash.add_value(layer.id);
+    hash.add_value(layer.group);
+    hash.add_value(layer.look.visible);
+    hash.add_value(layer.look.locked);
+    hash.add_value(layer.look.opacity);
+}
+
+std::vector<layers::SeenLayer> seen_layers(const LayerStack& stack, const film::FilmState& active) {
+    std::vector<layers::SeenLayer> seen;
+    for (std::size_t place = 0; place < stack.layers.size(); ++place) {
+        const LayerLook look = effective_look(stack, place);
+        const film::FilmState* layer =
+            place == stack.active ? &active : stack.layers[place].asleep.get();
+        if (look.visible) seen.push_back({layer, look.opacity});
+    }
+    return seen;
+}
+
+/// What the active layer lies on besides the bare support.
+LayerFilms films_below_active(const LayerStack& stack) {
+    LayerFilms films;
+    for (std::size_t place = 0; place < stack.active; ++place)
+        if (effective_look(stack, place).visible) films.push_back(stack.layers[place].asleep);
+    return films;
+}
+
+film::FilmState bare_canvas_like(const film::FilmState& film, const film::SupportHeights& bare_mm) {
+    film::FilmState bare(film.shape, film.cell_mm);
+    bare.support_mm = bare_mm;
+    return bare;
+}
+
+}  // namespace
+
+LayerFilms layers_apart(const film::FilmState& film, const film::SupportHeights& bare_mm,
+                        const LayerStack& stack) {
+    LayerFilms films;
+    for (const Layer& layer : stack.layers)
+        films.push_back(layer.asleep);
+    films[stack.active] = asleep(layers::lifted_off(film, base_below_active(stack, bare_mm)));
+    return films;
+}
+
+film::SupportHeights base_below_active(const LayerStack& stack, film::SupportHeights bare_mm) {
+    for (const auto& film : films_below_active(stack))
+        layers::raise_by(*film, bare_mm);
+    return bare_mm;
+}
+
+film::FilmState view_of(const film::FilmState& film, const film::SupportHeights& bare_mm,
+                        const LayerStack& stack, core::ThreadPool& pool) {
+    if (is_single(stack)) return film;
+    const film::FilmState active = layers::lifted_off(film, base_below_active(stack, bare_mm));
+    return layers::View().of(bare_canvas_like(film, bare_mm), seen_layers(stack, active), pool);
+}
+
+LayeredCanvas::LayeredCanvas(film::FilmState bare, const film::Medium& medium, core::ThreadPool& pool)
+    : film(std::move(bare)),
+      solver(film, medium, kSolving, pool),
+      pool_(pool),
+      bare_mm_(film.support_mm),
+      base_mm_(film.support_mm),
+      stack_(single_layer()) {}
+
+LayeredCanvas::LayeredCanvas(film::FilmState active, film::SupportHeights bare_mm, LayerStack stack,
+                             const film::Medium& medium, core::ThreadPool& pool)
+    : film(std::move(active)),
+      solver(film, medium, kSolving, pool),
+      pool_(pool),
+      bare_mm_(std::move(bare_mm)),
+      stack_(std::move(stack)) {
+    base_mm_ = base_of(stack_);
+}
+
+void LayeredCanvas::restore(film::FilmState then, LayerStack stack) {
+    film = std::move(then);
+    if (films_below_active(stack) != films_below_active(stack_)) base_mm_ = base_of(stack);
+    stack_ = std::move(stack);
+}
+
+film::SupportHeights LayeredCanvas::base_of(const LayerStack& stack) const {
+    film::SupportHeights base = base_below_active(stack, bare_mm_);
+    share_equal_tiles(base_mm_, base);
+    return base;
+}
+
+LayerStack LayeredCanvas::all_asleep() {
+    LayerStack stack = stack_;
+    stack.layers[stack.active].asleep = asleep(lifter_.lifted_off(film, base_mm_));
+    return stack;
+}
+
+void LayeredCanvas::rearrange(const std::function<void(LayerStack&)>& change) {
+    LayerStack stack = all_asleep();
+    const AsleepFilm active = stack.layers[stack.active].asleep;
+    change(stack);
+    const bool same_paint = stack.layers[stack.active].asleep == active;
+    film::SupportHeights base = base_of(stack);
+    const bool same_base = shares_all_tiles(base, base_mm_);
+    base_mm_ = std::move(base);
+    if (!same_paint || !same_base) {
+        film = layers::laid_on(*stack.layers[stack.active].asleep, base_mm_);
+        solver.wake_all();
+    }
+    stack.layers[stack.active].asleep.reset();
+    stack_ = std::move(stack);
+}
+
+void LayeredCanvas::add(const AddLayer& added) {
+    rearrange([&](LayerStack& stack) {
+        check_room(stack);
+        insert_above(stack, stack.active, {.name = added.name},
+                     asleep(film::FilmState(film.shape, film.cell_mm)));
+    });
+}
+
+void LayeredCanvas::select(const SelectLayer& selected) {
+    const std::size_t place = place_of(stack_, selected.layer);
+    if (place == stack_.active) return;
+    rearrange([&](LayerStack& stack) { stack.active = place; });
+}
+
+void LayeredCanvas::set(const SetLayer& set) {
+    rearrange([&](LayerStack& stack) { stack.layers[place_of(stack, set.layer)].look = set.look; });
+}
+
+void LayeredCanvas::set_group(const SetGroup& set) {
+    rearrange([&](LayerStack& stack) { group_of(stack, set.group).look = set.look; });
+}
+
+void LayeredCanvas::move(const MoveLayer& move) {
+    rearrange([&](LayerStack& stack) { move_layer(stack, move); });
+}
+
+void LayeredCanvas::group(const GroupLayers& group) {
+    rearrange([&](LayerStack& stack) { group_layers(stack, group); });
+}
+
+void LayeredCanvas::move_group(const MoveGroup& move) {
+    rearrange([&](LayerStack& stack) { document::move_group(stack, move); });
+}
+
+void LayeredCanvas::ungroup(const UngroupLayers& ungroup) {
+    rearrange([&](LayerStack& stack) { ungroup_layers(stack, ungroup.group); });
+}
+
+void LayeredCanvas::merge_down(const MergeDown& merge) {
+    const std::size_t place = place_of(stack_, merge.layer);
+    if (place == 0)
+        throw core::InputError("there is no layer below \"" + stack_.layers[0].look.name +
+                               "\" to merge it onto.");
+    check_paintable(stack_, place - 1);
+    check_paintable(stack_, place);
+    rearrange([&](LayerStack& stack) { merge_onto_lower(stack, place, pool_); });
+}
+
+void LayeredCanvas::flatten() {
+    rearrange([&](LayerStack& stack) {
+        const std::vector<std::size_t> visible = visible_places(stack);
+        if (visible.empty()) throw core::InputError("there is no visible layer to flatten.");
+        for (const std::size_t place : visible)
+            check_unlocked(stack, place);
+        Layer flat{.id = stack.layers[visible[0]].id,
+                   .look = {.name = stack.layers[visible[0]].look.name},
+                   .asleep = asleep(flattened(stack, visible, pool_))};
+        for (auto place = visible.rbegin(); place != visible.rend(); ++place)
+            stack.layers.erase(stack.layers.begin() + static_cast<std::ptrdiff_t>(*place));
+        insert_between_groups(stack, visible[0], std::move(flat));
+        drop_empty_groups(stack);
+    });
+}
+
+LayerPaint LayeredCanvas::duplicate(const DuplicateLayer& duplicate) {
+    LayerPaint taken;
+    rearrange([&](LayerStack& stack) {
+        check_room(stack);
+        const std::size_t place = place_of(stack, duplicate.layer);
+        film::FilmState copy = *stack.layers[place].asleep;
+        copy.strata.evaporated = 0;
+        taken = paint_on(copy);
+        insert_above(stack, place, stack.layers[place].look, asleep(std::move(copy)));
+    });
+    return taken;
+}
+
+LayerPaint LayeredCanvas::remove(const RemoveLayer& remove) {
+    LayerPaint wiped;
+    rearrange([&](LayerStack& stack) {
+        const std::size_t place = place_of(stack, remove.layer);
+        if (stack.layers.size() == 1) throw core::InputError("a painting keeps its last layer.");
+        check_unlocked(stack, place);
+        wiped = paint_on(*stack.layers[place].asleep);
+        erase_layer(stack, place);
+    });
+    return wiped;
+}
+
+LayerPaint LayeredCanvas::clear(const ClearLayer& clear) {
+    LayerPaint wiped;
+    rearrange([&](LayerStack& stack) {
+        const std::size_t place = place_of(stack, clear.layer);
+        check_unlocked(stack, place);
+        wiped = paint_on(*stack.layers[place].asleep);
+        stack.layers[place].asleep = asleep(film::FilmState(film.shape, film.cell_mm));
+    });
+    return wiped;
+}
+
+LayerPaint LayeredCanvas::paint() const {
+    LayerPaint sums = paint_on(film);
+    for (const Layer& layer : stack_.layers)
+        if (layer.asleep) document::add(paint_on(*layer.asleep), sums);
+    return sums;
+}
+
+film::FilmState LayeredCanvas::view() {
+    if (is_single(stack_)) return film;
+    const film::FilmState active = lifter_.lifted_off(film, base_mm_);
+    return view_.of(bare_canvas_like(film, bare_mm_), seen_layers(stack_, active), pool_);
+}
+
+std::uint64_t LayeredCanvas::state_hash() const {
+    return document::state_hash(film, stack_);
+}
+
+std::uint64_t state_hash(const film::FilmState& film, const LayerStack& stack) {
+    if (is_single(stack)) return film::state_hash(film);
+    core::Hash64 hash;
+    hash.add_value(stack.active);
+    for (std::size_t place = 0; place < stack.layers.size(); ++place) {
+        const Layer& layer = stack.layers[place];
+        add_to_hash(place == stack.active ? film : *layer.asleep, layer, hash);
+    }
+    for (const LayerGroup& group : stack.groups) {
+        hash.add_value(group.id);
+        hash.add_value(group.look.visible);
+        hash.add_value(group.look.locked);
+        hash.add_value(group.look.opacity);
+    }
+    return hash.value();
+}
+
+}  // namespace pastoso::document

@@ -1,0 +1,106 @@
+// The canvas with its layers. The paint of one of them flows; the others keep theirs as it is.
+#pragma once
+
+#include "brush/contents.hpp"
+#include "core/thread_pool.hpp"
+#include "document/layers.hpp"
+#include "film/medium.hpp"
+#include "film/solver.hpp"
+#include "film/state.hpp"
+#include "layers/apart.hpp"
+#include "layers/view.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace pastoso::document {
+
+using LayerFilms = std::vector<std::shared_ptr<const film::FilmState>>;
+
+/// The layers from below, apart from what they lie on, `film` being the active one.
+LayerFilms layers_apart(const film::FilmState& film, const film::SupportHeights& bare_mm,
+                        const LayerStack& stack);
+
+/// The bare support with all that is visible below the active layer.
+film::SupportHeights base_below_active(const LayerStack& stack, film::SupportHeights bare_mm);
+
+/// All that is visible of a painting as one film (layers/view.hpp).
+film::FilmState view_of(const film::FilmState& film, const film::SupportHeights& bare_mm,
+                        const LayerStack& stack, core::ThreadPool& pool);
+
+/// What is on a layer in all, and what has left it as vapour.
+struct LayerPaint {
+    film::Totals wet;
+    film::DriedTotals dried;
+    std::int64_t evaporated = 0;
+};
+
+/// Not to be copied: the solver holds on to the film.
+class LayeredCanvas {
+  public:
+    LayeredCanvas(film::FilmState bare, const film::Medium& medium, core::ThreadPool& pool);
+
+    /// Goes on with a film on the bare canvas of these heights, that is the stack's active layer on what
+    /// is visible below it.
+    LayeredCanvas(film::FilmState film, film::SupportHeights bare_mm, LayerStack stack,
+                  const film::Medium& medium, core::ThreadPool& pool);
+
+    LayeredCanvas(const LayeredCanvas&) = delete;
+    LayeredCanvas& operator=(const LayeredCanvas&) = delete;
+
+    film::FilmState film;  ///< of the active layer, on what is visible below it
+    film::Solver solver;
+
+    const LayerStack& stack() const { return stack_; }
+    const film::SupportHeights& bare_mm() const { return bare_mm_; }
+
+    /// Returns to a film and a stack of before. Which of its paint moves is for the caller to say
+    /// (film::Solver::restart).
+    void restore(film::FilmState film, LayerStack stack);
+
+    // Changes of the layers (layer_events.hpp). They throw InputError, and leave all as it was, for
+    // layers and places that there are not, and for changes of what is locked.
+
+    void add(const AddLayer& added);
+    void select(const SelectLayer& selected);
+    void set(const SetLayer& set);
+    void set_group(const SetGroup& set);
+    void move(const MoveLayer& move);
+    void group(const GroupLayers& group);
+    void move_group(const MoveGroup& move);
+    void ungroup(const UngroupLayers& ungroup);
+    void merge_down(const MergeDown& merge);
+    void flatten();
+    LayerPaint duplicate(const DuplicateLayer& duplicate);  ///< what came out of the tubes
+    LayerPaint remove(const RemoveLayer& remove);           ///< what was wiped off
+    LayerPaint clear(const ClearLayer& clear);              ///< what was wiped off
+
+    /// Sums over all layers.
+    LayerPaint paint() const;
+
+    /// All that is visible as one film (layers/view.hpp).
+    film::FilmState view();
+
+    std::uint64_t state_hash() const;
+
+  private:
+    /// Changes a stack in which every layer is asleep, and lays it out again.
+    void rearrange(const std::function<void(LayerStack&)>& change);
+    LayerStack all_asleep();
+    void lay_out(LayerStack stack);
+    film::SupportHeights base_of(const LayerStack& stack) const;
+
+    core::ThreadPool& pool_;
+    film::SupportHeights bare_mm_;  ///< the support's own
+    film::SupportHeights base_mm_;  ///< with all that is visible below the active layer
+    LayerStack stack_;
+    layers::Lifter lifter_;
+    layers::View view_;
+};
+
+/// The hash of a film that is the stack's active layer, and of the other layers.
+std::uint64_t state_hash(const film::FilmState& film, const LayerStack& stack);
+
+}  // namespace pastoso::document

@@ -1,0 +1,77 @@
+// The layers of a painting from below, each with strata of dried paint and a wet film.
+#pragma once
+
+#include "document/layer_events.hpp"
+#include "film/state.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace pastoso::document {
+
+/// More than a painter can tell apart, and few enough to look through all of them.
+inline constexpr std::size_t kMostLayers = 100;
+inline constexpr std::size_t kMostLayerName = 200;
+
+struct Layer {
+    LayerId id = 0;
+    GroupId group = 0;
+    LayerLook look{};
+    /// Its paint, apart from what it lies on (layers/apart.hpp); null for the active layer, whose film
+    /// lies on the canvas.
+    std::shared_ptr<const film::FilmState> asleep{};
+};
+
+struct LayerGroup {
+    GroupId id = 0;
+    LayerLook look{};
+};
+
+/// The layers of a group lie next to each other, and every group has one.
+struct LayerStack {
+    std::vector<Layer> layers;  ///< the lowest first, at least one
+    std::vector<LayerGroup> groups;
+    std::size_t active = 0;
+    LayerId next_layer = 1;
+    GroupId next_group = 1;
+};
+
+/// A stack of one layer, which is active.
+LayerStack single_layer();
+
+/// Throws InputError when there is no such layer or group.
+std::size_t place_of(const LayerStack& stack, LayerId layer);
+LayerGroup& group_of(LayerStack& stack, GroupId group);
+const LayerGroup& group_of(const LayerStack& stack, GroupId group);
+
+/// A layer with what its group says: visible when both are, locked when one is, opacities multiplied.
+LayerLook effective_look(const LayerStack& stack, std::size_t place);
+
+/// Whether nothing else is said of it than what single_layer() says.
+bool is_single(const LayerStack& stack);
+
+/// Throws InputError when numbers, groups or looks are such as no painting comes to have.
+void check_stack(const LayerStack& stack);
+
+/// Throws InputError for a name that is too long and for an opacity that is none.
+void check_look(const LayerLook& look);
+
+/// Throws InputError, naming the layer, unless it is visible and not locked.
+void check_paintable(const LayerStack& stack, std::size_t place);
+
+/// Throws InputError, naming the layer, when it is locked.
+void check_unlocked(const LayerStack& stack, std::size_t place);
+
+// Changes of the order. All layers are asleep or none of those that move is active; they throw
+// InputError and leave the stack as it was when there is no such layer or place.
+
+void move_layer(LayerStack& stack, const MoveLayer& move);
+void group_layers(LayerStack& stack, const GroupLayers& group);
+void move_group(LayerStack& stack, const MoveGroup& move);
+void ungroup_layers(LayerStack& stack, GroupId group);
+
+/// Forgets groups without layers.
+void drop_empty_groups(LayerStack& stack);
+
+}  // namespace pastoso::document

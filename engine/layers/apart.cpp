@@ -1,0 +1,96 @@
+#include "layers/apart.hpp"
+
+#include "core/check.hpp"
+#include "film/cell_drying.hpp"
+
+#include <algorithm>
+
+namespace pastoso::layers {
+namespace {
+
+using film::FilmState;
+using grid::kTileCells;
+
+bool is_level(const float* heights_mm) {
+    return std::all_of(heights_mm, heights_mm + kTileCells, [](float height) { return height == 0.0F; });
+}
+
+void lift_tile(const Heights& support_mm, const Heights& base_mm, int tile, Heights& relief_mm) {
+    if (support_mm.shares_tile(base_mm, tile)) return;
+    auto block = film::copied_heights(support_mm.read(tile));
+    const film::TileHeights base = base_mm.read(tile);
+    for (int cell = 0; cell < kTileCells; ++cell)
+        block.write()[cell] -= base[cell];
+    if (!is_level(block.read())) relief_mm.replace(tile, std::move(block));
+}
+
+void add_tile(const Heights& relief_mm, int tile, Heights& heights_mm) {
+    if (relief_mm.is_background(tile)) return;
+    const film::TileHeights relief = relief_mm.read(tile);
+    float* heights = heights_mm.write(tile);
+    for (int cell = 0; cell < kTileCells; ++cell)
+        heights[cell] += relief[cell];
+}
+
+}  // namespace
+
+FilmState lifted_off(const FilmState& film, const Heights& base_mm) {
+    PASTOSO_CHECK(base_mm.shape() == film.shape);
+    FilmState layer = film;
+    layer.support_mm = Heights(film.shape);
+    for (int tile = 0; tile < film.shape.tile_count(); ++tile)
+        lift_tile(film.support_mm, base_mm, tile, layer.support_mm);
+    return layer;
+}
+
+FilmState Lifter::lifted_off(const FilmState& film, const Heights& base_mm) {
+    PASTOSO_CHECK(base_mm.shape() == film.shape);
+    const bool first = relief_mm_.shape() != film.shape;
+    if (first) relief_mm_ = Heights(film.shape);
+    for (int tile = 0; tile < film.shape.tile_count(); ++tile) {
+        if (!first && film.support_mm.shares_tile(support_mm_, tile) &&
+            base_mm.shares_tile(base_mm_, tile))
+            continue;
+        relief_mm_.reset(tile);
+        lift_tile(film.support_mm, base_mm, tile, relief_mm_);
+    }
+    support_mm_ = film.support_mm;
+    base_mm_ = base_mm;
+    FilmState layer = film;
+    layer.support_mm = relief_mm_;
+    return layer;
+}
+
+FilmState laid_on(const FilmState& layer, const Heights& base_mm) {
+    PASTOSO_CHECK(base_mm.shape() == layer.shape);
+    FilmState film = layer;
+    film.support_mm = base_mm;
+    for (int tile = 0; tile < layer.shape.tile_count(); ++tile)
+        add_tile(layer.support_mm, tile, film.support_mm);
+    return film;
+}
+
+void raise_by(const FilmState& layer, Heights& heights_mm) {
+    for (int tile = 0; tile < layer.shape.tile_count(); ++tile) {
+        add_tile(layer.support_mm, tile, heights_mm);
+        if (layer.thickness.is_background(tile)) continue;
+        const std::int32_t* thickness = layer.thickness.read(tile);
+        float* heights = heights_mm.write(tile);
+        for (int cell = 0; cell < kTileCells; ++cell)
+            heights[cell] += wet_height_mm(thickness[cell]);
+    }
+}
+
+float wet_height_mm(std::int32_t thickness_quanta) {
+    constexpr std::int32_t kStep = film::kQuantaPerSupport;
+    return film::thickness_mm((thickness_quanta + kStep / 2) / kStep * kStep);
+}
+
+bool holds_paint(const FilmState& layer, int tile) {
+    return !layer.thickness.is_background(tile) || !layer.paint.is_background(tile) ||
+           !layer.support_mm.is_background(tile) || !layer.strata.optics.is_background(tile) ||
+           !layer.strata.soluble_thickness.is_background(tile) ||
+           !layer.strata.soluble_pigment.is_background(tile);
+}
+
+}  // namespace pastoso::layers

@@ -1,0 +1,112 @@
+#include "project/pictures.hpp"
+
+#include "document/layered_canvas.hpp"
+#include "document/painting.hpp"
+#include "io/image.hpp"
+#include "project/coarse_film.hpp"
+#include "project/open_raster.hpp"
+
+#include <algorithm>
+
+namespace pastoso::project {
+namespace {
+
+using document::LayerStack;
+using document::PaintingState;
+
+int coarseness(const grid::Shape& shape) {
+    int factor = 1;
+    while (std::max(shape.width, shape.height) > factor * kLongestPicture_px)
+        factor *= 2;
+    return factor;
+}
+
+shade::LinearImage picture_of(const film::FilmState& film, core::ThreadPool& pool) {
+    const int factor = coarseness(film.shape);
+    const film::FilmState small = factor == 1 ? film : coarse_film(film, factor, pool);
+    return shade::render(small, document::kPrimedGround, small.shape.cells(), {}, pool);
+}
+
+/// Where a layer holds paint.
+std::vector<std::uint8_t> cover_of(const film::FilmState& layer, core::ThreadPool& pool) {
+    const int factor = coarseness(layer.shape);
+    const film::FilmState small = factor == 1 ? layer : coarse_film(layer, factor, pool);
+    std::vector<std::uint8_t> covered;
+    covered.reserve(static_cast<std::size_t>(small.shape.width) * small.shape.height);
+    for (int y = 0; y < small.shape.height; ++y) {
+        for (int x = 0; x < small.shape.width; ++x) {
+            const bool holds = small.thickness.at(x, y) > 0 || small.support_mm.at(x, y) != 0.0F ||
+                               small.strata.optics.at(x, y) != film::kClearStrata ||
+                               !film::is_empty(small.strata.soluble_pigment.at(x, y),
+                                               small.strata.soluble_thickness.at(x, y));
+            covered.push_back(holds ? 255 : 0);
+        }
+    }
+    return covered;
+}
+
+std::vector<LayerPicture> layer_pictures(const PaintingState& painting, core::ThreadPool& pool) {
+    const film::FilmState& film = painting.canvas.film;
+    film::FilmState canvas(film.shape, film.cell_mm);
+    canvas.support_mm = painting.bare_support_mm;
+    std::vector<LayerPicture> pictures = {{"Canvas", true, picture_of(canvas, pool), {}}};
+    const document::LayerFilms films =
+        document::layers_apart(film, painting.bare_support_mm, painting.layers);
+    std::vector<layers::SeenLayer> seen;
+    for (std::size_t place = 0; place < films.size(); ++place) {
+        const document::LayerLook look = document::effective_look(painting.layers, place);
+        seen.push_back({films[place].get(), look.opacity});
+        pictures.push_back({look.name, look.visible,
+                            picture_of(layers::View().of(canvas, seen, pool), pool),
+                            cover_of(*films[place], pool)});
+        if (!look.visible) seen.pop_back();
+    }
+    return pictures;
+}
+
+std::string entry_of(const Pictures& pictures, std::size_t index) {
+    if (pictures.layers.size() == 1) return layer_picture(0);
+    return index == 0 ? "data/canvas.png" : layer_picture(index - 1);
+}
+
+}  // namespace
+
+Pictures pictures_of(const PaintingState& painting, core::ThreadPool& pool) {
+    Pictures pictures;
+    pictures.merged = picture_of(
+        document::view_of(painting.canvas.film, painting.bare_support_mm, painting.layers, pool), pool);
+    pictures.px_per_mm = pictures.merged.width / painting.settings.width_mm;
+    if (document::is_single(painting.layers))
+        pictures.layers = {{painting.layers.layers[0].look.name, true, pictures.merged, {}}};
+    else
+        pictures.layers = layer_pictures(painting, pool);
+    return pictures;
+}
+
+std::string layer_picture(std::size_t place) {
+    return "data/layer" + std::to_string(place) + ".png";
+}
+
+std::vector<std::pair<std::string, std::string>> picture_files(const Pictures& pictures) {
+    const std::string merged = io::png_file(shade::encode_srgb8(pictures.merged), pictures.px_per_mm);
+    std::vector<std::pair<std::string, std::string>> files = {{"mergedimage.png", merged}};
+    for (std::size_t i = 0; i < pictures.layers.size(); ++i) {
+        const LayerPicture& layer = pictures.layers[i];
+        files.emplace_back(entry_of(pictures, i), pictures.layers.size() == 1
+                                                      ? merged
+                                                      : io::png_file(shade::encode_srgb8(layer.picture),
+                                                                     pictures.px_per_mm, layer.covered));
+    }
+    files.emplace_back("Thumbnails/thumbnail.png",
+                       io::png_file(shade::encode_srgb8(thumbnail_of(pictures.merged))));
+    return files;
+}
+
+std::string stack_xml(const Pictures& pictures) {
+    std::vector<StackLayer> layers;
+    for (std::size_t i = pictures.layers.size(); i-- > 0;)
+        layers.push_back({pictures.layers[i].name, entry_of(pictures, i), pictures.layers[i].visible});
+    return stack_xml(pictures.merged.width, pictures.merged.height, pictures.px_per_mm, layers);
+}
+
+}  // namespace pastoso::project

@@ -1,0 +1,47 @@
+// What other programs see of a painting: its layers as pictures in daylight.
+#pragma once
+
+#include "core/thread_pool.hpp"
+#include "document/painting_state.hpp"
+#include "shade/render.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pastoso::project {
+
+/// The longest side of the pictures: of a larger canvas, a half, a fourth ... of the resolution is
+/// shown.
+inline constexpr int kLongestPicture_px = 2048;
+
+/// All that lies at and below a layer, cut out where the layer holds paint: laid over one another, such
+/// pictures show the painting as it is, and without the uppermost what lies below.
+struct LayerPicture {
+    std::string name;
+    bool visible = true;
+    shade::LinearImage picture;
+    std::vector<std::uint8_t> covered{};  ///< 255 or 0 a pixel; empty: everywhere
+};
+
+struct Pictures {
+    shade::LinearImage merged;
+    double px_per_mm = 1.0;
+    /// From below. A painting of one layer is one picture; of several, the bare canvas comes first.
+    std::vector<LayerPicture> layers{};
+};
+
+Pictures pictures_of(const document::PaintingState& painting, core::ThreadPool& pool);
+
+/// Names and contents of the archive's entries.
+std::vector<std::pair<std::string, std::string>> picture_files(const Pictures& pictures);
+
+/// OpenRaster's list of them (open_raster.hpp).
+std::string stack_xml(const Pictures& pictures);
+
+/// The entry of the painting's layer at that place.
+std::string layer_picture(std::size_t place);
+
+}  // namespace pastoso::project

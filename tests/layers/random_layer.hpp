@@ -1,0 +1,46 @@
+// Layers with paint of every kind: bare, wet, dry, dissolvable, and several of them in one cell.
+#pragma once
+
+#include "core/random.hpp"
+#include "core/thread_pool.hpp"
+#include "film/cell_drying.hpp"
+#include "film/dry_film.hpp"
+#include "film/drying.hpp"
+
+namespace pastoso::layers::test {
+
+inline constexpr grid::Shape kShape{150, 70};
+inline constexpr double kCell_mm = 0.25;
+
+inline film::FilmState bare_layer() {
+    return film::FilmState(kShape, kCell_mm);
+}
+
+/// One bit of chance for a cell: the same for the same numbers.
+inline bool chance(int x, int y, std::uint32_t seed, float share) {
+    return core::uniform_noise(static_cast<std::uint32_t>(y * kShape.width + x), seed) < share;
+}
+
+/// Lays wet paint into about that share of the cells of the canvas's left part, and dries it.
+inline void paint(film::FilmState& film, const char* medium, const pigment::Coefficients& pigment,
+                  float share, std::uint32_t seed) {
+    for (int y = 0; y < kShape.height; ++y)
+        for (int x = 0; x < 120; ++x)
+            if (chance(x, y, seed, share))
+                film::test::lay(film, x, y, 0.02 + 0.3 * core::uniform_noise(x + 1000 * y, seed + 1),
+                                pigment, film::find_medium(medium));
+}
+
+/// Strata, then a dissolvable one, then wet paint, each in a part of the cells; the right tile is bare.
+inline film::FilmState random_layer(std::uint32_t seed) {
+    core::ThreadPool pool(1);
+    film::FilmState layer = bare_layer();
+    paint(layer, "soft-body acrylic", film::test::kBlue, 0.3F, 10 * seed);
+    film::dry_now(layer, pool);
+    paint(layer, "ink glaze", film::test::kRed, 0.3F, 10 * seed + 3);
+    film::dry_now(layer, pool);
+    paint(layer, "heavy-body oil", film::test::kBlue, 0.4F, 10 * seed + 6);
+    return layer;
+}
+
+}  // namespace pastoso::layers::test
