@@ -98,7 +98,8 @@ float highest_support(const film::FilmState& film, const TuftCells& tufts, int i
                below = static_cast<unsigned>(tufts.below[i]);
     constexpr unsigned kSize = grid::kTileSize;
     if (left / kSize == right / kSize && above / kSize == below / kSize) {
-        const float* support = film.support_mm.read(film.shape.tile_at(tufts.x[i], tufts.y[i]));
+        const film::TileHeights support =
+            film.support_mm.read(film.shape.tile_at(tufts.x[i], tufts.y[i]));
         const auto at = [support](unsigned column, unsigned row) {
             return support[row % kSize * kSize + column % kSize];
         };

@@ -27,14 +27,32 @@ PASTOSO_KERNEL_INLINE void find(const PassTile& pass, const GatherRow& row, int 
     store(found_column + i, found);
 }
 
+/// How a tile's support is stored.
+struct InFloats {
+    const float* heights_mm;
+    template <class Floats, class Shorts>
+    PASTOSO_KERNEL_INLINE Floats at(int cell) const {
+        return load<Floats>(heights_mm + cell);
+    }
+};
+struct InLevels {
+    const std::uint16_t* levels;
+    float level_mm;
+    template <class Floats, class Shorts>
+    PASTOSO_KERNEL_INLINE Floats at(int cell) const {
+        return as_floats(load<Shorts>(levels + cell)) * level_mm;
+    }
+};
+
 /// Gathers cell `i` of a row, or as many from there on as a register holds.
-template <class Floats, class Ints>
-PASTOSO_KERNEL_INLINE void gather_cells(const GatherSource& tile, const GatherRow& row, int i,
-                                        float cell_mm, const GatherColumns& to) {
+template <class Floats, class Ints, class Shorts, class Support>
+PASTOSO_KERNEL_INLINE void gather_cells(const GatherSource& tile, const Support& support,
+                                        const GatherRow& row, int i, float cell_mm,
+                                        const GatherColumns& to) {
     const Ints number = load<Ints>(kCounting) + i;
     const Ints quanta = load<Ints>(tile.thickness + row.cell + i);
     store(to.thickness + i, quanta);
-    store(to.support_mm + i, load<Floats>(tile.support_mm + row.cell + i));
+    store(to.support_mm + i, support.template at<Floats, Shorts>(row.cell + i));
     store(to.dx_mm + i, row.x_mm + as_floats(number) * cell_mm);
     store(to.dy_mm + i, Floats{} + row.y_mm);
     store(to.cell + i, number + row.cell);
@@ -46,13 +64,29 @@ PASTOSO_KERNEL_INLINE void gather_cells(const GatherSource& tile, const GatherRo
 
 /// In whole registers, as long as they do not reach beyond the tile; what is too much in the columns is
 /// overwritten by the next row.
-PASTOSO_KERNEL_INLINE void gather_row(const GatherSource& tile, const GatherRow& row, float cell_mm,
-                                      const GatherColumns& to) {
+template <class Support>
+PASTOSO_KERNEL_INLINE void gather_row(const GatherSource& tile, const Support& support,
+                                      const GatherRow& row, float cell_mm, const GatherColumns& to) {
     int i = 0;
     for (; i < row.count && row.cell + i + kLanes <= grid::kTileCells; i += kLanes)
-        gather_cells<FloatLanes, IntLanes>(tile, row, i, cell_mm, to);
+        gather_cells<FloatLanes, IntLanes, ShortLanes>(tile, support, row, i, cell_mm, to);
     for (; i < row.count; ++i)
-        gather_cells<float, std::int32_t>(tile, row, i, cell_mm, to);
+        gather_cells<float, std::int32_t, std::uint16_t>(tile, support, row, i, cell_mm, to);
+}
+
+template <class Support>
+PASTOSO_KERNEL_INLINE void gather_rows(const GatherSource& tile, const Support& support,
+                                       const GatherRow* rows, int row_count, float cell_mm,
+                                       GatherColumns to) {
+    for (int r = 0; r < row_count; ++r) {
+        const GatherRow& row = rows[r];
+        gather_row(tile, support, row, cell_mm, to);
+        // The exchange will want the paint of these cells soon.
+        for (int i = 0; i < row.count; ++i)
+            __builtin_prefetch(&tile.paint[row.cell + i], 1);
+        to = {to.dx_mm + row.count,     to.dy_mm + row.count, to.support_mm + row.count,
+              to.thickness + row.count, to.found + row.count, to.cell + row.count};
+    }
 }
 
 }  // namespace
@@ -69,15 +103,11 @@ void outline(const Disc& disc, int first_row, int rows, RowSpan* spans) {
 
 void gather(const GatherSource& tile, const GatherRow* rows, int row_count, float cell_mm,
             GatherColumns to) {
-    for (int r = 0; r < row_count; ++r) {
-        const GatherRow& row = rows[r];
-        gather_row(tile, row, cell_mm, to);
-        // The exchange will want the paint of these cells soon.
-        for (int i = 0; i < row.count; ++i)
-            __builtin_prefetch(&tile.paint[row.cell + i], 1);
-        to = {to.dx_mm + row.count,     to.dy_mm + row.count, to.support_mm + row.count,
-              to.thickness + row.count, to.found + row.count, to.cell + row.count};
-    }
+    if (tile.support.levels != nullptr)
+        gather_rows(tile, InLevels{tile.support.levels, tile.support.level_mm}, rows, row_count, cell_mm,
+                    to);
+    else
+        gather_rows(tile, InFloats{tile.support.heights_mm}, rows, row_count, cell_mm, to);
 }
 
 }  // namespace pastoso::brush::PASTOSO_ISA

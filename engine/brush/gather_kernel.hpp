@@ -3,6 +3,7 @@
 
 #include "core/isa.hpp"
 #include "film/paint_cell.hpp"
+#include "film/support_heights.hpp"
 
 #include <cstdint>
 
@@ -29,7 +30,7 @@ struct PassTile {
 /// The values of one tile that are gathered.
 struct GatherSource {
     const std::int32_t* thickness;
-    const float* support_mm;
+    film::TileHeights support;
     const film::PaintCell* paint;
     PassTile pass;
 };

@@ -22,6 +22,8 @@ constexpr int kLanes = 4;
 using FloatLanes [[gnu::vector_size(4 * kLanes), gnu::aligned(4), gnu::may_alias]] = float;
 using IntLanes [[gnu::vector_size(4 * kLanes), gnu::aligned(4), gnu::may_alias]] = std::int32_t;
 
+using ShortLanes [[gnu::vector_size(2 * kLanes), gnu::aligned(2), gnu::may_alias]] = std::uint16_t;
+
 alignas(4 * kLanes) constexpr std::int32_t kCounting[] = {0, 1, 2,  3,  4,  5,  6,  7,
                                                           8, 9, 10, 11, 12, 13, 14, 15};
 
@@ -52,6 +54,12 @@ PASTOSO_KERNEL_INLINE float as_floats(std::int32_t values) {
 }
 PASTOSO_KERNEL_INLINE FloatLanes as_floats(IntLanes values) {
     return __builtin_convertvector(values, FloatLanes);
+}
+PASTOSO_KERNEL_INLINE float as_floats(std::uint16_t values) {
+    return static_cast<float>(values);
+}
+PASTOSO_KERNEL_INLINE FloatLanes as_floats(ShortLanes values) {
+    return as_floats(__builtin_convertvector(values, IntLanes));
 }
 /// Towards zero.
 PASTOSO_KERNEL_INLINE IntLanes as_ints(FloatLanes values) {

@@ -1,101 +1,57 @@
 #include "document/history.hpp"
 
 #include "core/check.hpp"
-#include "document/well.hpp"
+
+#include <utility>
 
 namespace pastoso::document {
-namespace {
-
-template <class T>
-std::size_t unshared_field_bytes(const grid::TiledField<T>& older, const grid::TiledField<T>& newer) {
-    std::size_t tiles = 0;
-    for (int tile = 0; tile < older.tile_count(); ++tile) {
-        tiles += !older.is_background(tile) && !older.shares_tile(newer, tile) ? 1 : 0;
-    }
-    return tiles * sizeof(T) * grid::kTileCells;
-}
-
-std::size_t unshared_layer_bytes(const Layer& older, const Moment& newer) {
-    for (const Layer& layer : newer.layers.layers) {
-        if (layer.id != older.id) continue;
-        if (layer.asleep == older.asleep) return 0;
-        return unshared_bytes(*older.asleep, layer.asleep ? *layer.asleep : newer.film);
-    }
-    return unshared_bytes(*older.asleep, film::FilmState(older.asleep->shape, older.asleep->cell_mm));
-}
-
-}  // namespace
-
-std::size_t unshared_bytes(const film::FilmState& older, const film::FilmState& newer) {
-    return unshared_field_bytes(older.thickness, newer.thickness) +
-           unshared_field_bytes(older.paint, newer.paint) +
-           unshared_field_bytes(older.velocity_x, newer.velocity_x) +
-           unshared_field_bytes(older.velocity_y, newer.velocity_y) +
-           unshared_field_bytes(older.support_mm, newer.support_mm) +
-           unshared_field_bytes(older.strata.soluble_thickness, newer.strata.soluble_thickness) +
-           unshared_field_bytes(older.strata.soluble_pigment, newer.strata.soluble_pigment) +
-           unshared_field_bytes(older.strata.optics, newer.strata.optics) +
-           unshared_field_bytes(older.strata.uppermost, newer.strata.uppermost);
-}
-
-std::size_t unshared_bytes(const Moment& older, const Moment& newer) {
-    std::size_t bytes = unshared_bytes(older.film, newer.film);
-    for (const Layer& layer : older.layers.layers)
-        if (layer.asleep) bytes += unshared_layer_bytes(layer, newer);
-    if (!older.well) return bytes;
-    return bytes + unshared_bytes(*older.well, newer.well ? *newer.well : bare_well());
-}
 
 void History::set_budget(std::size_t bytes) {
+    finish_packing();
     budget_bytes_ = bytes;
-    if (bytes == 0) future_.clear();
-    drop_oldest_beyond_budget();
+    past_.set_unpacked_bytes(bytes / 8);
+    future_.set_unpacked_bytes(bytes / 8);
+    if (bytes == 0) {
+        past_.clear();
+        future_.clear();
+    }
+    finish_packing();
 }
 
-void History::remember(Moment before) {
+void History::remember(Moment before, Step step) {
     future_.clear();
-    push(std::move(before));
-    drop_oldest_beyond_budget();
+    if (budget_bytes_ == 0) return;
+    before.step = std::move(step);
+    past_.push(std::move(before));
+    drop_oldest();
 }
 
 Moment History::step_back(Moment now) {
     PASTOSO_CHECK(can_undo());
-    Moment moment = std::move(past_.back().moment);
-    past_.pop_back();
-    if (!past_.empty()) {
-        past_bytes_ -= past_.back().bytes;
-        past_.back().bytes = 0;
-    }
-    future_.push_back(std::move(now));
+    if (past_.is_undecided(packed_budget_bytes())) past_.finish_packing();
+    drop_oldest();
+    Moment moment = past_.pop();
+    now.step = moment.step;
+    future_.push(std::move(now));
     return moment;
 }
 
 Moment History::step_forward(Moment now) {
     PASTOSO_CHECK(can_redo());
-    Moment moment = std::move(future_.back());
-    future_.pop_back();
-    push(std::move(now));
+    Moment moment = future_.pop();
+    now.step = moment.step;
+    past_.push(std::move(now));
+    drop_oldest();
     return moment;
 }
 
-/// The newest moment shares its tiles with the living painting and counts nothing until the next one
-/// comes.
-void History::push(Moment moment) {
-    if (!past_.empty()) {
-        past_.back().bytes = unshared_bytes(past_.back().moment, moment);
-        past_bytes_ += past_.back().bytes;
-    }
-    past_.push_back({std::move(moment), 0});
+void History::finish_packing() {
+    past_.finish_packing();
+    drop_oldest();
 }
 
-void History::drop_oldest_beyond_budget() {
-    const auto too_much = [&] {
-        return past_bytes_ > budget_bytes_ || past_.size() > kMostMoments || budget_bytes_ == 0;
-    };
-    while (!past_.empty() && too_much()) {
-        past_bytes_ -= past_.front().bytes;
-        past_.pop_front();
-    }
+void History::drop_oldest() {
+    past_.drop_lowest(packed_budget_bytes(), kMostMoments);
 }
 
 }  // namespace pastoso::document

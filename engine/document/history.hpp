@@ -1,51 +1,31 @@
-// The states that Undo and Redo return to. Films share their tiles, so a state costs what was changed
-// since.
+// The states that Undo and Redo return to (docs/decisions/0028-packed-history.md).
 #pragma once
 
-#include "brush/brush.hpp"
-#include "document/layers.hpp"
-#include "document/selection.hpp"
-#include "film/state.hpp"
+#include "core/background_thread.hpp"
+#include "document/moment_stack.hpp"
 
-#include <cstdint>
-#include <deque>
-#include <optional>
-#include <string>
+#include <cstddef>
 #include <vector>
 
 namespace pastoso::document {
 
-/// A painting at one moment, as far as Undo brings it back.
-struct Moment {
-    film::FilmState film;  ///< of the active layer
-    LayerStack layers;
-    std::optional<brush::Brush> brush;
-    std::string medium;           ///< in hand
-    std::uint64_t brush_use = 0;  ///< tells whether the brush was loaded, cleaned or changed since
-    brush::Contents taken;        ///< from the tubes until then
-    brush::Contents wiped;        ///< off the brush until then
-    film::Totals run_off;         ///< over the edges until then
-    std::optional<film::FilmState> well{};  ///< none: it was bare
-    Selection selection{};
-};
-
-/// Bytes of the tiles that `older` holds alone, not shared with `newer`; both of one shape.
-std::size_t unshared_bytes(const film::FilmState& older, const film::FilmState& newer);
-
-/// The same of canvas and well together.
-std::size_t unshared_bytes(const Moment& older, const Moment& newer);
-
+/// A moment costs the tiles that were changed until the next one. The latest steps are kept as they are,
+/// in an eighth of the budget; older ones are packed by a thread of low priority, and the
+/// oldest are dropped when they take more than the rest. What is dropped depends on the moments alone,
+/// never on how far the packing has come: where Undo has to know, it packs what is left itself.
 class History {
   public:
     static constexpr std::size_t kDefaultBudget_bytes = std::size_t{512} << 20;
     static constexpr std::size_t kMostMoments = 500;
 
-    /// The oldest moments are dropped while the tiles they hold alone exceed the budget; 0 keeps
-    /// nothing.
+    History() { set_budget(kDefaultBudget_bytes); }
+
+    /// 0 keeps nothing. The moment before the latest change and, after Undo, what Redo returns to come
+    /// on top, and so do steps that wait for being packed.
     void set_budget(std::size_t bytes);
 
     /// Keeps the moment before a change. What was undone until now cannot be redone any more.
-    void remember(Moment before);
+    void remember(Moment before, Step step);
 
     bool can_undo() const { return !past_.empty(); }
     bool can_redo() const { return !future_.empty(); }
@@ -54,21 +34,20 @@ class History {
     Moment step_back(Moment now);
     Moment step_forward(Moment now);
 
-    std::size_t moments() const { return past_.size(); }
+    /// What Undo would take back, the oldest first, and what Redo would do again, the next one last.
+    std::vector<KeptStep> past_steps() const { return past_.steps(); }
+    std::vector<KeptStep> future_steps() const { return future_.steps(); }
+
+    /// Packs at once all that is to be packed.
+    void finish_packing();
 
   private:
-    struct Entry {
-        Moment moment;
-        std::size_t bytes;  ///< not shared with the next newer moment
-    };
+    std::size_t packed_budget_bytes() const { return budget_bytes_ - budget_bytes_ / 8; }
+    void drop_oldest();
 
-    void push(Moment moment);
-    void drop_oldest_beyond_budget();
-
-    std::size_t budget_bytes_ = kDefaultBudget_bytes;
-    std::size_t past_bytes_ = 0;
-    std::deque<Entry> past_;
-    std::vector<Moment> future_;
+    std::size_t budget_bytes_ = 0;
+    core::BackgroundThread packer_;
+    MomentStack past_{packer_}, future_{packer_};
 };
 
 }  // namespace pastoso::document

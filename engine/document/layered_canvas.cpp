@@ -7,7 +7,6 @@
 #include "layers/merging.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 namespace pastoso::document {
@@ -34,17 +33,22 @@ void add(const LayerPaint& more, LayerPaint& sums) {
     sums.evaporated += more.evaporated;
 }
 
+bool have_same_heights(const film::TileHeights& a, const film::TileHeights& b) {
+    for (int cell = 0; cell < grid::kTileCells; ++cell)
+        if (a[cell] != b[cell]) return false;
+    return true;
+}
+
 /// Tiles that are equal are shared with those of before, so that they count as unchanged.
-void share_equal_tiles(const grid::TiledField<float>& before, grid::TiledField<float>& after) {
+void share_equal_tiles(const film::SupportHeights& before, film::SupportHeights& after) {
     if (before.shape() != after.shape()) return;
     for (int tile = 0; tile < after.tile_count(); ++tile) {
-        if (after.shares_tile(before, tile)) continue;
-        if (std::memcmp(after.read(tile), before.read(tile), sizeof(float) * grid::kTileCells) == 0)
+        if (!after.shares_tile(before, tile) && have_same_heights(after.read(tile), before.read(tile)))
             layers::share_tile(before, tile, after);
     }
 }
 
-bool shares_all_tiles(const grid::TiledField<float>& a, const grid::TiledField<float>& b) {
+bool shares_all_tiles(const film::SupportHeights& a, const film::SupportHeights& b) {
     for (int tile = 0; tile < a.tile_count(); ++tile)
         if (!a.shares_tile(b, tile)) return false;
     return true;
@@ -146,7 +150,15 @@ std::vector<layers::SeenLayer> seen_layers(const LayerStack& stack, const film::
     return seen;
 }
 
-film::FilmState bare_canvas_like(const film::FilmState& film, const grid::TiledField<float>& bare_mm) {
+/// What the active layer lies on besides the bare support.
+LayerFilms films_below_active(const LayerStack& stack) {
+    LayerFilms films;
+    for (std::size_t place = 0; place < stack.active; ++place)
+        if (effective_look(stack, place).visible) films.push_back(stack.layers[place].asleep);
+    return films;
+}
+
+film::FilmState bare_canvas_like(const film::FilmState& film, const film::SupportHeights& bare_mm) {
     film::FilmState bare(film.shape, film.cell_mm);
     bare.support_mm = bare_mm;
     return bare;
@@ -154,7 +166,7 @@ film::FilmState bare_canvas_like(const film::FilmState& film, const grid::TiledF
 
 }  // namespace
 
-LayerFilms layers_apart(const film::FilmState& film, const grid::TiledField<float>& bare_mm,
+LayerFilms layers_apart(const film::FilmState& film, const film::SupportHeights& bare_mm,
                         const LayerStack& stack) {
     LayerFilms films;
     for (const Layer& layer : stack.layers)
@@ -163,13 +175,13 @@ LayerFilms layers_apart(const film::FilmState& film, const grid::TiledField<floa
     return films;
 }
 
-grid::TiledField<float> base_below_active(const LayerStack& stack, grid::TiledField<float> bare_mm) {
-    for (std::size_t place = 0; place < stack.active; ++place)
-        if (effective_look(stack, place).visible) layers::raise_by(*stack.layers[place].asleep, bare_mm);
+film::SupportHeights base_below_active(const LayerStack& stack, film::SupportHeights bare_mm) {
+    for (const auto& film : films_below_active(stack))
+        layers::raise_by(*film, bare_mm);
     return bare_mm;
 }
 
-film::FilmState view_of(const film::FilmState& film, const grid::TiledField<float>& bare_mm,
+film::FilmState view_of(const film::FilmState& film, const film::SupportHeights& bare_mm,
                         const LayerStack& stack, core::ThreadPool& pool) {
     if (is_single(stack)) return film;
     const film::FilmState active = layers::lifted_off(film, base_below_active(stack, bare_mm));
@@ -184,7 +196,7 @@ LayeredCanvas::LayeredCanvas(film::FilmState bare, const film::Medium& medium, c
       base_mm_(film.support_mm),
       stack_(single_layer()) {}
 
-LayeredCanvas::LayeredCanvas(film::FilmState active, grid::TiledField<float> bare_mm, LayerStack stack,
+LayeredCanvas::LayeredCanvas(film::FilmState active, film::SupportHeights bare_mm, LayerStack stack,
                              const film::Medium& medium, core::ThreadPool& pool)
     : film(std::move(active)),
       solver(film, medium, kSolving, pool),
@@ -196,13 +208,12 @@ LayeredCanvas::LayeredCanvas(film::FilmState active, grid::TiledField<float> bar
 
 void LayeredCanvas::restore(film::FilmState then, LayerStack stack) {
     film = std::move(then);
+    if (films_below_active(stack) != films_below_active(stack_)) base_mm_ = base_of(stack);
     stack_ = std::move(stack);
-    base_mm_ = base_of(stack_);
-    solver.wake_all();
 }
 
-grid::TiledField<float> LayeredCanvas::base_of(const LayerStack& stack) const {
-    grid::TiledField<float> base = base_below_active(stack, bare_mm_);
+film::SupportHeights LayeredCanvas::base_of(const LayerStack& stack) const {
+    film::SupportHeights base = base_below_active(stack, bare_mm_);
     share_equal_tiles(base_mm_, base);
     return base;
 }
@@ -218,7 +229,7 @@ void LayeredCanvas::rearrange(const std::function<void(LayerStack&)>& change) {
     const AsleepFilm active = stack.layers[stack.active].asleep;
     change(stack);
     const bool same_paint = stack.layers[stack.active].asleep == active;
-    grid::TiledField<float> base = base_of(stack);
+    film::SupportHeights base = base_of(stack);
     const bool same_base = shares_all_tiles(base, base_mm_);
     base_mm_ = std::move(base);
     if (!same_paint || !same_base) {

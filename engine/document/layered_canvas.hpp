@@ -21,14 +21,14 @@ namespace pastoso::document {
 using LayerFilms = std::vector<std::shared_ptr<const film::FilmState>>;
 
 /// The layers from below, apart from what they lie on, `film` being the active one.
-LayerFilms layers_apart(const film::FilmState& film, const grid::TiledField<float>& bare_mm,
+LayerFilms layers_apart(const film::FilmState& film, const film::SupportHeights& bare_mm,
                         const LayerStack& stack);
 
 /// The bare support with all that is visible below the active layer.
-grid::TiledField<float> base_below_active(const LayerStack& stack, grid::TiledField<float> bare_mm);
+film::SupportHeights base_below_active(const LayerStack& stack, film::SupportHeights bare_mm);
 
 /// All that is visible of a painting as one film (layers/view.hpp).
-film::FilmState view_of(const film::FilmState& film, const grid::TiledField<float>& bare_mm,
+film::FilmState view_of(const film::FilmState& film, const film::SupportHeights& bare_mm,
                         const LayerStack& stack, core::ThreadPool& pool);
 
 /// What is on a layer in all, and what has left it as vapour.
@@ -50,7 +50,7 @@ class LayeredCanvas {
 
     /// Goes on with a film on the bare canvas of these heights, that is the stack's active layer on what
     /// is visible below it.
-    LayeredCanvas(film::FilmState film, grid::TiledField<float> bare_mm, LayerStack stack,
+    LayeredCanvas(film::FilmState film, film::SupportHeights bare_mm, LayerStack stack,
                   const film::Medium& medium, core::ThreadPool& pool);
 
     LayeredCanvas(const LayeredCanvas&) = delete;
@@ -60,9 +60,10 @@ class LayeredCanvas {
     film::Solver solver;
 
     const LayerStack& stack() const { return stack_; }
-    const grid::TiledField<float>& bare_mm() const { return bare_mm_; }
+    const film::SupportHeights& bare_mm() const { return bare_mm_; }
 
-    /// Returns to a film and a stack of before.
+    /// Returns to a film and a stack of before. Which of its paint moves is for the caller to say
+    /// (film::Solver::restart).
     void restore(film::FilmState film, LayerStack stack);
 
     // Changes of the layers (layer_events.hpp). They throw InputError, and leave all as it was, for
@@ -97,11 +98,11 @@ class LayeredCanvas {
     void rearrange(const std::function<void(LayerStack&)>& change);
     LayerStack all_asleep();
     void lay_out(LayerStack stack);
-    grid::TiledField<float> base_of(const LayerStack& stack) const;
+    film::SupportHeights base_of(const LayerStack& stack) const;
 
     core::ThreadPool& pool_;
-    grid::TiledField<float> bare_mm_;  ///< the support's own
-    grid::TiledField<float> base_mm_;  ///< with all that is visible below the active layer
+    film::SupportHeights bare_mm_;  ///< the support's own
+    film::SupportHeights base_mm_;  ///< with all that is visible below the active layer
     LayerStack stack_;
     layers::Lifter lifter_;
     layers::View view_;

@@ -42,6 +42,14 @@ void check_place(int place, std::size_t most) {
                            " for a layer; the highest is " + std::to_string(most) + ".");
 }
 
+std::size_t place_of_group(const LayerStack& stack, GroupId group) {
+    const auto found = std::find_if(stack.groups.begin(), stack.groups.end(),
+                                    [&](const LayerGroup& one) { return one.id == group; });
+    if (found == stack.groups.end())
+        throw core::InputError("there is no group " + std::to_string(group) + " of layers.");
+    return static_cast<std::size_t>(found - stack.groups.begin());
+}
+
 }  // namespace
 
 LayerStack single_layer() {
@@ -60,11 +68,11 @@ std::size_t place_of(const LayerStack& stack, LayerId layer) {
 }
 
 LayerGroup& group_of(LayerStack& stack, GroupId group) {
-    const auto found = std::find_if(stack.groups.begin(), stack.groups.end(),
-                                    [&](const LayerGroup& one) { return one.id == group; });
-    if (found == stack.groups.end())
-        throw core::InputError("there is no group " + std::to_string(group) + " of layers.");
-    return *found;
+    return stack.groups[place_of_group(stack, group)];
+}
+
+const LayerGroup& group_of(const LayerStack& stack, GroupId group) {
+    return stack.groups[place_of_group(stack, group)];
 }
 
 LayerLook effective_look(const LayerStack& stack, std::size_t place) {

@@ -43,6 +43,7 @@ LayerStack single_layer();
 /// Throws InputError when there is no such layer or group.
 std::size_t place_of(const LayerStack& stack, LayerId layer);
 LayerGroup& group_of(LayerStack& stack, GroupId group);
+const LayerGroup& group_of(const LayerStack& stack, GroupId group);
 
 /// A layer with what its group says: visible when both are, locked when one is, opacities multiplied.
 LayerLook effective_look(const LayerStack& stack, std::size_t place);

@@ -27,13 +27,13 @@ namespace {
 
 constexpr const char* kFirstMedium = "heavy-body oil";
 
-grid::TiledField<float> support_by_name(const CanvasSettings& settings) {
+film::SupportHeights support_by_name(const CanvasSettings& settings, core::ThreadPool& pool) {
     check_canvas_fits(settings, available_memory_bytes());
     return film::named_support(settings.support, canvas_shape(settings), 1.0 / settings.px_per_mm,
-                               settings.support_relief_mm);
+                               settings.support_relief_mm, pool);
 }
 
-film::FilmState bare_canvas(const CanvasSettings& settings, grid::TiledField<float> support_mm) {
+film::FilmState bare_canvas(const CanvasSettings& settings, film::SupportHeights support_mm) {
     film::FilmState film(canvas_shape(settings), 1.0 / settings.px_per_mm);
     PASTOSO_CHECK(support_mm.shape() == film.shape);
     film.support_mm = std::move(support_mm);
@@ -94,7 +94,7 @@ class ScopedTimer {
 
 /// Applies actions by std::visit; the actions have passed check_action().
 struct Painting::Parts {
-    Parts(const CanvasSettings& wanted, grid::TiledField<float> support_mm, core::ThreadPool& threads)
+    Parts(const CanvasSettings& wanted, film::SupportHeights support_mm, core::ThreadPool& threads)
         : settings(wanted),
           pool(threads),
           medium(film::find_medium(kFirstMedium)),
@@ -201,7 +201,7 @@ struct Painting::Parts {
     void operator()(const DryNow&) {
         check_unlocked(canvas.stack(), canvas.stack().active);
         end_stroke();
-        history.remember(moment());
+        history.remember(moment(), {Step::Kind::DryNow, {}, active_name()});
         film::dry_now(film, pool, selection.get());
     }
 
@@ -209,7 +209,7 @@ struct Painting::Parts {
         if (!brush) throw core::InputError(no_brush_for(pen.surface));
         if (pen.surface == Surface::Canvas) check_paintable(canvas.stack(), canvas.stack().active);
         end_stroke();
-        history.remember(moment());
+        history.remember(moment(), stroke_step(pen.surface));
         last_sample = pen.sample;
         begin_stroke_on(pen.surface);
         taken += stroke->copied_paint();
@@ -239,7 +239,7 @@ struct Painting::Parts {
 
     void operator()(const SqueezePaint& squeeze) {
         end_stroke();
-        history.remember(moment());
+        history.remember(moment(), {Step::Kind::SqueezePaint});
         const film::PaintCoefficients paint = mixed_paint(squeeze.paint, medium);
         taken += squeeze_onto(used_well(), paint, squeeze.volume_mm3, squeeze.x_mm, squeeze.y_mm);
     }
@@ -247,7 +247,7 @@ struct Painting::Parts {
     void operator()(const CleanWell&) {
         end_stroke();
         if (!well) return;
-        history.remember(moment());
+        history.remember(moment(), {Step::Kind::CleanWell});
         wiped += paint_in_well();
         well.reset();
     }
@@ -273,44 +273,48 @@ struct Painting::Parts {
         canvas.select(select);
     }
     void operator()(const AddLayer& add) {
-        change_layers([&] { canvas.add(add); });
+        change_layers({Step::Kind::AddLayer, {}, add.name}, [&] { canvas.add(add); });
     }
     void operator()(const SetLayer& set) {
-        change_layers([&] { canvas.set(set); });
+        change_layers(layer_step(Step::Kind::SetLayer, set.layer), [&] { canvas.set(set); });
     }
     void operator()(const SetGroup& set) {
-        change_layers([&] { canvas.set_group(set); });
+        change_layers(group_step(Step::Kind::SetGroup, set.group), [&] { canvas.set_group(set); });
     }
     void operator()(const MoveLayer& move) {
-        change_layers([&] { canvas.move(move); });
+        change_layers(layer_step(Step::Kind::MoveLayer, move.layer), [&] { canvas.move(move); });
     }
     void operator()(const MoveGroup& move) {
-        change_layers([&] { canvas.move_group(move); });
+        change_layers(group_step(Step::Kind::MoveGroup, move.group), [&] { canvas.move_group(move); });
     }
     void operator()(const GroupLayers& group) {
-        change_layers([&] { canvas.group(group); });
+        change_layers({Step::Kind::GroupLayers, {}, group.name}, [&] { canvas.group(group); });
     }
     void operator()(const UngroupLayers& ungroup) {
-        change_layers([&] { canvas.ungroup(ungroup); });
+        change_layers(group_step(Step::Kind::UngroupLayers, ungroup.group),
+                      [&] { canvas.ungroup(ungroup); });
     }
     void operator()(const MergeDown& merge) {
-        change_layers([&] { canvas.merge_down(merge); });
+        change_layers(layer_step(Step::Kind::MergeDown, merge.layer), [&] { canvas.merge_down(merge); });
     }
     void operator()(const FlattenLayers&) {
-        change_layers([&] { canvas.flatten(); });
+        change_layers({Step::Kind::FlattenLayers}, [&] { canvas.flatten(); });
     }
     void operator()(const DuplicateLayer& duplicate) {
-        change_layers([&] { taken += contents_of(canvas.duplicate(duplicate)); });
+        change_layers(layer_step(Step::Kind::DuplicateLayer, duplicate.layer),
+                      [&] { taken += contents_of(canvas.duplicate(duplicate)); });
     }
     void operator()(const RemoveLayer& remove) {
-        change_layers([&] { wiped += contents_of(canvas.remove(remove)); });
+        change_layers(layer_step(Step::Kind::RemoveLayer, remove.layer),
+                      [&] { wiped += contents_of(canvas.remove(remove)); });
     }
     void operator()(const ClearLayer& clear) {
-        change_layers([&] { wiped += contents_of(canvas.clear(clear, selection.get())); });
+        change_layers(layer_step(Step::Kind::ClearLayer, clear.layer),
+                      [&] { wiped += contents_of(canvas.clear(clear, selection.get())); });
     }
 
     void operator()(const TransformLayer& transform) {
-        change_layers([&] {
+        change_layers(layer_step(Step::Kind::TransformLayer, transform.layer), [&] {
             book(canvas.transform(transform, selection.get()));
             selection = transformed(selection, film.cell_mm, transform.transform);
         });
@@ -326,11 +330,11 @@ struct Painting::Parts {
 
     /// A change that cannot be made leaves all as it was.
     template <class Change>
-    void change_layers(const Change& change) {
+    void change_layers(Step step, const Change& change) {
         end_stroke();
         Moment before = moment();
         change();
-        history.remember(std::move(before));
+        history.remember(std::move(before), std::move(step));
     }
 
     brush::Contents contents_of(const LayerPaint& paint) const {
@@ -362,7 +366,7 @@ struct Painting::Parts {
 
     void replace_selection(Selection wanted) {
         end_stroke();
-        history.remember(moment());
+        history.remember(moment(), {Step::Kind::Select});
         selection = std::move(wanted);
     }
 
@@ -436,16 +440,41 @@ struct Painting::Parts {
         return well ? std::optional(well->film) : std::nullopt;
     }
 
+    Step stroke_step(Surface surface) const {
+        if (surface == Surface::Well) return {Step::Kind::StrokeInWell, brush->preset.name};
+        return {Step::Kind::Stroke, brush->preset.name, active_name()};
+    }
+    /// Throws InputError when there is no such layer.
+    Step layer_step(Step::Kind kind, LayerId layer) const {
+        return {kind, {}, canvas.stack().layers[place_of(canvas.stack(), layer)].look.name};
+    }
+    Step group_step(Step::Kind kind, GroupId group) const {
+        return {kind, {}, group_of(canvas.stack(), group).look.name};
+    }
+    const std::string& active_name() const {
+        return canvas.stack().layers[canvas.stack().active].look.name;
+    }
+
     Moment moment() const {
-        return {film,  canvas.stack(), brush,     medium.name, brush_use,
-                taken, wiped,          run_off(), well_film(), selection};
+        Moment moment{.canvas = {film, solver.awake_tiles()},
+                      .layers = canvas.stack(),
+                      .brush = brush,
+                      .medium = medium.name,
+                      .selection = selection,
+                      .tilt = tilt,
+                      .brush_use = brush_use,
+                      .taken = taken,
+                      .wiped = wiped,
+                      .run_off = run_off()};
+        if (well) moment.well = {well->film, well->solver.awake_tiles()};
+        return moment;
     }
 
     /// A brush that was not touched since then gets back what it held. Any other stays in hand as it is,
     /// as if it had been filled afresh, and what was on the old one counts as wiped off.
     void return_to(const Moment& then) {
-        canvas.restore(then.film, then.layers);
-        return_well_to(then.well);
+        canvas.restore(then.canvas.film, then.layers);
+        return_well_to(then);
         selection = then.selection;
         if (then.medium != medium.name) film.varied = true;
         taken = then.taken;
@@ -457,15 +486,22 @@ struct Painting::Parts {
             if (brush) taken += brush->contents();
             if (then.brush) wiped += then.brush->contents();
         }
+        restart(solver, then.canvas.awake, then.medium == medium.name && then.tilt == tilt);
     }
 
-    void return_well_to(const std::optional<film::FilmState>& then) {
-        if (!then) {
+    void return_well_to(const Moment& then) {
+        if (!then.well) {
             well.reset();
             return;
         }
-        used_well().film = *then;
-        well->solver.wake_all();
+        used_well().film = then.well->film;
+        restart(well->solver, then.well->awake, then.medium == medium.name);
+    }
+
+    /// What rested then rests now, unless other forces act on it.
+    static void restart(film::Solver& solver, const std::vector<bool>& awake, bool same_forces) {
+        solver.restart(awake);
+        if (!same_forces) solver.wake_all();
     }
 
     CanvasSettings settings;
@@ -498,9 +534,9 @@ struct Painting::Parts {
 };
 
 Painting::Painting(const CanvasSettings& settings, core::ThreadPool& pool)
-    : Painting(settings, support_by_name(settings), pool) {}
+    : Painting(settings, support_by_name(settings, pool), pool) {}
 
-Painting::Painting(const CanvasSettings& settings, grid::TiledField<float> support_mm,
+Painting::Painting(const CanvasSettings& settings, film::SupportHeights support_mm,
                    core::ThreadPool& pool)
     : parts_(std::make_unique<Parts>(settings, std::move(support_mm), pool)) {}
 
@@ -557,6 +593,12 @@ bool Painting::can_undo() const {
 }
 bool Painting::can_redo() const {
     return parts_->history.can_redo();
+}
+std::vector<KeptStep> Painting::undo_steps() const {
+    return parts_->history.past_steps();
+}
+std::vector<KeptStep> Painting::redo_steps() const {
+    return parts_->history.future_steps();
 }
 bool Painting::stroke_in_progress() const {
     return parts_->stroke.has_value();

@@ -6,6 +6,7 @@
 #include "core/thread_pool.hpp"
 #include "document/events.hpp"
 #include "document/selection.hpp"
+#include "document/steps.hpp"
 #include "film/solver.hpp"
 #include "film/state.hpp"
 #include "grid/tiled_field.hpp"
@@ -16,6 +17,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace pastoso::document {
 
@@ -66,7 +68,7 @@ class Painting {
     Painting(const CanvasSettings& settings, core::ThreadPool& pool);
 
     /// The same on a support that is given, of the shape canvas_shape(settings).
-    Painting(const CanvasSettings& settings, grid::TiledField<float> support_mm, core::ThreadPool& pool);
+    Painting(const CanvasSettings& settings, film::SupportHeights support_mm, core::ThreadPool& pool);
 
     /// Goes on from such a state: the same actions and ticks give the same bits as in the painting that
     /// it was taken of. Undo has nothing to return to. The shapes are those of the settings and of the
@@ -103,6 +105,9 @@ class Painting {
     PaintingState state() const;  ///< no stroke is in progress
     bool can_undo() const;
     bool can_redo() const;
+    /// What Undo would take back, the oldest first, and what Redo would do again, the next one last.
+    std::vector<KeptStep> undo_steps() const;
+    std::vector<KeptStep> redo_steps() const;
     bool stroke_in_progress() const;
 
     Account account() const;

@@ -40,7 +40,7 @@ struct PaintingState {
     LayerStack layers = single_layer();
     /// The bare support as its name tells it to be. Tiles of the canvas's support that are shared with
     /// it are as they were made; it may be background where they are not.
-    grid::TiledField<float> bare_support_mm{};
+    film::SupportHeights bare_support_mm{};
     std::optional<SurfaceState> well{};  ///< none: nothing has touched it
 
     std::string medium{};  ///< in hand

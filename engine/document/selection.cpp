@@ -36,7 +36,7 @@ grid::Mask area_of(const SelectArea& select, const film::FilmState& film) {
 }
 
 grid::Mask area_of(const SelectByHeight& select, const film::FilmState& film,
-                   const grid::TiledField<float>& bare_mm) {
+                   const film::SupportHeights& bare_mm) {
     return cells_within(film.shape, select.least_mm, select.most_mm, [&](int tile, int cell) {
         return film.support_mm.read(tile)[cell] - bare_mm.read(tile)[cell] +
                film::thickness_mm(film.thickness.read(tile)[cell]);

@@ -14,7 +14,7 @@ using Selection = std::shared_ptr<const grid::Mask>;  ///< null: none is selecte
 /// What the lines and the ranges of selection_events.hpp hold of a film on a bare support.
 grid::Mask area_of(const SelectArea& select, const film::FilmState& film);
 grid::Mask area_of(const SelectByHeight& select, const film::FilmState& film,
-                   const grid::TiledField<float>& bare_mm);
+                   const film::SupportHeights& bare_mm);
 grid::Mask area_of(const SelectByWetness& select, const film::FilmState& film);
 
 Selection combined(const Selection& before, const grid::Mask& region, Combination how);

@@ -56,7 +56,7 @@ TileDissolving dissolve_tile(const FilmState& state, int tile, double seconds) {
     const Strata& strata = state.strata;
     TileDissolving result{TileBlock<std::int32_t>::copy_of(state.thickness.read(tile)),
                           TileBlock<PaintCell>::copy_of(state.paint.read(tile)),
-                          TileBlock<float>::copy_of(state.support_mm.read(tile)),
+                          copied_heights(state.support_mm.read(tile)),
                           TileBlock<std::int32_t>::copy_of(strata.soluble_thickness.read(tile)),
                           TileBlock<PigmentCell>::copy_of(strata.soluble_pigment.read(tile))};
     for (int cell = 0; cell < kTileCells; ++cell) {

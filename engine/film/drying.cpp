@@ -39,7 +39,7 @@ struct TileDrying {
 void open_strata(const FilmState& state, int tile, TileDrying& result) {
     if (result.any_dried) return;
     result.any_dried = true;
-    result.support_mm = TileBlock<float>::copy_of(state.support_mm.read(tile));
+    result.support_mm = copied_heights(state.support_mm.read(tile));
     result.soluble_thickness =
         TileBlock<std::int32_t>::copy_of(state.strata.soluble_thickness.read(tile));
     result.soluble_pigment = TileBlock<PigmentCell>::copy_of(state.strata.soluble_pigment.read(tile));

@@ -70,12 +70,22 @@ void for_each_margin_column(int extent, const Visit& visit) {
 
 template <class T>
 void gather_cells(const grid::TiledField<T>& field, const HaloMap& columns, const HaloSource& row,
-                  int tile_x, bool dry_outside, T* out) {
+                  int tile_x, T* out) {
     const FieldRow<T> source(field, row);
     std::copy_n(source.tile(tile_x), columns.extent, out + kHalo);
     for_each_margin_column(columns.extent, [&](int x) {
         const HaloSource& column = columns.cells[x + kHalo];
-        out[x + kHalo] = dry_outside && column.outside ? T{} : source.at(column);
+        out[x + kHalo] = column.outside ? T{} : source.at(column);
+    });
+}
+
+void gather_heights(const SupportHeights& field, const HaloMap& columns, const HaloSource& row,
+                    int tile_x, float* out) {
+    const int first_tile = row.tile * field.shape().tiles_x(), first_cell = row.cell * kTileSize;
+    field.read(first_tile + tile_x).copy(first_cell, columns.extent, out + kHalo);
+    for_each_margin_column(columns.extent, [&](int x) {
+        const HaloSource& column = columns.cells[x + kHalo];
+        out[x + kHalo] = field.read(first_tile + column.tile)[first_cell + column.cell];
     });
 }
 
@@ -109,7 +119,7 @@ void gather_quanta_row(const FilmState& state, const HaloMap& columns, const Hal
     if (row.outside)
         std::fill_n(out, columns.extent + 2 * kHalo, 0);
     else
-        gather_cells(state.thickness, columns, row, tile_x, true, out);
+        gather_cells(state.thickness, columns, row, tile_x, out);
 }
 
 void derive_surface(HaloBlock& block, int row_start, int width) {
@@ -165,7 +175,7 @@ void gather(const FilmState& state, const HaloMap& columns, const HaloMap& rows,
         }
         const HaloSource& row = rows.cells[y + kHalo];
         gather_quanta_row(state, columns, row, tile_x, &block.quanta[start]);
-        gather_cells(state.support_mm, columns, row, tile_x, false, &block.support[start]);
+        gather_heights(state.support_mm, columns, row, tile_x, &block.support[start]);
         gather_velocity(state.velocity_x, columns.faces, columns.extent, row, tile_x, true,
                         &block.velocity_x[start]);
         gather_velocity(state.velocity_y, columns.cells, columns.extent, rows.faces[y + kHalo], tile_x,

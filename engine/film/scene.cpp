@@ -16,18 +16,19 @@ namespace {
 struct ReliefMaker {
     grid::Shape shape;
     double cell_mm;
+    core::ThreadPool& pool;
 
-    grid::TiledField<float> operator()(const BundledRelief& relief) const {
-        return named_support(relief.name, shape, cell_mm, relief.relief_mm);
+    SupportHeights operator()(const BundledRelief& relief) const {
+        return named_support(relief.name, shape, cell_mm, relief.relief_mm, pool);
     }
-    grid::TiledField<float> operator()(const Weave& weave) const {
-        return woven_support(shape, cell_mm, weave);
+    SupportHeights operator()(const Weave& weave) const {
+        return woven_support(shape, cell_mm, weave, pool);
     }
-    grid::TiledField<float> operator()(const ImageRelief& relief) const {
+    SupportHeights operator()(const ImageRelief& relief) const {
         const auto lift_mm =
             static_cast<float>(std::floor(relief.low_mm / kSupportQuantum_mm) * kSupportQuantum_mm);
-        grid::TiledField<float> heights = image_support(
-            shape, relief.map.grey, relief.map.width, relief.map.height, relief.high_mm - relief.low_mm);
+        SupportHeights heights = image_heights(shape, relief.map.grey, relief.map.width,
+                                               relief.map.height, relief.high_mm - relief.low_mm);
         for (int tile = 0; tile < heights.tile_count(); ++tile) {
             float* values = heights.write(tile);
             for (int i = 0; i < grid::kTileCells; ++i)
@@ -35,14 +36,14 @@ struct ReliefMaker {
         }
         return heights;
     }
-    grid::TiledField<float> operator()(const Ramp& ramp) const {
+    SupportHeights operator()(const Ramp& ramp) const {
         const double along_x = ramp.slope * cell_mm * std::cos(core::radians(ramp.direction_deg));
         const double along_y = ramp.slope * cell_mm * std::sin(core::radians(ramp.direction_deg));
         const double lowest =
             std::min(0.0, along_x * shape.width) + std::min(0.0, along_y * shape.height);
         return sampled([&](double x, double y) { return along_x * x + along_y * y - lowest; }, 1);
     }
-    grid::TiledField<float> operator()(const Bump& bump) const {
+    SupportHeights operator()(const Bump& bump) const {
         const double exponent = -0.5 * cell_mm * cell_mm / (bump.deviation_mm * bump.deviation_mm);
         const auto height = [&](double x, double y) {
             const double dx = x - bump.centre.x_mm / cell_mm, dy = y - bump.centre.y_mm / cell_mm;
@@ -53,8 +54,8 @@ struct ReliefMaker {
 
     /// height(x, y) in mm at a place in cells.
     template <class Height>
-    grid::TiledField<float> sampled(const Height& height, int samples) const {
-        return sample_cell_means(shape, samples, 1.0, [&](double y, std::span<float> heights) {
+    SupportHeights sampled(const Height& height, int samples) const {
+        return sampled_heights(shape, samples, 1.0, [&](double y, std::span<float> heights) {
             for (std::size_t k = 0; k < heights.size(); ++k)
                 heights[k] = static_cast<float>(height((static_cast<double>(k) + 0.5) / samples, y));
         });
@@ -111,7 +112,7 @@ struct Layer {
           reach(reach_of(wanted.form, scene.shape, scene.cell_mm)) {
         if (const auto* map = std::get_if<GreyMap>(&wanted.form))
             image_mm =
-                image_support(scene.shape, map->grey, map->width, map->height, wanted.thickness_mm);
+                image_heights(scene.shape, map->grey, map->width, map->height, wanted.thickness_mm);
     }
 
     double thickness_in(int x, int y, double cell_mm) const {
@@ -123,7 +124,7 @@ struct Layer {
     const Primitive& primitive;
     PaintCoefficients paint;
     grid::Rect reach;
-    grid::TiledField<float> image_mm;
+    SupportHeights image_mm;
 };
 
 void pile_up_row(const std::vector<Layer>& layers, int y, double cell_mm, std::vector<Pile>& row) {
@@ -137,13 +138,14 @@ void pile_up_row(const std::vector<Layer>& layers, int y, double cell_mm, std::v
 
 }  // namespace
 
-grid::TiledField<float> make_support(const Scene& scene) {
-    grid::TiledField<float> sum(scene.shape);
+SupportHeights make_support(const Scene& scene) {
+    core::ThreadPool alone(1);
+    SupportHeights sum(scene.shape);
     for (const Relief& relief : scene.support) {
-        const auto heights = std::visit(ReliefMaker{scene.shape, scene.cell_mm}, relief);
+        const auto heights = std::visit(ReliefMaker{scene.shape, scene.cell_mm, alone}, relief);
         for (int tile = 0; tile < sum.tile_count(); ++tile) {
             float* total = sum.write(tile);
-            const float* added = heights.read(tile);
+            const TileHeights added = heights.read(tile);
             for (int i = 0; i < grid::kTileCells; ++i)
                 total[i] += added[i];
         }

@@ -97,7 +97,7 @@ inline constexpr double kMaxSupport_mm = 16.0;
 
 /// The support's heights: cell means of the sum of its reliefs, in multiples of kSupportQuantum_mm.
 /// Throws InputError when they leave 0 to kMaxSupport_mm, or for an unknown bundled relief.
-grid::TiledField<float> make_support(const Scene& scene);
+SupportHeights make_support(const Scene& scene);
 
 /// The film at time 0, at rest: cell means of the primitives, rounded to whole quanta; the pigment of a
 /// cell is sum(thickness * coefficients). A box is exact; other outlines are sampled at 16 x 16 points a

@@ -318,6 +318,22 @@ void Solver::wake_all() {
         if (!parts_->state.thickness.is_background(tile)) parts_->activity.wake(tile);
 }
 
+std::vector<bool> Solver::awake_tiles() const {
+    std::vector<bool> awake(parts_->window_start.size());
+    for (std::size_t tile = 0; tile < awake.size(); ++tile)
+        awake[tile] = parts_->activity.tile(static_cast<int>(tile)).awake;
+    return awake;
+}
+
+void Solver::restart(const std::vector<bool>& awake) {
+    PASTOSO_CHECK_OP(awake.size(), ==, parts_->window_start.size());
+    parts_->activity.restore(parts_->activity.calls(), std::vector<TileActivity>(awake.size()));
+    parts_->window_start.assign(awake.size(), {});
+    parts_->large.recall(LargeStepper::Memory(awake.size()));
+    for (std::size_t tile = 0; tile < awake.size(); ++tile)
+        if (awake[tile]) parts_->activity.wake(static_cast<int>(tile));
+}
+
 AdvanceReport Solver::advance(double seconds) {
     AdvanceReport report;
     parts_->advance(

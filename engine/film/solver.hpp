@@ -94,6 +94,11 @@ class Solver {
     void wake(const grid::Rect& cells);
     void wake_all();
 
+    /// The tiles that have not come to rest, by their number.
+    std::vector<bool> awake_tiles() const;
+    /// The state has become another one, in which these tiles move and the others rest.
+    void restart(const std::vector<bool>& awake);
+
     /// Lets `seconds` of paint time pass in as many steps as stability asks for. The same state and
     /// calls give the same bits on any number of threads.
     AdvanceReport advance(double seconds);

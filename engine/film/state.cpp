@@ -45,6 +45,17 @@ void add_field(const grid::TiledField<T>& field, core::Hash64& hash) {
     }
 }
 
+void add_heights(const SupportHeights& field, core::Hash64& hash) {
+    std::array<float, grid::kTileSize> row;
+    for (int tile = 0; tile < field.tile_count(); ++tile) {
+        const grid::Rect cells = field.shape().tile_cells(tile);
+        for (int y = 0; y < cells.height(); ++y) {
+            field.read(tile).copy(y * grid::kTileSize, cells.width(), row.data());
+            hash.add(std::span<const float>(row.data(), static_cast<std::size_t>(cells.width())));
+        }
+    }
+}
+
 }  // namespace
 
 Totals totals(const FilmState& state) {
@@ -88,7 +99,7 @@ std::uint64_t state_hash(const FilmState& state) {
     add_field(state.paint, hash);
     add_field(state.velocity_x, hash);
     add_field(state.velocity_y, hash);
-    add_field(state.support_mm, hash);
+    add_heights(state.support_mm, hash);
     add_field(state.strata.soluble_thickness, hash);
     add_field(state.strata.soluble_pigment, hash);
     add_field(state.strata.optics, hash);

@@ -4,6 +4,7 @@
 #include "core/hash.hpp"
 #include "film/paint_cell.hpp"
 #include "film/strata.hpp"
+#include "film/support_heights.hpp"
 #include "grid/tiled_field.hpp"
 
 #include <array>
@@ -53,7 +54,7 @@ struct FilmState {
     grid::TiledField<PaintCell> paint;   ///< what the wet paint of the cell carries
     grid::TiledField<float> velocity_x;  ///< depth mean at the face between (x, y) and (x+1, y), mm/s
     grid::TiledField<float> velocity_y;  ///< depth mean at the face between (x, y) and (x, y+1), mm/s
-    grid::TiledField<float> support_mm;  ///< c, height of the dry surface below the paint
+    SupportHeights support_mm;           ///< c, height of the dry surface below the paint
 
     Strata strata;  ///< dried paint on the bare support
 

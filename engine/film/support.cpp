@@ -38,6 +38,9 @@ float gesso_height(double x_mm, double y_mm) {
 class SplineImage {
   public:
     SplineImage(const std::vector<float>& grey, int width, int height) : width_(width), height_(height) {
+        PASTOSO_CHECK(width > 0 && height > 0);
+        PASTOSO_CHECK_OP(grey.size(), ==,
+                         static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
         coefficients_ = prefiltered(prefiltered(grey, 1, 0), 0, 1);
     }
 
@@ -83,48 +86,69 @@ class SplineImage {
     std::vector<float> coefficients_;
 };
 
-}  // namespace
+/// An image as large as a canvas.
+struct StretchedImage {
+    StretchedImage(grid::Shape shape, const std::vector<float>& grey, int width, int height)
+        : image(grey, width, height),
+          pixels_per_cell_x(static_cast<double>(width) / shape.width),
+          pixels_per_cell_y(static_cast<double>(height) / shape.height),
+          samples(samples_per_cell(std::max(pixels_per_cell_x, pixels_per_cell_y), 1.0)) {}
 
-grid::TiledField<float> panel_support(grid::Shape shape, double cell_mm, double relief_mm) {
-    PASTOSO_CHECK_OP(cell_mm, >, 0.0);
-    const int samples = samples_per_cell(cell_mm, kFineBrushMark_mm / 2.0);
-    return sample_cell_means(shape, samples, relief_mm, [&](double y_cells, std::span<float> heights) {
-        const double step_mm = cell_mm / samples;
-        for (std::size_t k = 0; k < heights.size(); ++k) {
-            heights[k] = gesso_height((static_cast<double>(k) + 0.5) * step_mm, y_cells * cell_mm);
-        }
-    });
-}
-
-grid::TiledField<float> image_support(grid::Shape shape, const std::vector<float>& grey, int width,
-                                      int height, double relief_mm) {
-    PASTOSO_CHECK(width > 0 && height > 0);
-    PASTOSO_CHECK_OP(grey.size(), ==,
-                     static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    const SplineImage image(grey, width, height);
-    const double pixels_per_cell_x = static_cast<double>(width) / shape.width;
-    const double pixels_per_cell_y = static_cast<double>(height) / shape.height;
-    const int samples = samples_per_cell(std::max(pixels_per_cell_x, pixels_per_cell_y), 1.0);
-    return sample_cell_means(shape, samples, relief_mm, [&](double y_cells, std::span<float> heights) {
+    void fill_row(double y_cells, std::span<float> heights) const {
         for (std::size_t k = 0; k < heights.size(); ++k) {
             const double x_cells = (static_cast<double>(k) + 0.5) / samples;
             heights[k] = image.at(x_cells * pixels_per_cell_x, y_cells * pixels_per_cell_y);
         }
+    }
+
+    SplineImage image;
+    double pixels_per_cell_x, pixels_per_cell_y;
+    int samples;
+};
+
+}  // namespace
+
+SupportHeights panel_support(grid::Shape shape, double cell_mm, double relief_mm, core::ThreadPool& pool,
+                             SupportForm form) {
+    PASTOSO_CHECK_OP(cell_mm, >, 0.0);
+    const int samples = samples_per_cell(cell_mm, kFineBrushMark_mm / 2.0);
+    const auto fill_row = [=](double y_cells, std::span<float> heights) {
+        const double step_mm = cell_mm / samples;
+        for (std::size_t k = 0; k < heights.size(); ++k) {
+            heights[k] = gesso_height((static_cast<double>(k) + 0.5) * step_mm, y_cells * cell_mm);
+        }
+    };
+    return sampled_in(form, shape, samples, relief_mm, pool, [&] { return fill_row; });
+}
+
+SupportHeights image_support(grid::Shape shape, const std::vector<float>& grey, int width, int height,
+                             double relief_mm, core::ThreadPool& pool) {
+    const StretchedImage image(shape, grey, width, height);
+    return sampled_levels(shape, image.samples, relief_mm, pool, [&] {
+        return [&](double y_cells, std::span<float> heights) { image.fill_row(y_cells, heights); };
     });
 }
 
-grid::TiledField<float> named_support(std::string_view name, grid::Shape shape, double cell_mm,
-                                      double relief_mm) {
+SupportHeights image_heights(grid::Shape shape, const std::vector<float>& grey, int width, int height,
+                             double relief_mm) {
+    const StretchedImage image(shape, grey, width, height);
+    return sampled_heights(
+        shape, image.samples, relief_mm,
+        [&](double y_cells, std::span<float> heights) { image.fill_row(y_cells, heights); });
+}
+
+SupportHeights named_support(std::string_view name, grid::Shape shape, double cell_mm, double relief_mm,
+                             core::ThreadPool& pool, SupportForm form) {
     const std::string wanted = core::lower_case(name);
     if (wanted == "panel")
-        return panel_support(shape, cell_mm, relief_mm > 0.0 ? relief_mm : kGessoRelief_mm);
+        return panel_support(shape, cell_mm, relief_mm > 0.0 ? relief_mm : kGessoRelief_mm, pool, form);
     if (wanted != "linen" && wanted != "cotton duck") {
         throw core::InputError("There is no support \"" + std::string(name) +
                                "\"; the supports are: linen, cotton duck, panel.");
     }
     Weave weave = wanted == "linen" ? kLinen : kCottonDuck;
     if (relief_mm > 0.0) weave.relief_mm = relief_mm;
-    return woven_support(shape, cell_mm, weave);
+    return woven_support(shape, cell_mm, weave, pool, form);
 }
 
 }  // namespace pastoso::film

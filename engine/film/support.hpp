@@ -1,11 +1,10 @@
 // What the paint lies on: woven or smooth supports, or a height image, as c(x, y) in millimetres.
 //
-// Every height is a multiple of kSupportQuantum_mm: where the surface of the paint lies at such a height
-// too, its thickness is one as well, floats hold all three exactly up to 16 mm, and a lake at rest over
-// an uneven support stays exactly still.
+// Heights are the same on any number of threads.
 #pragma once
 
-#include "grid/tiled_field.hpp"
+#include "core/thread_pool.hpp"
+#include "film/support_heights.hpp"
 
 #include <string>
 #include <string_view>
@@ -13,7 +12,11 @@
 
 namespace pastoso::film {
 
-inline constexpr double kSupportQuantum_mm = 0x1p-20;
+/// How heights are rounded down.
+enum class SupportForm {
+    Levels,  ///< to levels of finest_level_mm(relief_mm): 1 to 2 nm for the weaves and the panel
+    Fine,    ///< to kSupportQuantum_mm, as floats: what paintings of project format 1 and 2 lie on
+};
 
 /// A primed plain weave: every thread goes over one crossing thread and under the next.
 struct Weave {
@@ -26,21 +29,27 @@ struct Weave {
 
 /// Heights of a weave, from 0 at the holes to at most `relief_mm`: means over the cells of a function of
 /// millimetres alone, so that any resolution shows the same cloth.
-grid::TiledField<float> woven_support(grid::Shape shape, double cell_mm, const Weave& weave);
+SupportHeights woven_support(grid::Shape shape, double cell_mm, const Weave& weave,
+                             core::ThreadPool& pool, SupportForm form = SupportForm::Levels);
 
 /// A smooth panel with a tooth of gesso brushed on from left to right, from 0 to at most `relief_mm`; a
 /// function of millimetres, like the weaves.
-grid::TiledField<float> panel_support(grid::Shape shape, double cell_mm, double relief_mm);
+SupportHeights panel_support(grid::Shape shape, double cell_mm, double relief_mm, core::ThreadPool& pool,
+                             SupportForm form = SupportForm::Levels);
 
 /// A grey image stretched over the canvas: 0 is height 0, 1 is `relief_mm`. `grey` has width * height
 /// values in [0, 1], row by row. Resampled by the cubic B-spline through its values, clamped to [0,
-/// relief_mm].
-grid::TiledField<float> image_support(grid::Shape shape, const std::vector<float>& grey, int width,
-                                      int height, double relief_mm);
+/// relief_mm], in levels.
+SupportHeights image_support(grid::Shape shape, const std::vector<float>& grey, int width, int height,
+                             double relief_mm, core::ThreadPool& pool);
+
+/// The same in the fine form.
+SupportHeights image_heights(grid::Shape shape, const std::vector<float>& grey, int width, int height,
+                             double relief_mm);
 
 /// "linen", "cotton duck" or "panel" with the relief given, or its own when `relief_mm` is 0. Throws
 /// InputError that lists the names there are.
-grid::TiledField<float> named_support(std::string_view name, grid::Shape shape, double cell_mm,
-                                      double relief_mm = 0.0);
+SupportHeights named_support(std::string_view name, grid::Shape shape, double cell_mm, double relief_mm,
+                             core::ThreadPool& pool, SupportForm form = SupportForm::Levels);
 
 }  // namespace pastoso::film

@@ -171,16 +171,19 @@ class ClothScanner {
 
 }  // namespace
 
-grid::TiledField<float> woven_support(grid::Shape shape, double cell_mm, const Weave& weave) {
+SupportHeights woven_support(grid::Shape shape, double cell_mm, const Weave& weave,
+                             core::ThreadPool& pool, SupportForm form) {
     PASTOSO_CHECK_OP(cell_mm, >, 0.0);
     PASTOSO_CHECK_OP(weave.thread_pitch_mm, >, 0.0);
     const double cell_pitches = cell_mm / weave.thread_pitch_mm;
     const int samples = samples_per_cell(cell_pitches, 1.0 / 6.0);
-    ClothScanner scanner(weave, static_cast<std::size_t>(shape.width) * samples, cell_pitches / samples);
-    return sample_cell_means(shape, samples, weave.relief_mm,
-                             [&](double y_cells, std::span<float> heights) {
-                                 scanner.fill_row(y_cells * cell_pitches, heights);
-                             });
+    const auto columns = static_cast<std::size_t>(shape.width) * samples;
+    return sampled_in(form, shape, samples, weave.relief_mm, pool, [&] {
+        return [cell_pitches, scanner = ClothScanner(weave, columns, cell_pitches / samples)](
+                   double y_cells, std::span<float> heights) mutable {
+            scanner.fill_row(y_cells * cell_pitches, heights);
+        };
+    });
 }
 
 }  // namespace pastoso::film

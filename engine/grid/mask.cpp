@@ -147,6 +147,13 @@ Rect chosen_area(const Mask& mask) {
     return area;
 }
 
+std::size_t bytes_in_part(const Mask& mask) {
+    std::size_t count = 0;
+    for (int tile = 0; tile < mask.tile_count(); ++tile)
+        if (!chooses_none(mask, tile) && !chooses_all(mask, tile)) ++count;
+    return count * kTileCells;
+}
+
 bool chooses_none(const Mask& mask, int tile) {
     return mask.is_background(tile);
 }

@@ -41,6 +41,9 @@ Rect chosen_area(const Mask& mask);
 bool chooses_none(const Mask& mask, int tile);
 bool chooses_all(const Mask& mask, int tile);
 
+/// Bytes of the tiles that are chosen in part; the others share one.
+std::size_t bytes_in_part(const Mask& mask);
+
 /// Builds a mask tile by tile: tiles in which all cells are alike share their storage.
 class MaskBuilder {
   public:

@@ -8,7 +8,7 @@
 namespace pastoso::io {
 namespace {
 
-grid::TiledField<float> image_support(const document::CanvasSettings& settings) {
+film::SupportHeights image_support(const document::CanvasSettings& settings, core::ThreadPool& pool) {
     if (settings.support_image.empty()) {
         throw core::InputError("The support \"image\" needs a height image; none is named.");
     }
@@ -16,21 +16,21 @@ grid::TiledField<float> image_support(const document::CanvasSettings& settings) 
     const double relief_mm =
         settings.support_relief_mm > 0.0 ? settings.support_relief_mm : kImageRelief_mm;
     return film::image_support(document::canvas_shape(settings), image.values, image.width, image.height,
-                               relief_mm);
+                               relief_mm, pool);
 }
 
 }  // namespace
 
-grid::TiledField<float> make_support(const document::CanvasSettings& settings) {
+film::SupportHeights make_support(const document::CanvasSettings& settings, core::ThreadPool& pool) {
     document::check_canvas_fits(settings, document::available_memory_bytes());
-    if (settings.support == "image") return image_support(settings);
+    if (settings.support == "image") return image_support(settings, pool);
     return film::named_support(settings.support, document::canvas_shape(settings),
-                               1.0 / settings.px_per_mm, settings.support_relief_mm);
+                               1.0 / settings.px_per_mm, settings.support_relief_mm, pool);
 }
 
 std::unique_ptr<document::Painting> make_painting(const document::CanvasSettings& settings,
                                                   core::ThreadPool& pool) {
-    return std::make_unique<document::Painting>(settings, make_support(settings), pool);
+    return std::make_unique<document::Painting>(settings, make_support(settings, pool), pool);
 }
 
 }  // namespace pastoso::io

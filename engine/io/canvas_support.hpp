@@ -14,7 +14,7 @@ inline constexpr double kImageRelief_mm = 0.5;
 /// The heights of the support that the settings name; for "image" those of the grey image
 /// `settings.support_image`. Throws InputError when the canvas does not fit into memory, the support is
 /// unknown or its image cannot be read.
-grid::TiledField<float> make_support(const document::CanvasSettings& settings);
+film::SupportHeights make_support(const document::CanvasSettings& settings, core::ThreadPool& pool);
 
 /// A painting on make_support().
 std::unique_ptr<document::Painting> make_painting(const document::CanvasSettings& settings,

@@ -1,13 +1,12 @@
 #include "journal/checkpoint_writer.hpp"
 
+#include "core/background_thread.hpp"
 #include "core/check.hpp"
 #include "core/thread_pool.hpp"
 #include "project/project.hpp"
 
 #include <chrono>
 #include <exception>
-#include <sys/resource.h>
-#include <unistd.h>
 #include <utility>
 
 namespace pastoso::journal {
@@ -16,11 +15,8 @@ namespace {
 /// One that Undo has reached behind serves no more; then the one before it does.
 constexpr std::size_t kKept = 3;
 
-/// Of the calling thread and of those that it starts; on Linux, threads have priorities of their own.
-void take_idle_time_only() {
-    constexpr int kNice = 15;
-    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
-}
+/// Checkpoints take only time that nobody needs.
+constexpr int kNice = 15;
 
 }  // namespace
 
@@ -29,7 +25,7 @@ void CheckpointWriter::write(document::PaintingState state, std::uint64_t events
     wait();
     busy_ = true;
     thread_ = std::thread([this, state = std::move(state), events] {
-        take_idle_time_only();
+        core::lower_priority(kNice);
         const auto begin = std::chrono::steady_clock::now();
         write_file(state, events);
         last_took_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -10,7 +10,6 @@ namespace {
 
 using film::FilmState;
 using grid::kTileCells;
-using grid::TileBlock;
 
 bool is_level(const float* heights_mm) {
     return std::all_of(heights_mm, heights_mm + kTileCells, [](float height) { return height == 0.0F; });
@@ -18,8 +17,8 @@ bool is_level(const float* heights_mm) {
 
 void lift_tile(const Heights& support_mm, const Heights& base_mm, int tile, Heights& relief_mm) {
     if (support_mm.shares_tile(base_mm, tile)) return;
-    auto block = TileBlock<float>::copy_of(support_mm.read(tile));
-    const float* base = base_mm.read(tile);
+    auto block = film::copied_heights(support_mm.read(tile));
+    const film::TileHeights base = base_mm.read(tile);
     for (int cell = 0; cell < kTileCells; ++cell)
         block.write()[cell] -= base[cell];
     if (!is_level(block.read())) relief_mm.replace(tile, std::move(block));
@@ -27,7 +26,7 @@ void lift_tile(const Heights& support_mm, const Heights& base_mm, int tile, Heig
 
 void add_tile(const Heights& relief_mm, int tile, Heights& heights_mm) {
     if (relief_mm.is_background(tile)) return;
-    const float* relief = relief_mm.read(tile);
+    const film::TileHeights relief = relief_mm.read(tile);
     float* heights = heights_mm.write(tile);
     for (int cell = 0; cell < kTileCells; ++cell)
         heights[cell] += relief[cell];

@@ -1,13 +1,13 @@
 // A layer apart from what it lies on: a film whose support is nothing but its own dried relief, so that
 // it can lie on anything. All heights are multiples of kSupportQuantum_mm: up to 16 mm they add up
-// exactly.
+// exactly. Sums and differences are floats, whatever they are made of (film/support_heights.hpp).
 #pragma once
 
 #include "film/state.hpp"
 
 namespace pastoso::layers {
 
-using Heights = grid::TiledField<float>;
+using Heights = film::SupportHeights;
 
 /// The layer of a film that lies on `base_mm`; its paint, its velocities and its strata are shared with
 /// it. Tiles of the support that are the base's own have no relief.
@@ -36,8 +36,8 @@ float wet_height_mm(std::int32_t thickness_quanta);
 bool holds_paint(const film::FilmState& layer, int tile);
 
 /// Makes a tile of one field that of another, of the same shape.
-template <class T>
-void share_tile(const grid::TiledField<T>& from, int tile, grid::TiledField<T>& to) {
+template <class Field>
+void share_tile(const Field& from, int tile, Field& to) {
     if (from.is_background(tile))
         to.reset(tile);
     else

@@ -42,7 +42,7 @@ LayerTile copy_of_tile(const FilmState& layer, int tile) {
     const film::Strata& strata = layer.strata;
     return {copy(layer.thickness, tile),
             copy(layer.paint, tile),
-            copy(layer.support_mm, tile),
+            film::copied_heights(layer.support_mm.read(tile)),
             copy(strata.soluble_thickness, tile),
             copy(strata.soluble_pigment, tile),
             copy(strata.optics, tile),

@@ -45,7 +45,7 @@ struct Tile {
 
     const std::int32_t* thickness;
     const film::PaintCell* paint;
-    const float* support_mm;
+    film::TileHeights support_mm;
     const std::int32_t* soluble_thickness;
     const film::PigmentCell* soluble;
     const StrataOptics* optics;
@@ -177,7 +177,7 @@ void sum_heights(const FilmState& upper, const FilmState& lower, int tile, FilmS
     share_tile(lower.support_mm, tile, result.support_mm);
     if (upper.support_mm.is_background(tile)) return;
     float* heights = result.support_mm.write(tile);
-    const float* relief = upper.support_mm.read(tile);
+    const film::TileHeights relief = upper.support_mm.read(tile);
     for (int cell = 0; cell < kTileCells; ++cell)
         heights[cell] += relief[cell];
 }
@@ -189,8 +189,8 @@ bool is_fixed_in(const FilmState& lower, int tile) {
            lower.strata.soluble_thickness.is_background(tile);
 }
 
-template <class T>
-bool same_tile(const grid::TiledField<T>& a, const grid::TiledField<T>& b, int tile) {
+template <class Field>
+bool same_tile(const Field& a, const Field& b, int tile) {
     return a.shares_tile(b, tile) || (a.is_background(tile) && b.is_background(tile));
 }
 

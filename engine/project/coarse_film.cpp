@@ -39,6 +39,9 @@ struct Channels<Number> {
     static Number mean(const Sums& sum, double count) { return static_cast<Number>(sum / count); }
 };
 
+template <class Field>
+using ValueOf = std::remove_cvref_t<decltype(std::declval<const Field&>().read(0)[0])>;
+
 /// The source tiles of a coarse tile.
 std::vector<int> tiles_below(const grid::Shape& fine, const grid::Shape& coarse, int tile, int factor) {
     std::vector<int> tiles;
@@ -50,9 +53,9 @@ std::vector<int> tiles_below(const grid::Shape& fine, const grid::Shape& coarse,
 }
 
 /// Fills the tile of the coarse field.
-template <class Value>
-void average(const grid::TiledField<Value>& fine, int factor, int tile,
-             grid::TiledField<Value>& coarse) {
+template <class Field>
+void average(const Field& fine, int factor, int tile, Field& coarse) {
+    using Value = ValueOf<Field>;
     const grid::Shape& shape = fine.shape();
     bool any = false;
     const std::vector<int> below = tiles_below(shape, coarse.shape(), tile, factor);
@@ -63,7 +66,7 @@ void average(const grid::TiledField<Value>& fine, int factor, int tile,
     std::vector<typename Channels<Value>::Sums> sums(kTileCells);
     std::vector<int> counts(kTileCells, 0);
     for (const int source : below) {
-        const Value* values = fine.read(source);
+        const auto values = fine.read(source);
         const grid::Rect cells = shape.tile_cells(source);
         for (int y = cells.y0; y < cells.y1; ++y)
             for (int x = cells.x0; x < cells.x1; ++x) {
@@ -72,7 +75,7 @@ void average(const grid::TiledField<Value>& fine, int factor, int tile,
                 ++counts[into];
             }
     }
-    auto block = grid::TileBlock<Value>::copy_of(coarse.read(tile));
+    auto block = grid::TileBlock<Value>::filled(coarse.read(tile)[0]);
     for (int cell = 0; cell < kTileCells; ++cell)
         if (counts[cell] > 0) block.write()[cell] = Channels<Value>::mean(sums[cell], counts[cell]);
     coarse.replace(tile, std::move(block));

@@ -74,10 +74,11 @@ void check_memory(const ZipReader& archive, const document::CanvasSettings& canv
     }
 }
 
-grid::TiledField<float> named_support(const ZipReader& archive, const document::CanvasSettings& canvas) {
+film::SupportHeights named_support(const ZipReader& archive, const document::CanvasSettings& canvas,
+                                   film::SupportForm form, core::ThreadPool& pool) {
     try {
         return film::named_support(canvas.support, document::canvas_shape(canvas),
-                                   1.0 / canvas.px_per_mm, canvas.support_relief_mm);
+                                   1.0 / canvas.px_per_mm, canvas.support_relief_mm, pool, form);
     } catch (const core::InputError& error) {
         archive.fail(kSetupEntry, error.what());
     }
@@ -104,19 +105,21 @@ document::SurfaceState empty_surface(const SurfaceIndex& index) {
 }
 
 /// The heights that a painter's own image gave.
-grid::TiledField<float> read_bare_support(const ZipReader& archive, const SurfaceIndex& index,
-                                          const grid::Shape& shape, double cell_mm,
-                                          core::ThreadPool& pool) {
+film::SupportHeights read_bare_support(const ZipReader& archive, const SurfaceIndex& index,
+                                       const grid::Shape& shape, double cell_mm,
+                                       core::ThreadPool& pool) {
     check_surface(archive, "bare support", index, shape, cell_mm);
     document::SurfaceState bare = empty_surface(index);
     read_tiles(archive, index.entries, bare, pool);
     return bare.film.support_mm;
 }
 
-void make_named_support(const ZipReader& archive, const LayerIndex& layer, LoadedProject& project) {
+void make_named_support(const ZipReader& archive, const ProjectIndex& index, LoadedProject& project,
+                        core::ThreadPool& pool) {
+    const LayerIndex& layer = index.layers[index.active_layer];
     PaintingState& painting = project.painting;
     const document::CanvasSettings& canvas = painting.settings;
-    painting.bare_support_mm = named_support(archive, canvas);
+    painting.bare_support_mm = named_support(archive, canvas, index.support_form, pool);
     painting.canvas.film.support_mm = painting.bare_support_mm;
     if (!layer.bare_support_checksum ||
         bare_support_checksum(painting.bare_support_mm, layer.surface.entries) ==
@@ -133,9 +136,9 @@ void read_active(const ZipReader& archive, const ProjectIndex& index, LoadedProj
     PaintingState& painting = project.painting;
     const grid::Shape& shape = layer.surface.shape;
     painting.canvas = empty_surface(layer.surface);
-    painting.bare_support_mm = grid::TiledField<float>(shape);
+    painting.bare_support_mm = film::SupportHeights(shape);
     const bool is_named = painting.settings.support != "image";
-    if (is_named) make_named_support(archive, layer, project);
+    if (is_named) make_named_support(archive, index, project, pool);
     if (index.bare_support)
         painting.bare_support_mm =
             read_bare_support(archive, *index.bare_support, shape, layer.surface.cell_mm, pool);

@@ -25,9 +25,9 @@ std::size_t mask_bytes(grid::Shape shape) {
     return (index_of(shape, 0, shape.height) + 7) / 8;
 }
 
-Bytes mask_bits(const grid::Mask& mask) {
+packing::Bytes mask_bits(const grid::Mask& mask) {
     const grid::Shape shape = mask.shape();
-    Bytes bits(mask_bytes(shape));
+    packing::Bytes bits(mask_bytes(shape));
     for (int tile = 0; tile < mask.tile_count(); ++tile) {
         const std::uint8_t* chosen = mask.read(tile);
         for_cells(shape.tile_cells(tile), [&](int x, int y) {

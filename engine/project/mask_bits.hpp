@@ -3,13 +3,13 @@
 #pragma once
 
 #include "grid/mask.hpp"
-#include "project/packed_bytes.hpp"
+#include "packing/packed_bytes.hpp"
 
 namespace pastoso::project {
 
 std::size_t mask_bytes(grid::Shape shape);
 
-Bytes mask_bits(const grid::Mask& mask);
+packing::Bytes mask_bits(const grid::Mask& mask);
 
 /// The other way round; there are mask_bytes(shape) of them.
 grid::Mask mask_of_bits(grid::Shape shape, std::span<const std::byte> bits);

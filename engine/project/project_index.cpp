@@ -2,7 +2,7 @@
 
 #include "io/json_place.hpp"
 #include "io/layers_json.hpp"
-#include "project/packed_bytes.hpp"
+#include "packing/packed_bytes.hpp"
 #include "project/project_layout.hpp"
 #include "project/tile_kinds.hpp"
 
@@ -82,7 +82,7 @@ PackedEntry read_packed(const JsonPlace& place, std::size_t most_bytes) {
         place.entry("entry").fail("expected a name that begins with pastoso/.");
     const auto most = static_cast<std::int64_t>(most_bytes);
     packed.size = static_cast<std::size_t>(place.entry("size").integer(0, most));
-    const auto most_packed = static_cast<std::int64_t>(most_packed_bytes(packed.size));
+    const auto most_packed = static_cast<std::int64_t>(packing::most_packed_bytes(packed.size));
     packed.packed_size = static_cast<std::size_t>(place.entry("packed").integer(1, most_packed));
     return packed;
 }
@@ -264,6 +264,17 @@ void read_layers(const JsonPlace& root, ProjectIndex& index) {
     layers.guard([&] { document::check_stack(stack_of(index)); });
 }
 
+const char* form_name(film::SupportForm form) {
+    return form == film::SupportForm::Levels ? "levels" : "fine";
+}
+
+/// Versions 1 and 2 know one form.
+film::SupportForm read_form(const std::optional<JsonPlace>& place) {
+    if (!place || place->text() == "fine") return film::SupportForm::Fine;
+    if (place->text() != "levels") place->fail("expected \"levels\" or \"fine\".");
+    return film::SupportForm::Levels;
+}
+
 Json ageing_json(const film::AgeingClock::Pending& ageing) {
     return {{"drying_s", ageing.drying_s},
             {"drying_ticks", ageing.drying_ticks},
@@ -303,7 +314,7 @@ void check_header(const JsonPlace& root) {
                   "; this program reads up to " + std::to_string(kProjectFormatVersion) + ").");
     }
     root.allow_only({"format", "version", "program", "tick", "ageing", "account", "layers", "stack",
-                     "bare_support", "well", "brush", "selection", "strokes"});
+                     "bare_support", "support_form", "well", "brush", "selection", "strokes"});
 }
 
 }  // namespace
@@ -335,6 +346,7 @@ std::string index_to_json(const ProjectIndex& index) {
               {"layers", std::move(layers)},
               {"stack", stack_json(index)}};
     if (index.bare_support) json["bare_support"] = surface_json(*index.bare_support);
+    if (!index.bare_support) json["support_form"] = form_name(index.support_form);
     if (index.well) json["well"] = surface_json(*index.well);
     if (index.brush) {
         json["brush"] = {{"strokes_begun", index.brush->strokes_begun},
@@ -360,6 +372,7 @@ ProjectIndex index_from_json(const std::string& text, const std::string& name) {
     index.forgotten_run_off = read_totals(account.entry("forgotten_run_off"));
     read_layers(root, index);
     if (const auto bare = root.optional_entry("bare_support")) index.bare_support = read_surface(*bare);
+    index.support_form = read_form(root.optional_entry("support_form"));
     if (const auto well = root.optional_entry("well")) index.well = read_surface(*well);
     if (const auto brush = root.optional_entry("brush")) index.brush = read_brush(*brush);
     if (const auto selection = root.optional_entry("selection"))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/painting_state.hpp"
+#include "film/support.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -63,7 +64,8 @@ struct ProjectIndex {
     std::size_t active_layer = 0;
     document::LayerId next_layer = 2;
     document::GroupId next_group = 1;
-    std::optional<SurfaceIndex> bare_support{};  ///< where no name tells what it is
+    std::optional<SurfaceIndex> bare_support{};                  ///< where no name tells what it is
+    film::SupportForm support_form = film::SupportForm::Levels;  ///< where a name tells it
     std::optional<SurfaceIndex> well{};
     std::optional<BrushIndex> brush{};
     std::optional<PackedEntry> selection{};

@@ -98,6 +98,11 @@ void add_bare_support(const PaintingState& painting, ProjectIndex& index, ZipWri
     index.bare_support->entries = add_tiles({bare}, kBareSupportFolder, archive, pool);
 }
 
+/// Of a support that has a name, no tile of which is background.
+film::SupportForm form_of(const film::SupportHeights& named_mm) {
+    return named_mm.block(0).in_levels() ? film::SupportForm::Levels : film::SupportForm::Fine;
+}
+
 ProjectIndex add_painting(const Project& project, ZipWriter& archive, core::ThreadPool& pool) {
     const PaintingState& painting = project.painting;
     ProjectIndex index{.program = PASTOSO_VERSION,
@@ -108,6 +113,7 @@ ProjectIndex add_painting(const Project& project, ZipWriter& archive, core::Thre
                        .forgotten_run_off = painting.forgotten_run_off};
     add_layers(painting, index, archive, pool);
     add_bare_support(painting, index, archive, pool);
+    index.support_form = form_of(painting.bare_support_mm);
     if (painting.well) {
         index.well = surface_index(*painting.well);
         index.well->entries = add_tiles({*painting.well}, kWellFolder, archive, pool);
@@ -119,7 +125,7 @@ ProjectIndex add_painting(const Project& project, ZipWriter& archive, core::Thre
     if (painting.selection)
         index.selection = add_packed(kSelectionEntry, mask_bits(*painting.selection), archive);
     const std::string strokes = io::recording_to_json(project.strokes);
-    index.strokes = add_packed(kStrokesEntry, bytes_of(strokes), archive);
+    index.strokes = add_packed(kStrokesEntry, packing::bytes_of(strokes), archive);
     return index;
 }
 

@@ -57,7 +57,7 @@ std::vector<Work> works_of(const SurfaceSource& source, const std::string& folde
 
 /// What a thread packs with; large memory that is asked for again and again costs more than the packing.
 struct Bench {
-    Packer packer;
+    packing::Packer packer;
     Bytes room;
 };
 
@@ -151,16 +151,18 @@ void read_tiles(const ZipReader& archive, const std::vector<TileEntry>& entries,
     check_windows(archive, surface);
 }
 
-std::optional<std::uint64_t> bare_support_checksum(const grid::TiledField<float>& bare_support_mm,
+std::optional<std::uint64_t> bare_support_checksum(const film::SupportHeights& bare_support_mm,
                                                    const std::vector<TileEntry>& entries) {
     const std::vector<int> written = tiles_of_kind(entries, "support");
+    std::vector<float> heights_mm(grid::kTileCells);
     core::Hash64 hash;
     bool any = false;
     for (int tile = 0; tile < bare_support_mm.tile_count(); ++tile) {
         if (bare_support_mm.is_background(tile)) continue;
         if (std::binary_search(written.begin(), written.end(), tile)) continue;
         any = true;
-        hash.add(std::span(bare_support_mm.read(tile), grid::kTileCells));
+        bare_support_mm.read(tile).copy(0, grid::kTileCells, heights_mm.data());
+        hash.add(std::span<const float>(heights_mm));
     }
     return any ? std::optional(hash.value()) : std::nullopt;
 }
@@ -168,14 +170,14 @@ std::optional<std::uint64_t> bare_support_checksum(const grid::TiledField<float>
 Bytes read_packed(const ZipReader& archive, const PackedEntry& packed) {
     const Bytes frame = archive.read(packed.entry, packed.packed_size);
     try {
-        return unpacked(frame, packed.size);
+        return packing::unpacked(frame, packed.size);
     } catch (const core::InputError& error) {
         archive.fail(packed.entry, error.what());
     }
 }
 
 PackedEntry add_packed(std::string entry, std::span<const std::byte> content, ZipWriter& archive) {
-    Bytes frame = packed(content);
+    Bytes frame = packing::packed(content);
     PackedEntry noted{entry, content.size(), frame.size()};
     archive.add(std::move(entry), std::move(frame));
     return noted;

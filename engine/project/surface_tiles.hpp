@@ -22,7 +22,7 @@ void read_tiles(const ZipReader& archive, const std::vector<TileEntry>& entries,
 
 /// Over the support's tiles that are not among the entries, because their name tells what they are;
 /// nothing when there are none.
-std::optional<std::uint64_t> bare_support_checksum(const grid::TiledField<float>& bare_support_mm,
+std::optional<std::uint64_t> bare_support_checksum(const film::SupportHeights& bare_support_mm,
                                                    const std::vector<TileEntry>& entries);
 
 /// The content of an entry that is a Zstandard frame. Throws InputError "FILE, ENTRY: ..." when it is

@@ -1,7 +1,7 @@
 #include "project/tile_kinds.hpp"
 
+#include "packing/tile_values.hpp"
 #include "project/activity_record.hpp"
-#include "project/tile_codec.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +15,10 @@ namespace {
 using document::SurfaceState;
 using grid::kTileCells;
 using grid::TiledField;
+using packing::decoded_values;
+using packing::encode_values;
+using packing::kChannels;
+using packing::tile_bytes;
 
 /// Faster than any paint runs: a fall over five metres ends with a tenth of it.
 constexpr float kFastest_mm_s = 1e5F;
@@ -97,41 +101,6 @@ struct Uppermost {
     static bool is_possible(const Value&) { return true; }
     static constexpr const char* kWhat = "a mixture";
 };
-
-template <class Value>
-constexpr int kChannels = static_cast<int>(sizeof(Value) / sizeof(std::uint32_t));
-
-template <class Value>
-constexpr bool kIsWhole =
-    std::is_same_v<Value, std::int32_t> || std::is_same_v<Value, film::PaintCell> ||
-    std::is_same_v<Value, film::PigmentCell>;
-
-/// Integers are words as they are; floats go through memcpy.
-template <class Value>
-void encode_values(const Value* values, const std::int32_t* amount, std::byte* out) {
-    if constexpr (kIsWhole<Value>) {
-        tile_codec().encode(reinterpret_cast<const std::uint32_t*>(values), kChannels<Value>, amount,
-                            out);
-    } else {
-        std::vector<std::uint32_t> words(kTileCells * kChannels<Value>);
-        std::memcpy(words.data(), values, tile_bytes(kChannels<Value>));
-        tile_codec().encode(words.data(), kChannels<Value>, amount, out);
-    }
-}
-
-template <class Value>
-grid::TileBlock<Value> decoded_values(const std::byte* in, const std::int32_t* amount) {
-    auto block = grid::TileBlock<Value>::uninitialised();
-    if constexpr (kIsWhole<Value>) {
-        tile_codec().decode(in, kChannels<Value>, amount,
-                            reinterpret_cast<std::uint32_t*>(block.write()));
-    } else {
-        std::vector<std::uint32_t> words(kTileCells * kChannels<Value>);
-        tile_codec().decode(in, kChannels<Value>, amount, words.data());
-        std::memcpy(static_cast<void*>(block.write()), words.data(), tile_bytes(kChannels<Value>));
-    }
-    return block;
-}
 
 /// Cells beyond the canvas, in the tiles on its edges, mean nothing: what is impossible there is put to
 /// nothing. On the canvas it is an error.
@@ -216,6 +185,20 @@ constexpr TileKind field_kind(const char* name) {
             &decode_field<Field>};
 }
 
+void encode_support(const SurfaceSource& source, int tile, std::byte* out) {
+    std::vector<float> heights_mm(kTileCells);
+    Support::of(source.surface).read(tile).copy(0, kTileCells, heights_mm.data());
+    encode_values(heights_mm.data(), nullptr, out);
+}
+
+std::string decode_support(const std::byte* in, int tile, SurfaceTarget& target) {
+    auto block = decoded_values<float>(in, nullptr);
+    std::string fault =
+        checked(block.write(), target.surface.film.shape, tile, Support::kWhat, &Support::is_possible);
+    Support::of(target.surface).replace(tile, film::HeightBlock::smallest_of(std::move(block)));
+    return fault;
+}
+
 /// Of format 1: the reflectance of strata and support together. What lay below is not known apart, so it
 /// is hidden for good.
 std::string decode_ground(const std::byte* in, int tile, SurfaceTarget& target) {
@@ -247,9 +230,7 @@ constexpr TileKind ground_kind() {
 }
 
 constexpr TileKind support_kind() {
-    TileKind kind = field_kind<Support>("support");
-    kind.tiles = &own_support_tiles;
-    return kind;
+    return {"support", tile_bytes(1), 0, &own_support_tiles, &encode_support, &decode_support};
 }
 
 /// The place of a tile in a list in ascending order of tiles; it is there.

@@ -15,7 +15,7 @@ struct SurfaceSource {
     const document::SurfaceState& surface;
     /// Tiles of the support that are shared with it can be made again: they are left out where no paint
     /// lies on them. May be null.
-    const grid::TiledField<float>* bare_support_mm = nullptr;
+    const film::SupportHeights* bare_support_mm = nullptr;
 };
 
 /// What is read. The lists of the solver's memory hold the tiles already, still empty.

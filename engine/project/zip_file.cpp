@@ -74,7 +74,7 @@ void ZipWriter::add(std::string name, Bytes content) {
 }
 
 void ZipWriter::add(std::string name, const std::string& content) {
-    const auto bytes = bytes_of(content);
+    const auto bytes = packing::bytes_of(content);
     add(std::move(name), Bytes(bytes.begin(), bytes.end()));
 }
 

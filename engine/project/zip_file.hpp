@@ -1,7 +1,7 @@
 // Zip archives by libzip: written in one go, read entry by entry.
 #pragma once
 
-#include "project/packed_bytes.hpp"
+#include "packing/packed_bytes.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -13,6 +13,8 @@
 #include <vector>
 
 namespace pastoso::project {
+
+using packing::Bytes;
 
 /// The entries of an archive to be, in their order. Nothing is compressed: what is large is packed
 /// already. The same entries give the same archive.

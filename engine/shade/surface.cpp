@@ -52,7 +52,7 @@ void filter_row(const Means& means, int y, int width, const Put& put) {
 void gather_support(const film::FilmState& film, const Rect& cells, float* out) {
     const auto fill = [&film](const Rect& part, float* target, int stride) {
         gather_cells(film.shape, part, target, stride, [&](int tile, int cell, int count, float* to) {
-            std::copy_n(film.support_mm.read(tile) + cell, count, to);
+            film.support_mm.read(tile).copy(cell, count, to);
         });
     };
     fill_beyond_edges(film.shape, cells, out, cells.width(), fill);
@@ -111,10 +111,10 @@ void surface_means(const film::FilmState& film, const Rect& cells, float* out, i
     const auto fill = [&film](const Rect& part, float* target, int target_stride) {
         gather_cells(film.shape, part, target, target_stride,
                      [&](int tile, int cell, int count, float* to) {
-                         const float* support = film.support_mm.read(tile) + cell;
+                         film.support_mm.read(tile).copy(cell, count, to);
                          const std::int32_t* thickness = film.thickness.read(tile) + cell;
                          for (int i = 0; i < count; ++i)
-                             to[i] = support[i] + film::thickness_mm(thickness[i]);
+                             to[i] += film::thickness_mm(thickness[i]);
                      });
     };
     fill_beyond_edges(film.shape, cells, out, stride, fill);

@@ -18,7 +18,8 @@ constexpr double kCell_mm = 0.25;
 document::Snapshot bare_canvas() {
     document::Snapshot snapshot;
     snapshot.film = film::FilmState(kShape, kCell_mm);
-    snapshot.film.support_mm = film::named_support("linen", kShape, kCell_mm);
+    core::ThreadPool pool(1);
+    snapshot.film.support_mm = film::named_support("linen", kShape, kCell_mm, 0.0, pool);
     snapshot.ground.fill(0.8F);
     return snapshot;
 }

@@ -18,6 +18,7 @@ const Rules& engine_rules() {
     static const Rules rules = {
         {"core", {}},
         {"grid", {"core"}},
+        {"packing", {"core", "grid"}},
         {"pigment", {"core"}},
         {"film", {"core", "grid", "pigment"}},
         {"liquid", {"core", "grid"}},
@@ -26,11 +27,15 @@ const Rules& engine_rules() {
         {"shade", {"core", "grid", "pigment", "film"}},
         {"trace", {"core", "grid", "pigment", "liquid"}},
         {"gpu", {"core", "grid", "pigment", "film", "shade"}},
-        {"document", {"core", "grid", "pigment", "film", "brush", "layers", "shade"}},
-        {"io", {"core", "grid", "pigment", "film", "brush", "layers", "shade", "document", "liquid"}},
-        {"project", {"core", "grid", "pigment", "film", "brush", "layers", "shade", "document", "io"}},
+        {"document", {"core", "grid", "packing", "pigment", "film", "brush", "layers", "shade"}},
+        {"io",
+         {"core", "grid", "packing", "pigment", "film", "brush", "layers", "shade", "document",
+          "liquid"}},
+        {"project",
+         {"core", "grid", "packing", "pigment", "film", "brush", "layers", "shade", "document", "io"}},
         {"journal",
-         {"core", "grid", "pigment", "film", "brush", "layers", "shade", "document", "io", "project"}},
+         {"core", "grid", "packing", "pigment", "film", "brush", "layers", "shade", "document", "io",
+          "project"}},
     };
     return rules;
 }
@@ -100,9 +105,11 @@ std::string objection(const Place& place, const Include& include) {
     if (include.name.starts_with("lcms2")) {
         return in_engine && place.folder == "io" ? "" : "LittleCMS belongs to engine/io alone";
     }
-    if (include.name == "zip.h" || include.name == "zstd.h") {
-        return in_engine && place.folder == "project" ? ""
-                                                      : "libzip and zstd belong to engine/project alone";
+    if (include.name == "zip.h") {
+        return in_engine && place.folder == "project" ? "" : "libzip belongs to engine/project alone";
+    }
+    if (include.name == "zstd.h") {
+        return in_engine && place.folder == "packing" ? "" : "zstd belongs to engine/packing alone";
     }
     if (!include.quoted || include.name.ends_with(".moc")) return "";
 

@@ -15,7 +15,8 @@ constexpr double kPxPerMm = 8.0;
 
 film::FilmState linen_canvas(int width, int height) {
     film::FilmState film({width, height}, 1.0 / kPxPerMm);
-    film.support_mm = film::named_support("linen", film.shape, film.cell_mm);
+    core::ThreadPool pool(1);
+    film.support_mm = film::named_support("linen", film.shape, film.cell_mm, 0.0, pool);
     return film;
 }
 

@@ -149,7 +149,8 @@ void take_memory(film::FilmState& film) {
 void pastoso_stroke(benchmark::State& run, const char* preset_name) {
     const std::vector<SpiralEvent> events = spiral();
     film::FilmState clean({kCanvas_px, kCanvas_px}, 1.0 / kPxPerMm);
-    clean.support_mm = film::named_support("linen", clean.shape, clean.cell_mm);
+    core::ThreadPool pool(1);
+    clean.support_mm = film::named_support("linen", clean.shape, clean.cell_mm, 0.0, pool);
     for (auto _ : run) {
         run.PauseTiming();
         auto film = std::make_unique<film::FilmState>(clean);

@@ -35,7 +35,8 @@ std::vector<double> block_means(const film::FilmState& film, double block_mm) {
 
 film::FilmState linen(double width_mm, double height_mm, double px_per_mm) {
     film::FilmState film = smooth(width_mm, height_mm, px_per_mm);
-    film.support_mm = film::woven_support(film.shape, film.cell_mm, film::Weave{});
+    core::ThreadPool pool(1);
+    film.support_mm = film::woven_support(film.shape, film.cell_mm, film::Weave{}, pool);
     return film;
 }
 

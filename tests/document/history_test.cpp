@@ -1,5 +1,12 @@
 #include "document/history.hpp"
 
+#include "core/random.hpp"
+#include "document/layered_canvas.hpp"
+#include "document/well.hpp"
+
+#include <algorithm>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace pastoso::document {
@@ -7,101 +14,311 @@ namespace {
 
 constexpr std::size_t kTileBytes = sizeof(std::int32_t) * grid::kTileCells;
 
-/// A moment told by the thickness of one cell; every call writes the same single tile of 4 x 4.
-Moment moment_of(film::FilmState& film, std::int32_t value) {
-    film.thickness.set(0, 0, value);
-    Moment moment;
-    moment.film = film;
-    return moment;
+/// A painting of 4 x 4 tiles that changes by one tile at a time, full of noise that hardly packs.
+class NoisyFilm {
+  public:
+    NoisyFilm() {
+        for (int tile = 0; tile < 16; ++tile)
+            change(tile);
+    }
+    void change(int tile) {
+        std::int32_t* cells = film_.thickness.write(tile);
+        for (int cell = 0; cell < grid::kTileCells; ++cell)
+            cells[cell] = static_cast<std::int32_t>(core::scramble(++number_) >> 4);
+    }
+    Moment moment() const {
+        Moment moment;
+        moment.canvas = {film_, std::vector<bool>(16)};
+        return moment;
+    }
+    void return_to(const Moment& moment) { film_ = moment.canvas.film; }
+    std::uint64_t hash() const { return film::state_hash(film_); }
+
+  private:
+    film::FilmState film_{{256, 256}, 0.25};
+    std::uint32_t number_ = 0;
+};
+
+std::uint64_t hash_of(const Moment& moment) {
+    return film::state_hash(moment.canvas.film);
 }
 
-std::int32_t value_of(const Moment& moment) {
-    return moment.film.thickness.at(0, 0);
+void change_and_remember(NoisyFilm& film, History& history, int tile = 0) {
+    history.remember(film.moment(), {});
+    film.change(tile);
 }
 
-film::FilmState empty_film() {
-    return film::FilmState({256, 256}, 0.25);
+/// What packed steps may take of a budget.
+std::size_t packed_bytes(const History& history) {
+    std::size_t sum = 0;
+    for (const KeptStep& step : history.past_steps())
+        if (step.packed) sum += step.bytes;
+    return sum;
 }
 
 TEST(History, GoesBackAndForth) {
-    film::FilmState film = empty_film();
+    NoisyFilm film;
     History history;
     EXPECT_FALSE(history.can_undo());
-    history.remember(moment_of(film, 1));
-    history.remember(moment_of(film, 2));
-    EXPECT_EQ(value_of(history.step_back(moment_of(film, 3))), 2);
-    EXPECT_EQ(value_of(history.step_back(moment_of(film, 2))), 1);
+    std::vector<std::uint64_t> hashes;
+    for (int i = 0; i < 3; ++i) {
+        hashes.push_back(film.hash());
+        change_and_remember(film, history);
+    }
+    hashes.push_back(film.hash());
+    for (int i = 2; i >= 0; --i) {
+        film.return_to(history.step_back(film.moment()));
+        EXPECT_EQ(film.hash(), hashes[i]);
+    }
     EXPECT_FALSE(history.can_undo());
-    EXPECT_EQ(value_of(history.step_forward(moment_of(film, 1))), 2);
-    EXPECT_EQ(value_of(history.step_forward(moment_of(film, 2))), 3);
+    for (int i = 1; i <= 3; ++i) {
+        film.return_to(history.step_forward(film.moment()));
+        EXPECT_EQ(film.hash(), hashes[i]);
+    }
     EXPECT_FALSE(history.can_redo());
-    EXPECT_EQ(value_of(history.step_back(moment_of(film, 3))), 2);
+    EXPECT_EQ(hash_of(history.step_back(film.moment())), hashes[2]);
 }
 
 TEST(History, ANewChangeForgetsWhatWasUndone) {
-    film::FilmState film = empty_film();
+    NoisyFilm film;
     History history;
-    history.remember(moment_of(film, 1));
-    history.step_back(moment_of(film, 2));
-    history.remember(moment_of(film, 1));
+    change_and_remember(film, history);
+    film.return_to(history.step_back(film.moment()));
+    EXPECT_TRUE(history.can_redo());
+    change_and_remember(film, history);
     EXPECT_FALSE(history.can_redo());
-    EXPECT_EQ(history.moments(), 1U);
+    EXPECT_EQ(history.past_steps().size(), 1U);
 }
 
-TEST(History, CountsOnlyTilesThatAreNotShared) {
-    film::FilmState older = empty_film();
-    older.thickness.set(0, 0, 1);
-    older.thickness.set(100, 0, 1);
-    older.velocity_x.set(0, 0, 1.0F);
-    film::FilmState newer = older;
-    EXPECT_EQ(unshared_bytes(older, newer), 0U);
-    newer.thickness.set(0, 0, 2);
-    newer.thickness.set(200, 200, 2);
-    newer.velocity_x.set(1, 0, 2.0F);
-    EXPECT_EQ(unshared_bytes(older, newer), 2 * kTileBytes);
-}
-
-TEST(History, DropsTheOldestBeyondTheBudget) {
-    film::FilmState film = empty_film();
+TEST(History, StepsKeepTheirNamesBothWays) {
+    NoisyFilm film;
     History history;
-    history.set_budget(3 * kTileBytes);
-    for (int value = 1; value <= 10; ++value)
-        history.remember(moment_of(film, value));
-    // The newest moment is free, three older ones fit.
-    EXPECT_EQ(history.moments(), 4U);
-    EXPECT_EQ(value_of(history.step_back(moment_of(film, 11))), 10);
-    EXPECT_EQ(value_of(history.step_back(moment_of(film, 11))), 9);
-    EXPECT_EQ(value_of(history.step_back(moment_of(film, 11))), 8);
-    EXPECT_EQ(value_of(history.step_back(moment_of(film, 11))), 7);
+    history.remember(film.moment(), {Step::Kind::Stroke, "flat"});
+    film.change(0);
+    history.remember(film.moment(), {Step::Kind::DryNow});
+    film.change(1);
+    film.return_to(history.step_back(film.moment()));
+    ASSERT_EQ(history.future_steps().size(), 1U);
+    EXPECT_EQ(history.future_steps()[0].step.kind, Step::Kind::DryNow);
+    film.return_to(history.step_back(film.moment()));
+    ASSERT_EQ(history.future_steps().size(), 2U);
+    EXPECT_EQ(history.future_steps()[1].step.brush, "flat");
+    film.return_to(history.step_forward(film.moment()));
+    ASSERT_EQ(history.past_steps().size(), 1U);
+    EXPECT_EQ(history.past_steps()[0].step.brush, "flat");
+}
+
+TEST(History, PacksOldStepsAndThenDropsTheOldest) {
+    NoisyFilm film;
+    History history;
+    const std::size_t budget = 16 * kTileBytes;
+    history.set_budget(budget);
+    std::vector<std::uint64_t> hashes;
+    std::size_t most_steps = 0;
+    for (int i = 0; i < 40; ++i) {
+        hashes.push_back(film.hash());
+        change_and_remember(film, history, i % 16);
+        history.finish_packing();
+        const auto steps = history.past_steps();
+        EXPECT_LE(packed_bytes(history), budget);
+        // From the oldest on: packed ones, then those that are not, the last of them free of charge.
+        EXPECT_TRUE(std::is_partitioned(steps.begin(), steps.end(),
+                                        [](const KeptStep& step) { return step.packed; }));
+        EXPECT_GE(steps.size(), std::min<std::size_t>(most_steps, i + 1)) << "dropped without need";
+        most_steps = steps.size();
+    }
+    // A tile of noise hardly packs: there is room for thirteen, and the latest costs nothing.
+    EXPECT_GT(most_steps, 12U);
+    EXPECT_LT(most_steps, 40U);
+    for (std::size_t i = hashes.size(); i > hashes.size() - most_steps; --i) {
+        ASSERT_TRUE(history.can_undo());
+        film.return_to(history.step_back(film.moment()));
+        EXPECT_EQ(film.hash(), hashes[i - 1]);
+    }
     EXPECT_FALSE(history.can_undo());
 }
 
-TEST(History, KeepsAtLeastThirtyStrokesOfACommonCanvas) {
-    // 200 x 150 mm at 4 px/mm, every stroke touching a tenth of the tiles in all fields.
-    film::FilmState film({800, 600}, 0.25);
+TEST(History, KeepsAtMostSoManySteps) {
+    NoisyFilm film;
     History history;
-    for (int stroke = 0; stroke < 40; ++stroke) {
-        for (int tile = 0; tile < film.shape.tile_count() / 10; ++tile) {
-            film.thickness.write(tile)[0] = stroke + 1;
-            film.paint.write(tile)[0][0] = stroke + 1;
-            film.velocity_x.write(tile)[0] = 1.0F;
-            film.velocity_y.write(tile)[0] = 1.0F;
-        }
-        Moment moment;
-        moment.film = film;
-        history.remember(moment);
-    }
-    EXPECT_GE(history.moments(), 30U);
+    for (std::size_t i = 0; i < History::kMostMoments + 5; ++i)
+        history.remember(film.moment(), {});
+    EXPECT_EQ(history.past_steps().size(), History::kMostMoments);
 }
 
 TEST(History, ABudgetOfZeroKeepsNothing) {
-    film::FilmState film = empty_film();
+    NoisyFilm film;
     History history;
-    history.remember(moment_of(film, 1));
+    change_and_remember(film, history);
     history.set_budget(0);
     EXPECT_FALSE(history.can_undo());
-    history.remember(moment_of(film, 2));
+    change_and_remember(film, history);
     EXPECT_FALSE(history.can_undo());
+}
+
+TEST(History, BringsBackTheWell) {
+    History history;
+    history.set_budget(8 * kTileBytes);  // too little for more than one tile without packing
+    Moment moment = NoisyFilm().moment();
+    std::vector<std::optional<std::uint64_t>> wells;
+    const auto note = [](const Moment& then) {
+        return then.well ? std::optional(film::state_hash(then.well->film)) : std::nullopt;
+    };
+    for (int i = 0; i < 6; ++i) {
+        wells.push_back(note(moment));
+        history.remember(moment, {});
+        if (i % 3 == 0) moment.well.emplace(SurfaceMoment{bare_well(), {}});
+        if (i % 3 == 2)
+            moment.well.reset();
+        else
+            moment.well->film.thickness.set(70 * (i % 3), 3, i + 1);
+    }
+    history.finish_packing();
+    for (int i = 5; i >= 0; --i) {
+        moment = history.step_back(moment);
+        EXPECT_EQ(note(moment), wells[i]) << i;
+    }
+    for (int i = 1; i < 6; ++i) {
+        moment = history.step_forward(moment);
+        EXPECT_EQ(note(moment), wells[i]) << i;
+    }
+}
+
+/// Layers that come, go, wake, fall asleep and lie on something else.
+class NoisyLayers {
+  public:
+    NoisyLayers() { add(); }
+
+    void change(std::uint32_t number) {
+        const std::uint32_t choice = core::scramble(number + 3) % 8;
+        const std::size_t other = core::scramble(number + 4) % stack_.layers.size();
+        if (choice == 0 && stack_.layers.size() < 5) return add();
+        if (choice == 1 && other != stack_.active) return remove(other);
+        if (choice == 2) return select(other);
+        if (choice == 3) stack_.layers[other].look.opacity = 0.5;
+        if (choice == 4) film_.support_mm.write(static_cast<int>(other))[9] += 0x1p-20F;
+        film_.change(static_cast<int>(core::scramble(number + 5) % 16));
+    }
+    Moment moment() const {
+        Moment moment = film_.moment();
+        moment.canvas.film.support_mm = film_.support_mm;
+        moment.layers = stack_;
+        return moment;
+    }
+    void return_to(const Moment& moment) {
+        film_.return_to(moment);
+        film_.support_mm = moment.canvas.film.support_mm;
+        stack_ = moment.layers;
+    }
+    std::uint64_t hash() const {
+        const Moment now = moment();
+        return state_hash(now.canvas.film, now.layers);
+    }
+
+  private:
+    /// The active one falls asleep, with a support of its own; another one wakes on the canvas.
+    void select(std::size_t place) {
+        film::FilmState asleep = film_.moment().canvas.film;
+        asleep.support_mm.write(3)[5] = 0x1p-20F * static_cast<float>(place + 1);
+        stack_.layers[stack_.active].asleep = std::make_shared<const film::FilmState>(asleep);
+        stack_.active = place;
+        Moment awake;
+        awake.canvas.film = *stack_.layers[place].asleep;
+        film_.return_to(awake);
+        stack_.layers[place].asleep.reset();
+    }
+    void add() {
+        stack_.layers.push_back({.id = stack_.next_layer++});
+        stack_.layers.back().asleep =
+            std::make_shared<const film::FilmState>(film_.moment().canvas.film);
+        select(stack_.layers.size() - 1);
+    }
+    void remove(std::size_t place) {
+        stack_.layers.erase(stack_.layers.begin() + static_cast<std::ptrdiff_t>(place));
+        if (stack_.active > place) --stack_.active;
+    }
+
+    struct : NoisyFilm {
+        film::SupportHeights support_mm{{256, 256}};
+    } film_;
+    LayerStack stack_ = single_layer();
+};
+
+void change_and_remember(NoisyLayers& layers, History& history, std::uint32_t number) {
+    history.remember(layers.moment(), {});
+    layers.change(number);
+}
+
+TEST(History, ALayerThatIsAsleepCostsNothing) {
+    NoisyFilm film;
+    History history;
+    Moment moment = film.moment();
+    moment.layers.layers.push_back({.id = 2});
+    moment.layers.layers[1].asleep = std::make_shared<const film::FilmState>(moment.canvas.film);
+    for (int i = 0; i < 3; ++i) {
+        history.remember(moment, {});
+        film.change(i);
+        moment.canvas.film = film.moment().canvas.film;
+    }
+    for (const KeptStep& step : history.past_steps())
+        EXPECT_LT(step.bytes, 2 * kTileBytes);
+    const Moment first = history.step_back(history.step_back(moment));
+    EXPECT_EQ(first.layers.layers[1].asleep, moment.layers.layers[1].asleep);
+}
+
+/// A random walk over changes, undo and redo, with all that was ever seen kept beside it.
+template <class Noisy>
+struct Walk {
+    explicit Walk(std::size_t budget_bytes) { history.set_budget(budget_bytes); }
+
+    void step(std::uint32_t number) {
+        const std::uint32_t choice = core::scramble(number) % 8;
+        if (choice < 2 && history.can_undo()) {
+            redo.push_back(film.hash());
+            film.return_to(history.step_back(film.moment()));
+            ASSERT_EQ(film.hash(), undo.back());
+            undo.pop_back();
+        } else if (choice == 2 && history.can_redo()) {
+            undo.push_back(film.hash());
+            film.return_to(history.step_forward(film.moment()));
+            ASSERT_EQ(film.hash(), redo.back());
+            redo.pop_back();
+        } else {
+            undo.push_back(film.hash());
+            redo.clear();
+            change_and_remember(film, history, core::scramble(number + 7) % 16);
+        }
+    }
+
+    Noisy film;
+    History history;
+    std::vector<std::uint64_t> undo, redo;
+};
+
+template <class Noisy>
+class RandomWalk : public testing::Test {};
+using BothKinds = testing::Types<NoisyFilm, NoisyLayers>;
+TYPED_TEST_SUITE(RandomWalk, BothKinds);
+
+TYPED_TEST(RandomWalk, MeetsTheSameStates) {
+    for (const std::size_t budget : {4 * kTileBytes, 30 * kTileBytes, History::kDefaultBudget_bytes}) {
+        Walk<TypeParam> walk(budget);
+        for (std::uint32_t i = 0; i < 150; ++i)
+            walk.step(i);
+    }
+}
+
+TYPED_TEST(RandomWalk, CanUndoTheSameWheneverStepsArePacked) {
+    Walk<TypeParam> hurried(10 * kTileBytes), patient(10 * kTileBytes);
+    for (std::uint32_t i = 0; i < 150; ++i) {
+        hurried.step(i);
+        patient.step(i);
+        patient.history.finish_packing();
+        ASSERT_EQ(hurried.history.can_undo(), patient.history.can_undo());
+        ASSERT_EQ(hurried.film.hash(), patient.film.hash());
+    }
+    hurried.history.finish_packing();
+    EXPECT_EQ(hurried.history.past_steps().size(), patient.history.past_steps().size());
 }
 
 }  // namespace

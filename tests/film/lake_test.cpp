@@ -70,7 +70,8 @@ TEST_P(LakeOverCloth, DoesNotMove) {
         scene.yield = yields ? 1e3 : 0.0;
         scene.alpha_min = yields ? 0.5 : 1.0;
         Bench bench(scene);
-        bench.state.support_mm = named_support(cloth, bench.state.shape, kCell_mm);
+        core::ThreadPool pool(1);
+        bench.state.support_mm = named_support(cloth, bench.state.shape, kCell_mm, 0.0, pool);
         ASSERT_GT(highest(bench), 0.01);
         flood(highest(bench) + 0.2, bench);
         expect_still(scheme, bench, 0.5);

@@ -12,7 +12,6 @@ namespace {
 
 using namespace pastoso::film;  // NOLINT(google-build-using-namespace)
 using pastoso::grid::Shape;
-using pastoso::grid::TiledField;
 
 struct NamedSupport {
     const char* name;
@@ -20,12 +19,14 @@ struct NamedSupport {
     double least_roughness_mm;  ///< standard deviation that the cells must show at 0.1 mm
 };
 
+pastoso::core::ThreadPool pool(2);  // NOLINT(cert-err58-cpp)
+
 class EverySupport : public testing::TestWithParam<NamedSupport> {};
 
 struct Statistics {
     double least = 1e9, most = -1e9, mean = 0.0, deviation = 0.0;
 };
-Statistics statistics(const TiledField<float>& field) {
+Statistics statistics(const SupportHeights& field) {
     Statistics result;
     double sum_of_squares = 0.0;
     for (int y = 0; y < field.shape().height; ++y) {
@@ -44,7 +45,7 @@ Statistics statistics(const TiledField<float>& field) {
 }
 
 /// Mean over a block of cells.
-double block_mean(const TiledField<float>& field, int x0, int y0, int size) {
+double block_mean(const SupportHeights& field, int x0, int y0, int size) {
     double sum = 0.0;
     for (int y = y0; y < y0 + size; ++y) {
         for (int x = x0; x < x0 + size; ++x)
@@ -54,7 +55,7 @@ double block_mean(const TiledField<float>& field, int x0, int y0, int size) {
 }
 
 TEST_P(EverySupport, StaysWithinItsReliefAndUsesMostOfIt) {
-    const TiledField<float> field = named_support(GetParam().name, {300, 200}, 0.1);
+    const SupportHeights field = named_support(GetParam().name, {300, 200}, 0.1, 0.0, pool);
     const Statistics heights = statistics(field);
     EXPECT_GE(heights.least, 0.0);
     EXPECT_LE(heights.most, GetParam().relief_mm);
@@ -63,7 +64,7 @@ TEST_P(EverySupport, StaysWithinItsReliefAndUsesMostOfIt) {
 }
 
 TEST_P(EverySupport, HeightsAreWholeQuanta) {
-    const TiledField<float> field = named_support(GetParam().name, {90, 80}, 0.25);
+    const SupportHeights field = named_support(GetParam().name, {90, 80}, 0.25, 0.0, pool);
     for (int y = 0; y < 80; ++y) {
         for (int x = 0; x < 90; ++x) {
             const double quanta = field.at(x, y) / kSupportQuantum_mm;
@@ -74,8 +75,9 @@ TEST_P(EverySupport, HeightsAreWholeQuanta) {
 
 TEST_P(EverySupport, CoarseCellsAreTheMeansOfFineOnes) {
     constexpr int kRatio = 5;
-    const TiledField<float> fine = named_support(GetParam().name, {40 * kRatio, 30 * kRatio}, 0.05);
-    const TiledField<float> coarse = named_support(GetParam().name, {40, 30}, 0.05 * kRatio);
+    const SupportHeights fine =
+        named_support(GetParam().name, {40 * kRatio, 30 * kRatio}, 0.05, 0.0, pool);
+    const SupportHeights coarse = named_support(GetParam().name, {40, 30}, 0.05 * kRatio, 0.0, pool);
     double largest = 0.0;
     double sum_of_squares = 0.0;
     for (int y = 0; y < 30; ++y) {
@@ -92,8 +94,8 @@ TEST_P(EverySupport, CoarseCellsAreTheMeansOfFineOnes) {
 }
 
 TEST_P(EverySupport, ALargerCanvasHoldsTheSameCloth) {
-    const TiledField<float> small = named_support(GetParam().name, {60, 50}, 0.25);
-    const TiledField<float> large = named_support(GetParam().name, {130, 90}, 0.25);
+    const SupportHeights small = named_support(GetParam().name, {60, 50}, 0.25, 0.0, pool);
+    const SupportHeights large = named_support(GetParam().name, {130, 90}, 0.25, 0.0, pool);
     for (int y = 0; y < 50; ++y) {
         for (int x = 0; x < 60; ++x)
             ASSERT_EQ(small.at(x, y), large.at(x, y)) << x << ", " << y;
@@ -101,12 +103,40 @@ TEST_P(EverySupport, ALargerCanvasHoldsTheSameCloth) {
 }
 
 TEST_P(EverySupport, TheReliefCanBeChosen) {
-    const Statistics own = statistics(named_support(GetParam().name, {120, 120}, 0.1));
+    const Statistics own = statistics(named_support(GetParam().name, {120, 120}, 0.1, 0.0, pool));
     const Statistics doubled =
-        statistics(named_support(GetParam().name, {120, 120}, 0.1, 2.0 * GetParam().relief_mm));
-    // Both are rounded down to quanta.
-    EXPECT_NEAR(doubled.mean, 2.0 * own.mean, 3.0 * kSupportQuantum_mm);
-    EXPECT_NEAR(doubled.most, 2.0 * own.most, 3.0 * kSupportQuantum_mm);
+        statistics(named_support(GetParam().name, {120, 120}, 0.1, 2.0 * GetParam().relief_mm, pool));
+    // Both are rounded down to levels.
+    const double level_mm = finest_level_mm(2.0 * GetParam().relief_mm);
+    EXPECT_NEAR(doubled.mean, 2.0 * own.mean, 2.0 * level_mm);
+    EXPECT_NEAR(doubled.most, 2.0 * own.most, 2.0 * level_mm);
+}
+
+TEST_P(EverySupport, IsTheSameOnAnyNumberOfThreads) {
+    pastoso::core::ThreadPool alone(1);
+    // Five bands of rows, the last of them cut off.
+    const SupportHeights field = named_support(GetParam().name, {70, 1100}, 0.1, 0.0, pool);
+    const SupportHeights other = named_support(GetParam().name, {70, 1100}, 0.1, 0.0, alone);
+    for (int y = 0; y < 1100; ++y)
+        for (int x = 0; x < 70; ++x)
+            ASSERT_EQ(field.at(x, y), other.at(x, y)) << x << ", " << y;
+}
+
+TEST_P(EverySupport, TakesTwoBytesACell) {
+    const SupportHeights field = named_support(GetParam().name, {128, 128}, 0.1, 0.0, pool);
+    EXPECT_EQ(field.allocated_bytes(), 2U * 128U * 128U);
+}
+
+TEST_P(EverySupport, IsTheSameInTheFineFormUpToALevel) {
+    const SupportHeights levels = named_support(GetParam().name, {70, 90}, 0.1, 0.0, pool);
+    const SupportHeights fine =
+        named_support(GetParam().name, {70, 90}, 0.1, 0.0, pool, SupportForm::Fine);
+    EXPECT_FALSE(fine.block(0).in_levels());
+    const double level_mm = finest_level_mm(GetParam().relief_mm);
+    for (int y = 0; y < 90; ++y)
+        for (int x = 0; x < 70; ++x)
+            ASSERT_EQ(std::floor(fine.at(x, y) / level_mm) * level_mm, levels.at(x, y))
+                << x << ", " << y;
 }
 
 INSTANTIATE_TEST_SUITE_P(Supports, EverySupport,
@@ -121,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Supports, EverySupport,
 
 TEST(WovenSupport, ARegularWeaveRepeatsAfterTwoThreads) {
     const Weave weave{.thread_pitch_mm = 0.8, .relief_mm = 0.1, .irregularity = 0.0};
-    const TiledField<float> field = woven_support({96, 96}, 0.1, weave);  // 8 cells a thread
+    const SupportHeights field = woven_support({96, 96}, 0.1, weave, pool);  // 8 cells a thread
     for (int y = 0; y < 64; ++y) {
         for (int x = 0; x < 64; ++x) {
             // The places are sums of floats, rounded to 1e-6 of a thread, which moves heights by quanta.
@@ -135,7 +165,7 @@ TEST(WovenSupport, ARegularWeaveRepeatsAfterTwoThreads) {
 
 TEST(WovenSupport, ThreadsPassOverAndUnderInTurn) {
     const Weave weave{.thread_pitch_mm = 1.6, .relief_mm = 0.1, .irregularity = 0.0};
-    const TiledField<float> field = woven_support({64, 64}, 0.1, weave);  // crossings at 8 + 16 k
+    const SupportHeights field = woven_support({64, 64}, 0.1, weave, pool);  // crossings at 8 + 16 k
     // On the centre line of a warp thread, half way to the edge of a crossing: a warp thread on top is
     // level along y and round along x; below, the other way round.
     const auto falls_along_x = [&](int x, int y) {
@@ -148,7 +178,7 @@ TEST(WovenSupport, ThreadsPassOverAndUnderInTurn) {
 
 TEST(WovenSupport, IrregularThreadsDoNotRepeat) {
     const Weave weave{.thread_pitch_mm = 0.8, .relief_mm = 0.1};
-    const TiledField<float> field = woven_support({96, 96}, 0.1, weave);
+    const SupportHeights field = woven_support({96, 96}, 0.1, weave, pool);
     double sum_of_squares = 0.0;
     for (int y = 0; y < 64; ++y) {
         for (int x = 0; x < 64; ++x) {
@@ -160,11 +190,11 @@ TEST(WovenSupport, IrregularThreadsDoNotRepeat) {
 }
 
 TEST(ImageSupport, BlackIsZeroAndWhiteIsTheRelief) {
-    const TiledField<float> black = image_support({20, 10}, std::vector<float>(6, 0.0F), 3, 2, 0.5);
-    const TiledField<float> white = image_support({20, 10}, std::vector<float>(6, 1.0F), 3, 2, 0.5);
+    const SupportHeights black = image_support({20, 10}, std::vector<float>(6, 0.0F), 3, 2, 0.5, pool);
+    const SupportHeights white = image_support({20, 10}, std::vector<float>(6, 1.0F), 3, 2, 0.5, pool);
     EXPECT_EQ(statistics(black).most, 0.0);
     // The spline's weights add to 1 within a float's rounding.
-    EXPECT_NEAR(statistics(white).least, 0.5, 2 * kSupportQuantum_mm);
+    EXPECT_NEAR(statistics(white).least, 0.5, 2 * finest_level_mm(0.5));
     EXPECT_LE(statistics(white).most, 0.5);
 }
 
@@ -172,11 +202,11 @@ TEST(ImageSupport, ARampStaysARamp) {
     std::vector<float> grey(16 * 4);
     for (int i = 0; i < 64; ++i)
         grey[i] = static_cast<float>(i % 16) / 15.0F;
-    const TiledField<float> field = image_support({64, 16}, grey, 16, 4, 1.5);
+    const SupportHeights field = image_support({64, 16}, grey, 16, 4, 1.5, pool);
     // Away from the ends: a pixel's grey is the ramp's height at its centre, 4 cells a pixel, 0.1 a
     // pixel.
     for (int x = 16; x < 48; ++x)
-        EXPECT_NEAR(field.at(x, 8), 0.1 * ((x + 0.5) / 4.0 - 0.5), 1e-5) << x;
+        EXPECT_NEAR(field.at(x, 8), 0.1 * ((x + 0.5) / 4.0 - 0.5), finest_level_mm(1.5)) << x;
 }
 
 TEST(ImageSupport, SmallerCanvasesHoldThePixelsMeans) {
@@ -184,7 +214,7 @@ TEST(ImageSupport, SmallerCanvasesHoldThePixelsMeans) {
     std::vector<float> grey(400 * 400);
     for (int i = 0; i < 400 * 400; ++i)
         grey[i] = static_cast<float>((i % 400 + i / 400) % 2);
-    const TiledField<float> field = image_support({40, 40}, grey, 400, 400, 1.0);
+    const SupportHeights field = image_support({40, 40}, grey, 400, 400, 1.0, pool);
     for (int i = 2; i < 38; ++i)
         EXPECT_NEAR(field.at(i, 20), 0.5, 1e-3);
 }
@@ -193,19 +223,19 @@ TEST(ImageSupport, IsMirroredWithItsImage) {
     const std::vector<float> grey = {0.0F, 0.2F, 0.9F, 0.4F, 0.1F, 0.7F};
     std::vector<float> mirrored = grey;
     std::reverse(mirrored.begin(), mirrored.end());
-    const TiledField<float> field = image_support({30, 20}, grey, 3, 2, 1.0);
-    const TiledField<float> other = image_support({30, 20}, mirrored, 3, 2, 1.0);
+    const SupportHeights field = image_support({30, 20}, grey, 3, 2, 1.0, pool);
+    const SupportHeights other = image_support({30, 20}, mirrored, 3, 2, 1.0, pool);
     for (int y = 0; y < 20; ++y) {
         for (int x = 0; x < 30; ++x)
-            EXPECT_NEAR(field.at(x, y), other.at(29 - x, 19 - y), 2e-6);
+            EXPECT_NEAR(field.at(x, y), other.at(29 - x, 19 - y), finest_level_mm(1.0));
     }
 }
 
 TEST(NamedSupport, IgnoresCaseAndListsTheNames) {
-    EXPECT_EQ(named_support("Cotton Duck", {8, 8}, 0.25).at(3, 3),
-              named_support("cotton duck", {8, 8}, 0.25).at(3, 3));
+    EXPECT_EQ(named_support("Cotton Duck", {8, 8}, 0.25, 0.0, pool).at(3, 3),
+              named_support("cotton duck", {8, 8}, 0.25, 0.0, pool).at(3, 3));
     try {
-        named_support("velvet", {8, 8}, 0.25);
+        named_support("velvet", {8, 8}, 0.25, 0.0, pool);
         FAIL() << "no error";
     } catch (const pastoso::core::InputError& error) {
         EXPECT_STREQ(error.what(),

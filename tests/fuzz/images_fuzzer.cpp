@@ -41,8 +41,9 @@ std::filesystem::path written(const char* ending, const std::uint8_t* data, std:
 void try_heights(const std::filesystem::path& path) {
     try {
         const GreyImage image = read_grey_image(path);
-        const grid::TiledField<float> heights =
-            film::image_support({20, 10}, image.values, image.width, image.height, 1.0);
+        core::ThreadPool pool(1);
+        const film::SupportHeights heights =
+            film::image_support({20, 10}, image.values, image.width, image.height, 1.0, pool);
         PASTOSO_CHECK_OP(heights.at(19, 9), >=, 0.0F);
         PASTOSO_CHECK_OP(heights.at(19, 9), <=, 1.0F);
     } catch (const core::InputError& error) {

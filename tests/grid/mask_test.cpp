@@ -104,6 +104,7 @@ TEST(Masks, LargeOnesCostOneTile) {
     const Mask most = polygon_mask({640, 640}, {{0, 0}, {640, 0}, {640, 640}, {320, 640}, {0, 320}});
     EXPECT_TRUE(chooses_all(most, 0));
     EXPECT_TRUE(chooses_none(most, 90));
+    EXPECT_EQ(bytes_in_part(most), 5U * kTileCells);  // along the slanting edge
     for (int tile = 1; tile < 10; ++tile)
         EXPECT_EQ(most.block(tile), most.block(0)) << tile;
     EXPECT_EQ(chosen_area(most), (Rect{0, 0, 640, 640}));

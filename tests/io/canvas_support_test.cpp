@@ -32,7 +32,8 @@ TEST_F(CanvasSupportTest, AnImageBecomesARelief) {
     for (int i = 0; i < 64 * 8; ++i)
         image.rgb.insert(image.rgb.end(), 3, i % 64 < 32 ? 0 : 255);
     write_image(folder / "steps.png", image);
-    const auto support = make_support(canvas_with_image((folder / "steps.png").string()));
+    core::ThreadPool pool(1);
+    const auto support = make_support(canvas_with_image((folder / "steps.png").string()), pool);
     EXPECT_EQ(support.shape(), (grid::Shape{40, 20}));
     // Far from the step the smooth interpolation gives black and white themselves, up to its overshoot.
     EXPECT_NEAR(support.at(4, 10), 0.0F, 1e-3F);
@@ -56,12 +57,13 @@ TEST_F(CanvasSupportTest, NamedSupportsAreThoseOfTheFilm) {
 }
 
 TEST_F(CanvasSupportTest, RefusesImagesThatAreNone) {
-    EXPECT_EQ(error_of([&] { make_support(canvas_with_image("")); }),
+    core::ThreadPool pool(1);
+    EXPECT_EQ(error_of([&] { make_support(canvas_with_image(""), pool); }),
               "The support \"image\" needs a height image; none is named.");
-    EXPECT_THAT(error_of([&] { make_support(canvas_with_image("/nonexistent.png")); }),
+    EXPECT_THAT(error_of([&] { make_support(canvas_with_image("/nonexistent.png"), pool); }),
                 HasSubstr("/nonexistent.png: cannot be opened"));
     core::write_text_file(folder / "text.png", "no picture");
-    EXPECT_THAT(error_of([&] { make_support(canvas_with_image((folder / "text.png").string())); }),
+    EXPECT_THAT(error_of([&] { make_support(canvas_with_image((folder / "text.png").string()), pool); }),
                 HasSubstr("text.png: is not an image that can be read"));
 }
 

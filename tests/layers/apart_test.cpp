@@ -9,7 +9,8 @@ namespace pastoso::layers {
 namespace {
 
 Heights linen() {
-    return film::named_support("linen", test::kShape, test::kCell_mm);
+    core::ThreadPool pool(1);
+    return film::named_support("linen", test::kShape, test::kCell_mm, 0.0, pool);
 }
 
 TEST(Apart, LaidOnAndLiftedOffIsTheSameToTheBit) {

@@ -14,7 +14,8 @@ using film::FilmState;
 
 FilmState linen() {
     FilmState bare = test::bare_layer();
-    bare.support_mm = film::named_support("linen", test::kShape, test::kCell_mm);
+    core::ThreadPool pool(1);
+    bare.support_mm = film::named_support("linen", test::kShape, test::kCell_mm, 0.0, pool);
     return bare;
 }
 

@@ -1,7 +1,7 @@
 // Zip archives taken apart and put together again, for files that the program itself would not write.
 #pragma once
 
-#include "project/packed_bytes.hpp"
+#include "project/zip_file.hpp"
 
 #include <functional>
 #include <span>

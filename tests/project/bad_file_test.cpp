@@ -54,7 +54,8 @@ TEST_F(BadProject, TheGoodFileIsGood) {
 
 TEST_F(BadProject, WhatIsNoProjectIsToldSo) {
     EXPECT_EQ(error_of({}), "it.pastoso: is no painting of Pastoso.");
-    EXPECT_THAT(error_of(bytes_of(std::string(5000, 'x'))), HasSubstr("is no painting of Pastoso"));
+    EXPECT_THAT(error_of(packing::bytes_of(std::string(5000, 'x'))),
+                HasSubstr("is no painting of Pastoso"));
     EXPECT_EQ(error_of(archive_of({{"a.txt", "hello"}})), "it.pastoso: is no painting of Pastoso.");
     EXPECT_EQ(error_of(archive_of({{"mimetype", "application/x-krita"}})),
               "it.pastoso: is no painting of Pastoso.");
@@ -95,6 +96,8 @@ TEST_F(BadProject, AnIndexThatSaysTooMuchOrTooLittleIsRefused) {
                 HasSubstr("tile_entries[1].kind: there is no such kind of tiles as \"magic\"."));
     EXPECT_THAT(error_of_index("\"layers\":[", "\"layers\":[{},"),
                 HasSubstr("layers[0]: the entry \"name\" is missing."));
+    EXPECT_THAT(error_of_index("\"support_form\":\"levels\"", "\"support_form\":\"loose\""),
+                HasSubstr("support_form: expected \"levels\" or \"fine\"."));
     EXPECT_THAT(error_of_entry("pastoso/index.json", "{\"format\""), HasSubstr("not valid JSON"));
     EXPECT_THAT(error_of_entry("pastoso/index.json", std::string(2'000'000, '[')),
                 HasSubstr("nested more than 64 deep"));
@@ -171,7 +174,7 @@ TEST_F(BadProject, DamageInAnEntryIsFound) {
     }
     // A frame that is whole, of other content.
     const std::string other(16384, 'x');
-    const Bytes frame = packed(bytes_of(other));
+    const Bytes frame = packing::packed(packing::bytes_of(other));
     EXPECT_THAT(error_of_entry("pastoso/layer0/thickness-000.zst",
                                {reinterpret_cast<const char*>(frame.data()), frame.size()}),
                 HasSubstr("thickness-000.zst: is damaged"));

@@ -121,7 +121,7 @@ TEST_F(LayeredProject, AnImageAsSupportNeedNotBeThere) {
     settings.support_image = "gone.png";
     const grid::Shape shape = painting->film().shape;
     settings.width_mm = 60.0;
-    grid::TiledField<float> hills(shape);
+    film::SupportHeights hills(shape);
     for (int y = 0; y < shape.height; ++y)
         for (int x = 0; x < shape.width; ++x)
             hills.set(x, y, 0.125F * static_cast<float>(x % 5));

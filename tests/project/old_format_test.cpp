@@ -1,5 +1,7 @@
 // Files that earlier versions of the program wrote.
+#include "document/layered_canvas.hpp"
 #include "document/player.hpp"
+#include "io/temporary_folder.hpp"
 #include "project/project.hpp"
 #include "shade/render.hpp"
 
@@ -8,7 +10,7 @@
 namespace pastoso::project {
 namespace {
 
-class OldFormat : public testing::Test {
+class OldFormat : public io::TemporaryFolder {
   protected:
     shade::Image8 picture(const film::FilmState& film) {
         return shade::encode_srgb8(
@@ -37,6 +39,45 @@ TEST_F(OldFormat, OneShowsThePaintingThatWasSaved) {
     // A half of 255 steps: the solver may have changed since, red under blue may not have become
     // another.
     EXPECT_LT(difference(picture(film), picture(again.film())), 0.5);
+}
+
+class OldFormatTwo : public OldFormat {
+  protected:
+    LoadedProject loaded() {
+        return load_project(PASTOSO_SOURCE_DIR "/tests/project/format-2.pastoso", pool);
+    }
+};
+
+TEST_F(OldFormatTwo, LiesOnTheClothThatItWasPaintedOn) {
+    const LoadedProject old = loaded();
+    EXPECT_THAT(old.notes, testing::IsEmpty());
+    const document::PaintingState& painting = old.painting;
+    const document::LayerFilms films =
+        document::layers_apart(painting.canvas.film, painting.bare_support_mm, painting.layers);
+    ASSERT_EQ(films.size(), 2U);
+    EXPECT_FALSE(films[0]->support_mm.is_background(0)) << "the dry red";
+    EXPECT_TRUE(films[1]->support_mm.is_background(0)) << "wet paint alone has no relief";
+}
+
+TEST_F(OldFormatTwo, WetPaintRunsTogetherWhenItIsMerged) {
+    document::Painting painting(loaded().painting, pool);
+    const document::Account before = painting.account();
+    painting.apply(document::MergeDown{2});
+    EXPECT_EQ(painting.account().dried.volume_mm3, before.dried.volume_mm3);
+    EXPECT_EQ(painting.account().canvas.volume_mm3, before.canvas.volume_mm3);
+    EXPECT_GT(before.dried.volume_mm3, 0.0);
+}
+
+TEST_F(OldFormatTwo, IsTheSameWhenItIsSavedAnewAndOpened) {
+    const LoadedProject old = loaded();
+    save_project(folder / "new.pastoso", {old.painting, old.strokes}, pool);
+    const LoadedProject again = load_project(folder / "new.pastoso", pool);
+    EXPECT_THAT(again.notes, testing::IsEmpty());
+    EXPECT_EQ(document::state_hash(again.painting), document::state_hash(old.painting));
+    for (int tile = 0; tile < old.painting.bare_support_mm.tile_count(); ++tile)
+        for (int cell = 0; cell < grid::kTileCells; ++cell)
+            ASSERT_EQ(again.painting.bare_support_mm.read(tile)[cell],
+                      old.painting.bare_support_mm.read(tile)[cell]);
 }
 
 }  // namespace

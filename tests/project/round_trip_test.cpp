@@ -178,7 +178,8 @@ TEST_F(ProjectRoundTrip, ACanvasThatAnotherVersionWeavesOtherwiseIsLoadedWithANo
     auto& painting = project.painting;
     const grid::Shape& shape = painting.canvas.film.shape;
     // As if this version made another linen: what lies below paint comes from the file.
-    painting.bare_support_mm = film::named_support("panel", shape, painting.canvas.film.cell_mm);
+    painting.bare_support_mm =
+        film::named_support("panel", shape, painting.canvas.film.cell_mm, 0.0, pool);
     const auto own = painting.canvas.film.support_mm;
     for (int tile = 0; tile < shape.tile_count(); ++tile)
         if (painting.canvas.film.thickness.is_background(tile) &&
@@ -188,8 +189,9 @@ TEST_F(ProjectRoundTrip, ACanvasThatAnotherVersionWeavesOtherwiseIsLoadedWithANo
     const LoadedProject loaded = saved_and_loaded(project);
     for (int tile = 0; tile < shape.tile_count(); ++tile) {
         if (painting.canvas.film.thickness.is_background(tile)) continue;
-        EXPECT_TRUE(std::equal(own.read(tile), own.read(tile) + grid::kTileCells,
-                               loaded.painting.canvas.film.support_mm.read(tile)));
+        const film::TileHeights loaded_tile = loaded.painting.canvas.film.support_mm.read(tile);
+        for (int cell = 0; cell < grid::kTileCells; ++cell)
+            ASSERT_EQ(own.read(tile)[cell], loaded_tile[cell]) << "tile " << tile << ", cell " << cell;
     }
     ASSERT_EQ(loaded.notes.size(), 1U);
     EXPECT_THAT(loaded.notes.front(), HasSubstr("another form of linen"));
@@ -237,7 +239,7 @@ TEST_F(ProjectRoundTrip, AnEmptyCanvasOf8192CellsASideIsASmallFile) {
     settings.support = "panel";
     const grid::Shape shape = document::canvas_shape(settings);
     ASSERT_EQ(shape.width, 8192);
-    const document::Painting painting(settings, grid::TiledField<float>(shape), pool);
+    const document::Painting painting(settings, film::SupportHeights(shape), pool);
     save_project(folder / "a.pastoso", {painting.state(), {settings, {}, 0}}, pool);
     EXPECT_LT(std::filesystem::file_size(folder / "a.pastoso"), 1'000'000U);
     EXPECT_THAT(project_summary(folder / "a.pastoso").sizes, ElementsAre(testing::_));

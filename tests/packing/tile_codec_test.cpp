@@ -1,4 +1,4 @@
-#include "project/tile_codec.hpp"
+#include "packing/tile_codec.hpp"
 
 #include "core/random.hpp"
 
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace pastoso::project {
+namespace pastoso::packing {
 namespace {
 
 using grid::kTileCells;
@@ -99,4 +99,4 @@ TEST(TileCodec, PaintOfOneKindIsNearlyNothingButItsThickness) {
 }
 
 }  // namespace
-}  // namespace pastoso::project
+}  // namespace pastoso::packing

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pastoso::project {
+namespace pastoso::packing {
 
 /// Bytes of a tile of `channels` 32-bit words a cell, in either form.
 inline constexpr std::size_t tile_bytes(int channels) {
@@ -34,4 +34,4 @@ struct TileCodec {
 /// The codec of an instruction set, which the processor must have; all give the same bytes.
 const TileCodec& tile_codec(core::Isa isa = core::best_isa());
 
-}  // namespace pastoso::project
+}  // namespace pastoso::packing

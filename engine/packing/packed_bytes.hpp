@@ -1,4 +1,4 @@
-// Bytes as they lie in a project file: compressed by Zstandard, with a checksum of what they were.
+// Bytes compressed by Zstandard, with a checksum of what they were.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace pastoso::project {
+namespace pastoso::packing {
 
 using Bytes = std::vector<std::byte>;
 
@@ -41,4 +41,4 @@ std::size_t most_packed_bytes(std::size_t size);
 
 std::span<const std::byte> bytes_of(const std::string& text);
 
-}  // namespace pastoso::project
+}  // namespace pastoso::packing

@@ -1,4 +1,4 @@
-#include "project/tile_codec.hpp"
+#include "packing/tile_codec.hpp"
 
 #define PASTOSO_DECLARE_TILE_CODEC(isa)                                                    \
     namespace isa {                                                                        \
@@ -9,7 +9,7 @@
     inline constexpr TileCodec kCodec = {encode_tile, decode_tile};                        \
     }
 
-namespace pastoso::project {
+namespace pastoso::packing {
 
 PASTOSO_DECLARE_TILE_CODEC(baseline)
 #ifdef PASTOSO_MULTIPLE_ISAS
@@ -25,4 +25,4 @@ const TileCodec& tile_codec([[maybe_unused]] core::Isa isa) {
     return baseline::kCodec;
 }
 
-}  // namespace pastoso::project
+}  // namespace pastoso::packing

@@ -1,4 +1,4 @@
-#include "project/packed_bytes.hpp"
+#include "packing/packed_bytes.hpp"
 
 #include "core/error.hpp"
 
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace pastoso::project {
+namespace pastoso::packing {
 namespace {
 
 TEST(PackedBytes, ComeBack) {
@@ -42,4 +42,4 @@ TEST(PackedBytes, DamagedFramesAreRefused) {
 }
 
 }  // namespace
-}  // namespace pastoso::project
+}  // namespace pastoso::packing

@@ -1,13 +1,13 @@
 // Compiled once per instruction set; see pastoso_add_kernels.
 #include "core/check.hpp"
-#include "project/tile_codec.hpp"
+#include "packing/tile_codec.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 
-namespace pastoso::project::PASTOSO_ISA {
+namespace pastoso::packing::PASTOSO_ISA {
 namespace {
 
 using grid::kTileCells;
@@ -215,4 +215,4 @@ void decode_tile(const std::byte* in, int channels, const std::int32_t* amount, 
     }
 }
 
-}  // namespace pastoso::project::PASTOSO_ISA
+}  // namespace pastoso::packing::PASTOSO_ISA

@@ -1,11 +1,11 @@
-#include "project/packed_bytes.hpp"
+#include "packing/packed_bytes.hpp"
 
 #include "core/check.hpp"
 #include "core/error.hpp"
 
 #include <zstd.h>
 
-namespace pastoso::project {
+namespace pastoso::packing {
 namespace {
 
 /// The fastest that still finds the long runs of zeros in tiles; higher ones gain little on the rest,
@@ -58,4 +58,4 @@ std::span<const std::byte> bytes_of(const std::string& text) {
     return std::as_bytes(std::span(text));
 }
 
-}  // namespace pastoso::project
+}  // namespace pastoso::packing

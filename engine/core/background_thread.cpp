@@ -1,0 +1,54 @@
+#include "core/background_thread.hpp"
+
+#include <sys/resource.h>
+#include <unistd.h>
+#include <utility>
+
+namespace pastoso::core {
+namespace {
+
+/// A quarter of a processor beside a thread that wants all of it.
+constexpr int kNice = 6;
+
+}  // namespace
+
+void lower_priority(int nice) {
+    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), nice);
+}
+
+BackgroundThread::~BackgroundThread() {
+    if (!thread_.joinable()) return;
+    {
+        const std::lock_guard lock(mutex_);
+        jobs_.clear();
+        stopping_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void BackgroundThread::add(std::function<void()> job) {
+    {
+        const std::lock_guard lock(mutex_);
+        jobs_.push_back(std::move(job));
+    }
+    changed_.notify_all();
+    if (!thread_.joinable()) thread_ = std::thread([this] { work(); });
+}
+
+void BackgroundThread::work() {
+    lower_priority(kNice);
+    std::unique_lock lock(mutex_);
+    while (true) {
+        changed_.wait(lock, [this] { return stopping_ || !jobs_.empty(); });
+        if (stopping_) return;
+        std::function<void()> job = std::move(jobs_.front());
+        jobs_.pop_front();
+        lock.unlock();
+        job();
+        job = nullptr;
+        lock.lock();
+    }
+}
+
+}  // namespace pastoso::core

@@ -1,0 +1,205 @@
+#include "document/moment.hpp"
+
+#include "document/well.hpp"
+
+#include <mutex>
+#include <utility>
+
+namespace pastoso::document {
+namespace {
+
+/// Of all layers and of the well.
+template <class Tiles>
+struct AllFilms {
+    std::vector<std::optional<Tiles>> layers;  ///< none: the film is the newer moment's, shared
+    std::optional<Tiles> well;                 ///< none: it was bare
+
+    std::size_t bytes() const {
+        std::size_t sum = well ? well->bytes() : 0;
+        for (const auto& layer : layers)
+            sum += layer ? layer->bytes() : 0;
+        return sum;
+    }
+};
+
+const Layer* layer_of(const Moment& moment, LayerId id) {
+    for (const Layer& layer : moment.layers.layers)
+        if (layer.id == id) return &layer;
+    return nullptr;
+}
+
+bool is_active(const Moment& moment, std::size_t place) {
+    return place == moment.layers.active;
+}
+
+/// Whether both have the very same film asleep.
+bool is_shared(const Moment& older, std::size_t place, const Moment& newer) {
+    const Layer& layer = older.layers.layers[place];
+    const Layer* then = layer_of(newer, layer.id);
+    return !is_active(older, place) && then != nullptr && then->asleep == layer.asleep;
+}
+
+const film::FilmState& film_of(const Moment& moment, std::size_t place) {
+    return is_active(moment, place) ? moment.canvas.film : *moment.layers.layers[place].asleep;
+}
+
+film::FilmState film_of_layer(const Moment& moment, LayerId id) {
+    const film::FilmState& canvas = moment.canvas.film;
+    const Layer* layer = layer_of(moment, id);
+    if (layer == nullptr) return {canvas.shape, canvas.cell_mm};
+    return layer->asleep ? *layer->asleep : canvas;
+}
+
+/// What the tiles of an older moment's layer are told against: the newer moment's film of that layer, if
+/// there is one. The support of the active layer is the canvas, of one that is asleep its own relief:
+/// they have no tile in common.
+film::FilmState counterpart(const Layer& layer, bool active, const Moment& newer) {
+    film::FilmState film = film_of_layer(newer, layer.id);
+    const Layer* then = layer_of(newer, layer.id);
+    if (active)
+        film.support_mm = newer.canvas.film.support_mm;
+    else if (then != nullptr && !then->asleep)
+        film.support_mm = film::SupportHeights(film.shape);
+    return film;
+}
+
+const film::FilmState& well_of(const Moment& moment, const film::FilmState& bare) {
+    return moment.well ? moment.well->film : bare;
+}
+
+Moment without_films(const Moment& moment) {
+    Moment rest = moment;
+    rest.canvas.film = {};
+    for (Layer& layer : rest.layers.layers)
+        layer.asleep.reset();
+    if (rest.well) rest.well->film = {};
+    return rest;
+}
+
+std::size_t bytes_without_films(const Moment& moment) {
+    std::size_t bytes = sizeof(Moment) + moment.canvas.awake.size() / 8 +
+                        moment.layers.layers.size() * sizeof(Layer) +
+                        moment.layers.groups.size() * sizeof(LayerGroup);
+    if (moment.brush)
+        bytes += moment.brush->held.size() * sizeof(brush::Contents) +
+                 moment.brush->tip.bristles.size() * sizeof(brush::Bristle);
+    return bytes;
+}
+
+std::size_t unshared_selection_bytes(const Moment& older, const Moment& newer) {
+    const bool shared = !older.selection || older.selection == newer.selection;
+    return shared ? 0 : grid::bytes_in_part(*older.selection);
+}
+
+/// Makes the older moment's films of the newer one's.
+template <class Tiles>
+void put(const AllFilms<Tiles>& films, const Moment& newer, Moment& older) {
+    for (std::size_t place = 0; place < films.layers.size(); ++place) {
+        Layer& layer = older.layers.layers[place];
+        if (!films.layers[place]) {
+            layer.asleep = layer_of(newer, layer.id)->asleep;
+            continue;
+        }
+        film::FilmState film = counterpart(layer, is_active(older, place), newer);
+        films.layers[place]->put_into(film);
+        if (is_active(older, place))
+            older.canvas.film = std::move(film);
+        else
+            layer.asleep = std::make_shared<const film::FilmState>(std::move(film));
+    }
+    if (!films.well) return;
+    older.well->film = well_of(newer, bare_well());
+    films.well->put_into(older.well->film);
+}
+
+}  // namespace
+
+/// Either as they are or packed.
+struct MomentDifference::Tiles {
+    struct Raw {
+        AllFilms<FilmTiles> tiles;
+        Moment older;  ///< for what the tiles are packed with
+    };
+    using Packed = AllFilms<PackedFilmTiles>;
+
+    static std::shared_ptr<const Raw> taken(const Moment& older, const Moment& newer) {
+        auto raw = std::make_shared<Raw>();
+        raw->older = older;
+        for (std::size_t place = 0; place < older.layers.layers.size(); ++place) {
+            auto& tiles = raw->tiles.layers.emplace_back();
+            if (is_shared(older, place, newer)) continue;
+            const Layer& layer = older.layers.layers[place];
+            tiles.emplace(film_of(older, place), counterpart(layer, is_active(older, place), newer));
+        }
+        if (older.well) raw->tiles.well.emplace(older.well->film, well_of(newer, bare_well()));
+        return raw;
+    }
+
+    static std::shared_ptr<const Packed> packed_of(const Raw& raw) {
+        auto packed = std::make_shared<Packed>();
+        for (std::size_t place = 0; place < raw.tiles.layers.size(); ++place) {
+            const auto& tiles = raw.tiles.layers[place];
+            auto& layer = packed->layers.emplace_back();
+            if (tiles) layer.emplace(*tiles, film_of(raw.older, place));
+        }
+        if (raw.tiles.well) packed->well.emplace(*raw.tiles.well, raw.older.well->film);
+        return packed;
+    }
+
+    template <class Form>
+    Form locked(Form Tiles::*form) const {
+        const std::lock_guard lock(mutex);
+        return this->*form;
+    }
+
+    /// Two threads may do this at once: the first that is ready has done it.
+    void pack() {
+        const auto source = locked(&Tiles::raw);
+        if (source == nullptr) return;
+        auto result = packed_of(*source);
+        const std::lock_guard lock(mutex);
+        if (packed == nullptr) packed = std::move(result);
+        raw.reset();
+    }
+
+    mutable std::mutex mutex;
+    std::shared_ptr<const Raw> raw;        ///< null once they are packed
+    std::shared_ptr<const Packed> packed;  ///< null until then
+};
+
+MomentDifference::MomentDifference(const Moment& older, const Moment& newer)
+    : rest_(without_films(older)),
+      rest_bytes_(bytes_without_films(older) + unshared_selection_bytes(older, newer)),
+      tiles_(std::make_shared<Tiles>()) {
+    tiles_->raw = Tiles::taken(older, newer);
+    bytes_ = rest_bytes_ + tiles_->raw->tiles.bytes();
+}
+
+Moment MomentDifference::applied_to(const Moment& newer) const {
+    Moment older = rest_;
+    if (const auto raw = tiles_->locked(&Tiles::raw))
+        put(raw->tiles, newer, older);
+    else
+        put(*tiles_->locked(&Tiles::packed), newer, older);
+    return older;
+}
+
+void MomentDifference::pack_on(core::BackgroundThread& thread) {
+    if (packing_) return;
+    packing_ = true;
+    thread.add([weak = std::weak_ptr(tiles_)] {
+        if (const auto tiles = weak.lock()) tiles->pack();
+    });
+}
+
+void MomentDifference::pack() {
+    tiles_->pack();
+}
+
+std::optional<std::size_t> MomentDifference::packed_bytes() const {
+    const auto packed = tiles_->locked(&Tiles::packed);
+    if (packed == nullptr) return std::nullopt;
+    return rest_bytes_ + packed->bytes();
+}
+
+}  // namespace pastoso::document

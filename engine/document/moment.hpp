@@ -1,0 +1,70 @@
+// A painting at one moment, as far as Undo brings it back, and what it takes to keep many of them.
+#pragma once
+
+#include "brush/brush.hpp"
+#include "core/background_thread.hpp"
+#include "document/events.hpp"
+#include "document/film_tiles.hpp"
+#include "document/layers.hpp"
+#include "document/selection.hpp"
+#include "document/steps.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pastoso::document {
+
+/// Wet paint and which of its tiles moved (film::Solver::awake_tiles).
+struct SurfaceMoment {
+    film::FilmState film{};
+    std::vector<bool> awake{};
+};
+
+struct Moment {
+    SurfaceMoment canvas{};  ///< the active layer, on what is visible below it
+    LayerStack layers = single_layer();
+    std::optional<SurfaceMoment> well{};  ///< none: it was bare
+    std::optional<brush::Brush> brush{};
+    std::string medium{};  ///< in hand
+    Selection selection{};
+    TiltCanvas tilt{};
+    std::uint64_t brush_use = 0;  ///< tells whether the brush was loaded, cleaned or changed since
+    brush::Contents taken{};      ///< from the tubes until then
+    brush::Contents wiped{};      ///< off the brush until then
+    film::Totals run_off{};       ///< over the edges until then
+    Step step{};  ///< that leads to the next moment, in the direction that goes on from here
+};
+
+/// A moment told by what differs from a newer one.
+class MomentDifference {
+  public:
+    MomentDifference(const Moment& older, const Moment& newer);
+
+    /// Makes the older moment of the newer one. Any thread may do so.
+    Moment applied_to(const Moment& newer) const;
+
+    /// As it was taken, without packing.
+    std::size_t bytes() const { return bytes_; }
+    const Step& step() const { return rest_.step; }
+
+    /// Has the tiles packed as soon as there is time; once is enough.
+    void pack_on(core::BackgroundThread& thread);
+    /// Packs them at once, unless they are; the same bytes either way.
+    void pack();
+    /// None: not packed yet.
+    std::optional<std::size_t> packed_bytes() const;
+
+  private:
+    struct Tiles;
+
+    Moment rest_;  ///< all but the tiles
+    std::size_t rest_bytes_ = 0, bytes_ = 0;
+    bool packing_ = false;
+    std::shared_ptr<Tiles> tiles_;  ///< shared with the thread that packs them
+};
+
+}  // namespace pastoso::document

@@ -1,0 +1,179 @@
+// Undo and Redo of a whole painting: with packing and without, wet, dried and at rest.
+#include "core/random.hpp"
+#include "document/painting.hpp"
+#include "document/painting_state.hpp"
+#include "document/scenes.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace pastoso::document {
+namespace {
+
+/// Too little for one step of these paintings as it is, so that all but the last are packed.
+constexpr std::size_t kTightBudget_bytes = std::size_t{2} << 20;
+
+void advance(Painting& painting, int ticks) {
+    for (int i = 0; i < ticks; ++i)
+        painting.advance_tick();
+}
+
+/// Changes a layer or takes another one, as far as there are such.
+void change_layers(Painting& painting, std::uint32_t number) {
+    const LayerStack stack = painting.state().layers;
+    const std::vector<Layer>& layers = stack.layers;
+    const LayerId layer = layers[core::scramble(number + 3) % layers.size()].id;
+    const auto choice = core::scramble(number + 4) % 8;
+    if (choice < 2 && layers.size() < 5)
+        painting.apply(AddLayer{"More"});
+    else if (choice == 2)
+        painting.apply(SetLayer{layer, {.name = "Faded", .opacity = 0.5}});
+    else if (choice == 3)
+        painting.apply(DuplicateLayer{layer});
+    else if (choice == 4 && layers.size() > 1)
+        painting.apply(RemoveLayer{layer});
+    else if (choice == 5 && layer != layers.front().id)
+        painting.apply(MergeDown{layer});
+    else
+        painting.apply(SelectLayer{layer});
+}
+
+/// One of the things that painters do, chosen by a number.
+void do_something(Painting& painting, std::uint32_t number) {
+    const auto choice = core::scramble(number) % 20;
+    if (choice < 4)
+        painting.apply(Undo{});
+    else if (choice < 6)
+        painting.apply(Redo{});
+    else if (choice == 6)
+        painting.apply(DryNow{});
+    else if (choice == 7)
+        painting.apply(SqueezePaint{load_of("PY35").paint, 50.0, 20.0, 30.0});
+    else if (choice == 8)
+        painting.apply(CleanWell{});
+    else if (choice == 9)
+        painting.apply(load_of(number % 2 == 0 ? "PB29" : "PR254"));
+    else if (choice < 14)
+        change_layers(painting, number);
+    else
+        paint_wave(painting, number, 4.0 + core::scramble(number + 1) % 22);
+    advance(painting, static_cast<int>(core::scramble(number + 2) % 3));
+}
+
+TEST(PaintingUndo, ARandomSessionIsTheSameWithPackingAndWithout) {
+    core::ThreadPool pool(2);
+    Painting plain(small_canvas(), pool), packed(small_canvas(), pool);
+    plain.set_history_budget(std::size_t{4} << 30);
+    packed.set_history_budget(kTightBudget_bytes * 8);
+    for (Painting* painting : {&plain, &packed}) {
+        painting->apply(TakeBrush{"flat", 8, 1});
+        painting->apply(load_of("PB29"));
+    }
+    bool any_packed = false;
+    for (std::uint32_t number = 0; number < 90; ++number) {
+        do_something(plain, number);
+        do_something(packed, number);
+        ASSERT_EQ(plain.state_hash(), packed.state_hash()) << "after step " << number;
+        ASSERT_EQ(plain.can_undo(), packed.can_undo());
+        const auto steps = packed.undo_steps();
+        any_packed = any_packed || std::any_of(steps.begin(), steps.end(),
+                                               [](const KeptStep& step) { return step.packed; });
+    }
+    EXPECT_TRUE(any_packed);
+}
+
+TEST(PaintingUndo, TellsWhatItTakesBack) {
+    core::ThreadPool pool(1);
+    Painting painting(small_canvas(), pool);
+    painting.apply(TakeBrush{"flat", 8, 1});
+    painting.apply(load_of("PB29"));
+    paint_wave(painting, 0.0, 10.0);
+    painting.apply(DryNow{});
+    painting.apply(SqueezePaint{load_of("PY35").paint, 50.0, 20.0, 30.0});
+    painting.apply(CleanWell{});
+    painting.apply(Undo{});
+    const auto steps = painting.undo_steps();
+    ASSERT_EQ(steps.size(), 3U);
+    EXPECT_EQ(steps[0].step.kind, Step::Kind::Stroke);
+    EXPECT_FALSE(steps[0].step.brush.empty());
+    EXPECT_EQ(steps[1].step.kind, Step::Kind::DryNow);
+    EXPECT_GT(steps[1].bytes, 0U);
+    EXPECT_EQ(steps[2].step.kind, Step::Kind::SqueezePaint);
+    ASSERT_EQ(painting.redo_steps().size(), 1U);
+    EXPECT_EQ(painting.redo_steps()[0].step.kind, Step::Kind::CleanWell);
+}
+
+TEST(PaintingUndo, TellsWhichLayerItWas) {
+    core::ThreadPool pool(1);
+    Painting painting(small_canvas(), pool);
+    painting.apply(AddLayer{"Sky"});
+    painting.apply(SetLayer{2, {.name = "Clouds", .opacity = 0.5}});
+    painting.apply(GroupLayers{"Far", {2}});
+    painting.apply(DryNow{});
+    painting.apply(UngroupLayers{1});
+    painting.apply(FlattenLayers{});
+    const auto steps = painting.undo_steps();
+    const std::vector<std::pair<Step::Kind, std::string>> expected = {
+        {Step::Kind::AddLayer, "Sky"},      {Step::Kind::SetLayer, "Sky"},
+        {Step::Kind::GroupLayers, "Far"},   {Step::Kind::DryNow, "Clouds"},
+        {Step::Kind::UngroupLayers, "Far"}, {Step::Kind::FlattenLayers, ""}};
+    ASSERT_EQ(steps.size(), expected.size());
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        EXPECT_EQ(steps[i].step.kind, expected[i].first) << i;
+        EXPECT_EQ(steps[i].step.layer, expected[i].second) << i;
+    }
+}
+
+class UndoAtRest : public testing::Test {
+  protected:
+    UndoAtRest() {
+        painting.apply(TakeBrush{"flat", 8, 1});
+        painting.apply(load_of("PB29"));
+        paint_wave(painting, 0.0, 8.0);
+        rest();
+        paint_wave(painting, 1.0, 22.0);
+        advance(painting, 2);
+    }
+    void rest() {
+        constexpr int kMostTicks = 6000;
+        painting.advance_tick();
+        for (int tick = 0; tick < kMostTicks && painting.film_report().awake_tiles > 0; ++tick)
+            painting.advance_tick();
+    }
+    std::int64_t cells_of_next_tick() {
+        const std::int64_t before = painting.film_report().cells_stepped;
+        painting.advance_tick();
+        return painting.film_report().cells_stepped - before;
+    }
+
+    core::ThreadPool pool{1};
+    Painting painting{small_canvas(), pool};
+};
+
+TEST_F(UndoAtRest, PaintThatSleptSleepsOn) {
+    EXPECT_GT(painting.film_report().awake_tiles, 0);
+    painting.apply(Undo{});
+    const std::uint64_t hash = painting.state_hash();
+    EXPECT_EQ(cells_of_next_tick(), 0);
+    EXPECT_EQ(painting.film_report().awake_tiles, 0);
+    EXPECT_EQ(painting.state_hash(), hash);
+}
+
+TEST_F(UndoAtRest, PaintThatMovedMovesOn) {
+    painting.apply(Undo{});
+    painting.apply(Redo{});
+    EXPECT_GT(cells_of_next_tick(), 0);
+}
+
+TEST_F(UndoAtRest, PaintOnACanvasThatWasTiltedSinceIsAwake) {
+    painting.apply(TiltCanvas{60, 90});
+    painting.apply(Undo{});
+    EXPECT_GT(cells_of_next_tick(), 0);
+}
+
+}  // namespace
+}  // namespace pastoso::document
