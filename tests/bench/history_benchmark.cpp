@@ -29,14 +29,14 @@ std::unique_ptr<document::Painting> resting_painting(core::ThreadPool& pool) {
     return painting;
 }
 
-void stroke_across(document::Painting& painting, int number) {
+/// From left to right.
+void stroke(document::Painting& painting, int number, double y_mm, double length_mm) {
     document::LoadPaint load;
     load.paint.ingredients = {{number % 2 == 0 ? "PB29" : "PY35", 1.0}};
     painting.apply(load);
-    const double side_mm = painting.settings().width_mm, y_mm = (0.5 + number) * side_mm / kStrokes;
     for (int i = 0; i <= 400; ++i) {
         const brush::PenSample sample{.time_s = number + i / 400.0,
-                                      .x_mm = side_mm * i / 400.0,
+                                      .x_mm = length_mm * i / 400.0,
                                       .y_mm = y_mm,
                                       .pressure = 0.7,
                                       .rotation_deg = 90.0};
@@ -46,6 +46,11 @@ void stroke_across(document::Painting& painting, int number) {
             painting.apply(document::PenMove{sample});
     }
     painting.apply(document::PenUp{});
+}
+
+void stroke_across(document::Painting& painting, int number) {
+    const double side_mm = painting.settings().width_mm;
+    stroke(painting, number, (0.5 + number) * side_mm / kStrokes, side_mm);
 }
 
 /// The latest stroke, from a canvas that rested before it; on the canvas's layer or on one above it.
@@ -95,6 +100,27 @@ void undo_many(benchmark::State& state) {
     state.counters["packed_MB"] = 1e-6 * static_cast<double>(packed_bytes);
 }
 BENCHMARK(undo_many)->Arg(0)->Arg(400)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+/// How many of two hundred strokes, wet in wet, can be undone.
+void steps_kept(benchmark::State& state) {
+    constexpr int kManyStrokes = 200;
+    core::ThreadPool pool(2);
+    const auto painting = resting_painting(pool);
+    painting->apply(document::TakeBrush{"flat", static_cast<double>(state.range(0)), 1});
+    painting->set_history_budget(static_cast<std::size_t>(state.range(2)) << 20);
+    const double step_mm = painting->settings().height_mm / kManyStrokes;
+    for (auto _ : state)
+        for (int i = 0; i < kManyStrokes; ++i)
+            stroke(*painting, i, (0.5 + i) * step_mm, static_cast<double>(state.range(1)));
+    for (; painting->can_undo(); painting->apply(document::Undo{}))
+        state.counters["steps"] += 1.0;
+}
+BENCHMARK(steps_kept)
+    ->ArgNames({"width_mm", "length_mm", "budget_MiB"})
+    ->Args({8, 60, 512})
+    ->Args({20, 200, 512})
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
 
 void pen_down(benchmark::State& state) {
     core::ThreadPool pool(2);
