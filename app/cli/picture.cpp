@@ -6,6 +6,7 @@
 #include "document/canvas.hpp"
 #include "document/number_text.hpp"
 #include "document/well.hpp"
+#include "shade/picture_sheet.hpp"
 #include "shade/render.hpp"
 
 #include <algorithm>
@@ -45,32 +46,53 @@ PictureStyle picture_style(const PictureOptions& options) {
 
 PictureWriter::PictureWriter(const document::CanvasSettings& canvas, double scale, PictureStyle style,
                              core::ThreadPool& pool)
-    : scale_(scale), style_(std::move(style)), pool_(pool) {
-    check_picture_size(document::canvas_shape(canvas), scale);
+    : canvas_(document::canvas_shape(canvas)), scale_(scale), style_(std::move(style)), pool_(pool) {
+    check_picture_size(canvas_, scale);
 }
 
 PictureReport PictureWriter::write(const document::Painting& painting,
                                    const std::filesystem::path& path) {
     const document::Snapshot snapshot = painting.snapshot();
-    return write(snapshot.film, snapshot.ground, path);
+    check_picture_size(snapshot.film.shape, scale_);
+    return save(rendered(snapshot.film, snapshot.ground, scale_), scale_ / snapshot.film.cell_mm, path);
 }
 
 PictureReport PictureWriter::write_well(const document::Painting& painting,
                                         const std::filesystem::path& path) {
     const document::Snapshot snapshot = painting.snapshot();
-    return write(snapshot.well ? *snapshot.well : document::bare_well(), snapshot.ground, path);
+    const film::FilmState well = snapshot.well.value_or(document::bare_well());
+    return save(rendered(well, snapshot.ground, scale_), scale_ / well.cell_mm, path);
 }
 
-PictureReport PictureWriter::write(const film::FilmState& film, const pigment::Bands& ground,
-                                   const std::filesystem::path& path) {
+shade::LinearImage PictureWriter::frame(const document::Painting& painting) {
+    const document::Snapshot snapshot = painting.snapshot();
+    const grid::Shape shape = snapshot.film.shape;
+    if (shape == canvas_) return rendered(snapshot.film, snapshot.ground, scale_);
+    const shade::Lattice first = shade::picture_lattice(canvas_, canvas_.cells(), scale_);
+    const double fitting = std::min(static_cast<double>(first.width) / shape.width,
+                                    static_cast<double>(first.height) / shape.height);
+    return shade::framed(rendered(snapshot.film, snapshot.ground, fitting), first.width, first.height);
+}
+
+PictureReport PictureWriter::write_frame(const document::Painting& painting,
+                                         const std::filesystem::path& path) {
+    return save(frame(painting), scale_ / painting.film().cell_mm, path);
+}
+
+shade::LinearImage PictureWriter::rendered(const film::FilmState& film, const pigment::Bands& ground,
+                                           double scale) {
     shade::RenderSettings settings;
-    settings.scale = scale_;
+    settings.scale = scale;
     settings.viewing = style_.viewing;
     shade::LinearImage linear;
     times_.shade_s +=
         seconds_of([&] { linear = shade::render(film, ground, film.shape.cells(), settings, pool_); });
-    times_.io_s +=
-        seconds_of([&] { io::write_picture(path, linear, style_.encoding, scale_ / film.cell_mm); });
+    return linear;
+}
+
+PictureReport PictureWriter::save(const shade::LinearImage& linear, double px_per_mm,
+                                  const std::filesystem::path& path) {
+    times_.io_s += seconds_of([&] { io::write_picture(path, linear, style_.encoding, px_per_mm); });
     return {linear.width, linear.height, hash_of(shade::encode_srgb8(linear))};
 }
 
@@ -80,7 +102,7 @@ void FrameWriter::write_if_due(const document::Painting& painting) {
     if (passed_s + 0.5 * document::kTick_s < frames_written_ / fps_) return;
     char name[32];
     std::snprintf(name, sizeof name, "frame-%05d.png", ++frames_written_);
-    pictures_.write(painting, folder_ / name);
+    pictures_.write_frame(painting, folder_ / name);
 }
 
 }  // namespace pastoso::cli

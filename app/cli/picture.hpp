@@ -6,6 +6,7 @@
 #include "document/painting.hpp"
 #include "io/picture_file.hpp"
 #include "pigment/viewing.hpp"
+#include "shade/render.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -42,15 +43,22 @@ class PictureWriter {
     /// Renders the whole canvas and writes it to `path`.
     PictureReport write(const document::Painting& painting, const std::filesystem::path& path);
 
+    /// The picture for a sequence, as large as that of the canvas named at first: one that has been cut
+    /// or made larger since is shown as large as fits, in the middle, on grey.
+    shade::LinearImage frame(const document::Painting& painting);
+    PictureReport write_frame(const document::Painting& painting, const std::filesystem::path& path);
+
     /// The same of the mixing well.
     PictureReport write_well(const document::Painting& painting, const std::filesystem::path& path);
 
     const PictureTimes& times() const { return times_; }
 
   private:
-    PictureReport write(const film::FilmState& film, const pigment::Bands& ground,
-                        const std::filesystem::path& path);
+    shade::LinearImage rendered(const film::FilmState& film, const pigment::Bands& ground, double scale);
+    PictureReport save(const shade::LinearImage& linear, double px_per_mm,
+                       const std::filesystem::path& path);
 
+    grid::Shape canvas_;
     double scale_;
     PictureStyle style_;
     core::ThreadPool& pool_;

@@ -134,7 +134,7 @@ void write_frames(const Recording& recording, const TimelapseOptions& options, c
                                           ticks.begin() + static_cast<std::ptrdiff_t>(end));
     std::size_t written = 0;
     play(*painting, recording, until, missing, options, [&](std::size_t frame) {
-        pictures.write(*painting, frame_path(options.output, frame));
+        pictures.write_frame(*painting, frame_path(options.output, frame));
         ++written;
     });
     std::printf("%s: %zu frames, %zu of them new\n", options.output.c_str(), ticks.size(), written);
@@ -144,19 +144,14 @@ void write_video(const Recording& recording, const TimelapseOptions& options, co
                  core::ThreadPool& pool) {
     const std::vector<std::int64_t> ticks = frame_ticks(recording, options);
     const std::unique_ptr<document::Painting> painting = io::make_painting(recording.canvas, pool);
-    shade::RenderSettings settings;
-    settings.scale = options.scale;
-    settings.viewing = style.viewing;
-    const grid::Rect cells = painting->film().shape.cells();
-    const shade::Lattice size = shade::picture_lattice(painting->film().shape, cells, options.scale);
+    PictureWriter pictures(recording.canvas, options.scale, style, pool);
+    const grid::Shape canvas = painting->film().shape;
+    const shade::Lattice size = shade::picture_lattice(canvas, canvas.cells(), options.scale);
     core::write_aside(options.output, [&](const Path& temporary) {
         io::VideoWriter video(temporary, options.output, size.width, size.height, options.fps);
         const std::vector<bool> all(ticks.size(), true);
-        play(*painting, recording, ticks, all, options, [&](std::size_t) {
-            const document::Snapshot snapshot = painting->snapshot();
-            video.write(shade::encode_srgb8(
-                shade::render(snapshot.film, snapshot.ground, cells, settings, pool)));
-        });
+        play(*painting, recording, ticks, all, options,
+             [&](std::size_t) { video.write(shade::encode_srgb8(pictures.frame(*painting))); });
         video.finish();
     });
     std::printf("%s: %zu frames of %d x %d pixels\n", options.output.c_str(), ticks.size(), size.width,

@@ -119,7 +119,6 @@ void MainWindow::new_canvas(const document::CanvasSettings& canvas) {
         centred.centre_y_mm = 0.5 * canvas.height_mm;
         set_symmetry(centred);
     }
-    readings_->show_canvas(session_->canvas());
     show_published();
 }
 
@@ -133,6 +132,7 @@ void MainWindow::replay(const document::Recording& recording) {
 void MainWindow::show_published() {
     const auto snapshot = session_->snapshot();
     canvas_->show_snapshot(snapshot);
+    readings_->show_canvas(snapshot->bare->settings);
     show_well(*snapshot);
     load_->show_load(snapshot->brush_load);
     const session::Status status = session_->status();

@@ -38,15 +38,14 @@ PaintSession::PaintSession(std::unique_ptr<core::ThreadPool> pool,
                            std::unique_ptr<document::Painting> painting, Notify notify,
                            document::Recording past, bool paused,
                            std::unique_ptr<journal::JournalWriter> journal)
-    : canvas_(painting->settings()),
-      notify_(std::move(notify)),
+    : notify_(std::move(notify)),
       pool_(std::move(pool)),
       painting_(std::move(painting)),
       journal_(std::move(journal)),
       clock_(WallClock::now()) {
     paused_ = status_.paused = paused;
     recording_ = std::move(past);
-    recording_.canvas = canvas_;
+    if (recording_.events.empty()) recording_.canvas = painting_->settings();
     paints_used_ = known_paints(recording_);
     recording_.end_tick = status_.tick = painting_->tick();
     snapshot_ = std::make_shared<const document::Snapshot>(painting_->snapshot());

@@ -106,7 +106,8 @@ class PaintSession {
     /// The session ends and nothing of it needs to be recovered.
     void discard_journal();
 
-    const document::CanvasSettings& canvas() const { return canvas_; }
+    /// As published.
+    document::CanvasSettings canvas() const { return snapshot()->bare->settings; }
 
   private:
     void run();
@@ -119,7 +120,6 @@ class PaintSession {
     void hand_out_capture();
     void keep_journal();
 
-    document::CanvasSettings canvas_;
     Notify notify_;
 
     // Of the session's thread alone.

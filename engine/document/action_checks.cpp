@@ -2,6 +2,7 @@
 
 #include "brush/preset.hpp"
 #include "core/error.hpp"
+#include "document/canvas.hpp"
 #include "document/layers.hpp"
 #include "document/number_text.hpp"
 #include "document/well.hpp"
@@ -156,6 +157,13 @@ struct Checker {
     }
     void operator()(const SelectByWetness& select) const {
         check_range("thickness of wet paint", select.least_mm, select.most_mm);
+    }
+    void operator()(const ResizeCanvas& resize) const {
+        check_place("new canvas", resize.x_mm, resize.y_mm);
+        check_between("width of the new canvas in mm", resize.width_mm, kMinCanvasSide_mm,
+                      kMaxCanvasSide_mm);
+        check_between("height of the new canvas in mm", resize.height_mm, kMinCanvasSide_mm,
+                      kMaxCanvasSide_mm);
     }
     void operator()(const InvertSelection&) const {}
     void operator()(const SelectAll&) const {}

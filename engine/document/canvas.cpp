@@ -39,6 +39,10 @@ int cells_along(double side_mm, double px_per_mm) {
     return std::max(1, static_cast<int>(std::lround(side_mm * px_per_mm)));
 }
 
+int cells_from_origin(double place_mm, double px_per_mm) {
+    return static_cast<int>(std::lround(place_mm * px_per_mm));
+}
+
 std::string size_text(const CanvasSettings& settings) {
     return "A canvas of " + number_text(settings.width_mm) + " x " + number_text(settings.height_mm) +
            " mm at " + number_text(settings.px_per_mm) + " px/mm";
@@ -57,6 +61,10 @@ void check_canvas(const CanvasSettings& settings) {
     check_between("height", settings.height_mm, kMinCanvasSide_mm, kMaxCanvasSide_mm, " mm");
     check_between("resolution", settings.px_per_mm, kMinPxPerMm, kMaxPxPerMm, " px/mm");
     check_between("support relief", settings.support_relief_mm, 0.0, 20.0, " mm");
+    check_between("place on the cloth in x", settings.support_x_mm, -kMaxClothPlace_mm,
+                  kMaxClothPlace_mm, " mm");
+    check_between("place on the cloth in y", settings.support_y_mm, -kMaxClothPlace_mm,
+                  kMaxClothPlace_mm, " mm");
     const grid::Shape shape = canvas_shape(settings);
     if (std::max(shape.width, shape.height) > kMaxCellsPerSide) {
         throw core::InputError(size_text(settings) + " would have " + std::to_string(shape.width) +
@@ -68,6 +76,33 @@ void check_canvas(const CanvasSettings& settings) {
 grid::Shape canvas_shape(const CanvasSettings& settings) {
     return {cells_along(settings.width_mm, settings.px_per_mm),
             cells_along(settings.height_mm, settings.px_per_mm)};
+}
+
+film::SupportHeights named_support(const CanvasSettings& settings, core::ThreadPool& pool,
+                                   film::SupportForm form) {
+    const film::ClothPlace place{cells_from_origin(settings.support_x_mm, settings.px_per_mm),
+                                 cells_from_origin(settings.support_y_mm, settings.px_per_mm)};
+    return film::named_support(settings.support, canvas_shape(settings), 1.0 / settings.px_per_mm,
+                               settings.support_relief_mm, pool, form, place);
+}
+
+grid::Extent extent_of(const ResizeCanvas& resize, const CanvasSettings& settings) {
+    return {canvas_shape(resized(resize, settings)), cells_from_origin(resize.x_mm, settings.px_per_mm),
+            cells_from_origin(resize.y_mm, settings.px_per_mm)};
+}
+
+CanvasSettings resized(const ResizeCanvas& resize, CanvasSettings settings) {
+    const auto whole_cells = [&](double place_mm) {
+        return cells_from_origin(place_mm, settings.px_per_mm) / settings.px_per_mm;
+    };
+    settings.width_mm = resize.width_mm;
+    settings.height_mm = resize.height_mm;
+    if (settings.support != "image") {
+        settings.support_x_mm += whole_cells(resize.x_mm);
+        settings.support_y_mm += whole_cells(resize.y_mm);
+    }
+    check_canvas(settings);
+    return settings;
 }
 
 std::size_t estimated_bytes(const grid::Shape& shape) {

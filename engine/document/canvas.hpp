@@ -2,7 +2,8 @@
 #pragma once
 
 #include "document/events.hpp"
-#include "grid/shape.hpp"
+#include "film/support.hpp"
+#include "grid/extent.hpp"
 
 #include <cstddef>
 
@@ -12,7 +13,15 @@ inline constexpr double kMinCanvasSide_mm = 1.0;
 inline constexpr double kMaxCanvasSide_mm = 5000.0;
 inline constexpr double kMinPxPerMm = 0.25;
 inline constexpr double kMaxPxPerMm = 64.0;
+/// How far from the origin of its cloth a canvas may begin.
+inline constexpr double kMaxClothPlace_mm = 1e5;
 inline constexpr int kMaxCellsPerSide = 32768;
+
+/// What there is before anything is painted.
+struct BareCanvas {
+    CanvasSettings settings;
+    film::SupportHeights support_mm;
+};
 
 /// Throws InputError when a number is not finite or outside the limits above, or when the support's
 /// relief is not in 0 to 20 mm.
@@ -20,6 +29,16 @@ void check_canvas(const CanvasSettings& settings);
 
 /// Width and height in cells, rounded to whole cells, at least 1. `settings` passed check_canvas().
 grid::Shape canvas_shape(const CanvasSettings& settings);
+
+/// Heights of a support that has a name. Throws InputError where there is no such name.
+film::SupportHeights named_support(const CanvasSettings& settings, core::ThreadPool& pool,
+                                   film::SupportForm form = film::SupportForm::Levels);
+
+/// The cells that a canvas of these settings is to have.
+grid::Extent extent_of(const ResizeCanvas& resize, const CanvasSettings& settings);
+
+/// What becomes of the settings. Throws InputError as check_canvas() does.
+CanvasSettings resized(const ResizeCanvas& resize, CanvasSettings settings);
 
 /// About what a painting of this many cells needs when all of it is wet and being rendered.
 std::size_t estimated_bytes(const grid::Shape& shape);

@@ -6,6 +6,7 @@
 #include "brush/pen_guide.hpp"
 #include "brush/pen_sample.hpp"
 #include "brush/symmetry.hpp"
+#include "document/extent_events.hpp"
 #include "document/layer_events.hpp"
 #include "document/selection_events.hpp"
 #include "film/drying_air.hpp"
@@ -125,12 +126,12 @@ struct SetSymmetry {
     friend bool operator==(const SetSymmetry&, const SetSymmetry&) = default;
 };
 
-using Action =
-    std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCanvas, SetDrying, DryNow, PenDown,
-                 PenMove, PenUp, Undo, Redo, SetStabiliser, SetGuide, SetSymmetry, SqueezePaint,
-                 CleanWell, AddLayer, SelectLayer, SetLayer, DuplicateLayer, RemoveLayer, ClearLayer,
-                 TransformLayer, MoveLayer, MergeDown, FlattenLayers, GroupLayers, SetGroup, MoveGroup,
-                 UngroupLayers, SelectArea, SelectByHeight, SelectByWetness, InvertSelection, SelectAll>;
+using Action = std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCanvas, SetDrying, DryNow,
+                            PenDown, PenMove, PenUp, Undo, Redo, SetStabiliser, SetGuide, SetSymmetry,
+                            SqueezePaint, CleanWell, AddLayer, SelectLayer, SetLayer, DuplicateLayer,
+                            RemoveLayer, ClearLayer, TransformLayer, MoveLayer, MergeDown, FlattenLayers,
+                            GroupLayers, SetGroup, MoveGroup, UngroupLayers, SelectArea, SelectByHeight,
+                            SelectByWetness, InvertSelection, SelectAll, ResizeCanvas>;
 
 struct Event {
     std::int64_t tick = 0;  ///< the number of ticks that had passed when it happened
@@ -148,6 +149,8 @@ struct CanvasSettings {
     std::string support_image{};    ///< path of a height image of the user's own
     double support_relief_mm =
         0.0;  ///< height of its white above its black; 0: the support's own relief
+    /// Where on its cloth the canvas begins, in whole cells; not of an image.
+    double support_x_mm = 0.0, support_y_mm = 0.0;
     friend bool operator==(const CanvasSettings&, const CanvasSettings&) = default;
 };
 

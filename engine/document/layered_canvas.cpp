@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "layers/cutting.hpp"
+#include "layers/extent.hpp"
 #include "layers/merging.hpp"
 
 #include <algorithm>
@@ -206,8 +207,32 @@ LayeredCanvas::LayeredCanvas(film::FilmState active, film::SupportHeights bare_m
     base_mm_ = base_of(stack_);
 }
 
-void LayeredCanvas::restore(film::FilmState then, LayerStack stack) {
+LayerChange LayeredCanvas::resize(const grid::Extent& extent, film::SupportHeights bare_mm) {
+    PASTOSO_CHECK(bare_mm.shape() == extent.shape);
+    LayerStack stack = all_asleep();
+    LayerChange change{.before = paint(), .after = {}};
+    for (Layer& layer : stack.layers)
+        layer.asleep = asleep(layers::on_extent(*layer.asleep, extent));
+    bare_mm_ = std::move(bare_mm);
+    base_mm_ = base_below_active(stack, bare_mm_);
+    film = layers::laid_on(*stack.layers[stack.active].asleep, base_mm_);
+    stack.layers[stack.active].asleep.reset();
+    stack_ = std::move(stack);
+    solver.reshape();
+    change.after = paint();
+    return change;
+}
+
+void LayeredCanvas::restore(film::FilmState then, LayerStack stack,
+                            const film::SupportHeights* other_bare_mm) {
     film = std::move(then);
+    if (other_bare_mm != nullptr) {
+        bare_mm_ = *other_bare_mm;
+        stack_ = std::move(stack);
+        base_mm_ = base_below_active(stack_, bare_mm_);
+        solver.reshape();
+        return;
+    }
     if (films_below_active(stack) != films_below_active(stack_)) base_mm_ = base_of(stack);
     stack_ = std::move(stack);
 }

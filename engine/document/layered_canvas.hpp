@@ -7,6 +7,7 @@
 #include "film/medium.hpp"
 #include "film/solver.hpp"
 #include "film/state.hpp"
+#include "grid/extent.hpp"
 #include "grid/mask.hpp"
 #include "layers/apart.hpp"
 #include "layers/view.hpp"
@@ -62,9 +63,14 @@ class LayeredCanvas {
     const LayerStack& stack() const { return stack_; }
     const film::SupportHeights& bare_mm() const { return bare_mm_; }
 
-    /// Returns to a film and a stack of before. Which of its paint moves is for the caller to say
-    /// (film::Solver::restart).
-    void restore(film::FilmState film, LayerStack stack);
+    /// Returns to a film and a stack of before, on another bare canvas unless that is null. Which of its
+    /// paint moves is for the caller to say (film::Solver::restart).
+    void restore(film::FilmState film, LayerStack stack,
+                 const film::SupportHeights* other_bare_mm = nullptr);
+
+    /// Cuts the canvas or makes it larger; `bare_mm` is the support of all of it. What is cut off is
+    /// gone.
+    LayerChange resize(const grid::Extent& extent, film::SupportHeights bare_mm);
 
     // Changes of the layers (layer_events.hpp). They throw InputError, and leave all as it was, for
     // layers and places that there are not, and for changes of what is locked.

@@ -1,5 +1,6 @@
 #include "document/moment.hpp"
 
+#include "document/canvas.hpp"
 #include "document/well.hpp"
 
 #include <mutex>
@@ -51,9 +52,11 @@ film::FilmState film_of_layer(const Moment& moment, LayerId id) {
 }
 
 /// What the tiles of an older moment's layer are told against: the newer moment's film of that layer, if
-/// there is one. The support of the active layer is the canvas, of one that is asleep its own relief:
-/// they have no tile in common.
-film::FilmState counterpart(const Layer& layer, bool active, const Moment& newer) {
+/// there is one of that shape. The support of the active layer is the canvas, of one that is asleep its
+/// own relief: they have no tile in common.
+film::FilmState counterpart(const Layer& layer, bool active, const grid::Shape& shape,
+                            const Moment& newer) {
+    if (shape != newer.canvas.film.shape) return {shape, newer.canvas.film.cell_mm};
     film::FilmState film = film_of_layer(newer, layer.id);
     const Layer* then = layer_of(newer, layer.id);
     if (active)
@@ -61,6 +64,10 @@ film::FilmState counterpart(const Layer& layer, bool active, const Moment& newer
     else if (then != nullptr && !then->asleep)
         film.support_mm = film::SupportHeights(film.shape);
     return film;
+}
+
+grid::Shape shape_of(const Moment& moment) {
+    return canvas_shape(moment.bare->settings);
 }
 
 const film::FilmState& well_of(const Moment& moment, const film::FilmState& bare) {
@@ -100,7 +107,7 @@ void put(const AllFilms<Tiles>& films, const Moment& newer, Moment& older) {
             layer.asleep = layer_of(newer, layer.id)->asleep;
             continue;
         }
-        film::FilmState film = counterpart(layer, is_active(older, place), newer);
+        film::FilmState film = counterpart(layer, is_active(older, place), shape_of(older), newer);
         films.layers[place]->put_into(film);
         if (is_active(older, place))
             older.canvas.film = std::move(film);
@@ -129,7 +136,8 @@ struct MomentDifference::Tiles {
             auto& tiles = raw->tiles.layers.emplace_back();
             if (is_shared(older, place, newer)) continue;
             const Layer& layer = older.layers.layers[place];
-            tiles.emplace(film_of(older, place), counterpart(layer, is_active(older, place), newer));
+            tiles.emplace(film_of(older, place),
+                          counterpart(layer, is_active(older, place), shape_of(older), newer));
         }
         if (older.well) raw->tiles.well.emplace(older.well->film, well_of(newer, bare_well()));
         return raw;

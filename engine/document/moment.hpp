@@ -3,6 +3,7 @@
 
 #include "brush/brush.hpp"
 #include "core/background_thread.hpp"
+#include "document/canvas.hpp"
 #include "document/events.hpp"
 #include "document/film_tiles.hpp"
 #include "document/layers.hpp"
@@ -25,6 +26,7 @@ struct SurfaceMoment {
 };
 
 struct Moment {
+    std::shared_ptr<const BareCanvas> bare{};
     SurfaceMoment canvas{};  ///< the active layer, on what is visible below it
     LayerStack layers = single_layer();
     std::optional<SurfaceMoment> well{};  ///< none: it was bare

@@ -16,6 +16,7 @@
 #include "film/ageing.hpp"
 #include "film/solver_memory.hpp"
 #include "film/support.hpp"
+#include "layers/extent.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -29,8 +30,7 @@ constexpr const char* kFirstMedium = "heavy-body oil";
 
 film::SupportHeights support_by_name(const CanvasSettings& settings, core::ThreadPool& pool) {
     check_canvas_fits(settings, available_memory_bytes());
-    return film::named_support(settings.support, canvas_shape(settings), 1.0 / settings.px_per_mm,
-                               settings.support_relief_mm, pool);
+    return named_support(settings, pool);
 }
 
 film::FilmState bare_canvas(const CanvasSettings& settings, film::SupportHeights support_mm) {
@@ -95,7 +95,7 @@ class ScopedTimer {
 /// Applies actions by std::visit; the actions have passed check_action().
 struct Painting::Parts {
     Parts(const CanvasSettings& wanted, film::SupportHeights support_mm, core::ThreadPool& threads)
-        : settings(wanted),
+        : bare(std::make_shared<const BareCanvas>(wanted, support_mm)),
           pool(threads),
           medium(film::find_medium(kFirstMedium)),
           canvas(bare_canvas(wanted, std::move(support_mm)), medium, threads) {
@@ -104,7 +104,7 @@ struct Painting::Parts {
 
     /// The solvers' memories come last: whatever else is set wakes paint.
     Parts(const PaintingState& state, core::ThreadPool& threads)
-        : settings(state.settings),
+        : bare(std::make_shared<const BareCanvas>(state.settings, state.bare_support_mm)),
           pool(threads),
           medium(film::find_medium(state.medium)),
           canvas(state.canvas.film, state.bare_support_mm, state.layers, medium, threads),
@@ -117,7 +117,7 @@ struct Painting::Parts {
           wiped(state.wiped),
           forgotten_run_off(state.forgotten_run_off),
           tick(state.tick) {
-        PASTOSO_CHECK(film.shape == canvas_shape(settings));
+        PASTOSO_CHECK(film.shape == canvas_shape(bare->settings));
         ageing.restore(state.ageing);
         if (state.brush) {
             brush = brush_of(*state.brush);
@@ -134,7 +134,7 @@ struct Painting::Parts {
 
     PaintingState state() const {
         PASTOSO_CHECK(!stroke);
-        PaintingState state{.settings = settings,
+        PaintingState state{.settings = bare->settings,
                             .tick = tick,
                             .canvas = {film, solver.memory()},
                             .layers = canvas.stack(),
@@ -320,6 +320,23 @@ struct Painting::Parts {
         });
     }
 
+    void operator()(const ResizeCanvas& resize) {
+        end_stroke();
+        CanvasSettings wanted = resized(resize, bare->settings);
+        check_canvas_fits(wanted, available_memory_bytes());
+        const grid::Extent extent = extent_of(resize, bare->settings);
+        film::SupportHeights support_mm = resized_support(wanted, extent);
+        history.remember(moment(), {Step::Kind::ResizeCanvas});
+        book(canvas.resize(extent, support_mm));
+        selection = on_extent(selection, extent);
+        bare = std::make_shared<const BareCanvas>(std::move(wanted), std::move(support_mm));
+    }
+
+    film::SupportHeights resized_support(const CanvasSettings& wanted, const grid::Extent& extent) {
+        if (wanted.support == "image") return layers::widened(bare->support_mm, extent);
+        return named_support(wanted, pool, film::form_of(bare->support_mm));
+    }
+
     /// What there is more of came out of the tubes, what there is less of was wiped off.
     void book(const LayerChange& paint) {
         brush::Contents gained = contents_of(paint.after);
@@ -456,7 +473,8 @@ struct Painting::Parts {
     }
 
     Moment moment() const {
-        Moment moment{.canvas = {film, solver.awake_tiles()},
+        Moment moment{.bare = bare,
+                      .canvas = {film, solver.awake_tiles()},
                       .layers = canvas.stack(),
                       .brush = brush,
                       .medium = medium.name,
@@ -473,7 +491,9 @@ struct Painting::Parts {
     /// A brush that was not touched since then gets back what it held. Any other stays in hand as it is,
     /// as if it had been filled afresh, and what was on the old one counts as wiped off.
     void return_to(const Moment& then) {
-        canvas.restore(then.canvas.film, then.layers);
+        canvas.restore(then.canvas.film, then.layers,
+                       then.bare == bare ? nullptr : &then.bare->support_mm);
+        bare = then.bare;
         return_well_to(then);
         selection = then.selection;
         if (then.medium != medium.name) film.varied = true;
@@ -504,7 +524,7 @@ struct Painting::Parts {
         if (!same_forces) solver.wake_all();
     }
 
-    CanvasSettings settings;
+    std::shared_ptr<const BareCanvas> bare;
     core::ThreadPool& pool;
     film::Medium medium;  ///< in hand: what the next load is mixed with
     LayeredCanvas canvas;
@@ -572,7 +592,7 @@ std::int64_t Painting::tick() const {
     return parts_->tick;
 }
 const CanvasSettings& Painting::settings() const {
-    return parts_->settings;
+    return parts_->bare->settings;
 }
 const film::FilmState& Painting::film() const {
     return parts_->film;
@@ -586,7 +606,8 @@ Snapshot Painting::snapshot() const {
             parts_->tick,
             parts_->well_film(),
             parts_->brush ? brush::load_profile(*parts_->brush) : brush::LoadProfile{},
-            parts_->selection};
+            parts_->selection,
+            parts_->bare};
 }
 bool Painting::can_undo() const {
     return parts_->history.can_undo();

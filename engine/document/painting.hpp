@@ -4,6 +4,7 @@
 
 #include "brush/load_profile.hpp"
 #include "core/thread_pool.hpp"
+#include "document/canvas.hpp"
 #include "document/events.hpp"
 #include "document/selection.hpp"
 #include "document/steps.hpp"
@@ -33,6 +34,7 @@ struct Snapshot {
     std::optional<film::FilmState> well{};  ///< the mixing well's; none while nothing has touched it
     brush::LoadProfile brush_load{};        ///< of the brush in hand
     Selection selection{};
+    std::shared_ptr<const BareCanvas> bare{};
 };
 
 /// Where all the paint is, in mm3 of volume and in mm3 times the pigment coefficients (K_k, S_k per mm).

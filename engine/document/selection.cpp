@@ -58,6 +58,13 @@ Selection inverted(const Selection& before) {
     return before ? selection_of(grid::inverted(*before)) : nullptr;
 }
 
+Selection on_extent(const Selection& before, const grid::Extent& extent) {
+    if (!before) return nullptr;
+    grid::Mask mask(extent.shape);
+    grid::put_on_extent(*before, extent, mask);
+    return selection_of(std::move(mask));
+}
+
 Selection transformed(const Selection& before, double cell_mm, const layers::Transform& transform) {
     return before ? selection_of(layers::transformed(*before, cell_mm, transform)) : nullptr;
 }

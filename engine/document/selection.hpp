@@ -3,6 +3,7 @@
 
 #include "document/selection_events.hpp"
 #include "film/state.hpp"
+#include "grid/extent.hpp"
 #include "layers/transform.hpp"
 
 #include <memory>
@@ -19,6 +20,8 @@ grid::Mask area_of(const SelectByWetness& select, const film::FilmState& film);
 
 Selection combined(const Selection& before, const grid::Mask& region, Combination how);
 Selection inverted(const Selection& before);
+/// Nothing that is added is selected.
+Selection on_extent(const Selection& before, const grid::Extent& extent);
 Selection transformed(const Selection& before, double cell_mm, const layers::Transform& transform);
 
 }  // namespace pastoso::document

@@ -55,7 +55,7 @@ struct ReliefMaker {
     /// height(x, y) in mm at a place in cells.
     template <class Height>
     SupportHeights sampled(const Height& height, int samples) const {
-        return sampled_heights(shape, samples, 1.0, [&](double y, std::span<float> heights) {
+        return sampled_heights({shape}, samples, 1.0, [&](double y, std::span<float> heights) {
             for (std::size_t k = 0; k < heights.size(); ++k)
                 heights[k] = static_cast<float>(height((static_cast<double>(k) + 0.5) / samples, y));
         });

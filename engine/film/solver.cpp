@@ -285,6 +285,16 @@ Solver::Solver(FilmState& state, const Medium& medium, const SolverOptions& opti
 
 Solver::~Solver() = default;
 
+void Solver::reshape() {
+    auto parts = std::make_unique<Parts>(parts_->state, parts_->medium, parts_->options, parts_->pool);
+    parts->gravity = parts_->gravity;
+    parts->air = parts_->air;
+    parts->runoff = parts_->runoff;
+    parts->configure();
+    parts_ = std::move(parts);
+    wake_all();
+}
+
 void Solver::set_medium(const Medium& medium) {
     parts_->medium = medium;
     parts_->configure();

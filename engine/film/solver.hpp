@@ -99,6 +99,9 @@ class Solver {
     /// The state has become another one, in which these tiles move and the others rest.
     void restart(const std::vector<bool>& awake);
 
+    /// The state has got another shape: all its paint is woken, and what ran off stays counted.
+    void reshape();
+
     /// Lets `seconds` of paint time pass in as many steps as stability asks for. The same state and
     /// calls give the same bits on any number of threads.
     AdvanceReport advance(double seconds);

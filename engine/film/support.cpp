@@ -109,22 +109,24 @@ struct StretchedImage {
 }  // namespace
 
 SupportHeights panel_support(grid::Shape shape, double cell_mm, double relief_mm, core::ThreadPool& pool,
-                             SupportForm form) {
+                             SupportForm form, const ClothPlace& place) {
     PASTOSO_CHECK_OP(cell_mm, >, 0.0);
     const int samples = samples_per_cell(cell_mm, kFineBrushMark_mm / 2.0);
+    const double first_sample = static_cast<double>(place.x0) * samples;
     const auto fill_row = [=](double y_cells, std::span<float> heights) {
         const double step_mm = cell_mm / samples;
         for (std::size_t k = 0; k < heights.size(); ++k) {
-            heights[k] = gesso_height((static_cast<double>(k) + 0.5) * step_mm, y_cells * cell_mm);
+            heights[k] =
+                gesso_height((first_sample + static_cast<double>(k) + 0.5) * step_mm, y_cells * cell_mm);
         }
     };
-    return sampled_in(form, shape, samples, relief_mm, pool, [&] { return fill_row; });
+    return sampled_in(form, {shape, place.y0}, samples, relief_mm, pool, [&] { return fill_row; });
 }
 
 SupportHeights image_support(grid::Shape shape, const std::vector<float>& grey, int width, int height,
                              double relief_mm, core::ThreadPool& pool) {
     const StretchedImage image(shape, grey, width, height);
-    return sampled_levels(shape, image.samples, relief_mm, pool, [&] {
+    return sampled_levels({shape}, image.samples, relief_mm, pool, [&] {
         return [&](double y_cells, std::span<float> heights) { image.fill_row(y_cells, heights); };
     });
 }
@@ -133,22 +135,27 @@ SupportHeights image_heights(grid::Shape shape, const std::vector<float>& grey, 
                              double relief_mm) {
     const StretchedImage image(shape, grey, width, height);
     return sampled_heights(
-        shape, image.samples, relief_mm,
+        {shape}, image.samples, relief_mm,
         [&](double y_cells, std::span<float> heights) { image.fill_row(y_cells, heights); });
 }
 
 SupportHeights named_support(std::string_view name, grid::Shape shape, double cell_mm, double relief_mm,
-                             core::ThreadPool& pool, SupportForm form) {
+                             core::ThreadPool& pool, SupportForm form, const ClothPlace& place) {
     const std::string wanted = core::lower_case(name);
     if (wanted == "panel")
-        return panel_support(shape, cell_mm, relief_mm > 0.0 ? relief_mm : kGessoRelief_mm, pool, form);
+        return panel_support(shape, cell_mm, relief_mm > 0.0 ? relief_mm : kGessoRelief_mm, pool, form,
+                             place);
     if (wanted != "linen" && wanted != "cotton duck") {
         throw core::InputError("There is no support \"" + std::string(name) +
                                "\"; the supports are: linen, cotton duck, panel.");
     }
     Weave weave = wanted == "linen" ? kLinen : kCottonDuck;
     if (relief_mm > 0.0) weave.relief_mm = relief_mm;
-    return woven_support(shape, cell_mm, weave, pool, form);
+    return woven_support(shape, cell_mm, weave, pool, form, place);
+}
+
+SupportForm form_of(const SupportHeights& named_mm) {
+    return named_mm.block(0).in_levels() ? SupportForm::Levels : SupportForm::Fine;
 }
 
 }  // namespace pastoso::film

@@ -27,15 +27,22 @@ struct Weave {
     double pairing = 0.0;       ///< how far neighbouring warp threads draw together, 0 to 0.2 pitches
 };
 
+/// Where a canvas lies on a cloth that goes on in all directions: the cell of the cloth that is the
+/// canvas's first.
+struct ClothPlace {
+    int x0 = 0, y0 = 0;
+};
+
 /// Heights of a weave, from 0 at the holes to at most `relief_mm`: means over the cells of a function of
 /// millimetres alone, so that any resolution shows the same cloth.
 SupportHeights woven_support(grid::Shape shape, double cell_mm, const Weave& weave,
-                             core::ThreadPool& pool, SupportForm form = SupportForm::Levels);
+                             core::ThreadPool& pool, SupportForm form = SupportForm::Levels,
+                             const ClothPlace& place = {});
 
 /// A smooth panel with a tooth of gesso brushed on from left to right, from 0 to at most `relief_mm`; a
 /// function of millimetres, like the weaves.
 SupportHeights panel_support(grid::Shape shape, double cell_mm, double relief_mm, core::ThreadPool& pool,
-                             SupportForm form = SupportForm::Levels);
+                             SupportForm form = SupportForm::Levels, const ClothPlace& place = {});
 
 /// A grey image stretched over the canvas: 0 is height 0, 1 is `relief_mm`. `grey` has width * height
 /// values in [0, 1], row by row. Resampled by the cubic B-spline through its values, clamped to [0,
@@ -50,6 +57,10 @@ SupportHeights image_heights(grid::Shape shape, const std::vector<float>& grey, 
 /// "linen", "cotton duck" or "panel" with the relief given, or its own when `relief_mm` is 0. Throws
 /// InputError that lists the names there are.
 SupportHeights named_support(std::string_view name, grid::Shape shape, double cell_mm, double relief_mm,
-                             core::ThreadPool& pool, SupportForm form = SupportForm::Levels);
+                             core::ThreadPool& pool, SupportForm form = SupportForm::Levels,
+                             const ClothPlace& place = {});
+
+/// The form in which a support that has a name was made.
+SupportForm form_of(const SupportHeights& named_mm);
 
 }  // namespace pastoso::film

@@ -8,6 +8,9 @@
 #include "film/support_sampling.hpp"
 
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
 
 namespace pastoso::film {
 namespace {
@@ -103,11 +106,16 @@ float cloth_height(const Neighbours& warp, float u, const Neighbours& weft, floa
 /// Scans the cloth line by line, and keeps what the lines have in common.
 class ClothScanner {
   public:
-    ClothScanner(const Weave& weave, std::size_t columns, double column_pitches)
+    /// `first_column` is the cloth's; there are `columns` of them.
+    ClothScanner(const Weave& weave, std::int64_t first_column, std::size_t columns,
+                 double column_pitches)
         : warp_(weave, Direction::Warp),
           weft_(weave, Direction::Weft),
           column_pitches_(column_pitches),
-          columns_(columns) {
+          first_column_(first_column),
+          columns_(columns),
+          first_warp_(static_cast<int>(std::floor(static_cast<double>(first_column) * column_pitches)) -
+                      2) {
         const int warp_count =
             static_cast<int>(std::ceil(static_cast<double>(columns) * column_pitches)) + 4;
         warp_sections_.resize(static_cast<std::size_t>(warp_count));
@@ -117,7 +125,7 @@ class ClothScanner {
 
     void fill_row(double v, std::span<float> heights) {
         for (std::size_t i = 0; i < warp_sections_.size(); ++i) {
-            warp_sections_[i] = warp_.section(static_cast<int>(i) + kFirstThread, v);
+            warp_sections_[i] = warp_.section(static_cast<int>(i) + first_warp_, v);
         }
         const int middle = static_cast<int>(std::floor(v));
         for (int number = middle - 2; number <= middle + 2; ++number)
@@ -125,31 +133,39 @@ class ClothScanner {
         const auto v_place = static_cast<float>(v);
         std::size_t i = 0;
         for (std::size_t k = 0; k < heights.size(); ++k) {
-            const auto u = static_cast<float>((static_cast<double>(k) + 0.5) * column_pitches_);
+            const auto u = static_cast<float>(place_pitches(k));
             while (warp_sections_[i + 1].centre <= u)
                 ++i;
-            const Neighbours warp = neighbours(static_cast<int>(i) + kFirstThread, warp_sections_[i],
+            const Neighbours warp = neighbours(static_cast<int>(i) + first_warp_, warp_sections_[i],
                                                warp_sections_[i + 1], u);
             heights[k] = cloth_height(warp, u, weft_neighbours(middle, k, v_place), v_place);
         }
     }
 
   private:
-    static constexpr int kFirstThread = -2;
+    static constexpr int kKeptCourses = 5;
 
     struct WeftCourse {
-        int number = kFirstThread - 100;
+        std::optional<int> number{};
         std::vector<ThreadSection> sections;  ///< one per column
     };
 
-    WeftCourse& course(int number) { return weft_courses_[static_cast<std::size_t>((number + 10) % 5)]; }
+    WeftCourse& course(int number) {
+        const int slot = (number % kKeptCourses + kKeptCourses) % kKeptCourses;
+        return weft_courses_[static_cast<std::size_t>(slot)];
+    }
+
+    double place_pitches(std::size_t column) const {
+        const auto of_cloth = static_cast<double>(first_column_ + static_cast<std::int64_t>(column));
+        return (of_cloth + 0.5) * column_pitches_;
+    }
 
     void keep_weft(int number) {
         WeftCourse& kept = course(number);
         if (kept.number == number) return;
         kept.number = number;
         for (std::size_t k = 0; k < columns_; ++k) {
-            kept.sections[k] = weft_.section(number, (static_cast<double>(k) + 0.5) * column_pitches_);
+            kept.sections[k] = weft_.section(number, place_pitches(k));
         }
     }
 
@@ -164,25 +180,29 @@ class ClothScanner {
     Threads warp_;
     Threads weft_;
     double column_pitches_;
+    std::int64_t first_column_;
     std::size_t columns_;
+    int first_warp_;
     std::vector<ThreadSection> warp_sections_;
-    std::array<WeftCourse, 5> weft_courses_;
+    std::array<WeftCourse, kKeptCourses> weft_courses_;
 };
 
 }  // namespace
 
 SupportHeights woven_support(grid::Shape shape, double cell_mm, const Weave& weave,
-                             core::ThreadPool& pool, SupportForm form) {
+                             core::ThreadPool& pool, SupportForm form, const ClothPlace& place) {
     PASTOSO_CHECK_OP(cell_mm, >, 0.0);
     PASTOSO_CHECK_OP(weave.thread_pitch_mm, >, 0.0);
     const double cell_pitches = cell_mm / weave.thread_pitch_mm;
     const int samples = samples_per_cell(cell_pitches, 1.0 / 6.0);
     const auto columns = static_cast<std::size_t>(shape.width) * samples;
-    return sampled_in(form, shape, samples, weave.relief_mm, pool, [&] {
-        return [cell_pitches, scanner = ClothScanner(weave, columns, cell_pitches / samples)](
-                   double y_cells, std::span<float> heights) mutable {
-            scanner.fill_row(y_cells * cell_pitches, heights);
-        };
+    const std::int64_t first_column = std::int64_t{place.x0} * samples;
+    return sampled_in(form, {shape, place.y0}, samples, weave.relief_mm, pool, [&] {
+        return
+            [cell_pitches, scanner = ClothScanner(weave, first_column, columns, cell_pitches / samples)](
+                double y_cells, std::span<float> heights) mutable {
+                scanner.fill_row(y_cells * cell_pitches, heights);
+            };
     });
 }
 

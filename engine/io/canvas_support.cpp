@@ -24,8 +24,7 @@ film::SupportHeights image_support(const document::CanvasSettings& settings, cor
 film::SupportHeights make_support(const document::CanvasSettings& settings, core::ThreadPool& pool) {
     document::check_canvas_fits(settings, document::available_memory_bytes());
     if (settings.support == "image") return image_support(settings, pool);
-    return film::named_support(settings.support, document::canvas_shape(settings),
-                               1.0 / settings.px_per_mm, settings.support_relief_mm, pool);
+    return document::named_support(settings, pool);
 }
 
 std::unique_ptr<document::Painting> make_painting(const document::CanvasSettings& settings,

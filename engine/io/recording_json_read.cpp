@@ -21,8 +21,8 @@ constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;
 constexpr std::int64_t kMaxTick = 24LL * 3600 * 60;
 
 document::CanvasSettings read_canvas(const JsonPlace& place) {
-    place.allow_only(
-        {"width_mm", "height_mm", "px_per_mm", "support", "support_image", "support_relief_mm"});
+    place.allow_only({"width_mm", "height_mm", "px_per_mm", "support", "support_image",
+                      "support_relief_mm", "support_x_mm", "support_y_mm"});
     document::CanvasSettings canvas;
     canvas.width_mm = place.entry("width_mm").number();
     canvas.height_mm = place.entry("height_mm").number();
@@ -30,6 +30,8 @@ document::CanvasSettings read_canvas(const JsonPlace& place) {
     if (const auto support = place.optional_entry("support")) canvas.support = support->text();
     if (const auto image = place.optional_entry("support_image")) canvas.support_image = image->text();
     canvas.support_relief_mm = place.number_or("support_relief_mm", 0.0);
+    canvas.support_x_mm = place.number_or("support_x_mm", 0.0);
+    canvas.support_y_mm = place.number_or("support_y_mm", 0.0);
     place.guard([&] { document::check_canvas(canvas); });
     return canvas;
 }
@@ -111,6 +113,12 @@ document::Action read_squeeze(const JsonPlace& place) {
     return squeeze;
 }
 
+document::Action read_resize(const JsonPlace& place) {
+    place.allow_only({"x_mm", "y_mm", "width_mm", "height_mm"});
+    return document::ResizeCanvas{place.number_or("x_mm", 0.0), place.number_or("y_mm", 0.0),
+                                  place.entry("width_mm").number(), place.entry("height_mm").number()};
+}
+
 document::Surface read_surface(const JsonPlace& place) {
     const std::string name = place.text();
     if (name == "canvas") return document::Surface::Canvas;
@@ -161,6 +169,7 @@ constexpr Kind kKinds[] = {
     {"select_by_height", read_select_by_height},
     {"select_by_wetness", read_select_by_wetness},
     {"invert_selection", read_plain<document::InvertSelection>},
+    {"resize_canvas", read_resize},
     {"select_all", read_plain<document::SelectAll>},
 };
 

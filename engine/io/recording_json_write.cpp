@@ -72,6 +72,8 @@ Json canvas_json(const document::CanvasSettings& canvas) {
               {"support", canvas.support}};
     if (!canvas.support_image.empty()) json["support_image"] = canvas.support_image;
     if (canvas.support_relief_mm != 0.0) json["support_relief_mm"] = canvas.support_relief_mm;
+    if (canvas.support_x_mm != 0.0) json["support_x_mm"] = canvas.support_x_mm;
+    if (canvas.support_y_mm != 0.0) json["support_y_mm"] = canvas.support_y_mm;
     return json;
 }
 
@@ -194,6 +196,12 @@ class EntryWriter {
     void operator()(const document::SelectByWetness& select) {
         put("select_by_wetness", select_by_wetness_json(select));
     }
+    void operator()(const document::ResizeCanvas& resize) {
+        put("resize_canvas", Json{{"x_mm", resize.x_mm},
+                                  {"y_mm", resize.y_mm},
+                                  {"width_mm", resize.width_mm},
+                                  {"height_mm", resize.height_mm}});
+    }
     void operator()(const document::InvertSelection&) { put("invert_selection", Json::object()); }
     void operator()(const document::SelectAll&) { put("select_all", Json::object()); }
 
@@ -230,14 +238,15 @@ bool uses_layers(const Event& event) {
 bool uses_regions(const Event& event) {
     using namespace document;
     return is_one_of<SelectArea, SelectByHeight, SelectByWetness, InvertSelection, SelectAll,
-                     TransformLayer>(event.action);
+                     TransformLayer, ResizeCanvas>(event.action);
 }
 
 int version_needed(const document::Recording& recording) {
     const auto any = [&](bool (*uses)(const Event&)) {
         return std::any_of(recording.events.begin(), recording.events.end(), uses);
     };
-    if (any(uses_regions)) return 6;
+    const bool on_cloth = recording.canvas.support_x_mm != 0.0 || recording.canvas.support_y_mm != 0.0;
+    if (on_cloth || any(uses_regions)) return 6;
     if (any(uses_layers)) return 5;
     return any(uses_well) ? 4 : 3;
 }

@@ -165,11 +165,11 @@ void add_strokes(const fs::path& folder, const Candidate& candidate, const Journ
         recovered.strokes.events.insert(recovered.strokes.events.end(), played.events.begin(),
                                         played.events.end());
     } else {
+        recovered.strokes.canvas = recovered.painting.settings;
         recovered.notes.push_back(damaged_place(folder, content) +
                                   ": is damaged; the painting is there, but some of its strokes are "
                                   "missing, so that they cannot be replayed.");
     }
-    recovered.strokes.canvas = recovered.painting.settings;
     recovered.strokes.end_tick = played.end_tick;
 }
 

@@ -21,7 +21,7 @@ void UndoReach::note(const document::Action& action) {
     // Cleaning a well that is bare already is no step, nor is changing a selection that there is not, so
     // these are not counted on.
     if (is_one_of<document::PenDown, document::DryNow, document::SqueezePaint, document::SelectArea,
-                  document::SelectByHeight, document::SelectByWetness>(action) ||
+                  document::SelectByHeight, document::SelectByWetness, document::ResizeCanvas>(action) ||
         changes_layers(action))
         ++undoable_;
     if (changes_painting(action) && !is_one_of<document::Undo, document::Redo>(action)) redoable_ = 0;
@@ -41,7 +41,8 @@ bool changes_painting(const document::Action& action) {
     return changes_layers(action) ||
            is_one_of<document::PenDown, document::DryNow, document::SqueezePaint, document::CleanWell,
                      document::Undo, document::Redo, document::SelectArea, document::SelectByHeight,
-                     document::SelectByWetness, document::InvertSelection, document::SelectAll>(action);
+                     document::SelectByWetness, document::ResizeCanvas, document::InvertSelection,
+                     document::SelectAll>(action);
 }
 
 }  // namespace pastoso::journal

@@ -77,8 +77,7 @@ void check_memory(const ZipReader& archive, const document::CanvasSettings& canv
 film::SupportHeights named_support(const ZipReader& archive, const document::CanvasSettings& canvas,
                                    film::SupportForm form, core::ThreadPool& pool) {
     try {
-        return film::named_support(canvas.support, document::canvas_shape(canvas),
-                                   1.0 / canvas.px_per_mm, canvas.support_relief_mm, pool, form);
+        return document::named_support(canvas, pool, form);
     } catch (const core::InputError& error) {
         archive.fail(kSetupEntry, error.what());
     }
@@ -219,13 +218,12 @@ void read_strokes(const ZipReader& archive, const PackedEntry& strokes, LoadedPr
         project.strokes =
             io::recording_from_json(text, place_of(archive, kStrokesEntry), io::Names::MayBeUnknown);
     } catch (const core::InputError& error) {
-        project.strokes = {};
+        project.strokes = {painting.settings, {}, 0};
         project.notes.push_back(
             std::string("The painting is whole, but its strokes cannot be replayed: ") + error.what());
     }
     if (!project.strokes.events.empty() && project.strokes.events.back().tick > painting.tick)
         archive.fail(kStrokesEntry, "tells of strokes that are later than the painting.");
-    project.strokes.canvas = painting.settings;
     project.strokes.end_tick = painting.tick;
 }
 

@@ -99,10 +99,6 @@ void add_bare_support(const PaintingState& painting, ProjectIndex& index, ZipWri
 }
 
 /// Of a support that has a name, no tile of which is background.
-film::SupportForm form_of(const film::SupportHeights& named_mm) {
-    return named_mm.block(0).in_levels() ? film::SupportForm::Levels : film::SupportForm::Fine;
-}
-
 ProjectIndex add_painting(const Project& project, ZipWriter& archive, core::ThreadPool& pool) {
     const PaintingState& painting = project.painting;
     ProjectIndex index{.program = PASTOSO_VERSION,
@@ -113,7 +109,7 @@ ProjectIndex add_painting(const Project& project, ZipWriter& archive, core::Thre
                        .forgotten_run_off = painting.forgotten_run_off};
     add_layers(painting, index, archive, pool);
     add_bare_support(painting, index, archive, pool);
-    index.support_form = form_of(painting.bare_support_mm);
+    index.support_form = film::form_of(painting.bare_support_mm);
     if (painting.well) {
         index.well = surface_index(*painting.well);
         index.well->entries = add_tiles({*painting.well}, kWellFolder, archive, pool);

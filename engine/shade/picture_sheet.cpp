@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 namespace pastoso::shade {
 namespace {
 
-std::size_t offset(const Image8& picture, int x, int y) {
+template <class Image>
+std::size_t offset(const Image& picture, int x, int y) {
     return 3 * (static_cast<std::size_t>(y) * picture.width + x);
 }
 
@@ -64,6 +66,21 @@ Image8 enlarged(const Image8& picture, int factor) {
         }
     }
     return large;
+}
+
+LinearImage framed(const LinearImage& picture, int width, int height) {
+    constexpr float kMiddleGrey = 0.18F;
+    LinearImage frame{width, height, {}, picture.space};
+    frame.rgb.assign(static_cast<std::size_t>(width) * height * 3, kMiddleGrey);
+    const int left = (width - picture.width) / 2, top = (height - picture.height) / 2;
+    const int first = std::max(0, -left), end = std::min(picture.width, width - left);
+    for (int y = std::max(0, -top); y < std::min(picture.height, height - top); ++y) {
+        const auto row =
+            std::span(picture.rgb)
+                .subspan(offset(picture, first, y), 3 * static_cast<std::size_t>(end - first));
+        std::copy(row.begin(), row.end(), &frame.rgb[offset(frame, left + first, top + y)]);
+    }
+    return frame;
 }
 
 Image8 arranged(const std::vector<std::vector<Image8>>& rows, int gap_px) {

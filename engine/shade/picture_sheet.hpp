@@ -11,6 +11,9 @@ namespace pastoso::shade {
 /// around it (on the encoded values, as image viewers do); beyond the outermost centres their values.
 Image8 enlarged(const Image8& picture, int factor);
 
+/// The picture in the middle of one of that size, middle grey around it; what has no room is cut off.
+LinearImage framed(const LinearImage& picture, int width, int height);
+
 /// Rows of pictures with white between them. Columns are as wide and rows as high as their largest
 /// picture; smaller ones stand at the upper left. The first row holds a picture; all are of its colour
 /// space.

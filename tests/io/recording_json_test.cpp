@@ -97,6 +97,7 @@ Recording everything() {
         {43, SelectArea{{{1, 2}, {3, 2}, {2, -4}}, Combination::Subtract}},
         {44, SelectByHeight{0.25, 3, Combination::Intersect}},
         {44, SelectByWetness{0.5, 1000, Combination::Add}},
+        {45, ResizeCanvas{-2.5, 3, 120, 90.5}},
         {45, InvertSelection{}},
         {45, TransformLayer{2, {10, 12.5, -3, 4, 30, 0.5, -2}}},
         {45, SelectAll{}},

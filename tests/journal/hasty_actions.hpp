@@ -34,7 +34,7 @@ class HastyPainter {
             began_ = true;
             return {UseMedium{"soft-body acrylic"}, TiltCanvas{50, 90}, TakeBrush{"flat", 8, 1}, dip()};
         }
-        const int what = choice(23);
+        const int what = choice(24);
         if (what < 3) return std::vector<Action>(static_cast<std::size_t>(1 + choice(4)), Undo{});
         if (what == 3) return {Redo{}};
         if (what == 4) return {DryNow{}};
@@ -51,6 +51,7 @@ class HastyPainter {
         if (what == 15)
             return {
                 TransformLayer{1, {.centre_x_mm = 30, .centre_y_mm = 20, .turn_deg = 60.0 * uniform()}}};
+        if (what == 16) return {ResizeCanvas{10.0 * uniform() - 5.0, 0, 40.0 + choice(30), 40}};
         if (what == 12 && choice(3) == 0) return {FlattenLayers{}};
         return stroke(what == 8 ? Surface::Well : Surface::Canvas);
     }

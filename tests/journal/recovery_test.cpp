@@ -107,7 +107,7 @@ TEST_F(Recovery, ADamagedCheckpointIsToldOf) {
 
 TEST_F(Recovery, DamageCostsWhatComesAfterIt) {
     const fs::path journal = left_behind(folder, recording, {}, pool);
-    change(journal / kStrokesFile, [](std::string& bytes) { bytes[bytes.size() / 2] ^= 1; });
+    change(journal / kStrokesFile, [](std::string& bytes) { bytes[bytes.size() * 3 / 4] ^= 1; });
     const Recovered recovered = recover(journal, pool);
     EXPECT_EQ(document::state_hash(recovered.painting), hash_of_replay(recovered.strokes, pool));
     EXPECT_GT(recovered.strokes.events.size(), recording.events.size() / 4);

@@ -142,6 +142,23 @@ TEST_F(ProjectRoundTrip, ASelectionComesBackToTheCell) {
     EXPECT_EQ(again.state_hash(), painting->state_hash());
 }
 
+TEST_F(ProjectRoundTrip, ACanvasThatWasCutComesBackAndReplays) {
+    document::Recording recording = busy_session();
+    recording.events.push_back({recording.end_tick, document::ResizeCanvas{-7, 4, 50, 31}});
+    recording.end_tick += 20;
+    for (const char* support : {"linen", "panel"}) {
+        recording.canvas.support = support;
+        const auto painting = played(recording, recording.end_tick, pool);
+        const Project project = project_of(*painting, recording);
+        const LoadedProject loaded = saved_and_loaded(project);
+        expect_equal(loaded.painting, project.painting);
+        EXPECT_EQ(loaded.strokes, project.strokes);
+        EXPECT_THAT(loaded.notes, IsEmpty());
+        EXPECT_EQ(played(loaded.strokes, loaded.strokes.end_tick, pool)->state_hash(),
+                  painting->state_hash());
+    }
+}
+
 TEST_F(ProjectRoundTrip, TheStrokesReplayToThePainting) {
     const Project project = busy_project(pool);
     const LoadedProject loaded = saved_and_loaded(project);

@@ -31,5 +31,14 @@ TEST(PictureSheet, PicturesStandInRowsWithWhiteBetween) {
         grey(4, 4, {10, 255, 20, 30, 255, 255, 255, 255, 40, 255, 255, 255, 50, 255, 255, 255}).rgb);
 }
 
+TEST(PictureSheet, AFrameHoldsThePictureInItsMiddle) {
+    const LinearImage picture{2, 1, {1, 2, 3, 4, 5, 6}};
+    const LinearImage wide = framed(picture, 4, 1);
+    EXPECT_THAT(wide.rgb,
+                testing::ElementsAre(0.18F, 0.18F, 0.18F, 1, 2, 3, 4, 5, 6, 0.18F, 0.18F, 0.18F));
+    EXPECT_EQ(framed(picture, 2, 1).rgb, picture.rgb);
+    EXPECT_THAT(framed({3, 1, {1, 1, 1, 2, 2, 2, 3, 3, 3}}, 1, 1).rgb, testing::ElementsAre(2, 2, 2));
+}
+
 }  // namespace
 }  // namespace pastoso::shade
