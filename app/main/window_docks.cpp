@@ -28,6 +28,7 @@ QDockWidget* MainWindow::add_dock(Command command, const QString& name, const QS
     content->layout()->setContentsMargins(10, 8, 10, 8);
     auto* scrolled = new QScrollArea;
     scrolled->setFrameShape(QFrame::NoFrame);
+    scrolled->setFocusPolicy(Qt::NoFocus);  // a click beside the controls leaves the keys to the canvas
     scrolled->setWidgetResizable(true);
     scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scrolled->setWidget(content);

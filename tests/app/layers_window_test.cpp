@@ -90,6 +90,7 @@ class LayersWindow : public WindowTest {
         ASSERT_NE(editor, nullptr);
         editor->setText(QString::fromUtf8(name));
         QTest::keyClick(editor, Qt::Key_Return);
+        QApplication::processEvents();  // Qt takes the name once the key is handled
         follow();
     }
     /// On all layers, wet and dry.
@@ -196,6 +197,10 @@ TEST_F(LayersWindow, AGroupHoldsLayersAndHidesThemTogether) {
     EXPECT_EQ(difference(one, picture()).largest, 0);
     drop(layer(1), place_of(group, LayerModel::kName).center());
     EXPECT_EQ(stack().layers[0].group + stack().layers[1].group, 2 * group.group);
+    EXPECT_THAT(names_from_below(), ElementsAre("Layer 2", "Paint"));
+    drop(layer(2), place_of(group, LayerModel::kName).bottomLeft() + QPoint(30, -1));
+    EXPECT_THAT(names_from_below(), ElementsAre("Paint", "Layer 2")) << "the uppermost of the group";
+    EXPECT_EQ(stack().layers[1].group, group.group);
     click(group, LayerModel::kName);
     EXPECT_EQ(panel().chosen(), group);
     EXPECT_FALSE(action(Command::DuplicateLayer)->isEnabled());
