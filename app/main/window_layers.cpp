@@ -21,11 +21,11 @@ using tools::LayerRow;
 /// Pictures follow the paint when it had the time to change.
 constexpr int kPicturesLater_ms = 400;
 
+/// Of what has no check mark: menus show either.
 constexpr std::pair<Command, LayerIcon> kIcons[] = {
     {Command::AddLayer, LayerIcon::New},       {Command::DuplicateLayer, LayerIcon::Duplicate},
     {Command::GroupLayers, LayerIcon::Group},  {Command::MergeDown, LayerIcon::MergeDown},
-    {Command::RemoveLayer, LayerIcon::Remove}, {Command::ShowLayer, LayerIcon::Eye},
-    {Command::LockLayer, LayerIcon::Lock},
+    {Command::RemoveLayer, LayerIcon::Remove},
 };
 
 /// Whether two films show the same paint, as far as their tiles tell.

@@ -12,7 +12,6 @@ namespace {
 
 using Item = LayerModel::Item;
 
-constexpr QColor kHover(47, 47, 50);
 constexpr QColor kAccent(124, 168, 212);
 constexpr QColor kText(218, 218, 220);
 constexpr QColor kFaint(138, 138, 143);
@@ -97,10 +96,7 @@ void LayerDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const {
     const Item item = model_->item(index);
     painter->save();
-    if (option.state & QStyle::State_Selected)
-        painter->fillRect(option.rect, kChosenRow);
-    else if (option.state & QStyle::State_MouseOver)
-        painter->fillRect(option.rect, kHover);
+    if (option.state & QStyle::State_Selected) painter->fillRect(option.rect, kChosenRow);
     if (index.column() == LayerModel::kEye) paint_eye(painter, option.rect, item);
     if (index.column() == LayerModel::kName) paint_name(painter, option, index, item);
     if (index.column() == LayerModel::kLock) paint_lock(painter, option, item);
@@ -127,7 +123,7 @@ void LayerDelegate::paint_lock(QPainter* painter, const QStyleOptionViewItem& op
 
 void LayerDelegate::paint_name(QPainter* painter, const QStyleOptionViewItem& option,
                                const QModelIndex& index, const Item& item) const {
-    painter->setOpacity(is_seen(item) ? 1.0 : 0.5);
+    painter->setOpacity(is_seen(item) ? 1.0 : 0.6);
     QRect box = option.rect;
     box.setWidth(indent_of(item) - kGap);
     if (item.is_group)

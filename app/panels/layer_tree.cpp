@@ -4,15 +4,24 @@
 #include "panels/layer_icons.hpp"
 #include "panels/section.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <QApplication>
+#include <QDrag>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QMimeData>
 #include <QMouseEvent>
 #include <QPainter>
 
 namespace pastoso::panels {
+namespace {
+
+constexpr int kDraggedWidth = 150;
+constexpr int kBesidePointer = 12;
+
+}  // namespace
 
 LayerTree::LayerTree(QWidget* parent) : QTreeView(parent) {
     setModel(&model_);
@@ -20,7 +29,6 @@ LayerTree::LayerTree(QWidget* parent) : QTreeView(parent) {
     setTreePosition(LayerModel::kName);
     setHeaderHidden(true);
     setIndentation(14);
-    setMouseTracking(true);
     setExpandsOnDoubleClick(false);
     setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -142,11 +150,43 @@ void LayerTree::drawBranches(QPainter* painter, const QRect& place, const QModel
               palette().color(QPalette::Text));
 }
 
+/// The picture and the beginning of the name, beside the pointer, so that the gap that it is dragged to
+/// is seen.
+QPixmap LayerTree::dragged_picture(const QModelIndex& index) {
+    QRect place = visualRect(index.siblingAtColumn(LayerModel::kName));
+    place.setWidth(std::min(place.width(), kDraggedWidth));
+    const QPixmap row = viewport()->grab(place);
+    QPixmap faint(row.size());
+    faint.setDevicePixelRatio(row.devicePixelRatio());
+    faint.fill(Qt::transparent);
+    QPainter painter(&faint);
+    painter.setOpacity(0.75);
+    painter.drawPixmap(0, 0, row);
+    return faint;
+}
+
 /// Of several chosen rows the one that is grabbed is dragged.
 void LayerTree::startDrag(Qt::DropActions actions) {
-    selectionModel()->select(currentIndex(),
-                             QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
-    QTreeView::startDrag(actions);
+    const QModelIndex grabbed = currentIndex();
+    selectionModel()->select(grabbed, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    auto* drag = new QDrag(this);
+    drag->setMimeData(model_.mimeData({grabbed}));
+    drag->setPixmap(dragged_picture(grabbed));
+    drag->setHotSpot({-kBesidePointer, -kBesidePointer});
+    drag->exec(actions, Qt::MoveAction);
+}
+
+/// Just below the name of an open group is the uppermost place in it, where the line is drawn; Qt takes
+/// it for the place below the group.
+void LayerTree::dropEvent(QDropEvent* event) {
+    const QModelIndex there = indexAt(event->position().toPoint()).siblingAtColumn(0);
+    const bool below_name = dropIndicatorPosition() == BelowItem && isExpanded(there);
+    if (!below_name || model_.row_at(there).group == 0) return QTreeView::dropEvent(event);
+    model_.dropMimeData(event->mimeData(), event->dropAction(), 0, 0, there);
+    event->accept();
+    stopAutoScroll();
+    setState(NoState);
+    viewport()->update();
 }
 
 }  // namespace pastoso::panels

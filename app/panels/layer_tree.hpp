@@ -38,6 +38,7 @@ class LayerTree : public QTreeView {
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void drawBranches(QPainter* painter, const QRect& place, const QModelIndex& index) const override;
     void startDrag(Qt::DropActions actions) override;
+    void dropEvent(QDropEvent* event) override;
     bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;
     void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
@@ -45,6 +46,7 @@ class LayerTree : public QTreeView {
   private:
     bool click_icon(const QMouseEvent& event);
     void unfold();
+    QPixmap dragged_picture(const QModelIndex& index);
 
     LayerModel model_;
     std::set<document::GroupId> folded_;
