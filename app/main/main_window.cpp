@@ -31,6 +31,12 @@ view::TipShape tip_in_hand(const tools::Hand& hand) {
             .angular = preset.tip.shape != brush::TipShape::Round};
 }
 
+/// Sentences of the engine begin small, since many stand behind the name of a file.
+QString capitalised(QString sentence) {
+    if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
+    return sentence;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journal)
@@ -51,6 +57,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     connect_file_commands();
     connect_brush_commands();
     connect_guide_commands();
+    connect_layers();
     connect_light_commands();
     connect_project_commands();
     read_brushes();
@@ -100,6 +107,7 @@ void MainWindow::start_session(std::unique_ptr<core::ThreadPool> pool,
     path_.clear();
     saved_changes_ = 0;
     show_title();
+    forget_layer_pictures();
 }
 
 void MainWindow::new_canvas(const document::CanvasSettings& canvas) {
@@ -133,6 +141,7 @@ void MainWindow::replay(const document::Recording& recording) {
 void MainWindow::show_published() {
     const auto snapshot = session_->snapshot();
     canvas_->show_snapshot(snapshot);
+    show_layers(*snapshot);
     show_well(*snapshot);
     load_->show_load(snapshot->brush_load);
     const session::Status status = session_->status();
@@ -140,7 +149,7 @@ void MainWindow::show_published() {
     show_enabled(status);
     setWindowModified(status.changes != saved_changes_);
     for (const std::string& error : session_->take_errors())
-        report(QString::fromStdString(error));
+        report(capitalised(QString::fromStdString(error)));
 }
 
 /// The well's view is left alone while nothing in the well changes.

@@ -6,6 +6,7 @@
 #include "commands/picture_saver.hpp"
 #include "commands/project_saver.hpp"
 #include "document/events.hpp"
+#include "session/layer_painter.hpp"
 #include "session/paint_session.hpp"
 #include "session/thumbnail_painter.hpp"
 #include "tools/easel.hpp"
@@ -32,6 +33,7 @@ class ColourPanel;
 class CurvesPanel;
 class EaselPanel;
 class GuidesPanel;
+class LayerPanel;
 class LoadPanel;
 class PaintPanel;
 class StatusReadings;
@@ -123,6 +125,19 @@ class MainWindow : public QMainWindow {
     void connect_well();
     void connect_brush_commands();
     void connect_guide_commands();
+    panels::LayerPanel* make_layer_panel();
+    void connect_layers();
+    void add_layer();
+    void remove_layers();
+    void clear_layers();
+    void group_layers();
+    void ungroup_layers();
+    void choose_neighbour(bool above);
+    void move_layer(bool up);
+    void show_layers(const document::Snapshot& painting);
+    void show_layer_commands();
+    void want_layer_pictures();
+    void forget_layer_pictures();
     void show_published();
     void show_well(const document::Snapshot& painting);
     void show_hand();
@@ -170,6 +185,10 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<tools::Easel> easel_;
     std::unique_ptr<session::PaintSession> session_;
     std::unique_ptr<session::ThumbnailPainter> thumbnails_;
+    std::unique_ptr<session::LayerPainter> layer_painter_;
+    /// What the pictures of the layers show.
+    std::map<document::LayerId, std::shared_ptr<const film::FilmState>> pictured_;
+    QTimer layers_changed_;  ///< soon after their paint
     commands::ProjectSaver project_saver_;
     QString path_;  ///< of the project file; empty: not saved yet
     std::int64_t saved_changes_ = 0;
@@ -195,6 +214,7 @@ class MainWindow : public QMainWindow {
     panels::LoadPanel* load_ = nullptr;
     panels::CurvesPanel* curves_ = nullptr;
     panels::GuidesPanel* guides_ = nullptr;
+    panels::LayerPanel* layers_ = nullptr;
     panels::EaselPanel* stand_ = nullptr;
     panels::StatusReadings* readings_ = nullptr;
     QComboBox* medium_ = nullptr;

@@ -6,6 +6,7 @@
 #include "panels/colour_panel.hpp"
 #include "panels/curves_panel.hpp"
 #include "panels/guides_panel.hpp"
+#include "panels/layer_panel.hpp"
 #include "panels/load_panel.hpp"
 #include "pigment/gpl.hpp"
 
@@ -76,6 +77,8 @@ void MainWindow::make_docks() {
         first, add_dock(Command::ColourPanel, QStringLiteral("colour_panel"), tr("Colour"), colours_));
     tabifyDockWidget(
         first, add_dock(Command::GuidesPanel, QStringLiteral("guides_panel"), tr("Guides"), guides_));
+    add_dock(Command::LayersPanel, QStringLiteral("layers_panel"), tr("Layers"),
+             layers_ = make_layer_panel());
     first->raise();
     // As narrow as what they hold allows: the canvas gets the rest.
     resizeDocks({first}, {1}, Qt::Horizontal);

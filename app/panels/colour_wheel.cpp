@@ -51,6 +51,8 @@ ColourWheel::ColourWheel(QWidget* parent) : QWidget(parent) {
         tr("The ring is the hue. Inside, lightness goes up and chroma to the right, as far as the\n"
            "screen has it. Keys: arrows, Page Up and Page Down for the hue, with Ctrl finely."));
     keep_keys_for_canvas(this);
+    keep_own_keys(this, {Qt::Key_PageUp, Qt::Key_PageDown, Qt::CTRL | Qt::Key_PageUp,
+                         Qt::CTRL | Qt::Key_PageDown});
 }
 
 void ColourWheel::show_colour(const tools::Channels& oklch) {

@@ -1,5 +1,7 @@
 #include "panels/curve_editor.hpp"
 
+#include "panels/section.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,6 +26,7 @@ constexpr double kStep = 0.02, kFineStep = 0.002;
 CurveEditor::CurveEditor(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("curve_editor"));
     setFocusPolicy(Qt::StrongFocus);
+    keep_own_keys(this, {Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_Insert, Qt::Key_Delete});
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(tr("Curve"));

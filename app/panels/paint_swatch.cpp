@@ -12,6 +12,7 @@ namespace pastoso::panels {
 PaintSwatch::PaintSwatch(QWidget* parent) : QPushButton(parent) {
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     keep_keys_for_canvas(this);
+    keep_own_keys(this, {Qt::Key_Delete});
 }
 
 void PaintSwatch::show_paint(const QColor& colour, const QString& words) {

@@ -1,13 +1,39 @@
 #include "panels/section.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include <QAction>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QListView>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 namespace pastoso::panels {
+namespace {
+
+/// Tells Qt that a key is no shortcut here.
+class OwnKeys : public QObject {
+  public:
+    OwnKeys(QWidget* widget, std::vector<QKeyCombination> keys)
+        : QObject(widget), keys_(std::move(keys)) {}
+
+    bool eventFilter(QObject* widget, QEvent* event) override {
+        if (event->type() != QEvent::ShortcutOverride) return QObject::eventFilter(widget, event);
+        const auto* key = static_cast<const QKeyEvent*>(event);
+        const QKeyCombination pressed(key->modifiers() & ~Qt::KeypadModifier, Qt::Key(key->key()));
+        const bool own = std::find(keys_.begin(), keys_.end(), pressed) != keys_.end();
+        if (own) event->accept();
+        return own;
+    }
+
+  private:
+    std::vector<QKeyCombination> keys_;
+};
+
+}  // namespace
 
 QVBoxLayout* section(QWidget* panel, const QString& heading) {
     auto* column = new QVBoxLayout(panel);
@@ -21,6 +47,10 @@ QVBoxLayout* section(QWidget* panel, const QString& heading) {
 
 void keep_keys_for_canvas(QWidget* widget) {
     widget->setFocusPolicy(Qt::TabFocus);
+}
+
+void keep_own_keys(QWidget* widget, const std::vector<QKeyCombination>& keys) {
+    widget->installEventFilter(new OwnKeys(widget, keys));
 }
 
 QWidget* button_row(const std::vector<QAction*>& actions) {

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <QKeyCombination>
+
 class QAction;
 class QListView;
 class QString;
@@ -17,6 +19,10 @@ QVBoxLayout* section(QWidget* panel, const QString& heading);
 /// Leaves the keyboard to the canvas, where Space and the letter keys mean something else, until the
 /// Tab key asks for the widget.
 void keep_keys_for_canvas(QWidget* widget);
+
+/// Lets the widget answer to these keys itself while it has the keyboard, whatever commands they give
+/// elsewhere.
+void keep_own_keys(QWidget* widget, const std::vector<QKeyCombination>& keys);
 
 /// Buttons for actions side by side, all of one width.
 QWidget* button_row(const std::vector<QAction*>& actions);

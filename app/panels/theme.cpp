@@ -30,11 +30,12 @@ QMenu::separator { height: 1px; background: #424246; margin: 4px 6px; }
 QStatusBar { background: #2b2b2d; border-top: 1px solid #1f1f21; color: #a9a9ae; }
 QStatusBar::item { border: none; }
 QStatusBar QLabel { color: #a9a9ae; padding: 0px 7px; }
-QListView, QComboBox, QAbstractSpinBox { background: #212123; border: 1px solid #38383b; border-radius: 4px; }
+QListView, QTreeView, QComboBox, QAbstractSpinBox { background: #212123; border: 1px solid #38383b; border-radius: 4px; }
 QListView { padding: 2px; outline: none; }
 QListView::item { padding: 3px 4px; border-radius: 3px; }
 QListView::item:hover { background: #2f2f32; }
 QListView::item:selected { background: #45607c; color: #ffffff; }
+QTreeView { padding: 2px 0px; outline: none; }
 QComboBox { padding: 4px 8px; }
 QAbstractSpinBox { padding: 3px 4px; }
 QDialogButtonBox, QMessageBox { dialogbuttonbox-buttons-have-icons: 0; }

@@ -29,6 +29,7 @@ ValueRow::ValueRow(QGridLayout* grid, const QString& words, const QString& hint,
     slider_->setToolTip(hint);
     slider_->setAccessibleName(words);
     keep_keys_for_canvas(slider_);
+    keep_own_keys(slider_, {Qt::Key_PageUp, Qt::Key_PageDown});
     number_->setDecimals(range.decimals);
     number_->setRange(range.least, range.most);
     number_->setSingleStep(

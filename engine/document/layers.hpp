@@ -21,11 +21,13 @@ struct Layer {
     /// Its paint, apart from what it lies on (layers/apart.hpp); null for the active layer, whose film
     /// lies on the canvas.
     std::shared_ptr<const film::FilmState> asleep{};
+    friend bool operator==(const Layer&, const Layer&) = default;
 };
 
 struct LayerGroup {
     GroupId id = 0;
     LayerLook look{};
+    friend bool operator==(const LayerGroup&, const LayerGroup&) = default;
 };
 
 /// The layers of a group lie next to each other, and every group has one.
@@ -35,6 +37,9 @@ struct LayerStack {
     std::size_t active = 0;
     LayerId next_layer = 1;
     GroupId next_group = 1;
+
+    /// Films that are asleep are equal when they are the same.
+    friend bool operator==(const LayerStack&, const LayerStack&) = default;
 };
 
 /// A stack of one layer, which is active.

@@ -413,6 +413,12 @@ struct Painting::Parts {
         return well ? std::optional(well->film) : std::nullopt;
     }
 
+    const std::shared_ptr<const LayerStack>& shared_layers() {
+        if (!layers_shown || *layers_shown != canvas.stack())
+            layers_shown = std::make_shared<const LayerStack>(canvas.stack());
+        return layers_shown;
+    }
+
     Moment moment() const {
         return {film,  canvas.stack(), brush,     medium.name, brush_use,
                 taken, wiped,          run_off(), well_film(), selection};
@@ -449,7 +455,8 @@ struct Painting::Parts {
     core::ThreadPool& pool;
     film::Medium medium;  ///< in hand: what the next load is mixed with
     LayeredCanvas canvas;
-    film::FilmState& film = canvas.film;  ///< of the active layer
+    std::shared_ptr<const LayerStack> layers_shown;  ///< in the latest snapshot
+    film::FilmState& film = canvas.film;             ///< of the active layer
     film::Solver& solver = canvas.solver;
     std::unique_ptr<Well> well;  ///< none until something touches it
     TiltCanvas tilt;
@@ -518,6 +525,9 @@ const CanvasSettings& Painting::settings() const {
 const film::FilmState& Painting::film() const {
     return parts_->film;
 }
+const LayerStack& Painting::layers() const {
+    return parts_->canvas.stack();
+}
 const film::FilmState* Painting::well() const {
     return parts_->well ? &parts_->well->film : nullptr;
 }
@@ -527,6 +537,8 @@ Snapshot Painting::snapshot() const {
             parts_->tick,
             parts_->well_film(),
             parts_->brush ? brush::load_profile(*parts_->brush) : brush::LoadProfile{},
+            parts_->shared_layers(),
+            is_single(layers()) ? nullptr : std::make_shared<const film::FilmState>(film()),
             parts_->selection};
 }
 bool Painting::can_undo() const {

@@ -5,6 +5,7 @@
 #include "brush/load_profile.hpp"
 #include "core/thread_pool.hpp"
 #include "document/events.hpp"
+#include "document/layers.hpp"
 #include "document/selection.hpp"
 #include "film/solver.hpp"
 #include "film/state.hpp"
@@ -30,6 +31,8 @@ struct Snapshot {
     std::int64_t tick = 0;
     std::optional<film::FilmState> well{};  ///< the mixing well's; none while nothing has touched it
     brush::LoadProfile brush_load{};        ///< of the brush in hand
+    std::shared_ptr<const LayerStack> layers{};  ///< the same one until something about them changes
+    std::shared_ptr<const film::FilmState> active{};  ///< the active layer's; null where `film` is it
     Selection selection{};
 };
 
@@ -97,7 +100,8 @@ class Painting {
 
     std::int64_t tick() const;
     const CanvasSettings& settings() const;
-    const film::FilmState& film() const;
+    const film::FilmState& film() const;  ///< of the active layer, on what is visible below it
+    const LayerStack& layers() const;
     const film::FilmState* well() const;  ///< the mixing well's; null while nothing has touched it
     Snapshot snapshot() const;
     PaintingState state() const;  ///< no stroke is in progress

@@ -85,6 +85,27 @@ TEST(PaintSession, AStrokeThroughTheQueueLeavesPaint) {
     EXPECT_TRUE(session->take_errors().empty());
 }
 
+TEST(PaintSession, LayersArePublishedOnlyWhenSomethingAboutThemChanges) {
+    const auto session = start_session();
+    take_loaded_brush(*session);
+    session->post(AddLayer{"Glaze"});
+    session->wait_until_applied();
+    const auto two = session->snapshot();
+    ASSERT_EQ(two->layers->layers.size(), 2U);
+    EXPECT_EQ(two->layers->layers[1].look.name, "Glaze");
+    ASSERT_NE(two->active, nullptr);
+    post_stroke(*session, 0.0, 15.0);
+    session->wait_until_applied();
+    const auto painted = session->snapshot();
+    EXPECT_EQ(painted->layers, two->layers);
+    EXPECT_GT(film::totals(*painted->active).thickness, 0);
+    session->post(SetLayer{2, {.name = "Glaze", .locked = true}});
+    session->wait_until_applied();
+    EXPECT_NE(session->snapshot()->layers, two->layers);
+    EXPECT_TRUE(session->snapshot()->layers->layers[1].look.locked);
+    EXPECT_FALSE(two->layers->layers[1].look.locked);
+}
+
 TEST(PaintSession, ACapturedPaintingGoesOnInAnotherSessionWithItsWholeRecording) {
     auto session = start_session();
     take_loaded_brush(*session);

@@ -1,0 +1,115 @@
+#include "session/layer_painter.hpp"
+
+#include "pigment/appearance.hpp"
+#include "pigment/hex_colour.hpp"
+#include "shade/tile_colour.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace pastoso::session {
+namespace {
+
+/// A pixel is the mean of at most so many cells a side: a picture of a large canvas takes no longer than
+/// that of a small one.
+constexpr int kMostCells = 4;
+
+bool is_covered(const film::FilmState& film, int x, int y) {
+    return film.thickness.at(x, y) > 0 || film.strata.soluble_thickness.at(x, y) > 0 ||
+           film.strata.optics.at(x, y) != film::kClearStrata;
+}
+
+/// The cells that pixel number `pixel` of `pixels` along a side shows: first and one past the last.
+std::pair<int, int> cells_of(int pixel, int pixels, int cells) {
+    const auto edge = [&](int number) {
+        return static_cast<int>(static_cast<std::int64_t>(number) * cells / pixels);
+    };
+    const int first = std::min(edge(pixel), cells - 1);
+    return {first, std::clamp(edge(pixel + 1), first + 1, first + kMostCells)};
+}
+
+std::array<std::uint8_t, 4> pixel_of(const film::FilmState& film, const grid::Rect& cells,
+                                     const pigment::Bands& ground) {
+    std::array<shade::CellColour, kMostCells * kMostCells> colours;
+    shade::cell_colours(film, cells, ground, colours.data(), kMostCells);
+    pigment::LinearRgb sum{};
+    int covered = 0;
+    for (int y = cells.y0; y < cells.y1; ++y) {
+        for (int x = cells.x0; x < cells.x1; ++x) {
+            const shade::CellColour& colour = colours[(y - cells.y0) * kMostCells + x - cells.x0];
+            if (!is_covered(film, x, y)) continue;
+            sum[0] += colour.red;
+            sum[1] += colour.green;
+            sum[2] += colour.blue;
+            ++covered;
+        }
+    }
+    if (covered == 0) return {};
+    for (auto& channel : sum)
+        channel /= covered;
+    const pigment::Srgb8 rgb = pigment::encoded(pigment::screen_colour(sum));
+    const int all = cells.width() * cells.height();
+    return {rgb[0], rgb[1], rgb[2], static_cast<std::uint8_t>(255 * covered / all)};
+}
+
+}  // namespace
+
+LayerPicture layer_picture(const film::FilmState& layer, const pigment::Bands& ground, int most_width,
+                           int most_height) {
+    const grid::Shape& shape = layer.shape;
+    const double scale = std::min(static_cast<double>(most_width) / shape.width,
+                                  static_cast<double>(most_height) / shape.height);
+    LayerPicture picture;
+    picture.width = std::max(1, static_cast<int>(shape.width * scale));
+    picture.height = std::max(1, static_cast<int>(shape.height * scale));
+    picture.wet = film::has_wet_paint(layer);
+    for (int y = 0; y < picture.height; ++y) {
+        const auto [y0, y1] = cells_of(y, picture.height, shape.height);
+        for (int x = 0; x < picture.width; ++x) {
+            const auto [x0, x1] = cells_of(x, picture.width, shape.width);
+            const auto pixel = pixel_of(layer, {x0, y0, x1, y1}, ground);
+            picture.rgba.insert(picture.rgba.end(), pixel.begin(), pixel.end());
+        }
+    }
+    return picture;
+}
+
+LayerPainter::LayerPainter(int most_width, int most_height, Deliver deliver)
+    : most_width_(most_width),
+      most_height_(most_height),
+      deliver_(std::move(deliver)),
+      thread_([this] { run(); }) {}
+
+LayerPainter::~LayerPainter() {
+    {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+    }
+    changed_.notify_one();
+    thread_.join();
+}
+
+void LayerPainter::want(document::LayerId layer, std::shared_ptr<const film::FilmState> film,
+                        const pigment::Bands& ground) {
+    {
+        const std::lock_guard lock(mutex_);
+        std::erase_if(wanted_, [&](const Wanted& wanted) { return wanted.layer == layer; });
+        wanted_.push_back({layer, std::move(film), ground});
+    }
+    changed_.notify_one();
+}
+
+void LayerPainter::run() {
+    for (;;) {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this] { return stopping_ || !wanted_.empty(); });
+        if (stopping_) return;
+        const Wanted wanted = std::move(wanted_.front());
+        wanted_.pop_front();
+        lock.unlock();
+        deliver_(wanted.layer, layer_picture(*wanted.film, wanted.ground, most_width_, most_height_));
+    }
+}
+
+}  // namespace pastoso::session
