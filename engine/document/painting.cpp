@@ -456,7 +456,9 @@ struct Painting::Parts {
     film::Medium medium;  ///< in hand: what the next load is mixed with
     LayeredCanvas canvas;
     std::shared_ptr<const LayerStack> layers_shown;  ///< in the latest snapshot
-    film::FilmState& film = canvas.film;             ///< of the active layer
+    std::shared_ptr<const grid::TiledField<float>> bare_mm =
+        std::make_shared<const grid::TiledField<float>>(canvas.bare_mm());
+    film::FilmState& film = canvas.film;  ///< of the active layer
     film::Solver& solver = canvas.solver;
     std::unique_ptr<Well> well;  ///< none until something touches it
     TiltCanvas tilt;
@@ -539,7 +541,8 @@ Snapshot Painting::snapshot() const {
             parts_->brush ? brush::load_profile(*parts_->brush) : brush::LoadProfile{},
             parts_->shared_layers(),
             is_single(layers()) ? nullptr : std::make_shared<const film::FilmState>(film()),
-            parts_->selection};
+            parts_->selection,
+            parts_->bare_mm};
 }
 bool Painting::can_undo() const {
     return parts_->history.can_undo();

@@ -34,6 +34,7 @@ struct Snapshot {
     std::shared_ptr<const LayerStack> layers{};  ///< the same one until something about them changes
     std::shared_ptr<const film::FilmState> active{};  ///< the active layer's; null where `film` is it
     Selection selection{};
+    std::shared_ptr<const grid::TiledField<float>> bare_mm{};  ///< heights of the support without paint
 };
 
 /// Where all the paint is, in mm3 of volume and in mm3 times the pigment coefficients (K_k, S_k per mm).
