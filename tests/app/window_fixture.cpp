@@ -74,6 +74,8 @@ void WindowTest::open_another() {
     window_->resize(1180, 640);
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    // Within this program alone: the tests beside it share the display, which has one focus.
+    QApplication::setActiveWindow(window_.get());
     settle();
 }
 
