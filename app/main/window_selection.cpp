@@ -35,6 +35,10 @@ dialogs::SelectedRange first_range(bool wetness, const tools::PaintDepths& depth
             .most_mm = kFine_mm * std::ceil(depths.most_mm / kFine_mm)};
 }
 
+QString outside_words() {
+    return MainWindow::tr("Outside the selection: nothing is painted there.");
+}
+
 /// Whether the same range holds the same cells of both.
 bool looks_alike(const document::Snapshot& a, const document::Snapshot& b) {
     return a.film.shape == b.film.shape && a.selection == b.selection && a.layers == b.layers &&
@@ -73,6 +77,10 @@ void MainWindow::connect_selection() {
         if (ends) easel_->select(document::SelectAll{});
     });
     connect(canvas_, &view::CanvasView::stroke_begun, this, &MainWindow::warn_outside);
+    connect(canvas_, &view::CanvasView::pointer_moved, this, [this](const QPointF& canvas_mm) {
+        if (easel_->painting() && statusBar()->currentMessage() == outside_words())
+            warn_outside(canvas_mm);
+    });
     show_selection_reading();
 }
 
@@ -105,14 +113,14 @@ void MainWindow::tell_combination(grid::Combination how) {
     }
 }
 
+/// Said of a stroke for as long as it touches nothing that is selected.
 void MainWindow::warn_outside(const QPointF& canvas_mm) {
     const tools::Hand& hand = easel_->hand();
     const bool touches = tools::touches_selection(*session_->snapshot(), hand.symmetry, canvas_mm.x(),
                                                   canvas_mm.y(), 0.5 * hand.brush_width_mm);
-    const QString words = tr("Outside the selection: nothing is painted there.");
     if (!touches)
-        report(words);
-    else if (statusBar()->currentMessage() == words)
+        report(outside_words());
+    else if (statusBar()->currentMessage() == outside_words())
         statusBar()->clearMessage();
 }
 

@@ -42,8 +42,8 @@ bool touches(const grid::Mask& mask, const film::FilmState& film, double x_mm, d
          static_cast<int>(std::ceil(x + reach)), static_cast<int>(std::ceil(y + reach))});
     for (int cell_y = around.y0; cell_y < around.y1; ++cell_y) {
         for (int cell_x = around.x0; cell_x < around.x1; ++cell_x) {
-            if (std::hypot(cell_x + 0.5 - x, cell_y + 0.5 - y) > reach) continue;
-            if (mask.at(cell_x, cell_y) != 0) return true;
+            const bool selected = mask.at(cell_x, cell_y) != 0;
+            if (selected && std::hypot(cell_x + 0.5 - x, cell_y + 0.5 - y) <= reach) return true;
         }
     }
     return false;

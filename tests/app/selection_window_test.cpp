@@ -318,11 +318,12 @@ TEST_F(SelectionWindow, AStrokeOutsideSaysWhyItPaintsNothing) {
     mouse_stroke(line_mm({40.0, 10.0}, {50.0, 30.0}));
     EXPECT_EQ(volume_mm3(), 0.0);
     EXPECT_THAT(told(), HasSubstr("Outside the selection"));
-    window().statusBar()->clearMessage();
+    mouse_stroke(line_mm({45.0, 20.0}, {15.0, 20.0}));
+    EXPECT_EQ(told(), "") << "it has come to the selection";
+    EXPECT_GT(volume_mm3(), 0.0);
     // Its edge is inside.
     mouse_stroke(line_mm({21.5, 20.0}, {15.0, 20.0}));
     EXPECT_EQ(told(), "");
-    EXPECT_GT(volume_mm3(), 0.0);
     give(Command::MirrorSymmetry);
     mouse_stroke(line_mm({45.0, 14.0}, {45.0, 26.0}));
     EXPECT_EQ(told(), "") << "its mirror image paints";
