@@ -57,6 +57,7 @@ enum class Command {
     InvertSelection,
     SelectHeight,
     SelectWetness,
+    ShowOutline,
     MirrorSymmetry,
     MirrorLevel,
     MoreCopies,

@@ -63,6 +63,8 @@ void MainWindow::connect_selection() {
                  [this](bool) { easel_->select(document::InvertSelection{}); });
     commands_.on(Command::SelectHeight, [this](bool) { ask_range(false); });
     commands_.on(Command::SelectWetness, [this](bool) { ask_range(true); });
+    commands_.on(Command::ShowOutline, [this](bool shown) { canvas_->show_outline(shown); });
+    commands_.action(Command::ShowOutline)->setChecked(true);
     connect(brushes_, &panels::BrushPanel::brush_taken, this, [this] { draw_areas(std::nullopt); });
     connect(canvas_, &view::CanvasView::areas_left, this, [this] { draw_areas(std::nullopt); });
     connect(canvas_, &view::CanvasView::area_begun, this, &MainWindow::tell_combination);

@@ -23,6 +23,11 @@ void CanvasView::draw_areas(std::optional<AreaForm> form) {
     set_cursor();
 }
 
+void CanvasView::show_outline(bool shown) {
+    outline_shown_ = shown;
+    update();
+}
+
 void CanvasView::preview_selection(std::optional<document::Selection> preview) {
     preview_ = std::move(preview);
     update();
@@ -65,8 +70,9 @@ void CanvasView::leave_areas() {
 void CanvasView::draw_selection() {
     const OverlayFrame canvas = overlay_frame(view_.device_from_cell({0.0, 0.0}));
     const document::Selection& selection = preview_ ? *preview_ : shown_->selection;
-    overlay_.draw_dashes(selection_outline_.lines_mm(selection, shown_->film.cell_mm, seen_cells()),
-                         canvas);
+    if (outline_shown_ || preview_)
+        overlay_.draw_dashes(selection_outline_.lines_mm(selection, shown_->film.cell_mm, seen_cells()),
+                             canvas);
     if (area_drag_.active()) overlay_.draw_loop(area_drag_.outline_mm(), canvas, 1.0F);
 }
 

@@ -47,6 +47,9 @@ class CanvasView : public QOpenGLWidget {
     /// A press and a drag draw the outline of an area instead of painting; nothing: they paint.
     void draw_areas(std::optional<AreaForm> form);
 
+    /// Shows where the selection ends.
+    void show_outline(bool shown);
+
     /// Outlines what would be selected in place of what is.
     void preview_selection(std::optional<document::Selection> preview);
 
@@ -179,6 +182,7 @@ class CanvasView : public QOpenGLWidget {
     std::optional<AreaForm> area_form_;  ///< painting rests
     AreaDrag area_drag_;
     SelectionOutline selection_outline_;
+    bool outline_shown_ = true;
     std::optional<document::Selection> preview_;
     bool handles_shown_ = true;
     std::optional<tools::Pick> picks_next_;

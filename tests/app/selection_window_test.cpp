@@ -284,6 +284,11 @@ TEST_F(SelectionWindow, TheOutlineIsSeenWhereTheSelectionEnds) {
         }
     }
     EXPECT_GT(changed, 1.8 * (high.x() - low.x() + high.y() - low.y()));
+    give(Command::ShowOutline);
+    EXPECT_EQ(difference(before, picture()).largest, 0);
+    EXPECT_NE(selection(), nullptr) << "it is hidden, not ended";
+    give(Command::ShowOutline);
+    EXPECT_EQ(difference(after, picture()).largest, 0);
     give(Command::SelectEverything);
     EXPECT_EQ(difference(before, picture()).largest, 0);
 }
