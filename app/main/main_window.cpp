@@ -58,6 +58,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     connect_brush_commands();
     connect_guide_commands();
     connect_layers();
+    connect_selection();
     connect_light_commands();
     connect_project_commands();
     read_brushes();
@@ -142,6 +143,7 @@ void MainWindow::show_published() {
     canvas_->show_snapshot(snapshot);
     readings_->show_canvas(snapshot->bare->settings);
     show_layers(*snapshot);
+    show_selection(*snapshot);
     show_well(*snapshot);
     load_->show_load(snapshot->brush_load);
     const session::Status status = session_->status();

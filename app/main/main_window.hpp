@@ -21,11 +21,16 @@
 #include <QByteArray>
 #include <QFileSystemWatcher>
 #include <QMainWindow>
+#include <QPointer>
 #include <QTimer>
 
 class QComboBox;
 class QDockWidget;
 class QMenu;
+
+namespace pastoso::dialogs {
+class SelectRangeDialog;
+}
 
 namespace pastoso::panels {
 class BrushPanel;
@@ -125,6 +130,14 @@ class MainWindow : public QMainWindow {
     void connect_well();
     void connect_brush_commands();
     void connect_guide_commands();
+    void connect_selection();
+    void draw_areas(std::optional<view::AreaForm> form);
+    void tell_combination(grid::Combination how);
+    void warn_outside(const QPointF& canvas_mm);
+    void ask_range(bool wetness);
+    void preview_range(bool wetness);
+    void show_selection(const document::Snapshot& painting);
+    void show_selection_reading();
     panels::LayerPanel* make_layer_panel();
     void connect_layers();
     void add_layer();
@@ -207,6 +220,9 @@ class MainWindow : public QMainWindow {
     view::CanvasView* canvas_ = nullptr;
     view::CanvasView* well_ = nullptr;
     std::shared_ptr<const document::Snapshot> shown_well_;
+    std::optional<view::AreaForm> area_form_;  ///< what a press on the canvas draws; none: it paints
+    document::Selection shown_selection_;
+    QPointer<dialogs::SelectRangeDialog> range_;
     QDockWidget* well_panel_ = nullptr;
     panels::BrushPanel* brushes_ = nullptr;
     panels::PaintPanel* paints_ = nullptr;

@@ -19,6 +19,11 @@ StatusReadings::StatusReadings(QWidget* parent) : QWidget(parent) {
     speed_ =
         add(13, tr("Paint time against the clock: slower than 1 when there is more wet paint than this "
                    "computer can move in time"));
+    selection_ = add(0, tr("Tools keep to what is outlined; Ctrl+A ends the selection, Esc goes back to "
+                           "painting"));
+    selection_->setObjectName(QStringLiteral("selection"));
+    selection_->setIndent(selection_->fontMetrics().averageCharWidth() * 3);
+    show_selection({}, std::nullopt);
     canvas_ = add(32, tr("Size of the canvas and of its saved picture"));
     zoom_ = add(7, tr("Screen pixels for a pixel of the saved picture"));
 }
@@ -62,6 +67,15 @@ void StatusReadings::show_status(const session::Status& status) {
                                                : tr("%1 tiles moving").arg(status.awake_tiles));
     const double speed = status.paint_per_wall;
     speed_->setText(tr("%1 × time").arg(speed, 0, 'f', speed < 0.095 ? 3 : 2));
+}
+
+void StatusReadings::show_selection(const QString& drawing, std::optional<double> share) {
+    QStringList parts;
+    if (!drawing.isEmpty()) parts += drawing;
+    const double percent = 100.0 * share.value_or(0.0);
+    if (share) parts += tr("%1 % selected").arg(percent, 0, 'f', percent < 9.95 ? 1 : 0);
+    selection_->setText(parts.join(QStringLiteral(", ")));
+    selection_->setVisible(!parts.isEmpty());
 }
 
 }  // namespace pastoso::panels

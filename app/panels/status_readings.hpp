@@ -23,12 +23,17 @@ class StatusReadings : public QWidget {
     void show_pointer(std::optional<QPointF> position_mm);
     void show_status(const session::Status& status);
 
+    /// What a press draws instead of painting, empty when it paints, and the share of the canvas that is
+    /// selected, where there is a selection.
+    void show_selection(const QString& drawing, std::optional<double> share);
+
   private:
     QLabel* add(int width_characters, const QString& hint);
 
     QLabel* pointer_ = nullptr;
     QLabel* activity_ = nullptr;
     QLabel* speed_ = nullptr;
+    QLabel* selection_ = nullptr;
     QLabel* canvas_ = nullptr;
     QLabel* zoom_ = nullptr;
 };

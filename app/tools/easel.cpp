@@ -183,6 +183,11 @@ void Easel::take_ellipse_away() {
     hand_.ellipse.reset();
 }
 
+void Easel::select(const Action& selection) {
+    end_stroke();
+    post_(selection);
+}
+
 void Easel::undo() {
     end_stroke();
     post_(Undo{});

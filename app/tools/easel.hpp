@@ -80,6 +80,9 @@ class Easel {
     /// Lays an ellipse, or moves the one that lies there; it takes the ruler's place.
     void lay_ellipse(const brush::EllipseCurve& ellipse);
     void take_ellipse_away();
+
+    /// SelectArea, SelectByHeight, SelectByWetness, InvertSelection or SelectAll.
+    void select(const document::Action& selection);
     void undo();
     void redo();
 

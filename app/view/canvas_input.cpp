@@ -55,9 +55,9 @@ tools::Pointer CanvasView::pen_pointer(const QTabletEvent& event) const {
 /// Control squeezes paint onto the well instead of painting there.
 void CanvasView::touch_down(const tools::Pointer& pointer, Qt::KeyboardModifiers modifiers) {
     if (surface_ == document::Surface::Well && modifiers.testFlag(Qt::ControlModifier))
-        easel_->squeeze(pointer.x_mm, pointer.y_mm);
-    else
-        easel_->press(pointer, modifiers.testFlag(Qt::ShiftModifier));
+        return easel_->squeeze(pointer.x_mm, pointer.y_mm);
+    easel_->press(pointer, modifiers.testFlag(Qt::ShiftModifier));
+    if (surface_ == document::Surface::Canvas) Q_EMIT stroke_begun({pointer.x_mm, pointer.y_mm});
 }
 
 void CanvasView::follow_pointer(const QPointF& position) {
@@ -76,9 +76,13 @@ std::optional<tools::Pick> CanvasView::pick_wanted(Qt::KeyboardModifiers modifie
     return paint ? std::optional(tools::Pick::Paint) : std::nullopt;
 }
 
-/// Whether the press picks paint or takes hold of a handle; else it paints.
+/// Whether the press picks paint, draws an area or takes hold of a handle; else it paints.
 bool CanvasView::press_guides(const QPointF& position, Qt::KeyboardModifiers modifiers) {
     if (wanted_ == nullptr) return false;
+    if (area_form_ && !picks_next_) {
+        press_area(position, modifiers);
+        return true;
+    }
     const glm::dvec2 mm = canvas_mm(position);
     const auto pick = pick_wanted(modifiers);
     picking_ = pick.has_value();
@@ -94,6 +98,10 @@ bool CanvasView::press_guides(const QPointF& position, Qt::KeyboardModifiers mod
 /// Whether the movement belongs to a press that does not paint.
 bool CanvasView::drag_guides(const QPointF& position, Qt::KeyboardModifiers modifiers) {
     if (picking_) return true;
+    if (area_drag_.active()) {
+        drag_area(position, modifiers);
+        return true;
+    }
     if (!guide_drag_.active()) return false;
     const bool square = modifiers.testFlag(Qt::ShiftModifier);
     if (const auto guide = guide_drag_.move(easel_->hand(), canvas_mm(position), square))
@@ -127,6 +135,7 @@ void CanvasView::mouseReleaseEvent(QMouseEvent* event) {
         set_cursor();
     } else if (event->button() == Qt::LeftButton) {
         if (easel_->painting()) easel_->move(mouse_pointer(*event));
+        if (area_drag_.active()) drag_area(event->position(), event->modifiers());
         release_pointer();
     }
 }
@@ -134,6 +143,7 @@ void CanvasView::mouseReleaseEvent(QMouseEvent* event) {
 void CanvasView::release_pointer() {
     easel_->release();
     guide_drag_.release();
+    release_area();
     picking_ = false;
 }
 
@@ -152,6 +162,7 @@ void CanvasView::tabletEvent(QTabletEvent* event) {
             break;
         case QEvent::TabletRelease:
             pan_from_.reset();
+            if (area_drag_.active()) drag_area(event->position(), event->modifiers());
             if (event->button() == Qt::LeftButton) release_pointer();
             set_cursor();
             break;
@@ -184,6 +195,7 @@ void CanvasView::pan_to(const QPointF& position) {
 }
 
 void CanvasView::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape) return leave_areas();
     if (event->key() != Qt::Key_Space) return QOpenGLWidget::keyPressEvent(event);
     if (event->isAutoRepeat()) return;
     space_held_ = true;

@@ -22,8 +22,12 @@ void main() {
 
 const char* const kLineFragmentShader = R"(#version 330 core
 uniform vec4 line_colour;
+uniform float dash_px;
 out vec4 colour;
-void main() { colour = line_colour; }
+void main() {
+    bool dark = dash_px > 0.0 && mod(gl_FragCoord.x - gl_FragCoord.y, 2.0 * dash_px) < dash_px;
+    colour = dark ? vec4(0.0, 0.0, 0.0, line_colour.a) : line_colour;
+}
 )";
 
 }  // namespace pastoso::view

@@ -89,6 +89,8 @@ void CanvasView::show_snapshot(std::shared_ptr<const document::Snapshot> snapsho
     wanted_ = std::move(snapshot);
     if (other_canvas) {
         shown_.reset();
+        preview_.reset();
+        area_drag_.give_up();
         fit();
     }
     update();
@@ -225,7 +227,10 @@ void CanvasView::paintGL() {
     if (plan_.can_refine()) update();
     if (plan_.has_drafts() && !cooling_.isActive()) cooling_.start();
     picture_.copy_to(defaultFramebufferObject());
-    if (surface_ == document::Surface::Canvas) draw_guides();
+    if (surface_ == document::Surface::Canvas) {
+        draw_selection();
+        draw_guides();
+    }
     draw_tip();
 }
 
@@ -327,7 +332,8 @@ double CanvasView::handle_axis_mm() const {
 }
 
 void CanvasView::draw_tip() {
-    if (!pointer_ || pan_from_ || space_held_ || picks_next_ || guide_drag_.active()) return;
+    const bool paints = !pan_from_ && !space_held_ && !picks_next_ && !area_form_;
+    if (!pointer_ || !paints || guide_drag_.active()) return;
     TipShape tip = tip_;
     tip.rotation_deg = easel_->rotation_deg();
     overlay_.draw_loop(outline_mm(tip), overlay_frame(device_px(*pointer_)), 1.0F);

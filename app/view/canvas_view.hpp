@@ -6,10 +6,12 @@
 #include "document/painting.hpp"
 #include "tools/easel.hpp"
 #include "tools/picked_paint.hpp"
+#include "view/area_drag.hpp"
 #include "view/brush_outline.hpp"
 #include "view/guide_drag.hpp"
 #include "view/line_overlay.hpp"
 #include "view/picture_buffer.hpp"
+#include "view/selection_outline.hpp"
 #include "view/shading_plan.hpp"
 
 #include <memory>
@@ -41,6 +43,15 @@ class CanvasView : public QOpenGLWidget {
 
     /// The next click picks that instead of painting; nothing: it paints.
     void pick_next(std::optional<tools::Pick> pick);
+
+    /// A press and a drag draw the outline of an area instead of painting; nothing: they paint.
+    void draw_areas(std::optional<AreaForm> form);
+
+    /// Shows where the selection ends.
+    void show_outline(bool shown);
+
+    /// Outlines what would be selected in place of what is.
+    void preview_selection(std::optional<document::Selection> preview);
 
     const shade::Lighting& lighting() const { return lighting_; }
     const pigment::Viewing& viewing() const { return viewing_; }
@@ -78,6 +89,16 @@ class CanvasView : public QOpenGLWidget {
     /// The paint, or the colour, at this place is asked for.
     void picked(const QPointF& place_mm, tools::Pick pick);
 
+    /// The brush has come down on the canvas.
+    void stroke_begun(const QPointF& canvas_mm);
+
+    /// The outline of an area: its first point, all of it, none but a click, or not meant.
+    void area_begun(grid::Combination how);
+    void area_drawn(const document::SelectArea& area);
+    void area_clicked(grid::Combination how);
+    void area_given_up();
+    void areas_left();  ///< painting goes on
+
     /// Nothing can be shown on this machine; one sentence.
     void failed(const QString& sentence);
 
@@ -100,6 +121,7 @@ class CanvasView : public QOpenGLWidget {
     void release_graphics();
     void upload_changes();
     double shade_job(const ShadingPlan::Job& job);
+    void draw_selection();
     void draw_guides();
     void draw_handles(const OverlayFrame& canvas);
     void draw_tip();
@@ -116,6 +138,11 @@ class CanvasView : public QOpenGLWidget {
     void touch_down(const tools::Pointer& pointer, Qt::KeyboardModifiers modifiers);
     void follow_pointer(const QPointF& position);
     std::optional<tools::Pick> pick_wanted(Qt::KeyboardModifiers modifiers) const;
+    void press_area(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    void drag_area(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    void release_area();
+    void leave_areas();
+    grid::Rect seen_cells() const;
     bool press_guides(const QPointF& position, Qt::KeyboardModifiers modifiers);
     bool drag_guides(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void release_pointer();
@@ -152,6 +179,11 @@ class CanvasView : public QOpenGLWidget {
     std::optional<QPointF> pan_from_;
     bool space_held_ = false;
     GuideDrag guide_drag_;
+    std::optional<AreaForm> area_form_;  ///< painting rests
+    AreaDrag area_drag_;
+    SelectionOutline selection_outline_;
+    bool outline_shown_ = true;
+    std::optional<document::Selection> preview_;
     bool handles_shown_ = true;
     std::optional<tools::Pick> picks_next_;
     bool picking_ = false;  ///< this press picks and does not paint

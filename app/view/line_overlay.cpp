@@ -45,19 +45,12 @@ void LineOverlay::draw_segments(const std::vector<glm::vec2>& points_mm, const O
 void LineOverlay::draw(GLenum mode, const std::vector<glm::vec2>& points_mm, const OverlayFrame& frame,
                        float strength) {
     if (points_mm.empty()) return;
-    const QSize size = frame.window_px;
-    gl_->glViewport(0, 0, size.width(), size.height());
+    prepare(points_mm, frame);
     gl_->glEnable(GL_BLEND);
     gl_->glEnable(GL_LINE_SMOOTH);
     // The window stays opaque under the line.
     gl_->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    program_->bind();
-    program_->setUniformValue("window_px", QVector2D(size.width(), size.height()));
-    program_->setUniformValue("px_per_mm", static_cast<float>(frame.px_per_mm));
-    gl_->glBindVertexArray(vertex_array_);
-    gl_->glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-    gl_->glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(points_mm.size() * sizeof(glm::vec2)),
-                      points_mm.data(), GL_STREAM_DRAW);
+    program_->setUniformValue("dash_px", 0.0F);
     const auto lines = [&](double shift_px, const QVector4D& colour) {
         program_->setUniformValue("origin_px",
                                   QVector2D(static_cast<float>(frame.origin_px.x + shift_px),
@@ -67,11 +60,39 @@ void LineOverlay::draw(GLenum mode, const std::vector<glm::vec2>& points_mm, con
     };
     lines(1.0, QVector4D(0.0F, 0.0F, 0.0F, 0.55F * strength));
     lines(0.0, QVector4D(1.0F, 1.0F, 1.0F, 0.75F * strength));
+    gl_->glDisable(GL_LINE_SMOOTH);
+    gl_->glDisable(GL_BLEND);
+    finish();
+}
+
+void LineOverlay::draw_dashes(const std::vector<glm::vec2>& points_mm, const OverlayFrame& frame) {
+    constexpr float kDash_px = 4.0F;
+    if (points_mm.empty()) return;
+    prepare(points_mm, frame);
+    program_->setUniformValue("dash_px", kDash_px);
+    program_->setUniformValue("origin_px", QVector2D(static_cast<float>(frame.origin_px.x),
+                                                     static_cast<float>(frame.origin_px.y)));
+    program_->setUniformValue("line_colour", QVector4D(1.0F, 1.0F, 1.0F, 1.0F));
+    gl_->glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(points_mm.size()));
+    finish();
+}
+
+void LineOverlay::prepare(const std::vector<glm::vec2>& points_mm, const OverlayFrame& frame) {
+    const QSize size = frame.window_px;
+    gl_->glViewport(0, 0, size.width(), size.height());
+    program_->bind();
+    program_->setUniformValue("window_px", QVector2D(size.width(), size.height()));
+    program_->setUniformValue("px_per_mm", static_cast<float>(frame.px_per_mm));
+    gl_->glBindVertexArray(vertex_array_);
+    gl_->glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+    gl_->glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(points_mm.size() * sizeof(glm::vec2)),
+                      points_mm.data(), GL_STREAM_DRAW);
+}
+
+void LineOverlay::finish() {
     gl_->glBindBuffer(GL_ARRAY_BUFFER, 0);
     gl_->glBindVertexArray(0);
     program_->release();
-    gl_->glDisable(GL_LINE_SMOOTH);
-    gl_->glDisable(GL_BLEND);
 }
 
 }  // namespace pastoso::view

@@ -30,9 +30,14 @@ class LineOverlay {
     void draw_segments(const std::vector<glm::vec2>& points_mm, const OverlayFrame& frame,
                        float strength);
 
+    /// A level or upright line for every two points, dark and light in turn.
+    void draw_dashes(const std::vector<glm::vec2>& points_mm, const OverlayFrame& frame);
+
   private:
     void draw(GLenum mode, const std::vector<glm::vec2>& points_mm, const OverlayFrame& frame,
               float strength);
+    void prepare(const std::vector<glm::vec2>& points_mm, const OverlayFrame& frame);
+    void finish();
 
     QOpenGLExtraFunctions* gl_ = nullptr;
     std::unique_ptr<QOpenGLShaderProgram> program_;

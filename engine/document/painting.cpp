@@ -535,7 +535,7 @@ struct Painting::Parts {
     film::Medium medium;  ///< in hand: what the next load is mixed with
     LayeredCanvas canvas;
     std::shared_ptr<const LayerStack> layers_shown;  ///< in the latest snapshot
-    film::FilmState& film = canvas.film;             ///< of the active layer
+    film::FilmState& film = canvas.film;  ///< of the active layer
     film::Solver& solver = canvas.solver;
     std::unique_ptr<Well> well;  ///< none until something touches it
     TiltCanvas tilt;

@@ -1,0 +1,41 @@
+// Drawing the outline of an area over the canvas.
+#pragma once
+
+#include "document/selection_events.hpp"
+
+#include <optional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace pastoso::view {
+
+enum class AreaForm { Rectangle, Lasso };
+
+/// Knows the outline between press and release. Places are millimetres on the canvas.
+class AreaDrag {
+  public:
+    void press(AreaForm form, const glm::dvec2& place_mm, grid::Combination how);
+    bool active() const { return form_.has_value(); }
+    void give_up() { form_.reset(); }
+
+    /// `px_mm` is as large as a pixel of the screen: a lasso keeps no points that are nearer. `square`
+    /// makes both sides of a rectangle as long as its longer one.
+    void move(const glm::dvec2& place_mm, double px_mm, bool square);
+
+    /// So far, a closed line.
+    std::vector<glm::vec2> outline_mm() const;
+    grid::Combination how() const { return how_; }
+
+    /// Ends the outline. Nothing when it is so narrow on the screen that it was a click.
+    std::optional<document::SelectArea> release(double px_mm);
+
+  private:
+    void add_to_lasso(const glm::dvec2& place_mm, double px_mm);
+
+    std::optional<AreaForm> form_;
+    grid::Combination how_ = grid::Combination::Replace;
+    std::vector<glm::dvec2> points_mm_;  ///< never none; the last one follows the pointer
+};
+
+}  // namespace pastoso::view
