@@ -28,6 +28,13 @@ brush::Contents contents_of(const film::DriedTotals& totals, double cell_mm) {
     return contents;
 }
 
+film::Totals difference(film::Totals a, const film::Totals& b) {
+    a.thickness -= b.thickness;
+    for (int k = 0; k < film::kPaintChannels; ++k)
+        a.paint[k] -= b.paint[k];
+    return a;
+}
+
 Account::Amount amount(const brush::Contents& contents) {
     Account::Amount result{.volume_mm3 = contents.volume_mm3};
     std::copy_n(contents.paint.begin(), pigment::kChannels, result.pigment.begin());

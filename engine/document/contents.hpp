@@ -13,6 +13,9 @@ brush::Contents contents_of(const film::Totals& totals, double cell_mm);
 /// Dry paint; it has no viscosity any more.
 brush::Contents contents_of(const film::DriedTotals& totals, double cell_mm);
 
+/// a - b.
+film::Totals difference(film::Totals a, const film::Totals& b);
+
 Account::Amount amount(const brush::Contents& contents);
 
 }  // namespace pastoso::document
