@@ -134,6 +134,7 @@ void MainWindow::new_canvas(const document::CanvasSettings& canvas) {
 void MainWindow::replay(const document::Recording& recording) {
     if (!(recording.canvas == session_->canvas())) new_canvas(recording.canvas);
     session_->play(recording.events);
+    easel_->lend_brush(true);
     easel_->adopt(tools::hand_after(easel_->hand(), recording.events));
     show_hand();
 }
@@ -149,6 +150,7 @@ void MainWindow::show_published() {
     const session::Status status = session_->status();
     readings_->show_status(status);
     show_enabled(status);
+    easel_->lend_brush(status.replaying);
     setWindowModified(status.changes != saved_changes_);
     for (const std::string& error : session_->take_errors())
         report(capitalised(QString::fromStdString(error)));

@@ -117,6 +117,8 @@ void MainWindow::tell_combination(grid::Combination how) {
 
 /// Said of a stroke for as long as it touches nothing that is selected.
 void MainWindow::warn_outside(const QPointF& canvas_mm) {
+    if (easel_->brush_is_lent())
+        return report(tr("A recording is being played; the brush is yours when it has ended."));
     const tools::Hand& hand = easel_->hand();
     const bool touches = tools::touches_selection(*session_->snapshot(), hand.symmetry, canvas_mm.x(),
                                                   canvas_mm.y(), 0.5 * hand.brush_width_mm);

@@ -219,6 +219,7 @@ void Easel::clean_well() {
 }
 
 void Easel::press(const Pointer& pointer, bool straight) {
+    if (lent_) return;
     end_stroke();
     painting_on_ = pointer.surface;
     if (brush_changed_) post_brush();

@@ -92,6 +92,10 @@ class Easel {
     void squeeze_next();
     void clean_well();
 
+    /// While a recording is played the brush is in another hand: presses paint nothing.
+    void lend_brush(bool lent) { lent_ = lent; }
+    bool brush_is_lent() const { return lent_; }
+
     /// `straight`: paints a straight line to where the brush is lifted, on the canvas. A brush that was
     /// in the well keeps what it took up there, until it is cleaned or loaded.
     void press(const Pointer& pointer, bool straight = false);
@@ -120,6 +124,7 @@ class Easel {
     std::function<void()> note_hand_;
     Heading heading_;
     double rotation_deg_ = 0.0;
+    bool lent_ = false;
     bool painting_ = false;
     document::Surface painting_on_ = document::Surface::Canvas;  ///< in the latest stroke
     bool mixed_ = false;         ///< the brush was in the well since it was loaded

@@ -7,6 +7,7 @@
 #include "panels/curve_editor.hpp"
 #include "panels/load_bar.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <functional>
 
@@ -375,6 +376,31 @@ TEST_F(OwnBrush, IsReplayedFromItsRecording) {
     window().replay(recording);
     EXPECT_EQ(hand().brush, "Mine");
     EXPECT_EQ(tools::preset_in_hand(hand()).paint.film_mm, 0.4);
+}
+
+TEST_F(BrushesWindow, WhileARecordingIsPlayedTheBrushIsInAnotherHand) {
+    stroke();
+    session().wait_until_applied();
+    document::Recording recording = session().recording();
+    constexpr std::int64_t kLater = 20;
+    recording.events.push_back({recording.end_tick + kLater, document::UseMedium{"house paint"}});
+    window().replay(recording);
+    session().wait_until_applied();
+    const auto strokes = [&] {
+        const auto events = session().recording().events;
+        return std::count_if(events.begin(), events.end(), [](const auto& event) {
+            return std::holds_alternative<document::PenDown>(event.action);
+        });
+    };
+    stroke();
+    session().wait_until_applied();
+    EXPECT_LE(strokes(), 2);
+    give(Command::Pause);  // goes on
+    wait_for([&] { return !session().status().replaying && !window().easel().brush_is_lent(); });
+    EXPECT_EQ(strokes(), 2);
+    stroke();
+    session().wait_until_applied();
+    EXPECT_EQ(strokes(), 3);
 }
 
 // ---- loads
