@@ -81,7 +81,7 @@ void add_canvas_options(CLI::App& command, ReplayOptions& options) {
         ->check(CLI::Range(0.0, 86400.0));
 }
 
-void add_picture_options(CLI::App& command, PictureOptions& options) {
+void add_picture_options(CLI::App& command, io::PictureOptions& options) {
     command
         .add_option("--light", options.light,
                     "The light that pictures are seen in: D65, D50, A, LED, or a CSV file of "
@@ -197,10 +197,14 @@ void add_export(CLI::App& app, ExportOptions& options) {
         ->type_name("FILE");
     command.add_option("--well", options.well, "A picture of the mixing well")->type_name("FILE");
     command.add_flag("--layers", options.layers,
-                     "Into .exr, beside the picture: lit, albedo, normal, height_mm, wetness and gloss");
+                     "Into .exr, beside the picture: lit, albedo, normal, height_mm, wetness, gloss and "
+                     "cover of every "
+                     "layer");
     command.add_flag("--maps", options.maps,
                      "Maps for 3D programs instead of the picture, FILE-basecolor, FILE-normal "
                      "(OpenGL, +Y up), FILE-height and FILE-roughness: .png, .tif or .exr");
+    command.add_flag("--flat", options.flat,
+                     "Pictures without light and shade: the paint's own colours, no relief");
     command.add_option("--scale", options.scale, "Pixels per cell; at most 32768 pixels a side")
         ->type_name("S")
         ->capture_default_str()
@@ -236,6 +240,7 @@ void add_timelapse(CLI::App& app, TimelapseOptions& options) {
         ->capture_default_str()
         ->check(CLI::Range(0.01, 100000.0));
     command.add_option("--px-per-mm", options.px_per_mm, "Cells per millimetre")->type_name("N");
+    command.add_flag("--flat", options.flat, "Without light and shade");
     add_scale_option(command, options.scale);
     add_picture_options(command, options.picture);
     add_threads_option(command, options.threads);

@@ -1,25 +1,14 @@
 // Rendering the painting into files, with the time it takes.
 #pragma once
 
-#include "cli/options.hpp"
 #include "core/thread_pool.hpp"
 #include "document/painting.hpp"
-#include "io/picture_file.hpp"
-#include "pigment/viewing.hpp"
+#include "io/picture_style.hpp"
 
 #include <cstdint>
 #include <filesystem>
 
 namespace pastoso::cli {
-
-/// What the picture options ask for.
-struct PictureStyle {
-    pigment::Viewing viewing;
-    io::PictureEncoding encoding;
-};
-
-/// Throws InputError when there is no such light or profile.
-PictureStyle picture_style(const PictureOptions& options);
 
 /// Seconds of wall time so far.
 struct PictureTimes {
@@ -36,7 +25,7 @@ struct PictureReport {
 class PictureWriter {
   public:
     /// `scale` in pixels per cell. Throws InputError when the picture would be too large.
-    PictureWriter(const document::CanvasSettings& canvas, double scale, PictureStyle style,
+    PictureWriter(const document::CanvasSettings& canvas, double scale, io::PictureStyle style,
                   core::ThreadPool& pool);
 
     /// Renders the whole canvas and writes it to `path`.
@@ -52,7 +41,7 @@ class PictureWriter {
                         const std::filesystem::path& path);
 
     double scale_;
-    PictureStyle style_;
+    io::PictureStyle style_;
     core::ThreadPool& pool_;
     PictureTimes times_;
 };
