@@ -1,19 +1,13 @@
 // What the command line asks for, as plain data.
 #pragma once
 
+#include "io/picture_style.hpp"
+
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace pastoso::cli {
-
-/// In which light pictures are seen, and in which colours they are kept.
-struct PictureOptions {
-    std::string light = "D65";     ///< pigment::find_illuminant()
-    std::string profile = "srgb";  ///< io::picture_colours()
-    int depth_bits = 8;
-    int quality = 95;  ///< of JPEG and WebP
-};
 
 /// An option that is not given leaves the decision to the recording, or to the defaults of text
 /// recordings.
@@ -41,7 +35,7 @@ struct ReplayOptions {
     std::string frames;
     double fps = 25.0;
     double scale = 1.0;
-    PictureOptions picture;
+    io::PictureOptions picture;
     bool quiet = false;
 };
 
@@ -50,9 +44,10 @@ struct ExportOptions {
     std::string output;  ///< a picture, or a relief
     std::string well;
     double scale = 1.0;
-    PictureOptions picture;
+    io::PictureOptions picture;
     bool layers = false;  ///< channel groups instead of the lit picture alone
     bool maps = false;    ///< a set of maps named by the output
+    bool flat = false;    ///< without light and shade
     double base_mm = 2.0;
     double exaggeration = 1.0;
     double resolution_mm = 0.0;
@@ -66,8 +61,9 @@ struct TimelapseOptions {
     double fps = 25.0;
     double speed = 10.0;  ///< seconds of painting in a second of film
     std::optional<double> px_per_mm;
+    bool flat = false;  ///< without light and shade
     double scale = 1.0;
-    PictureOptions picture;
+    io::PictureOptions picture;
     int threads = 0;
     bool quiet = false;
 };
@@ -88,7 +84,7 @@ struct SimulateOptions {
     std::optional<double> seconds;
     std::optional<int> threads;
     std::string stats;
-    PictureOptions picture;
+    io::PictureOptions picture;
     bool quiet = false;
 };
 

@@ -38,14 +38,8 @@ void check_picture_size(const grid::Shape& shape, double scale) {
 
 }  // namespace
 
-PictureStyle picture_style(const PictureOptions& options) {
-    io::PictureColours colours = io::picture_colours(options.profile);
-    return {pigment::viewing_under(pigment::find_illuminant(options.light), colours.space),
-            {options.depth_bits, std::move(colours.profile), options.quality}};
-}
-
-PictureWriter::PictureWriter(const document::CanvasSettings& canvas, double scale, PictureStyle style,
-                             core::ThreadPool& pool)
+PictureWriter::PictureWriter(const document::CanvasSettings& canvas, double scale,
+                             io::PictureStyle style, core::ThreadPool& pool)
     : canvas_(document::canvas_shape(canvas)), scale_(scale), style_(std::move(style)), pool_(pool) {
     check_picture_size(canvas_, scale);
 }

@@ -1,26 +1,15 @@
 // Rendering the painting into files, with the time it takes.
 #pragma once
 
-#include "cli/options.hpp"
 #include "core/thread_pool.hpp"
 #include "document/painting.hpp"
-#include "io/picture_file.hpp"
-#include "pigment/viewing.hpp"
+#include "io/picture_style.hpp"
 #include "shade/render.hpp"
 
 #include <cstdint>
 #include <filesystem>
 
 namespace pastoso::cli {
-
-/// What the picture options ask for.
-struct PictureStyle {
-    pigment::Viewing viewing;
-    io::PictureEncoding encoding;
-};
-
-/// Throws InputError when there is no such light or profile.
-PictureStyle picture_style(const PictureOptions& options);
 
 /// Seconds of wall time so far.
 struct PictureTimes {
@@ -37,7 +26,7 @@ struct PictureReport {
 class PictureWriter {
   public:
     /// `scale` in pixels per cell. Throws InputError when the picture would be too large.
-    PictureWriter(const document::CanvasSettings& canvas, double scale, PictureStyle style,
+    PictureWriter(const document::CanvasSettings& canvas, double scale, io::PictureStyle style,
                   core::ThreadPool& pool);
 
     /// Renders the whole canvas and writes it to `path`.
@@ -60,7 +49,7 @@ class PictureWriter {
 
     grid::Shape canvas_;
     double scale_;
-    PictureStyle style_;
+    io::PictureStyle style_;
     core::ThreadPool& pool_;
     PictureTimes times_;
 };

@@ -28,7 +28,7 @@ void check_project_path(const std::string& path) {
     io::check_writable(path);
 }
 
-void check_outputs(const ReplayOptions& options, const PictureStyle& style) {
+void check_outputs(const ReplayOptions& options, const io::PictureStyle& style) {
     if (!options.output.empty()) io::check_picture_path(options.output, style.encoding);
     if (!options.well.empty()) io::check_picture_path(options.well, style.encoding);
     if (!options.save.empty()) check_project_path(options.save);
@@ -104,7 +104,7 @@ void print_summary(const ReplayOptions& options, const document::Recording& reco
 void run_replay(const ReplayOptions& options) {
     const Stopwatch wall;
     watch_for_interrupts();
-    const PictureStyle style = picture_style(options.picture);
+    const io::PictureStyle style = io::picture_style(options.picture);
     check_outputs(options, style);
     document::Recording recording;
     const double reading_s = seconds_of([&] { recording = load_recording(options); });

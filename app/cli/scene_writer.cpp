@@ -63,7 +63,7 @@ std::string file_name(const char* what, double time_s, const char* extension) {
 }  // namespace
 
 SceneWriter::SceneWriter(const io::SceneRun& run, bool cell_units, std::filesystem::path folder,
-                         PictureStyle style, core::ThreadPool& pool)
+                         io::PictureStyle style, core::ThreadPool& pool)
     : run_(run),
       cell_units_(cell_units),
       folder_(std::move(folder)),

@@ -28,7 +28,7 @@ struct SceneTimes {
 class SceneWriter {
   public:
     SceneWriter(const io::SceneRun& run, bool cell_units, std::filesystem::path folder,
-                PictureStyle style, core::ThreadPool& pool);
+                io::PictureStyle style, core::ThreadPool& pool);
 
     /// The times at which write_due() wants to be called, ascending, from 0 to the run's duration.
     const std::vector<double>& stops() const { return stops_; }
@@ -56,7 +56,7 @@ class SceneWriter {
     const io::SceneRun& run_;
     bool cell_units_;
     std::filesystem::path folder_;
-    PictureStyle style_;
+    io::PictureStyle style_;
     core::ThreadPool& pool_;
     std::vector<double> stops_;
     std::vector<io::SeriesRow> series_;

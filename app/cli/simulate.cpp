@@ -74,7 +74,7 @@ RunOutcome play(film::Simulation& simulation, SceneWriter& writer, const Course&
 }
 
 RunOutcome play_run(const io::SceneRun& run, bool cell_units, const fs::path& folder,
-                    const PictureStyle& style, const Course& course, core::ThreadPool& pool) {
+                    const io::PictureStyle& style, const Course& course, core::ThreadPool& pool) {
     film::Simulation simulation(run.scene, pool);
     SceneWriter writer(run, cell_units, folder, style, pool);
     RunOutcome outcome = play(simulation, writer, course);
@@ -116,7 +116,7 @@ void print_summary(const io::SceneFile& file, const std::vector<RunOutcome>& out
 void run_simulate(const SimulateOptions& options) {
     const Stopwatch wall;
     watch_for_interrupts();
-    const PictureStyle style = picture_style(options.picture);
+    const io::PictureStyle style = io::picture_style(options.picture);
     const io::SceneFile file = load_scene(options);
     core::ThreadPool pool(options.threads.value_or(file.threads));
     check_runs(file, options.scene, pool);

@@ -6,13 +6,12 @@
 namespace pastoso::io {
 namespace {
 
-constexpr double kBandPixels = 1 << 21;
 constexpr double kBandCells = 1 << 22;
 constexpr int kFewestRows = 8;
 
-int rows_of_a_band(const shade::Lattice& lattice) {
+int rows_of_a_band(const shade::Lattice& lattice, double most_pixels) {
     const double row_cells = lattice.width / lattice.scale_x / lattice.scale_y;
-    const double rows = std::min(kBandPixels / lattice.width, kBandCells / row_cells);
+    const double rows = std::min(most_pixels / lattice.width, kBandCells / row_cells);
     return std::max(kFewestRows, static_cast<int>(std::min<double>(rows, lattice.height)));
 }
 
@@ -27,8 +26,8 @@ double export_px_per_mm(const ExportSource& source) {
 }
 
 bool for_each_band(const shade::Lattice& lattice, const KeepGoing& keep_going,
-                   const std::function<void(const grid::Rect&)>& work) {
-    const int rows = rows_of_a_band(lattice);
+                   const std::function<void(const grid::Rect&)>& work, double most_pixels) {
+    const int rows = rows_of_a_band(lattice, most_pixels);
     for (int y = 0; y < lattice.height; y += rows) {
         if (!keep_going(static_cast<double>(y) / lattice.height)) return false;
         work({0, y, lattice.width, std::min(y + rows, lattice.height)});

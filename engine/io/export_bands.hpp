@@ -18,6 +18,7 @@ struct ExportSource {
     const film::FilmState& film;
     pigment::Bands ground{};
     shade::RenderSettings settings{};
+    bool lit = true;  ///< otherwise pictures show the paint's colours without light and shade
 };
 
 /// The pixels of a whole canvas at the scale of the settings. Throws InputError as
@@ -27,10 +28,12 @@ shade::Lattice export_lattice(const ExportSource& source);
 /// The pixels of the file per millimetre of the canvas.
 double export_px_per_mm(const ExportSource& source);
 
-/// Calls work(pixels) for bands that together make up the lattice, from the top. A band has at most some
-/// two million pixels (or eight rows) and lies over some four million cells. False when `keep_going`
-/// said so.
+inline constexpr double kBandPixels = 1 << 21;
+
+/// Calls work(pixels) for bands that together make up the lattice, from the top. A band has at most
+/// `most_pixels` (or eight rows) and lies over some four million cells. False when `keep_going` said so.
 bool for_each_band(const shade::Lattice& lattice, const KeepGoing& keep_going,
-                   const std::function<void(const grid::Rect& pixels)>& work);
+                   const std::function<void(const grid::Rect& pixels)>& work,
+                   double most_pixels = kBandPixels);
 
 }  // namespace pastoso::io

@@ -70,14 +70,6 @@ std::vector<Integer> in_steps(const std::vector<float>& values, float black, flo
     return result;
 }
 
-shade::LinearImage base_colours(const shade::SurfaceSamples& surface, pigment::WorkingSpace space) {
-    shade::LinearImage image{surface.width, surface.height, {}, space};
-    image.rgb.reserve(3 * surface.samples.size());
-    for (const shade::SurfaceSample& sample : surface.samples)
-        image.rgb.insert(image.rgb.end(), {sample.red, sample.green, sample.blue});
-    return image;
-}
-
 /// The four files while they are written.
 class MapWriter {
   public:
@@ -93,7 +85,7 @@ class MapWriter {
 
     void write(const shade::SurfaceSamples& surface) {
         write_picture_rows(*writers_[kBaseColour], layouts_[kBaseColour],
-                           base_colours(surface, layouts_[kBaseColour].space));
+                           surface_colours(surface, layouts_[kBaseColour].space));
         for (const int map : {kNormal, kHeight, kRoughness})
             write_data(map, surface);
     }

@@ -23,4 +23,14 @@ inline float surface_roughness(const shade::SurfaceSample& sample, const shade::
     return std::sqrt(dry + (wet - dry) * sample.wetness);
 }
 
+/// The picture of a surface without light and shade.
+inline shade::LinearImage surface_colours(const shade::SurfaceSamples& surface,
+                                          pigment::WorkingSpace space) {
+    shade::LinearImage image{surface.width, surface.height, {}, space};
+    image.rgb.reserve(3 * surface.samples.size());
+    for (const shade::SurfaceSample& sample : surface.samples)
+        image.rgb.insert(image.rgb.end(), {sample.red, sample.green, sample.blue});
+    return image;
+}
+
 }  // namespace pastoso::io

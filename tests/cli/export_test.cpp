@@ -40,7 +40,15 @@ TEST_F(CliExport, EveryFormatOfPicturesIsWritten) {
     EXPECT_EQ(run_export({path("c.jpg"), "--quality", "20"}).status, 0);
     EXPECT_LT(std::filesystem::file_size(path("c.jpg")), std::filesystem::file_size(path("b.jpg")));
     EXPECT_EQ(run_export({path("c.exr"), "--layers"}).status, 0);
-    EXPECT_THAT(core::read_text_file(path("c.exr")), HasSubstr("paint.height_mm.V"));
+    EXPECT_THAT(core::read_text_file(path("c.exr")), HasSubstr("Paint.height_mm.V"));
+}
+
+TEST_F(CliExport, FlatPicturesDoNotKnowTheLight) {
+    ASSERT_EQ(run_export({path("b.png")}).status, 0);
+    ASSERT_EQ(run_export({path("c.png"), "--flat"}).status, 0);
+    ASSERT_EQ(run_export({path("d.png"), "--maps"}).status, 0);
+    EXPECT_NE(core::read_text_file(path("c.png")), core::read_text_file(path("b.png")));
+    EXPECT_EQ(core::read_text_file(path("c.png")), core::read_text_file(path("d-basecolor.png")));
 }
 
 TEST_F(CliExport, ConvertIsAnotherWordForIt) {
@@ -78,7 +86,7 @@ TEST_F(CliExport, WhatCannotBeDoneIsToldInASentence) {
     };
     refuse({path("b.psd")}, 1, "b.psd: a picture is saved as .png, .tif, .jpg, .webp or .exr");
     refuse({path("b.png"), "--depth", "32"}, 1, "b.png: .png files do not hold 32-bit pictures.");
-    refuse({path("b.png"), "--layers"}, 1, "b.png: only .exr files hold --layers.");
+    refuse({path("b.png"), "--layers"}, 1, "b.png: only .exr files hold layers.");
     refuse({path("b.jpg"), "--maps"}, 1, "b.jpg: maps are saved as .png, .tif or .exr");
     refuse({path("b.stl"), "--maps"}, 2, "--layers and --maps are for pictures; " + path("b.stl"));
     refuse({path("b.exr"), "--maps", "--layers"}, 2, "--layers and --maps exclude each other.");

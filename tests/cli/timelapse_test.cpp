@@ -78,6 +78,25 @@ TEST_F(CliTimelapse, FramesOfAnotherOneAreLeftAlone) {
                               "them.\n");
 }
 
+TEST_F(CliTimelapse, ACanvasThatGrowsIsFittedIntoTheFirstFrame) {
+    write(
+        "growing.json",
+        R"({"format":"pastoso-strokes","version":6,"canvas":{"width_mm":20,"height_mm":10,"px_per_mm":4},)"
+        R"("end_tick":12,"events":[{"tick":6,"resize_canvas":{"width_mm":20,"height_mm":20}}]})");
+    ASSERT_EQ(frames(path("growing.json"), "frames").status, 0);
+    for (const char* name : {"frames/frame-00001.png", "frames/frame-00003.png"}) {
+        const io::GreyImage frame = io::read_grey_image(path(name));
+        EXPECT_EQ(frame.width, 80);
+        EXPECT_EQ(frame.height, 40);
+    }
+    const io::GreyImage last = io::read_grey_image(path("frames/frame-00003.png"));
+    const auto at = [&](int x, int y) { return last.values[static_cast<std::size_t>(80 * y + x)]; };
+    EXPECT_NEAR(at(5, 20), 118.0 / 255.0, 0.01) << "middle grey of sRGB beside a square canvas";
+    EXPECT_NEAR(at(75, 20), at(5, 20), 1e-6);
+    EXPECT_GT(at(40, 20), 0.7) << "primed linen";
+    EXPECT_GT(at(22, 1), 0.7);
+}
+
 TEST_F(CliTimelapse, AVideoIsMadeByFfmpeg) {
     install_ffmpeg("echo \"$@\" > " + path("arguments") +
                    "\nfor last; do :; done\ncat > \"${last#file:}\"\n");

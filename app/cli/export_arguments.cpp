@@ -1,0 +1,58 @@
+#include "cli/arguments.hpp"
+#include "cli/shared_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace pastoso::cli {
+namespace {
+
+void add_relief_options(CLI::App& command, ExportOptions& options) {
+    command
+        .add_option("--base-mm", options.base_mm, "Reliefs: thickness below the canvas's lowest level")
+        ->type_name("MM")
+        ->capture_default_str();
+    command.add_option("--exaggerate", options.exaggeration, "Reliefs: heights are multiplied by this")
+        ->type_name("FACTOR")
+        ->capture_default_str();
+    command
+        .add_option("--resolution-mm", options.resolution_mm,
+                    "Reliefs: distance of points (default: a cell, or 1/1000 of the longer side where "
+                    "that is more)")
+        ->type_name("MM");
+}
+
+}  // namespace
+
+void add_export(CLI::App& program, ExportOptions& options) {
+    CLI::App& command = *program.add_subcommand(
+        "export", "Make a picture, maps or a printable relief of a project file (also: convert)");
+    command.alias("convert");
+    command.add_option("PROJECT", options.project, "A painting: FILE.pastoso")->required();
+    command
+        .add_option("-o,--output", options.output,
+                    "The picture: .png, .tif, .jpg, .webp or .exr; or a relief for 3D printing, in "
+                    "millimetres: .stl, .ply or .obj")
+        ->type_name("FILE");
+    command.add_option("--well", options.well, "A picture of the mixing well")->type_name("FILE");
+    command.add_flag("--layers", options.layers,
+                     "Into .exr, beside the picture: lit, albedo, normal, height_mm, wetness, gloss and "
+                     "cover of every layer");
+    command.add_flag("--maps", options.maps,
+                     "Maps for 3D programs instead of the picture, FILE-basecolor, FILE-normal "
+                     "(OpenGL, +Y up), FILE-height and FILE-roughness: .png, .tif or .exr");
+    command.add_flag("--flat", options.flat,
+                     "Pictures without light and shade: the paint's own colours, no relief");
+    command.add_option("--scale", options.scale, "Pixels per cell; at most 32768 pixels a side")
+        ->type_name("S")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0625, 64.0));
+    add_picture_options(command, options.picture);
+    add_relief_options(command, options);
+    add_threads_option(command, options.threads);
+    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+    command.footer(
+        "Example:\n  pastoso-cli export painting.pastoso -o painting.tif --depth 16 --scale 2\n"
+        "  pastoso-cli export painting.pastoso -o painting.stl --base-mm 3 --exaggerate 2");
+}
+
+}  // namespace pastoso::cli

@@ -1,0 +1,46 @@
+#include "cli/shared_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace pastoso::cli {
+
+void add_picture_options(CLI::App& command, io::PictureOptions& options) {
+    command
+        .add_option("--light", options.light,
+                    "The light that pictures are seen in: D65, D50, A, LED, or a CSV file of "
+                    "wavelength_nm,power; the paint is the same")
+        ->type_name("LIGHT")
+        ->capture_default_str();
+    command
+        .add_option("--profile", options.profile,
+                    "The colours of pictures: srgb, display-p3, or an ICC profile to convert them to; "
+                    "it is embedded")
+        ->type_name("PROFILE")
+        ->capture_default_str();
+    command
+        .add_option("--depth", options.depth_bits,
+                    "Bits of a channel in .png and .tif: 8 or 16; 32 for linear light in .tif")
+        ->type_name("BITS")
+        ->capture_default_str()
+        ->check(CLI::IsMember({8, 16, 32}));
+    command.add_option("--quality", options.quality, "Of .jpg and .webp: 1 small to 100 fine")
+        ->type_name("Q")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 100));
+}
+
+void add_scale_option(CLI::App& command, double& scale) {
+    command.add_option("--scale", scale, "Pixels per cell of every picture")
+        ->type_name("S")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0625, 16.0));
+}
+
+void add_threads_option(CLI::App& command, int& threads) {
+    command.add_option("--threads", threads, "Threads to use; 0: one per processor")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 256));
+}
+
+}  // namespace pastoso::cli

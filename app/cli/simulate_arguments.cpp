@@ -1,0 +1,51 @@
+#include "cli/arguments.hpp"
+#include "cli/shared_arguments.hpp"
+#include "io/scene_json.hpp"
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace pastoso::cli {
+namespace {
+
+std::string bundled_scenes_text() {
+    std::string text;
+    for (const std::string& name : io::bundled_scene_names())
+        text += (text.empty() ? " " : ", ") + name;
+    return text;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& program, SimulateOptions& options) {
+    CLI::App& command = *program.add_subcommand(
+        "simulate", "Let a film of paint run without a brush, and write what is measured and seen");
+    command
+        .add_option("SCENE", options.scene,
+                    "A scene file (.json), or the name of a scene that comes with the program")
+        ->required();
+    command.add_option("-o,--output", options.output, "Folder for tables, heights and pictures")
+        ->type_name("DIR")
+        ->required();
+    command
+        .add_option("--seconds", options.seconds,
+                    "Stop after this time; what the scene asks for later is left out")
+        ->type_name("S")
+        ->check(CLI::Range(0.0, 1e6));
+    command
+        .add_option("--threads", options.threads,
+                    "Threads to use; 0: one per processor (default: the scene's own)")
+        ->type_name("N")
+        ->check(CLI::Range(0, 256));
+    command.add_option("--stats", options.stats, "Write times and counts as one JSON object")
+        ->type_name("FILE");
+    add_picture_options(command, options.picture);
+    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+    command.footer([] {
+        return "docs/scene-format.md describes scene files. Scenes that come with the program:" +
+               bundled_scenes_text() + ".\nExample:\n  pastoso-cli simulate paper-fig2 -o fig2";
+    });
+}
+
+}  // namespace pastoso::cli

@@ -1,0 +1,38 @@
+#include "cli/arguments.hpp"
+#include "cli/shared_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace pastoso::cli {
+
+void add_timelapse(CLI::App& program, TimelapseOptions& options) {
+    CLI::App& command = *program.add_subcommand(
+        "timelapse", "Show how a painting came about: numbered pictures, or a video");
+    command
+        .add_option("SOURCE", options.source,
+                    "A recording (.json, or text lines), or a painting with its strokes (.pastoso)")
+        ->required();
+    command
+        .add_option("-o,--output", options.output,
+                    "A folder for frame-00001.png and so on; what is there already is kept. Or a video, "
+                    ".mp4, .mkv or .webm, where the program ffmpeg is installed")
+        ->type_name("DIR|FILE")
+        ->required();
+    command.add_option("--fps", options.fps, "Frames per second of film")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 120.0));
+    command.add_option("--speed", options.speed, "Seconds of painting in a second of film")
+        ->type_name("S")
+        ->capture_default_str()
+        ->check(CLI::Range(0.01, 100000.0));
+    command.add_option("--px-per-mm", options.px_per_mm, "Cells per millimetre")->type_name("N");
+    command.add_flag("--flat", options.flat, "Without light and shade");
+    add_scale_option(command, options.scale);
+    add_picture_options(command, options.picture);
+    add_threads_option(command, options.threads);
+    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+    command.footer("Example:\n  pastoso-cli timelapse painting.pastoso -o painting.mp4 --speed 20");
+}
+
+}  // namespace pastoso::cli

@@ -1,0 +1,99 @@
+#include "io/painting_export.hpp"
+
+#include "core/error.hpp"
+#include "document/layered_canvas.hpp"
+#include "document/painting.hpp"
+#include "document/well.hpp"
+#include "io/files.hpp"
+#include "io/layer_export.hpp"
+#include "io/picture_export.hpp"
+#include "io/relief_export.hpp"
+
+#include <optional>
+
+namespace pastoso::io {
+namespace {
+
+using document::PaintingState;
+using film::FilmState;
+
+void check_relief_path(const std::filesystem::path& path) {
+    if (!is_relief_path(path)) {
+        throw core::InputError(path.string() +
+                               ": a relief is saved as .stl, .ply or .obj; this name ends in none of "
+                               "them.");
+    }
+    check_writable(path);
+}
+
+FilmState seen_film(const PaintingState& painting, const ExportChoice& choice, core::ThreadPool& pool) {
+    if (choice.of_well) return painting.well ? painting.well->film : document::bare_well();
+    return document::view_of(painting.canvas.film, painting.bare_support_mm, painting.layers, pool);
+}
+
+ExportSource source_of(const FilmState& film, const ExportChoice& choice, const PictureStyle& style) {
+    shade::RenderSettings settings;
+    settings.scale = choice.scale;
+    settings.lighting = choice.lighting;
+    settings.viewing = style.viewing;
+    return {film, document::kPrimedGround, settings, choice.lit};
+}
+
+ExportStatus write_pictures(const PaintingState& painting, const ExportChoice& choice,
+                            const FilmState& film, core::ThreadPool& pool, const KeepGoing& keep_going,
+                            ExportReport& report) {
+    const PictureStyle style = picture_style(choice.picture);
+    const ExportSource source = source_of(film, choice, style);
+    const shade::Lattice lattice = export_lattice(source);
+    report.width_px = lattice.width;
+    report.height_px = lattice.height;
+    if (choice.kind == ExportKind::Picture)
+        return export_picture(choice.path, source, style.encoding, pool, keep_going);
+    if (choice.kind == ExportKind::Layers) {
+        return export_layers(
+            choice.path, source,
+            channel_layers(painting.canvas.film, painting.bare_support_mm, painting.layers), pool,
+            keep_going);
+    }
+    report.files = map_paths(choice.path);
+    return export_maps(choice.path, source, style.encoding, pool, keep_going, &report.heights);
+}
+
+ExportStatus write_relief(const ExportChoice& choice, const FilmState& film, core::ThreadPool& pool,
+                          const KeepGoing& keep_going, ExportReport& report) {
+    if (!keep_going(0.0)) return ExportStatus::Stopped;
+    const Relief relief = relief_of(film, choice.relief, pool);
+    report.triangles = relief.triangle_count();
+    return export_relief(choice.path, relief, keep_going);
+}
+
+}  // namespace
+
+grid::Shape exported_shape(const PaintingState& painting, const ExportChoice& choice) {
+    return choice.of_well ? document::bare_well().shape : painting.canvas.film.shape;
+}
+
+void check_export(const ExportChoice& choice) {
+    if (choice.kind == ExportKind::Relief) return check_relief_path(choice.path);
+    const PictureEncoding encoding = picture_style(choice.picture).encoding;
+    if (choice.kind == ExportKind::Maps) return check_map_paths(choice.path, encoding);
+    check_picture_path(choice.path, encoding);
+    if (choice.kind == ExportKind::Layers && !is_linear_format(choice.path))
+        throw core::InputError(choice.path.string() + ": only .exr files hold layers.");
+}
+
+ExportReport export_painting(const PaintingState& painting, const ExportChoice& choice,
+                             core::ThreadPool& pool, const KeepGoing& keep_going) {
+    check_export(choice);
+    const FilmState film = seen_film(painting, choice, pool);
+    ExportReport report;
+    report.files = {choice.path};
+    report.width_mm = film.shape.width * film.cell_mm;
+    report.height_mm = film.shape.height * film.cell_mm;
+    report.status = choice.kind == ExportKind::Relief
+                        ? write_relief(choice, film, pool, keep_going, report)
+                        : write_pictures(painting, choice, film, pool, keep_going, report);
+    return report;
+}
+
+}  // namespace pastoso::io

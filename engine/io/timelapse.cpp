@@ -1,0 +1,208 @@
+#include "io/timelapse.hpp"
+
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "core/text_file.hpp"
+#include "document/canvas.hpp"
+#include "document/number_text.hpp"
+#include "document/player.hpp"
+#include "io/canvas_support.hpp"
+#include "io/files.hpp"
+#include "io/picture_export.hpp"
+#include "io/recording_json.hpp"
+#include "io/video_file.hpp"
+#include "shade/picture_sheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <span>
+
+namespace pastoso::io {
+namespace {
+
+using document::number_text;
+using document::Recording;
+using Path = std::filesystem::path;
+
+constexpr const char* kRecordName = "timelapse.txt";
+
+/// Paints as far as the last frame that is wanted and calls show(frame, snapshot) for those that are.
+/// False when `keep_going` said so.
+bool play(const Recording& recording, const TimelapseChoice& choice, const std::vector<bool>& wanted,
+          core::ThreadPool& pool, const KeepGoing& keep_going,
+          const std::function<void(std::size_t frame, const document::Snapshot&)>& show) {
+    const std::vector<std::int64_t> ticks = frame_ticks(recording, choice);
+    const std::unique_ptr<document::Painting> painting = make_painting(recording.canvas, pool);
+    if (!document::undoes(recording)) painting->set_history_budget(0);
+    document::Player player(*painting, recording);
+    for (std::size_t frame = 0; frame < wanted.size(); ++frame) {
+        const bool at_end = ticks[frame] == recording.end_tick;
+        while (at_end ? !player.finished() : painting->tick() < ticks[frame]) {
+            if (!keep_going(player.progress())) return false;
+            try {
+                player.play_tick();
+            } catch (const core::InputError& error) {
+                throw core::InputError(choice.strokes + ", " + error.what());
+            }
+        }
+        if (wanted[frame]) show(frame, painting->snapshot());
+    }
+    return keep_going(1.0);
+}
+
+ExportSource source_of(const document::Snapshot& snapshot, const TimelapseChoice& choice,
+                       const PictureStyle& style) {
+    shade::RenderSettings settings;
+    settings.scale = choice.scale;
+    settings.lighting = choice.lighting;
+    settings.viewing = style.viewing;
+    return {snapshot.film, snapshot.ground, settings, choice.lit};
+}
+
+shade::Lattice frame_lattice(const Recording& recording, const TimelapseChoice& choice) {
+    const grid::Shape shape = document::canvas_shape(recording.canvas);
+    return shade::picture_lattice(shape, shape.cells(), choice.scale);
+}
+
+/// What decides on the frames of a folder, so that frames of another time-lapse are not mixed in.
+std::string record_of(const Recording& recording, const TimelapseChoice& choice) {
+    core::Hash64 strokes;
+    const std::string text = recording_to_json(recording);
+    strokes.add(std::span<const char>(text));
+    const PictureOptions& picture = choice.picture;
+    const shade::Lighting& lighting = choice.lighting;
+    return "Pastoso " PASTOSO_VERSION " time-lapse\nstrokes: " + strokes.hex() +
+           "\nfps: " + number_text(choice.fps) + "\nspeed: " + number_text(choice.speed) +
+           "\nscale: " + number_text(choice.scale) + "\nlight: " + picture.light + ", " +
+           (choice.lit ? number_text(lighting.azimuth_deg) + " deg round, " +
+                             number_text(lighting.elevation_deg) + " deg high"
+                       : "without shade") +
+           "\nprofile: " + picture.profile + "\ndepth: " + std::to_string(picture.depth_bits) + "\n";
+}
+
+Path frame_path(const Path& folder, std::size_t frame) {
+    char name[40];
+    std::snprintf(name, sizeof name, "frame-%05zu.png", frame + 1);
+    return folder / name;
+}
+
+/// Makes the folder one of this time-lapse, or finds that it is. Throws InputError for another's.
+void claim_folder(const Path& folder, const std::string& record) {
+    make_folder(folder);
+    const Path path = folder / kRecordName;
+    if (std::filesystem::exists(path)) {
+        if (core::read_text_file(path) == record) return;
+    } else if (!std::filesystem::exists(frame_path(folder, 0))) {
+        core::write_text_file(path, record);
+        return;
+    }
+    throw core::InputError(folder.string() +
+                           ": holds frames of another time-lapse; name another folder, or remove them.");
+}
+
+/// As far as the last of them.
+std::vector<bool> missing_frames(const Path& folder, std::size_t frames) {
+    std::vector<bool> missing;
+    std::size_t end = 0;
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+        missing.push_back(!std::filesystem::exists(frame_path(folder, frame)));
+        if (missing.back()) end = frame + 1;
+    }
+    missing.resize(end);
+    return missing;
+}
+
+/// A canvas that was cut or made larger on the way is shown as large as fits, in the middle, on grey.
+shade::LinearImage frame_image(ExportSource source, const Recording& recording,
+                               const TimelapseChoice& choice, core::ThreadPool& pool) {
+    const shade::Lattice frame = frame_lattice(recording, choice);
+    const grid::Shape shape = source.film.shape;
+    if (shape != document::canvas_shape(recording.canvas))
+        source.settings.scale = std::min(static_cast<double>(frame.width) / shape.width,
+                                         static_cast<double>(frame.height) / shape.height);
+    const shade::Lattice lattice = export_lattice(source);
+    const shade::Renderer renderer(source.film, source.ground, lattice, source.settings, pool);
+    shade::LinearImage image;
+    render_picture(renderer, source, {0, 0, lattice.width, lattice.height}, &image);
+    return shade::framed(image, frame.width, frame.height);
+}
+
+bool write_frames(const Recording& recording, const TimelapseChoice& choice, core::ThreadPool& pool,
+                  const KeepGoing& keep_going, TimelapseReport& report) {
+    const PictureStyle style = picture_style(choice.picture);
+    check_picture_path(frame_path(choice.path.parent_path(), 0), style.encoding);
+    claim_folder(choice.path, record_of(recording, choice));
+    const auto to_the_end = [](double) { return true; };
+    return play(recording, choice, missing_frames(choice.path, report.frames), pool, keep_going,
+                [&](std::size_t frame, const document::Snapshot& snapshot) {
+                    const ExportSource source = source_of(snapshot, choice, style);
+                    const Path path = frame_path(choice.path, frame);
+                    if (snapshot.film.shape == document::canvas_shape(recording.canvas))
+                        export_picture(path, source, style.encoding, pool, to_the_end);
+                    else
+                        write_picture(path, frame_image(source, recording, choice, pool), style.encoding,
+                                      choice.scale / snapshot.film.cell_mm);
+                    ++report.written;
+                });
+}
+
+bool write_video(const Recording& recording, const TimelapseChoice& choice, core::ThreadPool& pool,
+                 const KeepGoing& keep_going, TimelapseReport& report) {
+    PictureStyle style = picture_style(choice.picture);
+    style.viewing.space = pigment::WorkingSpace::Srgb;
+    return core::write_aside_unless(choice.path, [&](const Path& temporary) {
+        VideoWriter video(temporary, choice.path, report.width_px, report.height_px, choice.fps);
+        const bool complete =
+            play(recording, choice, std::vector<bool>(report.frames, true), pool, keep_going,
+                 [&](std::size_t, const document::Snapshot& snapshot) {
+                     video.write(shade::encode_srgb8(
+                         frame_image(source_of(snapshot, choice, style), recording, choice, pool)));
+                     ++report.written;
+                 });
+        if (complete) video.finish();
+        return complete;
+    });
+}
+
+}  // namespace
+
+std::vector<std::int64_t> frame_ticks(const Recording& recording, const TimelapseChoice& choice) {
+    const double step = choice.speed / (choice.fps * document::kTick_s);
+    std::vector<std::int64_t> ticks;
+    for (std::int64_t tick = 0; tick < recording.end_tick;
+         tick = std::llround(step * static_cast<double>(ticks.size())))
+        ticks.push_back(tick);
+    ticks.push_back(recording.end_tick);
+    return ticks;
+}
+
+void check_timelapse(const TimelapseChoice& choice) {
+    picture_style(choice.picture);
+    if (is_video_path(choice.path)) {
+        check_video_path(choice.path);
+    } else if (choice.path.has_extension() && !std::filesystem::is_directory(choice.path)) {
+        throw core::InputError(choice.path.string() +
+                               ": a video is saved as .mp4, .mkv or .webm, and a folder's name has no "
+                               "ending.");
+    }
+}
+
+TimelapseReport export_timelapse(Recording recording, const TimelapseChoice& choice,
+                                 core::ThreadPool& pool, const KeepGoing& keep_going) {
+    check_timelapse(choice);
+    if (choice.px_per_mm) recording.canvas.px_per_mm = *choice.px_per_mm;
+    document::check_canvas_fits(recording.canvas, document::available_memory_bytes());
+    const shade::Lattice lattice = frame_lattice(recording, choice);
+    TimelapseReport report{.frames = frame_ticks(recording, choice).size(),
+                           .width_px = lattice.width,
+                           .height_px = lattice.height};
+    const auto write = is_video_path(choice.path) ? write_video : write_frames;
+    const bool complete = write(recording, choice, pool, keep_going, report);
+    report.status = complete ? ExportStatus::Written : ExportStatus::Stopped;
+    return report;
+}
+
+}  // namespace pastoso::io
