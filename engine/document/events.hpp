@@ -7,6 +7,7 @@
 #include "brush/pen_sample.hpp"
 #include "brush/symmetry.hpp"
 #include "document/layer_events.hpp"
+#include "document/picture_events.hpp"
 #include "document/selection_events.hpp"
 #include "film/drying_air.hpp"
 
@@ -125,12 +126,12 @@ struct SetSymmetry {
     friend bool operator==(const SetSymmetry&, const SetSymmetry&) = default;
 };
 
-using Action =
-    std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCanvas, SetDrying, DryNow, PenDown,
-                 PenMove, PenUp, Undo, Redo, SetStabiliser, SetGuide, SetSymmetry, SqueezePaint,
-                 CleanWell, AddLayer, SelectLayer, SetLayer, DuplicateLayer, RemoveLayer, ClearLayer,
-                 TransformLayer, MoveLayer, MergeDown, FlattenLayers, GroupLayers, SetGroup, MoveGroup,
-                 UngroupLayers, SelectArea, SelectByHeight, SelectByWetness, InvertSelection, SelectAll>;
+using Action = std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCanvas, SetDrying, DryNow,
+                            PenDown, PenMove, PenUp, Undo, Redo, SetStabiliser, SetGuide, SetSymmetry,
+                            SqueezePaint, CleanWell, AddLayer, SelectLayer, SetLayer, DuplicateLayer,
+                            RemoveLayer, ClearLayer, TransformLayer, MoveLayer, MergeDown, FlattenLayers,
+                            GroupLayers, SetGroup, MoveGroup, UngroupLayers, SelectArea, SelectByHeight,
+                            SelectByWetness, InvertSelection, SelectAll, PaintPicture>;
 
 struct Event {
     std::int64_t tick = 0;  ///< the number of ticks that had passed when it happened

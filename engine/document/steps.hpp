@@ -26,7 +26,8 @@ struct Step {
         SetGroup,
         MoveGroup,
         UngroupLayers,
-        Select
+        Select,
+        PaintPicture
     };
     Kind kind = Kind::Stroke;
     std::string brush{};  ///< name of the preset; "" where none had a part in it

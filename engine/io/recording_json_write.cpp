@@ -3,6 +3,7 @@
 #include "io/json_place.hpp"
 #include "io/layers_json.hpp"
 #include "io/paint_json.hpp"
+#include "io/picture_json.hpp"
 #include "io/recording_json.hpp"
 #include "io/selection_json.hpp"
 #include "io/stroke_ticks.hpp"
@@ -194,6 +195,9 @@ class EntryWriter {
     void operator()(const document::SelectByWetness& select) {
         put("select_by_wetness", select_by_wetness_json(select));
     }
+    void operator()(const document::PaintPicture& paint) {
+        put("paint_picture", paint_picture_json(paint));
+    }
     void operator()(const document::InvertSelection&) { put("invert_selection", Json::object()); }
     void operator()(const document::SelectAll&) { put("select_all", Json::object()); }
 
@@ -227,17 +231,17 @@ bool uses_layers(const Event& event) {
         event.action);
 }
 
-bool uses_regions(const Event& event) {
+bool uses_regions_or_pictures(const Event& event) {
     using namespace document;
     return is_one_of<SelectArea, SelectByHeight, SelectByWetness, InvertSelection, SelectAll,
-                     TransformLayer>(event.action);
+                     TransformLayer, PaintPicture>(event.action);
 }
 
 int version_needed(const document::Recording& recording) {
     const auto any = [&](bool (*uses)(const Event&)) {
         return std::any_of(recording.events.begin(), recording.events.end(), uses);
     };
-    if (any(uses_regions)) return 6;
+    if (any(uses_regions_or_pictures)) return 6;
     if (any(uses_layers)) return 5;
     return any(uses_well) ? 4 : 3;
 }
