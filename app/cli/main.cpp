@@ -1,4 +1,5 @@
 #include "arguments/argument_fault.hpp"
+#include "cli/convert.hpp"
 #include "cli/export.hpp"
 #include "cli/info.hpp"
 #include "cli/interrupt.hpp"
@@ -186,9 +187,8 @@ void add_relief_options(CLI::App& command, ExportOptions& options) {
 }
 
 void add_export(CLI::App& app, ExportOptions& options) {
-    CLI::App& command = *app.add_subcommand(
-        "export", "Make a picture, maps or a printable relief of a project file (also: convert)");
-    command.alias("convert");
+    CLI::App& command =
+        *app.add_subcommand("export", "Make a picture, maps or a printable relief of a project file");
     command.add_option("PROJECT", options.project, "A painting: FILE.pastoso")->required();
     command
         .add_option("-o,--output", options.output,
@@ -212,6 +212,51 @@ void add_export(CLI::App& app, ExportOptions& options) {
     command.footer(
         "Example:\n  pastoso-cli export painting.pastoso -o painting.tif --depth 16 --scale 2\n"
         "  pastoso-cli export painting.pastoso -o painting.stl --base-mm 3 --exaggerate 2");
+}
+
+void add_convert(CLI::App& app, ConvertOptions& options) {
+    CLI::App& command = *app.add_subcommand(
+        "convert", "Bring a picture or an OpenRaster file onto a new canvas; or export a painting");
+    command
+        .add_option("SOURCE", options.source,
+                    "A picture (.png, .jpg, .tif and others), an OpenRaster file (.ora), or a painting")
+        ->required();
+    command
+        .add_option("OUTPUT,-o,--output", options.output,
+                    "The painting, FILE.pastoso; of a painting: a picture or a relief")
+        ->type_name("FILE")
+        ->required();
+    command
+        .add_option("--as", options.as,
+                    "What a picture becomes: a layer of dry paint, or the heights of the support")
+        ->type_name("paint|support")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"paint", "support"}));
+    command.add_option("--px-per-mm", options.px_per_mm, "Cells of the canvas per millimetre")
+        ->type_name("N")
+        ->capture_default_str();
+    command
+        .add_option("--width-mm", options.width_mm,
+                    "Width of the canvas (default: as the picture's resolution says, otherwise 300 mm "
+                    "along the longer side)")
+        ->type_name("MM")
+        ->check(CLI::Range(1.0, 5000.0));
+    command.add_option("--support", options.support, "Below the paint: linen, cotton duck or panel")
+        ->type_name("NAME")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"linen", "cotton duck", "panel"}));
+    command
+        .add_option("--relief-mm", options.relief_mm,
+                    "Height of the support's crowns or of an image's white")
+        ->type_name("MM")
+        ->check(CLI::Range(0.0, 20.0));
+    add_scale_option(command, options.scale);
+    add_picture_options(command, options.picture);
+    add_threads_option(command, options.threads);
+    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+    command.footer(
+        "Example:\n  pastoso-cli convert photo.jpg painting.pastoso --width-mm 400\n"
+        "  pastoso-cli convert layers.ora painting.pastoso --support panel");
 }
 
 void add_timelapse(CLI::App& app, TimelapseOptions& options) {
@@ -315,6 +360,7 @@ void add_info(CLI::App& app, InfoOptions& options) {
 int run(int argc, char** argv) {
     ReplayOptions replay, sheet;
     ExportOptions exporting;
+    ConvertOptions convert;
     TimelapseOptions timelapse;
     RecoverOptions recover;
     SimulateOptions simulate;
@@ -326,6 +372,7 @@ int run(int argc, char** argv) {
     add_replay(app, replay);
     add_sheet(app, sheet);
     add_export(app, exporting);
+    add_convert(app, convert);
     add_timelapse(app, timelapse);
     add_recover(app, recover);
     add_simulate(app, simulate);
@@ -349,6 +396,8 @@ int run(int argc, char** argv) {
         run_sheet(std::move(sheet));
     else if (app.got_subcommand("export"))
         run_export(exporting);
+    else if (app.got_subcommand("convert"))
+        run_convert(convert);
     else if (app.got_subcommand("timelapse"))
         run_timelapse(timelapse);
     else if (app.got_subcommand("recover"))

@@ -43,7 +43,7 @@ TEST_F(CliExport, EveryFormatOfPicturesIsWritten) {
     EXPECT_THAT(core::read_text_file(path("c.exr")), HasSubstr("paint.height_mm.V"));
 }
 
-TEST_F(CliExport, ConvertIsAnotherWordForIt) {
+TEST_F(CliExport, ConvertOfAPaintingIsTheSame) {
     ASSERT_EQ(run_export({path("b.png")}).status, 0);
     const RunResult run = run_cli({"convert", "-q", painting, "-o", path("c.png")});
     EXPECT_EQ(run.status, 0) << run.errors;
