@@ -63,6 +63,8 @@ constexpr std::array kCommands = {
     CommandText{Command::SqueezePaint, "&Paint", "&Squeeze onto the well", "S",
                 "Squeeze the paint that you chose onto the mixing well; Control and click says where"},
     CommandText{Command::CleanWell, "&Paint", "&Clean the well", "Shift+W", "Wipe the mixing well bare"},
+    CommandText{Command::LayerFromPicture, "&Layer", "From a &picture...", "Ctrl+Shift+O",
+                "Put a picture onto the canvas as a layer of dry paint"},
     CommandText{Command::MirrorSymmetry, "&Guides", "&Mirror left and right", "Shift+M",
                 "Every stroke is painted on both sides of the upright line", true},
     CommandText{Command::MirrorLevel, "&Guides", "Mirror a&bove and below", "Ctrl+Shift+M",

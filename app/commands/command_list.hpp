@@ -36,6 +36,7 @@ enum class Command {
     MixingWell,
     SqueezePaint,
     CleanWell,
+    LayerFromPicture,
     MirrorSymmetry,
     MirrorLevel,
     MoreCopies,
