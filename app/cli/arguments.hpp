@@ -14,6 +14,7 @@ namespace pastoso::cli {
 void add_replay(CLI::App& program, ReplayOptions& options);
 void add_sheet(CLI::App& program, ReplayOptions& options);
 void add_export(CLI::App& program, ExportOptions& options);
+void add_convert(CLI::App& program, ConvertOptions& options);
 void add_timelapse(CLI::App& program, TimelapseOptions& options);
 void add_recover(CLI::App& program, RecoverOptions& options);
 void add_simulate(CLI::App& program, SimulateOptions& options);

@@ -25,8 +25,7 @@ void add_relief_options(CLI::App& command, ExportOptions& options) {
 
 void add_export(CLI::App& program, ExportOptions& options) {
     CLI::App& command = *program.add_subcommand(
-        "export", "Make a picture, maps or a printable relief of a project file (also: convert)");
-    command.alias("convert");
+        "export", "Make a picture, maps or a printable relief of a project file");
     command.add_option("PROJECT", options.project, "A painting: FILE.pastoso")->required();
     command
         .add_option("-o,--output", options.output,

@@ -1,5 +1,6 @@
 #include "arguments/argument_fault.hpp"
 #include "cli/arguments.hpp"
+#include "cli/convert.hpp"
 #include "cli/export.hpp"
 #include "cli/info.hpp"
 #include "cli/interrupt.hpp"
@@ -26,6 +27,7 @@ enum ExitStatus { kDone = 0, kBadInput = 1, kBadUsage = 2, kStopped = 130 };
 int run(int argc, char** argv) {
     ReplayOptions replay, sheet;
     ExportOptions exporting;
+    ConvertOptions convert;
     TimelapseOptions timelapse;
     RecoverOptions recover;
     SimulateOptions simulate;
@@ -37,6 +39,7 @@ int run(int argc, char** argv) {
     add_replay(app, replay);
     add_sheet(app, sheet);
     add_export(app, exporting);
+    add_convert(app, convert);
     add_timelapse(app, timelapse);
     add_recover(app, recover);
     add_simulate(app, simulate);
@@ -60,6 +63,8 @@ int run(int argc, char** argv) {
         run_sheet(std::move(sheet));
     else if (app.got_subcommand("export"))
         run_export(exporting);
+    else if (app.got_subcommand("convert"))
+        run_convert(convert);
     else if (app.got_subcommand("timelapse"))
         run_timelapse(timelapse);
     else if (app.got_subcommand("recover"))

@@ -55,6 +55,21 @@ struct ExportOptions {
     bool quiet = false;
 };
 
+/// A picture or a painting, and what it is to become.
+struct ConvertOptions {
+    std::string source;
+    std::string output;
+    std::string as = "paint";  ///< or "support"
+    double px_per_mm = 4.0;
+    double width_mm = 0.0;  ///< of the canvas; 0: as the picture says
+    std::string support = "linen";
+    double relief_mm = 0.0;  ///< of the support; 0: its own
+    double scale = 1.0;      ///< of a picture that is made
+    io::PictureOptions picture;
+    int threads = 0;
+    bool quiet = false;
+};
+
 struct TimelapseOptions {
     std::string source;  ///< a recording or a project file
     std::string output;  ///< a folder or a video

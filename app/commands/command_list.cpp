@@ -65,6 +65,8 @@ constexpr std::array kCommands = {
     CommandText{Command::CleanWell, "&Paint", "&Clean the well", "Shift+W", "Wipe the mixing well bare"},
     CommandText{Command::AddLayer, "&Layer", "&New layer", "Ins",
                 "A bare layer above the one that you paint on"},
+    CommandText{Command::LayerFromPicture, "&Layer", "From a &picture...", "Ctrl+Shift+O",
+                "Put a picture onto the canvas as a layer of dry paint"},
     CommandText{Command::DuplicateLayer, "&Layer", "&Duplicate", "Ctrl+J",
                 "The same paint once more, on a layer above"},
     CommandText{Command::RenameLayer, "&Layer", "Na&me...", "Shift+F2",

@@ -37,6 +37,7 @@ enum class Command {
     SqueezePaint,
     CleanWell,
     AddLayer,
+    LayerFromPicture,
     DuplicateLayer,
     RenameLayer,
     RemoveLayer,

@@ -61,6 +61,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     connect_selection();
     connect_light_commands();
     connect_project_commands();
+    connect_picture_commands();
     read_brushes();
     recall();
     easel_->set_up();

@@ -58,9 +58,17 @@ class MainWindow : public QMainWindow {
     /// cannot.
     void new_canvas(const document::CanvasSettings& canvas);
 
-    /// Puts up the painting in a project file, as it was. Throws core::InputError and keeps the old one
-    /// when it cannot.
+    /// Puts up the painting in a project file, as it was; a file of any other name as open_picture()
+    /// does. Throws core::InputError and keeps the old one when it cannot.
     void open_painting(const QString& path);
+
+    /// Puts up a new canvas with a picture or the layers of an OpenRaster file as dry paint, which has no
+    /// file yet. Throws core::InputError and keeps the old painting when it cannot.
+    void open_picture(const QString& path);
+
+    /// Puts a picture onto the canvas as a layer of dry paint, in the middle and as large as it fits.
+    /// Throws core::InputError when it is none.
+    void paint_picture(const QString& path);
 
     /// Writes the painting to a project file, in the background. From now on that is its file.
     void save_painting(const QString& path);
@@ -120,6 +128,9 @@ class MainWindow : public QMainWindow {
     void connect_commands();
     void connect_file_commands();
     void connect_project_commands();
+    void connect_picture_commands();
+    void ask_paint_picture();
+    static QString picture_endings();  ///< of the files that are offered
     void fill_recent();
     void try_to_open(const QString& path);
     void ask_open_painting();

@@ -3,15 +3,16 @@
 #include "commands/recent_paintings.hpp"
 #include "core/error.hpp"
 #include "main/main_window.hpp"
+#include "main/wait_cursor.hpp"
 #include "panels/status_readings.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <QAction>
 #include <QCloseEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QGuiApplication>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -24,15 +25,6 @@ using commands::Command;
 QString with_ending(const QString& path) {
     return path.endsWith(QStringLiteral(".pastoso")) ? path : path + QStringLiteral(".pastoso");
 }
-
-/// The pointer shows that it takes a while.
-class WaitCursor {
-  public:
-    WaitCursor() { QGuiApplication::setOverrideCursor(Qt::WaitCursor); }
-    ~WaitCursor() { QGuiApplication::restoreOverrideCursor(); }
-    WaitCursor(const WaitCursor&) = delete;
-    WaitCursor& operator=(const WaitCursor&) = delete;
-};
 
 }  // namespace
 
@@ -82,6 +74,10 @@ void MainWindow::show_title() {
 }
 
 void MainWindow::open_painting(const QString& path) {
+    if (!project::is_project_path(path.toStdString())) {
+        open_picture(path);
+        return;
+    }
     const WaitCursor waiting;
     auto pool = std::make_unique<core::ThreadPool>();
     project::LoadedProject project = project::load_project(path.toStdString(), *pool);
@@ -105,7 +101,10 @@ void MainWindow::open_painting(const QString& path) {
 void MainWindow::take_up_hand(const document::Recording& past) {
     try {
         easel_->adopt(tools::hand_after(easel_->hand(), past.events));
-        if (past.events.empty()) easel_->set_up();
+        const bool has_brush = std::any_of(
+            past.events.begin(), past.events.end(),
+            [](const auto& event) { return std::holds_alternative<document::TakeBrush>(event.action); });
+        if (!has_brush) easel_->set_up();
     } catch (const core::InputError& error) {
         report(QString::fromUtf8(error.what()));
         easel_->set_up();
@@ -135,7 +134,9 @@ void MainWindow::try_to_open(const QString& path) {
 void MainWindow::ask_open_painting() {
     if (!may_discard()) return;
     const QString path = QFileDialog::getOpenFileName(this, tr("Open"), QFileInfo(path_).path(),
-                                                      tr("Paintings (*.pastoso)"));
+                                                      tr("Paintings and pictures (*.pastoso *.ora %1);;"
+                                                         "All files (*)")
+                                                          .arg(picture_endings()));
     if (!path.isEmpty()) try_to_open(path);
 }
 

@@ -1,6 +1,7 @@
 #include "document/action_checks.hpp"
 
 #include "brush/preset.hpp"
+#include "core/check.hpp"
 #include "core/error.hpp"
 #include "document/canvas.hpp"
 #include "document/layers.hpp"
@@ -36,6 +37,8 @@ constexpr double kLeastScale = 0.05, kMostScale = 20.0;
 
 /// Paint is never higher.
 constexpr double kMostPaint_mm = 1000.0;
+
+constexpr double kLeastPicture_mm = 0.1;
 
 constexpr double kLongestSession_s = 7.0 * 24.0 * 3600.0;
 
@@ -76,6 +79,21 @@ void check_outline(const std::vector<CanvasPoint>& outline) {
                   kMostOutlinePoints);
     for (const CanvasPoint& point : outline)
         check_place("outline's point", point.x_mm, point.y_mm);
+}
+
+void check_picture(const PaintPicture& paint) {
+    PASTOSO_CHECK(paint.picture != nullptr);
+    const layers::Picture& picture = *paint.picture;
+    check_between("width of the picture in pixels", picture.width, 1, layers::kMostPictureSide_px);
+    check_between("height of the picture in pixels", picture.height, 1, layers::kMostPictureSide_px);
+    check_between("number of the picture's pixels", 1.0 * picture.width * picture.height, 1,
+                  layers::kMostPicturePixels);
+    PASTOSO_CHECK_OP(picture.rgba.size(), ==, std::size_t{4} * picture.width * picture.height);
+    check_place("picture", paint.place.x_mm, paint.place.y_mm);
+    check_between("width of the picture in mm", paint.place.width_mm, kLeastPicture_mm,
+                  kMaxPenPosition_mm);
+    check_between("height of the picture in mm", paint.place.height_mm, kLeastPicture_mm,
+                  kMaxPenPosition_mm);
 }
 
 void check_scale(const char* axis, double scale) {
@@ -130,6 +148,10 @@ struct Checker {
         check_between("string of the stabiliser in mm", set.stabiliser.string_mm, 0.0, 200.0);
     }
     void operator()(const AddLayer& add) const { check_look({.name = add.name}); }
+    void operator()(const PaintPicture& paint) const {
+        check_look({.name = paint.name});
+        check_picture(paint);
+    }
     void operator()(const GroupLayers& group) const { check_look({.name = group.name}); }
     void operator()(const SetLayer& set) const { check_look(set.look); }
     void operator()(const SetGroup& set) const { check_look(set.look); }

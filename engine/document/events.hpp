@@ -8,6 +8,7 @@
 #include "brush/symmetry.hpp"
 #include "document/extent_events.hpp"
 #include "document/layer_events.hpp"
+#include "document/picture_events.hpp"
 #include "document/selection_events.hpp"
 #include "film/drying_air.hpp"
 
@@ -131,7 +132,7 @@ using Action = std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCan
                             SqueezePaint, CleanWell, AddLayer, SelectLayer, SetLayer, DuplicateLayer,
                             RemoveLayer, ClearLayer, TransformLayer, MoveLayer, MergeDown, FlattenLayers,
                             GroupLayers, SetGroup, MoveGroup, UngroupLayers, SelectArea, SelectByHeight,
-                            SelectByWetness, InvertSelection, SelectAll, ResizeCanvas>;
+                            SelectByWetness, InvertSelection, SelectAll, ResizeCanvas, PaintPicture>;
 
 struct Event {
     std::int64_t tick = 0;  ///< the number of ticks that had passed when it happened

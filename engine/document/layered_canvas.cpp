@@ -5,6 +5,7 @@
 #include "core/hash.hpp"
 #include "layers/cutting.hpp"
 #include "layers/extent.hpp"
+#include "layers/flat_paint.hpp"
 #include "layers/merging.hpp"
 
 #include <algorithm>
@@ -327,6 +328,18 @@ void LayeredCanvas::flatten() {
         insert_between_groups(stack, visible[0], std::move(flat));
         drop_empty_groups(stack);
     });
+}
+
+LayerPaint LayeredCanvas::paint_picture(const PaintPicture& paint) {
+    LayerPaint taken;
+    rearrange([&](LayerStack& stack) {
+        check_room(stack);
+        film::FilmState flat =
+            layers::flat_paint(*paint.picture, paint.place, film.shape, film.cell_mm, pool_);
+        taken = paint_on(flat);
+        insert_above(stack, stack.active, {.name = paint.name}, asleep(std::move(flat)));
+    });
+    return taken;
 }
 
 LayerPaint LayeredCanvas::duplicate(const DuplicateLayer& duplicate) {

@@ -4,6 +4,7 @@
 #include "brush/contents.hpp"
 #include "core/thread_pool.hpp"
 #include "document/layers.hpp"
+#include "document/picture_events.hpp"
 #include "film/medium.hpp"
 #include "film/solver.hpp"
 #include "film/state.hpp"
@@ -72,8 +73,8 @@ class LayeredCanvas {
     /// gone.
     LayerChange resize(const grid::Extent& extent, film::SupportHeights bare_mm);
 
-    // Changes of the layers (layer_events.hpp). They throw InputError, and leave all as it was, for
-    // layers and places that there are not, and for changes of what is locked.
+    // Changes of the layers (layer_events.hpp, picture_events.hpp). They throw InputError, and leave all
+    // as it was, for layers and places that there are not, and for changes of what is locked.
 
     void add(const AddLayer& added);
     void select(const SelectLayer& selected);
@@ -85,6 +86,7 @@ class LayeredCanvas {
     void ungroup(const UngroupLayers& ungroup);
     void merge_down(const MergeDown& merge);
     void flatten();
+    LayerPaint paint_picture(const PaintPicture& paint);    ///< what came out of the tubes
     LayerPaint duplicate(const DuplicateLayer& duplicate);  ///< what came out of the tubes
     LayerPaint remove(const RemoveLayer& remove);           ///< what was wiped off
     /// What was wiped off. Without a selection, null, that is everything.

@@ -51,6 +51,11 @@ void Painting::Parts::operator()(const AddLayer& add) {
     change_layers({Step::Kind::AddLayer, {}, add.name}, [&] { canvas.add(add); });
 }
 
+void Painting::Parts::operator()(const PaintPicture& paint) {
+    change_layers({Step::Kind::PaintPicture, {}, paint.name},
+                  [&] { taken += contents_of(canvas.paint_picture(paint)); });
+}
+
 void Painting::Parts::operator()(const SetLayer& set) {
     change_layers(layer_step(Step::Kind::SetLayer, set.layer), [&] { canvas.set(set); });
 }

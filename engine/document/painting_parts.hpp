@@ -49,6 +49,7 @@ struct Painting::Parts {
     void operator()(const SelectAll&);
     void operator()(const SelectLayer& select);
     void operator()(const AddLayer& add);
+    void operator()(const PaintPicture& paint);
     void operator()(const SetLayer& set);
     void operator()(const SetGroup& set);
     void operator()(const MoveLayer& move);

@@ -27,7 +27,8 @@ struct Step {
         MoveGroup,
         UngroupLayers,
         Select,
-        ResizeCanvas
+        ResizeCanvas,
+        PaintPicture
     };
     Kind kind = Kind::Stroke;
     std::string brush{};  ///< name of the preset; "" where none had a part in it

@@ -8,10 +8,13 @@
 #include "io/image_writer.hpp"
 #include "io/images_library.hpp"
 #include "io/png_chunks.hpp"
+#include "io/upright.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
+#include <utility>
 
 namespace pastoso::io {
 namespace {
@@ -94,16 +97,28 @@ void write_image(const std::filesystem::path& path, const GreyImage& image, doub
     write_rows_aside(path, layout, image.values.data());
 }
 
-shade::LinearImage read_colour_image(const std::filesystem::path& path, pigment::WorkingSpace space) {
-    check_readable(path);
-    check_exr_header(path);
-    const ImagesLibrary& library = images_library();
-    PastosoColours colours{};
-    std::array<char, 512> error{};
-    if (library.read_colours(path.c_str(), &colours, error.data(), error.size()) != 0) {
-        library.free_colours(&colours);
+namespace {
+
+/// What the module has read, freed at the end.
+struct StoredColours {
+    explicit StoredColours(const std::filesystem::path& path) {
+        check_readable(path);
+        check_exr_header(path);
+        std::array<char, 512> error{};
+        const ImagesLibrary& library = images_library();
+        if (library.read_colours(path.c_str(), &values, error.data(), error.size()) == 0) return;
+        library.free_colours(&values);
         throw core::InputError(path.string() + ": " + error.data() + ".");
     }
+    ~StoredColours() { images_library().free_colours(&values); }
+    StoredColours(const StoredColours&) = delete;
+    StoredColours& operator=(const StoredColours&) = delete;
+
+    PastosoColours values{};
+};
+
+shade::LinearImage linear_image(PastosoColours& colours, const std::filesystem::path& path,
+                                pigment::WorkingSpace space) {
     shade::LinearImage image{colours.width, colours.height, {}, space};
     image.rgb.assign(colours.rgb, colours.rgb + std::size_t{3} * colours.width * colours.height);
     StoredColour stored;
@@ -111,12 +126,77 @@ shade::LinearImage read_colour_image(const std::filesystem::path& path, pigment:
     if (colours.icc_profile != nullptr) stored.profile.assign(colours.icc_profile, colours.icc_bytes);
     if (colours.has_chromaticities != 0)
         std::copy_n(colours.chromaticities, 8, stored.chromaticities.emplace().begin());
-    library.free_colours(&colours);
     if (stored.profile.empty() && has_unread_profile(path)) {
         throw core::InputError(path.string() + ": holds an ICC profile that is none (it is damaged).");
     }
     into_working_space(image, stored, path.string());
     return image;
+}
+
+/// Takes the coverage out of colours that are multiplied by it.
+void divide_by_alpha(PastosoColours& colours) {
+    const std::size_t count = std::size_t{1} * colours.width * colours.height;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float alpha = colours.alpha[i];
+        for (std::size_t k = 0; k < 3; ++k)
+            colours.rgb[3 * i + k] = alpha > 0.0F ? colours.rgb[3 * i + k] / alpha : 0.0F;
+    }
+}
+
+layers::Picture with_coverage(const shade::Image8& colours, const float* alpha) {
+    layers::Picture picture{colours.width, colours.height, {}};
+    const std::size_t count = colours.rgb.size() / 3;
+    picture.rgba.resize(4 * count);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::copy_n(&colours.rgb[3 * i], 3, &picture.rgba[4 * i]);
+        const float share = alpha == nullptr ? 1.0F : std::clamp(alpha[i], 0.0F, 1.0F);
+        picture.rgba[4 * i + 3] = static_cast<std::uint8_t>(255.0F * share + 0.5F);
+    }
+    return picture;
+}
+
+/// What programs write that know no resolution.
+bool says_nothing(double px_per_mm) {
+    const double px_per_inch = std::round(25.4 * px_per_mm);
+    return px_per_inch < 1.0 || px_per_inch == 72.0 || px_per_inch == 96.0 || !(px_per_mm < 1e4);
+}
+
+}  // namespace
+
+shade::LinearImage read_colour_image(const std::filesystem::path& path, pigment::WorkingSpace space) {
+    StoredColours stored(path);
+    return linear_image(stored.values, path, space);
+}
+
+StoredPicture read_picture(const std::filesystem::path& path) {
+    StoredColours stored(path);
+    PastosoColours& values = stored.values;
+    if (values.alpha != nullptr && values.colours_have_alpha != 0) divide_by_alpha(values);
+    const shade::LinearImage image = linear_image(values, path, pigment::WorkingSpace::Srgb);
+    StoredPicture result{with_coverage(shade::encode_srgb8(image), values.alpha), 0.0, 0.0};
+    if (!says_nothing(values.px_per_mm_x) && !says_nothing(values.px_per_mm_y)) {
+        result.width_mm = values.width / values.px_per_mm_x;
+        result.height_mm = values.height / values.px_per_mm_y;
+    }
+    if (values.orientation > 4) std::swap(result.width_mm, result.height_mm);
+    result.picture = upright(std::move(result.picture), values.orientation);
+    return result;
+}
+
+layers::Picture decode_png(std::string_view file) {
+    const ImagesLibrary& library = images_library();
+    PastosoPixels pixels{};
+    std::array<char, 512> error{};
+    if (library.decode_png(file.data(), file.size(), &pixels, error.data(), error.size()) != 0)
+        throw core::InputError("the picture " + std::string(error.data()) + ".");
+    layers::Picture picture{pixels.width, pixels.height, {}};
+    picture.rgba.assign(pixels.rgba, pixels.rgba + std::size_t{4} * pixels.width * pixels.height);
+    library.free_pixels(&pixels);
+    return picture;
+}
+
+std::string png_file(const layers::Picture& picture) {
+    return encode_png(layout_of(picture, picture.rgba, 4, Sample::Uint8, 0.0), picture.rgba.data());
 }
 
 GreyImage read_grey_image(const std::filesystem::path& path) {

@@ -2,9 +2,12 @@
 #pragma once
 
 #include "io/colour_profile.hpp"
+#include "layers/picture.hpp"
 #include "shade/render.hpp"
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace pastoso::io {
@@ -49,6 +52,24 @@ std::string png_file(const shade::Image8& image, double px_per_mm,
 /// larger than read_grey_image() reads, or holds an ICC profile that is none.
 shade::LinearImage read_colour_image(const std::filesystem::path& path,
                                      pigment::WorkingSpace space = pigment::WorkingSpace::Srgb);
+
+/// A picture with the size that its file gives it.
+struct StoredPicture {
+    layers::Picture picture;
+    double width_mm = 0.0, height_mm = 0.0;  ///< 0: not said
+};
+
+/// The same colours encoded in sRGB, those beyond it brought in (pigment::into_gamut), with the file's
+/// transparency, and turned upright as the file says (EXIF). 72 and 96 pixels per inch say nothing of
+/// the size: programs write them that know none.
+StoredPicture read_picture(const std::filesystem::path& path);
+
+/// A PNG file in memory, its values as they stand there. Throws InputError "the picture ..." when it is
+/// damaged, or larger than read_grey_image() reads.
+layers::Picture decode_png(std::string_view file);
+
+/// The other way round, exactly; packed fast rather than small.
+std::string png_file(const layers::Picture& picture);
 
 /// Reads any image that OpenImageIO knows as one grey value a pixel: the first of one or two channels,
 /// the luminance of three or more, as stored. Throws InputError when it is no image or is larger than

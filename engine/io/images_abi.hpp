@@ -8,7 +8,7 @@
 extern "C" {
 
 /// Raised whenever a declaration below changes; a module of another number is refused.
-inline constexpr int kPastosoImagesAbi = 5;
+inline constexpr int kPastosoImagesAbi = 6;
 
 enum PastosoSampleType {
     kPastosoUint8 = 0,
@@ -60,6 +60,17 @@ struct PastosoColours {
     std::size_t icc_bytes;
     int has_chromaticities;
     float chromaticities[8];
+    float* alpha;                     ///< one value a pixel; null where there is none
+    int colours_have_alpha;           ///< 1: they are multiplied by it (associated)
+    int orientation;                  ///< of EXIF: 1 upright to 8
+    double px_per_mm_x, px_per_mm_y;  ///< 0: not said
+};
+
+/// Red, green, blue and alpha of each pixel as they stand in the file, not multiplied, allocated by the
+/// module.
+struct PastosoPixels {
+    unsigned char* rgba;
+    int width, height;
 };
 
 using PastosoImagesAbi = int();
@@ -81,5 +92,8 @@ using PastosoImagesFree = void(PastosoGrey* grey);
 using PastosoImagesReadColours = int(const char* path, PastosoColours* colours, char* error,
                                      std::size_t capacity);
 using PastosoImagesFreeColours = void(PastosoColours* colours);
+using PastosoImagesDecodePng = int(const void* bytes, std::size_t count, PastosoPixels* pixels,
+                                   char* error, std::size_t capacity);
+using PastosoImagesFreePixels = void(PastosoPixels* pixels);
 
 }  // extern "C"

@@ -35,7 +35,9 @@ ImagesLibrary open_library() {
             find<PastosoImagesReadGrey>(module, "pastoso_images_read_grey"),
             find<PastosoImagesFree>(module, "pastoso_images_free"),
             find<PastosoImagesReadColours>(module, "pastoso_images_read_colours"),
-            find<PastosoImagesFreeColours>(module, "pastoso_images_free_colours")};
+            find<PastosoImagesFreeColours>(module, "pastoso_images_free_colours"),
+            find<PastosoImagesDecodePng>(module, "pastoso_images_decode_png"),
+            find<PastosoImagesFreePixels>(module, "pastoso_images_free_pixels")};
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ struct ImagesLibrary {
     PastosoImagesFree* free = nullptr;
     PastosoImagesReadColours* read_colours = nullptr;
     PastosoImagesFreeColours* free_colours = nullptr;
+    PastosoImagesDecodePng* decode_png = nullptr;
+    PastosoImagesFreePixels* free_pixels = nullptr;
 };
 
 /// The module "pastoso-images.so" in ../lib/pastoso beside the program's folder, opened at the first

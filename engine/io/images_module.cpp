@@ -70,6 +70,7 @@ OIIO::ImageSpec spec_of(const PastosoPicture& picture) {
     set_channels(picture, spec);
     set_meaning(picture, spec);
     spec.attribute("Software", picture.software);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
     if (picture.description != nullptr) spec.attribute("ImageDescription", picture.description);
     const bool webp = std::strcmp(picture.format, "webp") == 0;
     if (webp) spec.attribute("Compression", "webp:" + std::to_string(picture.quality));
@@ -155,8 +156,11 @@ float grey_of(const float* channels, int count) {
 /// A file as it is stored, but for channels beyond colour: one, or the first three.
 struct Contents {
     OIIO::ImageSpec spec;
-    int channel_count = 0;
+    int colour_count = 0;   ///< of a pixel's channels
+    int channel_count = 0;  ///< with alpha, where that is the one after the colours
     std::vector<float> channels;
+
+    bool has_alpha() const { return channel_count > colour_count; }
 
     std::size_t pixels() const {
         return static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
@@ -168,7 +172,9 @@ std::string read(const char* path, const OIIO::ImageSpec& wishes, Contents& cont
     if (!input) return "is not an image that can be read (" + one_line(OIIO::geterror()) + ")";
     contents.spec = input->spec();
     if (std::string problem = size_problem(contents.spec); !problem.empty()) return problem;
-    const int channels = contents.spec.nchannels < 3 ? 1 : 3;
+    contents.colour_count = contents.spec.nchannels < 3 ? 1 : 3;
+    const bool has_alpha = contents.spec.alpha_channel == contents.colour_count;
+    const int channels = contents.colour_count + (has_alpha ? 1 : 0);
     contents.channel_count = channels;
     contents.channels.resize(contents.pixels() * static_cast<std::size_t>(channels));
     if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, contents.channels.data())) {
@@ -185,7 +191,7 @@ std::string read_grey(const char* path, PastosoGrey& grey) {
     auto values = std::make_unique<float[]>(count);
     for (std::size_t i = 0; i < count; ++i) {
         values[i] = grey_of(&channels[i * static_cast<std::size_t>(contents.channel_count)],
-                            contents.channel_count);
+                            contents.colour_count);
         if (!std::isfinite(values[i])) return "holds a value that is not a finite number";
     }
     grey = {values.release(), contents.spec.width, contents.spec.height};
@@ -198,13 +204,41 @@ std::string fill_rgb(const Contents& contents, PastosoColours& colours) {
     auto rgb = std::make_unique<float[]>(3 * contents.pixels());
     for (std::size_t i = 0; i < contents.pixels(); ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
-            const float value = contents.channels[i * channels + (channels < 3 ? 0 : k)];
+            const float value = contents.channels[i * channels + (contents.colour_count < 3 ? 0 : k)];
             if (!std::isfinite(value)) return "holds a value that is not a finite number";
             rgb[3 * i + k] = value;
         }
     }
     colours.rgb = rgb.release();
     return "";
+}
+
+std::string fill_alpha(const Contents& contents, PastosoColours& colours) {
+    if (!contents.has_alpha()) return "";
+    const auto channels = static_cast<std::size_t>(contents.channel_count);
+    auto alpha = std::make_unique<float[]>(contents.pixels());
+    for (std::size_t i = 0; i < contents.pixels(); ++i) {
+        alpha[i] = contents.channels[(i + 1) * channels - 1];
+        if (!std::isfinite(alpha[i])) return "holds a value that is not a finite number";
+    }
+    colours.alpha = alpha.release();
+    colours.colours_have_alpha = contents.spec.get_int_attribute("oiio:UnassociatedAlpha") == 0;
+    return "";
+}
+
+/// Millimetres in the unit that a file gives its resolution in; 0 where that says nothing of a size.
+double unit_mm(const std::string& unit) {
+    if (unit == "in" || unit == "inch") return 25.4;
+    if (unit == "cm") return 10.0;
+    return unit == "m" ? 1000.0 : 0.0;
+}
+
+void fill_place(const OIIO::ImageSpec& spec, PastosoColours& colours) {
+    colours.orientation = spec.get_int_attribute("Orientation", 1);
+    const double unit = unit_mm(spec.get_string_attribute("ResolutionUnit"));
+    if (unit == 0.0) return;
+    colours.px_per_mm_x = static_cast<double>(spec.get_float_attribute("XResolution")) / unit;
+    colours.px_per_mm_y = static_cast<double>(spec.get_float_attribute("YResolution")) / unit;
 }
 
 void fill_meaning(const OIIO::ImageSpec& spec, PastosoColours& colours) {
@@ -230,7 +264,40 @@ std::string read_colours(const char* path, PastosoColours& colours) {
     colours.width = contents.spec.width;
     colours.height = contents.spec.height;
     if (std::string problem = fill_rgb(contents, colours); !problem.empty()) return problem;
+    if (std::string problem = fill_alpha(contents, colours); !problem.empty()) return problem;
     fill_meaning(contents.spec, colours);
+    fill_place(contents.spec, colours);
+    return "";
+}
+
+/// Colours and alpha of one pixel, of one to four channels.
+void spread(const unsigned char* channels, int count, bool has_alpha, unsigned char* rgba) {
+    const int colours = has_alpha ? count - 1 : count;
+    for (int k = 0; k < 3; ++k)
+        rgba[k] = channels[colours < 3 ? 0 : k];
+    rgba[3] = has_alpha ? channels[count - 1] : 255;
+}
+
+std::string decode_png(const void* bytes, std::size_t count, PastosoPixels& pixels) {
+    OIIO::Filesystem::IOMemReader source(bytes, count);
+    OIIO::ImageSpec wishes;
+    wishes.attribute("oiio:UnassociatedAlpha", 1);
+    const auto input = OIIO::ImageInput::create("png");
+    if (!input) return "cannot be read (" + one_line(OIIO::geterror()) + ")";
+    OIIO::ImageSpec spec;
+    if (!input->set_ioproxy(&source) || !input->open("picture", spec, wishes))
+        return "is no PNG picture (" + one_line(input->geterror()) + ")";
+    if (std::string problem = size_problem(spec); !problem.empty()) return problem;
+    if (spec.nchannels > 4) return "has " + std::to_string(spec.nchannels) + " channels";
+    const auto channels = static_cast<std::size_t>(spec.nchannels);
+    const std::size_t all = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+    std::vector<unsigned char> stored(all * channels);
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, stored.data()))
+        return "cannot be read to its end (" + one_line(input->geterror()) + ")";
+    auto rgba = std::make_unique<unsigned char[]>(4 * all);
+    for (std::size_t i = 0; i < all; ++i)
+        spread(&stored[i * channels], spec.nchannels, spec.nchannels % 2 == 0, &rgba[4 * i]);
+    pixels = {rgba.release(), spec.width, spec.height};
     return "";
 }
 
@@ -293,8 +360,20 @@ int pastoso_images_read_colours(const char* path, PastosoColours* colours, char*
 void pastoso_images_free_colours(PastosoColours* colours) {
     delete[] colours->rgb;
     delete[] colours->icc_profile;
+    delete[] colours->alpha;
+    colours->alpha = nullptr;
     colours->rgb = nullptr;
     colours->icc_profile = nullptr;
+}
+
+int pastoso_images_decode_png(const void* bytes, std::size_t count, PastosoPixels* pixels, char* error,
+                              std::size_t capacity) {
+    return guarded(error, capacity, [&] { return decode_png(bytes, count, *pixels); });
+}
+
+void pastoso_images_free_pixels(PastosoPixels* pixels) {
+    delete[] pixels->rgba;
+    pixels->rgba = nullptr;
 }
 
 void pastoso_images_free(PastosoGrey* grey) {

@@ -6,6 +6,7 @@
 #include "io/json_place.hpp"
 #include "io/layers_json.hpp"
 #include "io/paint_json.hpp"
+#include "io/picture_json.hpp"
 #include "io/recording_json.hpp"
 #include "io/selection_json.hpp"
 #include "io/stroke_ticks.hpp"
@@ -173,6 +174,8 @@ constexpr Kind kKinds[] = {
     {"select_all", read_plain<document::SelectAll>},
 };
 
+constexpr const char* kPictureKey = "paint_picture";
+
 /// [time, x, y, pressure, tilt_x, tilt_y, rotation]; angles left out at the end are 0.
 brush::PenSample read_sample(const JsonPlace& place) {
     const std::size_t count = place.size();
@@ -223,15 +226,23 @@ class EventReader {
             const auto content = entry.optional_entry(kind.key);
             if (!content) continue;
             entry.allow_only({"tick", kind.key});
-            const document::Action action = kind.read(*content);
-            if (names_ == Names::MustBeKnown) content->guard([&] { document::check_action(action); });
-            events.push_back({tick, action});
+            add(tick, kind.read(*content), *content);
             return;
         }
-        std::string kinds = "stroke";
+        if (const auto picture = entry.optional_entry(kPictureKey)) {
+            entry.allow_only({"tick", kPictureKey});
+            add(tick, read_paint_picture(*picture, picture_pixels_), *picture);
+            return;
+        }
+        std::string kinds = std::string("stroke, ") + kPictureKey;
         for (const Kind& kind : kKinds)
             kinds += std::string(", ") + kind.key;
         entry.fail("expected one of " + kinds + " beside the tick.");
+    }
+
+    void add(std::int64_t tick, const document::Action& action, const JsonPlace& content) {
+        if (names_ == Names::MustBeKnown) content.guard([&] { document::check_action(action); });
+        events.push_back({tick, action});
     }
 
     void read_stroke(const JsonPlace& stroke, std::int64_t first_tick) {
@@ -276,6 +287,7 @@ class EventReader {
 
     Names names_;
     std::int64_t last_tick_ = 0;
+    double picture_pixels_ = 0.0;
     brush::PenSample last_sample_;
 };
 

@@ -3,6 +3,7 @@
 #include "io/json_place.hpp"
 #include "io/layers_json.hpp"
 #include "io/paint_json.hpp"
+#include "io/picture_json.hpp"
 #include "io/recording_json.hpp"
 #include "io/selection_json.hpp"
 #include "io/stroke_ticks.hpp"
@@ -202,6 +203,9 @@ class EntryWriter {
                                   {"width_mm", resize.width_mm},
                                   {"height_mm", resize.height_mm}});
     }
+    void operator()(const document::PaintPicture& paint) {
+        put("paint_picture", paint_picture_json(paint));
+    }
     void operator()(const document::InvertSelection&) { put("invert_selection", Json::object()); }
     void operator()(const document::SelectAll&) { put("select_all", Json::object()); }
 
@@ -235,10 +239,10 @@ bool uses_layers(const Event& event) {
         event.action);
 }
 
-bool uses_regions(const Event& event) {
+bool uses_regions_or_pictures(const Event& event) {
     using namespace document;
     return is_one_of<SelectArea, SelectByHeight, SelectByWetness, InvertSelection, SelectAll,
-                     TransformLayer, ResizeCanvas>(event.action);
+                     TransformLayer, ResizeCanvas, PaintPicture>(event.action);
 }
 
 int version_needed(const document::Recording& recording) {
@@ -246,7 +250,7 @@ int version_needed(const document::Recording& recording) {
         return std::any_of(recording.events.begin(), recording.events.end(), uses);
     };
     const bool on_cloth = recording.canvas.support_x_mm != 0.0 || recording.canvas.support_y_mm != 0.0;
-    if (on_cloth || any(uses_regions)) return 6;
+    if (on_cloth || any(uses_regions_or_pictures)) return 6;
     if (any(uses_layers)) return 5;
     return any(uses_well) ? 4 : 3;
 }

@@ -14,8 +14,8 @@ namespace pastoso::journal {
 
 enum class FrameKind : std::uint32_t { Header = 1, Strokes = 2, Checkpoint = 3, Saved = 4 };
 
-/// Content of a frame at most.
-inline constexpr std::size_t kMostFrameBytes = std::size_t{16} << 20;
+/// Content of a frame at most: the largest picture that can be painted, as text, has 5.4 bytes a pixel.
+inline constexpr std::size_t kMostFrameBytes = std::size_t{640} << 20;
 
 struct Frame {
     FrameKind kind{};

@@ -47,6 +47,19 @@ bool write_all(int file, const std::string& bytes) {
     return true;
 }
 
+bool is_picture(const document::Event& event) {
+    return std::holds_alternative<document::PaintPicture>(event.action);
+}
+
+/// Where the frame ends that begins with this event. A picture has a frame of its own.
+std::size_t end_of_batch(const std::vector<document::Event>& events, std::size_t begin) {
+    if (begin < events.size() && is_picture(events[begin])) return begin + 1;
+    std::size_t end = begin;
+    while (end < events.size() && end < begin + kMostBatchEvents && !is_picture(events[end]))
+        ++end;
+    return end;
+}
+
 double seconds_since(std::chrono::steady_clock::time_point when) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - when).count();
 }
@@ -178,15 +191,17 @@ std::string JournalWriter::pending_frames(document::Recording batch, std::uint64
                                           const std::vector<std::string>& frames) const {
     std::string bytes;
     const std::vector<document::Event> events = std::exchange(batch.events, {});
-    for (std::size_t begin = 0; begin == 0 || begin < events.size(); begin += kMostBatchEvents) {
-        const std::size_t end = std::min(events.size(), begin + kMostBatchEvents);
+    std::size_t begin = 0;
+    do {
+        const std::size_t end = end_of_batch(events, begin);
         document::Recording part{canvas_,
                                  {events.begin() + static_cast<std::ptrdiff_t>(begin),
                                   events.begin() + static_cast<std::ptrdiff_t>(end)},
                                  end == events.size() ? batch.end_tick : events[end - 1].tick};
         const std::int64_t first_tick = part.events.empty() ? part.end_tick : part.events.front().tick;
         bytes += strokes_frame(first_event + begin, first_tick, part);
-    }
+        begin = end;
+    } while (begin < events.size());
     for (const std::string& frame : frames)
         bytes += frame;
     return bytes;

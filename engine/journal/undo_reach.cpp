@@ -12,7 +12,7 @@ bool changes_layers(const document::Action& action) {
     using namespace document;
     return is_one_of<AddLayer, SetLayer, DuplicateLayer, RemoveLayer, ClearLayer, TransformLayer,
                      MoveLayer, MergeDown, FlattenLayers, GroupLayers, SetGroup, MoveGroup,
-                     UngroupLayers>(action);
+                     UngroupLayers, PaintPicture>(action);
 }
 
 }  // namespace

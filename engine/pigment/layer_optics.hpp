@@ -60,4 +60,25 @@ template <class Real>
             opacity * layer.reverse};
 }
 
+/// A layer that looks, over whatever ground, like opaque paint on a share of the area: as seen through
+/// the surface, share * outside + (1 - share) * what is seen of the ground, both as light that leaves it.
+/// `outside` is the paint's reflectance after the surface. What the surface does (through_surface(), with
+/// p = (1 - k1)(1 - k2) and k = k2) is undone, the two are mixed, and what comes of it is again of the
+/// form of reflectance_over():
+///
+///     D = p + k share outside
+///     R = share outside / D,   T = p sqrt(1 - share) / D,   Q = k share (p + k outside) / D
+///
+/// Laying such layers over one another gives what mixing what is seen gives. Between 0 and 1 it is no
+/// layer that could be made of paint: R + T may be above 1.
+template <class Real>
+[[gnu::always_inline]] inline LayerOptics<Real> laid_in_part(Real outside, Real share) {
+    constexpr Real kPassed =
+        static_cast<Real>((1.0 - kExternalReflection) * (1.0 - kInternalReflection));
+    constexpr Real kReturned = static_cast<Real>(kInternalReflection);
+    const Real whole = 1 / (kPassed + kReturned * share * outside);
+    return {share * outside * whole, kPassed * std::sqrt(1 - share) * whole,
+            kReturned * share * (kPassed + kReturned * outside) * whole};
+}
+
 }  // namespace pastoso::pigment

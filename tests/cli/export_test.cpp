@@ -51,7 +51,7 @@ TEST_F(CliExport, FlatPicturesDoNotKnowTheLight) {
     EXPECT_EQ(core::read_text_file(path("c.png")), core::read_text_file(path("d-basecolor.png")));
 }
 
-TEST_F(CliExport, ConvertIsAnotherWordForIt) {
+TEST_F(CliExport, ConvertOfAPaintingIsTheSame) {
     ASSERT_EQ(run_export({path("b.png")}).status, 0);
     const RunResult run = run_cli({"convert", "-q", painting, "-o", path("c.png")});
     EXPECT_EQ(run.status, 0) << run.errors;

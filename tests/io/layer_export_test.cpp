@@ -122,7 +122,7 @@ class LayerExport : public TemporaryFolder {
     core::ThreadPool pool{2};
     FilmState lower = random_paint(test::kBlue, 1), middle = random_paint(test::kRed, 2),
               upper = random_paint(test::kBlue, 3);
-    grid::TiledField<float> bare_mm;
+    film::SupportHeights bare_mm;
     document::LayerStack stack = document::single_layer();
     FilmState active, view;
     ExportSource source{view, test::kGround, {}};

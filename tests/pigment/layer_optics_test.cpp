@@ -103,5 +103,18 @@ TEST(LayerOptics, OfSingleFloatsAreNearThoseOfDoubles) {
     }
 }
 
+TEST_F(RandomLayers, LaidInPartMixWhatIsSeen) {
+    for (int i = 0; i < 1000; ++i) {
+        const double outside = between(0.0, 0.96), share = between(0.0, 1.0), ground = between(0.0, 0.97);
+        const double seen = through_surface(reflectance_over(laid_in_part(outside, share), ground));
+        EXPECT_NEAR(seen, share * outside + (1.0 - share) * through_surface(ground), kRounding);
+    }
+}
+
+TEST(LayerOptics, LaidInPartAreNothingAtAllOrOpaque) {
+    expect_same(laid_in_part(0.4, 0.0), kClearLayer<double>, kRounding);
+    EXPECT_EQ(laid_in_part(0.4, 1.0).transmittance, 0.0);
+}
+
 }  // namespace
 }  // namespace pastoso::pigment

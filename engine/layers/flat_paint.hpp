@@ -1,0 +1,23 @@
+// A picture as a layer of dry paint: thin, even and opaque.
+#pragma once
+
+#include "core/thread_pool.hpp"
+#include "film/state.hpp"
+#include "layers/picture.hpp"
+
+namespace pastoso::layers {
+
+/// The relief of paint that covers all of a cell, a multiple of film::kSupportQuantum_mm: about 0.02 mm.
+inline constexpr double kFlatPaint_mm = 20480 * film::kSupportQuantum_mm;
+
+/// The picture on a bare layer apart from what it lies on. Every cell has the mean of what it covers of
+/// the picture (picture_means.hpp): its colour as paint (pigment/rgb_bands.hpp), all dry and fixed, and
+/// kFlatPaint_mm of relief times its coverage.
+///
+/// What it does to light is that of opaque paint, mixed with what lies below in proportion to the light
+/// that leaves the picture, as the pixels of a picture are (pigment::laid_in_part). What is counted of
+/// it is its thickness and the pigment of as much paint of that colour (pigment::paint_of_bands).
+film::FilmState flat_paint(const Picture& picture, const PicturePlace& place, grid::Shape shape,
+                           double cell_mm, core::ThreadPool& pool);
+
+}  // namespace pastoso::layers

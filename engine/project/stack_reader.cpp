@@ -1,0 +1,186 @@
+#include "project/stack_reader.hpp"
+
+#include "core/check.hpp"
+#include "core/error.hpp"
+#include "document/layers.hpp"
+#include "document/number_text.hpp"
+#include "layers/picture.hpp"
+#include "project/xml_elements.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace pastoso::project {
+namespace {
+
+using document::LayerLook;
+
+constexpr double kFarthest_px = 1e6;
+constexpr double kMm_per_inch = 25.4;
+/// What programs write that know no resolution.
+constexpr double kSaysNothing_dpi = 72.0;
+
+/// The attributes of one element, with the place for errors.
+struct Element {
+    const XmlAttributes& attributes;
+    const std::string& file;
+    long line;
+
+    [[noreturn]] void fail(const std::string& message) const {
+        throw core::located_error(file, line, message);
+    }
+
+    std::string text(const char* key, const char* otherwise) const {
+        const auto found = attributes.find(key);
+        return found == attributes.end() ? otherwise : found->second;
+    }
+
+    double number(const char* key, double otherwise, double least, double most) const {
+        const auto found = attributes.find(key);
+        if (found == attributes.end()) return otherwise;
+        const std::string& text = found->second;
+        double value = 0.0;
+        const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (status != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+            fail(std::string("expected a number for \"") + key + "\".");
+        if (value < least || value > most) {
+            fail(std::string("\"") + key + "\" is " + document::number_text(value) +
+                 ", but must lie between " + document::number_text(least) + " and " +
+                 document::number_text(most) + ".");
+        }
+        return value;
+    }
+
+    int whole(const char* key, double otherwise, double least, double most) const {
+        return static_cast<int>(std::lround(number(key, otherwise, least, most)));
+    }
+};
+
+/// Cut before a letter of UTF-8, not within one.
+std::string shortened(std::string name) {
+    if (name.size() <= document::kMostLayerName) return name;
+    std::size_t end = document::kMostLayerName;
+    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U)
+        --end;
+    name.resize(end);
+    return name;
+}
+
+LayerLook look_of(const Element& element, const char* otherwise) {
+    LayerLook look;
+    look.name = shortened(element.text("name", otherwise));
+    look.visible = element.text("visibility", "visible") != "hidden";
+    look.opacity = element.number("opacity", 1.0, 0.0, 1.0);
+    return look;
+}
+
+/// A layer in a group that is none of its own in Pastoso.
+void put_into(LayerLook& look, const LayerLook& group) {
+    look.visible = look.visible && group.visible;
+    look.opacity *= group.opacity;
+}
+
+class StackReader {
+  public:
+    explicit StackReader(const std::string& file) : file_(file) {}
+
+    void begin(const std::string& name, const XmlAttributes& attributes, long line) {
+        const Element element{attributes, file_, line};
+        if (path_.empty()) {
+            if (name != "image") element.fail("this is no list of layers; it would begin with <image>.");
+            read_image(element);
+        } else if (name == "stack") {
+            begin_stack(element);
+        } else if (name == "layer") {
+            read_layer(element);
+        } else {
+            note("<" + name + "> is left out.");
+        }
+        path_.push_back(name);
+    }
+
+    void end(const std::string& name) {
+        path_.pop_back();
+        if (name == "stack" && !stacks_.empty()) stacks_.pop_back();
+    }
+
+    RasterStack take() {
+        std::reverse(stack_.pictures.begin(), stack_.pictures.end());
+        return std::move(stack_);
+    }
+
+  private:
+    void read_image(const Element& element) {
+        if (!element.attributes.contains("w") || !element.attributes.contains("h"))
+            element.fail("the size of the picture is missing.");
+        stack_.width = element.whole("w", 0, 1, layers::kMostPictureSide_px);
+        stack_.height = element.whole("h", 0, 1, layers::kMostPictureSide_px);
+        const double x_dpi = element.number("xres", kSaysNothing_dpi, 1.0, 1e5);
+        const double y_dpi = element.number("yres", x_dpi, 1.0, 1e5);
+        if (x_dpi == kSaysNothing_dpi) return;
+        stack_.px_per_mm_x = x_dpi / kMm_per_inch;
+        stack_.px_per_mm_y = y_dpi / kMm_per_inch;
+    }
+
+    /// The outermost stack is the picture itself, those in it are groups, and what is in these is flat.
+    void begin_stack(const Element& element) {
+        stacks_.push_back(look_of(element, "Group"));
+        check_way(element, stacks_.back().name);
+        if (stacks_.size() == 2) stack_.groups.push_back(stacks_.back());
+        if (stacks_.size() == 3)
+            note("the groups within \"" + stack_.groups.back().name + "\" become part of it.");
+    }
+
+    void read_layer(const Element& element) {
+        if (stack_.pictures.size() == document::kMostLayers)
+            element.fail("there are more than " + std::to_string(document::kMostLayers) + " layers.");
+        StackPicture picture{.source = element.text("src", ""), .look = look_of(element, "Layer")};
+        if (picture.source.empty()) {
+            note("\"" + picture.look.name + "\" holds no picture and is left out.");
+            return;
+        }
+        check_way(element, picture.look.name);
+        for (std::size_t depth = 2; depth < stacks_.size(); ++depth)
+            put_into(picture.look, stacks_[depth]);
+        picture.x = element.whole("x", 0, -kFarthest_px, kFarthest_px);
+        picture.y = element.whole("y", 0, -kFarthest_px, kFarthest_px);
+        picture.group = stacks_.size() > 1 ? stack_.groups.size() : 0;
+        stack_.pictures.push_back(std::move(picture));
+    }
+
+    void check_way(const Element& element, const std::string& name) {
+        const std::string way = element.text("composite-op", "svg:src-over");
+        if (way != "svg:src-over")
+            note("\"" + name + "\" was laid over the others by " + shortened(way) +
+                 " and is laid over them as paint.");
+    }
+
+    void note(std::string sentence) {
+        constexpr std::size_t kMostNotes = 20;
+        const auto& notes = stack_.notes;
+        if (notes.size() < kMostNotes && std::find(notes.begin(), notes.end(), sentence) == notes.end())
+            stack_.notes.push_back(std::move(sentence));
+    }
+
+    const std::string& file_;
+    std::vector<std::string> path_;  ///< of the elements around the place
+    std::vector<LayerLook> stacks_;  ///< of those around the place
+    RasterStack stack_;
+};
+
+}  // namespace
+
+RasterStack read_stack(std::string_view xml, const std::string& name) {
+    PASTOSO_CHECK_OP(xml.size(), <=, kMostStackBytes);
+    StackReader reader(name);
+    read_xml(xml, name,
+             {[&](const std::string& element, const XmlAttributes& attributes, long line) {
+                  reader.begin(element, attributes, line);
+              },
+              [&](const std::string& element) { reader.end(element); }});
+    return reader.take();
+}
+
+}  // namespace pastoso::project
