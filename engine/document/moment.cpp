@@ -1,6 +1,5 @@
 #include "document/moment.hpp"
 
-#include "document/canvas.hpp"
 #include "document/well.hpp"
 
 #include <mutex>
@@ -66,10 +65,6 @@ film::FilmState counterpart(const Layer& layer, bool active, const grid::Shape& 
     return film;
 }
 
-grid::Shape shape_of(const Moment& moment) {
-    return canvas_shape(moment.bare->settings);
-}
-
 const film::FilmState& well_of(const Moment& moment, const film::FilmState& bare) {
     return moment.well ? moment.well->film : bare;
 }
@@ -100,14 +95,14 @@ std::size_t unshared_selection_bytes(const Moment& older, const Moment& newer) {
 
 /// Makes the older moment's films of the newer one's.
 template <class Tiles>
-void put(const AllFilms<Tiles>& films, const Moment& newer, Moment& older) {
+void put(const AllFilms<Tiles>& films, const grid::Shape& shape, const Moment& newer, Moment& older) {
     for (std::size_t place = 0; place < films.layers.size(); ++place) {
         Layer& layer = older.layers.layers[place];
         if (!films.layers[place]) {
             layer.asleep = layer_of(newer, layer.id)->asleep;
             continue;
         }
-        film::FilmState film = counterpart(layer, is_active(older, place), shape_of(older), newer);
+        film::FilmState film = counterpart(layer, is_active(older, place), shape, newer);
         films.layers[place]->put_into(film);
         if (is_active(older, place))
             older.canvas.film = std::move(film);
@@ -137,7 +132,7 @@ struct MomentDifference::Tiles {
             if (is_shared(older, place, newer)) continue;
             const Layer& layer = older.layers.layers[place];
             tiles.emplace(film_of(older, place),
-                          counterpart(layer, is_active(older, place), shape_of(older), newer));
+                          counterpart(layer, is_active(older, place), older.canvas.film.shape, newer));
         }
         if (older.well) raw->tiles.well.emplace(older.well->film, well_of(newer, bare_well()));
         return raw;
@@ -177,6 +172,7 @@ struct MomentDifference::Tiles {
 
 MomentDifference::MomentDifference(const Moment& older, const Moment& newer)
     : rest_(without_films(older)),
+      shape_(older.canvas.film.shape),
       rest_bytes_(bytes_without_films(older) + unshared_selection_bytes(older, newer)),
       tiles_(std::make_shared<Tiles>()) {
     tiles_->raw = Tiles::taken(older, newer);
@@ -186,9 +182,9 @@ MomentDifference::MomentDifference(const Moment& older, const Moment& newer)
 Moment MomentDifference::applied_to(const Moment& newer) const {
     Moment older = rest_;
     if (const auto raw = tiles_->locked(&Tiles::raw))
-        put(raw->tiles, newer, older);
+        put(raw->tiles, shape_, newer, older);
     else
-        put(*tiles_->locked(&Tiles::packed), newer, older);
+        put(*tiles_->locked(&Tiles::packed), shape_, newer, older);
     return older;
 }
 

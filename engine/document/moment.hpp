@@ -64,6 +64,7 @@ class MomentDifference {
     struct Tiles;
 
     Moment rest_;  ///< all but the tiles
+    grid::Shape shape_;
     std::size_t rest_bytes_ = 0, bytes_ = 0;
     bool packing_ = false;
     std::shared_ptr<Tiles> tiles_;  ///< shared with the thread that packs them
