@@ -97,7 +97,7 @@ struct Bench {
     Bytes packed(const TileBlock<Value>& block, const std::int32_t* amount) {
         if (!block) return {};
         room.resize(packing::tile_bytes(packing::kChannels<Value>));
-        packing::encode_values(block.read(), amount, room.data());
+        packing::encode_values(block.read(), {amount}, room.data());
         return packer.packed(room);
     }
     Bytes packed(const HeightBlock& block, const std::int32_t* amount) {
@@ -109,11 +109,11 @@ template <class Value>
 TileBlock<Value> unpacked(const Bytes& frame, const std::int32_t* amount,
                           const grid::TiledField<Value>&) {
     const Bytes content = packing::unpacked(frame, packing::tile_bytes(packing::kChannels<Value>));
-    return packing::decoded_values<Value>(content.data(), amount);
+    return packing::decoded_values<Value>(content.data(), {amount});
 }
 HeightBlock unpacked(const Bytes& frame, const std::int32_t* amount, const film::SupportHeights&) {
     return packing::decoded_values<float>(packing::unpacked(frame, packing::tile_bytes(1)).data(),
-                                          amount);
+                                          {amount});
 }
 
 /// Different ranges may be put at the same time.

@@ -1,12 +1,12 @@
 #include "packing/tile_codec.hpp"
 
-#define PASTOSO_DECLARE_TILE_CODEC(isa)                                                    \
-    namespace isa {                                                                        \
-    void encode_tile(const std::uint32_t* words, int channels, const std::int32_t* amount, \
-                     std::byte* out);                                                      \
-    void decode_tile(const std::byte* in, int channels, const std::int32_t* amount,        \
-                     std::uint32_t* words);                                                \
-    inline constexpr TileCodec kCodec = {encode_tile, decode_tile};                        \
+#define PASTOSO_DECLARE_TILE_CODEC(isa)                                                     \
+    namespace isa {                                                                         \
+    void encode_tile(const std::uint32_t* words, int channels, const Expectation& expected, \
+                     std::byte* out);                                                       \
+    void decode_tile(const std::byte* in, int channels, const Expectation& expected,        \
+                     std::uint32_t* words);                                                 \
+    inline constexpr TileCodec kCodec = {encode_tile, decode_tile};                         \
     }
 
 namespace pastoso::packing {

@@ -68,6 +68,36 @@ class PlainGuess {
     const std::uint32_t* known_;
 };
 
+/// What a cell of a smooth surface is expected to hold: the median of the neighbours and of the plane
+/// through them.
+template <int kChannels>
+class SmoothGuess {
+  public:
+    SmoothGuess(const std::uint32_t* words, const std::int32_t*, int cell) {
+        static_assert(kChannels == 1);
+        if (cell == 0) return;
+        guess_ = words[neighbour_of(cell)];
+        if (cell < kTileSize || cell % kTileSize == 0) return;
+        const auto at = [&](int other) { return static_cast<std::int32_t>(words[other]); };
+        const std::int32_t left = at(cell - 1), above = at(cell - kTileSize),
+                           corner = at(cell - kTileSize - 1);
+        const std::int32_t low = std::min(left, above), high = std::max(left, above);
+        if (corner >= high)
+            guess_ = static_cast<std::uint32_t>(low);
+        else if (corner <= low)
+            guess_ = static_cast<std::uint32_t>(high);
+        else
+            guess_ = words[cell - 1] + words[cell - kTileSize] - words[cell - kTileSize - 1];
+    }
+
+    int first() const { return 0; }
+    void learn(std::uint32_t) {}
+    std::uint32_t operator[](int) const { return guess_; }
+
+  private:
+    std::uint32_t guess_ = 0;
+};
+
 /// The same of amounts. Where there are a cell to the left and one above, paints mix on the line between
 /// the two: how far along it the cell lies is learned of the channel in which they differ most.
 template <int kChannels>
@@ -166,52 +196,58 @@ void decode(const std::byte* in, const std::int32_t* amount, std::uint32_t* word
 }
 
 template <int kChannels>
-void encode(const std::uint32_t* words, const std::int32_t* amount, std::byte* out) {
-    if (amount == nullptr)
-        encode<PlainGuess, kChannels>(words, amount, out);
+void encode(const std::uint32_t* words, const Expectation& expected, std::byte* out) {
+    if constexpr (kChannels == 1)
+        if (expected.smooth) return encode<SmoothGuess, 1>(words, nullptr, out);
+    if (expected.amount == nullptr)
+        encode<PlainGuess, kChannels>(words, nullptr, out);
     else
-        encode<AmountGuess, kChannels>(words, amount, out);
+        encode<AmountGuess, kChannels>(words, expected.amount, out);
 }
 
 template <int kChannels>
-void decode(const std::byte* in, const std::int32_t* amount, std::uint32_t* words) {
-    if (amount == nullptr)
-        decode<PlainGuess, kChannels>(in, amount, words);
+void decode(const std::byte* in, const Expectation& expected, std::uint32_t* words) {
+    if constexpr (kChannels == 1)
+        if (expected.smooth) return decode<SmoothGuess, 1>(in, nullptr, words);
+    if (expected.amount == nullptr)
+        decode<PlainGuess, kChannels>(in, nullptr, words);
     else
-        decode<AmountGuess, kChannels>(in, amount, words);
+        decode<AmountGuess, kChannels>(in, expected.amount, words);
 }
 
 }  // namespace
 
-void encode_tile(const std::uint32_t* words, int channels, const std::int32_t* amount, std::byte* out) {
+void encode_tile(const std::uint32_t* words, int channels, const Expectation& expected, std::byte* out) {
+    PASTOSO_CHECK(!expected.smooth || (channels == 1 && expected.amount == nullptr));
     switch (channels) {
         case 1:
-            return encode<1>(words, amount, out);
+            return encode<1>(words, expected, out);
         case 6:
-            return encode<6>(words, amount, out);
+            return encode<6>(words, expected, out);
         case 9:
-            return encode<9>(words, amount, out);
+            return encode<9>(words, expected, out);
         case 12:
-            return encode<12>(words, amount, out);
+            return encode<12>(words, expected, out);
         default:
             PASTOSO_CHECK_OP(channels, ==, 16);
-            return encode<16>(words, amount, out);
+            return encode<16>(words, expected, out);
     }
 }
 
-void decode_tile(const std::byte* in, int channels, const std::int32_t* amount, std::uint32_t* words) {
+void decode_tile(const std::byte* in, int channels, const Expectation& expected, std::uint32_t* words) {
+    PASTOSO_CHECK(!expected.smooth || (channels == 1 && expected.amount == nullptr));
     switch (channels) {
         case 1:
-            return decode<1>(in, amount, words);
+            return decode<1>(in, expected, words);
         case 6:
-            return decode<6>(in, amount, words);
+            return decode<6>(in, expected, words);
         case 9:
-            return decode<9>(in, amount, words);
+            return decode<9>(in, expected, words);
         case 12:
-            return decode<12>(in, amount, words);
+            return decode<12>(in, expected, words);
         default:
             PASTOSO_CHECK_OP(channels, ==, 16);
-            return decode<16>(in, amount, words);
+            return decode<16>(in, expected, words);
     }
 }
 

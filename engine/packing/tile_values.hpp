@@ -22,26 +22,26 @@ inline constexpr bool kIsWhole<std::array<std::int32_t, kCount>> = true;
 
 /// Writes tile_bytes(kChannels<Value>). Integers are words as they are; floats go through memcpy.
 template <class Value>
-void encode_values(const Value* values, const std::int32_t* amount, std::byte* out) {
+void encode_values(const Value* values, const Expectation& expected, std::byte* out) {
     if constexpr (kIsWhole<Value>) {
-        tile_codec().encode(reinterpret_cast<const std::uint32_t*>(values), kChannels<Value>, amount,
+        tile_codec().encode(reinterpret_cast<const std::uint32_t*>(values), kChannels<Value>, expected,
                             out);
     } else {
         std::vector<std::uint32_t> words(grid::kTileCells * kChannels<Value>);
         std::memcpy(words.data(), values, tile_bytes(kChannels<Value>));
-        tile_codec().encode(words.data(), kChannels<Value>, amount, out);
+        tile_codec().encode(words.data(), kChannels<Value>, expected, out);
     }
 }
 
 template <class Value>
-grid::TileBlock<Value> decoded_values(const std::byte* in, const std::int32_t* amount) {
+grid::TileBlock<Value> decoded_values(const std::byte* in, const Expectation& expected) {
     auto block = grid::TileBlock<Value>::uninitialised();
     if constexpr (kIsWhole<Value>) {
-        tile_codec().decode(in, kChannels<Value>, amount,
+        tile_codec().decode(in, kChannels<Value>, expected,
                             reinterpret_cast<std::uint32_t*>(block.write()));
     } else {
         std::vector<std::uint32_t> words(grid::kTileCells * kChannels<Value>);
-        tile_codec().decode(in, kChannels<Value>, amount, words.data());
+        tile_codec().decode(in, kChannels<Value>, expected, words.data());
         std::memcpy(static_cast<void*>(block.write()), words.data(), tile_bytes(kChannels<Value>));
     }
     return block;

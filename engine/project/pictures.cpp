@@ -7,6 +7,7 @@
 #include "project/open_raster.hpp"
 
 #include <algorithm>
+#include <memory>
 
 namespace pastoso::project {
 namespace {
@@ -87,18 +88,23 @@ std::string layer_picture(std::size_t place) {
     return "data/layer" + std::to_string(place) + ".png";
 }
 
-std::vector<std::pair<std::string, std::string>> picture_files(const Pictures& pictures) {
-    const std::string merged = io::png_file(shade::encode_srgb8(pictures.merged), pictures.px_per_mm);
-    std::vector<std::pair<std::string, std::string>> files = {{"mergedimage.png", merged}};
-    for (std::size_t i = 0; i < pictures.layers.size(); ++i) {
-        const LayerPicture& layer = pictures.layers[i];
-        files.emplace_back(entry_of(pictures, i), pictures.layers.size() == 1
-                                                      ? merged
-                                                      : io::png_file(shade::encode_srgb8(layer.picture),
-                                                                     pictures.px_per_mm, layer.covered));
-    }
-    files.emplace_back("Thumbnails/thumbnail.png",
-                       io::png_file(shade::encode_srgb8(thumbnail_of(pictures.merged))));
+std::vector<PictureFile> picture_files(const Pictures& pictures) {
+    const auto merged = [&pictures, made = std::make_shared<std::string>()] {
+        if (made->empty())
+            *made = io::png_file(shade::encode_srgb8(pictures.merged), pictures.px_per_mm);
+        return *made;
+    };
+    std::vector<PictureFile> files = {{"mergedimage.png", merged}};
+    if (pictures.layers.size() == 1) files.push_back({layer_picture(0), merged});
+    for (std::size_t i = 0; pictures.layers.size() > 1 && i < pictures.layers.size(); ++i)
+        files.push_back({entry_of(pictures, i), [&pictures, i] {
+                             const LayerPicture& layer = pictures.layers[i];
+                             return io::png_file(shade::encode_srgb8(layer.picture), pictures.px_per_mm,
+                                                 layer.covered);
+                         }});
+    files.push_back({"Thumbnails/thumbnail.png", [&pictures] {
+                         return io::png_file(shade::encode_srgb8(thumbnail_of(pictures.merged)));
+                     }});
     return files;
 }
 

@@ -7,8 +7,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace pastoso::project {
@@ -35,8 +35,14 @@ struct Pictures {
 
 Pictures pictures_of(const document::PaintingState& painting, core::ThreadPool& pool);
 
-/// Names and contents of the archive's entries.
-std::vector<std::pair<std::string, std::string>> picture_files(const Pictures& pictures);
+/// An entry of the archive: its name, and how its content is made of the pictures.
+struct PictureFile {
+    std::string entry;
+    std::function<std::string()> content;
+};
+
+/// The pictures outlive them.
+std::vector<PictureFile> picture_files(const Pictures& pictures);
 
 /// OpenRaster's list of them (open_raster.hpp).
 std::string stack_xml(const Pictures& pictures);

@@ -12,7 +12,7 @@
 
 namespace pastoso::project {
 
-inline constexpr int kProjectFormatVersion = 3;
+inline constexpr int kProjectFormatVersion = 4;
 
 /// An entry of the archive that is a Zstandard frame with a checksum of its own.
 struct PackedEntry {

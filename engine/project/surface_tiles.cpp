@@ -34,44 +34,11 @@ std::string entry_name(const std::string& folder, const TileKind& kind, std::siz
     return folder + kind.name + digits;
 }
 
-struct Work {
-    const TileKind* kind;
-    TileEntry entry;
-    Bytes frame;
-};
-
-std::vector<Work> works_of(const SurfaceSource& source, const std::string& folder) {
-    std::vector<Work> works;
-    for (const TileKind& kind : tile_kinds()) {
-        const std::vector<int> tiles = kind.tiles(source);
-        const std::size_t at_once = std::max<std::size_t>(1, kEntryBytes / kind.bytes);
-        for (std::size_t first = 0; first < tiles.size(); first += at_once) {
-            const std::size_t last = std::min(tiles.size(), first + at_once);
-            TileEntry entry{kind.name, {&tiles[first], &tiles[0] + last}, {}};
-            entry.packed.entry = entry_name(folder, kind, first / at_once);
-            works.push_back({&kind, std::move(entry), {}});
-        }
-    }
-    return works;
-}
-
 /// What a thread packs with; large memory that is asked for again and again costs more than the packing.
 struct Bench {
     packing::Packer packer;
     Bytes room;
 };
-
-void carry_out(const SurfaceSource& source, Work& work, Bench& bench) {
-    const std::size_t bytes = work.kind->bytes;
-    const std::size_t size = bytes * work.entry.tiles.size();
-    if (bench.room.size() < size) bench.room.resize(size);
-    const std::span content = std::span(bench.room).first(size);
-    for (std::size_t i = 0; i < work.entry.tiles.size(); ++i)
-        work.kind->encode(source, work.entry.tiles[i], &content[i * bytes]);
-    work.frame = bench.packer.packed(content);
-    work.entry.packed.size = content.size();
-    work.entry.packed.packed_size = work.frame.size();
-}
 
 const TileKind& kind_of(const TileEntry& entry) {
     const auto kinds = tile_kinds();
@@ -120,18 +87,67 @@ void check_windows(const ZipReader& archive, const document::SurfaceState& surfa
 
 }  // namespace
 
-std::vector<TileEntry> add_tiles(const SurfaceSource& source, const std::string& folder,
-                                 ZipWriter& archive, core::ThreadPool& pool) {
-    std::vector<Work> works = works_of(source, folder);
-    std::vector<Bench> benches(static_cast<std::size_t>(pool.thread_count()));
-    run_guarded(pool, works.size(), [&](std::size_t index, int worker) {
-        carry_out(source, works[index], benches[static_cast<std::size_t>(worker)]);
-    });
-    std::vector<TileEntry> entries;
-    for (Work& work : works) {
-        archive.add(work.entry.packed.entry, std::move(work.frame));
-        entries.push_back(std::move(work.entry));
+/// Tiles of one kind that are packed together.
+struct TilePacking::Work {
+    const TileKind* kind;
+    TileEntry entry;
+    std::promise<Bytes> frame{};
+
+    /// What it throws goes to whom the frame is for.
+    void carry_out(const SurfaceSource& source, Bench& bench) {
+        try {
+            frame.set_value(packed(source, bench));
+        } catch (...) {
+            frame.set_exception(std::current_exception());
+        }
     }
+
+    Bytes packed(const SurfaceSource& source, Bench& bench) {
+        const std::size_t bytes = kind->bytes;
+        const std::size_t size = bytes * entry.tiles.size();
+        if (bench.room.size() < size) bench.room.resize(size);
+        const std::span content = std::span(bench.room).first(size);
+        for (std::size_t i = 0; i < entry.tiles.size(); ++i)
+            kind->encode(source, entry.tiles[i], &content[i * bytes]);
+        Bytes result = bench.packer.packed(content);
+        entry.packed.size = content.size();
+        entry.packed.packed_size = result.size();
+        return result;
+    }
+};
+
+TilePacking::TilePacking(document::SurfaceState surface, const film::SupportHeights* bare_support_mm,
+                         const std::string& folder, ZipWriter& archive)
+    : surface_(std::move(surface)), bare_support_mm_(bare_support_mm) {
+    const SurfaceSource source{surface_, bare_support_mm_};
+    for (const TileKind& kind : tile_kinds()) {
+        const std::vector<int> tiles = kind.tiles(source);
+        const std::size_t at_once = std::max<std::size_t>(1, kEntryBytes / kind.bytes);
+        for (std::size_t first = 0; first < tiles.size(); first += at_once) {
+            const std::size_t last = std::min(tiles.size(), first + at_once);
+            TileEntry entry{kind.name, {&tiles[first], &tiles[0] + last}, {}};
+            entry.packed.entry = entry_name(folder, kind, first / at_once);
+            works_.push_back({&kind, std::move(entry)});
+            archive.add(works_.back().entry.packed.entry, works_.back().frame.get_future());
+        }
+    }
+}
+
+TilePacking::~TilePacking() = default;
+TilePacking::TilePacking(TilePacking&&) noexcept = default;
+
+void TilePacking::pack(core::ThreadPool& pool) {
+    const SurfaceSource source{surface_, bare_support_mm_};
+    std::vector<Bench> benches(static_cast<std::size_t>(pool.thread_count()));
+    pool.run(works_.size(), [&](std::size_t index, int worker) {
+        works_[index].carry_out(source, benches[static_cast<std::size_t>(worker)]);
+    });
+}
+
+std::vector<TileEntry> TilePacking::entries() const {
+    std::vector<TileEntry> entries;
+    for (const Work& work : works_)
+        entries.push_back(work.entry);
     return entries;
 }
 

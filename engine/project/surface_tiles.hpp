@@ -11,9 +11,28 @@
 
 namespace pastoso::project {
 
-/// Adds entries "FOLDERkind-000.zst" ... to the archive and returns what the index says of them.
-std::vector<TileEntry> add_tiles(const SurfaceSource& source, const std::string& folder,
-                                 ZipWriter& archive, core::ThreadPool& pool);
+/// The tiles of a surface on their way into an archive.
+class TilePacking {
+  public:
+    /// Adds entries "FOLDERkind-000.zst" ... to the archive; their contents come with pack().
+    /// `bare_support_mm` as in SurfaceSource.
+    TilePacking(document::SurfaceState surface, const film::SupportHeights* bare_support_mm,
+                const std::string& folder, ZipWriter& archive);
+    ~TilePacking();
+    TilePacking(TilePacking&&) noexcept;
+
+    /// Once, before or while the archive is written.
+    void pack(core::ThreadPool& pool);
+
+    /// What the index says of them; sizes after pack().
+    std::vector<TileEntry> entries() const;
+
+  private:
+    struct Work;
+    document::SurfaceState surface_;
+    const film::SupportHeights* bare_support_mm_;
+    std::vector<Work> works_;
+};
 
 /// Reads them into the surface, whose film has its shape. Throws InputError "FILE, ENTRY: ..." for the
 /// first entry in which something is wrong.

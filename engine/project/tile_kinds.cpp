@@ -41,6 +41,9 @@ struct Thickness {
     static bool is_possible(Value quanta) { return quanta >= 0 && quanta <= film::kMaxThickness_quanta; }
     static constexpr const char* kWhat = "a thickness";
 };
+struct SmoothThickness : Thickness {
+    static constexpr bool kSmooth = true;
+};
 struct Paint {
     using Value = film::PaintCell;
     static auto& of(auto& surface) { return surface.film.paint; }
@@ -126,11 +129,16 @@ constexpr bool kIsAmount = requires(SurfaceState& surface) {
 };
 
 template <class Field>
-const std::int32_t* amount_of(const SurfaceState& surface, int tile) {
+constexpr bool kIsSmooth = requires {
+    Field::kSmooth;
+};
+
+template <class Field>
+packing::Expectation expectation(const SurfaceState& surface, int tile) {
     if constexpr (kIsAmount<Field>)
-        return Field::amount(surface).read(tile);
+        return {.amount = Field::amount(surface).read(tile), .smooth = false};
     else
-        return nullptr;
+        return {.amount = nullptr, .smooth = kIsSmooth<Field>};
 }
 
 template <class Field>
@@ -162,13 +170,13 @@ std::vector<int> own_support_tiles(const SurfaceSource& source) {
 
 template <class Field>
 void encode_field(const SurfaceSource& source, int tile, std::byte* out) {
-    encode_values(Field::of(source.surface).read(tile), amount_of<Field>(source.surface, tile), out);
+    encode_values(Field::of(source.surface).read(tile), expectation<Field>(source.surface, tile), out);
 }
 
 template <class Field>
 std::string decode_field(const std::byte* in, int tile, SurfaceTarget& target) {
     using Value = typename Field::Value;
-    auto block = decoded_values<Value>(in, amount_of<Field>(target.surface, tile));
+    auto block = decoded_values<Value>(in, expectation<Field>(target.surface, tile));
     std::string fault = checked(block.write(), target.surface.film.shape, tile, Field::kWhat,
                                 [](const Value& value) { return Field::is_possible(value); });
     Field::of(target.surface).replace(tile, std::move(block));
@@ -188,11 +196,11 @@ constexpr TileKind field_kind(const char* name) {
 void encode_support(const SurfaceSource& source, int tile, std::byte* out) {
     std::vector<float> heights_mm(kTileCells);
     Support::of(source.surface).read(tile).copy(0, kTileCells, heights_mm.data());
-    encode_values(heights_mm.data(), nullptr, out);
+    encode_values(heights_mm.data(), {}, out);
 }
 
 std::string decode_support(const std::byte* in, int tile, SurfaceTarget& target) {
-    auto block = decoded_values<float>(in, nullptr);
+    auto block = decoded_values<float>(in, {});
     std::string fault =
         checked(block.write(), target.surface.film.shape, tile, Support::kWhat, &Support::is_possible);
     Support::of(target.surface).replace(tile, film::HeightBlock::smallest_of(std::move(block)));
@@ -202,7 +210,7 @@ std::string decode_support(const std::byte* in, int tile, SurfaceTarget& target)
 /// Of format 1: the reflectance of strata and support together. What lay below is not known apart, so it
 /// is hidden for good.
 std::string decode_ground(const std::byte* in, int tile, SurfaceTarget& target) {
-    auto ground = decoded_values<pigment::Bands>(in, nullptr);
+    auto ground = decoded_values<pigment::Bands>(in, {});
     std::string fault = checked(ground.write(), target.surface.film.shape, tile, "a reflectance",
                                 [](const pigment::Bands& bands) {
                                     return std::all_of(bands.begin(), bands.end(), [](float share) {
@@ -220,11 +228,22 @@ std::string decode_ground(const std::byte* in, int tile, SurfaceTarget& target) 
     return fault;
 }
 
+std::vector<int> no_tiles(const SurfaceSource&) {
+    return {};
+}
+
+/// Of files of older versions.
+constexpr TileKind read_only(TileKind kind) {
+    kind.tiles = &no_tiles;
+    kind.encode = nullptr;
+    return kind;
+}
+
 constexpr TileKind ground_kind() {
     return {.name = "ground",
             .bytes = tile_bytes(pigment::kBands),
             .phase = 0,
-            .tiles = [](const SurfaceSource&) { return std::vector<int>{}; },
+            .tiles = &no_tiles,
             .encode = nullptr,
             .decode = &decode_ground};
 }
@@ -268,13 +287,13 @@ std::vector<int> window_tiles(const SurfaceSource& source) {
 }
 
 void encode_window(const SurfaceSource& source, int tile, std::byte* out) {
-    encode_values(listed(source.surface.solver.awake, tile).window_start.read(), nullptr, out);
+    encode_values(listed(source.surface.solver.awake, tile).window_start.read(), {}, out);
 }
 
 std::string decode_window(const std::byte* in, int tile, SurfaceTarget& target) {
     if (target.awake_at[tile] < 0)
         return "tile " + std::to_string(tile) + " sleeps, and yet its motion is followed.";
-    auto block = decoded_values<std::int32_t>(in, nullptr);
+    auto block = decoded_values<std::int32_t>(in, {});
     std::string fault = checked(block.write(), target.surface.film.shape, tile, Thickness::kWhat,
                                 &Thickness::is_possible);
     target.surface.solver.awake[target.awake_at[tile]].window_start = std::move(block);
@@ -289,11 +308,11 @@ std::vector<int> pressure_tiles(const SurfaceSource& source) {
 }
 
 void encode_pressure(const SurfaceSource& source, int tile, std::byte* out) {
-    encode_values(listed(source.surface.solver.pressures, tile).pressure_mm2_s2.data(), nullptr, out);
+    encode_values(listed(source.surface.solver.pressures, tile).pressure_mm2_s2.data(), {}, out);
 }
 
 std::string decode_pressure(const std::byte* in, int tile, SurfaceTarget& target) {
-    const auto block = decoded_values<float>(in, nullptr);
+    const auto block = decoded_values<float>(in, {});
     auto& pressure = target.surface.solver.pressures[target.pressure_at[tile]].pressure_mm2_s2;
     std::copy_n(block.read(), kTileCells, pressure.begin());
     return checked(pressure.data(), target.surface.film.shape, tile, "a pressure", [](float value) {
@@ -305,7 +324,8 @@ std::string decode_pressure(const std::byte* in, int tile, SurfaceTarget& target
 
 std::span<const TileKind> tile_kinds() {
     static constexpr std::array kKinds = {
-        field_kind<Thickness>("thickness"),
+        field_kind<SmoothThickness>("depth"),
+        read_only(field_kind<Thickness>("thickness")),
         field_kind<Paint>("paint"),
         field_kind<VelocityX>("velocity_x"),
         field_kind<VelocityY>("velocity_y"),

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <iterator>
+#include <deque>
+#include <exception>
 #include <utility>
 #include <zip.h>
 
@@ -45,8 +46,87 @@ Archive create(const std::filesystem::path& path, const std::string& name) {
     fail_writing(name, &error);
 }
 
-void add_entry(zip_t* archive, const std::string& entry, const Bytes& content, const std::string& name) {
-    zip_source_t* source = zip_source_buffer(archive, content.data(), content.size(), 0);
+Bytes copied(const std::string& text) {
+    const auto bytes = packing::bytes_of(text);
+    return {bytes.begin(), bytes.end()};
+}
+
+/// The content of an entry as libzip asks for it: first its size, then all of it once.
+class Content {
+  public:
+    explicit Content(std::future<Bytes> coming) : coming_(std::move(coming)) { zip_error_init(&error_); }
+
+    void rethrow() const {
+        if (fault_) std::rethrow_exception(fault_);
+    }
+
+    static zip_int64_t answer(void* content, void* data, zip_uint64_t size, zip_source_cmd_t question) {
+        return static_cast<Content*>(content)->answer(data, size, question);
+    }
+
+  private:
+    zip_int64_t answer(void* data, zip_uint64_t size, zip_source_cmd_t question) {
+        switch (question) {
+            case ZIP_SOURCE_OPEN:
+                return 0;
+            case ZIP_SOURCE_READ:
+                return read(data, size);
+            case ZIP_SOURCE_CLOSE:
+                bytes_ = {};
+                return 0;
+            case ZIP_SOURCE_STAT:
+                return describe(data);
+            case ZIP_SOURCE_ERROR:
+                return zip_error_to_data(&error_, data, size);
+            case ZIP_SOURCE_FREE:
+                return 0;
+            case ZIP_SOURCE_SUPPORTS:
+                return ZIP_SOURCE_SUPPORTS_READABLE;
+            default:
+                zip_error_set(&error_, ZIP_ER_OPNOTSUPP, 0);
+                return -1;
+        }
+    }
+
+    /// libzip is C: nothing may be thrown through it.
+    bool arrived() {
+        try {
+            if (coming_.valid()) bytes_ = coming_.get();
+        } catch (...) {
+            fault_ = std::current_exception();
+        }
+        if (fault_) zip_error_set(&error_, ZIP_ER_READ, 0);
+        return !fault_;
+    }
+
+    zip_int64_t describe(void* data) {
+        if (!arrived()) return -1;
+        auto* stat = static_cast<zip_stat_t*>(data);
+        zip_stat_init(stat);
+        stat->size = stat->comp_size = bytes_.size();
+        stat->comp_method = ZIP_CM_STORE;
+        stat->encryption_method = ZIP_EM_NONE;
+        stat->valid =
+            ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_COMP_METHOD | ZIP_STAT_ENCRYPTION_METHOD;
+        return sizeof(zip_stat_t);
+    }
+
+    zip_int64_t read(void* data, zip_uint64_t size) {
+        const std::size_t count = std::min<std::size_t>(size, bytes_.size() - read_);
+        std::memcpy(data, bytes_.data() + read_, count);
+        read_ += count;
+        return static_cast<zip_int64_t>(count);
+    }
+
+    std::future<Bytes> coming_;
+    Bytes bytes_;
+    std::size_t read_ = 0;
+    std::exception_ptr fault_;
+    zip_error_t error_;
+};
+
+void add_entry(zip_t* archive, const std::string& entry, Content& content, const std::string& name) {
+    zip_source_t* source = zip_source_function(archive, &Content::answer, &content);
     const zip_int64_t index =
         source == nullptr ? -1 : zip_file_add(archive, entry.c_str(), source, ZIP_FL_ENC_UTF_8);
     if (index < 0) {
@@ -69,24 +149,35 @@ Archive opened(zip_source_t* source, const std::string& name, zip_error_t* error
 
 }  // namespace
 
-void ZipWriter::add(std::string name, Bytes content) {
+void ZipWriter::add(std::string name, std::future<Bytes> content) {
     entries_.push_back({std::move(name), std::move(content)});
 }
 
+void ZipWriter::add(std::string name, Bytes content) {
+    std::promise<Bytes> ready;
+    ready.set_value(std::move(content));
+    add(std::move(name), ready.get_future());
+}
+
 void ZipWriter::add(std::string name, const std::string& content) {
-    const auto bytes = packing::bytes_of(content);
-    add(std::move(name), Bytes(bytes.begin(), bytes.end()));
+    add(std::move(name), copied(content));
 }
 
-void ZipWriter::append(ZipWriter other) {
-    std::move(other.entries_.begin(), other.entries_.end(), std::back_inserter(entries_));
+void ZipWriter::add(std::string name, std::function<std::string()> make) {
+    add(std::move(name),
+        std::async(std::launch::deferred, [make = std::move(make)] { return copied(make()); }));
 }
 
-void ZipWriter::write(const std::filesystem::path& path, const std::string& name) const {
+void ZipWriter::write(const std::filesystem::path& path, const std::string& name) {
+    std::deque<Content> contents;  // the archive points to them
     Archive archive = create(path, name);
-    for (const Entry& entry : entries_)
-        add_entry(archive.get(), entry.name, entry.content, name);
-    if (zip_close(archive.get()) != 0) fail_writing(name, zip_get_error(archive.get()));
+    for (Entry& entry : entries_)
+        add_entry(archive.get(), entry.name, contents.emplace_back(std::move(entry.content)), name);
+    if (zip_close(archive.get()) != 0) {
+        for (const Content& content : contents)
+            content.rethrow();
+        fail_writing(name, zip_get_error(archive.get()));
+    }
     archive.release();
 }
 

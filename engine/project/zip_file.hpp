@@ -5,6 +5,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -23,17 +25,21 @@ class ZipWriter {
     void add(std::string name, Bytes content);
     void add(std::string name, const std::string& content);
 
-    /// The entries of another archive, after those that are here.
-    void append(ZipWriter other);
+    /// An entry whose content is made while those before it are written.
+    void add(std::string name, std::future<Bytes> content);
 
-    /// Writes the archive to `path`, where a file may stand. Throws InputError "NAME: ..." when that
-    /// fails.
-    void write(const std::filesystem::path& path, const std::string& name) const;
+    /// An entry whose content is made when its turn comes.
+    void add(std::string name, std::function<std::string()> make);
+
+    /// Writes the archive to `path`, where a file may stand, and forgets every entry as soon as it is
+    /// written; once. Throws InputError "NAME: ..." when that fails, and what the making of a content
+    /// threw.
+    void write(const std::filesystem::path& path, const std::string& name);
 
   private:
     struct Entry {
         std::string name;
-        Bytes content;
+        std::future<Bytes> content;
     };
     std::vector<Entry> entries_;
 };

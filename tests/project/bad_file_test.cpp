@@ -81,10 +81,10 @@ TEST_F(BadProject, ATruncatedFileIsRefusedWhereverItEnds) {
 
 TEST_F(BadProject, OtherVersionsAreRefused) {
     EXPECT_EQ(
-        error_of_index("\"version\":3", "\"version\":4"),
-        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 4; this "
-        "program reads up to 3).");
-    EXPECT_THAT(error_of_index("\"version\":3", "\"version\":0"),
+        error_of_index("\"version\":4", "\"version\":5"),
+        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 5; this "
+        "program reads up to 4).");
+    EXPECT_THAT(error_of_index("\"version\":4", "\"version\":0"),
                 HasSubstr("version: 0 is not between"));
     EXPECT_THAT(error_of_index("pastoso-project", "pastoso-scene"), HasSubstr("this is no painting"));
 }
@@ -136,16 +136,16 @@ TEST_F(BadProject, ATileThatComesTwiceIsRefused) {
     std::string index;
     for (const auto& [name, content] : entries)
         if (name == "pastoso/index.json") index = content;
-    const std::size_t begin = index.find("{\"kind\":\"thickness\"");
+    const std::size_t begin = index.find("{\"kind\":\"depth\"");
     const std::string entry = index.substr(begin, index.find('}', begin) + 1 - begin);
     EXPECT_THAT(error_of_index(entry, entry + "," + entry), HasSubstr("comes twice"));
 }
 
 TEST_F(BadProject, NamesOutsideOfOurFolderAreRefused) {
-    EXPECT_THAT(error_of_index("\"entry\":\"pastoso/layer0/thickness-000.zst\"",
+    EXPECT_THAT(error_of_index("\"entry\":\"pastoso/layer0/depth-000.zst\"",
                                "\"entry\":\"../../../etc/passwd\""),
                 HasSubstr("expected a name that begins with pastoso/."));
-    EXPECT_THAT(error_of_index("\"entry\":\"pastoso/layer0/thickness-000.zst\"",
+    EXPECT_THAT(error_of_index("\"entry\":\"pastoso/layer0/depth-000.zst\"",
                                "\"entry\":\"pastoso/../../etc/passwd\""),
                 HasSubstr("pastoso/../../etc/passwd: is missing."));
 }
@@ -164,7 +164,7 @@ TEST_F(BadProject, ZipBombsAreRefused) {
 }
 
 TEST_F(BadProject, DamageInAnEntryIsFound) {
-    for (const std::string entry : {"pastoso/layer0/paint-000.zst", "pastoso/well/thickness-000.zst",
+    for (const std::string entry : {"pastoso/layer0/paint-000.zst", "pastoso/well/depth-000.zst",
                                     "pastoso/brush.zst", "pastoso/strokes.json.zst"}) {
         const auto flip = [](std::string& content) { content[content.size() / 2] ^= 0x10; };
         const auto shorten = [](std::string& content) { content.pop_back(); };
@@ -175,9 +175,9 @@ TEST_F(BadProject, DamageInAnEntryIsFound) {
     // A frame that is whole, of other content.
     const std::string other(16384, 'x');
     const Bytes frame = packing::packed(packing::bytes_of(other));
-    EXPECT_THAT(error_of_entry("pastoso/layer0/thickness-000.zst",
+    EXPECT_THAT(error_of_entry("pastoso/layer0/depth-000.zst",
                                {reinterpret_cast<const char*>(frame.data()), frame.size()}),
-                HasSubstr("thickness-000.zst: is damaged"));
+                HasSubstr("depth-000.zst: is damaged"));
 }
 
 TEST_F(BadProject, ValuesThatCannotBeAreRefusedWithTheirPlace) {

@@ -23,22 +23,33 @@ class OldFormat : public io::TemporaryFolder {
             sum += std::abs(static_cast<double>(a.rgb[i]) - static_cast<double>(b.rgb[i]));
         return sum / static_cast<double>(a.rgb.size());
     }
+    void expect_looks_as_painted(const LoadedProject& old) {
+        EXPECT_THAT(old.notes, testing::IsEmpty());
+        const film::FilmState& film = old.painting.canvas.film;
+        document::Painting again(old.strokes.canvas, pool);
+        document::Player player(again, old.strokes);
+        while (!player.finished())
+            player.play_tick();
+        ASSERT_EQ(film.shape, again.film().shape);
+        // A half of 255 steps: the solver may have changed since, red under blue may not have become
+        // another.
+        EXPECT_LT(difference(picture(film), picture(again.film())), 0.5);
+    }
     core::ThreadPool pool{1};
 };
 
 TEST_F(OldFormat, OneShowsThePaintingThatWasSaved) {
     const LoadedProject old = load_project(PASTOSO_SOURCE_DIR "/tests/project/format-1.pastoso", pool);
-    EXPECT_THAT(old.notes, testing::IsEmpty());
-    const film::FilmState& film = old.painting.canvas.film;
-    EXPECT_FALSE(film.strata.optics.is_background(0));
-    document::Painting again(old.strokes.canvas, pool);
-    document::Player player(again, old.strokes);
-    while (!player.finished())
-        player.play_tick();
-    ASSERT_EQ(film.shape, again.film().shape);
-    // A half of 255 steps: the solver may have changed since, red under blue may not have become
-    // another.
-    EXPECT_LT(difference(picture(film), picture(again.film())), 0.5);
+    EXPECT_FALSE(old.painting.canvas.film.strata.optics.is_background(0));
+    expect_looks_as_painted(old);
+}
+
+TEST_F(OldFormat, ThreeShowsThePaintingThatWasSaved) {
+    const LoadedProject old = load_project(PASTOSO_SOURCE_DIR "/tests/project/format-3.pastoso", pool);
+    EXPECT_TRUE(film::has_wet_paint(old.painting.canvas.film));
+    EXPECT_TRUE(old.painting.selection);
+    expect_looks_as_painted(old);
+    EXPECT_LT(document::Painting(old.painting, pool).account().volume_error_rel(), 1e-9);
 }
 
 class OldFormatTwo : public OldFormat {
