@@ -12,7 +12,7 @@
 
 namespace pastoso::project {
 
-inline constexpr int kProjectFormatVersion = 3;
+inline constexpr int kProjectFormatVersion = 4;
 
 /// An entry of the archive that is a Zstandard frame with a checksum of its own.
 struct PackedEntry {
@@ -69,6 +69,7 @@ struct ProjectIndex {
     std::optional<SurfaceIndex> well{};
     std::optional<BrushIndex> brush{};
     std::optional<PackedEntry> selection{};
+    std::optional<document::SetTracing> tracing{};  ///< where its picture lies in an entry of its own
     PackedEntry strokes{};
 };
 

@@ -81,9 +81,9 @@ TEST_F(BadProject, ATruncatedFileIsRefusedWhereverItEnds) {
 
 TEST_F(BadProject, OtherVersionsAreRefused) {
     EXPECT_EQ(
-        error_of_index("\"version\":3", "\"version\":4"),
-        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 4; this "
-        "program reads up to 3).");
+        error_of_index("\"version\":3", "\"version\":5"),
+        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 5; this "
+        "program reads up to 4).");
     EXPECT_THAT(error_of_index("\"version\":3", "\"version\":0"),
                 HasSubstr("version: 0 is not between"));
     EXPECT_THAT(error_of_index("pastoso-project", "pastoso-scene"), HasSubstr("this is no painting"));
@@ -117,6 +117,22 @@ TEST_F(BadProject, LayersThatCannotBeAreRefused) {
     EXPECT_THAT(error_of_index("\"id\":1", "\"opacity\":-0.5,\"id\":1"),
                 HasSubstr("layers: the opacity of the layer is -0.5"));
     EXPECT_THAT(error_of_index("\"layers\":[", "\"layers\":[],\"x\":["), HasSubstr("\"x\""));
+}
+
+TEST_F(BadProject, ATracingPictureThatIsNoneIsRefused) {
+    Project project = busy_project(pool);
+    project.painting.tracing = std::make_shared<const layers::Tracing>(layers::Tracing{
+        std::make_shared<const layers::Picture>(layers::Picture{1, 1, {9, 9, 9, 255}}), {1, 2, 3, 4}});
+    file = file_of(project, folder, pool);
+    EXPECT_THAT(error_of_index("\"opacity\":0.5", "\"opacity\":5"),
+                HasSubstr("tracing: the opacity of the tracing picture is 5"));
+    EXPECT_THAT(error_of_index("\"width_mm\":3.0", "\"width_mm\":-3"),
+                HasSubstr("tracing: the width of the picture in mm is -3"));
+    EXPECT_THAT(error_of_entry("pastoso/tracing.png", "none"),
+                HasSubstr("it.pastoso, pastoso/tracing.png: the picture "));
+    Entries entries = entries_of(file);
+    std::erase_if(entries, [](const auto& entry) { return entry.first == "pastoso/tracing.png"; });
+    EXPECT_THAT(error_of(archive_of(entries)), HasSubstr("pastoso/tracing.png: is missing"));
 }
 
 TEST_F(BadProject, SizesThatDoNotFitAreRefusedBeforeAnythingIsAllocated) {
