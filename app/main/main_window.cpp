@@ -59,6 +59,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     connect_guide_commands();
     connect_layers();
     connect_selection();
+    connect_tracing();
     connect_light_commands();
     connect_project_commands();
     connect_picture_commands();
@@ -146,6 +147,7 @@ void MainWindow::show_published() {
     readings_->show_canvas(snapshot->bare->settings);
     show_layers(*snapshot);
     show_selection(*snapshot);
+    show_tracing(*snapshot);
     show_well(*snapshot);
     load_->show_load(snapshot->brush_load);
     const session::Status status = session_->status();

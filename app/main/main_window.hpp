@@ -42,6 +42,7 @@ class LayerPanel;
 class LoadPanel;
 class PaintPanel;
 class StatusReadings;
+class TracingPanel;
 }  // namespace pastoso::panels
 
 namespace pastoso::main {
@@ -69,6 +70,10 @@ class MainWindow : public QMainWindow {
     /// Puts a picture onto the canvas as a layer of dry paint, in the middle and as large as it fits.
     /// Throws core::InputError when it is none.
     void paint_picture(const QString& path);
+
+    /// Lays a picture below the paint to be traced, in the middle and as large as it fits. Throws
+    /// core::InputError when it is none.
+    void trace_picture(const QString& path);
 
     /// Writes the painting to a project file, in the background. From now on that is its file.
     void save_painting(const QString& path);
@@ -149,6 +154,9 @@ class MainWindow : public QMainWindow {
     void preview_range(bool wetness);
     void show_selection(const document::Snapshot& painting);
     void show_selection_reading();
+    void connect_tracing();
+    void ask_trace_picture();
+    void show_tracing(const document::Snapshot& painting);
     panels::LayerPanel* make_layer_panel();
     void connect_layers();
     void add_layer();
@@ -242,6 +250,7 @@ class MainWindow : public QMainWindow {
     panels::CurvesPanel* curves_ = nullptr;
     panels::GuidesPanel* guides_ = nullptr;
     panels::LayerPanel* layers_ = nullptr;
+    panels::TracingPanel* tracing_ = nullptr;
     panels::EaselPanel* stand_ = nullptr;
     panels::StatusReadings* readings_ = nullptr;
     QComboBox* medium_ = nullptr;

@@ -8,6 +8,7 @@
 #include "panels/guides_panel.hpp"
 #include "panels/layer_panel.hpp"
 #include "panels/load_panel.hpp"
+#include "panels/tracing_panel.hpp"
 #include "pigment/gpl.hpp"
 
 #include <QAction>
@@ -72,14 +73,23 @@ void MainWindow::make_docks() {
     guides_ = new panels::GuidesPanel({action(Command::MirrorSymmetry), action(Command::MirrorLevel),
                                        action(Command::Ruler), action(Command::Ellipse),
                                        action(Command::GuideHandles), action(Command::RemoveGuides)});
+    commands_.action(Command::TracePicture)->setIconText(tr("Choose..."));
+    commands_.action(Command::RemoveTracing)->setIconText(tr("Take away"));
+    commands_.action(Command::ShowTracing)->setIconText(tr("Below the paint"));
+    commands_.action(Command::FitTracing)->setIconText(tr("Fit"));
+    tracing_ = new panels::TracingPanel({action(Command::TracePicture), action(Command::RemoveTracing)},
+                                        {action(Command::ShowTracing), action(Command::FitTracing)});
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
     QDockWidget* first = add_dock(Command::ToolPanel, QStringLiteral("tool_panel"), tr("Tool"), tool);
     tabifyDockWidget(
         first, add_dock(Command::ColourPanel, QStringLiteral("colour_panel"), tr("Colour"), colours_));
     tabifyDockWidget(
         first, add_dock(Command::GuidesPanel, QStringLiteral("guides_panel"), tr("Guides"), guides_));
-    add_dock(Command::LayersPanel, QStringLiteral("layers_panel"), tr("Layers"),
-             layers_ = make_layer_panel());
+    QDockWidget* layers = add_dock(Command::LayersPanel, QStringLiteral("layers_panel"), tr("Layers"),
+                                   layers_ = make_layer_panel());
+    tabifyDockWidget(layers, add_dock(Command::TracingPanel, QStringLiteral("tracing_panel"),
+                                      tr("Tracing"), tracing_));
+    layers->raise();
     first->raise();
     // As narrow as what they hold allows: the canvas gets the rest.
     resizeDocks({first}, {1}, Qt::Horizontal);

@@ -16,7 +16,7 @@ namespace pastoso::main {
 namespace {
 
 /// Of the panels' names: what was remembered of others is not used.
-constexpr int kPanelsVersion = 2;
+constexpr int kPanelsVersion = 3;
 
 constexpr int kSettling_ms = 1000;
 

@@ -5,6 +5,7 @@
 #include "main/main_window.hpp"
 #include "main/wait_cursor.hpp"
 #include "panels/status_readings.hpp"
+#include "panels/tracing_panel.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -113,6 +114,7 @@ void MainWindow::take_up_hand(const document::Recording& past) {
 }
 
 void MainWindow::save_painting(const QString& path) {
+    tracing_->finish();
     session::Capture capture = session_->capture();
     path_ = path;
     saved_changes_ = capture.changes;
@@ -153,6 +155,7 @@ bool MainWindow::ask_save_painting() {
 
 /// Whether nothing would be lost with this painting, or the painter agrees to lose it.
 bool MainWindow::may_discard() {
+    tracing_->finish();
     session_->wait_until_applied();
     if (!project_saver_.wait().isEmpty()) saved_changes_ = -1;
     if (session_->status().changes == saved_changes_) return true;

@@ -86,6 +86,7 @@ void CanvasView::set_easel(tools::Easel* easel) {
 void CanvasView::show_snapshot(std::shared_ptr<const document::Snapshot> snapshot) {
     const bool other_canvas = wanted_ == nullptr || wanted_->film.shape != snapshot->film.shape ||
                               wanted_->film.cell_mm != snapshot->film.cell_mm;
+    if (wanted_ != nullptr && wanted_->tracing != snapshot->tracing) tracing_preview_.reset();
     wanted_ = std::move(snapshot);
     if (other_canvas) {
         shown_.reset();
@@ -118,6 +119,23 @@ void CanvasView::show_handles(bool shown) {
     update();
 }
 
+void CanvasView::show_tracing(bool shown) {
+    tracing_shown_ = shown;
+    retrace_ = true;
+    update();
+}
+
+void CanvasView::preview_tracing(Tracing tracing) {
+    tracing_preview_ = std::move(tracing);
+    retrace_ = true;
+    update();
+}
+
+Tracing CanvasView::seen_tracing() const {
+    if (!tracing_shown_) return nullptr;
+    return tracing_preview_ != nullptr ? tracing_preview_ : wanted_->tracing;
+}
+
 void CanvasView::pick_next(std::optional<tools::Pick> pick) {
     picks_next_ = pick;
     set_cursor();
@@ -147,7 +165,8 @@ void CanvasView::zoom_about_centre(double factor) {
 }
 
 bool CanvasView::finished() const {
-    return shown_ == wanted_ && !relight_ && !recolour_ && !plan_.has_damage() && !plan_.has_drafts();
+    return shown_ == wanted_ && !retrace_ && !relight_ && !recolour_ && !plan_.has_damage() &&
+           !plan_.has_drafts();
 }
 
 void CanvasView::damage_all() {
@@ -235,13 +254,16 @@ void CanvasView::paintGL() {
 }
 
 void CanvasView::upload_changes() {
-    if (shown_ != wanted_) {
+    if (shown_ != wanted_ || retrace_) {
         if (shown_ == nullptr && !prepare_textures()) return;
-        const LayerChanges changes =
-            layers_.update(shown_.get(), *wanted_, lighting_, pool_, viewing_.to_rgb);
+        auto seen = tracing_ground_.below(wanted_, seen_tracing(), pool_);
+        const LayerChanges changes = layers_.update(shown_ == nullptr ? nullptr : seen_.get(), *seen,
+                                                    lighting_, pool_, viewing_.to_rgb);
         textures_.upload_surface(layers_, changes.surface);
         textures_.upload_colours(changes.colours);
         shown_ = wanted_;
+        seen_ = std::move(seen);
+        retrace_ = false;
         plan_.add_damage(damaged_region(changes));
     }
     if (relight_) {
@@ -251,7 +273,7 @@ void CanvasView::upload_changes() {
         damage_all();
     }
     if (recolour_) {
-        textures_.upload_colours(CanvasLayers::recolour(*shown_, viewing_.to_rgb, pool_));
+        textures_.upload_colours(CanvasLayers::recolour(*seen_, viewing_.to_rgb, pool_));
         recolour_ = false;
         damage_all();
     }

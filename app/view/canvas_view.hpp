@@ -13,6 +13,7 @@
 #include "view/picture_buffer.hpp"
 #include "view/selection_outline.hpp"
 #include "view/shading_plan.hpp"
+#include "view/tracing_ground.hpp"
 
 #include <memory>
 #include <optional>
@@ -49,6 +50,12 @@ class CanvasView : public QOpenGLWidget {
 
     /// Shows where the selection ends.
     void show_outline(bool shown);
+
+    /// Shows the picture that is traced below the paint.
+    void show_tracing(bool shown);
+
+    /// Shows this one in place of the painting's own, until that becomes another.
+    void preview_tracing(Tracing tracing);
 
     /// Outlines what would be selected in place of what is.
     void preview_selection(std::optional<document::Selection> preview);
@@ -120,6 +127,7 @@ class CanvasView : public QOpenGLWidget {
   private:
     void release_graphics();
     void upload_changes();
+    Tracing seen_tracing() const;
     double shade_job(const ShadingPlan::Job& job);
     void draw_selection();
     void draw_guides();
@@ -167,6 +175,7 @@ class CanvasView : public QOpenGLWidget {
 
     std::shared_ptr<const document::Snapshot> wanted_;
     std::shared_ptr<const document::Snapshot> shown_;
+    std::shared_ptr<const document::Snapshot> seen_;  ///< shown_ with what is traced below it
     ViewTransform view_;
     bool fitted_ = true;  ///< follows the window's size until the painter zooms or pans
     shade::Lighting lighting_;
@@ -174,6 +183,10 @@ class CanvasView : public QOpenGLWidget {
     pigment::Viewing viewing_;
     bool recolour_ = false;  ///< the colours are still those of another light
     TipShape tip_;
+    TracingGround tracing_ground_;
+    bool tracing_shown_ = true;
+    Tracing tracing_preview_;
+    bool retrace_ = false;  ///< the picture below the paint is still another
 
     std::optional<QPointF> pointer_;
     std::optional<QPointF> pan_from_;

@@ -81,19 +81,18 @@ void check_outline(const std::vector<CanvasPoint>& outline) {
         check_place("outline's point", point.x_mm, point.y_mm);
 }
 
-void check_picture(const PaintPicture& paint) {
-    PASTOSO_CHECK(paint.picture != nullptr);
-    const layers::Picture& picture = *paint.picture;
+void check_picture(const layers::Picture& picture) {
     check_between("width of the picture in pixels", picture.width, 1, layers::kMostPictureSide_px);
     check_between("height of the picture in pixels", picture.height, 1, layers::kMostPictureSide_px);
     check_between("number of the picture's pixels", 1.0 * picture.width * picture.height, 1,
                   layers::kMostPicturePixels);
     PASTOSO_CHECK_OP(picture.rgba.size(), ==, std::size_t{4} * picture.width * picture.height);
-    check_place("picture", paint.place.x_mm, paint.place.y_mm);
-    check_between("width of the picture in mm", paint.place.width_mm, kLeastPicture_mm,
-                  kMaxPenPosition_mm);
-    check_between("height of the picture in mm", paint.place.height_mm, kLeastPicture_mm,
-                  kMaxPenPosition_mm);
+}
+
+void check_picture_place(const layers::PicturePlace& place) {
+    check_place("picture", place.x_mm, place.y_mm);
+    check_between("width of the picture in mm", place.width_mm, kLeastPicture_mm, kMaxPenPosition_mm);
+    check_between("height of the picture in mm", place.height_mm, kLeastPicture_mm, kMaxPenPosition_mm);
 }
 
 void check_scale(const char* axis, double scale) {
@@ -150,7 +149,18 @@ struct Checker {
     void operator()(const AddLayer& add) const { check_look({.name = add.name}); }
     void operator()(const PaintPicture& paint) const {
         check_look({.name = paint.name});
-        check_picture(paint);
+        PASTOSO_CHECK(paint.picture != nullptr);
+        check_picture(*paint.picture);
+        check_picture_place(paint.place);
+    }
+    void operator()(const LayTracing& lay) const {
+        if (!lay.picture) return;
+        check_picture(*lay.picture);
+        check_picture_place(lay.place);
+    }
+    void operator()(const SetTracing& set) const {
+        check_picture_place(set.place);
+        check_between("opacity of the tracing picture", set.opacity, 0.0, 1.0);
     }
     void operator()(const GroupLayers& group) const { check_look({.name = group.name}); }
     void operator()(const SetLayer& set) const { check_look(set.look); }

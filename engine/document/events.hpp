@@ -127,12 +127,13 @@ struct SetSymmetry {
     friend bool operator==(const SetSymmetry&, const SetSymmetry&) = default;
 };
 
-using Action = std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCanvas, SetDrying, DryNow,
-                            PenDown, PenMove, PenUp, Undo, Redo, SetStabiliser, SetGuide, SetSymmetry,
-                            SqueezePaint, CleanWell, AddLayer, SelectLayer, SetLayer, DuplicateLayer,
-                            RemoveLayer, ClearLayer, TransformLayer, MoveLayer, MergeDown, FlattenLayers,
-                            GroupLayers, SetGroup, MoveGroup, UngroupLayers, SelectArea, SelectByHeight,
-                            SelectByWetness, InvertSelection, SelectAll, ResizeCanvas, PaintPicture>;
+using Action =
+    std::variant<TakeBrush, LoadPaint, CleanBrush, UseMedium, TiltCanvas, SetDrying, DryNow, PenDown,
+                 PenMove, PenUp, Undo, Redo, SetStabiliser, SetGuide, SetSymmetry, SqueezePaint,
+                 CleanWell, AddLayer, SelectLayer, SetLayer, DuplicateLayer, RemoveLayer, ClearLayer,
+                 TransformLayer, MoveLayer, MergeDown, FlattenLayers, GroupLayers, SetGroup, MoveGroup,
+                 UngroupLayers, SelectArea, SelectByHeight, SelectByWetness, InvertSelection, SelectAll,
+                 ResizeCanvas, PaintPicture, LayTracing, SetTracing>;
 
 struct Event {
     std::int64_t tick = 0;  ///< the number of ticks that had passed when it happened

@@ -88,6 +88,12 @@ std::size_t bytes_without_films(const Moment& moment) {
     return bytes;
 }
 
+std::size_t unshared_picture_bytes(const Moment& older, const Moment& newer) {
+    const bool shared =
+        !older.tracing || (newer.tracing && older.tracing->picture == newer.tracing->picture);
+    return shared ? 0 : older.tracing->picture->rgba.size();
+}
+
 std::size_t unshared_selection_bytes(const Moment& older, const Moment& newer) {
     const bool shared = !older.selection || older.selection == newer.selection;
     return shared ? 0 : grid::bytes_in_part(*older.selection);
@@ -173,7 +179,8 @@ struct MomentDifference::Tiles {
 MomentDifference::MomentDifference(const Moment& older, const Moment& newer)
     : rest_(without_films(older)),
       shape_(older.canvas.film.shape),
-      rest_bytes_(bytes_without_films(older) + unshared_selection_bytes(older, newer)),
+      rest_bytes_(bytes_without_films(older) + unshared_selection_bytes(older, newer) +
+                  unshared_picture_bytes(older, newer)),
       tiles_(std::make_shared<Tiles>()) {
     tiles_->raw = Tiles::taken(older, newer);
     bytes_ = rest_bytes_ + tiles_->raw->tiles.bytes();

@@ -9,6 +9,7 @@
 #include "document/layers.hpp"
 #include "document/selection.hpp"
 #include "document/steps.hpp"
+#include "layers/tracing.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +34,7 @@ struct Moment {
     std::optional<brush::Brush> brush{};
     std::string medium{};  ///< in hand
     Selection selection{};
+    std::shared_ptr<const layers::Tracing> tracing{};
     TiltCanvas tilt{};
     std::uint64_t brush_use = 0;  ///< tells whether the brush was loaded, cleaned or changed since
     brush::Contents taken{};      ///< from the tubes until then

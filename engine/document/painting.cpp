@@ -77,6 +77,7 @@ Painting::Parts::Parts(const PaintingState& state, core::ThreadPool& threads)
       aids(state.aids),
       symmetry(state.symmetry),
       selection(state.selection),
+      tracing(state.tracing),
       taken(state.taken),
       wiped(state.wiped),
       forgotten_run_off(state.forgotten_run_off),
@@ -110,6 +111,7 @@ PaintingState Painting::Parts::state() const {
                         .aids = aids,
                         .symmetry = symmetry,
                         .selection = selection,
+                        .tracing = tracing,
                         .taken = taken,
                         .wiped = wiped,
                         .forgotten_run_off = forgotten_run_off};
@@ -177,7 +179,8 @@ Snapshot Painting::snapshot() const {
             parts_->shared_layers(),
             is_single(layers()) ? nullptr : std::make_shared<const film::FilmState>(film()),
             parts_->selection,
-            parts_->bare};
+            parts_->bare,
+            parts_->tracing};
 }
 bool Painting::can_undo() const {
     return parts_->history.can_undo();

@@ -12,6 +12,7 @@
 #include "film/solver.hpp"
 #include "film/state.hpp"
 #include "grid/tiled_field.hpp"
+#include "layers/tracing.hpp"
 #include "pigment/bands.hpp"
 
 #include <cstddef>
@@ -38,6 +39,7 @@ struct Snapshot {
     std::shared_ptr<const film::FilmState> active{};  ///< the active layer's; null where `film` is it
     Selection selection{};
     std::shared_ptr<const BareCanvas> bare{};
+    std::shared_ptr<const layers::Tracing> tracing{};  ///< not in `film`; null: none
 };
 
 /// Where all the paint is, in mm3 of volume and in mm3 times the pigment coefficients (K_k, S_k per mm).

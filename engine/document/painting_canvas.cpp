@@ -18,6 +18,12 @@ brush::Contents positive_part(const brush::Contents& contents, double sign) {
     return part;
 }
 
+layers::Tracing moved(layers::Tracing tracing, double x_mm, double y_mm) {
+    tracing.place.x_mm += x_mm;
+    tracing.place.y_mm += y_mm;
+    return tracing;
+}
+
 }  // namespace
 
 void Painting::Parts::operator()(const SelectArea& area) {
@@ -54,6 +60,26 @@ void Painting::Parts::operator()(const AddLayer& add) {
 void Painting::Parts::operator()(const PaintPicture& paint) {
     change_layers({Step::Kind::PaintPicture, {}, paint.name},
                   [&] { taken += contents_of(canvas.paint_picture(paint)); });
+}
+
+void Painting::Parts::operator()(const LayTracing& lay) {
+    if (!lay.picture && !tracing) return;
+    end_stroke();
+    history.remember(moment(), {Step::Kind::LayTracing});
+    if (!lay.picture) return tracing.reset();
+    const double opacity = tracing ? tracing->opacity : layers::Tracing{}.opacity;
+    replace_tracing({lay.picture, lay.place, opacity});
+}
+
+void Painting::Parts::operator()(const SetTracing& set) {
+    if (!tracing) return;
+    end_stroke();
+    history.remember(moment(), {Step::Kind::SetTracing});
+    replace_tracing({tracing->picture, set.place, set.opacity});
+}
+
+void Painting::Parts::replace_tracing(layers::Tracing wanted) {
+    tracing = std::make_shared<const layers::Tracing>(std::move(wanted));
 }
 
 void Painting::Parts::operator()(const SetLayer& set) {
@@ -120,6 +146,7 @@ void Painting::Parts::operator()(const ResizeCanvas& resize) {
     history.remember(moment(), {Step::Kind::ResizeCanvas});
     book(canvas.resize(extent, support_mm));
     selection = on_extent(selection, extent);
+    if (tracing) replace_tracing(moved(*tracing, -extent.x0 * film.cell_mm, -extent.y0 * film.cell_mm));
     bare = std::make_shared<const BareCanvas>(std::move(wanted), std::move(support_mm));
 }
 

@@ -36,6 +36,7 @@ Moment Painting::Parts::moment() const {
                   .brush = brush,
                   .medium = medium.name,
                   .selection = selection,
+                  .tracing = tracing,
                   .tilt = tilt,
                   .brush_use = brush_use,
                   .taken = taken,
@@ -50,6 +51,7 @@ void Painting::Parts::return_to(const Moment& then) {
     bare = then.bare;
     return_well_to(then);
     selection = then.selection;
+    tracing = then.tracing;
     if (then.medium != medium.name) film.varied = true;
     taken = then.taken;
     wiped = then.wiped;

@@ -50,6 +50,8 @@ struct Painting::Parts {
     void operator()(const SelectLayer& select);
     void operator()(const AddLayer& add);
     void operator()(const PaintPicture& paint);
+    void operator()(const LayTracing& lay);
+    void operator()(const SetTracing& set);
     void operator()(const SetLayer& set);
     void operator()(const SetGroup& set);
     void operator()(const MoveLayer& move);
@@ -98,6 +100,7 @@ struct Painting::Parts {
     film::SupportHeights resized_support(const CanvasSettings& wanted, const grid::Extent& extent);
     void select(const grid::Mask& area, Combination how);
     void replace_selection(Selection wanted);
+    void replace_tracing(layers::Tracing wanted);
 
     // The account.
 
@@ -147,6 +150,7 @@ struct Painting::Parts {
     brush::HandAids aids;
     brush::Symmetry symmetry;
     Selection selection;
+    std::shared_ptr<const layers::Tracing> tracing;  ///< null: none
     std::optional<brush::StrokeGroup> stroke;
     film::Solver* touched = &solver;  ///< of the surface that the stroke is on
     brush::PenSample last_sample;

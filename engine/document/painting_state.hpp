@@ -9,6 +9,7 @@
 #include "film/ageing.hpp"
 #include "film/solver_memory.hpp"
 #include "film/state.hpp"
+#include "layers/tracing.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -52,6 +53,7 @@ struct PaintingState {
     brush::HandAids aids{};
     brush::Symmetry symmetry{};
     Selection selection{};
+    std::shared_ptr<const layers::Tracing> tracing{};  ///< null: none
 
     brush::Contents taken{};           ///< from the tubes so far
     brush::Contents wiped{};           ///< off the brush so far

@@ -1,4 +1,4 @@
-// A picture that is put onto the canvas as paint, as plain data.
+// Pictures that are put onto the canvas as paint, or below it to be traced, as plain data.
 #pragma once
 
 #include "layers/picture.hpp"
@@ -20,6 +20,25 @@ struct PaintPicture {
         return a.name == b.name && a.place == b.place &&
                (a.picture == b.picture || *a.picture == *b.picture);
     }
+};
+
+/// Lays a picture below the paint to be traced, in place of the one before, or takes that away. It is
+/// seen in the window alone, and is no paint.
+struct LayTracing {
+    /// As in PaintPicture; null: none.
+    std::shared_ptr<const layers::Picture> picture;
+    layers::PicturePlace place;  ///< as in PaintPicture
+
+    friend bool operator==(const LayTracing& a, const LayTracing& b) {
+        return a.place == b.place &&
+               (a.picture == b.picture || (a.picture && b.picture && *a.picture == *b.picture));
+    }
+};
+/// Where the tracing picture lies, and how strongly it shows. Nothing happens where there is none.
+struct SetTracing {
+    layers::PicturePlace place;
+    double opacity = 0.5;  ///< 0 to 1
+    friend bool operator==(const SetTracing&, const SetTracing&) = default;
 };
 
 }  // namespace pastoso::document

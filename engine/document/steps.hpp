@@ -28,7 +28,9 @@ struct Step {
         UngroupLayers,
         Select,
         ResizeCanvas,
-        PaintPicture
+        PaintPicture,
+        LayTracing,
+        SetTracing
     };
     Kind kind = Kind::Stroke;
     std::string brush{};  ///< name of the preset; "" where none had a part in it

@@ -183,16 +183,52 @@ StoredPicture read_picture(const std::filesystem::path& path) {
     return result;
 }
 
-layers::Picture decode_png(std::string_view file) {
+namespace {
+
+struct DecodedPng {
+    layers::Picture picture;
+    IccProfile profile;
+};
+
+DecodedPng decoded(std::string_view file) {
     const ImagesLibrary& library = images_library();
     PastosoPixels pixels{};
     std::array<char, 512> error{};
     if (library.decode_png(file.data(), file.size(), &pixels, error.data(), error.size()) != 0)
         throw core::InputError("the picture " + std::string(error.data()) + ".");
-    layers::Picture picture{pixels.width, pixels.height, {}};
-    picture.rgba.assign(pixels.rgba, pixels.rgba + std::size_t{4} * pixels.width * pixels.height);
+    DecodedPng png{{pixels.width, pixels.height, {}}, {}};
+    png.picture.rgba.assign(pixels.rgba, pixels.rgba + std::size_t{4} * pixels.width * pixels.height);
+    if (pixels.icc_profile != nullptr) png.profile.assign(pixels.icc_profile, pixels.icc_bytes);
     library.free_pixels(&pixels);
-    return picture;
+    return png;
+}
+
+void convert_to_srgb(layers::Picture& picture, const IccProfile& profile) {
+    shade::LinearImage image{picture.width, picture.height, {}};
+    const std::size_t count = picture.rgba.size() / 4;
+    image.rgb.resize(3 * count);
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            image.rgb[3 * i + k] = static_cast<float>(picture.rgba[4 * i + k]) / 255.0F;
+    into_working_space(image, {profile, false, {}}, "the picture");
+    const shade::Image8 encoded = shade::encode_srgb8(image);
+    for (std::size_t i = 0; i < count; ++i)
+        std::copy_n(&encoded.rgb[3 * i], 3, &picture.rgba[4 * i]);
+}
+
+}  // namespace
+
+layers::Picture decode_png(std::string_view file) {
+    return decoded(file).picture;
+}
+
+layers::Picture decode_png_to_srgb(std::string_view file) {
+    DecodedPng png = decoded(file);
+    if (png.profile.empty() && has_png_chunk(file, "iCCP"))
+        throw core::InputError("the picture holds an ICC profile that is none (it is damaged).");
+    const bool is_srgb = png.profile.empty() || png.profile == icc_profile(pigment::WorkingSpace::Srgb);
+    if (!is_srgb) convert_to_srgb(png.picture, png.profile);
+    return png.picture;
 }
 
 std::string png_file(const layers::Picture& picture) {

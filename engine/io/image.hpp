@@ -68,7 +68,11 @@ StoredPicture read_picture(const std::filesystem::path& path);
 /// damaged, or larger than read_grey_image() reads.
 layers::Picture decode_png(std::string_view file);
 
-/// The other way round, exactly; packed fast rather than small.
+/// The same with its colours in sRGB, by the ICC profile in the file where there is one; those beyond it
+/// are brought in (pigment::into_gamut). Throws InputError for a profile that is none, too.
+layers::Picture decode_png_to_srgb(std::string_view file);
+
+/// decode_png() the other way round, exactly; packed fast rather than small.
 std::string png_file(const layers::Picture& picture);
 
 /// Reads any image that OpenImageIO knows as one grey value a pixel: the first of one or two channels,

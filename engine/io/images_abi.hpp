@@ -8,7 +8,7 @@
 extern "C" {
 
 /// Raised whenever a declaration below changes; a module of another number is refused.
-inline constexpr int kPastosoImagesAbi = 6;
+inline constexpr int kPastosoImagesAbi = 7;
 
 enum PastosoSampleType {
     kPastosoUint8 = 0,
@@ -71,6 +71,8 @@ struct PastosoColours {
 struct PastosoPixels {
     unsigned char* rgba;
     int width, height;
+    char* icc_profile;  ///< null where there is none
+    std::size_t icc_bytes;
 };
 
 using PastosoImagesAbi = int();

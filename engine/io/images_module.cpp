@@ -241,14 +241,20 @@ void fill_place(const OIIO::ImageSpec& spec, PastosoColours& colours) {
     colours.px_per_mm_y = static_cast<double>(spec.get_float_attribute("YResolution")) / unit;
 }
 
+/// `Picture` has icc_profile and icc_bytes.
+template <class Picture>
+void fill_profile(const OIIO::ImageSpec& spec, Picture& picture) {
+    const OIIO::ParamValue* profile = spec.find_attribute("ICCProfile");
+    if (profile == nullptr) return;
+    picture.icc_bytes = static_cast<std::size_t>(profile->datasize());
+    picture.icc_profile = new char[picture.icc_bytes];
+    std::memcpy(picture.icc_profile, profile->data(), picture.icc_bytes);
+}
+
 void fill_meaning(const OIIO::ImageSpec& spec, PastosoColours& colours) {
     const std::string space = spec.get_string_attribute("oiio:ColorSpace");
     colours.is_linear = space == "Linear" || space == "linear" || spec.format.is_floating_point();
-    if (const OIIO::ParamValue* profile = spec.find_attribute("ICCProfile")) {
-        colours.icc_bytes = static_cast<std::size_t>(profile->datasize());
-        colours.icc_profile = new char[colours.icc_bytes];
-        std::memcpy(colours.icc_profile, profile->data(), colours.icc_bytes);
-    }
+    fill_profile(spec, colours);
     if (const OIIO::ParamValue* places = spec.find_attribute("chromaticities", kChromaticities)) {
         colours.has_chromaticities = 1;
         std::memcpy(colours.chromaticities, places->data(), sizeof colours.chromaticities);
@@ -297,7 +303,8 @@ std::string decode_png(const void* bytes, std::size_t count, PastosoPixels& pixe
     auto rgba = std::make_unique<unsigned char[]>(4 * all);
     for (std::size_t i = 0; i < all; ++i)
         spread(&stored[i * channels], spec.nchannels, spec.nchannels % 2 == 0, &rgba[4 * i]);
-    pixels = {rgba.release(), spec.width, spec.height};
+    pixels = {rgba.release(), spec.width, spec.height, nullptr, 0};
+    fill_profile(spec, pixels);
     return "";
 }
 
@@ -373,7 +380,9 @@ int pastoso_images_decode_png(const void* bytes, std::size_t count, PastosoPixel
 
 void pastoso_images_free_pixels(PastosoPixels* pixels) {
     delete[] pixels->rgba;
+    delete[] pixels->icc_profile;
     pixels->rgba = nullptr;
+    pixels->icc_profile = nullptr;
 }
 
 void pastoso_images_free(PastosoGrey* grey) {

@@ -104,6 +104,18 @@ document::Action read_drying(const JsonPlace& place) {
     return document::SetDrying{air};
 }
 
+document::Action read_picture(const JsonPlace& place, double& pixels) {
+    return read_paint_picture(place, pixels);
+}
+
+document::Action read_tracing(const JsonPlace& place, double& pixels) {
+    return read_lay_tracing(place, pixels);
+}
+
+document::Action read_tracing_setting(const JsonPlace& place) {
+    return read_set_tracing(place);
+}
+
 document::Action read_squeeze(const JsonPlace& place) {
     place.allow_only({"paint", "volume_mm3", "x_mm", "y_mm"});
     document::SqueezePaint squeeze;
@@ -171,10 +183,20 @@ constexpr Kind kKinds[] = {
     {"select_by_wetness", read_select_by_wetness},
     {"invert_selection", read_plain<document::InvertSelection>},
     {"resize_canvas", read_resize},
+    {"set_tracing", read_tracing_setting},
     {"select_all", read_plain<document::SelectAll>},
 };
 
-constexpr const char* kPictureKey = "paint_picture";
+/// What holds a picture, and counts its pixels.
+struct PictureKind {
+    const char* key;
+    document::Action (*read)(const JsonPlace& place, double& pixels);
+};
+
+constexpr PictureKind kPictureKinds[] = {
+    {"paint_picture", read_picture},
+    {"lay_tracing", read_tracing},
+};
 
 /// [time, x, y, pressure, tilt_x, tilt_y, rotation]; angles left out at the end are 0.
 brush::PenSample read_sample(const JsonPlace& place) {
@@ -229,12 +251,16 @@ class EventReader {
             add(tick, kind.read(*content), *content);
             return;
         }
-        if (const auto picture = entry.optional_entry(kPictureKey)) {
-            entry.allow_only({"tick", kPictureKey});
-            add(tick, read_paint_picture(*picture, picture_pixels_), *picture);
+        for (const PictureKind& kind : kPictureKinds) {
+            const auto content = entry.optional_entry(kind.key);
+            if (!content) continue;
+            entry.allow_only({"tick", kind.key});
+            add(tick, kind.read(*content, picture_pixels_), *content);
             return;
         }
-        std::string kinds = std::string("stroke, ") + kPictureKey;
+        std::string kinds = "stroke";
+        for (const PictureKind& kind : kPictureKinds)
+            kinds += std::string(", ") + kind.key;
         for (const Kind& kind : kKinds)
             kinds += std::string(", ") + kind.key;
         entry.fail("expected one of " + kinds + " beside the tick.");

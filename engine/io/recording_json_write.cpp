@@ -206,6 +206,8 @@ class EntryWriter {
     void operator()(const document::PaintPicture& paint) {
         put("paint_picture", paint_picture_json(paint));
     }
+    void operator()(const document::LayTracing& lay) { put("lay_tracing", lay_tracing_json(lay)); }
+    void operator()(const document::SetTracing& set) { put("set_tracing", set_tracing_json(set)); }
     void operator()(const document::InvertSelection&) { put("invert_selection", Json::object()); }
     void operator()(const document::SelectAll&) { put("select_all", Json::object()); }
 
@@ -245,11 +247,16 @@ bool uses_regions_or_pictures(const Event& event) {
                      TransformLayer, ResizeCanvas, PaintPicture>(event.action);
 }
 
+bool uses_tracing(const Event& event) {
+    return is_one_of<document::LayTracing, document::SetTracing>(event.action);
+}
+
 int version_needed(const document::Recording& recording) {
     const auto any = [&](bool (*uses)(const Event&)) {
         return std::any_of(recording.events.begin(), recording.events.end(), uses);
     };
     const bool on_cloth = recording.canvas.support_x_mm != 0.0 || recording.canvas.support_y_mm != 0.0;
+    if (any(uses_tracing)) return 7;
     if (on_cloth || any(uses_regions_or_pictures)) return 6;
     if (any(uses_layers)) return 5;
     return any(uses_well) ? 4 : 3;

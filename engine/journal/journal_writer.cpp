@@ -48,7 +48,8 @@ bool write_all(int file, const std::string& bytes) {
 }
 
 bool is_picture(const document::Event& event) {
-    return std::holds_alternative<document::PaintPicture>(event.action);
+    return std::holds_alternative<document::PaintPicture>(event.action) ||
+           std::holds_alternative<document::LayTracing>(event.action);
 }
 
 /// Where the frame ends that begins with this event. A picture has a frame of its own.

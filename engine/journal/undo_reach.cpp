@@ -15,14 +15,19 @@ bool changes_layers(const document::Action& action) {
                      UngroupLayers, PaintPicture>(action);
 }
 
+bool lays_picture(const document::Action& action) {
+    const auto* lay = std::get_if<document::LayTracing>(&action);
+    return lay != nullptr && lay->picture != nullptr;
+}
+
 }  // namespace
 
 void UndoReach::note(const document::Action& action) {
-    // Cleaning a well that is bare already is no step, nor is changing a selection that there is not, so
-    // these are not counted on.
+    // Cleaning a well that is bare already is no step, nor is changing a selection or a tracing picture
+    // that there is not, so these are not counted on.
     if (is_one_of<document::PenDown, document::DryNow, document::SqueezePaint, document::SelectArea,
                   document::SelectByHeight, document::SelectByWetness, document::ResizeCanvas>(action) ||
-        changes_layers(action))
+        changes_layers(action) || lays_picture(action))
         ++undoable_;
     if (changes_painting(action) && !is_one_of<document::Undo, document::Redo>(action)) redoable_ = 0;
     if (is_one_of<document::Undo>(action)) {
@@ -42,7 +47,7 @@ bool changes_painting(const document::Action& action) {
            is_one_of<document::PenDown, document::DryNow, document::SqueezePaint, document::CleanWell,
                      document::Undo, document::Redo, document::SelectArea, document::SelectByHeight,
                      document::SelectByWetness, document::ResizeCanvas, document::InvertSelection,
-                     document::SelectAll>(action);
+                     document::SelectAll, document::LayTracing, document::SetTracing>(action);
 }
 
 }  // namespace pastoso::journal

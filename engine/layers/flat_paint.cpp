@@ -23,13 +23,6 @@ std::int32_t relief_steps(float coverage) {
         std::lround(coverage * static_cast<float>(kFlatPaint_mm / film::kSupportQuantum_mm)));
 }
 
-film::StrataOptics optics_of(const pigment::Bands& reflectance, float coverage) {
-    film::StrataOptics optics{};
-    for (int band = 0; band < pigment::kBands; ++band)
-        film::set_optics(band, pigment::laid_in_part(reflectance[band], coverage), optics);
-    return optics;
-}
-
 /// The pigment of so thick a film, in quanta.
 film::PigmentCell pigment_of(const pigment::Coefficients& paint, double thickness_mm) {
     film::PigmentCell pigment{};
@@ -55,7 +48,7 @@ void put(const CoveredColour& colour, int cell, FlatTile& tile) {
     const film::PigmentCell pigment =
         pigment_of(pigment::paint_of_bands(reflectance), steps * film::kSupportQuantum_mm);
     tile.relief_mm.write()[cell] = static_cast<float>(steps * film::kSupportQuantum_mm);
-    tile.optics.write()[cell] = optics_of(reflectance, colour.coverage);
+    tile.optics.write()[cell] = picture_optics(reflectance, colour.coverage);
     tile.uppermost.write()[cell] = film::mixture_of(pigment.data(), thickness);
     tile.fixed.thickness += thickness;
     for (int k = 0; k < film::kPigmentChannels; ++k)
@@ -74,6 +67,13 @@ std::optional<FlatTile> tile_of(const PictureMeans& means, const grid::Rect& cel
 }
 
 }  // namespace
+
+film::StrataOptics picture_optics(const pigment::Bands& reflectance, float coverage) {
+    film::StrataOptics optics{};
+    for (int band = 0; band < pigment::kBands; ++band)
+        film::set_optics(band, pigment::laid_in_part(reflectance[band], coverage), optics);
+    return optics;
+}
 
 FilmState flat_paint(const Picture& picture, const PicturePlace& place, grid::Shape shape,
                      double cell_mm, core::ThreadPool& pool) {

@@ -83,7 +83,7 @@ class Importer {
         try {
             const Bytes file = archive_.read(picture.source, kMostPictureBytes);
             layers::Picture pixels =
-                io::decode_png({reinterpret_cast<const char*>(file.data()), file.size()});
+                io::decode_png_to_srgb({reinterpret_cast<const char*>(file.data()), file.size()});
             unpacked_ += 1.0 * pixels.width * pixels.height;
             const layers::PicturePlace place{picture.x * mm_per_px_x_, picture.y * mm_per_px_y_,
                                              pixels.width * mm_per_px_x_, pixels.height * mm_per_px_y_};

@@ -3,6 +3,7 @@
 #include "document/canvas.hpp"
 #include "document/well.hpp"
 #include "film/support.hpp"
+#include "io/image.hpp"
 #include "io/recording_json.hpp"
 #include "project/mask_bits.hpp"
 #include "project/project.hpp"
@@ -210,6 +211,18 @@ void read_selection(const ZipReader& archive, const PackedEntry& packed, Paintin
     painting.selection = std::make_shared<const grid::Mask>(std::move(mask));
 }
 
+void read_tracing(const ZipReader& archive, const document::SetTracing& set, PaintingState& painting) {
+    const Bytes file = archive.read(kTracingEntry, kMostTracingBytes);
+    auto picture = std::make_shared<layers::Picture>();
+    try {
+        *picture = io::decode_png({reinterpret_cast<const char*>(file.data()), file.size()});
+    } catch (const core::InputError& error) {
+        archive.fail(kTracingEntry, error.what());
+    }
+    painting.tracing =
+        std::make_shared<const layers::Tracing>(layers::Tracing{picture, set.place, set.opacity});
+}
+
 /// Strokes that cannot be read cost their replay, not the painting.
 void read_strokes(const ZipReader& archive, const PackedEntry& strokes, LoadedProject& project) {
     const PaintingState& painting = project.painting;
@@ -248,6 +261,7 @@ LoadedProject loaded(const ZipReader& archive, core::ThreadPool& pool) {
         archive.fail(kIndexEntry, "the brush in hand is told of only in part.");
     if (index.brush) read_brush(archive, *index.brush, painting);
     if (index.selection) read_selection(archive, *index.selection, painting);
+    if (index.tracing) read_tracing(archive, *index.tracing, painting);
     read_strokes(archive, index.strokes, project);
     return project;
 }

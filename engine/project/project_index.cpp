@@ -1,7 +1,9 @@
 #include "project/project_index.hpp"
 
+#include "document/action_checks.hpp"
 #include "io/json_place.hpp"
 #include "io/layers_json.hpp"
+#include "io/picture_json.hpp"
 #include "packing/packed_bytes.hpp"
 #include "project/project_layout.hpp"
 #include "project/tile_kinds.hpp"
@@ -314,7 +316,8 @@ void check_header(const JsonPlace& root) {
                   "; this program reads up to " + std::to_string(kProjectFormatVersion) + ").");
     }
     root.allow_only({"format", "version", "program", "tick", "ageing", "account", "layers", "stack",
-                     "bare_support", "support_form", "well", "brush", "selection", "strokes"});
+                     "bare_support", "support_form", "well", "brush", "selection", "tracing",
+                     "strokes"});
 }
 
 }  // namespace
@@ -353,6 +356,7 @@ std::string index_to_json(const ProjectIndex& index) {
                          {"held", packed_json(index.brush->held)}};
     }
     if (index.selection) json["selection"] = packed_json(*index.selection);
+    if (index.tracing) json["tracing"] = io::set_tracing_json(*index.tracing);
     json["strokes"] = packed_json(index.strokes);
     return json.dump() + "\n";
 }
@@ -377,6 +381,10 @@ ProjectIndex index_from_json(const std::string& text, const std::string& name) {
     if (const auto brush = root.optional_entry("brush")) index.brush = read_brush(*brush);
     if (const auto selection = root.optional_entry("selection"))
         index.selection = read_packed_alone(*selection, kMostSelectionBytes);
+    if (const auto tracing = root.optional_entry("tracing")) {
+        index.tracing = io::read_set_tracing(*tracing);
+        tracing->guard([&] { document::check_action(*index.tracing); });
+    }
     index.strokes = read_packed_alone(root.entry("strokes"), kMostStrokesBytes);
     return index;
 }

@@ -69,6 +69,7 @@ struct ProjectIndex {
     std::optional<SurfaceIndex> well{};
     std::optional<BrushIndex> brush{};
     std::optional<PackedEntry> selection{};
+    std::optional<document::SetTracing> tracing{};  ///< where its picture lies in an entry of its own
     PackedEntry strokes{};
 };
 

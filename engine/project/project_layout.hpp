@@ -12,6 +12,7 @@ inline constexpr const char* kSetupEntry = "pastoso/setup.json";
 inline constexpr const char* kStrokesEntry = "pastoso/strokes.json.zst";
 inline constexpr const char* kBrushEntry = "pastoso/brush.zst";
 inline constexpr const char* kSelectionEntry = "pastoso/selection.zst";
+inline constexpr const char* kTracingEntry = "pastoso/tracing.png";
 inline constexpr const char* kBareSupportFolder = "pastoso/bare/";
 inline constexpr const char* kWellFolder = "pastoso/well/";
 
@@ -22,6 +23,7 @@ inline constexpr std::size_t kEntryBytes = std::size_t{4} << 20;
 inline constexpr std::size_t kMostIndexBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kMostSetupBytes = std::size_t{4} << 20;
 inline constexpr std::size_t kMostSelectionBytes = std::size_t{512} << 20;
+inline constexpr std::size_t kMostTracingBytes = std::size_t{512} << 20;
 inline constexpr std::size_t kMostStrokesBytes = std::size_t{512} << 20;
 
 }  // namespace pastoso::project

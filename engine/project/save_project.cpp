@@ -1,6 +1,7 @@
 #include "brush/preset.hpp"
 #include "core/text_file.hpp"
 #include "document/action_checks.hpp"
+#include "io/image.hpp"
 #include "io/recording_json.hpp"
 #include "project/mask_bits.hpp"
 #include "project/project.hpp"
@@ -134,6 +135,11 @@ void add_painting(const Project& project, Draft& draft) {
     }
     if (painting.selection)
         index.selection = add_packed(kSelectionEntry, mask_bits(*painting.selection), draft.archive);
+    if (painting.tracing) {
+        const layers::Tracing& tracing = *painting.tracing;
+        index.tracing = {tracing.place, tracing.opacity};
+        draft.archive.add(kTracingEntry, io::png_file(*tracing.picture));
+    }
     const std::string strokes = io::recording_to_json(project.strokes);
     index.strokes = add_packed(kStrokesEntry, packing::bytes_of(strokes), draft.archive);
 }

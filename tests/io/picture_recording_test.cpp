@@ -55,6 +55,21 @@ TEST(PictureRecording, IsCompleteByItself) {
     EXPECT_EQ(recording_from_json(text, "file"), recording());
 }
 
+TEST(PictureRecording, KeepsWhatWasTraced) {
+    document::Recording traced = recording();
+    const auto picture = noise(5, 7);
+    traced.events = {{1, document::LayTracing{picture, {-3, 2.5, 20, 28}}},
+                     {2, document::SetTracing{{1, 2, 3, 4.5}, 0.3}},
+                     {3, document::LayTracing{}}};
+    const std::string text = recording_to_json(traced);
+    EXPECT_THAT(text, HasSubstr("\"version\": 7"));
+    EXPECT_EQ(recording_from_json(text, "file"), traced);
+    EXPECT_THAT(sentence_of(changed(text, "0.3", "3")),
+                HasSubstr("events[1].set_tracing: the opacity of the tracing picture is 3"));
+    EXPECT_THAT(sentence_of(changed(text, "\"png\"", "\"gif\"")),
+                HasSubstr("file, events[0].lay_tracing"));
+}
+
 TEST(PictureRecording, GivesTheSamePainting) {
     core::ThreadPool pool(2);
     const auto played = [&](const document::Recording& recording) {

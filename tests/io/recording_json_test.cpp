@@ -184,8 +184,8 @@ TEST(RecordingJson, ReadsTheFirstVersion) {
 
 TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
     EXPECT_EQ(
-        error(R"({"format":"pastoso-strokes","version":7,"more":[]})"),
-        "s.json: this was written by a newer Pastoso (stroke format 7; this program reads up to 6).");
+        error(R"({"format":"pastoso-strokes","version":8,"more":[]})"),
+        "s.json: this was written by a newer Pastoso (stroke format 8; this program reads up to 7).");
 }
 
 TEST(RecordingJson, NamesWhatIsMissingOrMisspelt) {

@@ -42,6 +42,34 @@ TEST_F(StoredPictureTest, OfAPngIsThePictureItself) {
         EXPECT_NEAR(stored.picture.rgba[i], picture.rgba[i], i % 4 == 3 ? 0 : 1);
 }
 
+/// Red of Display P3, more or less, and a grey; as a PNG file with its profile.
+std::string p3_png() {
+    return png_file(shade::Image8{2, 1, {200, 60, 50, 120, 120, 120}, pigment::WorkingSpace::DisplayP3});
+}
+
+TEST_F(StoredPictureTest, InMemoryHasTheColoursOfTheFile) {
+    core::write_text_file(folder / "a.png", p3_png());
+    const layers::Picture picture = decode_png_to_srgb(p3_png());
+    EXPECT_EQ(picture, read_picture(folder / "a.png").picture);
+    EXPECT_GT(picture.rgba[0], 205);  // the same red takes more of a narrower primary
+    EXPECT_EQ(decode_png(p3_png()).rgba[0], 200);
+    EXPECT_NEAR(picture.rgba[4], 120, 1);
+}
+
+TEST_F(StoredPictureTest, OurOwnColoursAreTakenAsTheyAre) {
+    const layers::Picture picture = noise(13, 7);
+    EXPECT_EQ(decode_png_to_srgb(png_file(picture)), picture);
+}
+
+TEST_F(StoredPictureTest, InMemoryRefusesAProfileThatIsNone) {
+    std::string file = p3_png();
+    const std::size_t profile = file.find("iCCP");
+    ASSERT_NE(profile, std::string::npos);
+    for (std::size_t i = profile + 20; i < profile + 60; ++i)
+        file[i] = 'x';
+    EXPECT_THAT(sentence_of([&] { decode_png_to_srgb(file); }), HasSubstr("ICC profile that is none"));
+}
+
 TEST_F(StoredPictureTest, KnowsItsSize) {
     const shade::Image8 image{40, 20, std::vector<std::uint8_t>(std::size_t{3} * 40 * 20, 90)};
     for (const char* name : {"a.png", "a.jpg", "a.tif"}) {

@@ -4,6 +4,7 @@
 #include "core/random.hpp"
 #include "document/events.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,7 @@ class HastyPainter {
     explicit HastyPainter(std::uint32_t seed) : seed_(seed) {}
 
     /// What is done next: a stroke as a rule, now and then Undo, Redo, DryNow, other paint, the well,
-    /// layers, selections.
+    /// layers, selections, tracing pictures.
     std::vector<document::Action> next() {
         using namespace document;
         if (!began_) {
@@ -52,6 +53,9 @@ class HastyPainter {
             return {
                 TransformLayer{1, {.centre_x_mm = 30, .centre_y_mm = 20, .turn_deg = 60.0 * uniform()}}};
         if (what == 16) return {ResizeCanvas{10.0 * uniform() - 5.0, 0, 40.0 + choice(30), 40}};
+        if (what == 17 && choice(3) == 0) return {LayTracing{}};
+        if (what == 17) return {LayTracing{picture(), {5.0 * uniform(), 0, 40, 30}}};
+        if (what == 18) return {SetTracing{{0, 0, 30, 20}, uniform()}};
         if (what == 12 && choice(3) == 0) return {FlattenLayers{}};
         return stroke(what == 8 ? Surface::Well : Surface::Canvas);
     }
@@ -59,6 +63,11 @@ class HastyPainter {
   private:
     double uniform() { return core::uniform_noise(drawn_++, seed_); }
     int choice(int count) { return static_cast<int>(uniform() * count); }
+
+    std::shared_ptr<const layers::Picture> picture() {
+        return std::make_shared<const layers::Picture>(
+            layers::Picture{1, 2, {255, 0, 0, 255, 0, 0, static_cast<std::uint8_t>(choice(256)), 128}});
+    }
 
     document::Action dip() {
         static constexpr const char* kPaints[] = {"PR108", "PY35", "PB29"};

@@ -119,6 +119,22 @@ TEST_F(BadProject, LayersThatCannotBeAreRefused) {
     EXPECT_THAT(error_of_index("\"layers\":[", "\"layers\":[],\"x\":["), HasSubstr("\"x\""));
 }
 
+TEST_F(BadProject, ATracingPictureThatIsNoneIsRefused) {
+    Project project = busy_project(pool);
+    project.painting.tracing = std::make_shared<const layers::Tracing>(layers::Tracing{
+        std::make_shared<const layers::Picture>(layers::Picture{1, 1, {9, 9, 9, 255}}), {1, 2, 3, 4}});
+    file = file_of(project, folder, pool);
+    EXPECT_THAT(error_of_index("\"opacity\":0.5", "\"opacity\":5"),
+                HasSubstr("tracing: the opacity of the tracing picture is 5"));
+    EXPECT_THAT(error_of_index("\"width_mm\":3.0", "\"width_mm\":-3"),
+                HasSubstr("tracing: the width of the picture in mm is -3"));
+    EXPECT_THAT(error_of_entry("pastoso/tracing.png", "none"),
+                HasSubstr("it.pastoso, pastoso/tracing.png: the picture "));
+    Entries entries = entries_of(file);
+    std::erase_if(entries, [](const auto& entry) { return entry.first == "pastoso/tracing.png"; });
+    EXPECT_THAT(error_of(archive_of(entries)), HasSubstr("pastoso/tracing.png: is missing"));
+}
+
 TEST_F(BadProject, SizesThatDoNotFitAreRefusedBeforeAnythingIsAllocated) {
     EXPECT_THAT(error_of_index("\"cells\":[180,90]", "\"cells\":[32768,32768]"),
                 HasSubstr("the canvas has 32768 x 32768 cells, but 180 x 90"));

@@ -76,6 +76,23 @@ TEST_F(ImportOpenRaster, MakesALayerOfPaintOfEveryLayer) {
     EXPECT_EQ(films[1]->support_mm.at(60, 60), 0.0F);
 }
 
+TEST_F(ImportOpenRaster, HonoursProfiles) {
+    const auto first_pixel = [&](const std::string& png) {
+        Entries entries = small_file();
+        for (auto& [name, content] : entries)
+            if (name == "data/red.png") content = png;
+        const LoadedProject project = import(archive_of(entries));
+        for (const document::Event& event : project.strokes.events)
+            if (const auto* paint = std::get_if<document::PaintPicture>(&event.action))
+                if (paint->name == "Red") return paint->picture->rgba;
+        return std::vector<std::uint8_t>{};
+    };
+    const std::string wide =
+        io::png_file(shade::Image8{1, 1, {200, 60, 50}, pigment::WorkingSpace::DisplayP3});
+    EXPECT_EQ(first_pixel(wide), io::decode_png_to_srgb(wide).rgba);
+    EXPECT_NE(first_pixel(wide), io::decode_png(wide).rgba);
+}
+
 TEST_F(ImportOpenRaster, IsRecordedSoThatItCanBePaintedAgain) {
     const LoadedProject project = import(archive_of(small_file()));
     document::Painting painting(project.strokes.canvas, pool);

@@ -65,6 +65,10 @@ void expect_equal(const document::PaintingState& a, const document::PaintingStat
     if (a.selection) {
         EXPECT_EQ(mask_bits(*a.selection), mask_bits(*b.selection));
     }
+    ASSERT_EQ(a.tracing != nullptr, b.tracing != nullptr);
+    if (a.tracing) {
+        EXPECT_EQ(*a.tracing, *b.tracing);
+    }
     EXPECT_EQ(a.taken, b.taken);
     EXPECT_EQ(a.wiped, b.wiped);
     EXPECT_EQ(a.forgotten_run_off.paint, b.forgotten_run_off.paint);
@@ -140,6 +144,18 @@ TEST_F(ProjectRoundTrip, ASelectionComesBackToTheCell) {
              document::line_on(document::Surface::Canvas, 2.0, 4, 40, 15))
             one->apply(action);
     EXPECT_EQ(again.state_hash(), painting->state_hash());
+}
+
+TEST_F(ProjectRoundTrip, ATracingPictureComesBackToThePixel) {
+    auto painting = played(busy_session(), 85, pool);
+    painting->apply(document::LayTracing{
+        std::make_shared<const layers::Picture>(layers::Picture{2, 1, {1, 2, 3, 4, 250, 6, 7, 0}}),
+        {-2.5, 3, 20, 10}});
+    painting->apply(document::SetTracing{{-2.5, 3, 20.25, 10}, 0.7});
+    const Project project{painting->state(), {}};
+    const LoadedProject loaded = saved_and_loaded(project);
+    ASSERT_TRUE(loaded.painting.tracing);
+    expect_equal(loaded.painting, project.painting);
 }
 
 TEST_F(ProjectRoundTrip, ACanvasThatWasCutComesBackAndReplays) {
