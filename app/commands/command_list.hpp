@@ -15,6 +15,8 @@ enum class Command {
     Quit,
     Undo,
     Redo,
+    CanvasSize,
+    CropToSelection,
     SmallerBrush,
     LargerBrush,
     NextBrush,

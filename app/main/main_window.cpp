@@ -59,6 +59,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     connect_guide_commands();
     connect_layers();
     connect_selection();
+    connect_canvas_size();
     connect_light_commands();
     connect_project_commands();
     connect_picture_commands();
@@ -108,6 +109,7 @@ void MainWindow::start_session(std::unique_ptr<core::ThreadPool> pool,
     journal_events_saved_.reset();
     path_.clear();
     saved_changes_ = 0;
+    shown_bare_.reset();
     show_title();
     forget_layer_pictures();
 }
@@ -142,7 +144,7 @@ void MainWindow::replay(const document::Recording& recording) {
 
 void MainWindow::show_published() {
     const auto snapshot = session_->snapshot();
-    canvas_->show_snapshot(snapshot);
+    canvas_->show_snapshot(snapshot, follow_cloth(snapshot->bare));
     readings_->show_canvas(snapshot->bare->settings);
     show_layers(*snapshot);
     show_selection(*snapshot);

@@ -62,8 +62,8 @@ class MainWindow : public QMainWindow {
     /// does. Throws core::InputError and keeps the old one when it cannot.
     void open_painting(const QString& path);
 
-    /// Puts up a new canvas with a picture or the layers of an OpenRaster file as dry paint, which has no
-    /// file yet. Throws core::InputError and keeps the old painting when it cannot.
+    /// Puts up a new canvas with a picture or the layers of an OpenRaster file as dry paint, which has
+    /// no file yet. Throws core::InputError and keeps the old painting when it cannot.
     void open_picture(const QString& path);
 
     /// Puts a picture onto the canvas as a layer of dry paint, in the middle and as large as it fits.
@@ -147,6 +147,12 @@ class MainWindow : public QMainWindow {
     void warn_outside(const QPointF& canvas_mm);
     void ask_range(bool wetness);
     void preview_range(bool wetness);
+    void connect_canvas_size();
+    void ask_canvas_size();
+    bool canvas_is_lent();
+    void crop_to_selection();
+    void resize_canvas(const document::ResizeCanvas& resize);
+    std::optional<glm::dvec2> follow_cloth(std::shared_ptr<const document::BareCanvas> bare);
     void show_selection(const document::Snapshot& painting);
     void show_selection_reading();
     panels::LayerPanel* make_layer_panel();
@@ -230,6 +236,7 @@ class MainWindow : public QMainWindow {
     std::map<commands::Command, QDockWidget*> docks_;
     view::CanvasView* canvas_ = nullptr;
     view::CanvasView* well_ = nullptr;
+    std::shared_ptr<const document::BareCanvas> shown_bare_;  ///< of this painting; null at first
     std::shared_ptr<const document::Snapshot> shown_well_;
     std::optional<view::AreaForm> area_form_;  ///< what a press on the canvas draws; none: it paints
     document::Selection shown_selection_;

@@ -185,7 +185,8 @@ void MainWindow::show_selection(const document::Snapshot& painting) {
 
 void MainWindow::show_selection_reading() {
     const bool any = shown_selection_ != nullptr;
-    for (const Command command : {Command::SelectEverything, Command::InvertSelection})
+    for (const Command command :
+         {Command::SelectEverything, Command::InvertSelection, Command::CropToSelection})
         commands_.action(command)->setEnabled(any);
     QString drawing;
     if (area_form_) drawing = area_form_ == view::AreaForm::Lasso ? tr("lasso") : tr("rectangle");

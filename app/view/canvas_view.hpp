@@ -31,8 +31,11 @@ class CanvasView : public QOpenGLWidget {
                         QWidget* parent = nullptr);
     ~CanvasView() override;
 
-    /// Shows this from the next frame on. A snapshot of another canvas is shown whole.
-    void show_snapshot(std::shared_ptr<const document::Snapshot> snapshot);
+    /// Shows this from the next frame on. A snapshot of another canvas is shown whole, but one of the
+    /// same canvas cut or made larger, where what lay on it came to lie so much further from the corner,
+    /// shows what was there where it was.
+    void show_snapshot(std::shared_ptr<const document::Snapshot> snapshot,
+                       std::optional<glm::dvec2> shift_mm = {});
     void set_easel(tools::Easel* easel);
     void set_lighting(const shade::Lighting& lighting);
     void set_viewing(const pigment::Viewing& viewing);
@@ -127,6 +130,7 @@ class CanvasView : public QOpenGLWidget {
     void draw_tip();
     OverlayFrame overlay_frame(const glm::dvec2& origin_px) const;
     void damage_all();
+    void begin_other_canvas();
     bool prepare_textures();
     QRegion damaged_region(const LayerChanges& changes) const;
 
