@@ -44,6 +44,7 @@ enum class Command {
     RenameLayer,
     RemoveLayer,
     ClearLayer,
+    TransformLayer,
     MergeDown,
     FlattenLayers,
     GroupLayers,

@@ -30,7 +30,8 @@ class QMenu;
 
 namespace pastoso::dialogs {
 class SelectRangeDialog;
-}
+class TransformDialog;
+}  // namespace pastoso::dialogs
 
 namespace pastoso::panels {
 class BrushPanel;
@@ -153,6 +154,13 @@ class MainWindow : public QMainWindow {
     void crop_to_selection();
     void resize_canvas(const document::ResizeCanvas& resize);
     std::optional<glm::dvec2> follow_cloth(std::shared_ptr<const document::BareCanvas> bare);
+    void connect_transform();
+    void begin_transform();
+    void show_transform(const tools::TransformFrame& frame, const document::Snapshot& painting);
+    bool end_transform();      ///< false: there was none
+    bool give_up_transform();  ///< the same, and says so
+    void apply_transform();
+    void follow_transform(const document::Snapshot& painting, const session::Status& status);
     void show_selection(const document::Snapshot& painting);
     void show_selection_reading();
     panels::LayerPanel* make_layer_panel();
@@ -241,6 +249,14 @@ class MainWindow : public QMainWindow {
     std::optional<view::AreaForm> area_form_;  ///< what a press on the canvas draws; none: it paints
     document::Selection shown_selection_;
     QPointer<dialogs::SelectRangeDialog> range_;
+    /// What the frame on the canvas stands around.
+    struct Transforming {
+        document::LayerId layer = 0;
+        document::Selection selection;
+        std::shared_ptr<const document::BareCanvas> bare;
+    };
+    std::optional<Transforming> transforming_;
+    QPointer<dialogs::TransformDialog> transform_dialog_;
     QDockWidget* well_panel_ = nullptr;
     panels::BrushPanel* brushes_ = nullptr;
     panels::PaintPanel* paints_ = nullptr;

@@ -89,6 +89,7 @@ void MainWindow::connect_selection() {
 /// Nothing: the brush paints again.
 void MainWindow::draw_areas(std::optional<view::AreaForm> form) {
     if (form == area_form_) return;
+    if (form) end_transform();
     area_form_ = form;
     canvas_->draw_areas(form);
     commands_.action(Command::SelectRectangle)->setChecked(form == view::AreaForm::Rectangle);

@@ -207,6 +207,11 @@ void Easel::resize(const ResizeCanvas& resize) {
     post_(resize);
 }
 
+void Easel::transform(const TransformLayer& transform) {
+    end_stroke();
+    post_(transform);
+}
+
 void Easel::undo() {
     end_stroke();
     post_(Undo{});

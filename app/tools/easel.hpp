@@ -91,6 +91,7 @@ class Easel {
     void move_along(const glm::dvec2& shift_mm);
 
     void resize(const document::ResizeCanvas& resize);
+    void transform(const document::TransformLayer& transform);
     void undo();
     void redo();
 

@@ -243,6 +243,10 @@ void CanvasView::paintGL() {
         draw_selection();
         draw_guides();
     }
+    if (frame_) {
+        draw_frame_picture();
+        draw_frame();
+    }
     draw_tip();
 }
 
@@ -344,7 +348,7 @@ double CanvasView::handle_axis_mm() const {
 }
 
 void CanvasView::draw_tip() {
-    const bool paints = !pan_from_ && !space_held_ && !picks_next_ && !area_form_;
+    const bool paints = !pan_from_ && !space_held_ && !picks_next_ && !area_form_ && !frame_;
     if (!pointer_ || !paints || guide_drag_.active()) return;
     TipShape tip = tip_;
     tip.rotation_deg = easel_->rotation_deg();

@@ -6,6 +6,7 @@
 #include "document/painting.hpp"
 #include "tools/easel.hpp"
 #include "tools/picked_paint.hpp"
+#include "tools/transform_frame.hpp"
 #include "view/area_drag.hpp"
 #include "view/brush_outline.hpp"
 #include "view/guide_drag.hpp"
@@ -17,6 +18,8 @@
 #include <memory>
 #include <optional>
 
+#include <QCursor>
+#include <QImage>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLWidget>
 #include <QTimer>
@@ -55,6 +58,13 @@ class CanvasView : public QOpenGLWidget {
 
     /// Outlines what would be selected in place of what is.
     void preview_selection(std::optional<document::Selection> preview);
+
+    /// Puts up a frame that presses and drags change instead of painting; nothing: they paint.
+    void show_frame(std::optional<tools::TransformFrame> frame);
+    const std::optional<tools::TransformFrame>& frame() const { return frame_; }
+
+    /// What is drawn in the frame, from corner to corner, however it is dragged: its paint, flat.
+    void show_in_frame(const QImage& picture);
 
     const shade::Lighting& lighting() const { return lighting_; }
     const pigment::Viewing& viewing() const { return viewing_; }
@@ -102,6 +112,11 @@ class CanvasView : public QOpenGLWidget {
     void area_given_up();
     void areas_left();  ///< painting goes on
 
+    /// The frame was dragged; what it shows is to be kept; it is to be taken away.
+    void frame_dragged(const tools::TransformFrame& frame);
+    void frame_accepted();
+    void frame_given_up();
+
     /// Nothing can be shown on this machine; one sentence.
     void failed(const QString& sentence);
 
@@ -127,6 +142,8 @@ class CanvasView : public QOpenGLWidget {
     void draw_selection();
     void draw_guides();
     void draw_handles(const OverlayFrame& canvas);
+    void draw_frame();
+    void draw_frame_picture();
     void draw_tip();
     OverlayFrame overlay_frame(const glm::dvec2& origin_px) const;
     void damage_all();
@@ -147,6 +164,11 @@ class CanvasView : public QOpenGLWidget {
     void release_area();
     void leave_areas();
     grid::Rect seen_cells() const;
+    tools::FrameHold hold_under(const QPointF& position) const;
+    void press_frame(const QPointF& position);
+    void drag_frame(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    bool press_frame_key(int key);
+    QCursor frame_cursor() const;
     bool press_guides(const QPointF& position, Qt::KeyboardModifiers modifiers);
     bool drag_guides(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void release_pointer();
@@ -188,6 +210,15 @@ class CanvasView : public QOpenGLWidget {
     SelectionOutline selection_outline_;
     bool outline_shown_ = true;
     std::optional<document::Selection> preview_;
+    /// Since the press.
+    struct FrameDrag {
+        tools::TransformFrame start;
+        tools::FrameHold hold;
+        glm::dvec2 from_mm{};
+    };
+    std::optional<tools::TransformFrame> frame_;
+    std::optional<FrameDrag> frame_drag_;
+    QImage frame_picture_;
     bool handles_shown_ = true;
     std::optional<tools::Pick> picks_next_;
     bool picking_ = false;  ///< this press picks and does not paint
