@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QToolButton>
 
 namespace pastoso::dialogs {
 namespace {
@@ -24,9 +25,9 @@ void show_number(QDoubleSpinBox* box, double value) {
     box->setValue(value);
 }
 
-void show_check(QCheckBox* box, bool checked) {
-    const QSignalBlocker quiet(box);
-    box->setChecked(checked);
+void show_check(QToolButton* button, bool checked) {
+    const QSignalBlocker quiet(button);
+    button->setChecked(checked);
 }
 
 /// What the box says, or what it was said to show where that is no more than rounded for reading.
@@ -63,12 +64,17 @@ TransformDialog::TransformDialog(const tools::TransformFrame& frame, const QSize
     turn_ = add_number(form, QStringLiteral("turn"), tr("Turn"), -180.0, 180.0, degrees);
     turn_->setWrapping(true);
     turn_->setToolTip(tr("Clockwise, about the middle of the frame"));
-    mirror_x_ = add_mirror(form, QStringLiteral("mirror_x"), tr("Mirror left and right"));
-    mirror_y_ = add_mirror(form, QStringLiteral("mirror_y"), tr("Mirror above and below"));
+    mirror_x_ = make_mirror(QStringLiteral("mirror_x"), tr("Left and right"),
+                            tr("Left and right of the paint change places, before it is turned"));
+    mirror_y_ = make_mirror(QStringLiteral("mirror_y"), tr("Above and below"),
+                            tr("Above and below change places, before the paint is turned"));
+    auto* mirrors = new QHBoxLayout;
+    mirrors->addWidget(mirror_x_);
+    mirrors->addWidget(mirror_y_);
+    form->addRow(tr("Mirror"), mirrors);
     outcome_->setObjectName(QStringLiteral("outcome"));
     outcome_->setWordWrap(true);
-    outcome_->setFixedWidth(210);
-    outcome_->setMinimumHeight(3 * outcome_->fontMetrics().lineSpacing());
+    outcome_->setMinimumHeight(2 * outcome_->fontMetrics().lineSpacing());
     outcome_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     form->addRow(outcome_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
@@ -85,22 +91,27 @@ QDoubleSpinBox* TransformDialog::add_number(QFormLayout* form, const QString& na
     box->setObjectName(name);
     box->setRange(least, most);
     box->setDecimals(kDecimals);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setSuffix(unit);
     connect(box, &QDoubleSpinBox::valueChanged, this, &TransformDialog::read_numbers);
     form->addRow(words, box);
     return box;
 }
 
-QCheckBox* TransformDialog::add_mirror(QFormLayout* form, const QString& name, const QString& words) {
-    auto* box = new QCheckBox(words);
-    box->setObjectName(name);
-    connect(box, &QCheckBox::toggled, this, &TransformDialog::read_numbers);
-    form->addRow(box);
-    return box;
+QToolButton* TransformDialog::make_mirror(const QString& name, const QString& words,
+                                          const QString& hint) {
+    auto* button = new QToolButton;
+    button->setObjectName(name);
+    button->setText(words);
+    button->setToolTip(hint);
+    button->setCheckable(true);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    connect(button, &QToolButton::toggled, this, &TransformDialog::read_numbers);
+    return button;
 }
 
 void TransformDialog::read_numbers() {
-    const auto scale = [](const QDoubleSpinBox* box, double shown, const QCheckBox* mirror) {
+    const auto scale = [](const QDoubleSpinBox* box, double shown, const QToolButton* mirror) {
         const double size = read_number(box, kPercent * std::abs(shown)) / kPercent;
         return mirror->isChecked() ? -size : size;
     };

@@ -6,10 +6,10 @@
 #include <QDialog>
 #include <QSizeF>
 
-class QCheckBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
+class QToolButton;
 
 namespace pastoso::dialogs {
 
@@ -31,7 +31,7 @@ class TransformDialog : public QDialog {
   private:
     QDoubleSpinBox* add_number(QFormLayout* form, const QString& name, const QString& words,
                                double least, double most, const QString& unit);
-    QCheckBox* add_mirror(QFormLayout* form, const QString& name, const QString& words);
+    QToolButton* make_mirror(const QString& name, const QString& words, const QString& hint);
     void read_numbers();
     void show_outcome();
 
@@ -40,7 +40,7 @@ class TransformDialog : public QDialog {
     QDoubleSpinBox *move_x_ = nullptr, *move_y_ = nullptr;
     QDoubleSpinBox *width_ = nullptr, *height_ = nullptr;
     QDoubleSpinBox* turn_ = nullptr;
-    QCheckBox *mirror_x_ = nullptr, *mirror_y_ = nullptr;
+    QToolButton *mirror_x_ = nullptr, *mirror_y_ = nullptr;
     QLabel* outcome_ = nullptr;
 };
 

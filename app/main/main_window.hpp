@@ -157,6 +157,7 @@ class MainWindow : public QMainWindow {
     void connect_transform();
     void begin_transform();
     void show_transform(const tools::TransformFrame& frame, const document::Snapshot& painting);
+    void open_transform_dialog(const tools::TransformFrame& frame, const QSizeF& canvas_mm);
     bool end_transform();      ///< false: there was none
     bool give_up_transform();  ///< the same, and says so
     void apply_transform();

@@ -98,7 +98,17 @@ void MainWindow::show_transform(const tools::TransformFrame& frame, const docume
     canvas_->show_frame(frame);
     canvas_->show_in_frame(picture_in(frame, painting));
     const document::CanvasSettings& canvas = painting.bare->settings;
-    auto* dialog = new dialogs::TransformDialog(frame, {canvas.width_mm, canvas.height_mm}, this);
+    open_transform_dialog(frame, {canvas.width_mm, canvas.height_mm});
+    canvas_->setFocus();
+    show_enabled(session_->status());
+    report(
+        tr("Drag inside to move, a handle to scale, outside to turn; Shift keeps to steps and "
+           "proportions. Enter applies, Esc gives up."));
+}
+
+/// In the lower corner that is farther from the frame, where it hides little.
+void MainWindow::open_transform_dialog(const tools::TransformFrame& frame, const QSizeF& canvas_mm) {
+    auto* dialog = new dialogs::TransformDialog(frame, canvas_mm, this);
     transform_dialog_ = dialog;
     // The keys stay with the canvas.
     dialog->setAttribute(Qt::WA_ShowWithoutActivating);
@@ -107,14 +117,12 @@ void MainWindow::show_transform(const tools::TransformFrame& frame, const docume
     connect(canvas_, &view::CanvasView::frame_dragged, dialog, &dialogs::TransformDialog::show_frame);
     connect(dialog, &QDialog::accepted, this, &MainWindow::apply_transform);
     connect(dialog, &QDialog::rejected, this, &MainWindow::give_up_transform);
-    const int corner_y = canvas_->height() - dialog->sizeHint().height() - kMargin_px;
-    dialog->move(canvas_->mapToGlobal(QPoint(kMargin_px, corner_y)));
+    const QSize size = dialog->sizeHint();
+    const bool frame_is_left = canvas_->widget_position(frame.centre_mm()).x() < 0.5 * canvas_->width();
+    const int x = frame_is_left ? canvas_->width() - size.width() - kMargin_px : kMargin_px;
+    const int y = canvas_->height() - size.height() - kMargin_px;
+    dialog->move(canvas_->mapToGlobal(QPoint(x, y)));
     dialog->show();
-    canvas_->setFocus();
-    show_enabled(session_->status());
-    report(tr(
-        "Drag inside the frame to move the paint, a handle to scale, outside to turn; Shift keeps to an "
-        "axis, to proportions, to 15°. Enter applies, Esc gives up."));
 }
 
 /// Nothing of the painting has changed so far, and nothing will.

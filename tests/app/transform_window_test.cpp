@@ -6,7 +6,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -14,6 +13,7 @@
 #include <QPushButton>
 #include <QStatusBar>
 #include <QTest>
+#include <QToolButton>
 #include <gmock/gmock.h>
 
 namespace pastoso::tests {
@@ -79,7 +79,9 @@ class TransformWindow : public WindowTest {
     QDoubleSpinBox& box(const char* name) {
         return *dialog()->findChild<QDoubleSpinBox*>(QLatin1String(name));
     }
-    QCheckBox& check(const char* name) { return *dialog()->findChild<QCheckBox*>(QLatin1String(name)); }
+    QToolButton& mirror(const char* name) {
+        return *dialog()->findChild<QToolButton*>(QLatin1String(name));
+    }
     std::string outcome() {
         return dialog()->findChild<QLabel*>(QStringLiteral("outcome"))->text().toStdString();
     }
@@ -134,6 +136,15 @@ TEST_F(TransformWindow, PaintIsMovedByDraggingTheFrameAndEnter) {
     expect_moved(before->film, painting()->film, static_cast<int>(cells.x), static_cast<int>(cells.y));
 }
 
+TEST_F(TransformWindow, APenDragsTheFrameToo) {
+    const std::size_t events = events_posted();
+    begin();
+    pen_stroke(line_mm(middle(), middle() + glm::dvec2(10.0, 5.0), 5), {.pressure = 0.8});
+    EXPECT_NEAR(canvas().frame()->move_mm.x, 10.0, 2.0 * kPixel_mm);
+    EXPECT_NEAR(canvas().frame()->move_mm.y, 5.0, 2.0 * kPixel_mm);
+    EXPECT_EQ(events_posted(), events);
+}
+
 TEST_F(TransformWindow, EscapeLeavesAllBits) {
     const std::uint64_t before = hash();
     const std::size_t events = events_posted();
@@ -183,7 +194,7 @@ TEST_F(TransformWindow, NumbersAndFrameKeepInStep) {
     box("move_x").setValue(12.0);
     box("move_y").setValue(-2.5);
     EXPECT_EQ(canvas().frame()->move_mm, glm::dvec2(12.0, -2.5));
-    check("mirror_x").click();
+    mirror("mirror_x").click();
     EXPECT_EQ(canvas().frame()->scale, glm::dvec2(-1.0, 1.0));
     box("height").setValue(150.0);
     box("turn").setValue(-30.0);
@@ -194,8 +205,8 @@ TEST_F(TransformWindow, NumbersAndFrameKeepInStep) {
     box("height").setValue(100.0);
     box("turn").setValue(0.0);
     drag(handle(1, 0), handle(-1, 0) + handle(-1, 0) - handle(1, 0));
-    EXPECT_FALSE(check("mirror_x").isChecked());
-    check("mirror_x").click();
+    EXPECT_FALSE(mirror("mirror_x").isChecked());
+    mirror("mirror_x").click();
     box("width").setValue(100.0);
     box("move_x").setValue(0.0);
     box("move_y").setValue(0.0);
