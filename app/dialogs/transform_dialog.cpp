@@ -64,9 +64,9 @@ TransformDialog::TransformDialog(const tools::TransformFrame& frame, const QSize
     turn_ = add_number(form, QStringLiteral("turn"), tr("Turn"), -180.0, 180.0, degrees);
     turn_->setWrapping(true);
     turn_->setToolTip(tr("Clockwise, about the middle of the frame"));
-    mirror_x_ = make_mirror(QStringLiteral("mirror_x"), tr("Left and right"),
+    mirror_x_ = make_mirror(QStringLiteral("mirror_x"), tr("Left–right"),
                             tr("Left and right of the paint change places, before it is turned"));
-    mirror_y_ = make_mirror(QStringLiteral("mirror_y"), tr("Above and below"),
+    mirror_y_ = make_mirror(QStringLiteral("mirror_y"), tr("Up–down"),
                             tr("Above and below change places, before the paint is turned"));
     auto* mirrors = new QHBoxLayout;
     mirrors->addWidget(mirror_x_);

@@ -102,8 +102,8 @@ void MainWindow::show_transform(const tools::TransformFrame& frame, const docume
     canvas_->setFocus();
     show_enabled(session_->status());
     report(
-        tr("Drag inside to move, a handle to scale, outside to turn; Shift keeps to steps and "
-           "proportions. Enter applies, Esc gives up."));
+        tr("Drag inside to move, a handle to scale, outside to turn (Shift: in steps). Enter applies, "
+           "Esc gives up."));
 }
 
 /// In the lower corner that is farther from the frame, where it hides little.

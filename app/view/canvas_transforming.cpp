@@ -68,19 +68,33 @@ const QCursor& turning_cursor() {
     return cursor;
 }
 
+tools::TransformFrame as_it_was(const tools::TransformFrame& frame) {
+    return {.corner_mm = frame.corner_mm, .size_mm = frame.size_mm};
+}
+
+/// Bare canvas in place of the paint.
+QImage veil_of(QImage picture) {
+    constexpr QColor kBareCanvas(233, 230, 222);
+    QPainter painter(&picture);
+    painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+    painter.fillRect(picture.rect(), kBareCanvas);
+    return picture;
+}
+
 }  // namespace
 
 void CanvasView::show_frame(std::optional<tools::TransformFrame> frame) {
     frame_ = std::move(frame);
     if (!frame_) {
         frame_drag_.reset();
-        frame_picture_ = {};
+        frame_picture_ = frame_veil_ = {};
     }
     set_cursor();
 }
 
 void CanvasView::show_in_frame(const QImage& picture) {
     frame_picture_ = picture;
+    frame_veil_ = veil_of(picture);
     update();
 }
 
@@ -132,8 +146,7 @@ QCursor CanvasView::frame_cursor() const {
 void CanvasView::draw_frame() {
     constexpr float kFaint = 0.4F;
     const OverlayFrame canvas = overlay_frame(view_.device_from_cell({0.0, 0.0}));
-    const tools::TransformFrame before{.corner_mm = frame_->corner_mm, .size_mm = frame_->size_mm};
-    overlay_.draw_loop(corners(before), canvas, kFaint);
+    overlay_.draw_loop(corners(as_it_was(*frame_)), canvas, kFaint);
     overlay_.draw_loop(corners(*frame_), canvas, 1.0F);
     const double half_mm = kHandle_px * devicePixelRatioF() * mm_per_px();
     for (const glm::ivec2& side : tools::kFrameHandles)
@@ -142,19 +155,24 @@ void CanvasView::draw_frame() {
 
 /// The paint where it would come to lie.
 void CanvasView::draw_frame_picture() {
-    if (frame_picture_.isNull()) return;
-    constexpr double kOpacity = 0.8;
+    constexpr double kVeil = 0.75, kPaint = 0.85;
+    if (frame_picture_.isNull() || *frame_ == as_it_was(*frame_)) return;
+    draw_in(as_it_was(*frame_), frame_veil_, kVeil);
+    draw_in(*frame_, frame_picture_, kPaint);
+}
+
+void CanvasView::draw_in(const tools::TransformFrame& frame, const QImage& picture, double opacity) {
     const auto widget_point = [&](const glm::ivec2& side) {
-        return widget_position(tools::handle_mm(*frame_, side));
+        return widget_position(tools::handle_mm(frame, side));
     };
     const QPointF origin = widget_point({-1, -1});
-    const QPointF across = (widget_point({1, -1}) - origin) / frame_picture_.width();
-    const QPointF down = (widget_point({-1, 1}) - origin) / frame_picture_.height();
+    const QPointF across = (widget_point({1, -1}) - origin) / picture.width();
+    const QPointF down = (widget_point({-1, 1}) - origin) / picture.height();
     QPainter painter(this);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.setOpacity(kOpacity);
+    painter.setOpacity(opacity);
     painter.setTransform({across.x(), across.y(), down.x(), down.y(), origin.x(), origin.y()});
-    painter.drawImage(QPointF(0.0, 0.0), frame_picture_);
+    painter.drawImage(QPointF(0.0, 0.0), picture);
 }
 
 }  // namespace pastoso::view

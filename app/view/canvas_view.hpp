@@ -63,7 +63,8 @@ class CanvasView : public QOpenGLWidget {
     void show_frame(std::optional<tools::TransformFrame> frame);
     const std::optional<tools::TransformFrame>& frame() const { return frame_; }
 
-    /// What is drawn in the frame, from corner to corner, however it is dragged: its paint, flat.
+    /// What is drawn in the frame, from corner to corner, however it is dragged: its paint, flat. Where
+    /// it lies as yet it is veiled.
     void show_in_frame(const QImage& picture);
 
     const shade::Lighting& lighting() const { return lighting_; }
@@ -144,6 +145,7 @@ class CanvasView : public QOpenGLWidget {
     void draw_handles(const OverlayFrame& canvas);
     void draw_frame();
     void draw_frame_picture();
+    void draw_in(const tools::TransformFrame& frame, const QImage& picture, double opacity);
     void draw_tip();
     OverlayFrame overlay_frame(const glm::dvec2& origin_px) const;
     void damage_all();
@@ -218,7 +220,7 @@ class CanvasView : public QOpenGLWidget {
     };
     std::optional<tools::TransformFrame> frame_;
     std::optional<FrameDrag> frame_drag_;
-    QImage frame_picture_;
+    QImage frame_picture_, frame_veil_;
     bool handles_shown_ = true;
     std::optional<tools::Pick> picks_next_;
     bool picking_ = false;  ///< this press picks and does not paint

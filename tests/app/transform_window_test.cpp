@@ -145,6 +145,23 @@ TEST_F(TransformWindow, APenDragsTheFrameToo) {
     EXPECT_EQ(events_posted(), events);
 }
 
+TEST_F(TransformWindow, TheFrameShowsThePaintWhereItWouldLie) {
+    begin();
+    const double ratio = canvas().devicePixelRatioF();
+    const auto light_at = [&](const QImage& seen, const glm::dvec2& place_mm) {
+        const QPointF px = ratio * canvas().widget_position(place_mm);
+        return qGray(seen.pixel(px.toPoint()));
+    };
+    const glm::dvec2 painted{15.0, 12.0}, shift{20.0, 15.0};
+    const QImage before = picture();
+    drag(middle(), middle() + shift);
+    const QImage after = picture();
+    EXPECT_LT(light_at(after, painted + shift), light_at(before, painted + shift) - 60);
+    EXPECT_GT(light_at(after, painted), light_at(before, painted) + 60) << "veiled where it lies";
+    key(Qt::Key_Escape);
+    EXPECT_EQ(light_at(picture(), painted), light_at(before, painted));
+}
+
 TEST_F(TransformWindow, EscapeLeavesAllBits) {
     const std::uint64_t before = hash();
     const std::size_t events = events_posted();
