@@ -60,6 +60,8 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     connect_layers();
     connect_selection();
     connect_tracing();
+    connect_canvas_size();
+    connect_transform();
     connect_light_commands();
     connect_project_commands();
     connect_picture_commands();
@@ -90,6 +92,7 @@ void MainWindow::start_session(std::unique_ptr<core::ThreadPool> pool,
     beginning.canvas = painting->settings();
     beginning.tick = painting->tick();
     auto journal = new_journal(beginning);
+    end_transform();
     if (session_) session_->discard_journal();
     // One refresh at a time waits in the event queue, however often the session publishes.
     auto pending = std::make_shared<std::atomic<bool>>(false);
@@ -109,6 +112,7 @@ void MainWindow::start_session(std::unique_ptr<core::ThreadPool> pool,
     journal_events_saved_.reset();
     path_.clear();
     saved_changes_ = 0;
+    shown_bare_.reset();
     show_title();
     forget_layer_pictures();
 }
@@ -134,6 +138,7 @@ void MainWindow::new_canvas(const document::CanvasSettings& canvas) {
 }
 
 void MainWindow::replay(const document::Recording& recording) {
+    end_transform();
     if (!(recording.canvas == session_->canvas())) new_canvas(recording.canvas);
     session_->play(recording.events);
     easel_->lend_brush(true);
@@ -143,7 +148,7 @@ void MainWindow::replay(const document::Recording& recording) {
 
 void MainWindow::show_published() {
     const auto snapshot = session_->snapshot();
-    canvas_->show_snapshot(snapshot);
+    canvas_->show_snapshot(snapshot, follow_cloth(snapshot->bare));
     readings_->show_canvas(snapshot->bare->settings);
     show_layers(*snapshot);
     show_selection(*snapshot);
@@ -153,10 +158,11 @@ void MainWindow::show_published() {
     const session::Status status = session_->status();
     readings_->show_status(status);
     show_enabled(status);
+    follow_transform(*snapshot, status);
     easel_->lend_brush(status.replaying);
     setWindowModified(status.changes != saved_changes_);
     for (const std::string& error : session_->take_errors())
-        report(capitalised(QString::fromStdString(error)));
+        report(QString::fromStdString(error));
 }
 
 /// The well's view is left alone while nothing in the well changes.
@@ -170,7 +176,8 @@ void MainWindow::show_well(const document::Snapshot& painting) {
 }
 
 void MainWindow::show_enabled(const session::Status& status) {
-    commands_.action(commands::Command::Undo)->setEnabled(status.can_undo || status.stroke_in_progress);
+    commands_.action(commands::Command::Undo)
+        ->setEnabled(status.can_undo || status.stroke_in_progress || transforming_);
     commands_.action(commands::Command::Redo)->setEnabled(status.can_redo);
 }
 
@@ -209,7 +216,7 @@ void MainWindow::show_paint(const document::PaintRecipe& paint) {
 
 void MainWindow::report(const QString& sentence) {
     constexpr int kReadingTime_ms = 12000;
-    statusBar()->showMessage(sentence, kReadingTime_ms);
+    statusBar()->showMessage(capitalised(sentence), kReadingTime_ms);
 }
 
 }  // namespace pastoso::main

@@ -30,7 +30,8 @@ class QMenu;
 
 namespace pastoso::dialogs {
 class SelectRangeDialog;
-}
+class TransformDialog;
+}  // namespace pastoso::dialogs
 
 namespace pastoso::panels {
 class BrushPanel;
@@ -63,8 +64,8 @@ class MainWindow : public QMainWindow {
     /// does. Throws core::InputError and keeps the old one when it cannot.
     void open_painting(const QString& path);
 
-    /// Puts up a new canvas with a picture or the layers of an OpenRaster file as dry paint, which has no
-    /// file yet. Throws core::InputError and keeps the old painting when it cannot.
+    /// Puts up a new canvas with a picture or the layers of an OpenRaster file as dry paint, which has
+    /// no file yet. Throws core::InputError and keeps the old painting when it cannot.
     void open_picture(const QString& path);
 
     /// Puts a picture onto the canvas as a layer of dry paint, in the middle and as large as it fits.
@@ -152,6 +153,20 @@ class MainWindow : public QMainWindow {
     void warn_outside(const QPointF& canvas_mm);
     void ask_range(bool wetness);
     void preview_range(bool wetness);
+    void connect_canvas_size();
+    void ask_canvas_size();
+    bool canvas_is_lent();
+    void crop_to_selection();
+    void resize_canvas(const document::ResizeCanvas& resize);
+    std::optional<glm::dvec2> follow_cloth(std::shared_ptr<const document::BareCanvas> bare);
+    void connect_transform();
+    void begin_transform();
+    void show_transform(const tools::TransformFrame& frame, const document::Snapshot& painting);
+    void open_transform_dialog(const tools::TransformFrame& frame, const QSizeF& canvas_mm);
+    bool end_transform();      ///< false: there was none
+    bool give_up_transform();  ///< the same, and says so
+    void apply_transform();
+    void follow_transform(const document::Snapshot& painting, const session::Status& status);
     void show_selection(const document::Snapshot& painting);
     void show_selection_reading();
     void connect_tracing();
@@ -238,10 +253,19 @@ class MainWindow : public QMainWindow {
     std::map<commands::Command, QDockWidget*> docks_;
     view::CanvasView* canvas_ = nullptr;
     view::CanvasView* well_ = nullptr;
+    std::shared_ptr<const document::BareCanvas> shown_bare_;  ///< of this painting; null at first
     std::shared_ptr<const document::Snapshot> shown_well_;
     std::optional<view::AreaForm> area_form_;  ///< what a press on the canvas draws; none: it paints
     document::Selection shown_selection_;
     QPointer<dialogs::SelectRangeDialog> range_;
+    /// What the frame on the canvas stands around.
+    struct Transforming {
+        document::LayerId layer = 0;
+        document::Selection selection;
+        std::shared_ptr<const document::BareCanvas> bare;
+    };
+    std::optional<Transforming> transforming_;
+    QPointer<dialogs::TransformDialog> transform_dialog_;
     QDockWidget* well_panel_ = nullptr;
     panels::BrushPanel* brushes_ = nullptr;
     panels::PaintPanel* paints_ = nullptr;

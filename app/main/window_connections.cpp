@@ -98,8 +98,14 @@ void MainWindow::connect_canvas() {
 }
 
 void MainWindow::connect_commands() {
-    commands_.on(Command::Undo, [this](bool) { easel_->undo(); });
-    commands_.on(Command::Redo, [this](bool) { easel_->redo(); });
+    // A frame is what was done last.
+    commands_.on(Command::Undo, [this](bool) {
+        if (!give_up_transform()) easel_->undo();
+    });
+    commands_.on(Command::Redo, [this](bool) {
+        end_transform();
+        easel_->redo();
+    });
     commands_.on(Command::ReloadBrush, [this](bool) { easel_->reload(); });
     commands_.on(Command::TopUpBrush, [this](bool) { easel_->dip(); });
     commands_.on(Command::BlotBrush, [this](bool) { easel_->blot(); });

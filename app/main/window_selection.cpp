@@ -89,6 +89,7 @@ void MainWindow::connect_selection() {
 /// Nothing: the brush paints again.
 void MainWindow::draw_areas(std::optional<view::AreaForm> form) {
     if (form == area_form_) return;
+    if (form) end_transform();
     area_form_ = form;
     canvas_->draw_areas(form);
     commands_.action(Command::SelectRectangle)->setChecked(form == view::AreaForm::Rectangle);
@@ -185,7 +186,8 @@ void MainWindow::show_selection(const document::Snapshot& painting) {
 
 void MainWindow::show_selection_reading() {
     const bool any = shown_selection_ != nullptr;
-    for (const Command command : {Command::SelectEverything, Command::InvertSelection})
+    for (const Command command :
+         {Command::SelectEverything, Command::InvertSelection, Command::CropToSelection})
         commands_.action(command)->setEnabled(any);
     QString drawing;
     if (area_form_) drawing = area_form_ == view::AreaForm::Lasso ? tr("lasso") : tr("rectangle");

@@ -2,6 +2,7 @@
 
 #include "brush/preset.hpp"
 #include "document/well.hpp"
+#include "tools/canvas_resizing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -186,6 +187,29 @@ void Easel::take_ellipse_away() {
 void Easel::select(const Action& selection) {
     end_stroke();
     post_(selection);
+}
+
+void Easel::move_along(const glm::dvec2& shift_mm) {
+    hand_ = moved_along(std::move(hand_), shift_mm);
+    for (Pointer* place : {&pressed_, &latest_}) {
+        place->x_mm += shift_mm.x;
+        place->y_mm += shift_mm.y;
+    }
+    if (hand_.symmetry.mirror || hand_.symmetry.count > 1) post_(SetSymmetry{hand_.symmetry});
+    if (std::holds_alternative<brush::Ruler>(hand_.guide.form) ||
+        std::holds_alternative<brush::EllipseCurve>(hand_.guide.form))
+        post_(SetGuide{hand_.guide});
+    if (hand_.air.fan_radius_mm > 0.0) post_(SetDrying{hand_.air});
+}
+
+void Easel::resize(const ResizeCanvas& resize) {
+    end_stroke();
+    post_(resize);
+}
+
+void Easel::transform(const TransformLayer& transform) {
+    end_stroke();
+    post_(transform);
 }
 
 void Easel::undo() {

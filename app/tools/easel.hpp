@@ -10,6 +10,8 @@
 #include <functional>
 #include <optional>
 
+#include <glm/vec2.hpp>
+
 namespace pastoso::tools {
 
 /// Where a pen or the mouse is, as the window tells it.
@@ -83,6 +85,13 @@ class Easel {
 
     /// SelectArea, SelectByHeight, SelectByWetness, InvertSelection or SelectAll.
     void select(const document::Action& selection);
+
+    /// What lay on the canvas came to lie so much further from its corner: guides, symmetry and fan
+    /// follow.
+    void move_along(const glm::dvec2& shift_mm);
+
+    void resize(const document::ResizeCanvas& resize);
+    void transform(const document::TransformLayer& transform);
     void undo();
     void redo();
 

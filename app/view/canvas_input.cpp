@@ -76,9 +76,13 @@ std::optional<tools::Pick> CanvasView::pick_wanted(Qt::KeyboardModifiers modifie
     return paint ? std::optional(tools::Pick::Paint) : std::nullopt;
 }
 
-/// Whether the press picks paint, draws an area or takes hold of a handle; else it paints.
+/// Whether the press picks paint, takes hold of a frame or a handle, or draws an area; else it paints.
 bool CanvasView::press_guides(const QPointF& position, Qt::KeyboardModifiers modifiers) {
     if (wanted_ == nullptr) return false;
+    if (frame_ && !picks_next_) {
+        press_frame(position);
+        return true;
+    }
     if (area_form_ && !picks_next_) {
         press_area(position, modifiers);
         return true;
@@ -98,6 +102,13 @@ bool CanvasView::press_guides(const QPointF& position, Qt::KeyboardModifiers mod
 /// Whether the movement belongs to a press that does not paint.
 bool CanvasView::drag_guides(const QPointF& position, Qt::KeyboardModifiers modifiers) {
     if (picking_) return true;
+    if (frame_) {
+        if (frame_drag_)
+            drag_frame(position, modifiers);
+        else
+            set_cursor();
+        return true;
+    }
     if (area_drag_.active()) {
         drag_area(position, modifiers);
         return true;
@@ -136,6 +147,7 @@ void CanvasView::mouseReleaseEvent(QMouseEvent* event) {
     } else if (event->button() == Qt::LeftButton) {
         if (easel_->painting()) easel_->move(mouse_pointer(*event));
         if (area_drag_.active()) drag_area(event->position(), event->modifiers());
+        if (frame_drag_) drag_frame(event->position(), event->modifiers());
         release_pointer();
     }
 }
@@ -143,6 +155,7 @@ void CanvasView::mouseReleaseEvent(QMouseEvent* event) {
 void CanvasView::release_pointer() {
     easel_->release();
     guide_drag_.release();
+    frame_drag_.reset();
     release_area();
     picking_ = false;
 }
@@ -163,6 +176,7 @@ void CanvasView::tabletEvent(QTabletEvent* event) {
         case QEvent::TabletRelease:
             pan_from_.reset();
             if (area_drag_.active()) drag_area(event->position(), event->modifiers());
+            if (frame_drag_) drag_frame(event->position(), event->modifiers());
             if (event->button() == Qt::LeftButton) release_pointer();
             set_cursor();
             break;
@@ -195,6 +209,7 @@ void CanvasView::pan_to(const QPointF& position) {
 }
 
 void CanvasView::keyPressEvent(QKeyEvent* event) {
+    if (press_frame_key(event->key())) return;
     if (event->key() == Qt::Key_Escape) return leave_areas();
     if (event->key() != Qt::Key_Space) return QOpenGLWidget::keyPressEvent(event);
     if (event->isAutoRepeat()) return;
@@ -226,12 +241,13 @@ void CanvasView::leaveEvent(QEvent*) {
     update();
 }
 
-/// The brush's own outline stands for the cursor, except where the hand moves the canvas.
+/// The brush's own outline stands for the cursor, except where the hand moves the canvas or a frame.
 void CanvasView::set_cursor() {
     setCursor(pan_from_     ? Qt::ClosedHandCursor
               : space_held_ ? Qt::OpenHandCursor
               : picks_next_ ? Qt::PointingHandCursor
-                            : Qt::CrossCursor);
+              : frame_      ? frame_cursor()
+                            : QCursor(Qt::CrossCursor));
     update();
 }
 

@@ -29,7 +29,10 @@ void CanvasView::show_outline(bool shown) {
 }
 
 void CanvasView::preview_selection(std::optional<document::Selection> preview) {
-    preview_ = std::move(preview);
+    // One of a canvas that is not shown yet comes again when it is.
+    const bool fits = !preview || *preview == nullptr || wanted_ == nullptr ||
+                      (*preview)->shape() == wanted_->film.shape;
+    preview_ = fits ? std::move(preview) : std::nullopt;
     update();
 }
 

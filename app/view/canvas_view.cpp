@@ -83,18 +83,30 @@ void CanvasView::set_easel(tools::Easel* easel) {
     easel_ = easel;
 }
 
-void CanvasView::show_snapshot(std::shared_ptr<const document::Snapshot> snapshot) {
+void CanvasView::show_snapshot(std::shared_ptr<const document::Snapshot> snapshot,
+                               std::optional<glm::dvec2> shift_mm) {
     const bool other_canvas = wanted_ == nullptr || wanted_->film.shape != snapshot->film.shape ||
                               wanted_->film.cell_mm != snapshot->film.cell_mm;
     if (wanted_ != nullptr && wanted_->tracing != snapshot->tracing) tracing_preview_.reset();
     wanted_ = std::move(snapshot);
-    if (other_canvas) {
-        shown_.reset();
-        preview_.reset();
-        area_drag_.give_up();
+    if (other_canvas || shift_mm) begin_other_canvas();
+    if (shift_mm) {
+        fitted_ = false;
+        const glm::dvec2 drag_px = -view_.zoom / wanted_->film.cell_mm * *shift_mm;
+        set_view(panned(view_, drag_px, canvas_cells(), window_px()));
+    } else if (other_canvas) {
         fit();
     }
     update();
+}
+
+/// What was begun over the canvas has no place on this one.
+void CanvasView::begin_other_canvas() {
+    shown_.reset();
+    preview_.reset();
+    area_drag_.give_up();
+    guide_drag_.release();
+    damage_all();
 }
 
 void CanvasView::set_lighting(const shade::Lighting& lighting) {
@@ -250,6 +262,10 @@ void CanvasView::paintGL() {
         draw_selection();
         draw_guides();
     }
+    if (frame_) {
+        draw_frame_picture();
+        draw_frame();
+    }
     draw_tip();
 }
 
@@ -354,7 +370,7 @@ double CanvasView::handle_axis_mm() const {
 }
 
 void CanvasView::draw_tip() {
-    const bool paints = !pan_from_ && !space_held_ && !picks_next_ && !area_form_;
+    const bool paints = !pan_from_ && !space_held_ && !picks_next_ && !area_form_ && !frame_;
     if (!pointer_ || !paints || guide_drag_.active()) return;
     TipShape tip = tip_;
     tip.rotation_deg = easel_->rotation_deg();

@@ -6,6 +6,7 @@
 #include "document/painting.hpp"
 #include "tools/easel.hpp"
 #include "tools/picked_paint.hpp"
+#include "tools/transform_frame.hpp"
 #include "view/area_drag.hpp"
 #include "view/brush_outline.hpp"
 #include "view/guide_drag.hpp"
@@ -18,6 +19,8 @@
 #include <memory>
 #include <optional>
 
+#include <QCursor>
+#include <QImage>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLWidget>
 #include <QTimer>
@@ -32,8 +35,11 @@ class CanvasView : public QOpenGLWidget {
                         QWidget* parent = nullptr);
     ~CanvasView() override;
 
-    /// Shows this from the next frame on. A snapshot of another canvas is shown whole.
-    void show_snapshot(std::shared_ptr<const document::Snapshot> snapshot);
+    /// Shows this from the next frame on. A snapshot of another canvas is shown whole, but one of the
+    /// same canvas cut or made larger, where what lay on it came to lie so much further from the corner,
+    /// shows what was there where it was.
+    void show_snapshot(std::shared_ptr<const document::Snapshot> snapshot,
+                       std::optional<glm::dvec2> shift_mm = {});
     void set_easel(tools::Easel* easel);
     void set_lighting(const shade::Lighting& lighting);
     void set_viewing(const pigment::Viewing& viewing);
@@ -59,6 +65,14 @@ class CanvasView : public QOpenGLWidget {
 
     /// Outlines what would be selected in place of what is.
     void preview_selection(std::optional<document::Selection> preview);
+
+    /// Puts up a frame that presses and drags change instead of painting; nothing: they paint.
+    void show_frame(std::optional<tools::TransformFrame> frame);
+    const std::optional<tools::TransformFrame>& frame() const { return frame_; }
+
+    /// What is drawn in the frame, from corner to corner, however it is dragged: its paint, flat. Where
+    /// it lies as yet it is veiled.
+    void show_in_frame(const QImage& picture);
 
     const shade::Lighting& lighting() const { return lighting_; }
     const pigment::Viewing& viewing() const { return viewing_; }
@@ -106,6 +120,11 @@ class CanvasView : public QOpenGLWidget {
     void area_given_up();
     void areas_left();  ///< painting goes on
 
+    /// The frame was dragged; what it shows is to be kept; it is to be taken away.
+    void frame_dragged(const tools::TransformFrame& frame);
+    void frame_accepted();
+    void frame_given_up();
+
     /// Nothing can be shown on this machine; one sentence.
     void failed(const QString& sentence);
 
@@ -132,9 +151,13 @@ class CanvasView : public QOpenGLWidget {
     void draw_selection();
     void draw_guides();
     void draw_handles(const OverlayFrame& canvas);
+    void draw_frame();
+    void draw_frame_picture();
+    void draw_in(const tools::TransformFrame& frame, const QImage& picture, double opacity);
     void draw_tip();
     OverlayFrame overlay_frame(const glm::dvec2& origin_px) const;
     void damage_all();
+    void begin_other_canvas();
     bool prepare_textures();
     QRegion damaged_region(const LayerChanges& changes) const;
 
@@ -151,6 +174,11 @@ class CanvasView : public QOpenGLWidget {
     void release_area();
     void leave_areas();
     grid::Rect seen_cells() const;
+    tools::FrameHold hold_under(const QPointF& position) const;
+    void press_frame(const QPointF& position);
+    void drag_frame(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    bool press_frame_key(int key);
+    QCursor frame_cursor() const;
     bool press_guides(const QPointF& position, Qt::KeyboardModifiers modifiers);
     bool drag_guides(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void release_pointer();
@@ -197,6 +225,15 @@ class CanvasView : public QOpenGLWidget {
     SelectionOutline selection_outline_;
     bool outline_shown_ = true;
     std::optional<document::Selection> preview_;
+    /// Since the press.
+    struct FrameDrag {
+        tools::TransformFrame start;
+        tools::FrameHold hold;
+        glm::dvec2 from_mm{};
+    };
+    std::optional<tools::TransformFrame> frame_;
+    std::optional<FrameDrag> frame_drag_;
+    QImage frame_picture_, frame_veil_;
     bool handles_shown_ = true;
     std::optional<tools::Pick> picks_next_;
     bool picking_ = false;  ///< this press picks and does not paint

@@ -32,9 +32,6 @@ constexpr double kLeastStrength = 1e-4;
 constexpr double kShortestGuide_mm = 0.1;
 constexpr double kHuge_mm = 4.0 * kMaxPenPosition_mm;
 
-/// What is smaller is not to be seen; larger, a cell would fill a small canvas.
-constexpr double kLeastScale = 0.05, kMostScale = 20.0;
-
 /// Paint is never higher.
 constexpr double kMostPaint_mm = 1000.0;
 

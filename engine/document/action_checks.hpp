@@ -12,6 +12,10 @@ inline constexpr double kMaxPenPosition_mm = 20000.0;
 /// A symmetry has at most this many copies beside their mirror images.
 inline constexpr int kMostCopies = 16;
 
+/// A transform scales by this along an axis, mirroring aside: what is smaller is not to be seen; larger,
+/// a cell would fill a small canvas.
+inline constexpr double kLeastScale = 0.05, kMostScale = 20.0;
+
 /// A second of paint time lasts at most this many seconds of drying.
 inline constexpr double kFastestDrying = 1e5;
 

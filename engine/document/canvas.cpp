@@ -97,10 +97,8 @@ CanvasSettings resized(const ResizeCanvas& resize, CanvasSettings settings) {
     };
     settings.width_mm = resize.width_mm;
     settings.height_mm = resize.height_mm;
-    if (settings.support != "image") {
-        settings.support_x_mm += whole_cells(resize.x_mm);
-        settings.support_y_mm += whole_cells(resize.y_mm);
-    }
+    settings.support_x_mm += whole_cells(resize.x_mm);
+    settings.support_y_mm += whole_cells(resize.y_mm);
     check_canvas(settings);
     return settings;
 }

@@ -151,7 +151,7 @@ struct CanvasSettings {
     std::string support_image{};    ///< path of a height image of the user's own
     double support_relief_mm =
         0.0;  ///< height of its white above its black; 0: the support's own relief
-    /// Where on its cloth the canvas begins, in whole cells; not of an image.
+    /// Where on its cloth the canvas begins, in whole cells; of an image, from where it was stretched.
     double support_x_mm = 0.0, support_y_mm = 0.0;
     friend bool operator==(const CanvasSettings&, const CanvasSettings&) = default;
 };

@@ -341,5 +341,23 @@ TEST(BrushWidth, StepsClimbDownAgainWithinTheLimits) {
     EXPECT_DOUBLE_EQ(stepped_brush_width_mm(width_mm, -1000), kSmallestBrush_mm);
 }
 
+TEST_F(EaselTest, WhatLiesOnTheCanvasFollowsIt) {
+    easel_.move_along({10.0, -5.0});
+    EXPECT_THAT(posted(), ElementsAre()) << "nothing lies there";
+    easel_.set_symmetry({.centre_x_mm = 30.0, .centre_y_mm = 20.0, .mirror = true});
+    easel_.move_ruler({1.0, 2.0, 30.0, 2.0});
+    easel_.press({});
+    easel_.release();
+    posted();
+    easel_.move_along({10.0, -5.0});
+    EXPECT_EQ(std::get<SetSymmetry>(actions_.front()).symmetry.centre_x_mm, 40.0);
+    EXPECT_EQ(std::get<brush::Ruler>(std::get<SetGuide>(actions_.back()).guide.form),
+              (brush::Ruler{11.0, -3.0, 40.0, -3.0}));
+    EXPECT_THAT(posted(), ElementsAre("symmetry", "guide"));
+    easel_.press({});
+    easel_.release();
+    EXPECT_THAT(posted(), ElementsAre("clean", "load", "down", "up")) << "the guide is known";
+}
+
 }  // namespace
 }  // namespace pastoso::tools

@@ -126,7 +126,7 @@ TEST_F(Resizing, AnImageGoesOnBeyondItsEdges) {
     EXPECT_EQ(other.film().support_mm.at(0, 40), 0.0F);
     EXPECT_EQ(other.film().support_mm.at(31, 40), 1.0F / 1024.0F);
     EXPECT_EQ(other.film().support_mm.at(179, 89), 119.0F / 1024.0F);
-    EXPECT_EQ(other.settings().support_x_mm, 0.0);
+    EXPECT_EQ(other.settings().support_x_mm, -10.0);
 }
 
 TEST_F(Resizing, ARecordingReplaysToTheSameBits) {

@@ -1,0 +1,149 @@
+#include "dialogs/transform_dialog.hpp"
+
+#include "document/action_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+namespace pastoso::dialogs {
+namespace {
+
+constexpr double kPercent = 100.0;
+constexpr int kDecimals = 2;
+
+void show_number(QDoubleSpinBox* box, double value) {
+    const QSignalBlocker quiet(box);
+    box->setValue(value);
+}
+
+void show_check(QToolButton* button, bool checked) {
+    const QSignalBlocker quiet(button);
+    button->setChecked(checked);
+}
+
+/// What the box says, or what it was said to show where that is no more than rounded for reading.
+double read_number(const QDoubleSpinBox* box, double shown) {
+    const double half_step = 0.5 * std::pow(10.0, -kDecimals);
+    return std::abs(box->value() - shown) <= half_step ? shown : box->value();
+}
+
+bool reaches_beyond(const tools::TransformFrame& frame, const QSizeF& canvas_mm) {
+    return std::any_of(tools::kFrameHandles.begin(), tools::kFrameHandles.end(), [&](const auto& side) {
+        const glm::dvec2 place = tools::handle_mm(frame, side);
+        return place.x < 0.0 || place.y < 0.0 || place.x > canvas_mm.width() ||
+               place.y > canvas_mm.height();
+    });
+}
+
+}  // namespace
+
+TransformDialog::TransformDialog(const tools::TransformFrame& frame, const QSizeF& canvas_mm,
+                                 QWidget* parent)
+    // A tool window leaves the keys of the window below it as they are.
+    : QDialog(parent, Qt::Tool), frame_(frame), canvas_mm_(canvas_mm), outcome_(new QLabel) {
+    setWindowTitle(tr("Transform"));
+    constexpr double kFar_mm = document::kMaxPenPosition_mm;
+    constexpr double kLeast = kPercent * document::kLeastScale, kMost = kPercent * document::kMostScale;
+    auto* form = new QFormLayout(this);
+    form->setContentsMargins(18, 14, 18, 14);
+    form->setSpacing(9);
+    const QString mm = tr(" mm"), percent = tr(" %"), degrees = tr("°");
+    move_x_ = add_number(form, QStringLiteral("move_x"), tr("Move right"), -kFar_mm, kFar_mm, mm);
+    move_y_ = add_number(form, QStringLiteral("move_y"), tr("Move down"), -kFar_mm, kFar_mm, mm);
+    width_ = add_number(form, QStringLiteral("width"), tr("Width"), kLeast, kMost, percent);
+    height_ = add_number(form, QStringLiteral("height"), tr("Height"), kLeast, kMost, percent);
+    turn_ = add_number(form, QStringLiteral("turn"), tr("Turn"), -180.0, 180.0, degrees);
+    turn_->setWrapping(true);
+    turn_->setToolTip(tr("Clockwise, about the middle of the frame"));
+    mirror_x_ = make_mirror(QStringLiteral("mirror_x"), tr("Left–right"),
+                            tr("Left and right of the paint change places, before it is turned"));
+    mirror_y_ = make_mirror(QStringLiteral("mirror_y"), tr("Up–down"),
+                            tr("Above and below change places, before the paint is turned"));
+    auto* mirrors = new QHBoxLayout;
+    mirrors->addWidget(mirror_x_);
+    mirrors->addWidget(mirror_y_);
+    form->addRow(tr("Mirror"), mirrors);
+    outcome_->setObjectName(QStringLiteral("outcome"));
+    outcome_->setWordWrap(true);
+    outcome_->setMinimumHeight(2 * outcome_->fontMetrics().lineSpacing());
+    outcome_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    form->addRow(outcome_);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    buttons->button(QDialogButtonBox::Ok)->setText(tr("Apply"));
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    form->addRow(buttons);
+    show_frame(frame);
+}
+
+QDoubleSpinBox* TransformDialog::add_number(QFormLayout* form, const QString& name, const QString& words,
+                                            double least, double most, const QString& unit) {
+    auto* box = new QDoubleSpinBox;
+    box->setObjectName(name);
+    box->setRange(least, most);
+    box->setDecimals(kDecimals);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    box->setSuffix(unit);
+    connect(box, &QDoubleSpinBox::valueChanged, this, &TransformDialog::read_numbers);
+    form->addRow(words, box);
+    return box;
+}
+
+QToolButton* TransformDialog::make_mirror(const QString& name, const QString& words,
+                                          const QString& hint) {
+    auto* button = new QToolButton;
+    button->setObjectName(name);
+    button->setText(words);
+    button->setToolTip(hint);
+    button->setCheckable(true);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    connect(button, &QToolButton::toggled, this, &TransformDialog::read_numbers);
+    return button;
+}
+
+void TransformDialog::read_numbers() {
+    const auto scale = [](const QDoubleSpinBox* box, double shown, const QToolButton* mirror) {
+        const double size = read_number(box, kPercent * std::abs(shown)) / kPercent;
+        return mirror->isChecked() ? -size : size;
+    };
+    frame_.move_mm = {read_number(move_x_, frame_.move_mm.x), read_number(move_y_, frame_.move_mm.y)};
+    frame_.scale = {scale(width_, frame_.scale.x, mirror_x_), scale(height_, frame_.scale.y, mirror_y_)};
+    frame_.turn_deg = read_number(turn_, frame_.turn_deg);
+    show_outcome();
+    Q_EMIT changed(frame_);
+}
+
+void TransformDialog::show_frame(const tools::TransformFrame& frame) {
+    frame_ = frame;
+    show_number(move_x_, frame.move_mm.x);
+    show_number(move_y_, frame.move_mm.y);
+    show_number(width_, kPercent * std::abs(frame.scale.x));
+    show_number(height_, kPercent * std::abs(frame.scale.y));
+    show_number(turn_, frame.turn_deg);
+    show_check(mirror_x_, frame.scale.x < 0.0);
+    show_check(mirror_y_, frame.scale.y < 0.0);
+    show_outcome();
+}
+
+/// What there is more or less of afterwards.
+void TransformDialog::show_outcome() {
+    const double share = std::abs(frame_.scale.x * frame_.scale.y);
+    const double percent = kPercent * share;
+    QString words = share == 1.0 ? tr("The paint keeps its thickness and its amount.")
+                                 : tr("The paint keeps its thickness: %1 % of it will be there.")
+                                       .arg(percent, 0, 'f', percent < 9.95 ? 1 : 0);
+    if (reaches_beyond(frame_, canvas_mm_))
+        words += QLatin1Char(' ') + tr("What comes beyond the canvas is wiped off.");
+    outcome_->setText(words);
+}
+
+}  // namespace pastoso::dialogs

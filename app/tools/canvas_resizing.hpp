@@ -1,0 +1,44 @@
+// What follows from a canvas that is cut or made larger, before it is done and after.
+#pragma once
+
+#include "document/canvas.hpp"
+#include "document/selection.hpp"
+#include "tools/hand.hpp"
+
+#include <optional>
+
+#include <glm/vec2.hpp>
+
+namespace pastoso::tools {
+
+/// Which part of the canvas stays where it is: 0 left or top, 1 the middle, 2 right or bottom.
+struct Anchor {
+    int column = 1, row = 1;
+    friend bool operator==(const Anchor&, const Anchor&) = default;
+};
+
+/// A canvas of that size, what is new or cut off divided between the sides as the anchor says.
+document::ResizeCanvas anchored(const document::CanvasSettings& canvas, double width_mm,
+                                double height_mm, const Anchor& anchor);
+
+/// What is added on each side, in whole cells; negative: what is cut off.
+struct Margins {
+    double left_mm = 0.0, top_mm = 0.0, right_mm = 0.0, bottom_mm = 0.0;
+    friend bool operator==(const Margins&, const Margins&) = default;
+};
+
+/// Throws InputError as document::resized() does.
+Margins margins_of(const document::ResizeCanvas& resize, const document::CanvasSettings& canvas);
+
+/// The smallest canvas that holds the selection; none without one, and where that is all of the canvas.
+std::optional<document::ResizeCanvas> cropped_to(const document::Selection& selection,
+                                                 const document::CanvasSettings& canvas);
+
+/// How much further from the corner of the canvas lies what was on it before, when it was cut or made
+/// larger, or that was taken back.
+glm::dvec2 shift_mm(const document::CanvasSettings& before, const document::CanvasSettings& after);
+
+/// Guides, symmetry and fan so much further from the corner.
+Hand moved_along(Hand hand, const glm::dvec2& shift_mm);
+
+}  // namespace pastoso::tools

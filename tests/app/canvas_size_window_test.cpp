@@ -1,0 +1,209 @@
+// Another size of the canvas in the real window: asked for, undone, with guides and view following.
+#include "app/window_fixture.hpp"
+#include "dialogs/canvas_size_dialog.hpp"
+
+#include <functional>
+
+#include <QAction>
+#include <QApplication>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QStatusBar>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+#include <gmock/gmock.h>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+using testing::HasSubstr;
+using testing::Not;
+
+class CanvasSize : public WindowTest {
+  protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        give(Command::Pause);
+        window().easel().take_brush("Flat bristle 20", 4.0);
+        settle();
+    }
+
+    QAction* action(Command command) { return window().commands().action(command); }
+    void give(Command command) {
+        ASSERT_TRUE(action(command)->isEnabled()) << action(command)->text().toStdString();
+        action(command)->trigger();
+        settle();
+    }
+    std::string told() { return window().statusBar()->currentMessage().toStdString(); }
+
+    /// Opens the dialog by its keys and does that in it.
+    void in_dialog(const std::function<void(dialogs::CanvasSizeDialog&)>& act) {
+        bool done = false;
+        QTimer::singleShot(0, &window(), [&] {
+            auto* dialog = window().findChild<dialogs::CanvasSizeDialog*>();
+            ASSERT_NE(dialog, nullptr);
+            act(*dialog);
+            done = true;
+            if (dialog->isVisible()) dialog->reject();
+        });
+        QTest::keyClick(&canvas(), Qt::Key_C, Qt::ControlModifier | Qt::AltModifier);
+        EXPECT_TRUE(done);
+        settle();
+    }
+    static QDoubleSpinBox& box(dialogs::CanvasSizeDialog& dialog, const char* name) {
+        return *dialog.findChild<QDoubleSpinBox*>(QLatin1String(name));
+    }
+    static QPushButton& ok(dialogs::CanvasSizeDialog& dialog) {
+        return *dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+    }
+    static QToolButton& anchor(dialogs::CanvasSizeDialog& dialog, int field) {
+        return *dialog.findChildren<QToolButton*>().at(field);
+    }
+    static std::string summary(dialogs::CanvasSizeDialog& dialog) {
+        return dialog.findChild<QLabel*>(QStringLiteral("summary"))->text().toStdString();
+    }
+
+    void resize(double width_mm, double height_mm, int field) {
+        in_dialog([&](dialogs::CanvasSizeDialog& dialog) {
+            box(dialog, "width_mm").setValue(width_mm);
+            box(dialog, "height_mm").setValue(height_mm);
+            anchor(dialog, field).click();
+            ASSERT_TRUE(ok(dialog).isEnabled()) << summary(dialog);
+            ok(dialog).click();
+        });
+    }
+
+    glm::dvec2 size_mm() {
+        const document::CanvasSettings canvas = session().canvas();
+        return {canvas.width_mm, canvas.height_mm};
+    }
+    std::int32_t thickness_at(const glm::dvec2& place_mm) {
+        const auto painting = session().snapshot();
+        return painting->film.thickness.at(static_cast<int>(4.0 * place_mm.x),
+                                           static_cast<int>(4.0 * place_mm.y));
+    }
+};
+
+TEST_F(CanvasSize, WhatIsPaintedStaysWhereItIsOnTheScreenWithItsGuides) {
+    give(Command::MirrorSymmetry);
+    mouse_stroke(line_mm({10.0, 10.0}, {20.0, 20.0}));
+    give(Command::Ruler);
+    settle();
+    const std::int32_t painted = thickness_at({15.0, 15.0});
+    ASSERT_GT(painted, 0);
+    const brush::Ruler ruler = *window().easel().hand().ruler;
+    canvas().zoom_about_centre(1.5);
+    const QPointF place = canvas().widget_position({15.0, 15.0});
+
+    resize(80.0, 50.0, 8);  // the lower right corner stays
+    EXPECT_EQ(size_mm(), glm::dvec2(80.0, 50.0));
+    EXPECT_THAT(told(), HasSubstr("80 × 50 mm"));
+    EXPECT_EQ(thickness_at({35.0, 25.0}), painted);
+    EXPECT_LT((canvas().widget_position({35.0, 25.0}) - place).manhattanLength(), 0.01);
+    EXPECT_EQ(window().easel().hand().symmetry.centre_x_mm, 50.0);
+    EXPECT_EQ(window().easel().hand().symmetry.centre_y_mm, 30.0);
+    EXPECT_DOUBLE_EQ(window().easel().hand().ruler->x1_mm, ruler.x1_mm + 20.0);
+    EXPECT_DOUBLE_EQ(window().easel().hand().ruler->y2_mm, ruler.y2_mm + 10.0);
+
+    give(Command::Undo);
+    EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
+    EXPECT_EQ(thickness_at({15.0, 15.0}), painted);
+    EXPECT_LT((canvas().widget_position({15.0, 15.0}) - place).manhattanLength(), 0.01);
+    EXPECT_EQ(window().easel().hand().symmetry.centre_x_mm, 30.0);
+    EXPECT_EQ(window().easel().hand().ruler, ruler);
+
+    give(Command::Redo);
+    EXPECT_EQ(size_mm(), glm::dvec2(80.0, 50.0));
+    EXPECT_EQ(window().easel().hand().symmetry.centre_x_mm, 50.0);
+    // The mirror that the next stroke meets has moved too.
+    window().easel().take_ruler_away();
+    mouse_stroke(line_mm({40.0, 40.0}, {44.0, 45.0}));
+    settle();
+    EXPECT_GT(thickness_at({42.0, 42.5}), 0);
+    EXPECT_GT(thickness_at({58.0, 42.5}), 0);
+}
+
+TEST_F(CanvasSize, TheDialogSaysWhatBecomesOfTheCanvas) {
+    in_dialog([&](dialogs::CanvasSizeDialog& dialog) {
+        EXPECT_FALSE(ok(dialog).isEnabled());
+        EXPECT_THAT(summary(dialog), HasSubstr("has this size"));
+        box(dialog, "width_mm").setValue(50.0);
+        box(dialog, "height_mm").setValue(44.0);
+        EXPECT_TRUE(ok(dialog).isEnabled());
+        EXPECT_THAT(summary(dialog), HasSubstr("200 × 176 pixels"));
+        EXPECT_THAT(summary(dialog), HasSubstr("Cut off: 5 mm on the left, 5 mm on the right."));
+        EXPECT_THAT(summary(dialog), HasSubstr("Added: 2 mm at the top, 2 mm at the bottom."));
+        QApplication::setActiveWindow(&dialog);
+        box(dialog, "height_mm").setFocus();
+        QTest::keyClick(&box(dialog, "height_mm"), Qt::Key_Tab);
+        EXPECT_TRUE(anchor(dialog, 4).hasFocus()) << "the one that is chosen";
+        QTest::keyClick(&anchor(dialog, 4), Qt::Key_Left);
+        EXPECT_TRUE(anchor(dialog, 3).isChecked());
+        EXPECT_THAT(summary(dialog), HasSubstr("Cut off: 10 mm on the right."));
+        QTest::keyClick(&anchor(dialog, 3), Qt::Key_Down);
+        EXPECT_TRUE(anchor(dialog, 6).isChecked());
+        EXPECT_THAT(summary(dialog), HasSubstr("Added: 4 mm at the top."));
+        EXPECT_EQ(dialog.wanted(), (document::ResizeCanvas{0.0, -4.0, 50.0, 44.0}));
+    });
+    EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0)) << "nothing was accepted";
+}
+
+TEST_F(CanvasSize, WhatIsTooLargeSaysSo) {
+    document::CanvasSettings fine = canvas_settings();
+    fine.px_per_mm = 16.0;
+    window().new_canvas(fine);
+    settle();
+    in_dialog([&](dialogs::CanvasSizeDialog& dialog) {
+        box(dialog, "width_mm").setValue(5000.0);
+        EXPECT_FALSE(ok(dialog).isEnabled());
+        EXPECT_THAT(summary(dialog), HasSubstr("at most 32768 a side"));
+        box(dialog, "width_mm").setValue(70.0);
+        EXPECT_TRUE(ok(dialog).isEnabled());
+        EXPECT_THAT(summary(dialog), Not(HasSubstr("at most")));
+    });
+}
+
+TEST_F(CanvasSize, CroppingKeepsWhatIsSelected) {
+    mouse_stroke(line_mm({10.0, 20.0}, {50.0, 20.0}));
+    settle();
+    const std::int32_t painted = thickness_at({30.0, 20.0});
+    ASSERT_GT(painted, 0);
+    EXPECT_FALSE(action(Command::CropToSelection)->isEnabled());
+    window().easel().select(document::SelectArea{{{20, 12}, {44, 12}, {44, 30}, {20, 30}}});
+    settle();
+    const QPointF place = canvas().widget_position({30.0, 20.0});
+    give(Command::CropToSelection);
+    EXPECT_EQ(size_mm(), glm::dvec2(24.0, 18.0));
+    EXPECT_EQ(thickness_at({10.0, 8.0}), painted);
+    EXPECT_LT((canvas().widget_position({10.0, 8.0}) - place).manhattanLength(), 0.01);
+    give(Command::CropToSelection);
+    EXPECT_EQ(size_mm(), glm::dvec2(24.0, 18.0));
+    EXPECT_THAT(told(), HasSubstr("nothing to cut"));
+    give(Command::Undo);
+    EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
+    EXPECT_EQ(thickness_at({30.0, 20.0}), painted);
+}
+
+TEST_F(CanvasSize, AnotherPaintingIsNoCanvasThatWasCut) {
+    give(Command::Ruler);
+    const brush::Ruler ruler = *window().easel().hand().ruler;
+    resize(80.0, 40.0, 5);
+    ASSERT_NE(window().easel().hand().ruler, ruler);
+    const brush::Ruler moved = *window().easel().hand().ruler;
+    window().new_canvas(canvas_settings());
+    settle();
+    EXPECT_EQ(window().easel().hand().ruler, moved);
+    give(Command::FitCanvas);
+    const view::ViewTransform fitted = canvas().view_transform();
+    window().new_canvas({.width_mm = 40.0, .height_mm = 40.0});
+    settle();
+    EXPECT_NE(canvas().view_transform(), fitted) << "it is shown whole";
+}
+
+}  // namespace
+}  // namespace pastoso::tests

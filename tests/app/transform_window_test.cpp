@@ -1,0 +1,323 @@
+// Moving, scaling and turning paint in the real window: by dragging the frame, by keys and by numbers.
+#include "app/window_fixture.hpp"
+#include "dialogs/transform_dialog.hpp"
+
+#include <cmath>
+
+#include <QAction>
+#include <QApplication>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QStatusBar>
+#include <QTest>
+#include <QToolButton>
+#include <gmock/gmock.h>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+using testing::HasSubstr;
+
+class TransformWindow : public WindowTest {
+  protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        give(Command::Pause);
+        window().easel().take_brush("Flat bristle 20", 4.0);
+        mouse_stroke(line_mm({10.0, 10.0}, {20.0, 14.0}));
+        settle();
+    }
+
+    QAction* action(Command command) { return window().commands().action(command); }
+    void give(Command command) {
+        ASSERT_TRUE(action(command)->isEnabled()) << action(command)->text().toStdString();
+        action(command)->trigger();
+        settle();
+    }
+    void key(Qt::Key key, Qt::KeyboardModifiers keys = {}) {
+        QTest::keyClick(&canvas(), key, keys);
+        settle();
+    }
+    void begin() {
+        key(Qt::Key_T, Qt::ControlModifier);
+        ASSERT_TRUE(canvas().frame().has_value()) << told();
+    }
+    void begin_refused(const char* why) {
+        key(Qt::Key_T, Qt::ControlModifier);
+        EXPECT_FALSE(canvas().frame().has_value());
+        EXPECT_FALSE(action(Command::TransformLayer)->isChecked());
+        EXPECT_THAT(told(), testing::HasSubstr(why));
+    }
+    std::string told() { return window().statusBar()->currentMessage().toStdString(); }
+
+    void send(QEvent::Type type, const glm::dvec2& place_mm, Qt::KeyboardModifiers keys) {
+        const bool moves = type == QEvent::MouseMove, up = type == QEvent::MouseButtonRelease;
+        const QPointF position = canvas().widget_position(place_mm);
+        QMouseEvent event(type, position, canvas().mapToGlobal(position),
+                          moves ? Qt::NoButton : Qt::LeftButton, up ? Qt::NoButton : Qt::LeftButton,
+                          keys);
+        QApplication::sendEvent(&canvas(), &event);
+    }
+    void drag(const glm::dvec2& from_mm, const glm::dvec2& to_mm, Qt::KeyboardModifiers keys = {}) {
+        send(QEvent::MouseButtonPress, from_mm, keys);
+        for (const glm::dvec2& place_mm : line_mm(from_mm, to_mm, 5))
+            send(QEvent::MouseMove, place_mm, keys);
+        send(QEvent::MouseButtonRelease, to_mm, keys);
+    }
+    glm::dvec2 handle(int x, int y) { return tools::handle_mm(*canvas().frame(), {x, y}); }
+    glm::dvec2 middle() { return handle(0, 0); }
+
+    dialogs::TransformDialog* dialog() {
+        auto* found = window().findChild<dialogs::TransformDialog*>();
+        return found != nullptr && found->isVisible() ? found : nullptr;
+    }
+    QDoubleSpinBox& box(const char* name) {
+        return *dialog()->findChild<QDoubleSpinBox*>(QLatin1String(name));
+    }
+    QToolButton& mirror(const char* name) {
+        return *dialog()->findChild<QToolButton*>(QLatin1String(name));
+    }
+    std::string outcome() {
+        return dialog()->findChild<QLabel*>(QStringLiteral("outcome"))->text().toStdString();
+    }
+    QPushButton& button(QDialogButtonBox::StandardButton which) {
+        return *dialog()->findChild<QDialogButtonBox*>()->button(which);
+    }
+
+    std::shared_ptr<const document::Snapshot> painting() {
+        session().wait_until_applied();
+        return session().snapshot();
+    }
+    std::size_t events_posted() {
+        session().wait_until_applied();
+        return session().recording().events.size();
+    }
+    std::uint64_t hash() { return film::state_hash(painting()->film); }
+
+    /// Whether every cell holds what the cell that lies so much before it held.
+    static void expect_moved(const film::FilmState& before, const film::FilmState& after, int x_cells,
+                             int y_cells) {
+        for (int y = 0; y < after.shape.height; ++y)
+            for (int x = 0; x < after.shape.width; ++x) {
+                const int from_x = x - x_cells, from_y = y - y_cells;
+                const bool inside = before.shape.contains(from_x, from_y);
+                ASSERT_EQ(after.thickness.at(x, y), inside ? before.thickness.at(from_x, from_y) : 0)
+                    << x << ", " << y;
+            }
+    }
+};
+
+/// The mouse hits whole pixels, some eight a millimetre.
+constexpr double kPixel_mm = 0.2;
+
+TEST_F(TransformWindow, PaintIsMovedByDraggingTheFrameAndEnter) {
+    const auto before = painting();
+    begin();
+    ASSERT_NE(dialog(), nullptr);
+    EXPECT_TRUE(action(Command::TransformLayer)->isChecked());
+    drag(middle(), middle() + glm::dvec2(15.0, 8.0));
+    EXPECT_NEAR(canvas().frame()->move_mm.x, 15.0, 2.0 * kPixel_mm);
+    EXPECT_EQ(box("move_x").value(), canvas().frame()->move_mm.x);
+    EXPECT_EQ(hash(), film::state_hash(before->film)) << "the paint comes with Enter";
+    const glm::dvec2 cells = 4.0 * canvas().frame()->move_mm;
+    key(Qt::Key_Return);
+    EXPECT_FALSE(canvas().frame().has_value());
+    EXPECT_EQ(dialog(), nullptr);
+    EXPECT_FALSE(action(Command::TransformLayer)->isChecked());
+    expect_moved(before->film, painting()->film, static_cast<int>(cells.x), static_cast<int>(cells.y));
+    give(Command::Undo);
+    EXPECT_EQ(hash(), film::state_hash(before->film));
+    give(Command::Redo);
+    expect_moved(before->film, painting()->film, static_cast<int>(cells.x), static_cast<int>(cells.y));
+}
+
+TEST_F(TransformWindow, APenDragsTheFrameToo) {
+    const std::size_t events = events_posted();
+    begin();
+    pen_stroke(line_mm(middle(), middle() + glm::dvec2(10.0, 5.0), 5), {.pressure = 0.8});
+    EXPECT_NEAR(canvas().frame()->move_mm.x, 10.0, 2.0 * kPixel_mm);
+    EXPECT_NEAR(canvas().frame()->move_mm.y, 5.0, 2.0 * kPixel_mm);
+    EXPECT_EQ(events_posted(), events);
+}
+
+TEST_F(TransformWindow, TheFrameShowsThePaintWhereItWouldLie) {
+    begin();
+    const double ratio = canvas().devicePixelRatioF();
+    const auto light_at = [&](const QImage& seen, const glm::dvec2& place_mm) {
+        const QPointF px = ratio * canvas().widget_position(place_mm);
+        return qGray(seen.pixel(px.toPoint()));
+    };
+    const glm::dvec2 painted{15.0, 12.0}, shift{20.0, 15.0};
+    const QImage before = picture();
+    drag(middle(), middle() + shift);
+    const QImage after = picture();
+    EXPECT_LT(light_at(after, painted + shift), light_at(before, painted + shift) - 60);
+    EXPECT_GT(light_at(after, painted), light_at(before, painted) + 60) << "veiled where it lies";
+    key(Qt::Key_Escape);
+    EXPECT_EQ(light_at(picture(), painted), light_at(before, painted));
+}
+
+TEST_F(TransformWindow, EscapeLeavesAllBits) {
+    const std::uint64_t before = hash();
+    const std::size_t events = events_posted();
+    begin();
+    drag(handle(1, 1), handle(1, 1) + glm::dvec2(10.0, 10.0));
+    drag(middle(), middle() + glm::dvec2(3.0, 8.0));
+    // In the middle of a drag it gives up the drag alone.
+    const tools::TransformFrame frame = *canvas().frame();
+    send(QEvent::MouseButtonPress, middle(), {});
+    send(QEvent::MouseMove, middle() + glm::dvec2(9.0, 0.0), {});
+    EXPECT_NE(*canvas().frame(), frame);
+    key(Qt::Key_Escape);
+    ASSERT_TRUE(canvas().frame().has_value());
+    EXPECT_EQ(*canvas().frame(), frame);
+    EXPECT_EQ(box("move_x").value(), std::round(100.0 * frame.move_mm.x) / 100.0);
+    key(Qt::Key_Escape);
+    EXPECT_FALSE(canvas().frame().has_value());
+    EXPECT_EQ(dialog(), nullptr);
+    EXPECT_EQ(hash(), before);
+    EXPECT_EQ(events_posted(), events);
+}
+
+TEST_F(TransformWindow, HandlesScaleAndOutsideTurns) {
+    begin();
+    const glm::dvec2 size = canvas().frame()->size_mm;
+    const glm::dvec2 fixed = handle(-1, -1);
+    drag(handle(1, 1), handle(1, 1) + size, Qt::ShiftModifier);
+    EXPECT_NEAR(canvas().frame()->scale.x, 2.0, kPixel_mm);
+    EXPECT_EQ(canvas().frame()->scale.x, canvas().frame()->scale.y);
+    EXPECT_NEAR(handle(-1, -1).x, fixed.x, 1e-9);
+    EXPECT_NEAR(box("width").value(), 100.0 * canvas().frame()->scale.x, 0.0051);
+    EXPECT_THAT(outcome(), HasSubstr("keeps its thickness"));
+    const glm::dvec2 right = middle() + glm::dvec2(size.x + 4.0, 0.0);
+    drag(right, middle() + glm::dvec2(0.5, size.x + 4.0), Qt::ShiftModifier);
+    EXPECT_EQ(canvas().frame()->turn_deg, 90.0);
+    EXPECT_EQ(box("turn").value(), 90.0);
+    const double before_mm3 = volume_mm3();
+    const double share = canvas().frame()->scale.x * canvas().frame()->scale.y;
+    key(Qt::Key_Enter);
+    // The rule of volume, within what an interpolation keeps (docs/decisions/0030).
+    EXPECT_NEAR(volume_mm3(), share * before_mm3, 0.02 * share * before_mm3);
+}
+
+TEST_F(TransformWindow, NumbersAndFrameKeepInStep) {
+    const auto before = painting();
+    begin();
+    box("move_x").setValue(12.0);
+    box("move_y").setValue(-2.5);
+    EXPECT_EQ(canvas().frame()->move_mm, glm::dvec2(12.0, -2.5));
+    mirror("mirror_x").click();
+    EXPECT_EQ(canvas().frame()->scale, glm::dvec2(-1.0, 1.0));
+    box("height").setValue(150.0);
+    box("turn").setValue(-30.0);
+    EXPECT_EQ(canvas().frame()->scale, glm::dvec2(-1.0, 1.5));
+    EXPECT_EQ(canvas().frame()->turn_deg, -30.0);
+    EXPECT_THAT(outcome(), HasSubstr("150 %"));
+    // Drawn across its own left side it is mirrored back.
+    box("height").setValue(100.0);
+    box("turn").setValue(0.0);
+    drag(handle(1, 0), handle(-1, 0) + handle(-1, 0) - handle(1, 0));
+    EXPECT_FALSE(mirror("mirror_x").isChecked());
+    mirror("mirror_x").click();
+    box("width").setValue(100.0);
+    box("move_x").setValue(0.0);
+    box("move_y").setValue(0.0);
+    box("move_x").setValue(60.0);
+    EXPECT_THAT(outcome(), HasSubstr("beyond the canvas"));
+    box("move_x").setValue(0.0);
+    const tools::TransformFrame frame = *canvas().frame();
+    button(QDialogButtonBox::Ok).click();
+    settle();
+    EXPECT_EQ(dialog(), nullptr);
+    // Mirrored about the middle of the frame, cell by cell.
+    const int sum = static_cast<int>(std::lround(4.0 * (2.0 * frame.centre_mm().x))) - 1;
+    const auto after = painting();
+    for (int y = 0; y < 160; ++y)
+        for (int x = 0; x <= sum; ++x)
+            ASSERT_EQ(after->film.thickness.at(x, y), before->film.thickness.at(sum - x, y));
+}
+
+TEST_F(TransformWindow, OnlyWhatIsSelectedMoves) {
+    window().easel().select(document::SelectArea{{{0, 0}, {15, 0}, {15, 40}, {0, 40}}});
+    settle();
+    const auto before = painting();
+    begin();
+    EXPECT_LE(handle(1, 0).x, 15.25);
+    box("move_y").setValue(20.0);
+    key(Qt::Key_Return);
+    const auto after = painting();
+    for (int y = 0; y < 80; ++y)
+        for (int x = 0; x < 240; ++x) {
+            const std::int32_t was = before->film.thickness.at(x, y);
+            ASSERT_EQ(after->film.thickness.at(x, y), x < 60 ? 0 : was);
+            ASSERT_EQ(after->film.thickness.at(x, y + 80), x < 60 ? was : 0);
+        }
+    EXPECT_EQ(grid::chosen_area(*after->selection), (grid::Rect{0, 80, 60, 160}));
+    give(Command::Undo);
+    EXPECT_EQ(hash(), film::state_hash(before->film));
+}
+
+TEST_F(TransformWindow, NothingIsPaintedWhileTheFrameIsUp) {
+    begin();
+    const std::size_t events = events_posted();
+    const QImage with_pointer_far = picture();
+    mouse_stroke(line_mm({40.0, 30.0}, {50.0, 30.0}));
+    EXPECT_EQ(events_posted(), events);
+    EXPECT_NE(canvas().frame()->turn_deg, 0.0);
+    key(Qt::Key_Escape);
+    EXPECT_GT(difference(with_pointer_far, picture()).largest, 20) << "the frame was seen";
+    mouse_stroke(line_mm({40.0, 30.0}, {50.0, 30.0}));
+    EXPECT_GT(events_posted(), events);
+}
+
+TEST_F(TransformWindow, OtherDeedsEndTheFrameAndLeaveThePaint) {
+    const std::uint64_t before = hash();
+    const auto drag_frame = [&] {
+        begin();
+        drag(middle(), middle() + glm::dvec2(9.0, 3.0));
+    };
+    drag_frame();
+    give(Command::Undo);
+    EXPECT_FALSE(canvas().frame().has_value());
+    EXPECT_EQ(hash(), before) << "what is taken back is the frame";
+    drag_frame();
+    give(Command::AddLayer);
+    wait_for([&] { return !canvas().frame().has_value(); });
+    begin_refused("no paint on this layer");
+    give(Command::Undo);
+    EXPECT_EQ(hash(), before);
+    drag_frame();
+    give(Command::SelectRectangle);
+    EXPECT_FALSE(canvas().frame().has_value());
+    key(Qt::Key_Escape);
+    drag_frame();
+    window().replay({session().canvas(), {{5, document::SelectAll{}}}, 10});
+    EXPECT_FALSE(canvas().frame().has_value());
+    give(Command::Pause);
+    wait_for([&] { return !session().status().replaying; });
+    give(Command::Pause);
+    drag_frame();
+    window().new_canvas(canvas_settings());
+    EXPECT_FALSE(canvas().frame().has_value());
+    EXPECT_EQ(dialog(), nullptr);
+}
+
+TEST_F(TransformWindow, LockedAndHiddenLayersSayWhy) {
+    give(Command::LockLayer);
+    begin_refused("locked");
+    give(Command::LockLayer);
+    give(Command::ShowLayer);
+    begin_refused("hidden");
+    give(Command::ShowLayer);
+    begin();
+    give(Command::LockLayer);
+    wait_for([&] { return !canvas().frame().has_value(); });
+}
+
+}  // namespace
+}  // namespace pastoso::tests
