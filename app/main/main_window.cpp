@@ -62,6 +62,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     connect_light_commands();
     connect_project_commands();
     connect_picture_commands();
+    connect_export();
     read_brushes();
     recall();
     easel_->set_up();
@@ -108,6 +109,8 @@ void MainWindow::start_session(std::unique_ptr<core::ThreadPool> pool,
     journal_events_saved_.reset();
     path_.clear();
     saved_changes_ = 0;
+    exported_.reset();
+    show_export_commands();
     show_title();
     forget_layer_pictures();
 }
