@@ -13,7 +13,7 @@
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -169,17 +169,17 @@ void ExportDialog::show_rows() {
     const tools::ExportFormat& format = settings_.format();
     const bool film = form == ExportForm::Timelapse, relief = form == ExportForm::Relief;
     const bool video = film && !is_folder(format);
-    label_of(path_row_)->setText(is_folder(format) ? tr("&Folder") : tr("&File"));
-    rows_->setRowVisible(format_, format_->count() > 1);
-    rows_->setRowVisible(quality_, form == ExportForm::Picture && has_quality(format));
-    rows_->setRowVisible(surface_, form == ExportForm::Picture);
-    rows_->setRowVisible(size_row_, !relief);
-    rows_->setRowVisible(colours_, !relief && !video);
-    rows_->setRowVisible(lit_, !relief && form != ExportForm::Maps);
+    labels_.at(path_row_)->setText(is_folder(format) ? tr("&Folder") : tr("&File"));
+    show_row(format_, format_->count() > 1);
+    show_row(quality_, form == ExportForm::Picture && has_quality(format));
+    show_row(surface_, form == ExportForm::Picture);
+    show_row(size_row_, !relief);
+    show_row(colours_, !relief && !video);
+    show_row(lit_, !relief && form != ExportForm::Maps);
     for (QDoubleSpinBox* box : {base_, exaggeration_, resolution_})
-        rows_->setRowVisible(box, relief);
+        show_row(box, relief);
     for (QDoubleSpinBox* box : {speed_, fps_})
-        rows_->setRowVisible(box, film);
+        show_row(box, film);
 }
 
 /// Files are replaced on demand alone: the button says so.
@@ -195,7 +195,8 @@ void ExportDialog::show_outcome() {
         possible = false;
     }
     export_->setEnabled(possible);
-    adjustSize();
+    layout()->activate();
+    resize(width(), layout()->totalHeightForWidth(width()));
 }
 
 }  // namespace pastoso::dialogs

@@ -6,7 +6,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QFormLayout>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -193,42 +193,52 @@ void ExportDialog::make_numbers() {
                    settings_.fps);
 }
 
-QLabel* ExportDialog::label_of(QWidget* row) const {
-    return qobject_cast<QLabel*>(rows_->labelForField(row));
+void ExportDialog::add_row(const QString& words, QWidget* field, QWidget* buddy) {
+    auto* label = new QLabel(words);
+    label->setBuddy(buddy != nullptr ? buddy : field);
+    const int row = rows_->rowCount();
+    rows_->addWidget(label, row, 0);
+    rows_->addWidget(field, row, 1);
+    labels_[field] = label;
+}
+
+void ExportDialog::show_row(QWidget* field, bool shown) {
+    labels_.at(field)->setVisible(shown);
+    field->setVisible(shown);
 }
 
 void ExportDialog::lay_out() {
-    rows_ = new QFormLayout(this);
+    rows_ = new QGridLayout(this);
     rows_->setContentsMargins(18, 18, 18, 14);
     rows_->setSpacing(9);
-    rows_->addRow(tr("&Make"), form_);
-    rows_->addRow(QString(), explanation_);
-    rows_->addRow(tr("&File"), path_row_);
-    label_of(path_row_)->setBuddy(path_);
-    rows_->addRow(tr("F&ormat"), format_);
-    rows_->addRow(tr("&Quality"), quality_);
-    rows_->addRow(tr("Sho&w"), surface_);
-    rows_->addRow(tr("&Scale"), size_row_);
-    label_of(size_row_)->setBuddy(scale_);
-    rows_->addRow(tr("&Colours"), colours_);
-    rows_->addRow(QString(), lit_);
-    rows_->addRow(tr("&Thickness"), base_);
-    rows_->addRow(tr("&Heights"), exaggeration_);
-    rows_->addRow(tr("&Points"), resolution_);
-    rows_->addRow(tr("Sp&eed"), speed_);
-    rows_->addRow(tr("F&rames"), fps_);
+    rows_->setColumnStretch(1, 1);
+    add_row(tr("&Make"), form_);
+    add_row(QString(), explanation_);
+    add_row(tr("&File"), path_row_, path_);
+    add_row(tr("F&ormat"), format_);
+    add_row(tr("&Quality"), quality_);
+    add_row(tr("Sho&w"), surface_);
+    add_row(tr("&Scale"), size_row_, scale_);
+    add_row(tr("&Colours"), colours_);
+    add_row(QString(), lit_);
+    add_row(tr("&Thickness"), base_);
+    add_row(tr("&Heights"), exaggeration_);
+    add_row(tr("&Points"), resolution_);
+    add_row(tr("Sp&eed"), speed_);
+    add_row(tr("F&rames"), fps_);
     outcome_ = new QLabel;
     outcome_->setObjectName(QStringLiteral("outcome"));
     outcome_->setWordWrap(true);
     outcome_->setMinimumHeight(2 * outcome_->fontMetrics().lineSpacing());
     outcome_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    rows_->addRow(outcome_);
+    rows_->addWidget(outcome_, rows_->rowCount(), 0, 1, 2);
     buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     export_ = buttons_->button(QDialogButtonBox::Ok);
     connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    rows_->addRow(buttons_);
+    rows_->addWidget(buttons_, rows_->rowCount(), 0, 1, 2);
     setMinimumWidth(kWidth);
+    resize(kWidth, height());
 }
 
 }  // namespace pastoso::dialogs

@@ -5,6 +5,7 @@
 #include "tools/export_settings.hpp"
 
 #include <filesystem>
+#include <map>
 
 #include <QDialog>
 
@@ -12,7 +13,7 @@ class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
 class QDoubleSpinBox;
-class QFormLayout;
+class QGridLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -48,7 +49,8 @@ class ExportDialog : public QDialog {
     void make_colour_box();
     void make_picture_boxes();
     void make_numbers();
-    QLabel* label_of(QWidget* row) const;
+    void add_row(const QString& words, QWidget* field, QWidget* buddy = nullptr);
+    void show_row(QWidget* field, bool shown);
     void lay_out();
 
     void choose_form(tools::ExportForm form);
@@ -69,7 +71,8 @@ class ExportDialog : public QDialog {
     std::filesystem::path proposal_;
     bool named_;  ///< by the painter: the name stays
 
-    QFormLayout* rows_ = nullptr;
+    QGridLayout* rows_ = nullptr;
+    std::map<QWidget*, QLabel*> labels_;  ///< of the rows, by what stands beside them
     QComboBox* form_ = nullptr;
     QLabel* explanation_ = nullptr;
     QLineEdit* path_ = nullptr;

@@ -37,42 +37,40 @@ QString length_mm(double mm) {
     return QString::number(mm, 'f', 3);
 }
 
-QString words_of(const io::ExportReport& report, const QString& path) {
+QString words_of(const io::ExportReport& report, const QString& name) {
     if (report.triangles > 0)
         return MainWindow::tr("Exported %1: %2 triangles, %3 × %4 mm.")
-            .arg(path)
+            .arg(name)
             .arg(report.triangles)
             .arg(report.width_mm)
             .arg(report.height_mm);
     if (report.files.size() > 1)
-        return MainWindow::tr("Exported %1 and %2 more; in the heights black is %3 mm, white %4 mm.")
-            .arg(text_of(report.files.front()))
+        return MainWindow::tr("Exported %1 and %2 more; heights from %3 mm (black) to %4 mm (white).")
+            .arg(name_of(report.files.front()))
             .arg(report.files.size() - 1)
             .arg(length_mm(report.heights.black_mm), length_mm(report.heights.white_mm));
     return MainWindow::tr("Exported %1: %2 × %3 pixels.")
-        .arg(path)
+        .arg(name)
         .arg(report.width_px)
         .arg(report.height_px);
 }
 
-QString words_of(const io::TimelapseReport& report, const QString& path) {
+QString words_of(const io::TimelapseReport& report, const QString& name) {
     return MainWindow::tr("Exported %1: %2 frames of %3 × %4 pixels.")
-        .arg(path)
+        .arg(name)
         .arg(report.frames)
         .arg(report.width_px)
         .arg(report.height_px);
 }
 
 QString words_of(const commands::ExportOutcome& outcome) {
-    const QString path = text_of(outcome.path);
+    const QString name = name_of(outcome.path);
     if (outcome.status() == io::ExportStatus::Written)
-        return std::visit([&](const auto& report) { return words_of(report, path); }, outcome.report);
+        return std::visit([&](const auto& report) { return words_of(report, name); }, outcome.report);
     const auto* film = std::get_if<io::TimelapseReport>(&outcome.report);
     if (film != nullptr && film->written > 0 && std::filesystem::is_directory(outcome.path))
-        return MainWindow::tr("Stopped; %1 holds the first %n frame(s).", nullptr,
-                              static_cast<int>(film->written))
-            .arg(path);
-    return MainWindow::tr("Stopped; %1 was not written.").arg(path);
+        return MainWindow::tr("Stopped; %1 holds the pictures that are complete.").arg(name);
+    return MainWindow::tr("Stopped; %1 was not written.").arg(name);
 }
 
 /// Where pictures usually go.
@@ -147,10 +145,11 @@ void MainWindow::ask_export() {
 /// Numbered pictures go into a folder of their own each time.
 void MainWindow::export_again() {
     if (!exported_ || !may_begin_export()) return;
-    const bool is_sequence = is_folder(exported_->path);
-    export_painting(exported_->settings, is_sequence
-                                             ? tools::untaken(exported_->path, ExportForm::Timelapse)
-                                             : exported_->path);
+    const Exported last = *exported_;
+    const bool is_sequence = is_folder(last.path);
+    export_painting(last.settings,
+                    is_sequence ? tools::untaken(last.path, ExportForm::Timelapse) : last.path);
+    exported_ = last;
 }
 
 void MainWindow::export_painting(const tools::ExportSettings& settings,
@@ -198,6 +197,8 @@ bool MainWindow::may_stop_export() {
     if (question.clickedButton() == stop) return true;
     if (question.clickedButton() != wait) return false;
     closes_after_export_ = exporter_.busy();
+    if (closes_after_export_)
+        report(tr("The window closes as soon as %1 is written.").arg(name_of(exporter_.path())));
     return !closes_after_export_;
 }
 
