@@ -6,7 +6,7 @@
 #include "document/canvas.hpp"
 #include "document/number_text.hpp"
 #include "document/well.hpp"
-#include "shade/picture_sheet.hpp"
+#include "io/picture_export.hpp"
 #include "shade/render.hpp"
 
 #include <algorithm>
@@ -48,39 +48,37 @@ PictureReport PictureWriter::write(const document::Painting& painting,
                                    const std::filesystem::path& path) {
     const document::Snapshot snapshot = painting.snapshot();
     check_picture_size(snapshot.film.shape, scale_);
-    return save(rendered(snapshot.film, snapshot.ground, scale_), scale_ / snapshot.film.cell_mm, path);
+    return save(rendered(snapshot.film, snapshot.ground), scale_ / snapshot.film.cell_mm, path);
 }
 
 PictureReport PictureWriter::write_well(const document::Painting& painting,
                                         const std::filesystem::path& path) {
     const document::Snapshot snapshot = painting.snapshot();
     const film::FilmState well = snapshot.well.value_or(document::bare_well());
-    return save(rendered(well, snapshot.ground, scale_), scale_ / well.cell_mm, path);
-}
-
-shade::LinearImage PictureWriter::frame(const document::Painting& painting) {
-    const document::Snapshot snapshot = painting.snapshot();
-    const grid::Shape shape = snapshot.film.shape;
-    if (shape == canvas_) return rendered(snapshot.film, snapshot.ground, scale_);
-    const shade::Lattice first = shade::picture_lattice(canvas_, canvas_.cells(), scale_);
-    const double fitting = std::min(static_cast<double>(first.width) / shape.width,
-                                    static_cast<double>(first.height) / shape.height);
-    return shade::framed(rendered(snapshot.film, snapshot.ground, fitting), first.width, first.height);
+    return save(rendered(well, snapshot.ground), scale_ / well.cell_mm, path);
 }
 
 PictureReport PictureWriter::write_frame(const document::Painting& painting,
                                          const std::filesystem::path& path) {
-    return save(frame(painting), scale_ / painting.film().cell_mm, path);
+    const document::Snapshot snapshot = painting.snapshot();
+    shade::LinearImage frame;
+    times_.shade_s += seconds_of([&] {
+        frame = io::frame_picture({snapshot.film, snapshot.ground, settings()}, canvas_, pool_);
+    });
+    return save(frame, scale_ / snapshot.film.cell_mm, path);
 }
 
-shade::LinearImage PictureWriter::rendered(const film::FilmState& film, const pigment::Bands& ground,
-                                           double scale) {
-    shade::RenderSettings settings;
-    settings.scale = scale;
-    settings.viewing = style_.viewing;
+shade::RenderSettings PictureWriter::settings() const {
+    shade::RenderSettings wanted;
+    wanted.scale = scale_;
+    wanted.viewing = style_.viewing;
+    return wanted;
+}
+
+shade::LinearImage PictureWriter::rendered(const film::FilmState& film, const pigment::Bands& ground) {
     shade::LinearImage linear;
     times_.shade_s +=
-        seconds_of([&] { linear = shade::render(film, ground, film.shape.cells(), settings, pool_); });
+        seconds_of([&] { linear = shade::render(film, ground, film.shape.cells(), settings(), pool_); });
     return linear;
 }
 

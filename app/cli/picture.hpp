@@ -32,18 +32,17 @@ class PictureWriter {
     /// Renders the whole canvas and writes it to `path`.
     PictureReport write(const document::Painting& painting, const std::filesystem::path& path);
 
-    /// The picture for a sequence, as large as that of the canvas named at first: one that has been cut
-    /// or made larger since is shown as large as fits, in the middle, on grey.
-    shade::LinearImage frame(const document::Painting& painting);
-    PictureReport write_frame(const document::Painting& painting, const std::filesystem::path& path);
-
     /// The same of the mixing well.
     PictureReport write_well(const document::Painting& painting, const std::filesystem::path& path);
+
+    /// The picture for a sequence, as large as that of the canvas named at first (io::frame_picture).
+    PictureReport write_frame(const document::Painting& painting, const std::filesystem::path& path);
 
     const PictureTimes& times() const { return times_; }
 
   private:
-    shade::LinearImage rendered(const film::FilmState& film, const pigment::Bands& ground, double scale);
+    shade::RenderSettings settings() const;
+    shade::LinearImage rendered(const film::FilmState& film, const pigment::Bands& ground);
     PictureReport save(const shade::LinearImage& linear, double px_per_mm,
                        const std::filesystem::path& path);
 

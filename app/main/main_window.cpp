@@ -65,6 +65,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     connect_light_commands();
     connect_project_commands();
     connect_picture_commands();
+    connect_export();
     read_brushes();
     recall();
     easel_->set_up();
@@ -113,6 +114,8 @@ void MainWindow::start_session(std::unique_ptr<core::ThreadPool> pool,
     path_.clear();
     saved_changes_ = 0;
     shown_bare_.reset();
+    exported_.reset();
+    show_export_commands();
     show_title();
     forget_layer_pictures();
 }

@@ -3,13 +3,14 @@
 
 #include "brush/preset_library.hpp"
 #include "commands/command_registry.hpp"
-#include "commands/picture_saver.hpp"
+#include "commands/exporter.hpp"
 #include "commands/project_saver.hpp"
 #include "document/events.hpp"
 #include "session/layer_painter.hpp"
 #include "session/paint_session.hpp"
 #include "session/thumbnail_painter.hpp"
 #include "tools/easel.hpp"
+#include "tools/export_settings.hpp"
 #include "tools/guide_handles.hpp"
 #include "view/canvas_view.hpp"
 
@@ -44,6 +45,7 @@ class LoadPanel;
 class PaintPanel;
 class StatusReadings;
 class TracingPanel;
+class WorkProgress;
 }  // namespace pastoso::panels
 
 namespace pastoso::main {
@@ -94,16 +96,18 @@ class MainWindow : public QMainWindow {
     view::CanvasView& canvas() { return *canvas_; }
     view::CanvasView& well() { return *well_; }
     commands::CommandRegistry& commands() { return commands_; }
-    commands::PictureSaver& saver() { return saver_; }
+    commands::Exporter& exporter() { return exporter_; }
     commands::ProjectSaver& project_saver() { return project_saver_; }
 
-    void save_picture(const QString& path);
+    /// Makes a picture, layers, maps, a relief or a time-lapse of the painting as it is now, in the
+    /// background. Not while one is being made.
+    void export_painting(const tools::ExportSettings& settings, const std::filesystem::path& path);
 
     /// Shows the painting in a bundled light, by name, or in that of a CSV file
     /// (pigment/illuminant.hpp). What is none is told, and the light stays.
     void use_light(const QString& name_or_path);
 
-    /// Shows it, and saves its picture, in the colours of that space.
+    /// Shows it in the colours of that space.
     void use_space(pigment::WorkingSpace space);
 
     /// Shows the colours of a .gpl file to choose from. What is none is told.
@@ -222,13 +226,21 @@ class MainWindow : public QMainWindow {
     void ask_light();
     void show_under(const pigment::Viewing& viewing);  ///< canvas and well
     void show_light();
-    void ask_save_picture();
+    void connect_export();
+    void show_export_commands();
+    std::filesystem::path export_proposal() const;
+    tools::ExportLight export_light() const;
+    bool may_begin_export();
+    void ask_export();
+    void export_again();
+    void end_export(const commands::ExportOutcome& outcome);
+    bool may_stop_export();
+    void remember_export();
     void ask_save_recording();
     void report(const QString& sentence);
 
     const bool keeps_journal_;
     commands::CommandRegistry commands_;
-    commands::PictureSaver saver_;
     std::unique_ptr<tools::Easel> easel_;
     std::unique_ptr<session::PaintSession> session_;
     std::unique_ptr<session::ThumbnailPainter> thumbnails_;
@@ -237,7 +249,15 @@ class MainWindow : public QMainWindow {
     std::map<document::LayerId, std::shared_ptr<const film::FilmState>> pictured_;
     QTimer layers_changed_;  ///< soon after their paint
     commands::ProjectSaver project_saver_;
-    QString path_;  ///< of the project file; empty: not saved yet
+    commands::Exporter exporter_;
+    tools::ExportSettings export_settings_;
+    bool closes_after_export_ = false;
+    struct Exported {
+        tools::ExportSettings settings;
+        std::filesystem::path path;
+    };
+    std::optional<Exported> exported_;  ///< the last export of this painting
+    QString path_;                      ///< of the project file; empty: not saved yet
     std::int64_t saved_changes_ = 0;
     std::optional<std::uint64_t> journal_events_saved_;  ///< of the painting that is being saved
     QMenu* recent_ = nullptr;
@@ -248,6 +268,7 @@ class MainWindow : public QMainWindow {
     QTimer paints_changed_;        ///< soon after the last of several changes
     bool settings_usable_ = true;  ///< their file is none that cannot be read, which is left alone
     bool shelf_usable_ = true;
+    bool export_settings_usable_ = true;
     bool well_sized_ = false;  ///< it was opened before, or stands as it was remembered
     QByteArray first_panels_;  ///< how the panels stand unless the painter moves them
     std::map<commands::Command, QDockWidget*> docks_;
@@ -277,6 +298,7 @@ class MainWindow : public QMainWindow {
     panels::TracingPanel* tracing_ = nullptr;
     panels::EaselPanel* stand_ = nullptr;
     panels::StatusReadings* readings_ = nullptr;
+    panels::WorkProgress* export_progress_ = nullptr;
     QComboBox* medium_ = nullptr;
 };
 

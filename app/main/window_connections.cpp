@@ -2,7 +2,6 @@
 
 #include "core/error.hpp"
 #include "dialogs/new_canvas_dialog.hpp"
-#include "io/recording_json.hpp"
 #include "main/main_window.hpp"
 #include "panels/brush_panel.hpp"
 #include "panels/easel_panel.hpp"
@@ -14,7 +13,6 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QMessageBox>
 #include <QStatusBar>
 
@@ -145,17 +143,7 @@ void MainWindow::connect_commands() {
 
 void MainWindow::connect_file_commands() {
     commands_.on(Command::NewCanvas, [this](bool) { ask_new_canvas(); });
-    commands_.on(Command::SavePicture, [this](bool) { ask_save_picture(); });
-    commands_.on(Command::SaveRecording, [this](bool) { ask_save_recording(); });
     commands_.on(Command::Quit, [this](bool) { close(); });
-    connect(&saver_, &commands::PictureSaver::finished, this,
-            [this](const QString& path, const QString& error) {
-                if (error.isEmpty()) {
-                    report(tr("Saved %1.").arg(path));
-                } else {
-                    QMessageBox::warning(this, tr("Export picture"), error);
-                }
-            });
 }
 
 void MainWindow::ask_new_canvas() {
@@ -165,32 +153,6 @@ void MainWindow::ask_new_canvas() {
         new_canvas(dialog.settings());
     } catch (const core::InputError& error) {
         QMessageBox::warning(this, tr("New canvas"), QString::fromUtf8(error.what()));
-    }
-}
-
-void MainWindow::save_picture(const QString& path) {
-    report(tr("Saving %1...").arg(path));
-    shade::RenderSettings settings;
-    settings.lighting = canvas_->lighting();
-    settings.viewing = canvas_->viewing();
-    saver_.save(session_->snapshot(), settings, path);
-}
-
-void MainWindow::ask_save_picture() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export picture"), tr("painting.png"),
-                                                      tr("Images (*.png *.tif *.jpg *.exr)"));
-    if (!path.isEmpty()) save_picture(path);
-}
-
-void MainWindow::ask_save_recording() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export recording"), tr("painting.json"),
-                                                      tr("Recordings (*.json)"));
-    if (path.isEmpty()) return;
-    try {
-        io::write_recording_json(path.toStdString(), session_->recording());
-        report(tr("Saved %1.").arg(path));
-    } catch (const core::InputError& error) {
-        QMessageBox::warning(this, tr("Export recording"), QString::fromUtf8(error.what()));
     }
 }
 

@@ -24,6 +24,10 @@ std::filesystem::path settings_file() {
     return core::user_config_path("settings.json");
 }
 
+std::filesystem::path export_file() {
+    return core::user_config_path("export.json");
+}
+
 std::filesystem::path shelf_file() {
     return core::user_data_path("paints.json");
 }
@@ -53,6 +57,8 @@ void MainWindow::recall() {
     tools::Settings settings;
     settings_usable_ = read([&] { settings = tools::read_settings(settings_file()); });
     shelf_usable_ = read([&] { colours_->show_shelf(tools::read_shelf(shelf_file())); });
+    export_settings_usable_ =
+        read([&] { export_settings_ = tools::read_export_settings(export_file()); });
     tools::Hand hand = easel_->hand();
     hand.stabiliser = tools::stabiliser_of(settings.steadying);
     hand.reload_each_stroke = settings.reload_each_stroke;
@@ -81,6 +87,15 @@ void MainWindow::remember() {
     settings.panels = to_text(saveState(kPanelsVersion));
     try {
         tools::write_settings(settings, settings_file());
+    } catch (const core::InputError& error) {
+        report(QString::fromUtf8(error.what()));
+    }
+}
+
+void MainWindow::remember_export() {
+    if (!export_settings_usable_ || export_file().empty()) return;
+    try {
+        tools::write_export_settings(export_settings_, export_file());
     } catch (const core::InputError& error) {
         report(QString::fromUtf8(error.what()));
     }

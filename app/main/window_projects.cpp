@@ -176,8 +176,9 @@ bool MainWindow::may_discard() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    event->setAccepted(may_discard());
+    event->setAccepted(may_stop_export() && may_discard());
     if (!event->isAccepted()) return;
+    exporter_.stop();
     remember();
     session_->discard_journal();
 }

@@ -120,12 +120,15 @@ void check_layout(const std::filesystem::path& path, const ImageLayout& layout) 
         throw core::InputError(path.string() + ": " + format.extension + " files do not hold " +
                                describe(layout.sample) + " pictures.");
     }
-    if (std::max(layout.width, layout.height) > format.most_px) {
-        throw core::InputError(path.string() + ": " + format.extension + " files hold at most " +
-                               std::to_string(format.most_px) + " pixels a side; this picture has " +
-                               std::to_string(layout.width) + " x " + std::to_string(layout.height) +
-                               ".");
-    }
+    check_picture_size(path, layout.width, layout.height);
+}
+
+void check_picture_size(const std::filesystem::path& path, int width, int height) {
+    const Format& format = format_of(path);
+    if (std::max(width, height) <= format.most_px) return;
+    throw core::InputError(path.string() + ": " + format.extension + " files hold at most " +
+                           std::to_string(format.most_px) + " pixels a side; this picture has " +
+                           std::to_string(width) + " x " + std::to_string(height) + ".");
 }
 
 ImageWriter::ImageWriter(const std::filesystem::path& file, const std::filesystem::path& path,

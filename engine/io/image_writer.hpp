@@ -40,6 +40,9 @@ struct ImageLayout {
 /// values, or not so many pixels.
 void check_layout(const std::filesystem::path& path, const ImageLayout& layout);
 
+/// The last of these alone: throws InputError for a picture of more pixels than the format holds.
+void check_picture_size(const std::filesystem::path& path, int width, int height);
+
 class ImageWriter {
   public:
     /// Writes to `file`, in the format of `path`, which stands for it in errors. Files say what their

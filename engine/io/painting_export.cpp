@@ -17,6 +17,9 @@ namespace {
 using document::PaintingState;
 using film::FilmState;
 
+/// The share of a relief's time that goes by before its file is begun.
+constexpr double kSampling = 0.5;
+
 void check_relief_path(const std::filesystem::path& path) {
     if (!is_relief_path(path)) {
         throw core::InputError(path.string() +
@@ -61,16 +64,32 @@ ExportStatus write_pictures(const PaintingState& painting, const ExportChoice& c
 
 ExportStatus write_relief(const ExportChoice& choice, const FilmState& film, core::ThreadPool& pool,
                           const KeepGoing& keep_going, ExportReport& report) {
-    if (!keep_going(0.0)) return ExportStatus::Stopped;
-    const Relief relief = relief_of(film, choice.relief, pool);
-    report.triangles = relief.triangle_count();
-    return export_relief(choice.path, relief, keep_going);
+    const auto sampling = [&](double done) { return keep_going(kSampling * done); };
+    const auto writing = [&](double done) { return keep_going(kSampling + (1.0 - kSampling) * done); };
+    const std::optional<Relief> relief = relief_of(film, choice.relief, pool, sampling);
+    if (!relief) return ExportStatus::Stopped;
+    report.triangles = relief->triangle_count();
+    return export_relief(choice.path, *relief, writing);
 }
 
 }  // namespace
 
-grid::Shape exported_shape(const PaintingState& painting, const ExportChoice& choice) {
-    return choice.of_well ? document::bare_well().shape : painting.canvas.film.shape;
+ExportedCells exported_cells(const ExportedCells& canvas, const ExportChoice& choice) {
+    if (!choice.of_well) return canvas;
+    const FilmState well = document::bare_well();
+    return {well.shape, well.cell_mm};
+}
+
+grid::Shape export_size(const ExportedCells& canvas, const ExportChoice& choice) {
+    const ExportedCells cells = exported_cells(canvas, choice);
+    if (choice.kind == ExportKind::Relief) {
+        const ReliefGrid grid = relief_grid(cells.shape, cells.cell_mm, choice.relief);
+        return {grid.columns, grid.rows};
+    }
+    const shade::Lattice lattice =
+        shade::picture_lattice(cells.shape, cells.shape.cells(), choice.scale);
+    check_picture_size(choice.path, lattice.width, lattice.height);
+    return {lattice.width, lattice.height};
 }
 
 void check_export(const ExportChoice& choice) {

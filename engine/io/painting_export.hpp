@@ -31,8 +31,18 @@ struct ExportChoice {
     ReliefOptions relief;
 };
 
-/// The cells of the painting that the choice is about.
-grid::Shape exported_shape(const document::PaintingState& painting, const ExportChoice& choice);
+/// The cells that a choice is about: those of the canvas, or of the mixing well.
+struct ExportedCells {
+    grid::Shape shape;
+    double cell_mm = 0.0;
+};
+
+/// `canvas` are the cells of the canvas.
+ExportedCells exported_cells(const ExportedCells& canvas, const ExportChoice& choice);
+
+/// Columns and rows of the file: pixels, or points of a relief. Throws InputError when that is too large
+/// for its format or at all, and for scales and options of reliefs outside their ranges.
+grid::Shape export_size(const ExportedCells& canvas, const ExportChoice& choice);
 
 /// Whether it can be written like this, asked before the work that it takes. Throws InputError for a
 /// name that does not end as such files do, for what its format does not hold, for lights and profiles

@@ -2,6 +2,9 @@
 
 #include "core/text_file.hpp"
 #include "io/surface_values.hpp"
+#include "shade/picture_sheet.hpp"
+
+#include <algorithm>
 
 namespace pastoso::io {
 
@@ -11,6 +14,19 @@ void render_picture(const shade::Renderer& renderer, const ExportSource& source,
     shade::SurfaceSamples surface;
     renderer.render(pixels, nullptr, &surface);
     *picture = surface_colours(surface, source.settings.viewing.space);
+}
+
+shade::LinearImage frame_picture(ExportSource source, const grid::Shape& first, core::ThreadPool& pool) {
+    const grid::Shape shape = source.film.shape;
+    const shade::Lattice frame = shade::picture_lattice(first, first.cells(), source.settings.scale);
+    if (shape != first)
+        source.settings.scale = std::min(static_cast<double>(frame.width) / shape.width,
+                                         static_cast<double>(frame.height) / shape.height);
+    const shade::Lattice lattice = export_lattice(source);
+    const shade::Renderer renderer(source.film, source.ground, lattice, source.settings, pool);
+    shade::LinearImage picture;
+    render_picture(renderer, source, {0, 0, lattice.width, lattice.height}, &picture);
+    return shape == first ? picture : shade::framed(picture, frame.width, frame.height);
 }
 
 ExportStatus export_picture(const std::filesystem::path& path, const ExportSource& source,

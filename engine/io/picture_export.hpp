@@ -15,7 +15,12 @@ ExportStatus export_picture(const std::filesystem::path& path, const ExportSourc
                             const PictureEncoding& encoding, core::ThreadPool& pool,
                             const KeepGoing& keep_going);
 
-/// The pixels of a rectangle of that picture.
+/// The picture for a film whose frames are as large as the picture of a canvas of `first` cells at the
+/// scale of `source`: a canvas that was cut or made larger on the way is shown as large as fits, in the
+/// middle, on grey.
+shade::LinearImage frame_picture(ExportSource source, const grid::Shape& first, core::ThreadPool& pool);
+
+/// The pixels of a rectangle of the picture of a source.
 void render_picture(const shade::Renderer& renderer, const ExportSource& source,
                     const grid::Rect& pixels, shade::LinearImage* picture);
 

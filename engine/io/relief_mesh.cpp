@@ -3,7 +3,6 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "document/number_text.hpp"
-#include "io/export_bands.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,10 +33,10 @@ std::array<int, 2> border_place(const Relief& relief, std::size_t index) {
     return {2 * (bottom + right) - i, 0};
 }
 
-double resolution_of(const film::FilmState& film, const ReliefOptions& options) {
+double resolution_of(const grid::Shape& cells, double cell_mm, const ReliefOptions& options) {
     if (options.resolution_mm != 0.0) return options.resolution_mm;
-    const double longer_mm = film.cell_mm * std::max(film.shape.width, film.shape.height);
-    return std::max(film.cell_mm, longer_mm / kMostStepsByDefault);
+    const double longer_mm = cell_mm * std::max(cells.width, cells.height);
+    return std::max(cell_mm, longer_mm / kMostStepsByDefault);
 }
 
 int vertices_along(int cells, double cell_mm, double resolution_mm) {
@@ -45,10 +44,10 @@ int vertices_along(int cells, double cell_mm, double resolution_mm) {
 }
 
 /// Pixels whose middles are the vertices: half of those at the border lie beyond the canvas.
-shade::Lattice lattice_of(const film::FilmState& film, int columns, int rows) {
+shade::Lattice lattice_of(const grid::Shape& cells, int columns, int rows) {
     shade::Lattice lattice;
-    lattice.scale_x = (columns - 1.0) / film.shape.width;
-    lattice.scale_y = (rows - 1.0) / film.shape.height;
+    lattice.scale_x = (columns - 1.0) / cells.width;
+    lattice.scale_y = (rows - 1.0) / cells.height;
     lattice.left_cells = -0.5 / lattice.scale_x;
     lattice.top_cells = -0.5 / lattice.scale_y;
     lattice.width = columns;
@@ -56,13 +55,12 @@ shade::Lattice lattice_of(const film::FilmState& film, int columns, int rows) {
     return lattice;
 }
 
-void check_options(const film::FilmState& film, const ReliefOptions& options) {
+void check_options(double cell_mm, const ReliefOptions& options) {
     constexpr double kFewestCells = 1.0 / 64.0, kMostCells = 64.0;
     check_range("base in mm", options.base_mm, 0.1, 100.0);
     check_range("exaggeration", options.exaggeration, 0.01, 100.0);
     if (options.resolution_mm == 0.0) return;
-    check_range("resolution in mm", options.resolution_mm, film.cell_mm * kFewestCells,
-                film.cell_mm * kMostCells);
+    check_range("resolution in mm", options.resolution_mm, cell_mm * kFewestCells, cell_mm * kMostCells);
 }
 
 void check_count(int columns, int rows) {
@@ -93,29 +91,41 @@ std::array<float, 3> Relief::vertex(std::size_t index) const {
             static_cast<float>(0.5 * (rows - 1) * step_y_mm), 0.0F};
 }
 
-Relief relief_of(const film::FilmState& film, const ReliefOptions& options, core::ThreadPool& pool) {
-    check_options(film, options);
-    const double resolution_mm = resolution_of(film, options);
+ReliefGrid relief_grid(const grid::Shape& cells, double cell_mm, const ReliefOptions& options) {
+    check_options(cell_mm, options);
+    const double resolution_mm = resolution_of(cells, cell_mm, options);
+    const ReliefGrid grid{vertices_along(cells.width, cell_mm, resolution_mm),
+                          vertices_along(cells.height, cell_mm, resolution_mm)};
+    check_count(grid.columns, grid.rows);
+    return grid;
+}
+
+std::optional<Relief> relief_of(const film::FilmState& film, const ReliefOptions& options,
+                                core::ThreadPool& pool, const KeepGoing& keep_going) {
+    const ReliefGrid grid = relief_grid(film.shape, film.cell_mm, options);
     Relief relief;
-    relief.columns = vertices_along(film.shape.width, film.cell_mm, resolution_mm);
-    relief.rows = vertices_along(film.shape.height, film.cell_mm, resolution_mm);
-    check_count(relief.columns, relief.rows);
+    relief.columns = grid.columns;
+    relief.rows = grid.rows;
     relief.step_x_mm = film.shape.width * film.cell_mm / (relief.columns - 1);
     relief.step_y_mm = film.shape.height * film.cell_mm / (relief.rows - 1);
     relief.z_mm.reserve(static_cast<std::size_t>(relief.columns) *
                         static_cast<std::size_t>(relief.rows));
-    const shade::Lattice lattice = lattice_of(film, relief.columns, relief.rows);
+    const shade::Lattice lattice = lattice_of(film.shape, relief.columns, relief.rows);
     const shade::Renderer renderer(film, {}, lattice, {}, pool);
     shade::SurfaceSamples surface;
-    const auto keep_going = [](double) { return true; };
-    for_each_band(lattice, keep_going, [&](const grid::Rect& pixels) {
+    const bool complete = for_each_band(lattice, keep_going, [&](const grid::Rect& pixels) {
         renderer.render(pixels, nullptr, &surface);
         for (const shade::SurfaceSample& sample : surface.samples) {
             relief.z_mm.push_back(static_cast<float>(
                 options.base_mm + options.exaggeration * std::max(sample.height_mm, 0.0F)));
         }
     });
+    if (!complete) return {};
     return relief;
+}
+
+Relief relief_of(const film::FilmState& film, const ReliefOptions& options, core::ThreadPool& pool) {
+    return *relief_of(film, options, pool, [](double) { return true; });
 }
 
 void for_each_triangle(const Relief& relief, const std::function<void(const Triangle&)>& use) {

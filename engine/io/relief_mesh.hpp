@@ -4,10 +4,12 @@
 
 #include "core/thread_pool.hpp"
 #include "film/state.hpp"
+#include "io/export_bands.hpp"
 
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace pastoso::io {
@@ -19,7 +21,17 @@ struct ReliefOptions {
     double exaggeration = 1.0;   ///< heights are multiplied by this, 0.01 to 100
     double resolution_mm = 0.0;  ///< distance of vertices; 0: a cell, or 1/1000 of the longer side where
                                  ///< that is more
+    friend bool operator==(const ReliefOptions&, const ReliefOptions&) = default;
 };
+
+/// The points of a relief's front.
+struct ReliefGrid {
+    int columns = 0, rows = 0;
+};
+
+/// Those that a canvas of so many cells gets. Throws InputError for options outside their ranges and for
+/// more than kMaxReliefVertices.
+ReliefGrid relief_grid(const grid::Shape& cells, double cell_mm, const ReliefOptions& options);
 
 /// A grid of heights over a flat back. The solid's vertices are those of the grid, row by row from the
 /// canvas's upper left corner, then those of the back: below the border of the grid, all around from the
@@ -42,7 +54,11 @@ struct Relief {
 };
 
 /// Means of the interpolated surface around the vertices: z = base + exaggeration max(h, 0). Throws
-/// InputError for options outside their ranges and for more than kMaxReliefVertices.
+/// InputError as relief_grid() does. None where `keep_going` said so.
+std::optional<Relief> relief_of(const film::FilmState& film, const ReliefOptions& options,
+                                core::ThreadPool& pool, const KeepGoing& keep_going);
+
+/// The same to the end.
 Relief relief_of(const film::FilmState& film, const ReliefOptions& options, core::ThreadPool& pool);
 
 using Triangle = std::array<std::uint32_t, 3>;

@@ -11,7 +11,6 @@
 #include "io/picture_export.hpp"
 #include "io/recording_json.hpp"
 #include "io/video_file.hpp"
-#include "shade/picture_sheet.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +27,14 @@ using document::Recording;
 using Path = std::filesystem::path;
 
 constexpr const char* kRecordName = "timelapse.txt";
+
+double step_of(const TimelapseChoice& choice) {
+    return choice.speed / (choice.fps * document::kTick_s);
+}
+
+std::int64_t even_tick(const TimelapseChoice& choice, std::int64_t frame) {
+    return std::llround(step_of(choice) * static_cast<double>(frame));
+}
 
 /// Paints as far as the last frame that is wanted and calls show(frame, snapshot) for those that are.
 /// False when `keep_going` said so.
@@ -60,11 +67,6 @@ ExportSource source_of(const document::Snapshot& snapshot, const TimelapseChoice
     settings.lighting = choice.lighting;
     settings.viewing = style.viewing;
     return {snapshot.film, snapshot.ground, settings, choice.lit};
-}
-
-shade::Lattice frame_lattice(const Recording& recording, const TimelapseChoice& choice) {
-    const grid::Shape shape = document::canvas_shape(recording.canvas);
-    return shade::picture_lattice(shape, shape.cells(), choice.scale);
 }
 
 /// What decides on the frames of a folder, so that frames of another time-lapse are not mixed in.
@@ -115,35 +117,21 @@ std::vector<bool> missing_frames(const Path& folder, std::size_t frames) {
     return missing;
 }
 
-/// A canvas that was cut or made larger on the way is shown as large as fits, in the middle, on grey.
-shade::LinearImage frame_image(ExportSource source, const Recording& recording,
-                               const TimelapseChoice& choice, core::ThreadPool& pool) {
-    const shade::Lattice frame = frame_lattice(recording, choice);
-    const grid::Shape shape = source.film.shape;
-    if (shape != document::canvas_shape(recording.canvas))
-        source.settings.scale = std::min(static_cast<double>(frame.width) / shape.width,
-                                         static_cast<double>(frame.height) / shape.height);
-    const shade::Lattice lattice = export_lattice(source);
-    const shade::Renderer renderer(source.film, source.ground, lattice, source.settings, pool);
-    shade::LinearImage image;
-    render_picture(renderer, source, {0, 0, lattice.width, lattice.height}, &image);
-    return shade::framed(image, frame.width, frame.height);
-}
-
 bool write_frames(const Recording& recording, const TimelapseChoice& choice, core::ThreadPool& pool,
                   const KeepGoing& keep_going, TimelapseReport& report) {
     const PictureStyle style = picture_style(choice.picture);
     check_picture_path(frame_path(choice.path.parent_path(), 0), style.encoding);
     claim_folder(choice.path, record_of(recording, choice));
+    const grid::Shape first = document::canvas_shape(recording.canvas);
     const auto to_the_end = [](double) { return true; };
     return play(recording, choice, missing_frames(choice.path, report.frames), pool, keep_going,
                 [&](std::size_t frame, const document::Snapshot& snapshot) {
                     const ExportSource source = source_of(snapshot, choice, style);
                     const Path path = frame_path(choice.path, frame);
-                    if (snapshot.film.shape == document::canvas_shape(recording.canvas))
+                    if (snapshot.film.shape == first)
                         export_picture(path, source, style.encoding, pool, to_the_end);
                     else
-                        write_picture(path, frame_image(source, recording, choice, pool), style.encoding,
+                        write_picture(path, frame_picture(source, first, pool), style.encoding,
                                       choice.scale / snapshot.film.cell_mm);
                     ++report.written;
                 });
@@ -153,15 +141,15 @@ bool write_video(const Recording& recording, const TimelapseChoice& choice, core
                  const KeepGoing& keep_going, TimelapseReport& report) {
     PictureStyle style = picture_style(choice.picture);
     style.viewing.space = pigment::WorkingSpace::Srgb;
+    const grid::Shape first = document::canvas_shape(recording.canvas);
     return core::write_aside_unless(choice.path, [&](const Path& temporary) {
         VideoWriter video(temporary, choice.path, report.width_px, report.height_px, choice.fps);
-        const bool complete =
-            play(recording, choice, std::vector<bool>(report.frames, true), pool, keep_going,
-                 [&](std::size_t, const document::Snapshot& snapshot) {
-                     video.write(shade::encode_srgb8(
-                         frame_image(source_of(snapshot, choice, style), recording, choice, pool)));
-                     ++report.written;
-                 });
+        const bool complete = play(recording, choice, std::vector<bool>(report.frames, true), pool,
+                                   keep_going, [&](std::size_t, const document::Snapshot& snapshot) {
+                                       video.write(shade::encode_srgb8(frame_picture(
+                                           source_of(snapshot, choice, style), first, pool)));
+                                       ++report.written;
+                                   });
         if (complete) video.finish();
         return complete;
     });
@@ -170,13 +158,27 @@ bool write_video(const Recording& recording, const TimelapseChoice& choice, core
 }  // namespace
 
 std::vector<std::int64_t> frame_ticks(const Recording& recording, const TimelapseChoice& choice) {
-    const double step = choice.speed / (choice.fps * document::kTick_s);
     std::vector<std::int64_t> ticks;
     for (std::int64_t tick = 0; tick < recording.end_tick;
-         tick = std::llround(step * static_cast<double>(ticks.size())))
+         tick = even_tick(choice, static_cast<std::int64_t>(ticks.size())))
         ticks.push_back(tick);
     ticks.push_back(recording.end_tick);
     return ticks;
+}
+
+std::int64_t frame_count(const Recording& recording, const TimelapseChoice& choice) {
+    auto frame = static_cast<std::int64_t>(static_cast<double>(recording.end_tick) / step_of(choice));
+    while (frame > 0 && even_tick(choice, frame - 1) >= recording.end_tick)
+        --frame;
+    while (even_tick(choice, frame) < recording.end_tick)
+        ++frame;
+    return frame + 1;
+}
+
+grid::Shape timelapse_size(const document::CanvasSettings& first, const TimelapseChoice& choice) {
+    const grid::Shape shape = document::canvas_shape(first);
+    const shade::Lattice lattice = shade::picture_lattice(shape, shape.cells(), choice.scale);
+    return {lattice.width, lattice.height};
 }
 
 void check_timelapse(const TimelapseChoice& choice) {
@@ -195,10 +197,10 @@ TimelapseReport export_timelapse(Recording recording, const TimelapseChoice& cho
     check_timelapse(choice);
     if (choice.px_per_mm) recording.canvas.px_per_mm = *choice.px_per_mm;
     document::check_canvas_fits(recording.canvas, document::available_memory_bytes());
-    const shade::Lattice lattice = frame_lattice(recording, choice);
+    const grid::Shape size = timelapse_size(recording.canvas, choice);
     TimelapseReport report{.frames = frame_ticks(recording, choice).size(),
-                           .width_px = lattice.width,
-                           .height_px = lattice.height};
+                           .width_px = size.width,
+                           .height_px = size.height};
     const auto write = is_video_path(choice.path) ? write_video : write_frames;
     const bool complete = write(recording, choice, pool, keep_going, report);
     report.status = complete ? ExportStatus::Written : ExportStatus::Stopped;

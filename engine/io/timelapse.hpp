@@ -31,6 +31,13 @@ struct TimelapseChoice {
 std::vector<std::int64_t> frame_ticks(const document::Recording& recording,
                                       const TimelapseChoice& choice);
 
+/// How many those are.
+std::int64_t frame_count(const document::Recording& recording, const TimelapseChoice& choice);
+
+/// The pixels of every frame, `first` being the canvas that the painting began on. Throws InputError as
+/// shade::picture_lattice() does.
+grid::Shape timelapse_size(const document::CanvasSettings& first, const TimelapseChoice& choice);
+
 /// Throws InputError where a video cannot be made, for a name that is neither a folder's nor a video's,
 /// and for lights and profiles that there are not.
 void check_timelapse(const TimelapseChoice& choice);

@@ -1,13 +1,11 @@
 // What the screen shows: the shader against the renderer on the processor, smoothness, and saved
 // pictures.
 #include "app/window_fixture.hpp"
-#include "core/error.hpp"
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
 #include "shade/render.hpp"
 
 #include <cmath>
-#include <filesystem>
 
 #include <QAction>
 #include <QComboBox>
@@ -163,22 +161,11 @@ TEST_F(PictureWindow, ZoomedInTheSurfaceIsSmoothAndShowsNoCells) {
 TEST_F(PictureWindow, ASavedPictureIsAReadableFileThatLooksLikeTheCanvas) {
     const TemporaryFolder folder;
     const QString path = QString::fromStdString((folder.path() / "picture.png").string());
-    QString error = QStringLiteral("not finished");
-    QObject::connect(&window().saver(), &commands::PictureSaver::finished, &window(),
-                     [&](const QString&, const QString& sentence) { error = sentence; });
-    window().save_picture(path);
-    wait_for([&] { return error != QStringLiteral("not finished"); });
-    EXPECT_EQ(error.toStdString(), "");
+    window().export_painting({}, path.toStdString());
+    wait_for([this] { return !window().exporter().busy(); });
     const QImage saved = QImage(path).convertToFormat(QImage::Format_RGB888);
     ASSERT_FALSE(saved.isNull());
     EXPECT_EQ(difference(saved, reference(1.0)).largest, 0);
-}
-
-TEST_F(PictureWindow, APictureThatCannotBeWrittenIsToldAndLeavesNothing) {
-    const TemporaryFolder folder;
-    const auto path = folder.path() / "missing" / "picture.png";
-    EXPECT_THROW(commands::save_picture(*session().snapshot(), {}, path), core::InputError);
-    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 }  // namespace

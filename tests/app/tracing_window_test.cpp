@@ -102,8 +102,8 @@ TEST_F(TracingWindow, ThickPaintCoversIt) {
 TEST_F(TracingWindow, IsInNoPictureThatIsSaved) {
     const auto saved = [&](const char* name) {
         const std::filesystem::path file = folder.path() / name;
-        window().save_picture(QString::fromStdString(file.string()));
-        wait_for([&] { return std::filesystem::exists(file); });
+        window().export_painting({}, file);
+        wait_for([&] { return !window().exporter().busy(); });
         return core::read_text_file(file);
     };
     const std::string before = saved("before.png");

@@ -1,4 +1,5 @@
 // Large exports: time, and the memory that they take beside the painting.
+#include "io/layer_export.hpp"
 #include "io/map_export.hpp"
 #include "io/picture_export.hpp"
 #include "io/relief_export.hpp"
@@ -79,8 +80,10 @@ void layers(benchmark::State& run) {
     const film::FilmState film = painted(static_cast<int>(run.range(0)));
     ExportSource source{film, test::kGround, {}};
     source.settings.scale = static_cast<double>(run.range(1)) / static_cast<double>(run.range(0));
+    const film::SupportHeights bare_mm(film.shape);
+    const ChannelLayers apart = channel_layers(film, bare_mm, document::single_layer());
     measure(run, bench_path(".exr"), [&](const std::filesystem::path& path) {
-        export_layers(path, source, "paint", pool, kToTheEnd);
+        export_layers(path, source, apart, pool, kToTheEnd);
     });
 }
 

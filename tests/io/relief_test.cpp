@@ -4,8 +4,10 @@
 #include "io/temporary_folder.hpp"
 #include "shade/canvas.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -216,6 +218,25 @@ TEST_F(ReliefTest, AStoppedExportLeavesTheOldFile) {
               ExportStatus::Stopped);
     EXPECT_EQ(core::read_text_file(folder / "a.obj"), "old");
     EXPECT_EQ(files_in_folder(), 1U);
+}
+
+TEST_F(ReliefTest, SamplingIsToldAndCanBeStopped) {
+    const film::FilmState film = heap(200, 200);
+    // Four bands.
+    const ReliefOptions fine{2.0, 1.0, 50.0 / 3000.0};
+    std::vector<double> shares;
+    const std::optional<Relief> whole = relief_of(film, fine, pool, [&](double done) {
+        shares.push_back(done);
+        return true;
+    });
+    ASSERT_TRUE(whole);
+    EXPECT_EQ(whole->z_mm, relief_of(film, fine, pool).z_mm);
+    EXPECT_GE(shares.size(), 4U);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_EQ(shares.back(), 1.0);
+    int asked = 0;
+    EXPECT_FALSE(relief_of(film, fine, pool, [&](double) { return ++asked < 3; }));
+    EXPECT_EQ(asked, 3);
 }
 
 TEST_F(ReliefTest, RefusesWhatCannotBePrinted) {

@@ -1,0 +1,72 @@
+// Makes pictures, layers, maps, reliefs and time-lapses of a painting while the painter goes on
+// painting.
+#pragma once
+
+#include "io/painting_export.hpp"
+#include "io/timelapse.hpp"
+
+#include <atomic>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <variant>
+
+#include <QObject>
+#include <QTimer>
+
+namespace pastoso::commands {
+
+struct ExportJob {
+    document::PaintingState painting;
+    document::Recording recording;  ///< what a time-lapse shows; otherwise empty
+    std::variant<io::ExportChoice, io::TimelapseChoice> choice;
+};
+
+std::filesystem::path path_of(const ExportJob& job);
+
+struct ExportOutcome {
+    std::filesystem::path path;
+    std::string error{};  ///< one sentence; empty when the export was written or stopped
+    std::variant<io::ExportReport, io::TimelapseReport> report{};  ///< without an error
+
+    io::ExportStatus status() const;
+};
+
+/// One export at a time, on a thread that leaves the processors to the painting. All is to be called on
+/// the thread of the object.
+class Exporter : public QObject {
+    Q_OBJECT
+  public:
+    explicit Exporter(QObject* parent = nullptr);
+    /// Stops what is being written.
+    ~Exporter() override;
+
+    /// Until finished() was told.
+    bool busy() const { return thread_.joinable(); }
+
+    /// Where the export goes that is being written, or was the last.
+    const std::filesystem::path& path() const { return path_; }
+
+    /// Returns at once. Not while busy().
+    void start(ExportJob job);
+
+    /// As soon as can be; files are as they were before then, but for the frames of a sequence that are
+    /// complete. What is all but written may become whole nevertheless.
+    void stop() { stopped_ = true; }
+
+  Q_SIGNALS:
+    void progressed(double done);  ///< a few times a second: 0 to 1
+    void finished(const pastoso::commands::ExportOutcome& outcome);
+
+  private:
+    void run(ExportJob job);
+    void end(const ExportOutcome& outcome);
+
+    std::filesystem::path path_;
+    std::thread thread_;
+    std::atomic<bool> stopped_ = false;
+    std::atomic<double> done_ = 0.0;
+    QTimer progress_;
+};
+
+}  // namespace pastoso::commands

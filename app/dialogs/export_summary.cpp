@@ -1,0 +1,133 @@
+#include "dialogs/export_summary.hpp"
+
+#include "core/error.hpp"
+#include "document/canvas.hpp"
+#include "io/files.hpp"
+
+#include <cmath>
+
+#include <QCoreApplication>
+
+namespace pastoso::dialogs {
+namespace {
+
+using tools::ExportForm;
+using tools::ExportSettings;
+using Path = std::filesystem::path;
+
+QString tr(const char* words) {
+    return QCoreApplication::translate("pastoso::dialogs::ExportDialog", words);
+}
+
+bool is_folder_format(const ExportSettings& settings) {
+    return *settings.format().ending == '\0';
+}
+
+/// A length in mm without needless digits.
+QString length(double mm) {
+    return QString::number(std::round(100.0 * mm) / 100.0);
+}
+
+QString duration(double seconds) {
+    if (seconds < 59.95) return tr("%1 s").arg(seconds, 0, 'f', 1);
+    const auto whole = static_cast<long long>(std::llround(seconds));
+    if (whole < 3600) return tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
+    return tr("%1 h %2 min").arg(whole / 3600).arg(whole / 60 % 60);
+}
+
+QString picture_words(const grid::Shape& size, const io::ExportedCells& cells, double scale) {
+    constexpr double kMmPerInch = 25.4;
+    return tr("%1 × %2 pixels for %3 × %4 mm, which is %5 pixels per inch.")
+        .arg(size.width)
+        .arg(size.height)
+        .arg(length(cells.shape.width * cells.cell_mm), length(cells.shape.height * cells.cell_mm))
+        .arg(std::lround(scale / cells.cell_mm * kMmPerInch));
+}
+
+QString map_words(const grid::Shape& size, const Path& path) {
+    const auto files = io::map_paths(path);
+    return tr("Four files of %1 × %2 pixels, %3 to %4.")
+        .arg(size.width)
+        .arg(size.height)
+        .arg(QString::fromStdString(files.front().filename().string()),
+             QString::fromStdString(files.back().filename().string()));
+}
+
+QString relief_words(const grid::Shape& size, const io::ExportedCells& cells) {
+    const double width_mm = cells.shape.width * cells.cell_mm;
+    return tr("A solid of %1 × %2 mm; its front has %3 × %4 points, %5 mm apart.")
+        .arg(length(width_mm), length(cells.shape.height * cells.cell_mm))
+        .arg(size.width)
+        .arg(size.height)
+        .arg(length(width_mm / (size.width - 1)));
+}
+
+QString film_words(const grid::Shape& size, const ExportSubject& subject,
+                   const io::TimelapseChoice& choice) {
+    const double painted_s = static_cast<double>(subject.film.end_tick) * document::kTick_s;
+    const std::int64_t frames = io::frame_count(subject.film, choice);
+    return tr("%1 of painting become %2 of film: %3 frames of %4 × %5 pixels.")
+        .arg(duration(painted_s), duration(static_cast<double>(frames) / choice.fps))
+        .arg(frames)
+        .arg(size.width)
+        .arg(size.height);
+}
+
+/// Asked as io asks it of files.
+void check_folder(const Path& folder) {
+    const QString name = QString::fromStdString(folder.filename().string());
+    const auto refuse = [&](const QString& sentence) {
+        throw core::InputError(sentence.arg(name).toStdString());
+    };
+    if (!std::filesystem::exists(folder)) return io::check_writable(folder);
+    if (!std::filesystem::is_directory(folder))
+        refuse(tr("%1 is a file; numbered pictures go into a folder."));
+    if (std::filesystem::exists(folder / "frame-00001.png"))
+        refuse(tr("The folder %1 holds the frames of another time-lapse; name another one."));
+    io::check_writable(folder / "frame-00001.png");
+}
+
+void check_timelapse(const ExportSubject& subject, const ExportSettings& settings,
+                     const io::TimelapseChoice& choice) {
+    if (!subject.has_strokes)
+        throw core::InputError(tr("Nothing has been painted yet that a film could show.").toStdString());
+    io::check_timelapse(choice);
+    if (is_folder_format(settings)) check_folder(choice.path);
+}
+
+void check_path(const Path& path) {
+    if (path.empty()) throw core::InputError(tr("The file needs a name.").toStdString());
+    std::error_code unseen;
+    if (!std::filesystem::is_directory(path.parent_path(), unseen))
+        throw core::InputError(tr("There is no folder %1.")
+                                   .arg(QString::fromStdString(path.parent_path().string()))
+                                   .toStdString());
+}
+
+}  // namespace
+
+grid::Shape exported_size(const ExportSubject& subject, const ExportSettings& settings,
+                          const Path& path) {
+    if (settings.form == ExportForm::Timelapse)
+        return io::timelapse_size(subject.film.canvas,
+                                  tools::timelapse_choice(settings, path, subject.light));
+    return io::export_size(subject.canvas, tools::export_choice(settings, path, subject.light));
+}
+
+QString export_summary(const ExportSubject& subject, const ExportSettings& settings, const Path& path) {
+    check_path(path);
+    if (settings.form == ExportForm::Timelapse) {
+        const io::TimelapseChoice choice = tools::timelapse_choice(settings, path, subject.light);
+        check_timelapse(subject, settings, choice);
+        return film_words(exported_size(subject, settings, path), subject, choice);
+    }
+    const io::ExportChoice choice = tools::export_choice(settings, path, subject.light);
+    io::check_export(choice);
+    const grid::Shape size = io::export_size(subject.canvas, choice);
+    const io::ExportedCells cells = io::exported_cells(subject.canvas, choice);
+    if (settings.form == ExportForm::Relief) return relief_words(size, cells);
+    if (settings.form == ExportForm::Maps) return map_words(size, path);
+    return picture_words(size, cells, settings.scale);
+}
+
+}  // namespace pastoso::dialogs
