@@ -31,12 +31,6 @@ view::TipShape tip_in_hand(const tools::Hand& hand) {
             .angular = preset.tip.shape != brush::TipShape::Round};
 }
 
-/// Sentences of the engine begin small, since many stand behind the name of a file.
-QString capitalised(QString sentence) {
-    if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
-    return sentence;
-}
-
 }  // namespace
 
 MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journal)
@@ -165,7 +159,7 @@ void MainWindow::show_published() {
     easel_->lend_brush(status.replaying);
     setWindowModified(status.changes != saved_changes_);
     for (const std::string& error : session_->take_errors())
-        report(QString::fromStdString(error));
+        report_refusal(QString::fromStdString(error));
 }
 
 /// The well's view is left alone while nothing in the well changes.
@@ -219,7 +213,13 @@ void MainWindow::show_paint(const document::PaintRecipe& paint) {
 
 void MainWindow::report(const QString& sentence) {
     constexpr int kReadingTime_ms = 12000;
-    statusBar()->showMessage(capitalised(sentence), kReadingTime_ms);
+    statusBar()->showMessage(sentence, kReadingTime_ms);
+}
+
+/// Sentences of the engine begin small, since many stand behind the name of a file.
+void MainWindow::report_refusal(QString sentence) {
+    if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
+    report(sentence);
 }
 
 }  // namespace pastoso::main

@@ -238,6 +238,7 @@ class MainWindow : public QMainWindow {
     void remember_export();
     void ask_save_recording();
     void report(const QString& sentence);
+    void report_refusal(QString sentence);
 
     const bool keeps_journal_;
     commands::CommandRegistry commands_;

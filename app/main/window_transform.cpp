@@ -82,7 +82,7 @@ void MainWindow::begin_transform() {
     show_published();
     const auto painting = session_->snapshot();
     const QString problem = problem_of(*painting->layers);
-    if (!problem.isEmpty()) return report(problem);
+    if (!problem.isEmpty()) return report_refusal(problem);
     const grid::Rect cells = tools::painted_cells(*painting);
     if (cells.empty())
         return report(painting->selection == nullptr
