@@ -99,5 +99,17 @@ PASTOSO_KERNEL_INLINE int store_chosen(std::int32_t* to, IntLanes values, IntLan
 #endif
 }
 
+/// table[index] lane by lane, the index taken modulo kLanes. One instruction with GCC.
+PASTOSO_KERNEL_INLINE FloatLanes shuffled(FloatLanes table, IntLanes index) {
+#if __has_builtin(__builtin_shuffle)
+    return __builtin_shuffle(table, index);
+#else
+    FloatLanes found = {};
+    for (int lane = 0; lane < kLanes; ++lane)
+        found[lane] = table[index[lane] & (kLanes - 1)];
+    return found;
+#endif
+}
+
 }  // namespace
 }  // namespace pastoso::brush::PASTOSO_ISA

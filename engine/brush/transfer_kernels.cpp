@@ -58,9 +58,9 @@ struct SixteenHairs {
         }
     }
     PASTOSO_KERNEL_INLINE static FloatLanes pick(const FloatLanes* table, IntLanes index) {
-        FloatLanes found = __builtin_shuffle(table[0], index);
+        FloatLanes found = shuffled(table[0], index);
         for (int part = 1; part < kRegisters; ++part)
-            found = index >= part * kLanes ? __builtin_shuffle(table[part], index) : found;
+            found = index >= part * kLanes ? shuffled(table[part], index) : found;
         return found;
     }
     PASTOSO_KERNEL_INLINE FloatLanes at(IntLanes index, FloatLanes share) const {

@@ -60,7 +60,7 @@ class ScopedTimer {
 
 Painting::Parts::Parts(const CanvasSettings& wanted, film::SupportHeights support_mm,
                        core::ThreadPool& threads)
-    : bare(std::make_shared<const BareCanvas>(wanted, support_mm)),
+    : bare(std::make_shared<const BareCanvas>(BareCanvas{wanted, support_mm})),
       pool(threads),
       medium(film::find_medium(kFirstMedium)),
       canvas(bare_canvas(wanted, std::move(support_mm)), medium, threads) {
@@ -68,7 +68,7 @@ Painting::Parts::Parts(const CanvasSettings& wanted, film::SupportHeights suppor
 }
 
 Painting::Parts::Parts(const PaintingState& state, core::ThreadPool& threads)
-    : bare(std::make_shared<const BareCanvas>(state.settings, state.bare_support_mm)),
+    : bare(std::make_shared<const BareCanvas>(BareCanvas{state.settings, state.bare_support_mm})),
       pool(threads),
       medium(film::find_medium(state.medium)),
       canvas(state.canvas.film, state.bare_support_mm, state.layers, medium, threads),

@@ -147,7 +147,7 @@ void Painting::Parts::operator()(const ResizeCanvas& resize) {
     book(canvas.resize(extent, support_mm));
     selection = on_extent(selection, extent);
     if (tracing) replace_tracing(moved(*tracing, -extent.x0 * film.cell_mm, -extent.y0 * film.cell_mm));
-    bare = std::make_shared<const BareCanvas>(std::move(wanted), std::move(support_mm));
+    bare = std::make_shared<const BareCanvas>(BareCanvas{std::move(wanted), std::move(support_mm)});
 }
 
 film::SupportHeights Painting::Parts::resized_support(const CanvasSettings& wanted,

@@ -56,7 +56,7 @@ void unpack(std::span<const std::byte> bytes) {
     std::uint32_t size = 0;
     if (bytes.size() < sizeof size) return;
     std::memcpy(&size, bytes.data(), sizeof size);
-    unpacked(bytes.subspan(sizeof size), size % (1U << 22));
+    packing::unpacked(bytes.subspan(sizeof size), size % (1U << 22));
 }
 
 void try_bytes(int mode, std::span<const std::byte> bytes) {
