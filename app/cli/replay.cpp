@@ -39,7 +39,7 @@ void check_outputs(const ReplayOptions& options, const io::PictureStyle& style) 
 /// Plays to the end, writing frames where they are asked for.
 void play(document::Painting& painting, const document::Recording& recording,
           const ReplayOptions& options, FrameWriter* frames) {
-    if (!document::undoes(recording)) painting.set_history_budget(0);
+    painting.keep_undo_steps(document::undo_depth(recording));
     document::Player player(painting, recording);
     Progress progress("painting", Progress::style_for_stderr(options.quiet));
     while (!player.finished()) {

@@ -26,6 +26,8 @@ constexpr std::array kCommands = {
     CommandText{Command::Quit, "&File", "&Quit", "Ctrl+Q", "Close the window", false, true},
     CommandText{Command::Undo, "&Edit", "&Undo", "Ctrl+Z", "Take the last stroke back"},
     CommandText{Command::Redo, "&Edit", "&Redo", "Ctrl+Shift+Z; Ctrl+Y", "Put the last stroke back"},
+    CommandText{Command::UndoMemory, "&Edit", "&Memory for undo...", "Ctrl+Alt+U",
+                "How much memory the steps may take that you can return to"},
     CommandText{Command::CanvasSize, "&Edit", "&Canvas size...", "Ctrl+Alt+C",
                 "Make the canvas larger, or cut it, on any side", false, true},
     CommandText{Command::CropToSelection, "&Edit", "Crop to the &selection", "",

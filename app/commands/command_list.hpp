@@ -17,6 +17,7 @@ enum class Command {
     Quit,
     Undo,
     Redo,
+    UndoMemory,
     CanvasSize,
     CropToSelection,
     SmallerBrush,

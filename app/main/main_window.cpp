@@ -104,6 +104,7 @@ void MainWindow::start_session(std::unique_ptr<core::ThreadPool> pool,
     session_ = std::make_unique<session::PaintSession>(
         std::move(pool), std::move(painting), std::move(notify), std::move(past),
         commands_.action(commands::Command::Pause)->isChecked(), std::move(journal));
+    set_undo_memory(undo_memory_MiB_);
     journal_events_saved_.reset();
     path_.clear();
     saved_changes_ = 0;

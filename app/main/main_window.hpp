@@ -11,6 +11,7 @@
 #include "session/thumbnail_painter.hpp"
 #include "tools/easel.hpp"
 #include "tools/export_settings.hpp"
+#include "tools/settings.hpp"
 #include "tools/guide_handles.hpp"
 #include "view/canvas_view.hpp"
 
@@ -208,6 +209,8 @@ class MainWindow : public QMainWindow {
     void recall();
     void remember();
     void remember_paints();
+    void ask_undo_memory();
+    void set_undo_memory(int MiB);
     void reset_panels();
     void read_brushes();
     void reread_brushes();
@@ -267,6 +270,7 @@ class MainWindow : public QMainWindow {
     QFileSystemWatcher brush_files_;
     QTimer brushes_changed_;       ///< soon after their files
     QTimer paints_changed_;        ///< soon after the last of several changes
+    int undo_memory_MiB_ = tools::kUndoMemory_MiB;
     bool settings_usable_ = true;  ///< their file is none that cannot be read, which is left alone
     bool shelf_usable_ = true;
     bool export_settings_usable_ = true;

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include <QAction>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -73,14 +74,16 @@ QString words_of(const commands::ExportOutcome& outcome) {
     return MainWindow::tr("Stopped; %1 was not written.").arg(name);
 }
 
-/// Where pictures usually go.
-std::filesystem::path first_folder() {
-    return QStandardPaths::writableLocation(QStandardPaths::PicturesLocation).toStdString();
-}
-
 bool is_folder(const std::filesystem::path& path) {
     std::error_code unseen;
     return !path.empty() && std::filesystem::is_directory(path, unseen);
+}
+
+/// Where pictures usually go; not everybody has such a folder.
+std::filesystem::path first_folder() {
+    const std::filesystem::path pictures =
+        QStandardPaths::writableLocation(QStandardPaths::PicturesLocation).toStdString();
+    return is_folder(pictures) ? pictures : std::filesystem::path(QDir::homePath().toStdString());
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QInputDialog>
 
 namespace pastoso::main {
 namespace {
@@ -59,6 +60,8 @@ void MainWindow::recall() {
     shelf_usable_ = read([&] { colours_->show_shelf(tools::read_shelf(shelf_file())); });
     export_settings_usable_ =
         read([&] { export_settings_ = tools::read_export_settings(export_file()); });
+    set_undo_memory(settings.undo_memory_MiB);
+    commands_.on(commands::Command::UndoMemory, [this](bool) { ask_undo_memory(); });
     tools::Hand hand = easel_->hand();
     hand.stabiliser = tools::stabiliser_of(settings.steadying);
     hand.reload_each_stroke = settings.reload_each_stroke;
@@ -83,6 +86,7 @@ void MainWindow::remember() {
     settings.steadying = brushes_->steadying();
     settings.reload_each_stroke = hand.reload_each_stroke;
     settings.turn_with_stroke = hand.turn_with_stroke;
+    settings.undo_memory_MiB = undo_memory_MiB_;
     settings.window_place = to_text(saveGeometry());
     settings.panels = to_text(saveState(kPanelsVersion));
     try {
@@ -109,6 +113,24 @@ void MainWindow::remember_paints() {
     } catch (const core::InputError& error) {
         report(QString::fromUtf8(error.what()));
     }
+}
+
+void MainWindow::ask_undo_memory() {
+    constexpr int kStep_MiB = 256;
+    QInputDialog dialog(this);
+    dialog.setWindowTitle(tr("Memory for undo"));
+    dialog.setLabelText(
+        tr("The steps that you can return to may take so much memory, in MiB.\n"
+           "The oldest are given up when it is full; 500 are kept at most."));
+    dialog.setIntRange(tools::kLeastUndoMemory_MiB, tools::kMostUndoMemory_MiB);
+    dialog.setIntStep(kStep_MiB);
+    dialog.setIntValue(undo_memory_MiB_);
+    if (dialog.exec() == QDialog::Accepted) set_undo_memory(dialog.intValue());
+}
+
+void MainWindow::set_undo_memory(int MiB) {
+    undo_memory_MiB_ = MiB;
+    session_->set_history_budget(static_cast<std::size_t>(MiB) << 20);
 }
 
 void MainWindow::reset_panels() {

@@ -99,6 +99,25 @@ void PaintSession::set_paused(bool paused) {
     work_.notify_all();
 }
 
+void PaintSession::set_history_budget(std::size_t bytes) {
+    {
+        const std::lock_guard lock(mutex_);
+        wanted_budget_bytes_ = bytes;
+    }
+    work_.notify_all();
+}
+
+void PaintSession::apply_budget() {
+    std::optional<std::size_t> bytes;
+    {
+        const std::lock_guard lock(mutex_);
+        bytes = std::exchange(wanted_budget_bytes_, std::nullopt);
+    }
+    if (!bytes) return;
+    painting_->set_history_budget(*bytes);
+    changed_ = true;
+}
+
 std::shared_ptr<const document::Snapshot> PaintSession::snapshot() const {
     const std::lock_guard lock(mutex_);
     return snapshot_;
@@ -165,6 +184,7 @@ void PaintSession::wait_until_applied() {
 
 void PaintSession::run() {
     while (wait_for_work()) {
+        apply_budget();
         apply_posted();
         apply_due_replay();
         hand_out_capture();
@@ -177,7 +197,9 @@ void PaintSession::run() {
 /// Sleeps until there is an action, a tick is due or the session ends; false at the end.
 bool PaintSession::wait_for_work() {
     std::unique_lock lock(mutex_);
-    const auto ready = [&] { return stopping_ || !posted_.empty() || wanted_capture_ != nullptr; };
+    const auto ready = [&] {
+        return stopping_ || !posted_.empty() || wanted_capture_ != nullptr || wanted_budget_bytes_;
+    };
     if (paused_) {
         work_.wait(lock, [&] { return ready() || !paused_; });
         if (!paused_) clock_.restart(WallClock::now());

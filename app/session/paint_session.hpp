@@ -16,6 +16,7 @@
 #include <future>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -77,6 +78,9 @@ class PaintSession {
     /// Stops paint time; the brush goes on working.
     void set_paused(bool paused);
 
+    /// Memory for what Undo returns to (document::Painting::set_history_budget()).
+    void set_history_budget(std::size_t bytes);
+
     /// The latest published state: never null, safe to read on any thread for as long as it is held.
     std::shared_ptr<const document::Snapshot> snapshot() const;
     Status status() const;
@@ -118,6 +122,7 @@ class PaintSession {
     void advance_if_due();
     void publish();
     void hand_out_capture();
+    void apply_budget();
     void keep_journal();
 
     Notify notify_;
@@ -144,6 +149,7 @@ class PaintSession {
     WallClock::time_point hand_moved_;
     std::atomic<bool> action_waits_ = false;  ///< asked in the middle of a tick
     std::promise<Capture>* wanted_capture_ = nullptr;
+    std::optional<std::size_t> wanted_budget_bytes_;
     std::uint64_t posted_count_ = 0;
     std::uint64_t applied_count_ = 0;
     std::uint64_t published_count_ = 0;  ///< of the posted actions, those that a publication shows

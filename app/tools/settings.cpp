@@ -55,7 +55,10 @@ Steadying read_steadying(const JsonPlace& place) {
 Settings read_settings(const std::filesystem::path& file) {
     Settings settings;
     read_memory(file, kVersion, [&](const JsonPlace& root) {
-        root.allow_only({"version", "pen", "window"});
+        root.allow_only({"version", "pen", "window", "undo_memory_MiB"});
+        if (const auto memory = root.optional_entry("undo_memory_MiB"))
+            settings.undo_memory_MiB =
+                static_cast<int>(memory->integer(kLeastUndoMemory_MiB, kMostUndoMemory_MiB));
         const JsonPlace pen = root.entry("pen"), window = root.entry("window");
         pen.allow_only({"steadying", "reload_each_stroke", "turn_with_stroke"});
         window.allow_only({"place", "panels"});
@@ -74,6 +77,7 @@ void write_settings(const Settings& settings, const std::filesystem::path& file)
                    {{"steadying", steadying_json(settings.steadying)},
                     {"reload_each_stroke", settings.reload_each_stroke},
                     {"turn_with_stroke", settings.turn_with_stroke}}},
+                  {"undo_memory_MiB", settings.undo_memory_MiB},
                   {"window", {{"place", settings.window_place}, {"panels", settings.panels}}}},
                  file);
 }

@@ -8,12 +8,16 @@
 
 namespace pastoso::tools {
 
+/// Memory for the steps that Undo returns to: at first, and what can be chosen.
+inline constexpr int kUndoMemory_MiB = 512, kLeastUndoMemory_MiB = 64, kMostUndoMemory_MiB = 65536;
+
 struct Settings {
     Steadying steadying;
     bool reload_each_stroke = true;
     bool turn_with_stroke = true;
-    std::string window_place;  ///< as Qt writes it, in base 64; empty: nothing is known
-    std::string panels;        ///< the same: which stand where, how large, and which are open
+    int undo_memory_MiB = kUndoMemory_MiB;  ///< kLeast to kMostUndoMemory_MiB
+    std::string window_place;               ///< as Qt writes it, in base 64; empty: nothing is known
+    std::string panels;  ///< the same: which stand where, how large, and which are open
     friend bool operator==(const Settings&, const Settings&) = default;
 };
 

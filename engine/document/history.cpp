@@ -2,16 +2,28 @@
 
 #include "core/check.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace pastoso::document {
 
 void History::set_budget(std::size_t bytes) {
+    set_limits(bytes / 8, bytes - bytes / 8, bytes == 0 ? 0 : kMostMoments);
+}
+
+void History::keep_steps(std::size_t count) {
+    set_limits(kDefaultBudget_bytes / 8, SIZE_MAX, std::min(count, kMostMoments));
+}
+
+void History::set_limits(std::size_t unpacked_bytes, std::size_t packed_bytes,
+                         std::size_t most_moments) {
     finish_packing();
-    budget_bytes_ = bytes;
-    past_.set_unpacked_bytes(bytes / 8);
-    future_.set_unpacked_bytes(bytes / 8);
-    if (bytes == 0) {
+    packed_bytes_ = packed_bytes;
+    most_moments_ = most_moments;
+    past_.set_unpacked_bytes(unpacked_bytes);
+    future_.set_unpacked_bytes(unpacked_bytes);
+    if (most_moments == 0) {
         past_.clear();
         future_.clear();
     }
@@ -20,7 +32,7 @@ void History::set_budget(std::size_t bytes) {
 
 void History::remember(Moment before, Step step) {
     future_.clear();
-    if (budget_bytes_ == 0) return;
+    if (most_moments_ == 0) return;
     before.step = std::move(step);
     past_.push(std::move(before));
     drop_oldest();
@@ -28,7 +40,7 @@ void History::remember(Moment before, Step step) {
 
 Moment History::step_back(Moment now) {
     PASTOSO_CHECK(can_undo());
-    if (past_.is_undecided(packed_budget_bytes())) past_.finish_packing();
+    if (past_.is_undecided(packed_bytes_)) past_.finish_packing();
     drop_oldest();
     Moment moment = past_.pop();
     now.step = moment.step;
@@ -51,7 +63,7 @@ void History::finish_packing() {
 }
 
 void History::drop_oldest() {
-    past_.drop_lowest(packed_budget_bytes(), kMostMoments);
+    past_.drop_lowest(packed_bytes_, most_moments_);
 }
 
 }  // namespace pastoso::document

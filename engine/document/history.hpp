@@ -24,6 +24,9 @@ class History {
     /// on top, and so do steps that wait for being packed.
     void set_budget(std::size_t bytes);
 
+    /// Keeps so many steps, whatever memory they take, packed but for the latest. 0 keeps nothing.
+    void keep_steps(std::size_t count);
+
     /// Keeps the moment before a change. What was undone until now cannot be redone any more.
     void remember(Moment before, Step step);
 
@@ -42,10 +45,11 @@ class History {
     void finish_packing();
 
   private:
-    std::size_t packed_budget_bytes() const { return budget_bytes_ - budget_bytes_ / 8; }
+    void set_limits(std::size_t unpacked_bytes, std::size_t packed_bytes, std::size_t most_moments);
     void drop_oldest();
 
-    std::size_t budget_bytes_ = 0;
+    std::size_t packed_bytes_ = 0;  ///< that may be kept
+    std::size_t most_moments_ = kMostMoments;
     core::BackgroundThread packer_;
     MomentStack past_{packer_}, future_{packer_};
 };

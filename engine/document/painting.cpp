@@ -155,6 +155,10 @@ void Painting::set_history_budget(std::size_t bytes) {
     parts_->history.set_budget(bytes);
 }
 
+void Painting::keep_undo_steps(std::size_t count) {
+    parts_->history.keep_steps(count);
+}
+
 std::int64_t Painting::tick() const {
     return parts_->tick;
 }

@@ -104,6 +104,10 @@ class Painting {
     /// oldest go first. 0 switches Undo off.
     void set_history_budget(std::size_t bytes);
 
+    /// Keeps so many steps for Undo (500 at most), whatever memory they take: those that a recording
+    /// needs (undo_depth()) are the same under any budget that it was painted with.
+    void keep_undo_steps(std::size_t count);
+
     std::int64_t tick() const;
     const CanvasSettings& settings() const;
     const film::FilmState& film() const;  ///< of the active layer, on what is visible below it

@@ -7,9 +7,17 @@
 
 namespace pastoso::document {
 
-bool undoes(const Recording& recording) {
-    return std::any_of(recording.events.begin(), recording.events.end(),
-                       [](const Event& event) { return std::holds_alternative<Undo>(event.action); });
+/// Only a stroke is a step for certain; what else may be one is not counted on.
+std::size_t undo_depth(const Recording& recording) {
+    std::size_t below = 0, most = 0;
+    for (const Event& event : recording.events) {
+        const bool goes_on =
+            std::holds_alternative<Redo>(event.action) || std::holds_alternative<PenDown>(event.action);
+        if (std::holds_alternative<Undo>(event.action)) ++below;
+        if (goes_on && below > 0) --below;
+        most = std::max(most, below);
+    }
+    return most;
 }
 
 bool Player::finished() const {

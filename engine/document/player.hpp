@@ -8,8 +8,9 @@
 
 namespace pastoso::document {
 
-/// Whether the recording ever undoes; one that does not needs no history while it is played.
-bool undoes(const Recording& recording);
+/// How many steps back from the latest that it has made until then Undo goes at most in a recording, or
+/// a little more; 0: it has no Undo. With so many steps kept a replay can follow it.
+std::size_t undo_depth(const Recording& recording);
 
 class Player {
   public:

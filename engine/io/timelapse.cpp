@@ -43,7 +43,7 @@ bool play(const Recording& recording, const TimelapseChoice& choice, const std::
           const std::function<void(std::size_t frame, const document::Snapshot&)>& show) {
     const std::vector<std::int64_t> ticks = frame_ticks(recording, choice);
     const std::unique_ptr<document::Painting> painting = make_painting(recording.canvas, pool);
-    if (!document::undoes(recording)) painting->set_history_budget(0);
+    painting->keep_undo_steps(document::undo_depth(recording));
     document::Player player(*painting, recording);
     for (std::size_t frame = 0; frame < wanted.size(); ++frame) {
         const bool at_end = ticks[frame] == recording.end_tick;

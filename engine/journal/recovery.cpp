@@ -105,7 +105,7 @@ std::unique_ptr<document::Painting> painting_at(const fs::path& folder, const Ca
 document::Recording played(document::Painting& painting, document::Recording actions,
                            const std::function<void(double)>& progress,
                            std::vector<std::string>& notes) {
-    if (!document::undoes(actions)) painting.set_history_budget(0);
+    painting.keep_undo_steps(document::undo_depth(actions));
     std::size_t applied = 0;
     const std::int64_t first_tick = painting.tick();
     try {

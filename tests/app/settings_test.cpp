@@ -36,6 +36,7 @@ TEST_F(SettingsTest, ComeBackAsTheyWereWritten) {
     settings.steadying = {SteadyMode::String, 120.0, 7.5};
     settings.reload_each_stroke = false;
     settings.turn_with_stroke = false;
+    settings.undo_memory_MiB = 2048;
     settings.window_place = "AdnQywAD";
     settings.panels = "AAAA/wAAAAD9";
     write_settings(settings, file());
@@ -54,6 +55,7 @@ TEST_F(SettingsTest, FaultsAreToldWithTheirPlace) {
               name + ", pen.steadying.smoothing_ms: 4000 is not above 0 and at most 400.0.");
     EXPECT_EQ(fault_of({}, "true", "1"),
               name + ", pen.reload_each_stroke: expected true or false, found 1.");
+    EXPECT_EQ(fault_of({}, "512", "5"), name + ", undo_memory_MiB: 5 is not between 64 and 65536.");
     EXPECT_THAT(fault_of({}, "\"window\"", "window"), HasSubstr("this is not valid JSON"));
 }
 

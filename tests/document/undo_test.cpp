@@ -2,6 +2,7 @@
 #include "core/random.hpp"
 #include "document/painting.hpp"
 #include "document/painting_state.hpp"
+#include "document/player.hpp"
 #include "document/scenes.hpp"
 
 #include <algorithm>
@@ -84,6 +85,41 @@ TEST(PaintingUndo, ARandomSessionIsTheSameWithPackingAndWithout) {
                                                [](const KeptStep& step) { return step.packed; });
     }
     EXPECT_TRUE(any_packed);
+}
+
+TEST(PaintingUndo, TheDepthOfARecordingIsHowFarItGoesBack) {
+    const PenDown stroke{};
+    const auto depth = [](std::vector<Action> actions) {
+        Recording recording;
+        for (Action& action : actions)
+            recording.events.push_back({0, std::move(action)});
+        return undo_depth(recording);
+    };
+    EXPECT_EQ(depth({stroke, stroke}), 0U);
+    EXPECT_EQ(depth({stroke, Undo{}}), 1U);
+    EXPECT_EQ(depth({stroke, stroke, Undo{}, Redo{}, Undo{}}), 1U);
+    EXPECT_EQ(depth({stroke, stroke, stroke, Undo{}, Undo{}, stroke, Undo{}, Undo{}}), 3U);
+}
+
+TEST(PaintingUndo, AReplayFollowsAPaintingOfAnyBudget) {
+    constexpr int kStrokes = 12, kUndone = 8;
+    core::ThreadPool pool(2);
+    Painting painting(small_canvas(), pool), replay(small_canvas(), pool), tight(small_canvas(), pool);
+    painting.set_history_budget(std::size_t{4} << 30);
+    tight.set_history_budget(kTightBudget_bytes / 64);
+    replay.set_history_budget(kTightBudget_bytes / 64);
+    replay.keep_undo_steps(kUndone);
+    for (Painting* one : {&painting, &replay, &tight}) {
+        one->apply(TakeBrush{"flat", 8, 1});
+        one->apply(load_of("PB29"));
+        for (int stroke = 0; stroke < kStrokes; ++stroke)
+            paint_wave(*one, stroke, 4.0 + stroke);
+        EXPECT_LE(replay.undo_steps().size(), std::size_t{kUndone});
+        for (int undone = 0; undone < kUndone; ++undone)
+            one->apply(Undo{});
+    }
+    EXPECT_EQ(replay.state_hash(), painting.state_hash());
+    EXPECT_NE(tight.state_hash(), painting.state_hash());
 }
 
 TEST(PaintingUndo, TellsWhatItTakesBack) {
