@@ -27,7 +27,8 @@ constexpr float kHighest_mm = 1000.0F;
 /// Far above the pressure of the strongest jet on the smallest cells.
 constexpr float kStrongestPressure_mm2_s2 = 1e9F;
 /// In 65535ths: the whitest paint has 0.9955, and rounding adds a little with every stratum.
-constexpr int kMostReflected = 65500, kAllLight = 65535 + 256;
+constexpr int kMostReflected = 65500;
+constexpr double kAllLight = 1.0 + 1.0 / 256.0;
 constexpr std::int32_t kMostSoluble_quanta = std::int32_t{1} << 30;
 
 bool is_within(float value, float least, float most) {
@@ -86,13 +87,15 @@ struct SolublePigment {
 struct Optics {
     using Value = film::StrataOptics;
     static auto& of(auto& surface) { return surface.film.strata.optics; }
+    /// Over a ground that absorbs nothing, R + T^2 / (1 - Q) comes back. A layer by itself may give
+    /// more, R + T, as those of half-transparent pictures do (pigment::laid_in_part).
     static bool is_possible(const Value& strata) {
         for (int band = 0; band < pigment::kBands; ++band) {
-            const int reflected = strata[band], passed = strata[pigment::kBands + band],
-                      reversed = strata[2 * pigment::kBands + band];
-            if (std::max(reflected, reversed) > kMostReflected ||
-                std::max(reflected, reversed) + passed > kAllLight)
+            if (std::max(strata[band], strata[2 * pigment::kBands + band]) > kMostReflected)
                 return false;
+            const auto layer = film::optics_of(strata, band);
+            const double passed = layer.transmittance;
+            if (layer.reflectance + passed * passed / (1.0 - layer.reverse) > kAllLight) return false;
         }
         return true;
     }

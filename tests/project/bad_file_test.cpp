@@ -224,7 +224,7 @@ TEST_F(BadProject, ValuesThatCannotBeAreRefusedWithTheirPlace) {
                 }),
                 HasSubstr("cell (179, 89) holds an amount of paint"));
     EXPECT_THAT(with([](auto& film) {
-                    film.strata.optics.set(1, 2, {40000, 1, 1, 1, 1, 1, 40000});
+                    film.strata.optics.set(1, 2, {60000, 1, 1, 1, 1, 1, 40000});
                 }),
                 HasSubstr("holds strata that give more light than they get"));
     EXPECT_THAT(with([](auto& film) { film.strata.soluble_thickness.set(1, 2, -5); }),

@@ -158,6 +158,32 @@ TEST_F(ProjectRoundTrip, ATracingPictureComesBackToThePixel) {
     expect_equal(loaded.painting, project.painting);
 }
 
+/// Every colour of a coarse table with every coverage.
+layers::Picture half_transparent_picture() {
+    layers::Picture picture{64, 64, {}};
+    for (int i = 0; i < 64 * 64; ++i) {
+        const auto level = [](int number) { return static_cast<std::uint8_t>(85 * (number % 4)); };
+        picture.rgba.insert(picture.rgba.end(), {level(i), level(i / 4), level(i / 16),
+                                                 static_cast<std::uint8_t>(4 * (i / 64))});
+    }
+    return picture;
+}
+
+TEST_F(ProjectRoundTrip, HalfTransparentPicturesComeBack) {
+    const auto picture = std::make_shared<const layers::Picture>(half_transparent_picture());
+    document::Painting painting({.width_mm = 20, .height_mm = 20, .px_per_mm = 4}, pool);
+    // On the canvas, on one another, on white, moved and merged.
+    for (const document::Action& action : std::vector<document::Action>{
+             document::PaintPicture{"Once", {0, 0, 16, 16}, picture},
+             document::PaintPicture{"Twice", {2, 1, 16, 16}, picture},
+             document::TransformLayer{3, {.centre_x_mm = 10, .centre_y_mm = 9, .turn_deg = 31}},
+             document::DuplicateLayer{3}, document::MergeDown{4}}) {
+        painting.apply(action);
+        const Project project{painting.state(), {}};
+        expect_equal(saved_and_loaded(project).painting, project.painting);
+    }
+}
+
 TEST_F(ProjectRoundTrip, ACanvasThatWasCutComesBackAndReplays) {
     document::Recording recording = busy_session();
     recording.events.push_back({recording.end_tick, document::ResizeCanvas{-7, 4, 50, 31}});
