@@ -10,7 +10,6 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -41,11 +40,6 @@ QFormLayout* form_in(QVBoxLayout* column) {
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     column->addLayout(form);
     return form;
-}
-
-void show_number(QDoubleSpinBox* box, double value) {
-    const QSignalBlocker quiet(box);
-    box->setValue(value);
 }
 
 void enable(std::initializer_list<QWidget*> widgets, bool enabled) {

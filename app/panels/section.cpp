@@ -4,10 +4,12 @@
 #include <utility>
 
 #include <QAction>
+#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QListView>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -66,6 +68,11 @@ QWidget* button_row(const std::vector<QAction*>& actions) {
         layout->addWidget(button);
     }
     return row;
+}
+
+void show_number(QDoubleSpinBox* box, double value) {
+    const QSignalBlocker quiet(box);
+    box->setValue(value);
 }
 
 void fit_to_rows(QListView* list, int rows) {

@@ -6,6 +6,7 @@
 #include <QKeyCombination>
 
 class QAction;
+class QDoubleSpinBox;
 class QListView;
 class QString;
 class QVBoxLayout;
@@ -26,6 +27,9 @@ void keep_own_keys(QWidget* widget, const std::vector<QKeyCombination>& keys);
 
 /// Buttons for actions side by side, all of one width.
 QWidget* button_row(const std::vector<QAction*>& actions);
+
+/// Shows the number without a signal.
+void show_number(QDoubleSpinBox* box, double value);
 
 /// Makes a list just tall enough for so many rows; the others are scrolled to.
 void fit_to_rows(QListView* list, int rows);

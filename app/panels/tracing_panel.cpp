@@ -8,7 +8,6 @@
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 namespace pastoso::panels {
@@ -17,11 +16,6 @@ namespace {
 constexpr int kRest_ms = 250;
 
 constexpr double kNarrowest_mm = 1.0;
-
-void show_number(QDoubleSpinBox* box, double value) {
-    const QSignalBlocker quiet(box);
-    box->setValue(value);
-}
 
 QImage image_of(const layers::Picture& picture) {
     return QImage(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
