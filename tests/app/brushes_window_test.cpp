@@ -64,7 +64,6 @@ class BrushesWindow : public WindowTest {
     }
 
     void give(Command command) { window().commands().action(command)->trigger(); }
-    std::string told() { return window().statusBar()->currentMessage().toStdString(); }
     const tools::Hand& hand() { return window().easel().hand(); }
 
     panels::BrushList& list() { return *window().findChild<panels::BrushList*>(); }

@@ -33,13 +33,11 @@ class CanvasSize : public WindowTest {
         settle();
     }
 
-    QAction* action(Command command) { return window().commands().action(command); }
     void give(Command command) {
         ASSERT_TRUE(action(command)->isEnabled()) << action(command)->text().toStdString();
         action(command)->trigger();
         settle();
     }
-    std::string told() { return window().statusBar()->currentMessage().toStdString(); }
 
     /// Opens the dialog by its keys and does that in it.
     void in_dialog(const std::function<void(dialogs::CanvasSizeDialog&)>& act) {

@@ -49,8 +49,6 @@ class ExportWindow : public WindowTest {
         WindowTest::TearDown();
     }
 
-    QAction* action(Command command) { return window().commands().action(command); }
-    std::string told() { return window().statusBar()->currentMessage().toStdString(); }
     void stroke(double y_mm) {
         mouse_stroke(line_mm({12.0, y_mm}, {48.0, y_mm}));
         settle();

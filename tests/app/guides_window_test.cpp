@@ -6,7 +6,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
-#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QMouseEvent>
 #include <QSlider>

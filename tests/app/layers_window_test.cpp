@@ -52,7 +52,6 @@ class LayersWindow : public WindowTest {
     panels::LayerPanel& panel() { return *window().findChild<panels::LayerPanel*>(); }
     panels::LayerTree& tree() { return *window().findChild<panels::LayerTree*>(); }
     const document::LayerStack& stack() { return panel().stack(); }
-    QAction* action(Command command) { return window().commands().action(command); }
 
     std::vector<std::string> names_from_below() {
         std::vector<std::string> names;
@@ -109,7 +108,6 @@ class LayersWindow : public WindowTest {
     }
     void paint_upper_half() { mouse_stroke(line_mm({8.0, 10.0}, {52.0, 10.0})); }
     void paint_lower_half() { mouse_stroke(line_mm({8.0, 30.0}, {52.0, 30.0})); }
-    std::string told() { return window().statusBar()->currentMessage().toStdString(); }
 };
 
 TEST_F(LayersWindow, StartsWithOneLayerThatIsPaintedOn) {

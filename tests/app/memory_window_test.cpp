@@ -40,7 +40,6 @@ class MemoryWindow : public WindowTest {
             if (!patch->isHidden()) seen.push_back(patch);
         return seen;
     }
-    std::string told() { return window().statusBar()->currentMessage().toStdString(); }
     QDockWidget& dock(const char* name) { return find<QDockWidget>(name); }
 };
 

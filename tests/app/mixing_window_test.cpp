@@ -44,7 +44,6 @@ class MixingWindow : public WindowTest {
     }
     void click(QWidget& widget) { QTest::mouseClick(&widget, Qt::LeftButton); }
     std::string recipe() { return find<QLabel>("recipe").text().toStdString(); }
-    std::string told() { return window().statusBar()->currentMessage().toStdString(); }
     const std::vector<document::Ingredient>& paint() {
         return window().easel().hand().paint.ingredients;
     }

@@ -32,13 +32,11 @@ class SelectionWindow : public WindowTest {
         cell_mm_ = session().snapshot()->film.cell_mm;
     }
 
-    QAction* action(Command command) { return window().commands().action(command); }
     void give(Command command) {
         ASSERT_TRUE(action(command)->isEnabled()) << action(command)->text().toStdString();
         action(command)->trigger();
         settle();
     }
-    std::string told() { return window().statusBar()->currentMessage().toStdString(); }
     std::string reading() {
         const auto* label = window().findChild<QLabel*>(QStringLiteral("selection"));
         return label->isVisible() ? label->text().toStdString() : std::string();

@@ -37,7 +37,6 @@ class TracingWindow : public WindowTest {
         core::write_text_file(path(), io::png_file(picture));
     }
 
-    QAction* action(Command command) { return window().commands().action(command); }
     std::filesystem::path path() const { return folder.path() / "photo.png"; }
     void trace() {
         window().trace_picture(QString::fromStdString(path().string()));
@@ -115,14 +114,14 @@ TEST_F(TracingWindow, OpacityIsPreviewedAndBecomesOneStepWhenTheSliderRests) {
     trace();
     const QColor half = seen(0.25);
     auto& slider = *window().findChild<QSlider*>(QStringLiteral("tracing_opacity_slider"));
-    const auto strokes_to_undo = [&] { return session().status().changes; };
-    const auto before = strokes_to_undo();
+    const auto changes = [&] { return session().status().changes; };
+    const auto before = changes();
     for (const int step : {120, 150, 200})
         slider.setValue(step);
     const QColor whole = seen(0.25);
     EXPECT_LT(whole.red(), half.red() - 20);
     wait_for([&] { return tracing()->opacity == 1.0; });
-    EXPECT_EQ(strokes_to_undo(), before + 1);
+    EXPECT_EQ(changes(), before + 1);
     EXPECT_EQ(seen(0.25), whole);
     action(Command::Undo)->trigger();
     EXPECT_EQ(seen(0.25), half);

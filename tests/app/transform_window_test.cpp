@@ -33,7 +33,6 @@ class TransformWindow : public WindowTest {
         settle();
     }
 
-    QAction* action(Command command) { return window().commands().action(command); }
     void give(Command command) {
         ASSERT_TRUE(action(command)->isEnabled()) << action(command)->text().toStdString();
         action(command)->trigger();
@@ -53,7 +52,6 @@ class TransformWindow : public WindowTest {
         EXPECT_FALSE(action(Command::TransformLayer)->isChecked());
         EXPECT_THAT(told(), testing::HasSubstr(why));
     }
-    std::string told() { return window().statusBar()->currentMessage().toStdString(); }
 
     void send(QEvent::Type type, const glm::dvec2& place_mm, Qt::KeyboardModifiers keys) {
         const bool moves = type == QEvent::MouseMove, up = type == QEvent::MouseButtonRelease;

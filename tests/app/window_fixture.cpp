@@ -9,6 +9,7 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QStatusBar>
 #include <QSurfaceFormat>
 #include <QTest>
 #include <QWindow>
@@ -187,6 +188,10 @@ void WindowTest::settle() {
                            (shown != nullptr && shown->tick > latest->tick);
         return there && canvas().finished();
     });
+}
+
+std::string WindowTest::told() const {
+    return window_->statusBar()->currentMessage().toStdString();
 }
 
 double WindowTest::volume_mm3() {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <QImage>
@@ -52,6 +53,8 @@ class WindowTest : public ::testing::Test {
     main::MainWindow& window() { return *window_; }
     view::CanvasView& canvas() { return window_->canvas(); }
     session::PaintSession& session() { return window_->session(); }
+    QAction* action(commands::Command command) { return window_->commands().action(command); }
+    std::string told() const;  ///< by the status line
 
     /// Closes the window as a painter does and opens another.
     void start_again();
