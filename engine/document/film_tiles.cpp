@@ -106,13 +106,14 @@ struct Bench {
 };
 
 template <class Value>
-TileBlock<Value> unpacked(const Bytes& frame, const std::int32_t* amount,
+TileBlock<Value> unpacked(packing::Unpacker& unpacker, const Bytes& frame, const std::int32_t* amount,
                           const grid::TiledField<Value>&) {
-    const Bytes content = packing::unpacked(frame, packing::tile_bytes(packing::kChannels<Value>));
+    const auto content = unpacker.unpacked(frame, packing::tile_bytes(packing::kChannels<Value>));
     return packing::decoded_values<Value>(content.data(), {amount});
 }
-HeightBlock unpacked(const Bytes& frame, const std::int32_t* amount, const film::SupportHeights&) {
-    return packing::decoded_values<float>(packing::unpacked(frame, packing::tile_bytes(1)).data(),
+HeightBlock unpacked(packing::Unpacker& unpacker, const Bytes& frame, const std::int32_t* amount,
+                     const film::SupportHeights&) {
+    return packing::decoded_values<float>(unpacker.unpacked(frame, packing::tile_bytes(1)).data(),
                                           {amount});
 }
 
@@ -120,12 +121,13 @@ HeightBlock unpacked(const Bytes& frame, const std::int32_t* amount, const film:
 template <class Amount, class Field>
 void put_range(const TileSet<Bytes>& set, std::size_t first, std::size_t end, Amount amount,
                const FilmState& film, Field& field) {
+    packing::Unpacker unpacker;
     for (std::size_t i = first; i < end; ++i) {
         const int tile = set.tiles[i];
         if (set.blocks[i].empty())
             field.reset(tile);
         else
-            field.replace(tile, unpacked(set.blocks[i], amount.of(film, tile), field));
+            field.replace(tile, unpacked(unpacker, set.blocks[i], amount.of(film, tile), field));
     }
 }
 

@@ -40,14 +40,32 @@ Bytes packed(std::span<const std::byte> bytes) {
     return Packer().packed(bytes);
 }
 
-Bytes unpacked(std::span<const std::byte> frame, std::size_t size) {
+struct Unpacker::Context {
+    ZSTD_DCtx* zstd = ZSTD_createDCtx();
+    ~Context() { ZSTD_freeDCtx(zstd); }
+};
+
+Unpacker::Unpacker() : context_(std::make_unique<Context>()) {
+    PASTOSO_CHECK(context_->zstd != nullptr);
+}
+
+Unpacker::~Unpacker() = default;
+
+std::span<const std::byte> Unpacker::unpacked(std::span<const std::byte> frame, std::size_t size) {
     if (ZSTD_getFrameContentSize(frame.data(), frame.size()) != size)
         throw core::InputError("is damaged (its length is not the one that is noted).");
-    Bytes bytes(size);
-    const std::size_t found = ZSTD_decompress(bytes.data(), size, frame.data(), frame.size());
+    if (room_.size() < size) room_.resize(size);
+    const std::size_t found =
+        ZSTD_decompressDCtx(context_->zstd, room_.data(), size, frame.data(), frame.size());
     if (ZSTD_isError(found) || found != size)
         throw core::InputError("is damaged (it cannot be decompressed, or its checksum is another).");
-    return bytes;
+    return std::span(room_).first(size);
+}
+
+Bytes unpacked(std::span<const std::byte> frame, std::size_t size) {
+    Unpacker unpacker;
+    const std::span<const std::byte> content = unpacker.unpacked(frame, size);
+    return {content.begin(), content.end()};
 }
 
 std::size_t most_packed_bytes(std::size_t size) {

@@ -29,11 +29,29 @@ class Packer {
     Bytes room_;
 };
 
+/// Reads frames one after the other in the same memory. For one thread at a time.
+class Unpacker {
+  public:
+    Unpacker();
+    ~Unpacker();
+    Unpacker(const Unpacker&) = delete;
+    Unpacker& operator=(const Unpacker&) = delete;
+
+    /// The frame's content, which must be `size` bytes long: no more is ever allocated. It stands until
+    /// the next call. Throws InputError with a sentence that names no place when the frame is damaged or
+    /// holds more or less.
+    std::span<const std::byte> unpacked(std::span<const std::byte> frame, std::size_t size);
+
+  private:
+    struct Context;
+    std::unique_ptr<Context> context_;
+    Bytes room_;
+};
+
 /// A single frame.
 Bytes packed(std::span<const std::byte> bytes);
 
-/// The frame's content, which must be `size` bytes long: no more is ever allocated. Throws InputError
-/// with a sentence that names no place when the frame is damaged or holds more or less.
+/// The content of a single frame, as Unpacker gives it.
 Bytes unpacked(std::span<const std::byte> frame, std::size_t size);
 
 /// The most that a frame of so many bytes takes.
