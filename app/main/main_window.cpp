@@ -189,7 +189,7 @@ void MainWindow::show_hand() {
     load_->show_hand(hand);
     curves_->show_preset(tools::preset_in_hand(hand), kept_brush());
     show_guides();
-    medium_->setCurrentText(QString::fromStdString(hand.medium));
+    medium_->setCurrentText(QString::fromStdString(hand.medium.name));
     commands_.action(commands::Command::ReloadEachStroke)->setChecked(hand.reload_each_stroke);
     commands_.action(commands::Command::TurnWithStroke)->setChecked(hand.turn_with_stroke);
     const bool dips = tools::preset_in_hand(hand).dips;

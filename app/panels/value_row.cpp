@@ -46,9 +46,8 @@ ValueRow::ValueRow(QGridLayout* grid, const QString& words, const QString& hint,
     grid->addWidget(slider_, row, 1);
     grid->addWidget(number_, row, 2);
     grid->setColumnStretch(1, 1);
-    connect(slider_, &QSlider::valueChanged, this, [this](int step) {
-        number_->setValue(std::lerp(range_.least, range_.most, step / double{kSliderSteps}));
-    });
+    connect(slider_, &QSlider::valueChanged, this,
+            [this](int step) { number_->setValue(at_step(step)); });
     connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         show_slider(value);
         Q_EMIT chosen(value);
@@ -60,9 +59,17 @@ double ValueRow::value() const {
     return number_->value();
 }
 
+double ValueRow::at_step(int step) const {
+    const double share = step / double{kSliderSteps};
+    if (range_.logarithmic) return range_.least * std::pow(range_.most / range_.least, share);
+    return std::lerp(range_.least, range_.most, share);
+}
+
 void ValueRow::show_slider(double value) {
     const QSignalBlocker quiet(slider_);
-    const double share = (value - range_.least) / (range_.most - range_.least);
+    const double share = range_.logarithmic
+                             ? std::log(value / range_.least) / std::log(range_.most / range_.least)
+                             : (value - range_.least) / (range_.most - range_.least);
     slider_->setValue(static_cast<int>(std::lround(kSliderSteps * share)));
 }
 

@@ -13,7 +13,8 @@ namespace pastoso::panels {
 struct ValueRange {
     double least = 0.0, most = 1.0;
     int decimals = 0;
-    QString unit{};  ///< with the space before it
+    QString unit{};            ///< with the space before it
+    bool logarithmic = false;  ///< the slider goes by equal factors; `least` is above 0
 };
 
 /// Adds a row to a grid: a label, the slider, the number. Owned by the grid's widget.
@@ -37,6 +38,7 @@ class ValueRow : public QObject {
     void chosen(double value);
 
   private:
+    double at_step(int step) const;
     void show_slider(double value);
 
     ValueRange range_;

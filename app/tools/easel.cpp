@@ -43,7 +43,7 @@ Easel::Easel(Hand hand, Post post, std::function<void()> note_hand)
     : hand_(std::move(hand)), post_(std::move(post)), note_hand_(std::move(note_hand)) {}
 
 void Easel::set_up() {
-    post_(UseMedium{hand_.medium});
+    post_(hand_.medium);
     post_(hand_.tilt);
     post_(SetDrying{hand_.air});
     if (hand_.stabiliser != brush::Stabiliser{}) post_(SetStabiliser{hand_.stabiliser});
@@ -119,9 +119,18 @@ void Easel::set_dip(const Dip& dip) {
 }
 
 void Easel::use_medium(const std::string& name) {
+    pour({name});
+}
+
+void Easel::change_medium(const film::Medium& medium) {
+    const bool is_bundled = medium == film::find_medium(medium.name);
+    pour({medium.name, is_bundled ? std::nullopt : std::optional(medium)});
+}
+
+void Easel::pour(const UseMedium& medium) {
     clean();
-    hand_.medium = name;
-    post_(UseMedium{name});
+    hand_.medium = medium;
+    post_(hand_.medium);
     reload();
 }
 

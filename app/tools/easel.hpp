@@ -65,6 +65,7 @@ class Easel {
     void blot();    ///< leaves a quarter of what it holds
     void clean();
     void use_medium(const std::string& name);  ///< cleans the brush and dips it in paint of that kind
+    void change_medium(const film::Medium& medium);  ///< other numbers under its name; the same
     void tilt(double tilt_deg, double direction_deg);
     void set_drying_speed(double speed);
     void dry_now();
@@ -123,6 +124,7 @@ class Easel {
 
   private:
     void end_stroke();
+    void pour(const document::UseMedium& medium);
     void post_brush();
     void follow(const Pointer& pointer);
     void choose_guide(const Pointer& pointer, bool straight);

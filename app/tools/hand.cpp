@@ -30,7 +30,7 @@ struct HandChange {
         hand.dip.fill = load.fill;
         if (hand.dip.way == Way::HalfMixed) hand.dip.second_share = load.second_share;
     }
-    void operator()(const document::UseMedium& medium) const { hand.medium = medium.name; }
+    void operator()(const document::UseMedium& medium) const { hand.medium = medium; }
     void operator()(const document::TiltCanvas& tilt) const { hand.tilt = tilt; }
     void operator()(const document::SetDrying& drying) const { hand.air = drying.air; }
     void operator()(const document::SetStabiliser& set) const { hand.stabiliser = set.stabiliser; }

@@ -35,7 +35,7 @@ struct Hand {
     document::PaintRecipe paint{{{"PB29", 1.0}}, 1.0};
     document::PaintRecipe second_paint{{{"PW6", 1.0}}, 1.0};  ///< beside the first, for loads of two
     Dip dip;
-    std::string medium = "heavy-body oil";
+    document::UseMedium medium{"heavy-body oil"};
     document::TiltCanvas tilt{60.0, 90.0};
     film::DryingAir air;
     brush::Stabiliser stabiliser;

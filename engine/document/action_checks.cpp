@@ -109,7 +109,7 @@ struct Checker {
         check_between("variation of the share", load.share_variation, 0.0, 1.0);
         check_between("fill of the brush", load.fill, 0.0, 1.2);
     }
-    void operator()(const UseMedium& medium) const { film::find_medium(medium.name); }
+    void operator()(const UseMedium& use) const { film::check_numbers(medium_of(use), "the medium"); }
     void operator()(const TiltCanvas& tilt) const {
         check_between("tilt of the canvas", tilt.tilt_deg, 0.0, 90.0);
         check_between("direction of the tilt", tilt.direction_deg, -360.0, 360.0);
@@ -212,6 +212,13 @@ struct Checker {
 brush::Preset preset_of(const TakeBrush& take) {
     if (take.definition.empty()) return brush::find_preset(take.preset);
     return brush::parse_preset(take.definition, "the brush \"" + take.preset + "\"");
+}
+
+film::Medium medium_of(const UseMedium& use) {
+    film::Medium medium = film::find_medium(use.name);
+    if (!use.own) return medium;
+    PASTOSO_CHECK(use.own->name == medium.name);
+    return *use.own;
 }
 
 void check_action(const Action& action) {

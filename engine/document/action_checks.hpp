@@ -23,6 +23,9 @@ inline constexpr double kFastestDrying = 1e5;
 /// InputError as brush::parse_preset() and brush::find_preset() do.
 brush::Preset preset_of(const TakeBrush& take);
 
+/// The numbers of a medium in hand. Throws InputError as film::find_medium() does.
+film::Medium medium_of(const UseMedium& use);
+
 /// Throws InputError for an unknown brush, paint or medium, or for a value that is not finite or
 /// outside the range that events.hpp gives. The message names the value and says nothing of where it
 /// came from.

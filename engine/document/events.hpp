@@ -11,8 +11,10 @@
 #include "document/picture_events.hpp"
 #include "document/selection_events.hpp"
 #include "film/drying_air.hpp"
+#include "film/medium.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -79,7 +81,8 @@ struct CleanBrush {      ///< wipes paint off the brush, into the waste account
 /// Takes another medium in hand. Paint loaded from now on brings its viscosity, yield stress, solids and
 /// drying time along; the other properties of the medium become those of all wet paint.
 struct UseMedium {
-    std::string name;
+    std::string name;                   ///< of one that comes with the program
+    std::optional<film::Medium> own{};  ///< its numbers as the painter changed them, under its name
     friend bool operator==(const UseMedium&, const UseMedium&) = default;
 };
 struct TiltCanvas {

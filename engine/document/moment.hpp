@@ -32,7 +32,7 @@ struct Moment {
     LayerStack layers = single_layer();
     std::optional<SurfaceMoment> well{};  ///< none: it was bare
     std::optional<brush::Brush> brush{};
-    std::string medium{};  ///< in hand
+    UseMedium medium{};  ///< in hand
     Selection selection{};
     std::shared_ptr<const layers::Tracing> tracing{};
     TiltCanvas tilt{};

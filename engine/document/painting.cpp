@@ -62,7 +62,8 @@ Painting::Parts::Parts(const CanvasSettings& wanted, film::SupportHeights suppor
                        core::ThreadPool& threads)
     : bare(std::make_shared<const BareCanvas>(BareCanvas{wanted, support_mm})),
       pool(threads),
-      medium(film::find_medium(kFirstMedium)),
+      used_medium{kFirstMedium},
+      medium(medium_of(used_medium)),
       canvas(bare_canvas(wanted, std::move(support_mm)), medium, threads) {
     solver.set_gravity(film::tilted_gravity(0.0));
 }
@@ -70,7 +71,8 @@ Painting::Parts::Parts(const CanvasSettings& wanted, film::SupportHeights suppor
 Painting::Parts::Parts(const PaintingState& state, core::ThreadPool& threads)
     : bare(std::make_shared<const BareCanvas>(BareCanvas{state.settings, state.bare_support_mm})),
       pool(threads),
-      medium(film::find_medium(state.medium)),
+      used_medium(state.medium),
+      medium(medium_of(used_medium)),
       canvas(state.canvas.film, state.bare_support_mm, state.layers, medium, threads),
       tilt(state.tilt),
       air(state.air),
@@ -104,7 +106,7 @@ PaintingState Painting::Parts::state() const {
                         .canvas = {film, solver.memory()},
                         .layers = canvas.stack(),
                         .bare_support_mm = canvas.bare_mm(),
-                        .medium = medium.name,
+                        .medium = used_medium,
                         .tilt = tilt,
                         .air = air,
                         .ageing = ageing.pending(),

@@ -45,12 +45,13 @@ void Painting::Parts::operator()(const CleanBrush& clean) {
 }
 
 void Painting::Parts::operator()(const UseMedium& use) {
-    const film::Medium& next = film::find_medium(use.name);
-    if (next.name != medium.name) {
+    const film::Medium next = medium_of(use);
+    if (next != medium) {
         film.varied = film::has_wet_paint(film) || brush_holds_paint() || well;
         if (well) well->film.varied = true;
     }
     medium = next;
+    used_medium = {next.name, use.own};
     solver.set_medium(medium);
     if (well) well->solver.set_medium(medium);
 }

@@ -34,7 +34,7 @@ Moment Painting::Parts::moment() const {
                   .canvas = {film, solver.awake_tiles()},
                   .layers = canvas.stack(),
                   .brush = brush,
-                  .medium = medium.name,
+                  .medium = used_medium,
                   .selection = selection,
                   .tracing = tracing,
                   .tilt = tilt,
@@ -52,7 +52,7 @@ void Painting::Parts::return_to(const Moment& then) {
     return_well_to(then);
     selection = then.selection;
     tracing = then.tracing;
-    if (then.medium != medium.name) film.varied = true;
+    if (then.medium != used_medium) film.varied = true;
     taken = then.taken;
     wiped = then.wiped;
     forgotten_run_off = difference(solver.runoff(), then.run_off);
@@ -62,7 +62,7 @@ void Painting::Parts::return_to(const Moment& then) {
         if (brush) taken += brush->contents();
         if (then.brush) wiped += then.brush->contents();
     }
-    restart(solver, then.canvas.awake, then.medium == medium.name && then.tilt == tilt);
+    restart(solver, then.canvas.awake, then.medium == used_medium && then.tilt == tilt);
 }
 
 void Painting::Parts::return_well_to(const Moment& then) {
@@ -71,7 +71,7 @@ void Painting::Parts::return_well_to(const Moment& then) {
         return;
     }
     used_well().film = then.well->film;
-    restart(well->solver, then.well->awake, then.medium == medium.name);
+    restart(well->solver, then.well->awake, then.medium == used_medium);
 }
 
 void Painting::Parts::restart(film::Solver& solver, const std::vector<bool>& awake, bool same_forces) {

@@ -136,7 +136,8 @@ struct Painting::Parts {
 
     std::shared_ptr<const BareCanvas> bare;
     core::ThreadPool& pool;
-    film::Medium medium;  ///< in hand: what the next load is mixed with
+    UseMedium used_medium;  ///< which one is in hand
+    film::Medium medium;    ///< the same: what the next load is mixed with
     LayeredCanvas canvas;
     std::shared_ptr<const LayerStack> layers_shown;  ///< in the latest snapshot
     film::FilmState& film = canvas.film;             ///< of the active layer

@@ -44,7 +44,7 @@ struct PaintingState {
     film::SupportHeights bare_support_mm{};
     std::optional<SurfaceState> well{};  ///< none: nothing has touched it
 
-    std::string medium{};  ///< in hand
+    UseMedium medium{};  ///< in hand
     TiltCanvas tilt{};
     film::DryingAir air{};
     film::AgeingClock::Pending ageing{};

@@ -15,31 +15,21 @@ namespace {
 
 using Json = nlohmann::json;
 
-struct NumberField {
-    const char* key;
-    double Medium::*member;
-    double least, most;
-    bool optional = false;  ///< the member keeps its default where the entry does not name it
+constexpr std::array kNumbers = {
+    MediumNumber{"density_kg_m3", &Medium::density_kg_m3, 800.0, 2500.0},
+    MediumNumber{"viscosity_m2_s", &Medium::viscosity_m2_s, 1e-6, 1.0},
+    MediumNumber{"flow_index", &Medium::flow_index, 0.2, 1.0, true},
+    MediumNumber{"yield_stress_Pa", &Medium::yield_stress_Pa, 0.0, 200.0},
+    MediumNumber{"surface_tension_N_m", &Medium::surface_tension_N_m, 0.02, 0.07},
+    MediumNumber{"advancing_angle_deg", &Medium::advancing_angle_deg, 0.0, 60.0},
+    MediumNumber{"receding_angle_deg", &Medium::receding_angle_deg, 0.0, 60.0},
+    MediumNumber{"slip_cells", &Medium::slip_cells, 0.0, 1.0},
+    MediumNumber{"alpha_min", &Medium::alpha_min, 0.4, 2.0},
+    MediumNumber{"alpha_max", &Medium::alpha_max, 0.4, 2.0},
+    MediumNumber{"typical_thickness_mm", &Medium::typical_thickness_mm, 0.01, 10.0},
+    MediumNumber{"solid_fraction", &Medium::solid_fraction, 0.0, 1.0},
+    MediumNumber{"touch_dry_s", &Medium::touch_dry_s, 1.0, 1e7},
 };
-
-constexpr std::array kNumberFields = {
-    NumberField{"density_kg_m3", &Medium::density_kg_m3, 800.0, 2500.0},
-    NumberField{"viscosity_m2_s", &Medium::viscosity_m2_s, 1e-6, 1.0},
-    NumberField{"flow_index", &Medium::flow_index, 0.2, 1.0, true},
-    NumberField{"yield_stress_Pa", &Medium::yield_stress_Pa, 0.0, 200.0},
-    NumberField{"surface_tension_N_m", &Medium::surface_tension_N_m, 0.02, 0.07},
-    NumberField{"advancing_angle_deg", &Medium::advancing_angle_deg, 0.0, 60.0},
-    NumberField{"receding_angle_deg", &Medium::receding_angle_deg, 0.0, 60.0},
-    NumberField{"slip_cells", &Medium::slip_cells, 0.0, 1.0},
-    NumberField{"alpha_min", &Medium::alpha_min, 0.4, 2.0},
-    NumberField{"alpha_max", &Medium::alpha_max, 0.4, 2.0},
-    NumberField{"typical_thickness_mm", &Medium::typical_thickness_mm, 0.01, 10.0},
-    NumberField{"solid_fraction", &Medium::solid_fraction, 0.0, 1.0},
-    NumberField{"touch_dry_s", &Medium::touch_dry_s, 1.0, 1e7},
-};
-
-/// 1000 hours a millimetre: keeps the drying time of the thickest paint within its channel.
-constexpr double kSlowestDrying_s_mm = 3.6e6;
 
 std::string number_text(double value) {
     return Json(value).dump();
@@ -58,7 +48,7 @@ class EntryReader {
         return value.get<std::string>();
     }
 
-    double number(const NumberField& wanted) const {
+    double number(const MediumNumber& wanted) const {
         const Json& value = field(wanted.key);
         if (!value.is_number() || value.get<double>() < wanted.least ||
             value.get<double>() > wanted.most) {
@@ -74,8 +64,8 @@ class EntryReader {
         for (const auto& [key, value] : entry_.items()) {
             const bool known =
                 key == "name" || key == "description" ||
-                std::any_of(kNumberFields.begin(), kNumberFields.end(),
-                            [&name = key](const NumberField& field) { return name == field.key; });
+                std::any_of(kNumbers.begin(), kNumbers.end(),
+                            [&name = key](const MediumNumber& field) { return name == field.key; });
             if (!known) fail("there is no field " + Json(key).dump() + ".");
         }
     }
@@ -102,7 +92,7 @@ Medium read_medium(const Json& entry, const std::string& place) {
     medium.name = reader.text("name");
     const EntryReader named(entry, place + " (\"" + medium.name + "\")");
     medium.description = named.text("description");
-    for (const NumberField& field : kNumberFields)
+    for (const MediumNumber& field : kNumbers)
         if (!field.optional || named.has(field.key)) medium.*field.member = named.number(field);
     named.refuse_unknown_fields();
     if (medium.receding_angle_deg > medium.advancing_angle_deg) {
@@ -150,11 +140,27 @@ Medium parse_medium(std::string_view json_object, const std::string& place, cons
     const Json given = parse_json(json_object, place);
     if (!given.is_object()) throw core::InputError(place + ": is not an object in braces.");
     Json entry = {{"name", otherwise.name.empty() ? "by numbers" : otherwise.name},
-                  {"description", "Given by its numbers."}};
-    for (const NumberField& field : kNumberFields)
+                  {"description",
+                   otherwise.description.empty() ? "Given by its numbers." : otherwise.description}};
+    for (const MediumNumber& field : kNumbers)
         entry[field.key] = otherwise.*field.member;
     entry.update(given);
     return read_medium(entry, place);
+}
+
+std::span<const MediumNumber> medium_numbers() {
+    return kNumbers;
+}
+
+std::string numbers_to_json(const Medium& medium) {
+    Json numbers = Json::object();
+    for (const MediumNumber& number : kNumbers)
+        numbers[number.key] = medium.*number.member;
+    return numbers.dump();
+}
+
+void check_numbers(const Medium& medium, const std::string& place) {
+    parse_medium(numbers_to_json(medium), place, medium);
 }
 
 const std::vector<Medium>& bundled_media() {

@@ -2,6 +2,7 @@
 // program.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,7 +30,24 @@ struct Medium {
     double typical_thickness_mm = 0.5;  ///< what a loaded brush leaves
     double solid_fraction = 1.0;        ///< thickness that stays when it dries, 0 to 1 of the wet one
     double touch_dry_s = 3600.0;        ///< until a film of the typical thickness is touch-dry, 1 to 1e7
+
+    friend bool operator==(const Medium&, const Medium&) = default;
 };
+
+/// touch_dry_s is at most this times typical_thickness_mm, 1000 hours a millimetre: keeps the drying
+/// time of the thickest paint within its channel.
+inline constexpr double kSlowestDrying_s_mm = 3.6e6;
+
+/// A number of a medium and where it may lie.
+struct MediumNumber {
+    const char* key;  ///< in files
+    double Medium::*member;
+    double least, most;
+    bool optional = false;  ///< the member keeps its default where an entry does not name it
+};
+
+/// All of them, in the order of the files.
+std::span<const MediumNumber> medium_numbers();
 
 /// Reads a JSON array of media (resources/media.json shows the form). `name` is the file's name for
 /// errors. Throws InputError that names the entry, the field and the value.
@@ -38,6 +56,12 @@ std::vector<Medium> parse_media(std::string_view json_text, const std::string& n
 /// One medium from a JSON object with any of the number fields of such an entry; those left out are as
 /// in `otherwise`. Throws InputError "PLACE ...: " that names the field and the value.
 Medium parse_medium(std::string_view json_object, const std::string& place, const Medium& otherwise);
+
+/// All numbers of a medium as a JSON object, exactly as parse_medium() reads them.
+std::string numbers_to_json(const Medium& medium);
+
+/// Throws InputError "PLACE ...: " that names the field and the value of a number out of its range.
+void check_numbers(const Medium& medium, const std::string& place);
 
 /// The media that come with the program, in the order of the file.
 const std::vector<Medium>& bundled_media();

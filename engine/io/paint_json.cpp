@@ -32,4 +32,17 @@ document::PaintRecipe read_paint(const JsonPlace& place) {
     return paint;
 }
 
+film::Medium read_medium_numbers(const JsonPlace& place, const film::Medium& like,
+                                 std::string_view skipped) {
+    if (!place.value().is_object()) place.fail("this must be an object in braces.");
+    Json numbers = Json::object();
+    for (const auto& item : place.value().items()) {
+        if (item.key() == skipped) continue;
+        numbers[item.key()] = place.entry(item.key().c_str()).number();
+    }
+    film::Medium medium;
+    place.guard([&] { medium = film::parse_medium(numbers.dump(), "this paint", like); });
+    return medium;
+}
+
 }  // namespace pastoso::io

@@ -89,8 +89,15 @@ document::Action read_tilt(const JsonPlace& place) {
 }
 
 document::Action read_medium(const JsonPlace& place) {
-    place.allow_only({"name"});
-    return document::UseMedium{place.entry("name").text()};
+    place.allow_only({"name", "numbers"});
+    document::UseMedium use{place.entry("name").text()};
+    const auto numbers = place.optional_entry("numbers");
+    if (!numbers) return use;
+    film::Medium like;
+    place.entry("name").guard([&] { like = film::find_medium(use.name); });
+    use.own = read_medium_numbers(*numbers, like);
+    use.name = like.name;
+    return use;
 }
 
 document::Action read_drying(const JsonPlace& place) {

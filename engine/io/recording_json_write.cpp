@@ -150,7 +150,9 @@ class EntryWriter {
         put("clean_brush", clean.share == 1.0 ? Json::object() : Json{{"share", clean.share}});
     }
     void operator()(const document::UseMedium& medium) {
-        put("use_medium", Json{{"name", medium.name}});
+        Json entry{{"name", medium.name}};
+        if (medium.own) entry["numbers"] = Json::parse(film::numbers_to_json(*medium.own));
+        put("use_medium", std::move(entry));
     }
     void operator()(const document::TiltCanvas& tilt) {
         put("tilt_canvas", Json{{"tilt_deg", tilt.tilt_deg}, {"direction_deg", tilt.direction_deg}});
@@ -251,11 +253,17 @@ bool uses_tracing(const Event& event) {
     return is_one_of<document::LayTracing, document::SetTracing>(event.action);
 }
 
+bool uses_own_medium(const Event& event) {
+    const auto* use = std::get_if<document::UseMedium>(&event.action);
+    return use != nullptr && use->own;
+}
+
 int version_needed(const document::Recording& recording) {
     const auto any = [&](bool (*uses)(const Event&)) {
         return std::any_of(recording.events.begin(), recording.events.end(), uses);
     };
     const bool on_cloth = recording.canvas.support_x_mm != 0.0 || recording.canvas.support_y_mm != 0.0;
+    if (any(uses_own_medium)) return 8;
     if (any(uses_tracing)) return 7;
     if (on_cloth || any(uses_regions_or_pictures)) return 6;
     if (any(uses_layers)) return 5;

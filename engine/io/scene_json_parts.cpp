@@ -3,6 +3,7 @@
 
 #include "core/units.hpp"
 #include "document/number_text.hpp"
+#include "io/paint_json.hpp"
 
 #include <cmath>
 
@@ -71,15 +72,7 @@ film::Medium read_scene_paint(const JsonPlace& place, const SceneContext& contex
     if (place.value().is_string()) return find_medium(place);
     film::Medium base;
     if (const auto like = place.optional_entry("like")) base = find_medium(*like);
-    Json numbers = Json::object();
-    for (const auto& item : place.value().items()) {
-        if (item.key() == "like") continue;
-        place.entry(item.key().c_str()).number();
-        numbers[item.key()] = item.value();
-    }
-    film::Medium medium;
-    place.guard([&] { medium = film::parse_medium(numbers.dump(), "this paint", base); });
-    return medium;
+    return read_medium_numbers(place, base, "like");
 }
 
 film::Gravity read_forces(const JsonPlace& scene, const SceneContext& context) {

@@ -54,7 +54,7 @@ document::Recording read_setup(const ZipReader& archive) {
 struct Setup {
     PaintingState& painting;
 
-    void operator()(const document::UseMedium& use) { painting.medium = use.name; }
+    void operator()(const document::UseMedium& use) { painting.medium = use; }
     void operator()(const document::TiltCanvas& tilt) { painting.tilt = tilt; }
     void operator()(const document::SetDrying& drying) { painting.air = drying.air; }
     void operator()(const document::SetStabiliser& set) { painting.aids.stabiliser = set.stabiliser; }
@@ -249,7 +249,7 @@ LoadedProject loaded(const ZipReader& archive, core::ThreadPool& pool) {
     painting.settings = setup.canvas;
     for (const document::Event& event : setup.events)
         std::visit(Setup{painting}, event.action);
-    if (painting.medium.empty()) archive.fail(kSetupEntry, "there is no medium in hand.");
+    if (painting.medium.name.empty()) archive.fail(kSetupEntry, "there is no medium in hand.");
     painting.tick = index.tick;
     painting.ageing = index.ageing;
     painting.taken = index.taken;
@@ -316,7 +316,7 @@ ProjectSummary project_summary(const std::filesystem::path& path) {
     ProjectSummary summary{.canvas = setup.canvas,
                            .program = index.program,
                            .tick = index.tick,
-                           .medium = painting.medium,
+                           .medium = painting.medium.name,
                            .brush = painting.brush ? painting.brush->taken.preset : ""};
     for (auto& [kind, size] : sizes) {
         size.kind = kind;

@@ -24,7 +24,7 @@ document::Recording setup_of(const PaintingState& painting) {
     document::Recording setup;
     setup.canvas = painting.settings;
     const auto add = [&](document::Action action) { setup.events.push_back({0, std::move(action)}); };
-    add(document::UseMedium{painting.medium});
+    add(painting.medium);
     add(painting.tilt);
     add(document::SetDrying{painting.air});
     add(document::SetStabiliser{painting.aids.stabiliser});

@@ -129,7 +129,7 @@ TEST_F(EaselTest, AChangeOfToolEndsTheStrokeFirst) {
 TEST_F(EaselTest, AnotherMediumComesWithAFreshBrush) {
     easel_.use_medium("ink glaze");
     EXPECT_THAT(posted(), ElementsAre("clean", "medium", "clean", "load"));
-    EXPECT_EQ(easel_.hand().medium, "ink glaze");
+    EXPECT_EQ(easel_.hand().medium, UseMedium{"ink glaze"});
 }
 
 TEST_F(EaselTest, DryingEndsTheStrokeAndItsSpeedDoesNot) {
@@ -316,7 +316,7 @@ TEST(HandAfter, HoldsWhatTheLastEventsGave) {
     EXPECT_EQ(hand.brush, "Filbert 14");
     EXPECT_DOUBLE_EQ(hand.brush_width_mm, 14.0);
     EXPECT_EQ(hand.paint, dip.paint);
-    EXPECT_EQ(hand.medium, "ink glaze");
+    EXPECT_EQ(hand.medium, UseMedium{"ink glaze"});
     EXPECT_EQ(hand.tilt, (TiltCanvas{12.0, 45.0}));
     EXPECT_EQ(hand_after(hand, {}).brush, hand.brush);
     const brush::Ruler ruler{1.0, 2.0, 3.0, 4.0};

@@ -29,7 +29,7 @@ TEST_F(PaintingWindow, StandsReadyToPaint) {
     const tools::Hand& hand = window().easel().hand();
     EXPECT_EQ(hand.brush, "Flat bristle 20");
     EXPECT_EQ(hand.paint.ingredients.front().pigment, "PB29");
-    EXPECT_EQ(hand.medium, "heavy-body oil");
+    EXPECT_EQ(hand.medium, document::UseMedium{"heavy-body oil"});
     EXPECT_EQ(hand.tilt.tilt_deg, 60.0);
     EXPECT_TRUE(session().take_errors().empty());
 }

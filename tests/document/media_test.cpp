@@ -1,6 +1,9 @@
 // Several media on one canvas.
+#include "core/error.hpp"
 #include "document/painting.hpp"
+#include "document/painting_state.hpp"
 #include "document/scenes.hpp"
+#include "film/measures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +73,65 @@ TEST_F(MediaTest, AnotherMediumInHandDoesNotThinWhatLiesThere) {
     // Its edges draw in a little, where the contact angle is another one; as thinner all of it would be
     // gone.
     EXPECT_LT(static_cast<double>(moved) / static_cast<double>(film::totals(before).thickness), 0.02);
+}
+
+TEST_F(MediaTest, NumbersThatWereNotChangedChangeNothing) {
+    Painting other(small_canvas(), pool);
+    for (Painting* each : {&painting, &other}) {
+        const auto own = each == &other ? std::optional(film::find_medium("house paint")) : std::nullopt;
+        each->apply(TakeBrush{"flat", 8, 1});
+        each->apply(UseMedium{"house paint", own});
+        each->apply(load_of("PB29"));
+        paint_wave(*each, 0.0, 10.0);
+        each->apply(UseMedium{"House paint", own});
+        each->advance_tick();
+        EXPECT_FALSE(each->film().varied);
+    }
+    EXPECT_EQ(painting.state_hash(), other.state_hash());
+}
+
+TEST_F(MediaTest, PaintOfOnesOwnNumbersStandsWhereTheNamedOneRuns) {
+    /// How far the middle of the paint sinks in a second, mm.
+    const auto sinking_mm = [&](double yield_stress_Pa) {
+        Painting fresh(small_canvas(), pool);
+        film::Medium medium = film::find_medium("house paint");
+        medium.yield_stress_Pa = yield_stress_Pa;
+        fresh.apply(TiltCanvas{90, 90});
+        fresh.apply(TakeBrush{"flat", 8, 1});
+        fresh.apply(UseMedium{medium.name, medium});
+        fresh.apply(load_of("PB29"));
+        paint_wave(fresh, 0.0, 8.0);
+        const auto middle_mm = [&] { return film::measure(fresh.film(), medium, {}, {}).centroid.y_mm; };
+        const double painted_mm = middle_mm();
+        for (int i = 0; i < 60; ++i)
+            fresh.advance_tick();
+        return middle_mm() - painted_mm;
+    };
+    EXPECT_GT(sinking_mm(0.5), 0.5);
+    EXPECT_LT(sinking_mm(100.0), 0.01);
+}
+
+TEST_F(MediaTest, ANewNumberMakesTheFilmVaried) {
+    paint_stroke("house paint", load_of("PB29"), 0.0, 10.0);
+    film::Medium thicker = film::find_medium("house paint");
+    thicker.viscosity_m2_s = 0.1;
+    painting.apply(UseMedium{thicker.name, thicker});
+    EXPECT_TRUE(painting.film().varied);
+    EXPECT_EQ(painting.state().medium, (UseMedium{thicker.name, thicker}));
+}
+
+TEST_F(MediaTest, NumbersOutOfRangeAreRefusedAndNothingChanges) {
+    film::Medium odd = film::find_medium("house paint");
+    odd.surface_tension_N_m = std::nan("");
+    try {
+        painting.apply(UseMedium{odd.name, odd});
+        FAIL() << "no tension is not a tension";
+    } catch (const core::InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "the medium (\"house paint\"): surface_tension_N_m is null, it must "
+                     "be a number from 0.02 to 0.07.");
+    }
+    EXPECT_EQ(painting.state().medium, UseMedium{"heavy-body oil"});
 }
 
 TEST_F(MediaTest, PaintsMixTheirConsistencyUnderTheBrush) {

@@ -108,7 +108,7 @@ TEST(PaintingState, TellsWhatIsInHand) {
     painting.apply(TakeBrush{"round", 9, 5});
     painting.apply(load_of("PR108", 0.5));
     const PaintingState state = painting.state();
-    EXPECT_EQ(state.medium, "house paint");
+    EXPECT_EQ(state.medium, UseMedium{"house paint"});
     EXPECT_EQ(state.tilt, (TiltCanvas{30, 45}));
     ASSERT_TRUE(state.brush);
     EXPECT_EQ(state.brush->taken, (TakeBrush{"round", 9, 5}));

@@ -151,6 +151,13 @@ TEST(ParseMedium, RefusesUnknownAndOddNumbers) {
     EXPECT_THAT(error("[]"), HasSubstr("a.json: is not an object in braces."));
 }
 
+TEST(ParseMedium, ReadsExactlyWhatIsWritten) {
+    for (Medium medium : bundled_media()) {
+        medium.viscosity_m2_s = 1.0 / 3.0;
+        EXPECT_EQ(parse_medium(numbers_to_json(medium), "here", medium), medium);
+    }
+}
+
 TEST(FindMedium, IgnoresCase) {
     EXPECT_EQ(find_medium("House PAINT").name, "house paint");
 }

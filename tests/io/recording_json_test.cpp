@@ -33,6 +33,13 @@ LoadPaint plain_load() {
     return load;
 }
 
+film::Medium stiffer_house_paint() {
+    film::Medium medium = film::find_medium("house paint");
+    medium.yield_stress_Pa = 12.3;
+    medium.viscosity_m2_s = 1.0 / 300.0;
+    return medium;
+}
+
 /// Every kind of event, strokes interrupted by others and never lifted, ticks that follow from the times
 /// and ticks that do not.
 Recording everything() {
@@ -40,6 +47,7 @@ Recording everything() {
     recording.canvas = {123.4, 56.7, 3.5, "panel", "", 0.1};
     recording.events = {
         {0, UseMedium{"house paint"}},
+        {0, UseMedium{"house paint", stiffer_house_paint()}},
         {0, TiltCanvas{35.5, -45}},
         {0, TakeBrush{"flat", 11.5, 7}},
         {0, double_load()},
@@ -182,10 +190,29 @@ TEST(RecordingJson, ReadsTheFirstVersion) {
     EXPECT_EQ(std::get<UseMedium>(recording.events[0].action).name, "ink glaze");
 }
 
+TEST(RecordingJson, MediaOfOnesOwnNeedNameOnlyTheNumbersThatDiffer) {
+    const Recording recording = recording_from_json(
+        file_with(R"({"tick":3,"use_medium":{"name":"House Paint","numbers":{"yield_stress_Pa":7}}})"),
+        "s.json");
+    film::Medium expected = film::find_medium("house paint");
+    expected.yield_stress_Pa = 7.0;
+    EXPECT_EQ(std::get<UseMedium>(recording.events.at(0).action), (UseMedium{"house paint", expected}));
+}
+
+TEST(RecordingJson, NumbersOfAMediumAreLocated) {
+    EXPECT_EQ(error(file_with(R"({"tick":3,"use_medium":{"name":"oil","numbers":{}}})"))
+                  .find("s.json, events[0].use_medium.name: There is no medium \"oil\""),
+              0U);
+    EXPECT_EQ(
+        error(file_with(R"({"tick":3,"use_medium":{"name":"house paint","numbers":{"slip_cells":7}}})")),
+        "s.json, events[0].use_medium.numbers: this paint (\"house paint\"): slip_cells is 7.0, it "
+        "must be a number from 0.0 to 1.0.");
+}
+
 TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
     EXPECT_EQ(
-        error(R"({"format":"pastoso-strokes","version":8,"more":[]})"),
-        "s.json: this was written by a newer Pastoso (stroke format 8; this program reads up to 7).");
+        error(R"({"format":"pastoso-strokes","version":9,"more":[]})"),
+        "s.json: this was written by a newer Pastoso (stroke format 9; this program reads up to 8).");
 }
 
 TEST(RecordingJson, NamesWhatIsMissingOrMisspelt) {

@@ -56,6 +56,7 @@ class HastyPainter {
         if (what == 17 && choice(3) == 0) return {LayTracing{}};
         if (what == 17) return {LayTracing{picture(), {5.0 * uniform(), 0, 40, 30}}};
         if (what == 18) return {SetTracing{{0, 0, 30, 20}, uniform()}};
+        if (what == 19) return {own_medium(), dip()};
         if (what == 12 && choice(3) == 0) return {FlattenLayers{}};
         return stroke(what == 8 ? Surface::Well : Surface::Canvas);
     }
@@ -67,6 +68,12 @@ class HastyPainter {
     std::shared_ptr<const layers::Picture> picture() {
         return std::make_shared<const layers::Picture>(
             layers::Picture{1, 2, {255, 0, 0, 255, 0, 0, static_cast<std::uint8_t>(choice(256)), 128}});
+    }
+
+    document::Action own_medium() {
+        film::Medium medium = film::find_medium("soft-body acrylic");
+        medium.yield_stress_Pa = 30.0 * uniform();
+        return document::UseMedium{medium.name, medium};
     }
 
     document::Action dip() {

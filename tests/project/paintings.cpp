@@ -6,6 +6,16 @@
 #include "project/project_archive.hpp"
 
 namespace pastoso::project {
+namespace {
+
+film::Medium quicker_house_paint() {
+    film::Medium medium = film::find_medium("house paint");
+    medium.touch_dry_s = 1234.5;
+    medium.yield_stress_Pa = 0.1;
+    return medium;
+}
+
+}  // namespace
 
 document::Recording busy_session() {
     using namespace document;
@@ -25,7 +35,7 @@ document::Recording busy_session() {
               {0, load_of("PR108")}};
     stroke(Surface::Canvas, 10);
     events.push_back({tick, DryNow{}});
-    events.push_back({tick, UseMedium{"house paint"}});
+    events.push_back({tick, UseMedium{"house paint", quicker_house_paint()}});
     events.push_back({tick, SetDrying{{.speed = 20.0, .fan = 2.0, .fan_radius_mm = 9.0}}});
     events.push_back({tick, TiltCanvas{60, 80}});
     events.push_back({tick, squeeze_of("PB29", 30, 40)});

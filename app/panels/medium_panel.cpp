@@ -1,0 +1,92 @@
+#include "panels/medium_panel.hpp"
+
+#include "panels/medium_rows.hpp"
+#include "panels/section.hpp"
+#include "panels/value_row.hpp"
+#include "tools/medium_numbers.hpp"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace pastoso::panels {
+namespace {
+
+ValueRange shown_range(const MediumRow& number) {
+    const film::MediumNumber& limits = tools::number_of(number.member);
+    return {number.scale * limits.least, number.scale * limits.most, number.decimals,
+            QObject::tr(number.unit), number.logarithmic};
+}
+
+}  // namespace
+
+MediumPanel::MediumPanel(QWidget* parent)
+    : QWidget(parent),
+      media_(new QComboBox),
+      description_(new QLabel),
+      reset_(new QPushButton(tr("As it comes"))) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    column->addWidget(medium_section());
+    for (const MediumSection& section : medium_sections())
+        column->addWidget(numbers(section));
+    column->addStretch();
+    show_medium(film::bundled_media().front());
+}
+
+QWidget* MediumPanel::medium_section() {
+    auto* widget = new QWidget;
+    auto* column = section(widget, tr("Kind of paint"));
+    media_->setObjectName(QStringLiteral("kind_of_paint"));
+    media_->setToolTip(tr("The brush is cleaned, and dipped in paint of this kind"));
+    for (const film::Medium& medium : film::bundled_media())
+        media_->addItem(QString::fromStdString(medium.name));
+    keep_keys_for_canvas(media_);
+    description_->setObjectName(QStringLiteral("reading"));
+    description_->setWordWrap(true);
+    reset_->setObjectName(QStringLiteral("medium_reset"));
+    reset_->setToolTip(tr("Takes back what was changed below"));
+    keep_keys_for_canvas(reset_);
+    column->addWidget(media_);
+    column->addWidget(description_);
+    column->addWidget(reset_);
+    connect(media_, &QComboBox::activated, this,
+            [this] { Q_EMIT medium_chosen(media_->currentText()); });
+    connect(reset_, &QPushButton::clicked, this,
+            [this] { Q_EMIT medium_chosen(QString::fromStdString(medium_.name)); });
+    return widget;
+}
+
+QWidget* MediumPanel::numbers(const MediumSection& part) {
+    auto* widget = new QWidget;
+    auto* grid_widget = new QWidget;
+    auto* grid = new QGridLayout(grid_widget);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(4);
+    for (const MediumRow& number : part.rows) {
+        auto* row = new ValueRow(grid, tr(number.words), tr(number.hint), shown_range(number));
+        row->name(QLatin1String(number.name));
+        connect(row, &ValueRow::chosen, this, [this, &number](double value) {
+            medium_ = tools::with_number(medium_, number.member, value / number.scale);
+            show_medium(medium_);
+            Q_EMIT medium_changed(medium_);
+        });
+        shown_.push_back({&number, row});
+    }
+    section(widget, tr(part.heading))->addWidget(grid_widget);
+    return widget;
+}
+
+void MediumPanel::show_medium(const film::Medium& medium) {
+    medium_ = medium;
+    media_->setCurrentText(QString::fromStdString(medium.name));
+    description_->setText(QString::fromStdString(medium.description));
+    reset_->setEnabled(medium != film::find_medium(medium.name));
+    for (const Shown& shown : shown_)
+        shown.row->show_value(shown.number->scale * medium.*shown.number->member);
+}
+
+}  // namespace pastoso::panels
