@@ -160,6 +160,8 @@ constexpr std::array kCommands = {
                 "What the brush holds, and how it answers to the hand", false, true},
     CommandText{Command::ColourPanel, "&View", "&Colour panel", "F6",
                 "A paint of any colour, and its recipe from the tubes"},
+    CommandText{Command::PhysicsPanel, "&View", "P&hysics panel", "F10",
+                "What the paint is like: how it flows, holds and dries"},
     CommandText{Command::GuidesPanel, "&View", "&Guides panel", "F7",
                 "Mirrors, ruler and ellipse in millimetres"},
     CommandText{Command::LayersPanel, "&View", "&Layers panel", "F8",

@@ -83,6 +83,7 @@ enum class Command {
     ZoomOut,
     ToolPanel,
     ColourPanel,
+    PhysicsPanel,
     GuidesPanel,
     LayersPanel,
     TracingPanel,

@@ -30,7 +30,7 @@ QAction* CommandRegistry::action(Command command) const {
     return found->second;
 }
 
-void CommandRegistry::on(Command command, std::function<void(bool)> handler) {
+void CommandRegistry::on(Command command, std::function<void(bool)> handler) const {
     QAction* source = action(command);
     QObject::connect(source, &QAction::triggered, source, std::move(handler));
 }

@@ -20,7 +20,7 @@ class CommandRegistry {
     QAction* action(Command command) const;
 
     /// Calls `handler` whenever the command is given; `checked` says the new state of a checkable one.
-    void on(Command command, std::function<void(bool checked)> handler);
+    void on(Command command, std::function<void(bool checked)> handler) const;
 
     /// Builds the menus of the table.
     void fill(QMenuBar* bar) const;

@@ -1,14 +1,15 @@
-// The frame over MainWindow's canvas that moves, scales and turns the paint of a layer.
+#include "main/layer_transform.hpp"
 
 #include "core/error.hpp"
 #include "dialogs/transform_dialog.hpp"
-#include "main/main_window.hpp"
 #include "panels/brush_panel.hpp"
+#include "session/layer_painter.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <QAction>
+#include <QMainWindow>
 #include <QStatusBar>
 
 namespace pastoso::main {
@@ -61,114 +62,119 @@ QImage picture_in(const tools::TransformFrame& frame, const document::Snapshot& 
 
 }  // namespace
 
-void MainWindow::connect_transform() {
-    commands_.on(Command::TransformLayer, [this](bool on) {
+LayerTransform::LayerTransform(Studio& studio, panels::BrushPanel* brushes) : studio_(studio) {
+    studio_.commands().on(Command::TransformLayer, [this](bool on) {
         if (on)
-            begin_transform();
+            begin();
         else
-            give_up_transform();
+            give_up();
     });
-    connect(brushes_, &panels::BrushPanel::brush_taken, this, &MainWindow::give_up_transform);
-    connect(canvas_, &view::CanvasView::frame_accepted, this, &MainWindow::apply_transform);
-    connect(canvas_, &view::CanvasView::frame_given_up, this, &MainWindow::give_up_transform);
+    connect(brushes, &panels::BrushPanel::brush_taken, this, &LayerTransform::give_up);
+    connect(&studio_.canvas(), &view::CanvasView::frame_accepted, this, &LayerTransform::apply);
+    connect(&studio_.canvas(), &view::CanvasView::frame_given_up, this, &LayerTransform::give_up);
+    connect(&studio_, &Studio::session_ends, this, &LayerTransform::end);
+    connect(&studio_, &Studio::published, this,
+            [this](const auto& painting, const auto& status) { follow(*painting, status); });
 }
 
-void MainWindow::begin_transform() {
-    commands_.action(Command::TransformLayer)->setChecked(false);
-    if (easel_->brush_is_lent())
-        return report(tr("A recording is being played; the layers are yours when it has ended."));
-    easel_->release();
-    session_->wait_until_applied();
-    show_published();
-    const auto painting = session_->snapshot();
+void LayerTransform::begin() {
+    studio_.commands().action(Command::TransformLayer)->setChecked(false);
+    if (studio_.easel().brush_is_lent())
+        return studio_.report(
+            tr("A recording is being played; the layers are yours when it has ended."));
+    studio_.easel().release();
+    studio_.catch_up();
+    const auto painting = studio_.session().snapshot();
     const QString problem = problem_of(*painting->layers);
-    if (!problem.isEmpty()) return report_refusal(problem);
+    if (!problem.isEmpty()) return studio_.report_refusal(problem);
     const grid::Rect cells = tools::painted_cells(*painting);
     if (cells.empty())
-        return report(painting->selection == nullptr
-                          ? tr("There is no paint on this layer.")
-                          : tr("There is no paint of this layer in the selection."));
+        return studio_.report(painting->selection == nullptr
+                                  ? tr("There is no paint on this layer.")
+                                  : tr("There is no paint of this layer in the selection."));
     transforming_ = {painting->layers->layers[painting->layers->active].id, painting->selection,
                      painting->bare};
-    commands_.action(Command::TransformLayer)->setChecked(true);
-    show_transform(tools::frame_around(cells, painting->film.cell_mm), *painting);
+    studio_.commands().action(Command::TransformLayer)->setChecked(true);
+    show(tools::frame_around(cells, painting->film.cell_mm), *painting);
 }
 
-void MainWindow::show_transform(const tools::TransformFrame& frame, const document::Snapshot& painting) {
-    canvas_->show_frame(frame);
-    canvas_->show_in_frame(picture_in(frame, painting));
+void LayerTransform::show(const tools::TransformFrame& frame, const document::Snapshot& painting) {
+    studio_.canvas().show_frame(frame);
+    studio_.canvas().show_in_frame(picture_in(frame, painting));
     const document::CanvasSettings& canvas = painting.bare->settings;
-    open_transform_dialog(frame, {canvas.width_mm, canvas.height_mm});
-    canvas_->setFocus();
-    show_enabled(session_->status());
-    report(
+    open_dialog(frame, {canvas.width_mm, canvas.height_mm});
+    studio_.canvas().setFocus();
+    Q_EMIT changed();
+    studio_.report(
         tr("Drag inside to move, a handle to scale, outside to turn (Shift: in steps). Enter applies, "
            "Esc gives up."));
 }
 
 /// In the lower corner that is farther from the frame, where it hides little.
-void MainWindow::open_transform_dialog(const tools::TransformFrame& frame, const QSizeF& canvas_mm) {
-    auto* dialog = new dialogs::TransformDialog(frame, canvas_mm, this);
-    transform_dialog_ = dialog;
+void LayerTransform::open_dialog(const tools::TransformFrame& frame, const QSizeF& canvas_mm) {
+    auto* dialog = new dialogs::TransformDialog(frame, canvas_mm, &studio_.window());
+    dialog_ = dialog;
     // The keys stay with the canvas.
     dialog->setAttribute(Qt::WA_ShowWithoutActivating);
     connect(dialog, &dialogs::TransformDialog::changed, this,
-            [this](const tools::TransformFrame& changed) { canvas_->show_frame(changed); });
-    connect(canvas_, &view::CanvasView::frame_dragged, dialog, &dialogs::TransformDialog::show_frame);
-    connect(dialog, &QDialog::accepted, this, &MainWindow::apply_transform);
-    connect(dialog, &QDialog::rejected, this, &MainWindow::give_up_transform);
+            [this](const tools::TransformFrame& changed) { studio_.canvas().show_frame(changed); });
+    connect(&studio_.canvas(), &view::CanvasView::frame_dragged, dialog,
+            &dialogs::TransformDialog::show_frame);
+    connect(dialog, &QDialog::accepted, this, &LayerTransform::apply);
+    connect(dialog, &QDialog::rejected, this, &LayerTransform::give_up);
     const QSize size = dialog->sizeHint();
-    const bool frame_is_left = canvas_->widget_position(frame.centre_mm()).x() < 0.5 * canvas_->width();
-    const int x = frame_is_left ? canvas_->width() - size.width() - kMargin_px : kMargin_px;
-    const int y = canvas_->height() - size.height() - kMargin_px;
-    dialog->move(canvas_->mapToGlobal(QPoint(x, y)));
+    const bool frame_is_left =
+        studio_.canvas().widget_position(frame.centre_mm()).x() < 0.5 * studio_.canvas().width();
+    const int x = frame_is_left ? studio_.canvas().width() - size.width() - kMargin_px : kMargin_px;
+    const int y = studio_.canvas().height() - size.height() - kMargin_px;
+    dialog->move(studio_.canvas().mapToGlobal(QPoint(x, y)));
     dialog->show();
 }
 
 /// Nothing of the painting has changed so far, and nothing will.
-bool MainWindow::end_transform() {
+bool LayerTransform::end() {
     if (!transforming_) return false;
     transforming_.reset();
-    canvas_->show_frame(std::nullopt);
-    if (transform_dialog_ != nullptr) {
-        transform_dialog_->disconnect(this);
-        transform_dialog_->hide();
-        transform_dialog_->deleteLater();
-        transform_dialog_.clear();
+    studio_.canvas().show_frame(std::nullopt);
+    if (dialog_ != nullptr) {
+        dialog_->disconnect(this);
+        dialog_->hide();
+        dialog_->deleteLater();
+        dialog_.clear();
     }
-    commands_.action(Command::TransformLayer)->setChecked(false);
-    show_enabled(session_->status());
+    studio_.commands().action(Command::TransformLayer)->setChecked(false);
+    Q_EMIT changed();
     return true;
 }
 
-bool MainWindow::give_up_transform() {
-    if (!end_transform()) return false;
-    report(tr("The paint stays as it is."));
+bool LayerTransform::give_up() {
+    if (!end()) return false;
+    studio_.report(tr("The paint stays as it is."));
     return true;
 }
 
-void MainWindow::apply_transform() {
-    if (!transforming_ || !canvas_->frame()) return;
+void LayerTransform::apply() {
+    if (!transforming_ || !studio_.canvas().frame()) return;
     const document::LayerId layer = transforming_->layer;
     const auto wanted =
-        tools::transform_of(*canvas_->frame(), 1.0 / transforming_->bare->settings.px_per_mm);
+        tools::transform_of(*studio_.canvas().frame(), 1.0 / transforming_->bare->settings.px_per_mm);
     if (!wanted) {
-        give_up_transform();
+        give_up();
         return;
     }
-    end_transform();
-    easel_->transform({layer, *wanted});
-    statusBar()->clearMessage();
+    end();
+    studio_.easel().transform({layer, *wanted});
+    studio_.window().statusBar()->clearMessage();
 }
 
 /// A frame around paint of another layer, of what is selected no more or of another canvas is none.
-void MainWindow::follow_transform(const document::Snapshot& painting, const session::Status& status) {
+void LayerTransform::follow(const document::Snapshot& painting, const session::Status& status) {
     if (!transforming_) return;
     const document::LayerStack& layers = *painting.layers;
     const bool same = layers.layers[layers.active].id == transforming_->layer &&
                       painting.selection == transforming_->selection &&
                       painting.bare == transforming_->bare && problem_of(layers).isEmpty();
-    if (!same || status.replaying) give_up_transform();
+    if (!same || status.replaying) give_up();
 }
 
 }  // namespace pastoso::main

@@ -1,0 +1,57 @@
+// The frame over the canvas that moves, scales and turns the paint of a layer.
+#pragma once
+
+#include "main/studio.hpp"
+#include "tools/transform_frame.hpp"
+
+#include <memory>
+#include <optional>
+
+#include <QObject>
+#include <QPointer>
+#include <QSizeF>
+
+namespace pastoso::dialogs {
+class TransformDialog;
+}
+
+namespace pastoso::panels {
+class BrushPanel;
+}
+
+namespace pastoso::main {
+
+class LayerTransform : public QObject {
+    Q_OBJECT
+  public:
+    /// Taking a tool of `brushes` gives the frame up.
+    LayerTransform(Studio& studio, panels::BrushPanel* brushes);
+
+    bool active() const { return transforming_.has_value(); }
+
+    /// Takes the frame away and leaves the paint as it is. False: there was none.
+    bool end();
+    bool give_up();  ///< the same, and says so
+
+  Q_SIGNALS:
+    void changed();  ///< active()
+
+  private:
+    void begin();
+    void show(const tools::TransformFrame& frame, const document::Snapshot& painting);
+    void open_dialog(const tools::TransformFrame& frame, const QSizeF& canvas_mm);
+    void apply();
+    void follow(const document::Snapshot& painting, const session::Status& status);
+
+    Studio& studio_;
+    /// What the frame stands around.
+    struct Transforming {
+        document::LayerId layer = 0;
+        document::Selection selection;
+        std::shared_ptr<const document::BareCanvas> bare;
+    };
+    std::optional<Transforming> transforming_;
+    QPointer<dialogs::TransformDialog> dialog_;
+};
+
+}  // namespace pastoso::main

@@ -1,0 +1,168 @@
+#include "main/panel_set.hpp"
+
+#include "brush/preset.hpp"
+#include "film/medium.hpp"
+#include "main/studio.hpp"
+#include "panels/brush_panel.hpp"
+#include "panels/easel_panel.hpp"
+#include "panels/paint_panel.hpp"
+#include "panels/status_readings.hpp"
+#include "panels/well_panel.hpp"
+#include "pigment/box.hpp"
+#include "pigment/user_pigments.hpp"
+#include "tools/swatch.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMainWindow>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace pastoso::main {
+namespace {
+
+constexpr int kPanelWidth = 232;
+
+QColor colour(const pigment::Srgb8& rgb) {
+    return {rgb[0], rgb[1], rgb[2]};
+}
+
+/// The box in its order, then the other tubes, the painter's own, and the medium.
+std::vector<panels::PaintEntry> paint_entries() {
+    std::vector<panels::PaintEntry> entries;
+    const auto add_new = [&](const std::vector<pigment::Pigment>& paints) {
+        for (const pigment::Pigment& paint : paints) {
+            const auto ci_name = QString::fromStdString(paint.ci_name);
+            const bool known = std::any_of(entries.begin(), entries.end(),
+                                           [&](const auto& entry) { return entry.pigment == ci_name; });
+            if (known) continue;
+            const tools::Swatch swatch = tools::swatch(paint.coefficients);
+            entries.push_back({ci_name, QString::fromStdString(paint.name), colour(swatch.masstone),
+                               colour(swatch.tint)});
+        }
+    };
+    add_new(pigment::default_box());
+    add_new(pigment::bundled_palette());
+    add_new(pigment::user_pigments().pigments);
+    entries.push_back({QString(), QObject::tr("Clear medium"), QColor(232, 230, 224), Qt::white});
+    return entries;
+}
+
+QComboBox* make_medium_box() {
+    auto* box = new QComboBox;
+    box->setFocusPolicy(Qt::TabFocus);
+    box->setToolTip(QObject::tr("How the next paint flows; what lies on the canvas keeps its own way"));
+    for (const film::Medium& medium : film::bundled_media()) {
+        box->addItem(QString::fromStdString(medium.name));
+        box->setItemData(box->count() - 1, QString::fromStdString(medium.description), Qt::ToolTipRole);
+    }
+    return box;
+}
+
+void make_tool_bar(Studio& studio, QComboBox* medium) {
+    using commands::Command;
+    QToolBar* bar = studio.window().addToolBar(QObject::tr("Tools"));
+    bar->setObjectName(QStringLiteral("tool_bar"));
+    bar->setMovable(false);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    const auto add_button = [&](Command command, const QString& words) {
+        QAction* action = studio.commands().action(command);
+        action->setIconText(words);
+        auto* button = new QToolButton;
+        button->setDefaultAction(action);
+        button->setFocusPolicy(Qt::TabFocus);
+        bar->addWidget(button);
+    };
+    add_button(Command::Undo, QObject::tr("Undo"));
+    add_button(Command::Redo, QObject::tr("Redo"));
+    bar->addSeparator();
+    add_button(Command::ReloadBrush, QObject::tr("Reload"));
+    add_button(Command::CleanBrush, QObject::tr("Clean"));
+    add_button(Command::ReloadEachStroke, QObject::tr("Reload each stroke"));
+    add_button(Command::TurnWithStroke, QObject::tr("Turn with stroke"));
+    bar->addSeparator();
+    bar->addWidget(new QLabel(QObject::tr("Medium ")));
+    bar->addWidget(medium);
+    add_button(Command::Pause, QObject::tr("Pause"));
+    add_button(Command::DryNow, QObject::tr("Dry now"));
+    add_button(Command::MixingWell, QObject::tr("Mixing well"));
+    bar->addSeparator();
+    add_button(Command::SavePainting, QObject::tr("Save"));
+}
+
+/// Its tools and their thumbnails come later.
+panels::BrushPanel* make_brush_panel(const commands::CommandRegistry& commands) {
+    using commands::Command;
+    std::vector<QAction*> own_actions;
+    const auto add_own = [&](Command command, const QString& words) {
+        own_actions.push_back(commands.action(command));
+        own_actions.back()->setIconText(words);
+    };
+    add_own(Command::SaveBrush, QObject::tr("Save"));
+    add_own(Command::RenameBrush, QObject::tr("Rename"));
+    add_own(Command::DeleteBrush, QObject::tr("Delete"));
+    return new panels::BrushPanel(own_actions);
+}
+
+void add_middle(Studio& studio, const PanelSet& panels) {
+    auto* side = new QWidget;
+    side->setFixedWidth(kPanelWidth);
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(10, 8, 10, 8);
+    column->setSpacing(12);
+    column->addWidget(panels.brushes, 1);
+    column->addWidget(panels.paints, 1);
+    column->addWidget(panels.stand);
+
+    auto* middle = new QWidget;
+    auto* row = new QHBoxLayout(middle);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(side);
+    row->addWidget(&studio.canvas(), 1);
+    studio.window().setCentralWidget(middle);
+}
+
+QDockWidget* add_well(Studio& studio) {
+    using commands::Command;
+    QAction* squeeze = studio.commands().action(Command::SqueezePaint);
+    QAction* clean = studio.commands().action(Command::CleanWell);
+    squeeze->setIconText(QObject::tr("Squeeze"));
+    clean->setIconText(QObject::tr("Wipe the well"));
+    QDockWidget* dock = panels::well_panel(&studio.well(), {squeeze, clean});
+    studio.window().addDockWidget(Qt::RightDockWidgetArea, dock);
+    dock->hide();
+    return dock;
+}
+
+}  // namespace
+
+PanelSet lay_out(Studio& studio) {
+    QMainWindow& window = studio.window();
+    studio.commands().fill(window.menuBar());
+    PanelSet panels;
+    panels.medium = make_medium_box();
+    make_tool_bar(studio, panels.medium);
+    panels.brushes = make_brush_panel(studio.commands());
+    panels.paints = new panels::PaintPanel(paint_entries());
+    panels.stand = new panels::EaselPanel;
+    add_middle(studio, panels);
+    panels.well = add_well(studio);
+    add_docks(studio, panels);
+    panels.readings = new panels::StatusReadings;
+    window.statusBar()->setSizeGripEnabled(false);
+    window.statusBar()->addPermanentWidget(panels.readings);
+    window.resize(1280, 800);
+    studio.canvas().setFocus();
+    return panels;
+}
+
+}  // namespace pastoso::main

@@ -1,0 +1,54 @@
+// The panels around the canvas, put where they stand at first: tool bar above, tools on the left, the
+// canvas in the rest, docks beside it.
+#pragma once
+
+#include "commands/command_list.hpp"
+
+#include <map>
+
+class QComboBox;
+class QDockWidget;
+
+namespace pastoso::panels {
+class BrushPanel;
+class ColourPanel;
+class CurvesPanel;
+class EaselPanel;
+class GuidesPanel;
+class LayerPanel;
+class LoadPanel;
+class MediumPanel;
+class PaintPanel;
+class StatusReadings;
+class TracingPanel;
+}  // namespace pastoso::panels
+
+namespace pastoso::main {
+
+class Studio;
+
+/// The window owns them all.
+struct PanelSet {
+    panels::BrushPanel* brushes = nullptr;
+    panels::PaintPanel* paints = nullptr;
+    panels::EaselPanel* stand = nullptr;
+    panels::ColourPanel* colours = nullptr;
+    panels::LoadPanel* load = nullptr;
+    panels::MediumPanel* physics = nullptr;
+    panels::CurvesPanel* curves = nullptr;
+    panels::GuidesPanel* guides = nullptr;
+    panels::LayerPanel* layers = nullptr;
+    panels::TracingPanel* tracing = nullptr;
+    panels::StatusReadings* readings = nullptr;
+    QComboBox* medium = nullptr;
+    QDockWidget* well = nullptr;
+    std::map<commands::Command, QDockWidget*> docks;  ///< by the command that shows them
+};
+
+/// Builds menus, tool bar and panels of the studio's window, and puts its views among them.
+PanelSet lay_out(Studio& studio);
+
+/// The part of it that stands in docks on the right.
+void add_docks(Studio& studio, PanelSet& panels);
+
+}  // namespace pastoso::main

@@ -1,0 +1,24 @@
+// Pictures put onto the canvas as layers of dry paint.
+#pragma once
+
+#include "main/studio.hpp"
+
+#include <QObject>
+
+namespace pastoso::main {
+
+class PictureLayers : public QObject {
+    Q_OBJECT
+  public:
+    explicit PictureLayers(Studio& studio);
+
+    /// In the middle and as large as it fits. Throws core::InputError when it is no picture.
+    void paint_picture(const QString& path);
+
+  private:
+    void ask_paint_picture();
+
+    Studio& studio_;
+};
+
+}  // namespace pastoso::main

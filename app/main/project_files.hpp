@@ -1,0 +1,72 @@
+// Paintings and their files: a fresh canvas, opening, saving, recovering, and what would be lost.
+#pragma once
+
+#include "commands/project_saver.hpp"
+#include "main/studio.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <QObject>
+#include <QString>
+
+class QMenu;
+
+namespace pastoso::main {
+
+class ProjectFiles : public QObject {
+    Q_OBJECT
+  public:
+    /// What is painted is kept on the disk as it happens, to be recovered, where `keeps_journal`.
+    ProjectFiles(Studio& studio, bool keeps_journal);
+
+    /// Puts up the first canvas. Throws core::InputError when there can be no such canvas.
+    void start(const document::CanvasSettings& canvas);
+
+    /// As MainWindow says of them.
+    void new_canvas(const document::CanvasSettings& canvas);
+    void open_painting(const QString& path);
+    void open_picture(const QString& path);
+    void save_painting(const QString& path);
+    void recover_painting(const std::filesystem::path& journal);
+    void offer_recovery();
+    void replay(const document::Recording& recording);
+
+    /// Of the project file; empty: not saved yet.
+    const QString& path() const { return path_; }
+    commands::ProjectSaver& saver() { return saver_; }
+
+    /// Whether nothing would be lost with this painting, or the painter agrees to lose it.
+    bool may_discard();
+
+    /// The star of a painting that is not saved follows the name.
+    void show_title();
+
+  Q_SIGNALS:
+    /// The painting is going to be kept as it is: what waits for the hand to rest is to be done now.
+    void about_to_keep();
+
+  private:
+    void start(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<document::Painting> painting,
+               document::Recording past, journal::Beginning beginning);
+    std::unique_ptr<journal::JournalWriter> new_journal(const journal::Beginning& beginning);
+    void take_up_hand(const document::Recording& past);
+    void ask_new_canvas();
+    void try_to_open(const QString& path);
+    void ask_open_painting();
+    bool ask_save_painting();  ///< false: the painter thought better of it
+    void fill_recent();
+    void show_unsaved();
+
+    Studio& studio_;
+    const bool keeps_journal_;
+    commands::ProjectSaver saver_;
+    QString path_;
+    std::int64_t saved_changes_ = 0;
+    std::optional<std::uint64_t> journal_events_saved_;  ///< of the painting that is being saved
+    QMenu* recent_ = nullptr;
+};
+
+}  // namespace pastoso::main

@@ -1,0 +1,74 @@
+#include "main/studio.hpp"
+
+#include <atomic>
+#include <utility>
+
+#include <QAction>
+#include <QMainWindow>
+#include <QStatusBar>
+
+namespace pastoso::main {
+
+Studio::Studio(QMainWindow& window)
+    : window_(window),
+      commands_(&window),
+      easel_(std::make_unique<tools::Easel>(
+          tools::Hand{}, [this](document::Action action) { session_->post(std::move(action)); },
+          [this] { session_->note_hand(); })),
+      canvas_(new view::CanvasView(easel_.get())),
+      well_(new view::CanvasView(easel_.get(), document::Surface::Well)) {}
+
+void Studio::put_up(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<document::Painting> painting,
+                    document::Recording past, std::unique_ptr<journal::JournalWriter> journal) {
+    if (session_) {
+        Q_EMIT session_ends();
+        session_->discard_journal();
+    }
+    // One refresh at a time waits in the event queue, however often the session publishes.
+    auto pending = std::make_shared<std::atomic<bool>>(false);
+    auto notify = [this, pending] {
+        if (pending->exchange(true)) return;
+        QMetaObject::invokeMethod(
+            this,
+            [this, pending] {
+                pending->store(false);
+                show_published();
+            },
+            Qt::QueuedConnection);
+    };
+    session_ = std::make_unique<session::PaintSession>(
+        std::move(pool), std::move(painting), std::move(notify), std::move(past),
+        commands_.action(commands::Command::Pause)->isChecked(), std::move(journal));
+    Q_EMIT session_begun();
+}
+
+void Studio::show_published() {
+    const auto snapshot = session_->snapshot();
+    const session::Status status = session_->status();
+    Q_EMIT published(snapshot, status);
+    easel_->lend_brush(status.replaying);
+    for (const std::string& error : session_->take_errors())
+        report_refusal(QString::fromStdString(error));
+}
+
+void Studio::catch_up() {
+    session_->wait_until_applied();
+    show_published();
+}
+
+void Studio::choose_paint(const document::PaintRecipe& paint) {
+    easel_->choose_paint(paint);
+    show_hand();
+}
+
+void Studio::report(const QString& sentence) {
+    constexpr int kReadingTime_ms = 12000;
+    window_.statusBar()->showMessage(sentence, kReadingTime_ms);
+}
+
+void Studio::report_refusal(QString sentence) {
+    if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
+    report(sentence);
+}
+
+}  // namespace pastoso::main

@@ -1,0 +1,74 @@
+// What the parts of the window share: the painting that is worked on, the hand that paints it, the views
+// that show it, the commands, and the line in which the painter is told what happens.
+#pragma once
+
+#include "commands/command_registry.hpp"
+#include "session/paint_session.hpp"
+#include "tools/easel.hpp"
+#include "view/canvas_view.hpp"
+
+#include <array>
+#include <memory>
+
+#include <QObject>
+
+class QMainWindow;
+
+namespace pastoso::main {
+
+class Studio : public QObject {
+    Q_OBJECT
+  public:
+    /// There is no session before the first put_up(). The views become `window`'s where they are laid
+    /// out.
+    explicit Studio(QMainWindow& window);
+
+    /// The parent of whatever is asked of the painter.
+    QMainWindow& window() { return window_; }
+    commands::CommandRegistry& commands() { return commands_; }
+    const commands::CommandRegistry& commands() const { return commands_; }
+    tools::Easel& easel() { return *easel_; }
+    const tools::Easel& easel() const { return *easel_; }
+    session::PaintSession& session() { return *session_; }
+    const session::PaintSession& session() const { return *session_; }
+    view::CanvasView& canvas() { return *canvas_; }
+    const view::CanvasView& canvas() const { return *canvas_; }
+    view::CanvasView& well() { return *well_; }
+    std::array<view::CanvasView*, 2> views() const { return {canvas_, well_}; }
+
+    /// Puts another painting on the easel in place of the one before, whose journal goes; as
+    /// session::PaintSession does it.
+    void put_up(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<document::Painting> painting,
+                document::Recording past, std::unique_ptr<journal::JournalWriter> journal);
+
+    /// Shows what the session has published last.
+    void show_published();
+    /// Waits until all that was posted is applied, and shows it.
+    void catch_up();
+
+    /// Shows what the easel's hand holds, after a change of it.
+    void show_hand() { Q_EMIT hand_changed(easel_->hand()); }
+    void choose_paint(const document::PaintRecipe& paint);
+
+    /// Tells a sentence in the status line.
+    void report(const QString& sentence);
+    /// The same of the engine's, which begin small, since many stand behind the name of a file.
+    void report_refusal(QString sentence);
+
+  Q_SIGNALS:
+    void session_ends();   ///< another painting comes
+    void session_begun();  ///< it is there, and not shown yet
+    void published(const std::shared_ptr<const pastoso::document::Snapshot>& painting,
+                   const pastoso::session::Status& status);
+    void hand_changed(const pastoso::tools::Hand& hand);
+
+  private:
+    QMainWindow& window_;
+    commands::CommandRegistry commands_;
+    std::unique_ptr<tools::Easel> easel_;
+    std::unique_ptr<session::PaintSession> session_;
+    view::CanvasView* canvas_;
+    view::CanvasView* well_;
+};
+
+}  // namespace pastoso::main

@@ -1,0 +1,59 @@
+#include "main/undo_commands.hpp"
+
+#include "main/layer_transform.hpp"
+
+#include <QAction>
+#include <QInputDialog>
+#include <QMainWindow>
+
+namespace pastoso::main {
+
+using commands::Command;
+
+UndoCommands::UndoCommands(Studio& studio, LayerTransform& transform)
+    : studio_(studio), transform_(transform) {
+    studio_.commands().on(Command::Undo, [this](bool) {
+        if (!transform_.give_up()) studio_.easel().undo();
+    });
+    studio_.commands().on(Command::Redo, [this](bool) {
+        transform_.end();
+        studio_.easel().redo();
+    });
+    studio_.commands().on(Command::UndoMemory, [this](bool) { ask_memory(); });
+    connect(&studio_, &Studio::session_begun, this, &UndoCommands::apply_memory);
+    connect(&studio_, &Studio::published, this,
+            [this](const auto&, const session::Status& status) { show_enabled(status); });
+    connect(&transform_, &LayerTransform::changed, this,
+            [this] { show_enabled(studio_.session().status()); });
+}
+
+void UndoCommands::show_enabled(const session::Status& status) {
+    studio_.commands()
+        .action(Command::Undo)
+        ->setEnabled(status.can_undo || status.stroke_in_progress || transform_.active());
+    studio_.commands().action(Command::Redo)->setEnabled(status.can_redo);
+}
+
+void UndoCommands::ask_memory() {
+    constexpr int kStep_MiB = 256;
+    QInputDialog dialog(&studio_.window());
+    dialog.setWindowTitle(tr("Memory for undo"));
+    dialog.setLabelText(
+        tr("The steps that you can return to may take so much memory, in MiB.\n"
+           "The oldest are given up when it is full; 500 are kept at most."));
+    dialog.setIntRange(tools::kLeastUndoMemory_MiB, tools::kMostUndoMemory_MiB);
+    dialog.setIntStep(kStep_MiB);
+    dialog.setIntValue(memory_MiB_);
+    if (dialog.exec() == QDialog::Accepted) set_memory(dialog.intValue());
+}
+
+void UndoCommands::set_memory(int MiB) {
+    memory_MiB_ = MiB;
+    apply_memory();
+}
+
+void UndoCommands::apply_memory() {
+    studio_.session().set_history_budget(static_cast<std::size_t>(memory_MiB_) << 20);
+}
+
+}  // namespace pastoso::main

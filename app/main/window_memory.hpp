@@ -1,0 +1,35 @@
+// What the window finds again at the next start: the pen's settings, and how window and panels stand.
+#pragma once
+
+#include "main/panel_set.hpp"
+#include "main/studio.hpp"
+
+#include <QByteArray>
+#include <QObject>
+
+namespace pastoso::main {
+
+class UndoCommands;
+class WellCommands;
+
+class WindowMemory : public QObject {
+    Q_OBJECT
+  public:
+    WindowMemory(Studio& studio, const PanelSet& panels, UndoCommands& undo, WellCommands& well);
+
+    /// A file that cannot be read is told, and left as it is.
+    void recall();
+    void remember();
+
+  private:
+    void reset_panels();
+
+    Studio& studio_;
+    const PanelSet& panels_;
+    UndoCommands& undo_;
+    WellCommands& well_;
+    QByteArray first_panels_;  ///< how the panels stand unless the painter moves them
+    bool usable_ = true;       ///< the file is none that cannot be read
+};
+
+}  // namespace pastoso::main
