@@ -160,7 +160,7 @@ constexpr std::array kCommands = {
                 "What the brush holds, and how it answers to the hand", false, true},
     CommandText{Command::ColourPanel, "&View", "&Colour panel", "F6",
                 "A paint of any colour, and its recipe from the tubes"},
-    CommandText{Command::PhysicsPanel, "&View", "P&hysics panel", "F10",
+    CommandText{Command::PhysicsPanel, "&View", "P&hysics panel", "Shift+F6",
                 "What the paint is like: how it flows, holds and dries"},
     CommandText{Command::GuidesPanel, "&View", "&Guides panel", "F7",
                 "Mirrors, ruler and ellipse in millimetres"},

@@ -40,7 +40,7 @@ ValueRow::ValueRow(QGridLayout* grid, const QString& words, const QString& hint,
     number_->setKeyboardTracking(false);
     number_->setToolTip(hint);
     number_->setAccessibleName(words);
-    number_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    number_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     const int row = grid->rowCount();
     grid->addWidget(label_, row, 0);
     grid->addWidget(slider_, row, 1);

@@ -107,8 +107,8 @@ TEST_F(MediaTest, PaintOfOnesOwnNumbersStandsWhereTheNamedOneRuns) {
             fresh.advance_tick();
         return middle_mm() - painted_mm;
     };
-    EXPECT_GT(sinking_mm(0.5), 0.5);
-    EXPECT_LT(sinking_mm(100.0), 0.01);
+    EXPECT_GT(sinking_mm(0.5), 0.03);
+    EXPECT_LT(sinking_mm(100.0), 0.001);
 }
 
 TEST_F(MediaTest, ANewNumberMakesTheFilmVaried) {
