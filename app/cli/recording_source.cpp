@@ -4,6 +4,7 @@
 #include "cli/usage_error.hpp"
 #include "cli/values.hpp"
 #include "core/error.hpp"
+#include "core/memory.hpp"
 #include "core/text_file.hpp"
 #include "document/action_checks.hpp"
 #include "document/canvas.hpp"
@@ -42,7 +43,7 @@ void override_canvas(document::CanvasSettings& canvas, const ReplayOptions& opti
     if (options.px_per_mm) canvas.px_per_mm = *options.px_per_mm;
     if (options.support) set_support(canvas, *options.support);
     if (options.relief_mm) canvas.support_relief_mm = *options.relief_mm;
-    document::check_canvas_fits(canvas, document::available_memory_bytes());
+    document::check_canvas_fits(canvas, core::available_memory_bytes());
 }
 
 document::TiltCanvas tilt_of(const ReplayOptions& options) {

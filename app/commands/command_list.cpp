@@ -168,6 +168,8 @@ constexpr std::array kCommands = {
                 "The layers of the painting: seen, locked, faded, in what order"},
     CommandText{Command::TracingPanel, "&View", "Tr&acing panel", "F9",
                 "The picture that you trace, to look at and to pick colours from"},
+    CommandText{Command::HistoryPanel, "&View", "&History panel", "Shift+F8",
+                "What was done, to go back to any of it"},
     CommandText{Command::ResetPanels, "&View", "&Reset the panels", "Shift+F5",
                 "Panels and mixing well as they stood at the first start"},
     CommandText{Command::SpaceSrgb, "&View", "Colours for s&RGB", "Ctrl+Alt+6",

@@ -87,6 +87,7 @@ enum class Command {
     GuidesPanel,
     LayersPanel,
     TracingPanel,
+    HistoryPanel,
     ResetPanels,
     SpaceSrgb,
     SpaceDisplayP3,

@@ -1,6 +1,7 @@
 #include "dialogs/canvas_size_dialog.hpp"
 
 #include "core/error.hpp"
+#include "core/memory.hpp"
 #include "dialogs/canvas_size_preview.hpp"
 #include "document/canvas.hpp"
 
@@ -154,7 +155,7 @@ document::ResizeCanvas CanvasSizeDialog::wanted() const {
 QString CanvasSizeDialog::problem() const {
     try {
         document::check_canvas_fits(document::resized(wanted(), canvas_),
-                                    document::available_memory_bytes());
+                                    core::available_memory_bytes());
         return {};
     } catch (const core::InputError& error) {
         return QString::fromUtf8(error.what());

@@ -1,6 +1,7 @@
 #include "dialogs/new_canvas_dialog.hpp"
 
 #include "core/error.hpp"
+#include "core/memory.hpp"
 #include "document/canvas.hpp"
 
 #include <QComboBox>
@@ -94,7 +95,7 @@ void NewCanvasDialog::write_summary() {
     bool possible = true;
     try {
         const document::CanvasSettings wanted = settings();
-        document::check_canvas_fits(wanted, document::available_memory_bytes());
+        document::check_canvas_fits(wanted, core::available_memory_bytes());
         const grid::Shape shape = document::canvas_shape(wanted);
         text = tr("A picture of %1 × %2 pixels; up to %3 MiB of memory when all of it is wet.")
                    .arg(shape.width)

@@ -42,7 +42,7 @@ struct MainWindow::Parts {
           brushes(studio, panels.brushes, panels.curves),
           guides(studio, panels.guides),
           transform(studio, panels.brushes),
-          undo(studio, transform),
+          undo(studio, panels.history, transform),
           picking(studio),
           view(studio, panels.readings),
           light(studio, panels.stand),

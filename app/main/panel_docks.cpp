@@ -5,6 +5,7 @@
 #include "panels/colour_panel.hpp"
 #include "panels/curves_panel.hpp"
 #include "panels/guides_panel.hpp"
+#include "panels/history_panel.hpp"
 #include "panels/layer_icons.hpp"
 #include "panels/layer_panel.hpp"
 #include "panels/load_panel.hpp"
@@ -120,15 +121,18 @@ void add_docks(Studio& studio, PanelSet& panels) {
         add(Command::ToolPanel, QStringLiteral("tool_panel"), QObject::tr("Tool"), tool);
     window.tabifyDockWidget(first, add(Command::ColourPanel, QStringLiteral("colour_panel"),
                                        QObject::tr("Colour"), panels.colours));
-    window.tabifyDockWidget(first,
-                            add(Command::PhysicsPanel, QStringLiteral("physics_panel"),
-                                QObject::tr("Physics"), panels.physics = new panels::MediumPanel));
+    window.tabifyDockWidget(
+        first, add(Command::PhysicsPanel, QStringLiteral("physics_panel"), QObject::tr("Physics"),
+                   panels.physics = new panels::MediumPanel));
     window.tabifyDockWidget(first, add(Command::GuidesPanel, QStringLiteral("guides_panel"),
                                        QObject::tr("Guides"), panels.guides));
     QDockWidget* layers = add(Command::LayersPanel, QStringLiteral("layers_panel"),
                               QObject::tr("Layers"), panels.layers = make_layer_panel(studio));
     window.tabifyDockWidget(layers, add(Command::TracingPanel, QStringLiteral("tracing_panel"),
                                         QObject::tr("Tracing"), panels.tracing));
+    window.tabifyDockWidget(
+        layers, add(Command::HistoryPanel, QStringLiteral("history_panel"), QObject::tr("History"),
+                    panels.history = new panels::HistoryPanel));
     layers->raise();
     first->raise();
     // As narrow as what they hold allows: the canvas gets the rest.

@@ -15,6 +15,7 @@ class ColourPanel;
 class CurvesPanel;
 class EaselPanel;
 class GuidesPanel;
+class HistoryPanel;
 class LayerPanel;
 class LoadPanel;
 class MediumPanel;
@@ -36,6 +37,7 @@ struct PanelSet {
     panels::LoadPanel* load = nullptr;
     panels::MediumPanel* physics = nullptr;
     panels::CurvesPanel* curves = nullptr;
+    panels::HistoryPanel* history = nullptr;
     panels::GuidesPanel* guides = nullptr;
     panels::LayerPanel* layers = nullptr;
     panels::TracingPanel* tracing = nullptr;

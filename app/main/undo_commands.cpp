@@ -1,6 +1,7 @@
 #include "main/undo_commands.hpp"
 
 #include "main/layer_transform.hpp"
+#include "panels/history_panel.hpp"
 
 #include <QAction>
 #include <QInputDialog>
@@ -10,8 +11,8 @@ namespace pastoso::main {
 
 using commands::Command;
 
-UndoCommands::UndoCommands(Studio& studio, LayerTransform& transform)
-    : studio_(studio), transform_(transform) {
+UndoCommands::UndoCommands(Studio& studio, panels::HistoryPanel* history, LayerTransform& transform)
+    : studio_(studio), history_(history), transform_(transform) {
     studio_.commands().on(Command::Undo, [this](bool) {
         if (!transform_.give_up()) studio_.easel().undo();
     });
@@ -21,8 +22,11 @@ UndoCommands::UndoCommands(Studio& studio, LayerTransform& transform)
     });
     studio_.commands().on(Command::UndoMemory, [this](bool) { ask_memory(); });
     connect(&studio_, &Studio::session_begun, this, &UndoCommands::apply_memory);
-    connect(&studio_, &Studio::published, this,
-            [this](const auto&, const session::Status& status) { show_enabled(status); });
+    connect(&studio_, &Studio::published, this, [this](const auto&, const session::Status& status) {
+        show_enabled(status);
+        show_steps();
+    });
+    connect(history_, &panels::HistoryPanel::steps_back, this, &UndoCommands::go_back);
     connect(&transform_, &LayerTransform::changed, this,
             [this] { show_enabled(studio_.session().status()); });
 }
@@ -32,6 +36,21 @@ void UndoCommands::show_enabled(const session::Status& status) {
         .action(Command::Undo)
         ->setEnabled(status.can_undo || status.stroke_in_progress || transform_.active());
     studio_.commands().action(Command::Redo)->setEnabled(status.can_redo);
+}
+
+void UndoCommands::show_steps() {
+    auto steps = studio_.session().steps();
+    if (steps == shown_steps_) return;
+    shown_steps_ = std::move(steps);
+    history_->show_steps(*shown_steps_, memory_MiB_);
+}
+
+void UndoCommands::go_back(int steps) {
+    transform_.give_up();
+    for (; steps > 0; --steps)
+        studio_.easel().undo();
+    for (; steps < 0; ++steps)
+        studio_.easel().redo();
 }
 
 void UndoCommands::ask_memory() {

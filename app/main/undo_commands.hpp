@@ -6,6 +6,10 @@
 
 #include <QObject>
 
+namespace pastoso::panels {
+class HistoryPanel;
+}
+
 namespace pastoso::main {
 
 class LayerTransform;
@@ -14,7 +18,7 @@ class UndoCommands : public QObject {
     Q_OBJECT
   public:
     /// A frame of `transform` is what was done last.
-    UndoCommands(Studio& studio, LayerTransform& transform);
+    UndoCommands(Studio& studio, panels::HistoryPanel* history, LayerTransform& transform);
 
     int memory_MiB() const { return memory_MiB_; }
     void set_memory(int MiB);
@@ -23,8 +27,12 @@ class UndoCommands : public QObject {
     void ask_memory();
     void apply_memory();
     void show_enabled(const session::Status& status);
+    void show_steps();
+    void go_back(int steps);
 
     Studio& studio_;
+    panels::HistoryPanel* history_;
+    std::shared_ptr<const session::Steps> shown_steps_;
     LayerTransform& transform_;
     int memory_MiB_ = tools::kUndoMemory_MiB;
 };

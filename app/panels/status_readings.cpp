@@ -1,5 +1,6 @@
 #include "panels/status_readings.hpp"
 
+#include "core/memory.hpp"
 #include "document/canvas.hpp"
 
 #include <cmath>
@@ -15,7 +16,9 @@ StatusReadings::StatusReadings(QWidget* parent) : QWidget(parent) {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
     pointer_ = add(17, tr("The pen's place on the canvas, from its upper left corner"));
-    activity_ = add(19, tr("Tiles of 64 x 64 cells in which the paint still moves"));
+    activity_ = add(26, tr("Tiles of 64 x 64 cells in which the paint still moves, and how much of its "
+                           "time computing them takes"));
+    activity_->setObjectName(QStringLiteral("activity"));
     speed_ =
         add(13, tr("Paint time against the clock: slower than 1 when there is more wet paint than this "
                    "computer can move in time"));
@@ -24,8 +27,14 @@ StatusReadings::StatusReadings(QWidget* parent) : QWidget(parent) {
     selection_->setObjectName(QStringLiteral("selection"));
     selection_->setIndent(selection_->fontMetrics().averageCharWidth() * 3);
     show_selection({}, std::nullopt);
+    memory_ = add(9, tr("Memory that the program holds: the painting, its history and its pictures"));
+    memory_->setObjectName(QStringLiteral("memory"));
     canvas_ = add(32, tr("Size of the canvas and of its saved picture"));
     zoom_ = add(7, tr("Screen pixels for a pixel of the saved picture"));
+    constexpr int kMemoryInterval_ms = 2000;
+    connect(&memory_looked_at_, &QTimer::timeout, this, &StatusReadings::show_memory);
+    memory_looked_at_.start(kMemoryInterval_ms);
+    show_memory();
 }
 
 QLabel* StatusReadings::add(int width_characters, const QString& hint) {
@@ -64,9 +73,17 @@ void StatusReadings::show_status(const session::Status& status) {
         return;
     }
     activity_->setText(status.awake_tiles == 0 ? tr("paint at rest")
-                                               : tr("%1 tiles moving").arg(status.awake_tiles));
+                                               : tr("%1 tiles moving, %2 % load")
+                                                     .arg(status.awake_tiles)
+                                                     .arg(std::lround(100.0 * status.load)));
     const double speed = status.paint_per_wall;
     speed_->setText(tr("%1 × time").arg(speed, 0, 'f', speed < 0.095 ? 3 : 2));
+}
+
+void StatusReadings::show_memory() {
+    const double GiB = static_cast<double>(core::resident_memory_bytes()) / (1 << 30);
+    memory_->setText(GiB < 1.0 ? tr("%1 MiB").arg(std::lround(1024.0 * GiB))
+                               : tr("%1 GiB").arg(GiB, 0, 'f', 1));
 }
 
 void StatusReadings::show_selection(const QString& drawing, std::optional<double> share) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include <QPointF>
+#include <QTimer>
 #include <QWidget>
 
 class QLabel;
@@ -28,14 +29,17 @@ class StatusReadings : public QWidget {
     void show_selection(const QString& drawing, std::optional<double> share);
 
   private:
+    void show_memory();
     QLabel* add(int width_characters, const QString& hint);
 
     QLabel* pointer_ = nullptr;
     QLabel* activity_ = nullptr;
     QLabel* speed_ = nullptr;
     QLabel* selection_ = nullptr;
+    QLabel* memory_ = nullptr;
     QLabel* canvas_ = nullptr;
     QLabel* zoom_ = nullptr;
+    QTimer memory_looked_at_;
 };
 
 }  // namespace pastoso::panels

@@ -115,12 +115,17 @@ void PaintSession::apply_budget() {
     }
     if (!bytes) return;
     painting_->set_history_budget(*bytes);
-    changed_ = true;
+    changed_ = steps_changed_ = true;
 }
 
 std::shared_ptr<const document::Snapshot> PaintSession::snapshot() const {
     const std::lock_guard lock(mutex_);
     return snapshot_;
+}
+
+std::shared_ptr<const Steps> PaintSession::steps() const {
+    const std::lock_guard lock(mutex_);
+    return steps_;
 }
 
 Status PaintSession::status() const {
@@ -243,6 +248,7 @@ void PaintSession::apply_due_replay() {
 /// find something.
 void PaintSession::apply(const document::Action& action) {
     changed_ = true;
+    steps_changed_ = steps_changed_ || !std::holds_alternative<document::PenMove>(action);
     const bool undoes_nothing = std::holds_alternative<document::Undo>(action) && !painting_->can_undo();
     const bool redoes_nothing = std::holds_alternative<document::Redo>(action) && !painting_->can_redo();
     if (undoes_nothing || redoes_nothing) {
@@ -296,8 +302,12 @@ void PaintSession::advance_if_due() {
 void PaintSession::publish() {
     auto snapshot = std::make_shared<const document::Snapshot>(painting_->snapshot());
     const film::AdvanceReport report = painting_->film_report();
+    std::shared_ptr<const Steps> steps;
+    if (std::exchange(steps_changed_, false))
+        steps = std::make_shared<const Steps>(Steps{painting_->undo_steps(), painting_->redo_steps()});
     {
         const std::lock_guard lock(mutex_);
+        if (steps) steps_ = std::move(steps);
         snapshot_.swap(snapshot);
         recording_.end_tick = painting_->tick();
         status_ = {.tick = painting_->tick(),
@@ -306,6 +316,7 @@ void PaintSession::publish() {
                    .changes = changes_,
                    .awake_tiles = report.awake_tiles,
                    .paint_per_wall = clock_.paint_per_wall(),
+                   .load = clock_.load(),
                    .paused = paused_,
                    .can_undo = painting_->can_undo(),
                    .can_redo = painting_->can_redo(),

@@ -31,12 +31,18 @@ struct Status {
     std::int64_t changes = 0;     ///< of the painting by the painter: strokes, dry_now, undo ...
     int awake_tiles = 0;          ///< tiles whose paint still moves
     double paint_per_wall = 1.0;  ///< paint time over wall time, 1 when the solver keeps up
+    double load = 0.0;            ///< of the solver: TickClock::load()
     bool paused = false;
     bool can_undo = false;
     bool can_redo = false;
     bool stroke_in_progress = false;
     bool replaying = false;  ///< a recording that was handed to play() has not ended yet
     friend bool operator==(const Status&, const Status&) = default;
+};
+
+/// What Undo would take back, the oldest first, and what Redo would do again, the next one last.
+struct Steps {
+    std::vector<document::KeptStep> past, future;
 };
 
 /// A painting between two strokes, with all that was done to it.
@@ -84,6 +90,7 @@ class PaintSession {
     /// The latest published state: never null, safe to read on any thread for as long as it is held.
     std::shared_ptr<const document::Snapshot> snapshot() const;
     Status status() const;
+    std::shared_ptr<const Steps> steps() const;  ///< never null
 
     /// The sentences of actions that were refused since the last call.
     std::vector<std::string> take_errors();
@@ -135,6 +142,7 @@ class PaintSession {
     std::int64_t strokes_ = 0;
     std::int64_t changes_ = 0;
     bool changed_ = false;
+    bool steps_changed_ = false;
 
     mutable std::mutex mutex_;
     std::condition_variable work_;
@@ -146,6 +154,7 @@ class PaintSession {
     std::vector<std::string> paints_used_;
     std::shared_ptr<const document::Snapshot> snapshot_;
     Status status_;
+    std::shared_ptr<const Steps> steps_ = std::make_shared<Steps>();
     WallClock::time_point hand_moved_;
     std::atomic<bool> action_waits_ = false;  ///< asked in the middle of a tick
     std::promise<Capture>* wanted_capture_ = nullptr;

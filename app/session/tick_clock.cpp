@@ -40,11 +40,16 @@ void TickClock::tick_ended(WallClock::time_point begin, WallClock::time_point en
     // A slow tick weighs by the time that it took, a quick one by its own length.
     const double share = std::min(1.0, kNewestShare * std::max(1.0, period_s / document::kTick_s));
     mean_period_s_ += share * (period_s - mean_period_s_);
+    mean_cost_s_ += share * (seconds(latest_cost_) - mean_cost_s_);
     previous_begin_ = begin;
 }
 
 void TickClock::restart(WallClock::time_point now) {
     *this = TickClock(now);
+}
+
+double TickClock::load() const {
+    return mean_cost_s_ / document::kTick_s;
 }
 
 double TickClock::paint_per_wall() const {

@@ -33,12 +33,17 @@ class TickClock {
     /// Paint time over wall time in about the last half second, 0 to 1.
     double paint_per_wall() const;
 
+    /// What a tick takes to compute, over its own length, in about the last half second: 1 and more
+    /// where paint time falls behind.
+    double load() const;
+
   private:
     WallClock::time_point next_;
     WallClock::time_point previous_begin_;
     WallClock::time_point hand_moved_;
     WallClock::duration latest_cost_{};
     double mean_period_s_;
+    double mean_cost_s_ = 0.0;
 };
 
 }  // namespace pastoso::session

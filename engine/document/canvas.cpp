@@ -107,18 +107,6 @@ std::size_t estimated_bytes(const grid::Shape& shape) {
     return static_cast<std::size_t>(shape.tile_count()) * grid::kTileCells * kBytesPerCell;
 }
 
-std::size_t available_memory_bytes() {
-    std::ifstream stream("/proc/meminfo");
-    std::string key;
-    std::size_t kibibytes = 0;
-    std::string unit;
-    while (stream >> key >> kibibytes) {
-        if (key == "MemAvailable:") return kibibytes * 1024;
-        std::getline(stream, unit);
-    }
-    return SIZE_MAX;
-}
-
 void check_canvas_fits(const CanvasSettings& settings, std::size_t available_bytes) {
     check_canvas(settings);
     const std::size_t needed = estimated_bytes(canvas_shape(settings));

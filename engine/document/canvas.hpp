@@ -43,10 +43,6 @@ CanvasSettings resized(const ResizeCanvas& resize, CanvasSettings settings);
 /// About what a painting of this many cells needs when all of it is wet and being rendered.
 std::size_t estimated_bytes(const grid::Shape& shape);
 
-/// The memory that programs can still get from this machine (MemAvailable); SIZE_MAX where it is not
-/// told.
-std::size_t available_memory_bytes();
-
 /// check_canvas(), and an InputError that names the size when the canvas needs more than
 /// `available_bytes`.
 void check_canvas_fits(const CanvasSettings& settings, std::size_t available_bytes);

@@ -2,6 +2,7 @@
 
 #include "core/check.hpp"
 #include "core/hash.hpp"
+#include "core/memory.hpp"
 #include "document/action_checks.hpp"
 #include "document/canvas.hpp"
 #include "document/painting_parts.hpp"
@@ -15,7 +16,7 @@ namespace {
 constexpr const char* kFirstMedium = "heavy-body oil";
 
 film::SupportHeights support_by_name(const CanvasSettings& settings, core::ThreadPool& pool) {
-    check_canvas_fits(settings, available_memory_bytes());
+    check_canvas_fits(settings, core::available_memory_bytes());
     return named_support(settings, pool);
 }
 

@@ -1,4 +1,5 @@
 // Layers, selections and the size of the canvas.
+#include "core/memory.hpp"
 #include "document/canvas.hpp"
 #include "document/painting_parts.hpp"
 #include "film/support.hpp"
@@ -140,7 +141,7 @@ void Painting::Parts::operator()(const TransformLayer& transform) {
 void Painting::Parts::operator()(const ResizeCanvas& resize) {
     end_stroke();
     CanvasSettings wanted = resized(resize, bare->settings);
-    check_canvas_fits(wanted, available_memory_bytes());
+    check_canvas_fits(wanted, core::available_memory_bytes());
     const grid::Extent extent = extent_of(resize, bare->settings);
     film::SupportHeights support_mm = resized_support(wanted, extent);
     history.remember(moment(), {Step::Kind::ResizeCanvas});

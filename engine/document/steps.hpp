@@ -35,6 +35,7 @@ struct Step {
     Kind kind = Kind::Stroke;
     std::string brush{};  ///< name of the preset; "" where none had a part in it
     std::string layer{};  ///< name that the layer or group had then; "" where it was no single one
+    friend bool operator==(const Step&, const Step&) = default;
 };
 
 struct KeptStep {

@@ -1,6 +1,7 @@
 #include "io/canvas_support.hpp"
 
 #include "core/error.hpp"
+#include "core/memory.hpp"
 #include "document/canvas.hpp"
 #include "film/support.hpp"
 #include "io/image.hpp"
@@ -22,7 +23,7 @@ film::SupportHeights image_support(const document::CanvasSettings& settings, cor
 }  // namespace
 
 film::SupportHeights make_support(const document::CanvasSettings& settings, core::ThreadPool& pool) {
-    document::check_canvas_fits(settings, document::available_memory_bytes());
+    document::check_canvas_fits(settings, core::available_memory_bytes());
     if (settings.support == "image") return image_support(settings, pool);
     return document::named_support(settings, pool);
 }

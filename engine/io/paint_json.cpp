@@ -38,7 +38,8 @@ film::Medium read_medium_numbers(const JsonPlace& place, const film::Medium& lik
     Json numbers = Json::object();
     for (const auto& item : place.value().items()) {
         if (item.key() == skipped) continue;
-        numbers[item.key()] = place.entry(item.key().c_str()).number();
+        place.entry(item.key().c_str()).number();
+        numbers[item.key()] = item.value();
     }
     film::Medium medium;
     place.guard([&] { medium = film::parse_medium(numbers.dump(), "this paint", like); });

@@ -1,8 +1,7 @@
 #include "io/replay_stats.hpp"
 
+#include "core/memory.hpp"
 #include "core/text_file.hpp"
-
-#include <sys/resource.h>
 
 #include <nlohmann/json.hpp>
 
@@ -20,9 +19,7 @@ std::string hex(std::uint64_t value) {
 }  // namespace
 
 double peak_rss_mib() {
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) / 1024.0;
+    return static_cast<double>(core::peak_memory_bytes()) / (1 << 20);
 }
 
 std::string stats_json(const ReplayStats& stats) {

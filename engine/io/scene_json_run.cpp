@@ -1,4 +1,5 @@
 // One run of a scene file: the film, how it is stepped, and what is written down.
+#include "core/memory.hpp"
 #include "document/canvas.hpp"
 #include "document/number_text.hpp"
 #include "io/scene_json_parts.hpp"
@@ -87,7 +88,7 @@ void read_size(const JsonPlace& place, const SceneContext& context, film::Scene&
     scene.shape = {cells_along(size.element(0), scene.cell_mm),
                    cells_along(size.element(1), scene.cell_mm)};
     const std::size_t needed = document::estimated_bytes(scene.shape);
-    const std::size_t available = document::available_memory_bytes();
+    const std::size_t available = core::available_memory_bytes();
     if (needed > available) {
         size.fail(std::to_string(scene.shape.width) + " x " + std::to_string(scene.shape.height) +
                   " cells need about " + gib_text(needed) + "; " + gib_text(available) +

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "core/memory.hpp"
 #include "core/text_file.hpp"
 #include "document/canvas.hpp"
 #include "document/number_text.hpp"
@@ -196,7 +197,7 @@ TimelapseReport export_timelapse(Recording recording, const TimelapseChoice& cho
                                  core::ThreadPool& pool, const KeepGoing& keep_going) {
     check_timelapse(choice);
     if (choice.px_per_mm) recording.canvas.px_per_mm = *choice.px_per_mm;
-    document::check_canvas_fits(recording.canvas, document::available_memory_bytes());
+    document::check_canvas_fits(recording.canvas, core::available_memory_bytes());
     const grid::Shape size = timelapse_size(recording.canvas, choice);
     TimelapseReport report{.frames = frame_ticks(recording, choice).size(),
                            .width_px = size.width,

@@ -1,4 +1,5 @@
 #include "core/error.hpp"
+#include "core/memory.hpp"
 #include "document/action_checks.hpp"
 #include "document/canvas.hpp"
 #include "document/well.hpp"
@@ -69,7 +70,7 @@ struct Setup {
 
 void check_memory(const ZipReader& archive, const document::CanvasSettings& canvas) {
     try {
-        document::check_canvas_fits(canvas, document::available_memory_bytes());
+        document::check_canvas_fits(canvas, core::available_memory_bytes());
     } catch (const core::InputError& error) {
         archive.fail(kSetupEntry, error.what());
     }

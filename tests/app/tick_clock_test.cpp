@@ -34,12 +34,14 @@ TEST(TickClock, QuickTicksKeepTimeWithTheWall) {
     // One tick is due at the very start, and one may straddle the end.
     EXPECT_NEAR(ticks_until(clock, 2.0, 0.001), 2.0 / document::kTick_s, 1.0);
     EXPECT_NEAR(clock.paint_per_wall(), 1.0, 0.01);  // the loop above looks every 0.1 ms
+    EXPECT_NEAR(clock.load(), 0.001 / document::kTick_s, 1e-3);
 }
 
 TEST(TickClock, SlowTicksMakePaintTimeSlow) {
     TickClock clock(at(0.0));
     EXPECT_NEAR(ticks_until(clock, 2.0, 4.0 * document::kTick_s), 0.25 * 2.0 / document::kTick_s, 1.0);
     EXPECT_NEAR(clock.paint_per_wall(), 0.25, 0.01);
+    EXPECT_NEAR(clock.load(), 4.0, 0.08);  // a fiftieth of the idle time before is still in the mean
 }
 
 TEST(TickClock, ADebtOfTicksIsDropped) {

@@ -61,10 +61,5 @@ TEST(Canvas, NeedsMoreForMoreCells) {
     EXPECT_EQ(estimated_bytes({1, 1}), estimated_bytes({64, 64}));
 }
 
-TEST(Canvas, KnowsTheMemoryOfThisMachine) {
-    EXPECT_GT(available_memory_bytes(), std::size_t{16} << 20);
-    EXPECT_LT(available_memory_bytes(), SIZE_MAX);
-}
-
 }  // namespace
 }  // namespace pastoso::document

@@ -205,7 +205,7 @@ TEST(RecordingJson, NumbersOfAMediumAreLocated) {
               0U);
     EXPECT_EQ(
         error(file_with(R"({"tick":3,"use_medium":{"name":"house paint","numbers":{"slip_cells":7}}})")),
-        "s.json, events[0].use_medium.numbers: this paint (\"house paint\"): slip_cells is 7.0, it "
+        "s.json, events[0].use_medium.numbers: this paint (\"house paint\"): slip_cells is 7, it "
         "must be a number from 0.0 to 1.0.");
 }
 

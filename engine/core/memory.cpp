@@ -1,0 +1,36 @@
+#include "core/memory.hpp"
+
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace pastoso::core {
+
+std::size_t available_memory_bytes() {
+    std::ifstream stream("/proc/meminfo");
+    std::string key;
+    std::size_t kibibytes = 0;
+    std::string unit;
+    while (stream >> key >> kibibytes) {
+        if (key == "MemAvailable:") return kibibytes * 1024;
+        std::getline(stream, unit);
+    }
+    return SIZE_MAX;
+}
+
+std::size_t resident_memory_bytes() {
+    std::ifstream stream("/proc/self/statm");
+    std::size_t total_pages = 0, resident_pages = 0;
+    if (!(stream >> total_pages >> resident_pages)) return 0;
+    return resident_pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+std::size_t peak_memory_bytes() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace pastoso::core
