@@ -94,6 +94,8 @@ enum class Command {
     LightA,
     LightLed,
     LightFile,
+    FindCommand,
+    EditKeys,
 };
 
 struct CommandText {
