@@ -96,6 +96,8 @@ enum class Command {
     LightA,
     LightLed,
     LightFile,
+    FindCommand,
+    EditKeys,
 };
 
 struct CommandText {

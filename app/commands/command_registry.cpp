@@ -10,18 +10,28 @@
 #include <QMenuBar>
 
 namespace pastoso::commands {
+namespace {
+
+void show_keys(QAction* action, const QList<QKeySequence>& keys) {
+    action->setShortcuts(keys);
+    const QString hint = action->statusTip();
+    action->setToolTip(
+        keys.isEmpty()
+            ? hint
+            : QStringLiteral("%1  (%2)").arg(hint, keys.front().toString(QKeySequence::NativeText)));
+}
+
+}  // namespace
 
 CommandRegistry::CommandRegistry(QObject* owner) {
     for (const CommandText& text : command_list()) {
         auto* action = new QAction(QString::fromUtf8(text.words), owner);
-        action->setShortcuts(QKeySequence::listFromString(QString::fromUtf8(text.keys)));
-        const QString hint = QString::fromUtf8(text.hint);
-        action->setStatusTip(hint);
-        const QString keys = action->shortcut().toString();
-        action->setToolTip(keys.isEmpty() ? hint : QStringLiteral("%1  (%2)").arg(hint, keys));
+        action->setStatusTip(QString::fromUtf8(text.hint));
         action->setCheckable(text.checkable);
         actions_[text.command] = action;
+        on(text.command, [this, command = text.command](bool) { note(command); });
     }
+    use_keys(bindings_);
 }
 
 QAction* CommandRegistry::action(Command command) const {
@@ -43,6 +53,22 @@ void CommandRegistry::fill(QMenuBar* bar) const {
         if (text.starts_group) menu->addSeparator();
         menu->addAction(action(text.command));
     }
+}
+
+/// First taken from all, so that none has a key at any moment that another has still.
+void CommandRegistry::use_keys(const KeyBindings& bindings) {
+    bindings_ = bindings;
+    for (const auto& [command, action] : actions_)
+        action->setShortcuts(QList<QKeySequence>());
+    for (const auto& [command, action] : actions_)
+        show_keys(action, bindings_.keys(command));
+}
+
+/// Looking for a command is none that is looked for.
+void CommandRegistry::note(Command command) {
+    if (command == Command::FindCommand) return;
+    std::erase(recent_, command);
+    recent_.insert(recent_.begin(), command);
 }
 
 }  // namespace pastoso::commands

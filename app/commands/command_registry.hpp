@@ -2,9 +2,11 @@
 #pragma once
 
 #include "commands/command_list.hpp"
+#include "commands/key_bindings.hpp"
 
 #include <functional>
 #include <map>
+#include <vector>
 
 class QAction;
 class QMenuBar;
@@ -14,8 +16,10 @@ namespace pastoso::commands {
 
 class CommandRegistry {
   public:
-    /// Makes an action for every command; `owner` owns them.
+    /// Makes an action for every command, with the keys of the first set; `owner` owns them.
     explicit CommandRegistry(QObject* owner);
+    CommandRegistry(const CommandRegistry&) = delete;
+    CommandRegistry& operator=(const CommandRegistry&) = delete;
 
     QAction* action(Command command) const;
 
@@ -25,8 +29,19 @@ class CommandRegistry {
     /// Builds the menus of the table.
     void fill(QMenuBar* bar) const;
 
+    /// From now on these keys give the commands.
+    void use_keys(const KeyBindings& bindings);
+    const KeyBindings& keys() const { return bindings_; }
+
+    /// What was given so far, the latest first, each once.
+    const std::vector<Command>& recent() const { return recent_; }
+
   private:
+    void note(Command command);
+
     std::map<Command, QAction*> actions_;
+    KeyBindings bindings_;
+    std::vector<Command> recent_;
 };
 
 }  // namespace pastoso::commands

@@ -5,6 +5,7 @@
 #include "main/exporting.hpp"
 #include "main/guide_commands.hpp"
 #include "main/hand_controls.hpp"
+#include "main/key_commands.hpp"
 #include "main/layer_commands.hpp"
 #include "main/layer_pictures.hpp"
 #include "main/layer_transform.hpp"
@@ -50,7 +51,8 @@ struct MainWindow::Parts {
           pictures(studio),
           exporting(studio, files, light),
           paints(studio, panels.colours),
-          memory(studio, panels, undo, well) {}
+          memory(studio, panels, undo, well),
+          keys(studio) {}
 
     CanvasSizing sizing;
     LayerCommands layers;
@@ -72,6 +74,7 @@ struct MainWindow::Parts {
     Exporting exporting;
     PaintMemory paints;
     WindowMemory memory;
+    KeyCommands keys;
 };
 
 MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journal)
@@ -88,6 +91,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     parts.brushes.read();
     parts.memory.recall();
     parts.paints.recall();
+    parts.keys.recall();
     easel().set_up();
     studio_.show_hand();
     studio_.show_published();

@@ -36,6 +36,15 @@ QListView::item { padding: 3px 4px; border-radius: 3px; }
 QListView::item:hover { background: #2f2f32; }
 QListView::item:selected { background: #45607c; color: #ffffff; }
 QTreeView { padding: 2px 0px; outline: none; }
+QFrame#command_palette { background: #2b2b2d; border: 1px solid #5a5a60; }
+#command_palette QLineEdit, #keys_dialog QLineEdit { background: #212123; border: 1px solid #38383b; border-radius: 4px; padding: 5px 8px; }
+#command_palette QLineEdit:focus, #keys_dialog QLineEdit:focus { border-color: #688aac; }
+#command_palette QListView { border: none; background: transparent; }
+#keys_dialog QTreeView::item:hover { background: #2f2f32; }
+#keys_dialog QTreeView::item:selected { background: #45607c; color: #ffffff; }
+#keys_dialog QToolButton { background: transparent; border: none; padding: 4px 5px; color: #a9a9ae; }
+#keys_dialog QToolButton:hover { color: #ffffff; }
+#keys_dialog QLabel#sentence { color: #e0c48a; }
 QComboBox { padding: 4px 8px; }
 QAbstractSpinBox { padding: 3px 4px; }
 QDialogButtonBox, QMessageBox { dialogbuttonbox-buttons-have-icons: 0; }

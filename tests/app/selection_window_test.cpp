@@ -203,7 +203,7 @@ TEST_F(SelectionWindow, EscapeGivesUpTheOutlineAndThenTheTool) {
 }
 
 TEST_F(SelectionWindow, RectangleAndLassoTakeTurnsAndATakenBrushPaints) {
-    QTest::keyClick(&canvas(), Qt::Key_M);
+    QTest::keyClick(&canvas(), Qt::Key_A);
     EXPECT_TRUE(action(Command::SelectRectangle)->isChecked());
     QTest::keyClick(&canvas(), Qt::Key_L);
     EXPECT_FALSE(action(Command::SelectRectangle)->isChecked());

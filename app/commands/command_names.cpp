@@ -1,0 +1,124 @@
+#include "commands/command_names.hpp"
+
+#include "core/check.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace pastoso::commands {
+namespace {
+
+struct Name {
+    Command command;
+    std::string_view text;
+};
+
+constexpr Name kNames[] = {
+    {Command::NewCanvas, "new_canvas"},
+    {Command::OpenPainting, "open_painting"},
+    {Command::SavePainting, "save_painting"},
+    {Command::SavePaintingAs, "save_painting_as"},
+    {Command::Export, "export"},
+    {Command::ExportAgain, "export_again"},
+    {Command::StopExport, "stop_export"},
+    {Command::SaveRecording, "save_recording"},
+    {Command::Quit, "quit"},
+    {Command::Undo, "undo"},
+    {Command::Redo, "redo"},
+    {Command::UndoMemory, "undo_memory"},
+    {Command::CanvasSize, "canvas_size"},
+    {Command::CropToSelection, "crop_to_selection"},
+    {Command::SmallerBrush, "smaller_brush"},
+    {Command::LargerBrush, "larger_brush"},
+    {Command::NextBrush, "next_brush"},
+    {Command::PreviousBrush, "previous_brush"},
+    {Command::ReloadBrush, "reload_brush"},
+    {Command::TopUpBrush, "top_up_brush"},
+    {Command::BlotBrush, "blot_brush"},
+    {Command::CleanBrush, "clean_brush"},
+    {Command::SwapPaints, "swap_paints"},
+    {Command::PickPaint, "pick_paint"},
+    {Command::PickColour, "pick_colour"},
+    {Command::ReloadEachStroke, "reload_each_stroke"},
+    {Command::TurnWithStroke, "turn_with_stroke"},
+    {Command::SaveBrush, "save_brush"},
+    {Command::RenameBrush, "rename_brush"},
+    {Command::DeleteBrush, "delete_brush"},
+    {Command::Pause, "pause"},
+    {Command::DryNow, "dry_now"},
+    {Command::MixingWell, "mixing_well"},
+    {Command::SqueezePaint, "squeeze_paint"},
+    {Command::CleanWell, "clean_well"},
+    {Command::AddLayer, "add_layer"},
+    {Command::LayerFromPicture, "layer_from_picture"},
+    {Command::DuplicateLayer, "duplicate_layer"},
+    {Command::RenameLayer, "rename_layer"},
+    {Command::RemoveLayer, "remove_layer"},
+    {Command::ClearLayer, "clear_layer"},
+    {Command::TransformLayer, "transform_layer"},
+    {Command::MergeDown, "merge_down"},
+    {Command::FlattenLayers, "flatten_layers"},
+    {Command::GroupLayers, "group_layers"},
+    {Command::UngroupLayers, "ungroup_layers"},
+    {Command::ShowLayer, "show_layer"},
+    {Command::LockLayer, "lock_layer"},
+    {Command::LayerAbove, "layer_above"},
+    {Command::LayerBelow, "layer_below"},
+    {Command::RaiseLayer, "raise_layer"},
+    {Command::LowerLayer, "lower_layer"},
+    {Command::SelectRectangle, "select_rectangle"},
+    {Command::SelectLasso, "select_lasso"},
+    {Command::SelectEverything, "select_everything"},
+    {Command::InvertSelection, "invert_selection"},
+    {Command::SelectHeight, "select_height"},
+    {Command::SelectWetness, "select_wetness"},
+    {Command::ShowOutline, "show_outline"},
+    {Command::MirrorSymmetry, "mirror_symmetry"},
+    {Command::MirrorLevel, "mirror_level"},
+    {Command::MoreCopies, "more_copies"},
+    {Command::FewerCopies, "fewer_copies"},
+    {Command::Ruler, "ruler"},
+    {Command::Ellipse, "ellipse"},
+    {Command::GuideHandles, "guide_handles"},
+    {Command::RemoveGuides, "remove_guides"},
+    {Command::TracePicture, "trace_picture"},
+    {Command::ShowTracing, "show_tracing"},
+    {Command::FitTracing, "fit_tracing"},
+    {Command::RemoveTracing, "remove_tracing"},
+    {Command::FitCanvas, "fit_canvas"},
+    {Command::ActualPixels, "actual_pixels"},
+    {Command::ZoomIn, "zoom_in"},
+    {Command::ZoomOut, "zoom_out"},
+    {Command::ToolPanel, "tool_panel"},
+    {Command::ColourPanel, "colour_panel"},
+    {Command::GuidesPanel, "guides_panel"},
+    {Command::LayersPanel, "layers_panel"},
+    {Command::TracingPanel, "tracing_panel"},
+    {Command::ResetPanels, "reset_panels"},
+    {Command::SpaceSrgb, "space_srgb"},
+    {Command::SpaceDisplayP3, "space_display_p3"},
+    {Command::LightD65, "light_d65"},
+    {Command::LightD50, "light_d50"},
+    {Command::LightA, "light_a"},
+    {Command::LightLed, "light_led"},
+    {Command::LightFile, "light_file"},
+    {Command::FindCommand, "find_command"},
+    {Command::EditKeys, "edit_keys"},
+};
+
+}  // namespace
+
+std::string_view name_of(Command command) {
+    const auto* found = std::find_if(std::begin(kNames), std::end(kNames),
+                                     [&](const Name& name) { return name.command == command; });
+    PASTOSO_CHECK(found != std::end(kNames));
+    return found->text;
+}
+
+std::optional<Command> command_named(std::string_view name) {
+    const auto* found = std::find_if(std::begin(kNames), std::end(kNames),
+                                     [&](const Name& known) { return known.text == name; });
+    return found != std::end(kNames) ? std::optional(found->command) : std::nullopt;
+}
+
+}  // namespace pastoso::commands

@@ -1,0 +1,82 @@
+#include "commands/command_search.hpp"
+
+#include <algorithm>
+
+#include <QRegularExpression>
+#include <QStringList>
+
+namespace pastoso::commands {
+namespace {
+
+// In each kind more than in all of the next.
+constexpr int kFirstWord = 1000, kWord = 300, kBeginnings = 100, kMenu = 30, kHint = 1;
+
+QStringList words_in(const QString& text) {
+    static const QRegularExpression between(QStringLiteral("[^\\p{L}\\p{N}]+"));
+    return text.toCaseFolded().split(between, Qt::SkipEmptyParts);
+}
+
+bool begins_one(const QString& typed, const QStringList& words) {
+    return std::any_of(words.begin(), words.end(),
+                       [&](const QString& word) { return word.startsWith(typed); });
+}
+
+/// Whether the letters are beginnings of words, in their order, one after the other.
+bool is_put_together(const QString& typed, const QStringList& words, qsizetype from = 0) {
+    if (typed.isEmpty()) return true;
+    for (qsizetype i = from; i < words.size(); ++i)
+        for (qsizetype taken = std::min(typed.size(), words[i].size()); taken > 0; --taken)
+            if (words[i].startsWith(typed.left(taken)) &&
+                is_put_together(typed.mid(taken), words, i + 1))
+                return true;
+    return false;
+}
+
+int fit_of_word(const QString& typed, const QStringList& words, const QStringList& menu,
+                const QStringList& hint) {
+    if (!words.isEmpty() && words.front().startsWith(typed)) return kFirstWord;
+    if (begins_one(typed, words)) return kWord;
+    if (is_put_together(typed, words)) return kBeginnings;
+    if (begins_one(typed, menu)) return kMenu;
+    return begins_one(typed, hint) ? kHint : 0;
+}
+
+}  // namespace
+
+QString plain_words(const char* words) {
+    QString plain = QString::fromUtf8(words);
+    plain.remove(QLatin1Char('&'));
+    if (plain.endsWith(QStringLiteral("..."))) plain.chop(3);
+    return plain;
+}
+
+int fit(const QString& typed, const CommandText& text) {
+    const QStringList words = words_in(plain_words(text.words));
+    const QStringList menu = words_in(plain_words(text.menu));
+    const QStringList hint = words_in(QString::fromUtf8(text.hint));
+    int sum = 0;
+    for (const QString& word : words_in(typed)) {
+        const int found = fit_of_word(word, words, menu, hint);
+        if (found == 0) return 0;
+        sum += found;
+    }
+    return sum;
+}
+
+std::vector<Command> find_commands(const QString& typed) {
+    struct Found {
+        Command command;
+        int fit;
+    };
+    std::vector<Found> found;
+    for (const CommandText& text : command_list())
+        if (const int fits = fit(typed, text); fits > 0) found.push_back({text.command, fits});
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Found& a, const Found& b) { return a.fit > b.fit; });
+    std::vector<Command> commands;
+    for (const Found& one : found)
+        commands.push_back(one.command);
+    return commands;
+}
+
+}  // namespace pastoso::commands

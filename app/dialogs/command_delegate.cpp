@@ -1,0 +1,56 @@
+#include "dialogs/command_delegate.hpp"
+
+#include "dialogs/key_cap.hpp"
+
+#include <algorithm>
+
+#include <QApplication>
+#include <QPainter>
+
+namespace pastoso::dialogs {
+namespace {
+
+constexpr int kMargin = 9, kCapGap = 5;
+
+}  // namespace
+
+void CommandDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                            const QModelIndex& index) const {
+    QStyleOptionViewItem line = option;
+    initStyleOption(&line, index);
+    line.text.clear();
+    const QWidget* widget = option.widget;
+    (widget != nullptr ? widget->style() : QApplication::style())
+        ->drawControl(QStyle::CE_ItemViewItem, &line, painter, widget);
+
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    const bool enabled = index.flags().testFlag(Qt::ItemIsEnabled);
+    const bool chosen = option.state.testFlag(QStyle::State_Selected);
+    const QColor faint(chosen && enabled ? QColor(206, 218, 230) : QColor(138, 138, 143));
+    const QRect row = option.rect.adjusted(kMargin, 0, -kMargin, 0);
+    int right = row.right();
+    QStringList keys = index.data(kKeys).toString().split(QStringLiteral("; "), Qt::SkipEmptyParts);
+    std::reverse(keys.begin(), keys.end());
+    for (const QString& key : keys) {
+        right -= key_cap_width(painter->fontMetrics(), key, row);
+        draw_key_cap(*painter, key, row, right, !enabled);
+        right -= kCapGap;
+    }
+
+    const QString mark = index.data(kChecked).toBool() ? QStringLiteral("✓  ") : QString();
+    const QString words = mark + index.data(Qt::DisplayRole).toString();
+    painter->setPen(!enabled ? QColor(122, 122, 126) : chosen ? Qt::white : QColor(224, 224, 226));
+    painter->drawText(row, Qt::AlignVCenter | Qt::AlignLeft, words);
+    const int words_end = row.left() + painter->fontMetrics().horizontalAdvance(words) + 12;
+    painter->setPen(faint);
+    painter->drawText(QRect(QPoint(words_end, row.top()), QPoint(right - kCapGap, row.bottom())),
+                      Qt::AlignVCenter | Qt::AlignLeft, index.data(kMenu).toString());
+    painter->restore();
+}
+
+QSize CommandDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const {
+    return {0, kRowHeight};
+}
+
+}  // namespace pastoso::dialogs

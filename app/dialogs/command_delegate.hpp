@@ -1,0 +1,23 @@
+// One line for a command: its words, where it stands in the menus, and its keys at the right.
+#pragma once
+
+#include <QStyledItemDelegate>
+
+namespace pastoso::dialogs {
+
+class CommandDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+  public:
+    static constexpr int kRowHeight = 28;
+
+    /// Of the model; the words are its display role. A row that is not enabled is drawn faint.
+    enum Role { kCommand = Qt::UserRole + 1, kMenu, kKeys, kChecked, kHint };
+
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+};
+
+}  // namespace pastoso::dialogs

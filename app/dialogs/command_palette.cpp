@@ -1,0 +1,170 @@
+#include "dialogs/command_palette.hpp"
+
+#include "commands/command_search.hpp"
+#include "dialogs/command_delegate.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <QAction>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QStandardItemModel>
+#include <QVBoxLayout>
+
+namespace pastoso::dialogs {
+namespace {
+
+using commands::Command;
+
+constexpr int kWidth = 560, kRows = 10, kFromTop = 48;
+
+/// The latest, then the others in the order of the menus.
+std::vector<Command> listed(const commands::CommandRegistry& commands, const QString& typed) {
+    if (!typed.trimmed().isEmpty()) return commands::find_commands(typed);
+    std::vector<Command> all = commands.recent();
+    for (const commands::CommandText& text : commands::command_list())
+        if (std::find(all.begin(), all.end(), text.command) == all.end()) all.push_back(text.command);
+    return all;
+}
+
+const commands::CommandText& text_of(Command command) {
+    const auto list = commands::command_list();
+    return *std::find_if(list.begin(), list.end(),
+                         [&](const auto& text) { return text.command == command; });
+}
+
+}  // namespace
+
+CommandPalette::CommandPalette(const commands::CommandRegistry& commands, QWidget* parent)
+    : QFrame(parent, Qt::Popup),
+      commands_(commands),
+      typed_(new QLineEdit),
+      list_(new QListView),
+      hint_(new QLabel),
+      model_(new QStandardItemModel(this)) {
+    setObjectName(QStringLiteral("command_palette"));
+    typed_->setObjectName(QStringLiteral("typed"));
+    typed_->setPlaceholderText(tr("What do you want to do?"));
+    typed_->setClearButtonEnabled(true);
+    typed_->installEventFilter(this);
+    list_->setModel(model_);
+    list_->setItemDelegate(new CommandDelegate(list_));
+    list_->setFocusPolicy(Qt::NoFocus);
+    list_->setUniformItemSizes(true);
+    list_->setMouseTracking(true);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    hint_->setObjectName(QStringLiteral("reading"));
+    hint_->setContentsMargins(6, 0, 6, 0);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(10, 10, 10, 8);
+    column->setSpacing(7);
+    column->addWidget(typed_);
+    column->addWidget(list_);
+    column->addWidget(hint_);
+    setFixedWidth(kWidth);
+    setFocusProxy(typed_);
+    connect(typed_, &QLineEdit::textChanged, this, &CommandPalette::list);
+    connect(list_, &QListView::entered, list_, &QListView::setCurrentIndex);
+    connect(list_, &QListView::clicked, this, &CommandPalette::run);
+    connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &CommandPalette::show_hint);
+}
+
+void CommandPalette::open_over(const QWidget& place) {
+    typed_->clear();
+    list();
+    move(place.mapToGlobal(QPoint((place.width() - kWidth) / 2, kFromTop)));
+    show();
+    typed_->setFocus(Qt::PopupFocusReason);
+}
+
+/// What can be given now stands above what cannot.
+void CommandPalette::list() {
+    model_->clear();
+    std::vector<Command> found = listed(commands_, typed_->text());
+    std::stable_partition(found.begin(), found.end(),
+                          [this](Command command) { return commands_.action(command)->isEnabled(); });
+    for (const Command command : found)
+        add(command);
+    list_->setCurrentIndex(model_->index(0, 0));
+    list_->scrollToTop();
+    fit_height();
+    show_hint();
+}
+
+/// As tall as what was found, up to so many rows.
+void CommandPalette::fit_height() {
+    constexpr int kFrame = 6;
+    const int rows = std::clamp(model_->rowCount(), 1, kRows);
+    list_->setFixedHeight(rows * CommandDelegate::kRowHeight + kFrame);
+    adjustSize();
+}
+
+void CommandPalette::add(Command command) {
+    const commands::CommandText& text = text_of(command);
+    const QAction* action = commands_.action(command);
+    auto* item = new QStandardItem(commands::plain_words(text.words));
+    item->setData(static_cast<int>(command), CommandDelegate::kCommand);
+    item->setData(commands::plain_words(text.menu), CommandDelegate::kMenu);
+    item->setData(QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText),
+                  CommandDelegate::kKeys);
+    item->setData(action->isCheckable() && action->isChecked(), CommandDelegate::kChecked);
+    item->setData(QString::fromUtf8(text.hint), CommandDelegate::kHint);
+    item->setEnabled(action->isEnabled());
+    model_->appendRow(item);
+}
+
+void CommandPalette::show_hint() {
+    const QModelIndex row = list_->currentIndex();
+    if (!row.isValid()) return hint_->setText(tr("No command of that name. Fewer letters find more."));
+    const QString hint = row.data(CommandDelegate::kHint).toString();
+    const bool can = row.flags().testFlag(Qt::ItemIsEnabled);
+    hint_->setText(
+        fontMetrics().elidedText(can ? hint : tr("Not now: %1").arg(hint), Qt::ElideRight, kWidth - 40));
+}
+
+/// The list is gone before the command is given, which may ask something itself.
+void CommandPalette::run() {
+    const QModelIndex row = list_->currentIndex();
+    if (!row.isValid() || !row.flags().testFlag(Qt::ItemIsEnabled)) return;
+    QAction* action =
+        commands_.action(static_cast<Command>(row.data(CommandDelegate::kCommand).toInt()));
+    hide();
+    QMetaObject::invokeMethod(action, &QAction::trigger, Qt::QueuedConnection);
+}
+
+bool CommandPalette::eventFilter(QObject* object, QEvent* event) {
+    if (event->type() != QEvent::KeyPress) return QFrame::eventFilter(object, event);
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const auto step = [this](int rows) {
+        const int last = model_->rowCount() - 1;
+        if (last < 0) return true;
+        const int wanted = list_->currentIndex().row() + rows;
+        list_->setCurrentIndex(model_->index(std::clamp(wanted, 0, last), 0));
+        return true;
+    };
+    switch (key->key()) {
+        case Qt::Key_Down:
+            return step(1);
+        case Qt::Key_Up:
+            return step(-1);
+        case Qt::Key_PageDown:
+            return step(kRows);
+        case Qt::Key_PageUp:
+            return step(-kRows);
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            run();
+            return true;
+        case Qt::Key_Escape:
+            hide();
+            return true;
+        default:
+            return QFrame::eventFilter(object, event);
+    }
+}
+
+}  // namespace pastoso::dialogs

@@ -1,0 +1,28 @@
+#include "dialogs/key_cap.hpp"
+
+#include <algorithm>
+
+#include <QPainter>
+
+namespace pastoso::dialogs {
+namespace {
+
+constexpr int kPadding = 7;
+
+}  // namespace
+
+int key_cap_width(const QFontMetrics& metrics, const QString& key, const QRect& row) {
+    return std::max(metrics.horizontalAdvance(key) + 2 * kPadding, row.height() - 8);
+}
+
+void draw_key_cap(QPainter& painter, const QString& key, const QRect& row, int left, bool faint) {
+    const int width = key_cap_width(painter.fontMetrics(), key, row);
+    const QRectF cap(left + 0.5, row.top() + 4.5, width - 1, row.height() - 9);
+    painter.setPen(QColor(88, 88, 94));
+    painter.setBrush(QColor(50, 50, 53, faint ? 120 : 255));
+    painter.drawRoundedRect(cap, 4.0, 4.0);
+    painter.setPen(faint ? QColor(122, 122, 126) : QColor(218, 218, 220));
+    painter.drawText(cap, Qt::AlignCenter, key);
+}
+
+}  // namespace pastoso::dialogs

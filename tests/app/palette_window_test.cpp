@@ -1,0 +1,145 @@
+// The list of commands that a few letters search, by real keys.
+#include "app/window_fixture.hpp"
+#include "dialogs/command_delegate.hpp"
+#include "dialogs/command_palette.hpp"
+
+#include <QAction>
+#include <QApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QSignalSpy>
+#include <QTest>
+#include <gmock/gmock.h>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+using dialogs::CommandDelegate;
+
+class PaletteWindow : public WindowTest {
+  protected:
+    dialogs::CommandPalette& palette() { return *window().findChild<dialogs::CommandPalette*>(); }
+    QListView& list() { return *palette().findChild<QListView*>(); }
+
+    /// As the windowing system delivers them: to the window, which hands them to what is open over it.
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::keyClick(window().windowHandle(), key, modifiers);
+        QApplication::processEvents();
+    }
+    void type(const char* letters) {
+        for (const char* letter = letters; *letter != 0; ++letter)
+            QTest::keyClick(window().windowHandle(), *letter);
+        QApplication::processEvents();
+    }
+    void open() {
+        canvas().setFocus();
+        key(Qt::Key_Return, Qt::ControlModifier);
+        ASSERT_TRUE(palette().isVisible());
+    }
+    Command command_at(int row) {
+        return static_cast<Command>(
+            list().model()->index(row, 0).data(CommandDelegate::kCommand).toInt());
+    }
+    int row_of(Command command) {
+        for (int row = 0; row < list().model()->rowCount(); ++row)
+            if (command_at(row) == command) return row;
+        return -1;
+    }
+    std::size_t layers() {
+        settle();
+        return session().snapshot()->layers->layers.size();
+    }
+};
+
+TEST_F(PaletteWindow, AFewLettersAndEnterGiveACommand) {
+    const std::size_t before = layers();
+    open();
+    type("new lay");
+    EXPECT_EQ(command_at(0), Command::AddLayer);
+    key(Qt::Key_Return);
+    EXPECT_FALSE(palette().isVisible());
+    EXPECT_EQ(layers(), before + 1);
+}
+
+TEST_F(PaletteWindow, HoldsEveryCommandWithItsMenuAndKeys) {
+    open();
+    EXPECT_EQ(list().model()->rowCount(), static_cast<int>(commands::command_list().size()));
+    for (const commands::CommandText& text : commands::command_list()) {
+        const int row = row_of(text.command);
+        ASSERT_GE(row, 0) << text.words;
+        const QModelIndex index = list().model()->index(row, 0);
+        EXPECT_FALSE(index.data().toString().isEmpty());
+        EXPECT_FALSE(index.data(CommandDelegate::kMenu).toString().isEmpty()) << text.words;
+        EXPECT_FALSE(index.data(CommandDelegate::kHint).toString().isEmpty()) << text.words;
+    }
+    const QModelIndex undo = list().model()->index(row_of(Command::Undo), 0);
+    EXPECT_EQ(undo.data(CommandDelegate::kMenu).toString(), "Edit");
+    EXPECT_EQ(undo.data(CommandDelegate::kKeys).toString(), "Ctrl+Z");
+}
+
+TEST_F(PaletteWindow, WhatCannotBeDoneNowIsFaintAndNotDone) {
+    ASSERT_FALSE(action(Command::Redo)->isEnabled());
+    const QSignalSpy given(action(Command::Redo), &QAction::triggered);
+    open();
+    type("redo");
+    ASSERT_EQ(command_at(0), Command::Redo);
+    EXPECT_FALSE(list().model()->index(0, 0).flags().testFlag(Qt::ItemIsEnabled));
+    key(Qt::Key_Return);
+    EXPECT_TRUE(palette().isVisible());
+    EXPECT_EQ(given.count(), 0);
+}
+
+TEST_F(PaletteWindow, ArrowsChooseAndTheLatestComesFirstNextTime) {
+    open();
+    type("zoom");
+    ASSERT_EQ(command_at(0), Command::ZoomIn);
+    ASSERT_EQ(command_at(1), Command::ZoomOut);
+    key(Qt::Key_Down);
+    key(Qt::Key_Down);
+    key(Qt::Key_Up);
+    const double zoom = canvas().view_transform().zoom;
+    key(Qt::Key_Return);
+    EXPECT_LT(canvas().view_transform().zoom, zoom);
+    open();
+    EXPECT_EQ(command_at(0), Command::ZoomOut);
+    key(Qt::Key_Return);
+    EXPECT_LT(canvas().view_transform().zoom, zoom / 1.5);
+}
+
+TEST_F(PaletteWindow, EscapeClosesItAndKeysGoToTheCanvasAgain) {
+    open();
+    type("dry");
+    key(Qt::Key_Escape);
+    EXPECT_FALSE(palette().isVisible());
+    const double width_mm = window().easel().hand().brush_width_mm;
+    key(Qt::Key_BracketRight);
+    EXPECT_GT(window().easel().hand().brush_width_mm, width_mm);
+    open();
+    EXPECT_TRUE(palette().findChild<QLineEdit*>()->text().isEmpty());
+}
+
+TEST_F(PaletteWindow, NothingFoundIsSaid) {
+    open();
+    type("zzz");
+    EXPECT_EQ(list().model()->rowCount(), 0);
+    EXPECT_TRUE(palette().findChild<QLabel*>("reading")->text().startsWith("No command"));
+    key(Qt::Key_Down);
+    key(Qt::Key_Return);
+    EXPECT_TRUE(palette().isVisible());
+}
+
+TEST_F(PaletteWindow, AClickGivesACommand) {
+    const std::size_t before = layers();
+    open();
+    type("new layer");
+    const QRect row = list().visualRect(list().model()->index(0, 0));
+    QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, row.center());
+    QApplication::processEvents();
+    EXPECT_FALSE(palette().isVisible());
+    EXPECT_EQ(layers(), before + 1);
+}
+
+}  // namespace
+}  // namespace pastoso::tests
