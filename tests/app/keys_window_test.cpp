@@ -71,17 +71,17 @@ class KeysWindow : public WindowTest {
 
 TEST_F(KeysWindow, AnotherKeyGivesTheCommandAtOnceAndAtTheNextStart) {
     in_dialog([&] {
-        find("dry now");
+        find("pause the paint");
         add_key(Qt::Key_F12, Qt::ShiftModifier);
-        EXPECT_EQ(keys_of(Command::DryNow), "D; Shift+F12");
+        EXPECT_EQ(keys_of(Command::Pause), "F; Shift+F12");
     });
-    QSignalSpy given(action(Command::DryNow), &QAction::triggered);
+    QSignalSpy given(action(Command::Pause), &QAction::triggered);
     QTest::keyClick(&canvas(), Qt::Key_F12, Qt::ShiftModifier);
-    QTest::keyClick(&canvas(), Qt::Key_D);
+    QTest::keyClick(&canvas(), Qt::Key_F);
     EXPECT_EQ(given.count(), 2);
     start_again();
-    EXPECT_EQ(keys_of(Command::DryNow), "D; Shift+F12");
-    EXPECT_TRUE(action(Command::DryNow)->toolTip().endsWith("(D)"));
+    EXPECT_EQ(keys_of(Command::Pause), "F; Shift+F12");
+    EXPECT_TRUE(action(Command::Pause)->toolTip().endsWith("(F)"));
 }
 
 TEST_F(KeysWindow, AKeyOfAnotherCommandIsAskedFor) {
