@@ -116,7 +116,10 @@ QWidget* KeysDialog::make_tree() {
         row->setToolTip(1, tr("Click, and press other keys"));
         rows_[text.command] = row;
     }
-    connect(tree_, &QTreeWidget::currentItemChanged, this, &KeysDialog::show_chosen);
+    connect(tree_, &QTreeWidget::currentItemChanged, this,
+            [this](const QTreeWidgetItem* now, const QTreeWidgetItem* before) {
+                if (now != before) show_chosen();  // it may be but another column
+            });
     connect(tree_, &QTreeWidget::itemActivated, this, &KeysDialog::listen_for_chosen);
     connect(tree_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem*, int column) {
         if (column == 1) listen_for_chosen();
