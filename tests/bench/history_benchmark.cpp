@@ -77,8 +77,11 @@ BENCHMARK(undo_latest)->ArgName("layers")->Arg(1)->Arg(2)->Iterations(3)->Unit(b
 void undo_many(benchmark::State& state) {
     core::ThreadPool pool(2);
     const auto painting = resting_painting(pool);
+    painting->apply(document::TakeBrush{"flat", static_cast<double>(state.range(0)), 1});
+    painting->set_history_budget(static_cast<std::size_t>(state.range(2)) << 20);
+    const double side_mm = painting->settings().height_mm;
     for (int i = 0; i < kStrokes; ++i)
-        stroke_across(*painting, i);
+        stroke(*painting, i, (0.5 + i) * side_mm / kStrokes, static_cast<double>(state.range(1)));
     std::this_thread::sleep_for(std::chrono::seconds(5));
     std::size_t packed_bytes = 0, packed = 0;
     for (const document::KeptStep& step : painting->undo_steps()) {
@@ -92,14 +95,21 @@ void undo_many(benchmark::State& state) {
             const double one_s = seconds_of([&] { painting->apply(document::Undo{}); });
             undo_s += one_s;
             longest_s = std::max(longest_s, one_s);
-            std::this_thread::sleep_for(std::chrono::milliseconds(state.range(0)));
+            std::this_thread::sleep_for(std::chrono::milliseconds(state.range(3)));
         }
     state.counters["undo_ms"] = 1e3 * undo_s / kStrokes;
     state.counters["longest_ms"] = 1e3 * longest_s;
     state.counters["packed_steps"] = static_cast<double>(packed);
     state.counters["packed_MB"] = 1e-6 * static_cast<double>(packed_bytes);
 }
-BENCHMARK(undo_many)->Arg(0)->Arg(400)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(undo_many)
+    ->ArgNames({"width_mm", "length_mm", "budget_MiB", "pause_ms"})
+    ->Args({8, 60, 64, 0})
+    ->Args({20, 200, 512, 0})
+    ->Args({20, 410, 512, 0})
+    ->Args({20, 410, 512, 400})
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
 
 /// How many of two hundred strokes, wet in wet, can be undone.
 void steps_kept(benchmark::State& state) {
