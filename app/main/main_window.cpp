@@ -3,6 +3,7 @@
 #include "brush/preset.hpp"
 #include "document/well.hpp"
 #include "io/canvas_support.hpp"
+#include "main/view_commands.hpp"
 #include "panels/brush_panel.hpp"
 #include "panels/colour_panel.hpp"
 #include "panels/curves_panel.hpp"
@@ -43,6 +44,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
       well_(new view::CanvasView(easel_.get(), document::Surface::Well)) {
     start_session(canvas);
     lay_out();
+    view_commands_ = new ViewCommands(this, commands_, canvas_, readings_);
     connect_canvas();
     connect_panels();
     connect_docks();

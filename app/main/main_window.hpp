@@ -11,8 +11,8 @@
 #include "session/thumbnail_painter.hpp"
 #include "tools/easel.hpp"
 #include "tools/export_settings.hpp"
-#include "tools/settings.hpp"
 #include "tools/guide_handles.hpp"
+#include "tools/settings.hpp"
 #include "view/canvas_view.hpp"
 
 #include <filesystem>
@@ -50,6 +50,8 @@ class WorkProgress;
 }  // namespace pastoso::panels
 
 namespace pastoso::main {
+
+class ViewCommands;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -268,8 +270,8 @@ class MainWindow : public QMainWindow {
     QString light_ = QStringLiteral("D65");
     brush::PresetLibrary library_;
     QFileSystemWatcher brush_files_;
-    QTimer brushes_changed_;       ///< soon after their files
-    QTimer paints_changed_;        ///< soon after the last of several changes
+    QTimer brushes_changed_;  ///< soon after their files
+    QTimer paints_changed_;   ///< soon after the last of several changes
     int undo_memory_MiB_ = tools::kUndoMemory_MiB;
     bool settings_usable_ = true;  ///< their file is none that cannot be read, which is left alone
     bool shelf_usable_ = true;
@@ -305,6 +307,7 @@ class MainWindow : public QMainWindow {
     panels::StatusReadings* readings_ = nullptr;
     panels::WorkProgress* export_progress_ = nullptr;
     QComboBox* medium_ = nullptr;
+    ViewCommands* view_commands_ = nullptr;
 };
 
 }  // namespace pastoso::main

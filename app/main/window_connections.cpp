@@ -79,8 +79,6 @@ void MainWindow::connect_well() {
 }
 
 void MainWindow::connect_canvas() {
-    connect(canvas_, &view::CanvasView::view_changed, this,
-            [this] { readings_->show_zoom(canvas_->view_transform().zoom); });
     connect(canvas_, &view::CanvasView::pointer_moved, this,
             [this](const QPointF& canvas_mm) { readings_->show_pointer(canvas_mm); });
     connect(canvas_, &view::CanvasView::pointer_left, this,
@@ -92,7 +90,6 @@ void MainWindow::connect_canvas() {
     connect(well_, &view::CanvasView::picked, this, [this](const QPointF& place_mm, tools::Pick pick) {
         pick_from(document::Surface::Well, place_mm, pick);
     });
-    readings_->show_zoom(canvas_->view_transform().zoom);
 }
 
 void MainWindow::connect_commands() {

@@ -3,6 +3,7 @@
 #include "commands/recent_paintings.hpp"
 #include "core/error.hpp"
 #include "main/main_window.hpp"
+#include "main/view_commands.hpp"
 #include "main/wait_cursor.hpp"
 #include "panels/status_readings.hpp"
 #include "panels/tracing_panel.hpp"
@@ -179,6 +180,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(may_stop_export() && may_discard());
     if (!event->isAccepted()) return;
     exporter_.stop();
+    view_commands_->leave_canvas_only();
     remember();
     session_->discard_journal();
 }

@@ -25,6 +25,9 @@ StatusReadings::StatusReadings(QWidget* parent) : QWidget(parent) {
     selection_->setIndent(selection_->fontMetrics().averageCharWidth() * 3);
     show_selection({}, std::nullopt);
     canvas_ = add(32, tr("Size of the canvas and of its saved picture"));
+    turn_ = add(0, tr("How the canvas stands on the screen; 5 puts it upright, M mirrors it"));
+    turn_->setObjectName(QStringLiteral("turn"));
+    turn_->hide();
     zoom_ = add(7, tr("Screen pixels for a pixel of the saved picture"));
 }
 
@@ -46,7 +49,13 @@ void StatusReadings::show_canvas(const document::CanvasSettings& canvas) {
                          .arg(shape.height));
 }
 
-void StatusReadings::show_zoom(double zoom) {
+void StatusReadings::show_view(double zoom, double angle_deg, bool mirrored) {
+    QStringList turn;
+    const double shown_deg = 0.1 * std::round(10.0 * angle_deg);
+    if (mirrored) turn += tr("mirrored");
+    if (shown_deg != 0.0) turn += tr("turned %1°").arg(shown_deg);
+    turn_->setText(turn.join(QStringLiteral(", ")));
+    turn_->setVisible(!turn.isEmpty());
     const double percent = 100.0 * zoom;
     zoom_->setText(QString::number(percent, 'f', percent < 10.0 ? 1 : 0) + " %");
 }

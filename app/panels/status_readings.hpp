@@ -19,7 +19,7 @@ class StatusReadings : public QWidget {
     explicit StatusReadings(QWidget* parent = nullptr);
 
     void show_canvas(const document::CanvasSettings& canvas);
-    void show_zoom(double zoom);
+    void show_view(double zoom, double angle_deg, bool mirrored);  ///< turned clockwise
     void show_pointer(std::optional<QPointF> position_mm);
     void show_status(const session::Status& status);
 
@@ -35,6 +35,7 @@ class StatusReadings : public QWidget {
     QLabel* speed_ = nullptr;
     QLabel* selection_ = nullptr;
     QLabel* canvas_ = nullptr;
+    QLabel* turn_ = nullptr;
     QLabel* zoom_ = nullptr;
 };
 

@@ -10,6 +10,7 @@ uniform sampler2D colour_and_wetness;
 uniform vec2 canvas_cells;
 uniform float cell_mm;
 uniform vec2 origin_px;                // of the canvas, device pixels
+uniform mat2 canvas_from_screen;       // turns directions
 uniform float px_per_cell;
 uniform float pixel_size;              // side of a fragment, device pixels
 uniform int samples_per_side;          // of a fragment
@@ -139,19 +140,19 @@ vec3 desk(vec2 cell) {
 
 void main() {
     vec2 corner_px = (gl_FragCoord.xy - 0.5) * pixel_size;
-    vec2 corner_cell = (corner_px - origin_px) / px_per_cell;
+    vec2 corner_cell = canvas_from_screen * (corner_px - origin_px) / px_per_cell;
     float step_cells = pixel_size / (px_per_cell * float(samples_per_side));
     vec3 sum = vec3(0.0);
     float covered = 0.0;
     for (int j = 0; j < samples_per_side; ++j) {
         for (int i = 0; i < samples_per_side; ++i) {
-            vec2 cell = corner_cell + step_cells * (vec2(i, j) + 0.5);
+            vec2 cell = corner_cell + canvas_from_screen * (step_cells * (vec2(i, j) + 0.5));
             if (any(lessThan(cell, vec2(0.0))) || any(greaterThanEqual(cell, canvas_cells))) continue;
             sum += shade(surface_at(cell));
             covered += 1.0;
         }
     }
-    vec3 around = desk(corner_cell + 0.5 * pixel_size / px_per_cell);
+    vec3 around = desk(corner_cell + canvas_from_screen * vec2(0.5 * pixel_size / px_per_cell));
     float share = covered / float(samples_per_side * samples_per_side);
     vec3 canvas = covered > 0.0 ? encode_srgb(into_gamut(sum / covered)) : vec3(0.0);
     screen_colour = vec4(mix(around, canvas, share), 1.0);

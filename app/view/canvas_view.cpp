@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "view/damaged_pixels.hpp"
 #include "view/guide_lines.hpp"
 
 #include <algorithm>
@@ -31,16 +32,6 @@ QRect qt_rect(const grid::Rect& cells) {
     return {cells.x0, cells.y0, cells.width(), cells.height()};
 }
 
-/// The device pixels in whose picture these cells have a part.
-QRect device_rect(const ViewTransform& view, const QRect& cells) {
-    const glm::dvec2 first{cells.x() - kLayerBorder, cells.y() - kLayerBorder};
-    const glm::dvec2 size{cells.width() + 2 * kLayerBorder, cells.height() + 2 * kLayerBorder};
-    const glm::dvec2 low = glm::floor(view.device_from_cell(first)) - 1.0;
-    const glm::dvec2 high = glm::ceil(view.device_from_cell(first + size)) + 1.0;
-    return {QPoint(static_cast<int>(low.x), static_cast<int>(low.y)),
-            QPoint(static_cast<int>(high.x), static_cast<int>(high.y))};
-}
-
 }  // namespace
 
 CanvasView::CanvasView(tools::Easel* easel, document::Surface surface, QWidget* parent)
@@ -48,6 +39,7 @@ CanvasView::CanvasView(tools::Easel* easel, document::Surface surface, QWidget* 
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setTabletTracking(true);
+    setAttribute(Qt::WA_AcceptTouchEvents);
     setMinimumSize(surface == document::Surface::Canvas ? QSize(320, 240) : QSize(200, 150));
     QSizePolicy policy = sizePolicy();
     policy.setHeightForWidth(surface == document::Surface::Well);
@@ -92,7 +84,7 @@ void CanvasView::show_snapshot(std::shared_ptr<const document::Snapshot> snapsho
     if (other_canvas || shift_mm) begin_other_canvas();
     if (shift_mm) {
         fitted_ = false;
-        const glm::dvec2 drag_px = -view_.zoom / wanted_->film.cell_mm * *shift_mm;
+        const glm::dvec2 drag_px = -view_.zoom / wanted_->film.cell_mm * (view_.axes() * *shift_mm);
         set_view(panned(view_, drag_px, canvas_cells(), window_px()));
     } else if (other_canvas) {
         fit();
@@ -153,29 +145,6 @@ void CanvasView::pick_next(std::optional<tools::Pick> pick) {
     set_cursor();
 }
 
-void CanvasView::set_view(const ViewTransform& view) {
-    if (view == view_) return;
-    view_ = view;
-    damage_all();
-    Q_EMIT view_changed();
-}
-
-void CanvasView::fit() {
-    if (wanted_ == nullptr) return;
-    fitted_ = true;
-    set_view(fitted(canvas_cells(), window_px()));
-}
-
-void CanvasView::show_actual_pixels() {
-    zoom_about_centre(1.0 / view_.zoom);
-    set_view(snapped(view_));
-}
-
-void CanvasView::zoom_about_centre(double factor) {
-    fitted_ = false;
-    set_view(zoomed(view_, 0.5 * window_px(), factor));
-}
-
 bool CanvasView::finished() const {
     return shown_ == wanted_ && !retrace_ && !relight_ && !recolour_ && !plan_.has_damage() &&
            !plan_.has_drafts();
@@ -185,39 +154,6 @@ void CanvasView::damage_all() {
     plan_.add_damage(QRect(0, 0, static_cast<int>(window_px().x), static_cast<int>(window_px().y)));
     update();
 }
-
-// ---- coordinates
-
-glm::dvec2 CanvasView::device_px(const QPointF& position) const {
-    return devicePixelRatioF() * glm::dvec2(position.x(), position.y());
-}
-
-glm::dvec2 CanvasView::window_px() const {
-    return {std::round(width() * devicePixelRatioF()), std::round(height() * devicePixelRatioF())};
-}
-
-glm::dvec2 CanvasView::canvas_cells() const {
-    return {wanted_->film.shape.width, wanted_->film.shape.height};
-}
-
-glm::dvec2 CanvasView::canvas_mm(const QPointF& position) const {
-    if (wanted_ == nullptr) return {};
-    return wanted_->film.cell_mm * view_.cell_from_device(device_px(position));
-}
-
-std::optional<glm::dvec2> CanvasView::pointer_mm() const {
-    if (!pointer_) return std::nullopt;
-    return canvas_mm(*pointer_);
-}
-
-QPointF CanvasView::widget_position(const glm::dvec2& canvas_mm) const {
-    if (wanted_ == nullptr) return {};
-    const glm::dvec2 px =
-        view_.device_from_cell(canvas_mm / wanted_->film.cell_mm) / devicePixelRatioF();
-    return {px.x, px.y};
-}
-
-// ---- drawing
 
 void CanvasView::initializeGL() {
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &CanvasView::release_graphics);
@@ -313,7 +249,7 @@ bool CanvasView::prepare_textures() {
 QRegion CanvasView::damaged_region(const LayerChanges& changes) const {
     QRegion region;
     for (const QRect& cells : changes.surface)
-        region += device_rect(view_, cells);
+        region += damaged_pixels(view_, cells);
     return region;
 }
 
@@ -327,7 +263,7 @@ double CanvasView::shade_job(const ShadingPlan::Job& job) {
 }
 
 OverlayFrame CanvasView::overlay_frame(const glm::dvec2& origin_px) const {
-    return {origin_px, view_.zoom / shown_->film.cell_mm, picture_.size()};
+    return {origin_px, view_.zoom / shown_->film.cell_mm * view_.axes(), picture_.size()};
 }
 
 void CanvasView::draw_guides() {
@@ -358,10 +294,6 @@ void CanvasView::draw_handles(const OverlayFrame& canvas) {
     }
 }
 
-double CanvasView::mm_per_px() const {
-    return wanted_->film.cell_mm / view_.zoom;
-}
-
 /// How far from its centre a mirror is turned.
 double CanvasView::handle_axis_mm() const {
     constexpr double kShare = 0.4;
@@ -370,16 +302,11 @@ double CanvasView::handle_axis_mm() const {
 }
 
 void CanvasView::draw_tip() {
-    const bool paints = !pan_from_ && !space_held_ && !picks_next_ && !area_form_ && !frame_;
+    const bool paints = !view_drag_ && !space_held_ && !picks_next_ && !area_form_ && !frame_;
     if (!pointer_ || !paints || guide_drag_.active()) return;
     TipShape tip = tip_;
     tip.rotation_deg = easel_->rotation_deg();
     overlay_.draw_loop(outline_mm(tip), overlay_frame(device_px(*pointer_)), 1.0F);
-}
-
-void CanvasView::resizeEvent(QResizeEvent* event) {
-    QOpenGLWidget::resizeEvent(event);
-    if (fitted_) fit();
 }
 
 }  // namespace pastoso::view

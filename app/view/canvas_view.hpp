@@ -20,10 +20,13 @@
 #include <optional>
 
 #include <QCursor>
+#include <QEventPoint>
 #include <QImage>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLWidget>
 #include <QTimer>
+
+class QTouchEvent;
 
 namespace pastoso::view {
 
@@ -81,6 +84,13 @@ class CanvasView : public QOpenGLWidget {
     void fit();
     void show_actual_pixels();  ///< zoom 1 about the window's centre
     void zoom_about_centre(double factor);
+    void turn_about_centre(double by_deg);  ///< clockwise, the canvas about the window's centre
+    void turn_upright();                    ///< the same, until it stands as it is saved
+    void mirror();                          ///< left and right of the window change places
+
+    /// The view's corner has moved by so much on the desktop, and the picture has not, unless it is
+    /// fitted.
+    void keep_in_place(const QPoint& way);
 
     /// Whether the frame on the screen is the final one of the latest snapshot.
     bool finished() const;
@@ -120,6 +130,9 @@ class CanvasView : public QOpenGLWidget {
     void area_given_up();
     void areas_left();  ///< painting goes on
 
+    /// Escape was pressed where there was nothing to be given up.
+    void escaped();
+
     /// The frame was dragged; what it shows is to be kept; it is to be taken away.
     void frame_dragged(const tools::TransformFrame& frame);
     void frame_accepted();
@@ -137,6 +150,7 @@ class CanvasView : public QOpenGLWidget {
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void tabletEvent(QTabletEvent* event) override;
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void enterEvent(QEnterEvent* event) override;
@@ -164,7 +178,7 @@ class CanvasView : public QOpenGLWidget {
     glm::dvec2 device_px(const QPointF& position) const;
     glm::dvec2 window_px() const;
     glm::dvec2 canvas_cells() const;
-    tools::Pointer mouse_pointer(const QMouseEvent& event) const;
+    tools::Pointer pointer_at(const QPointF& position, std::uint64_t time_ms) const;
     tools::Pointer pen_pointer(const QTabletEvent& event) const;
     void touch_down(const tools::Pointer& pointer, Qt::KeyboardModifiers modifiers);
     void follow_pointer(const QPointF& position);
@@ -184,8 +198,17 @@ class CanvasView : public QOpenGLWidget {
     void release_pointer();
     double handle_axis_mm() const;
     double mm_per_px() const;
-    void start_panning(const QPointF& position);
-    void pan_to(const QPointF& position);
+    ViewTransform fitted_view() const;
+    void set_turned(const ViewTransform& view);
+    void begin_view_drag(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    void drag_view(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    void drag_turn(const QPointF& position, bool by_steps);
+    void end_view_drag();
+    bool touch(QTouchEvent& event);
+    void pinch(const QEventPoint& first, const QEventPoint& second);
+    void move_finger(const QTouchEvent& event, const QEventPoint& finger);
+    void put_finger_down(const QTouchEvent& event);
+    void lift_finger(const QTouchEvent& event, bool meant);
     void set_cursor();
 
     tools::Easel* easel_;
@@ -217,7 +240,20 @@ class CanvasView : public QOpenGLWidget {
     bool retrace_ = false;  ///< the picture below the paint is still another
 
     std::optional<QPointF> pointer_;
-    std::optional<QPointF> pan_from_;
+    /// The hand moves the canvas and not the brush.
+    struct ViewDrag {
+        enum class Kind { Pan, Turn, Zoom } kind;
+        QPointF from;
+        ViewTransform start;
+    };
+    std::optional<ViewDrag> view_drag_;
+    struct Touch {
+        enum class Does { Nothing, Wait, Paint, Pinch } does = Does::Nothing;
+        QPointF from;  ///< of a finger that waits
+        std::array<int, 2> ids{};
+        Fingers fingers_px{};
+    };
+    Touch touch_;
     bool space_held_ = false;
     GuideDrag guide_drag_;
     std::optional<AreaForm> area_form_;  ///< painting rests

@@ -2,18 +2,15 @@
 
 #include "shade/sampling.hpp"
 #include "shade/shading_model.hpp"
+#include "view/uniform_values.hpp"
 
 #include <array>
 
-#include <QVector2D>
 #include <QVector3D>
+#include <glm/matrix.hpp>
 
 namespace pastoso::view {
 namespace {
-
-QVector2D vector(const glm::dvec2& v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y)};
-}
 
 void set_light(QOpenGLShaderProgram& program, const shade::ShadingConstants& light) {
     program.setUniformValue("to_light", QVector3D(light.light_x, light.light_y, light.light_z));
@@ -33,6 +30,7 @@ void set_shading_uniforms(QOpenGLShaderProgram& program, const Scene& scene, con
     program.setUniformValue("canvas_cells", vector({shape.width, shape.height}));
     program.setUniformValue("cell_mm", static_cast<float>(scene.cell_mm));
     program.setUniformValue("origin_px", vector(scene.view.origin_px));
+    program.setUniformValue("canvas_from_screen", matrix(glm::transpose(scene.view.axes())));
     program.setUniformValue("px_per_cell", static_cast<float>(scene.view.zoom));
     program.setUniformValue("pixel_size", static_cast<float>(sampling.pixel_size));
     program.setUniformValue("samples_per_side", sampling.samples_per_side);
