@@ -167,6 +167,16 @@ constexpr std::array kCommands = {
                 "See the painting as in a mirror, and paint on it so; it is saved as it is", true},
     CommandText{Command::CanvasOnly, "&View", "Canvas &only", "Tab",
                 "Nothing but the canvas; Tab or Escape brings the panels back", true, true},
+    CommandText{Command::LookLit, "&View", "In its l&ight", "Alt+1",
+                "The paint as it hangs in its light", true, true},
+    CommandText{Command::LookWet, "&View", "Show &wet", "Alt+2",
+                "Tints what is still wet, the more the thicker it is", true},
+    CommandText{Command::LookHeight, "&View", "Show &height", "Alt+3",
+                "How high the paint stands above the bare canvas, in steps of colour", true},
+    CommandText{Command::LookNormals, "&View", "Show &normals", "Alt+4",
+                "Where the surface faces: red to the right, green up, blue towards you", true},
+    CommandText{Command::LookFlat, "&View", "&Flat colour", "Alt+5",
+                "The paint's colours alone, without light and relief", true},
     CommandText{Command::ToolPanel, "&View", "&Tool panel", "F5",
                 "What the brush holds, and how it answers to the hand", false, true},
     CommandText{Command::ColourPanel, "&View", "&Colour panel", "F6",
@@ -193,6 +203,8 @@ constexpr std::array kCommands = {
                 true},
     CommandText{Command::LightFile, "&Light", "From a &file...", "Ctrl+Alt+5",
                 "A lamp that you have measured, as a CSV file", true},
+    CommandText{Command::MoveLight, "&Light", "&Move the light", "Shift+L",
+                "Drag the lamp over the canvas: towards the rim it rakes over the relief", true, true},
 };
 
 }  // namespace

@@ -86,6 +86,11 @@ enum class Command {
     TurnRight,
     MirrorView,
     CanvasOnly,
+    LookLit,
+    LookWet,
+    LookHeight,
+    LookNormals,
+    LookFlat,
     ToolPanel,
     ColourPanel,
     GuidesPanel,
@@ -99,6 +104,7 @@ enum class Command {
     LightA,
     LightLed,
     LightFile,
+    MoveLight,
 };
 
 struct CommandText {

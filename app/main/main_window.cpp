@@ -44,7 +44,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
       well_(new view::CanvasView(easel_.get(), document::Surface::Well)) {
     start_session(canvas);
     lay_out();
-    view_commands_ = new ViewCommands(this, commands_, canvas_, readings_);
+    view_commands_ = new ViewCommands(this, commands_, {canvas_, well_, readings_, stand_});
     connect_canvas();
     connect_panels();
     connect_docks();

@@ -1,8 +1,13 @@
 #include "main/view_commands.hpp"
 
+#include "panels/easel_panel.hpp"
 #include "panels/status_readings.hpp"
+#include "view/look_legend.hpp"
+
+#include <utility>
 
 #include <QAction>
+#include <QActionGroup>
 #include <QLayout>
 #include <QMainWindow>
 
@@ -13,18 +18,27 @@ using commands::Command;
 
 constexpr double kTurn_deg = 15.0;
 
+constexpr std::pair<Command, view::Look> kLooks[] = {{Command::LookLit, view::Look::Lit},
+                                                     {Command::LookWet, view::Look::Wet},
+                                                     {Command::LookHeight, view::Look::Height},
+                                                     {Command::LookNormals, view::Look::Normals},
+                                                     {Command::LookFlat, view::Look::Flat}};
+
 }  // namespace
 
-ViewCommands::ViewCommands(QMainWindow* window, commands::CommandRegistry& commands,
-                           view::CanvasView* canvas, panels::StatusReadings* readings)
+ViewCommands::ViewCommands(QMainWindow* window, commands::CommandRegistry& commands, const Parts& parts)
     : QObject(window),
       window_(window),
       commands_(commands),
-      canvas_(canvas),
-      readings_(readings),
-      canvas_only_(window, canvas) {
+      canvas_(parts.canvas),
+      well_(parts.well),
+      readings_(parts.readings),
+      stand_(parts.stand),
+      canvas_only_(window, parts.canvas) {
     connect_turning();
     connect_canvas_only();
+    connect_looks();
+    connect_light();
     connect(canvas_, &view::CanvasView::view_changed, this, &ViewCommands::show_view);
     show_view();
 }
@@ -42,7 +56,16 @@ void ViewCommands::connect_canvas_only() {
     action->setShortcutContext(Qt::WidgetShortcut);
     canvas_->addAction(action);
     commands_.on(Command::CanvasOnly, [this](bool only) { show_only_canvas(only); });
-    connect(canvas_, &view::CanvasView::escaped, this, &ViewCommands::leave_canvas_only);
+    connect(canvas_, &view::CanvasView::escaped, this, &ViewCommands::escape);
+}
+
+/// First the lamp goes, then the panels come back.
+void ViewCommands::escape() {
+    QAction* lamp = commands_.action(Command::MoveLight);
+    if (lamp->isChecked())
+        lamp->trigger();
+    else
+        leave_canvas_only();
 }
 
 void ViewCommands::leave_canvas_only() {
@@ -61,6 +84,35 @@ void ViewCommands::show_only_canvas(bool only) {
     window_->layout()->activate();
     canvas_->parentWidget()->layout()->activate();
     canvas_->keep_in_place(before - canvas_->mapToGlobal(QPoint(0, 0)));
+}
+
+void ViewCommands::connect_looks() {
+    auto* looks = new QActionGroup(this);
+    for (const auto& [command, look] : kLooks) {
+        looks->addAction(commands_.action(command));
+        commands_.on(command, [this, look = look](bool) { show_look(look); });
+    }
+    commands_.action(Command::LookLit)->setChecked(true);
+}
+
+void ViewCommands::show_look(view::Look look) {
+    canvas_->set_look(look);
+    readings_->show_look(view::look_words(look));
+}
+
+void ViewCommands::connect_light() {
+    commands_.on(Command::MoveLight, [this](bool shown) { canvas_->show_light_handle(shown); });
+    connect(canvas_, &view::CanvasView::light_dragged, this, &ViewCommands::light_from);
+    connect(stand_, &panels::EaselPanel::light_moved, this, &ViewCommands::light_from);
+}
+
+void ViewCommands::light_from(double elevation_deg, double azimuth_deg) {
+    shade::Lighting lighting = canvas_->lighting();
+    lighting.elevation_deg = elevation_deg;
+    lighting.azimuth_deg = azimuth_deg;
+    for (view::CanvasView* view : {canvas_, well_})
+        view->set_lighting(lighting);
+    stand_->show_light(lighting);
 }
 
 void ViewCommands::show_view() {

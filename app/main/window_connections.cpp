@@ -43,14 +43,6 @@ void MainWindow::connect_panels() {
             [this](double tilt_deg, double direction_deg) { easel_->tilt(tilt_deg, direction_deg); });
     connect(stand_, &panels::EaselPanel::drying_changed, this,
             [this](double speed) { easel_->set_drying_speed(speed); });
-    connect(stand_, &panels::EaselPanel::light_moved, this,
-            [this](double elevation_deg, double azimuth_deg) {
-                shade::Lighting lighting = canvas_->lighting();
-                lighting.elevation_deg = elevation_deg;
-                lighting.azimuth_deg = azimuth_deg;
-                for (view::CanvasView* view : {canvas_, well_})
-                    view->set_lighting(lighting);
-            });
     connect(stand_, &panels::EaselPanel::illuminant_chosen, this, &MainWindow::use_light);
     connect(stand_, &panels::EaselPanel::illuminant_file_wanted, this, &MainWindow::ask_light);
 }

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/user_data.hpp"
 #include "main/main_window.hpp"
+#include "main/view_commands.hpp"
 #include "panels/brush_panel.hpp"
 #include "panels/colour_panel.hpp"
 #include "tools/settings.hpp"
@@ -61,6 +62,7 @@ void MainWindow::recall() {
     export_settings_usable_ =
         read([&] { export_settings_ = tools::read_export_settings(export_file()); });
     set_undo_memory(settings.undo_memory_MiB);
+    view_commands_->light_from(settings.light_elevation_deg, settings.light_azimuth_deg);
     commands_.on(commands::Command::UndoMemory, [this](bool) { ask_undo_memory(); });
     tools::Hand hand = easel_->hand();
     hand.stabiliser = tools::stabiliser_of(settings.steadying);
@@ -87,6 +89,8 @@ void MainWindow::remember() {
     settings.reload_each_stroke = hand.reload_each_stroke;
     settings.turn_with_stroke = hand.turn_with_stroke;
     settings.undo_memory_MiB = undo_memory_MiB_;
+    settings.light_azimuth_deg = canvas_->lighting().azimuth_deg;
+    settings.light_elevation_deg = canvas_->lighting().elevation_deg;
     settings.window_place = to_text(saveGeometry());
     settings.panels = to_text(saveState(kPanelsVersion));
     try {

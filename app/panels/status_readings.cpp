@@ -25,6 +25,9 @@ StatusReadings::StatusReadings(QWidget* parent) : QWidget(parent) {
     selection_->setIndent(selection_->fontMetrics().averageCharWidth() * 3);
     show_selection({}, std::nullopt);
     canvas_ = add(32, tr("Size of the canvas and of its saved picture"));
+    look_ = add(0, tr("What the canvas shows; Alt+1 shows it in its light again"));
+    look_->setObjectName(QStringLiteral("look"));
+    look_->hide();
     turn_ = add(0, tr("How the canvas stands on the screen; 5 puts it upright, M mirrors it"));
     turn_->setObjectName(QStringLiteral("turn"));
     turn_->hide();
@@ -58,6 +61,11 @@ void StatusReadings::show_view(double zoom, double angle_deg, bool mirrored) {
     turn_->setVisible(!turn.isEmpty());
     const double percent = 100.0 * zoom;
     zoom_->setText(QString::number(percent, 'f', percent < 10.0 ? 1 : 0) + " %");
+}
+
+void StatusReadings::show_look(const QString& words) {
+    look_->setText(words);
+    look_->setVisible(!words.isEmpty());
 }
 
 void StatusReadings::show_pointer(std::optional<QPointF> position_mm) {

@@ -20,6 +20,7 @@ class StatusReadings : public QWidget {
 
     void show_canvas(const document::CanvasSettings& canvas);
     void show_view(double zoom, double angle_deg, bool mirrored);  ///< turned clockwise
+    void show_look(const QString& words);  ///< what is shown in place of lit paint; empty: that
     void show_pointer(std::optional<QPointF> position_mm);
     void show_status(const session::Status& status);
 
@@ -35,6 +36,7 @@ class StatusReadings : public QWidget {
     QLabel* speed_ = nullptr;
     QLabel* selection_ = nullptr;
     QLabel* canvas_ = nullptr;
+    QLabel* look_ = nullptr;
     QLabel* turn_ = nullptr;
     QLabel* zoom_ = nullptr;
 };

@@ -74,6 +74,7 @@ std::optional<tools::Pick> CanvasView::pick_wanted(Qt::KeyboardModifiers modifie
 /// Whether the press picks paint, takes hold of a frame or a handle, or draws an area; else it paints.
 bool CanvasView::press_guides(const QPointF& position, Qt::KeyboardModifiers modifiers) {
     if (wanted_ == nullptr) return false;
+    if (press_light(position)) return true;
     if (frame_ && !picks_next_) {
         press_frame(position);
         return true;
@@ -97,6 +98,10 @@ bool CanvasView::press_guides(const QPointF& position, Qt::KeyboardModifiers mod
 /// Whether the movement belongs to a press that does not paint.
 bool CanvasView::drag_guides(const QPointF& position, Qt::KeyboardModifiers modifiers) {
     if (picking_) return true;
+    if (light_drag_) {
+        drag_light(position);
+        return true;
+    }
     if (frame_) {
         if (frame_drag_)
             drag_frame(position, modifiers);
@@ -150,6 +155,7 @@ void CanvasView::release_pointer() {
     easel_->release();
     guide_drag_.release();
     frame_drag_.reset();
+    light_drag_.reset();
     release_area();
     picking_ = false;
 }

@@ -93,6 +93,7 @@ void CanvasView::wheelEvent(QWheelEvent* event) {
 void CanvasView::resizeEvent(QResizeEvent* event) {
     QOpenGLWidget::resizeEvent(event);
     if (fitted_) fit();
+    place_legend();
 }
 
 /// Shift turns the canvas, Control zooms.

@@ -4,11 +4,13 @@
 #include "core/units.hpp"
 #include "view/damaged_pixels.hpp"
 #include "view/guide_lines.hpp"
+#include "view/look_legend.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <glm/common.hpp>
 
@@ -21,6 +23,9 @@ constexpr int kCoolingTime_ms = 60;
 
 /// Longer than the pause between two events of a moving hand.
 constexpr int kWait_ms = 25;
+
+/// A lamp that has not been moved for so long may be left where it is.
+constexpr int kLightRests_ms = 120;
 
 /// A frame that has spent this much on what changed refines nothing more.
 constexpr double kBusy_s = 0.010;
@@ -35,7 +40,7 @@ QRect qt_rect(const grid::Rect& cells) {
 }  // namespace
 
 CanvasView::CanvasView(tools::Easel* easel, document::Surface surface, QWidget* parent)
-    : QOpenGLWidget(parent), easel_(easel), surface_(surface) {
+    : QOpenGLWidget(parent), easel_(easel), surface_(surface), legend_(new LookLegend(this)) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setTabletTracking(true);
@@ -48,6 +53,12 @@ CanvasView::CanvasView(tools::Easel* easel, document::Surface surface, QWidget* 
     cooling_.setInterval(kCoolingTime_ms);
     connect(&cooling_, &QTimer::timeout, this, [this] {
         plan_.let_drafts_cool();
+        update();
+    });
+    light_rests_.setSingleShot(true);
+    light_rests_.setInterval(kLightRests_ms);
+    connect(&light_rests_, &QTimer::timeout, this, [this] {
+        relight_ = true;
         update();
     });
     waiting_.setInterval(kWait_ms);
@@ -101,12 +112,6 @@ void CanvasView::begin_other_canvas() {
     damage_all();
 }
 
-void CanvasView::set_lighting(const shade::Lighting& lighting) {
-    lighting_ = lighting;
-    relight_ = true;
-    update();
-}
-
 void CanvasView::set_viewing(const pigment::Viewing& viewing) {
     viewing_ = viewing;
     recolour_ = true;
@@ -146,8 +151,8 @@ void CanvasView::pick_next(std::optional<tools::Pick> pick) {
 }
 
 bool CanvasView::finished() const {
-    return shown_ == wanted_ && !retrace_ && !relight_ && !recolour_ && !plan_.has_damage() &&
-           !plan_.has_drafts();
+    return shown_ == wanted_ && !retrace_ && !relight_ && !light_rests_.isActive() && !recolour_ &&
+           !relook_ && !plan_.has_damage() && !plan_.has_drafts();
 }
 
 void CanvasView::damage_all() {
@@ -202,6 +207,7 @@ void CanvasView::paintGL() {
         draw_frame_picture();
         draw_frame();
     }
+    if (light_handle_shown_) draw_light_handle();
     draw_tip();
 }
 
@@ -216,19 +222,26 @@ void CanvasView::upload_changes() {
         shown_ = wanted_;
         seen_ = std::move(seen);
         retrace_ = false;
+        if (!relook_) upload_look(changes.tiles);
         plan_.add_damage(damaged_region(changes));
     }
-    if (relight_) {
-        layers_.relight(*shown_, lighting_, pool_);
-        textures_.upload_surface(layers_, qt_rect(layers_.cells_with_border()));
-        relight_ = false;
-        damage_all();
-    }
+    if (relight_) upload_shadows();
+    if (relook_) upload_new_look();
     if (recolour_) {
         textures_.upload_colours(CanvasLayers::recolour(*seen_, viewing_.to_rgb, pool_));
         recolour_ = false;
         damage_all();
     }
+}
+
+void CanvasView::upload_shadows() {
+    QElapsedTimer timer;
+    timer.start();
+    layers_.relight(*shown_, lighting_, pool_);
+    textures_.upload_surface(layers_, qt_rect(layers_.cells_with_border()));
+    shadows_took_s_ = 1e-9 * static_cast<double>(timer.nsecsElapsed());
+    relight_ = false;
+    damage_all();
 }
 
 bool CanvasView::prepare_textures() {
@@ -241,6 +254,9 @@ bool CanvasView::prepare_textures() {
     }
     relight_ = false;
     recolour_ = false;
+    relook_ = true;
+    light_rests_.stop();
+    shadows_took_s_ = 0.0;
     damage_all();
     return true;
 }
@@ -254,7 +270,8 @@ QRegion CanvasView::damaged_region(const LayerChanges& changes) const {
 }
 
 double CanvasView::shade_job(const ShadingPlan::Job& job) {
-    const Scene scene{&textures_, shown_->film.cell_mm, view_, lighting_, viewing_.space};
+    const Scene scene{&textures_, shown_->film.cell_mm, view_,         lighting_,
+                      look_,      scale_top_mm_,        viewing_.space};
     double seconds = 0.0;
     for (const QRect& part : job.region)
         seconds += picture_.shade(part, job.quality, scene);
@@ -303,7 +320,7 @@ double CanvasView::handle_axis_mm() const {
 
 void CanvasView::draw_tip() {
     const bool paints = !view_drag_ && !space_held_ && !picks_next_ && !area_form_ && !frame_;
-    if (!pointer_ || !paints || guide_drag_.active()) return;
+    if (!pointer_ || !paints || guide_drag_.active() || light_drag_) return;
     TipShape tip = tip_;
     tip.rotation_deg = easel_->rotation_deg();
     overlay_.draw_loop(outline_mm(tip), overlay_frame(device_px(*pointer_)), 1.0F);

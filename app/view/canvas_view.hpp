@@ -10,7 +10,9 @@
 #include "view/area_drag.hpp"
 #include "view/brush_outline.hpp"
 #include "view/guide_drag.hpp"
+#include "view/light_handle.hpp"
 #include "view/line_overlay.hpp"
+#include "view/look.hpp"
 #include "view/picture_buffer.hpp"
 #include "view/selection_outline.hpp"
 #include "view/shading_plan.hpp"
@@ -30,6 +32,8 @@ class QTouchEvent;
 
 namespace pastoso::view {
 
+class LookLegend;
+
 class CanvasView : public QOpenGLWidget {
     Q_OBJECT
   public:
@@ -45,6 +49,9 @@ class CanvasView : public QOpenGLWidget {
                        std::optional<glm::dvec2> shift_mm = {});
     void set_easel(tools::Easel* easel);
     void set_lighting(const shade::Lighting& lighting);
+    void set_look(Look look);
+    Look look() const { return look_; }
+    const LookLegend& legend() const { return *legend_; }
     void set_viewing(const pigment::Viewing& viewing);
     void set_tip(const TipShape& tip);
 
@@ -59,6 +66,9 @@ class CanvasView : public QOpenGLWidget {
 
     /// Shows where the selection ends.
     void show_outline(bool shown);
+
+    /// Shows a handle by which the lamp is dragged.
+    void show_light_handle(bool shown);
 
     /// Shows the picture that is traced below the paint.
     void show_tracing(bool shown);
@@ -133,6 +143,9 @@ class CanvasView : public QOpenGLWidget {
     /// Escape was pressed where there was nothing to be given up.
     void escaped();
 
+    /// The lamp is being dragged; it moves where set_lighting() has it.
+    void light_dragged(double elevation_deg, double azimuth_deg);
+
     /// The frame was dragged; what it shows is to be kept; it is to be taken away.
     void frame_dragged(const tools::TransformFrame& frame);
     void frame_accepted();
@@ -160,6 +173,14 @@ class CanvasView : public QOpenGLWidget {
   private:
     void release_graphics();
     void upload_changes();
+    void upload_shadows();
+    void upload_look(const std::vector<int>& tiles);
+    void upload_new_look();
+    void place_legend();
+    LightDial light_dial() const;
+    bool press_light(const QPointF& position);
+    void drag_light(const QPointF& position);
+    void draw_light_handle();
     Tracing seen_tracing() const;
     double shade_job(const ShadingPlan::Job& job);
     void draw_selection();
@@ -231,6 +252,15 @@ class CanvasView : public QOpenGLWidget {
     bool fitted_ = true;  ///< follows the window's size until the painter zooms or pans
     shade::Lighting lighting_;
     bool relight_ = false;  ///< the shadows are still those of another light
+    QTimer light_rests_;    ///< when it fires, shadows follow the light
+    double shadows_took_s_ = 0.0;
+    bool light_handle_shown_ = false;
+    std::optional<glm::dvec2> light_drag_;  ///< from the pointer to the lamp
+    Look look_ = Look::Lit;
+    bool relook_ = false;      ///< what it shows is still that of another look
+    double highest_mm_ = 0.0;  ///< of the paint, while heights are shown
+    double scale_top_mm_ = 1.0;
+    LookLegend* legend_;
     pigment::Viewing viewing_;
     bool recolour_ = false;  ///< the colours are still those of another light
     TipShape tip_;

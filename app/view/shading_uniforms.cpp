@@ -23,6 +23,23 @@ void set_light(QOpenGLShaderProgram& program, const shade::ShadingConstants& lig
     program.setUniformValue("inverse_softness_per_mm", light.inverse_softness_per_mm);
 }
 
+QVector3D colour(const Rgb& rgb) {
+    return {rgb[0], rgb[1], rgb[2]};
+}
+
+void set_look(QOpenGLShaderProgram& program, const Scene& scene) {
+    if (scene.look == Look::Lit) return;
+    program.setUniformValue("scale_top_mm", static_cast<float>(scene.scale_top_mm));
+    program.setUniformValue("wet_range_mm", vector({kThinnestWet_mm, kThickestWet_mm}));
+    program.setUniformValue("wet_tint", colour(kWetTint));
+    program.setUniformValue("full_tint", static_cast<float>(kFullTint));
+    program.setUniformValue("grey_share", static_cast<float>(kGreyShare));
+    std::array<QVector3D, kHeightSteps> steps;
+    for (int step = 0; step < kHeightSteps; ++step)
+        steps[step] = colour(kHeightColours[step]);
+    program.setUniformValueArray("height_colours", steps.data(), kHeightSteps);
+}
+
 }  // namespace
 
 void set_shading_uniforms(QOpenGLShaderProgram& program, const Scene& scene, const Sampling& sampling) {
@@ -37,6 +54,7 @@ void set_shading_uniforms(QOpenGLShaderProgram& program, const Scene& scene, con
     program.setUniformValue("colour_sharpness", shade::colour_sharpness(scene.view.zoom));
     const std::array<float, 3> weights = pigment::luminance_weights(scene.space);
     program.setUniformValue("luminance_weights", QVector3D(weights[0], weights[1], weights[2]));
+    set_look(program, scene);
     set_light(program, shade::shading_constants(scene.lighting));
 }
 
