@@ -70,6 +70,15 @@ void LightChoice::use_space(pigment::WorkingSpace space) {
     show();
 }
 
+void LightChoice::light_from(double elevation_deg, double azimuth_deg) {
+    shade::Lighting lighting = studio_.canvas().lighting();
+    lighting.elevation_deg = elevation_deg;
+    lighting.azimuth_deg = azimuth_deg;
+    for (view::CanvasView* view : studio_.views())
+        view->set_lighting(lighting);
+    stand_->show_light(lighting);
+}
+
 LightChoice::LightChoice(Studio& studio, panels::EaselPanel* stand) : studio_(studio), stand_(stand) {
     auto* lights = new QActionGroup(this);
     auto* spaces = new QActionGroup(this);
@@ -85,14 +94,10 @@ LightChoice::LightChoice(Studio& studio, panels::EaselPanel* stand) : studio_(st
     }
     connect(stand_, &panels::EaselPanel::illuminant_chosen, this, &LightChoice::use);
     connect(stand_, &panels::EaselPanel::illuminant_file_wanted, this, &LightChoice::ask);
-    connect(stand_, &panels::EaselPanel::light_moved, this,
-            [this](double elevation_deg, double azimuth_deg) {
-                shade::Lighting lighting = studio_.canvas().lighting();
-                lighting.elevation_deg = elevation_deg;
-                lighting.azimuth_deg = azimuth_deg;
-                for (view::CanvasView* view : studio_.views())
-                    view->set_lighting(lighting);
-            });
+    connect(stand_, &panels::EaselPanel::light_moved, this, &LightChoice::light_from);
+    studio_.commands().on(Command::MoveLight,
+                          [this](bool shown) { studio_.canvas().show_light_handle(shown); });
+    connect(&studio_.canvas(), &view::CanvasView::light_dragged, this, &LightChoice::light_from);
     show();
 }
 

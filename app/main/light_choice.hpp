@@ -22,6 +22,9 @@ class LightChoice : public QObject {
     void use(const QString& name_or_path);
     void use_space(pigment::WorkingSpace space);
 
+    /// Moves the lamp over canvas and well, and shows where it is.
+    void light_from(double elevation_deg, double azimuth_deg);
+
     /// Of the light, or the path of its file.
     const QString& name() const { return name_; }
 

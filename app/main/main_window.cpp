@@ -51,7 +51,7 @@ struct MainWindow::Parts {
           pictures(studio),
           exporting(studio, files, light),
           paints(studio, panels.colours),
-          memory(studio, panels, undo, well),
+          memory(studio, panels, light, undo, well),
           keys(studio) {}
 
     CanvasSizing sizing;
@@ -105,6 +105,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(parts_->exporting.may_stop() && parts_->files.may_discard());
     if (!event->isAccepted()) return;
     parts_->exporting.exporter().stop();
+    parts_->view.leave_canvas_only();
     parts_->paints.remember();
     parts_->memory.remember();
     session().discard_journal();

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/user_data.hpp"
+#include "main/light_choice.hpp"
 #include "main/undo_commands.hpp"
 #include "main/well_commands.hpp"
 #include "panels/brush_panel.hpp"
@@ -30,9 +31,9 @@ std::string to_text(const QByteArray& bytes) {
 
 }  // namespace
 
-WindowMemory::WindowMemory(Studio& studio, const PanelSet& panels, UndoCommands& undo,
-                           WellCommands& well)
-    : studio_(studio), panels_(panels), undo_(undo), well_(well) {
+WindowMemory::WindowMemory(Studio& studio, const PanelSet& panels, LightChoice& light,
+                           UndoCommands& undo, WellCommands& well)
+    : studio_(studio), panels_(panels), light_(light), undo_(undo), well_(well) {
     studio_.commands().on(commands::Command::ResetPanels, [this](bool) { reset_panels(); });
 }
 
@@ -47,6 +48,7 @@ void WindowMemory::recall() {
         usable_ = false;
     }
     undo_.set_memory(settings.undo_memory_MiB);
+    light_.light_from(settings.light_elevation_deg, settings.light_azimuth_deg);
     tools::Hand hand = studio_.easel().hand();
     hand.stabiliser = tools::stabiliser_of(settings.steadying);
     hand.reload_each_stroke = settings.reload_each_stroke;
@@ -65,6 +67,8 @@ void WindowMemory::remember() {
     settings.reload_each_stroke = hand.reload_each_stroke;
     settings.turn_with_stroke = hand.turn_with_stroke;
     settings.undo_memory_MiB = undo_.memory_MiB();
+    settings.light_azimuth_deg = studio_.canvas().lighting().azimuth_deg;
+    settings.light_elevation_deg = studio_.canvas().lighting().elevation_deg;
     settings.window_place = to_text(studio_.window().saveGeometry());
     settings.panels = to_text(studio_.window().saveState(kPanelsVersion));
     try {

@@ -9,13 +9,15 @@
 
 namespace pastoso::main {
 
+class LightChoice;
 class UndoCommands;
 class WellCommands;
 
 class WindowMemory : public QObject {
     Q_OBJECT
   public:
-    WindowMemory(Studio& studio, const PanelSet& panels, UndoCommands& undo, WellCommands& well);
+    WindowMemory(Studio& studio, const PanelSet& panels, LightChoice& light, UndoCommands& undo,
+                 WellCommands& well);
 
     /// A file that cannot be read is told, and left as it is.
     void recall();
@@ -26,6 +28,7 @@ class WindowMemory : public QObject {
 
     Studio& studio_;
     const PanelSet& panels_;
+    LightChoice& light_;
     UndoCommands& undo_;
     WellCommands& well_;
     QByteArray first_panels_;  ///< how the panels stand unless the painter moves them

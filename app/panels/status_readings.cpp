@@ -30,6 +30,12 @@ StatusReadings::StatusReadings(QWidget* parent) : QWidget(parent) {
     memory_ = add(9, tr("Memory that the program holds: the painting, its history and its pictures"));
     memory_->setObjectName(QStringLiteral("memory"));
     canvas_ = add(32, tr("Size of the canvas and of its saved picture"));
+    look_ = add(0, tr("What the canvas shows; Alt+1 shows it in its light again"));
+    look_->setObjectName(QStringLiteral("look"));
+    look_->hide();
+    turn_ = add(0, tr("How the canvas stands on the screen; 5 puts it upright, M mirrors it"));
+    turn_->setObjectName(QStringLiteral("turn"));
+    turn_->hide();
     zoom_ = add(7, tr("Screen pixels for a pixel of the saved picture"));
     constexpr int kMemoryInterval_ms = 2000;
     connect(&memory_looked_at_, &QTimer::timeout, this, &StatusReadings::show_memory);
@@ -55,9 +61,20 @@ void StatusReadings::show_canvas(const document::CanvasSettings& canvas) {
                          .arg(shape.height));
 }
 
-void StatusReadings::show_zoom(double zoom) {
+void StatusReadings::show_view(double zoom, double angle_deg, bool mirrored) {
+    QStringList turn;
+    const double shown_deg = 0.1 * std::round(10.0 * angle_deg);
+    if (mirrored) turn += tr("mirrored");
+    if (shown_deg != 0.0) turn += tr("turned %1°").arg(shown_deg);
+    turn_->setText(turn.join(QStringLiteral(", ")));
+    turn_->setVisible(!turn.isEmpty());
     const double percent = 100.0 * zoom;
     zoom_->setText(QString::number(percent, 'f', percent < 10.0 ? 1 : 0) + " %");
+}
+
+void StatusReadings::show_look(const QString& words) {
+    look_->setText(words);
+    look_->setVisible(!words.isEmpty());
 }
 
 void StatusReadings::show_pointer(std::optional<QPointF> position_mm) {

@@ -20,7 +20,8 @@ class StatusReadings : public QWidget {
     explicit StatusReadings(QWidget* parent = nullptr);
 
     void show_canvas(const document::CanvasSettings& canvas);
-    void show_zoom(double zoom);
+    void show_view(double zoom, double angle_deg, bool mirrored);  ///< turned clockwise
+    void show_look(const QString& words);  ///< what is shown in place of lit paint; empty: that
     void show_pointer(std::optional<QPointF> position_mm);
     void show_status(const session::Status& status);
 
@@ -38,6 +39,8 @@ class StatusReadings : public QWidget {
     QLabel* selection_ = nullptr;
     QLabel* memory_ = nullptr;
     QLabel* canvas_ = nullptr;
+    QLabel* look_ = nullptr;
+    QLabel* turn_ = nullptr;
     QLabel* zoom_ = nullptr;
     QTimer memory_looked_at_;
 };

@@ -18,6 +18,7 @@ const char* const kStyleSheet = R"(
 QToolTip { background: #1d1d1f; color: #dadadc; border: 1px solid #55555a; padding: 4px; }
 QLabel#heading { font-weight: 600; color: #a9a9ae; }
 QLabel#reading { color: #a9a9ae; }
+QLabel#canvas_note { background: #2b2b2d; color: #dadadc; border: 1px solid #55555a; border-radius: 4px; padding: 5px 9px; }
 QToolBar { background: #2b2b2d; border: none; border-bottom: 1px solid #1f1f21; spacing: 4px; padding: 4px; }
 QMenuBar { background: #2b2b2d; border-bottom: 1px solid #1f1f21; }
 QMenuBar::item { padding: 5px 10px; background: transparent; }

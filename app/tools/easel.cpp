@@ -327,8 +327,8 @@ void Easel::follow(const Pointer& pointer) {
     if (note_hand_) note_hand_();
     waited_s_ = 0.0;
     heading_.moved_to(pointer.x_mm, pointer.y_mm);
-    rotation_deg_ =
-        pointer.rotation_deg.value_or(hand_.turn_with_stroke ? heading_.rotation_deg() : 0.0);
+    const double held_deg = hand_.turn_with_stroke ? heading_.rotation_deg() : pointer.hand_deg;
+    rotation_deg_ = pointer.rotation_deg.value_or(held_deg);
 }
 
 /// The sample in the engine's terms. Time starts at the first touch and never runs backwards, even where

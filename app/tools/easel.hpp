@@ -23,7 +23,8 @@ struct Pointer {
     double tilt_x_deg = 0.0;
     double tilt_y_deg = 0.0;
     std::optional<double> rotation_deg;  ///< of the pen about its axis, where it can tell
-    std::uint64_t time_ms = 0;           ///< of the event, on the windowing system's clock
+    double hand_deg = 0.0;  ///< of a tip's width that neither the pen nor its way turns: the hand's own
+    std::uint64_t time_ms = 0;  ///< of the event, on the windowing system's clock
 };
 
 /// The pressure of a mouse, which has none.

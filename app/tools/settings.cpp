@@ -37,6 +37,14 @@ double read_strength(const JsonPlace& place, double most) {
     return strength;
 }
 
+double read_angle(const JsonPlace& place, double least, double most) {
+    const double angle = place.number();
+    if (!(angle >= least && angle <= most))
+        place.fail(place.value().dump() + " is not between " + Json(least).dump() + " and " +
+                   Json(most).dump() + ".");
+    return angle;
+}
+
 Json steadying_json(const Steadying& steadying) {
     return {{"mode", name_of(steadying.mode)},
             {"smoothing_ms", steadying.smoothing_ms},
@@ -55,7 +63,12 @@ Steadying read_steadying(const JsonPlace& place) {
 Settings read_settings(const std::filesystem::path& file) {
     Settings settings;
     read_memory(file, kVersion, [&](const JsonPlace& root) {
-        root.allow_only({"version", "pen", "window", "undo_memory_MiB"});
+        root.allow_only({"version", "pen", "window", "undo_memory_MiB", "light"});
+        if (const auto light = root.optional_entry("light")) {
+            light->allow_only({"azimuth_deg", "elevation_deg"});
+            settings.light_azimuth_deg = read_angle(light->entry("azimuth_deg"), 0.0, 360.0);
+            settings.light_elevation_deg = read_angle(light->entry("elevation_deg"), 5.0, 90.0);
+        }
         if (const auto memory = root.optional_entry("undo_memory_MiB"))
             settings.undo_memory_MiB =
                 static_cast<int>(memory->integer(kLeastUndoMemory_MiB, kMostUndoMemory_MiB));
@@ -78,6 +91,9 @@ void write_settings(const Settings& settings, const std::filesystem::path& file)
                     {"reload_each_stroke", settings.reload_each_stroke},
                     {"turn_with_stroke", settings.turn_with_stroke}}},
                   {"undo_memory_MiB", settings.undo_memory_MiB},
+                  {"light",
+                   {{"azimuth_deg", settings.light_azimuth_deg},
+                    {"elevation_deg", settings.light_elevation_deg}}},
                   {"window", {{"place", settings.window_place}, {"panels", settings.panels}}}},
                  file);
 }

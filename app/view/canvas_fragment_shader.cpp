@@ -4,12 +4,15 @@ namespace pastoso::view {
 
 // The names are those of shade/shading_model.hpp and shade/sampling.hpp. The textures carry a border of
 // two cells, so that no fetch has to look where the canvas ends.
-const char* const kCanvasFragmentShader = R"(#version 330 core
+namespace {
+
+const char* const kShader = R"(
 uniform sampler2D surface_layers;      // spline coefficients of h, the shadow's height, the sky's share
 uniform sampler2D colour_and_wetness;
 uniform vec2 canvas_cells;
 uniform float cell_mm;
 uniform vec2 origin_px;                // of the canvas, device pixels
+uniform mat2 canvas_from_screen;       // turns directions
 uniform float px_per_cell;
 uniform float pixel_size;              // side of a fragment, device pixels
 uniform int samples_per_side;          // of a fragment
@@ -130,6 +133,55 @@ vec3 encode_srgb(vec3 linear) {
     return mix(high, low, lessThanEqual(linear, vec3(0.0031308)));
 }
 
+#if LOOK == 0
+vec3 sample_at(vec2 cell) { return shade(surface_at(cell)); }
+vec3 on_screen(vec3 mean) { return encode_srgb(into_gamut(mean)); }
+#else
+uniform sampler2D look_thickness;      // mm
+uniform float scale_top_mm;
+uniform vec3 height_colours[10];       // encoded, as all that follows
+uniform vec2 wet_range_mm;
+uniform vec3 wet_tint;
+uniform float full_tint;
+uniform float grey_share;
+
+float look_thickness_at(vec2 cell) {
+    vec2 centred = cell - 0.5;
+    vec2 whole = floor(centred);
+    vec2 t = centred - whole;
+    ivec2 first = ivec2(whole) + kBorder;
+    vec2 near = vec2(texelFetch(look_thickness, first, 0).r, texelFetch(look_thickness, first + ivec2(1, 0), 0).r);
+    vec2 far = vec2(texelFetch(look_thickness, first + ivec2(0, 1), 0).r,
+                    texelFetch(look_thickness, first + ivec2(1, 1), 0).r);
+    vec2 rows = mix(near, far, t.y);
+    return mix(rows.x, rows.y, t.x);
+}
+
+vec3 wet_over(vec3 lit, float wet_mm) {
+    vec3 grey = vec3(grey_share * encode_srgb(vec3(clamp(dot(luminance_weights, lit), 0.0, 1.0))).r);
+    float share = log(max(wet_mm, wet_range_mm.x) / wet_range_mm.x) / log(wet_range_mm.y / wet_range_mm.x);
+    return mix(grey, wet_tint, full_tint * min(share, 1.0));
+}
+
+// Encoded.
+vec3 sample_at(vec2 cell) {
+    SurfacePoint point = surface_at(cell);
+#if LOOK == 1
+    return wet_over(shade(point), look_thickness_at(cell));
+#elif LOOK == 2
+    float share = look_thickness_at(cell) / scale_top_mm;
+    return height_colours[int(clamp(floor(10.0 * share), 0.0, 9.0))];
+#elif LOOK == 3
+    vec3 normal = normalize(vec3(-point.slope.x, point.slope.y, 1.0));
+    return 0.5 + 0.5 * normal;
+#else
+    return encode_srgb(into_gamut(point.colour));
+#endif
+}
+
+vec3 on_screen(vec3 mean) { return mean; }
+#endif
+
 // A neutral desk with the soft shadow of the canvas's edge.
 vec3 desk(vec2 cell) {
     vec2 outside_px = max(max(-cell, cell - canvas_cells), 0.0) * px_per_cell;
@@ -139,23 +191,30 @@ vec3 desk(vec2 cell) {
 
 void main() {
     vec2 corner_px = (gl_FragCoord.xy - 0.5) * pixel_size;
-    vec2 corner_cell = (corner_px - origin_px) / px_per_cell;
+    vec2 corner_cell = canvas_from_screen * (corner_px - origin_px) / px_per_cell;
     float step_cells = pixel_size / (px_per_cell * float(samples_per_side));
     vec3 sum = vec3(0.0);
     float covered = 0.0;
     for (int j = 0; j < samples_per_side; ++j) {
         for (int i = 0; i < samples_per_side; ++i) {
-            vec2 cell = corner_cell + step_cells * (vec2(i, j) + 0.5);
+            vec2 cell = corner_cell + canvas_from_screen * (step_cells * (vec2(i, j) + 0.5));
             if (any(lessThan(cell, vec2(0.0))) || any(greaterThanEqual(cell, canvas_cells))) continue;
-            sum += shade(surface_at(cell));
+            sum += sample_at(cell);
             covered += 1.0;
         }
     }
-    vec3 around = desk(corner_cell + 0.5 * pixel_size / px_per_cell);
+    vec3 around = desk(corner_cell + canvas_from_screen * vec2(0.5 * pixel_size / px_per_cell));
     float share = covered / float(samples_per_side * samples_per_side);
-    vec3 canvas = covered > 0.0 ? encode_srgb(into_gamut(sum / covered)) : vec3(0.0);
+    vec3 mean = sum / max(covered, 1.0);
+    vec3 canvas = on_screen(mean);
     screen_colour = vec4(mix(around, canvas, share), 1.0);
 }
 )";
+
+}  // namespace
+
+std::string canvas_fragment_shader(Look look) {
+    return "#version 330 core\n#define LOOK " + std::to_string(static_cast<int>(look)) + kShader;
+}
 
 }  // namespace pastoso::view

@@ -1,8 +1,7 @@
 // The part of CanvasView that listens to pen, mouse and keys.
 
 #include "view/canvas_view.hpp"
-
-#include <cmath>
+#include "view/turned_pen.hpp"
 
 #include <QEnterEvent>
 #include <QFocusEvent>
@@ -10,29 +9,25 @@
 #include <QMouseEvent>
 #include <QPointingDevice>
 #include <QTabletEvent>
-#include <QWheelEvent>
 
 namespace pastoso::view {
 namespace {
-
-/// One notch of a wheel (120 eighths of a degree) zooms by this factor.
-constexpr double kZoomPerNotch = 1.25;
-constexpr double kNotch = 120.0;
 
 /// So near to a handle a press takes hold of it.
 constexpr double kHandleReach_px = 9.0;
 
 }  // namespace
 
-tools::Pointer CanvasView::mouse_pointer(const QMouseEvent& event) const {
-    const glm::dvec2 mm = canvas_mm(event.position());
+/// Of a mouse or a finger.
+tools::Pointer CanvasView::pointer_at(const QPointF& position, std::uint64_t time_ms) const {
+    const glm::dvec2 mm = canvas_mm(position);
     tools::Pointer pointer;
     pointer.surface = surface_;
     pointer.x_mm = mm.x;
     pointer.y_mm = mm.y;
     pointer.pressure = tools::kMousePressure;
-    pointer.time_ms = event.timestamp();
-    return pointer;
+    pointer.time_ms = time_ms;
+    return against_canvas(view_, pointer);
 }
 
 tools::Pointer CanvasView::pen_pointer(const QTabletEvent& event) const {
@@ -49,7 +44,7 @@ tools::Pointer CanvasView::pen_pointer(const QTabletEvent& event) const {
     if (device != nullptr && device->capabilities().testFlag(QInputDevice::Capability::Rotation)) {
         pointer.rotation_deg = event.rotation();
     }
-    return pointer;
+    return against_canvas(view_, pointer);
 }
 
 /// Control squeezes paint onto the well instead of painting there.
@@ -79,6 +74,7 @@ std::optional<tools::Pick> CanvasView::pick_wanted(Qt::KeyboardModifiers modifie
 /// Whether the press picks paint, takes hold of a frame or a handle, or draws an area; else it paints.
 bool CanvasView::press_guides(const QPointF& position, Qt::KeyboardModifiers modifiers) {
     if (wanted_ == nullptr) return false;
+    if (press_light(position)) return true;
     if (frame_ && !picks_next_) {
         press_frame(position);
         return true;
@@ -102,6 +98,10 @@ bool CanvasView::press_guides(const QPointF& position, Qt::KeyboardModifiers mod
 /// Whether the movement belongs to a press that does not paint.
 bool CanvasView::drag_guides(const QPointF& position, Qt::KeyboardModifiers modifiers) {
     if (picking_) return true;
+    if (light_drag_) {
+        drag_light(position);
+        return true;
+    }
     if (frame_) {
         if (frame_drag_)
             drag_frame(position, modifiers);
@@ -124,28 +124,27 @@ bool CanvasView::drag_guides(const QPointF& position, Qt::KeyboardModifiers modi
 void CanvasView::mousePressEvent(QMouseEvent* event) {
     follow_pointer(event->position());
     if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && space_held_)) {
-        start_panning(event->position());
+        begin_view_drag(event->position(), event->modifiers());
     } else if (event->button() == Qt::LeftButton &&
                !press_guides(event->position(), event->modifiers())) {
-        touch_down(mouse_pointer(*event), event->modifiers());
+        touch_down(pointer_at(event->position(), event->timestamp()), event->modifiers());
     }
 }
 
 void CanvasView::mouseMoveEvent(QMouseEvent* event) {
-    if (pan_from_) pan_to(event->position());
+    if (view_drag_) drag_view(event->position(), event->modifiers());
     follow_pointer(event->position());
     // A release that got lost on its way is made good here.
     if (!event->buttons().testFlag(Qt::LeftButton)) release_pointer();
-    if (!pan_from_ && !drag_guides(event->position(), event->modifiers()))
-        easel_->move(mouse_pointer(*event));
+    if (!view_drag_ && !drag_guides(event->position(), event->modifiers()))
+        easel_->move(pointer_at(event->position(), event->timestamp()));
 }
 
 void CanvasView::mouseReleaseEvent(QMouseEvent* event) {
-    if (pan_from_ && event->button() != Qt::RightButton) {
-        pan_from_.reset();
-        set_cursor();
+    if (view_drag_ && event->button() != Qt::RightButton) {
+        end_view_drag();
     } else if (event->button() == Qt::LeftButton) {
-        if (easel_->painting()) easel_->move(mouse_pointer(*event));
+        if (easel_->painting()) easel_->move(pointer_at(event->position(), event->timestamp()));
         if (area_drag_.active()) drag_area(event->position(), event->modifiers());
         if (frame_drag_) drag_frame(event->position(), event->modifiers());
         release_pointer();
@@ -156,25 +155,26 @@ void CanvasView::release_pointer() {
     easel_->release();
     guide_drag_.release();
     frame_drag_.reset();
+    light_drag_.reset();
     release_area();
     picking_ = false;
 }
 
 void CanvasView::tabletEvent(QTabletEvent* event) {
     event->accept();
-    if (pan_from_) pan_to(event->position());
+    if (view_drag_) drag_view(event->position(), event->modifiers());
     follow_pointer(event->position());
     switch (event->type()) {
         case QEvent::TabletPress:
             if (space_held_ || event->button() == Qt::MiddleButton) {
-                start_panning(event->position());
+                begin_view_drag(event->position(), event->modifiers());
             } else if (event->button() == Qt::LeftButton &&
                        !press_guides(event->position(), event->modifiers())) {
                 touch_down(pen_pointer(*event), event->modifiers());
             }
             break;
         case QEvent::TabletRelease:
-            pan_from_.reset();
+            view_drag_.reset();
             if (area_drag_.active()) drag_area(event->position(), event->modifiers());
             if (frame_drag_) drag_frame(event->position(), event->modifiers());
             if (event->button() == Qt::LeftButton) release_pointer();
@@ -182,30 +182,9 @@ void CanvasView::tabletEvent(QTabletEvent* event) {
             break;
         default:
             if (!event->buttons().testFlag(Qt::LeftButton)) release_pointer();
-            if (!pan_from_ && !drag_guides(event->position(), event->modifiers()))
+            if (!view_drag_ && !drag_guides(event->position(), event->modifiers()))
                 easel_->move(pen_pointer(*event));
     }
-}
-
-void CanvasView::wheelEvent(QWheelEvent* event) {
-    const double notches = event->angleDelta().y() / kNotch;
-    if (notches == 0.0) return;
-    fitted_ = false;
-    set_view(zoomed(view_, device_px(event->position()), std::pow(kZoomPerNotch, notches)));
-    follow_pointer(event->position());
-}
-
-void CanvasView::start_panning(const QPointF& position) {
-    easel_->release();
-    pan_from_ = position;
-    set_cursor();
-}
-
-void CanvasView::pan_to(const QPointF& position) {
-    const glm::dvec2 drag = device_px(position) - device_px(*pan_from_);
-    pan_from_ = position;
-    fitted_ = false;
-    if (wanted_ != nullptr) set_view(panned(view_, drag, canvas_cells(), window_px()));
 }
 
 void CanvasView::keyPressEvent(QKeyEvent* event) {
@@ -243,7 +222,7 @@ void CanvasView::leaveEvent(QEvent*) {
 
 /// The brush's own outline stands for the cursor, except where the hand moves the canvas or a frame.
 void CanvasView::set_cursor() {
-    setCursor(pan_from_     ? Qt::ClosedHandCursor
+    setCursor(view_drag_    ? Qt::ClosedHandCursor
               : space_held_ ? Qt::OpenHandCursor
               : picks_next_ ? Qt::PointingHandCursor
               : frame_      ? frame_cursor()

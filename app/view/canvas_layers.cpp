@@ -35,16 +35,6 @@ std::vector<Rect> bands(const QRegion& region) {
     return parts;
 }
 
-/// The cells of a tile, with the border where it lies at the canvas's edge.
-Rect tile_with_border(const grid::Shape& shape, int tile) {
-    Rect cells = shape.tile_cells(tile);
-    if (cells.x0 == 0) cells.x0 -= kLayerBorder;
-    if (cells.y0 == 0) cells.y0 -= kLayerBorder;
-    if (cells.x1 == shape.width) cells.x1 += kLayerBorder;
-    if (cells.y1 == shape.height) cells.y1 += kLayerBorder;
-    return cells;
-}
-
 ColourPatch colour_patch(const document::Snapshot& snapshot, int tile,
                          const pigment::BandsToRgb& to_rgb) {
     ColourPatch patch{tile_with_border(snapshot.film.shape, tile), {}};
@@ -59,6 +49,15 @@ shade::HeightRange united(const shade::HeightRange& a, const shade::HeightRange&
 }
 
 }  // namespace
+
+Rect tile_with_border(const grid::Shape& shape, int tile) {
+    Rect cells = shape.tile_cells(tile);
+    if (cells.x0 == 0) cells.x0 -= kLayerBorder;
+    if (cells.y0 == 0) cells.y0 -= kLayerBorder;
+    if (cells.x1 == shape.width) cells.x1 += kLayerBorder;
+    if (cells.y1 == shape.height) cells.y1 += kLayerBorder;
+    return cells;
+}
 
 std::vector<int> changed_tiles(const document::Snapshot* shown, const document::Snapshot& next) {
     std::vector<int> tiles;
@@ -93,6 +92,7 @@ LayerChanges CanvasLayers::update(const document::Snapshot* shown, const documen
     const std::vector<int> tiles = changed_tiles(shown, next);
     LayerChanges changes;
     if (tiles.empty()) return changes;
+    changes.tiles = tiles;
     const shade::HeightRange range_before = range_;
     range_ = shade::surface_range(next.film);
     changes.surface = surface_region(tiles, next.film.cell_mm, lighting, united(range_before, range_));

@@ -28,10 +28,14 @@ struct ColourPatch {
     std::vector<shade::CellColour> colours;  ///< row by row
 };
 
+/// The cells of a tile, with the border where it lies at the canvas's edge.
+grid::Rect tile_with_border(const grid::Shape& shape, int tile);
+
 /// What an update changed, in cells of the canvas (border cells have negative or too large numbers).
 struct LayerChanges {
     QRegion surface;
     std::vector<ColourPatch> colours;
+    std::vector<int> tiles;  ///< whose paint it is
 };
 
 /// The tiles whose picture may differ between two snapshots of one canvas. Tiles that share their

@@ -67,6 +67,8 @@ void CanvasView::leave_areas() {
     } else if (area_form_) {
         draw_areas(std::nullopt);
         Q_EMIT areas_left();
+    } else {
+        Q_EMIT escaped();
     }
 }
 
@@ -80,8 +82,13 @@ void CanvasView::draw_selection() {
 }
 
 grid::Rect CanvasView::seen_cells() const {
-    const glm::dvec2 first = glm::max(glm::floor(view_.cell_from_device({0.0, 0.0})), 0.0);
-    const glm::dvec2 last = glm::min(glm::ceil(view_.cell_from_device(window_px())), canvas_cells());
+    const glm::dvec2 window = window_px();
+    glm::dvec2 first = canvas_cells(), last{0.0, 0.0};
+    for (const glm::dvec2& px : {{0.0, 0.0}, window, {window.x, 0.0}, {0.0, window.y}}) {
+        const glm::dvec2 cell = view_.cell_from_device(px);
+        first = glm::min(first, glm::max(glm::floor(cell), 0.0));
+        last = glm::max(last, glm::min(glm::ceil(cell), canvas_cells()));
+    }
     return {static_cast<int>(first.x), static_cast<int>(first.y), static_cast<int>(last.x),
             static_cast<int>(last.y)};
 }

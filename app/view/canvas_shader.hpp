@@ -2,13 +2,18 @@
 // same spline surface.
 #pragma once
 
+#include "view/look.hpp"
+
+#include <string>
+
 namespace pastoso::view {
 
 /// One triangle that covers the viewport.
 extern const char* const kCanvasVertexShader;
 
-/// A pixel of the window: the lit canvas, or the desk around it.
-extern const char* const kCanvasFragmentShader;
+/// A pixel of the window: the canvas, or the desk around it. Every look has a program of its own: on a
+/// processor one with branches computes all of them.
+std::string canvas_fragment_shader(Look look);
 
 /// Lines over the picture, their places in millimetres.
 extern const char* const kLineVertexShader;

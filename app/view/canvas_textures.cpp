@@ -26,7 +26,8 @@ void CanvasTextures::release() {
     if (gl_ == nullptr) return;
     gl_->glDeleteTextures(1, &surface_);
     gl_->glDeleteTextures(1, &colour_);
-    surface_ = colour_ = 0;
+    gl_->glDeleteTextures(1, &look_);
+    surface_ = colour_ = look_ = 0;
 }
 
 GLuint CanvasTextures::make_texture(GLenum internal_format, GLenum format) {
@@ -62,11 +63,23 @@ void CanvasTextures::upload_colours(const std::vector<ColourPatch>& patches) {
     }
 }
 
-void CanvasTextures::bind(int surface_unit, int colour_unit) {
+void CanvasTextures::upload_look(const std::vector<LookPatch>& patches) {
+    if (look_ == 0) look_ = make_texture(GL_R32F, GL_RED);
+    gl_->glBindTexture(GL_TEXTURE_2D, look_);
+    for (const LookPatch& patch : patches) {
+        gl_->glTexSubImage2D(GL_TEXTURE_2D, 0, patch.cells.x0 + kLayerBorder,
+                             patch.cells.y0 + kLayerBorder, patch.cells.width(), patch.cells.height(),
+                             GL_RED, GL_FLOAT, patch.thickness_mm.data());
+    }
+}
+
+void CanvasTextures::bind(int surface_unit, int colour_unit, int look_unit) {
     gl_->glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(surface_unit));
     gl_->glBindTexture(GL_TEXTURE_2D, surface_);
     gl_->glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(colour_unit));
     gl_->glBindTexture(GL_TEXTURE_2D, colour_);
+    gl_->glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(look_unit));
+    gl_->glBindTexture(GL_TEXTURE_2D, look_);
     gl_->glActiveTexture(GL_TEXTURE0);
 }
 

@@ -3,6 +3,7 @@
 
 #include "grid/shape.hpp"
 #include "view/canvas_layers.hpp"
+#include "view/look_layer.hpp"
 
 #include <QOpenGLExtraFunctions>
 
@@ -17,7 +18,9 @@ class CanvasTextures {
 
     void upload_surface(const CanvasLayers& layers, const QRegion& cells);
     void upload_colours(const std::vector<ColourPatch>& patches);
-    void bind(int surface_unit, int colour_unit);
+    /// What a look shows; the texture for it is made when it is first wanted.
+    void upload_look(const std::vector<LookPatch>& patches);
+    void bind(int surface_unit, int colour_unit, int look_unit);
 
     const grid::Shape& shape() const { return shape_; }
 
@@ -28,6 +31,7 @@ class CanvasTextures {
     grid::Shape shape_;
     GLuint surface_ = 0;
     GLuint colour_ = 0;
+    GLuint look_ = 0;
 };
 
 }  // namespace pastoso::view

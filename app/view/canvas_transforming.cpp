@@ -139,7 +139,9 @@ QCursor CanvasView::frame_cursor() const {
     const tools::FrameHold hold = frame_drag_ ? frame_drag_->hold : hold_under(*pointer_);
     if (hold.kind == tools::FrameHold::Kind::Move) return Qt::SizeAllCursor;
     if (hold.kind == tools::FrameHold::Kind::Turn) return turning_cursor();
-    return scaling_cursor(tools::handle_mm(*frame_, hold.side) - tools::handle_mm(*frame_, {0, 0}));
+    const QPointF way = widget_position(tools::handle_mm(*frame_, hold.side)) -
+                        widget_position(tools::handle_mm(*frame_, {0, 0}));
+    return scaling_cursor({way.x(), way.y()});
 }
 
 /// The box as it was is drawn faintly.

@@ -2,12 +2,15 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "view/damaged_pixels.hpp"
 #include "view/guide_lines.hpp"
+#include "view/look_legend.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <glm/common.hpp>
 
@@ -21,6 +24,9 @@ constexpr int kCoolingTime_ms = 60;
 /// Longer than the pause between two events of a moving hand.
 constexpr int kWait_ms = 25;
 
+/// A lamp that has not been moved for so long may be left where it is.
+constexpr int kLightRests_ms = 120;
+
 /// A frame that has spent this much on what changed refines nothing more.
 constexpr double kBusy_s = 0.010;
 
@@ -31,23 +37,14 @@ QRect qt_rect(const grid::Rect& cells) {
     return {cells.x0, cells.y0, cells.width(), cells.height()};
 }
 
-/// The device pixels in whose picture these cells have a part.
-QRect device_rect(const ViewTransform& view, const QRect& cells) {
-    const glm::dvec2 first{cells.x() - kLayerBorder, cells.y() - kLayerBorder};
-    const glm::dvec2 size{cells.width() + 2 * kLayerBorder, cells.height() + 2 * kLayerBorder};
-    const glm::dvec2 low = glm::floor(view.device_from_cell(first)) - 1.0;
-    const glm::dvec2 high = glm::ceil(view.device_from_cell(first + size)) + 1.0;
-    return {QPoint(static_cast<int>(low.x), static_cast<int>(low.y)),
-            QPoint(static_cast<int>(high.x), static_cast<int>(high.y))};
-}
-
 }  // namespace
 
 CanvasView::CanvasView(tools::Easel* easel, document::Surface surface, QWidget* parent)
-    : QOpenGLWidget(parent), easel_(easel), surface_(surface) {
+    : QOpenGLWidget(parent), easel_(easel), surface_(surface), legend_(new LookLegend(this)) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setTabletTracking(true);
+    setAttribute(Qt::WA_AcceptTouchEvents);
     setMinimumSize(surface == document::Surface::Canvas ? QSize(320, 240) : QSize(200, 150));
     QSizePolicy policy = sizePolicy();
     policy.setHeightForWidth(surface == document::Surface::Well);
@@ -56,6 +53,12 @@ CanvasView::CanvasView(tools::Easel* easel, document::Surface surface, QWidget* 
     cooling_.setInterval(kCoolingTime_ms);
     connect(&cooling_, &QTimer::timeout, this, [this] {
         plan_.let_drafts_cool();
+        update();
+    });
+    light_rests_.setSingleShot(true);
+    light_rests_.setInterval(kLightRests_ms);
+    connect(&light_rests_, &QTimer::timeout, this, [this] {
+        relight_ = true;
         update();
     });
     waiting_.setInterval(kWait_ms);
@@ -92,7 +95,7 @@ void CanvasView::show_snapshot(std::shared_ptr<const document::Snapshot> snapsho
     if (other_canvas || shift_mm) begin_other_canvas();
     if (shift_mm) {
         fitted_ = false;
-        const glm::dvec2 drag_px = -view_.zoom / wanted_->film.cell_mm * *shift_mm;
+        const glm::dvec2 drag_px = -view_.zoom / wanted_->film.cell_mm * (view_.axes() * *shift_mm);
         set_view(panned(view_, drag_px, canvas_cells(), window_px()));
     } else if (other_canvas) {
         fit();
@@ -107,12 +110,6 @@ void CanvasView::begin_other_canvas() {
     area_drag_.give_up();
     guide_drag_.release();
     damage_all();
-}
-
-void CanvasView::set_lighting(const shade::Lighting& lighting) {
-    lighting_ = lighting;
-    relight_ = true;
-    update();
 }
 
 void CanvasView::set_viewing(const pigment::Viewing& viewing) {
@@ -153,71 +150,15 @@ void CanvasView::pick_next(std::optional<tools::Pick> pick) {
     set_cursor();
 }
 
-void CanvasView::set_view(const ViewTransform& view) {
-    if (view == view_) return;
-    view_ = view;
-    damage_all();
-    Q_EMIT view_changed();
-}
-
-void CanvasView::fit() {
-    if (wanted_ == nullptr) return;
-    fitted_ = true;
-    set_view(fitted(canvas_cells(), window_px()));
-}
-
-void CanvasView::show_actual_pixels() {
-    zoom_about_centre(1.0 / view_.zoom);
-    set_view(snapped(view_));
-}
-
-void CanvasView::zoom_about_centre(double factor) {
-    fitted_ = false;
-    set_view(zoomed(view_, 0.5 * window_px(), factor));
-}
-
 bool CanvasView::finished() const {
-    return shown_ == wanted_ && !retrace_ && !relight_ && !recolour_ && !plan_.has_damage() &&
-           !plan_.has_drafts();
+    return shown_ == wanted_ && !retrace_ && !relight_ && !light_rests_.isActive() && !recolour_ &&
+           !relook_ && !plan_.has_damage() && !plan_.has_drafts();
 }
 
 void CanvasView::damage_all() {
     plan_.add_damage(QRect(0, 0, static_cast<int>(window_px().x), static_cast<int>(window_px().y)));
     update();
 }
-
-// ---- coordinates
-
-glm::dvec2 CanvasView::device_px(const QPointF& position) const {
-    return devicePixelRatioF() * glm::dvec2(position.x(), position.y());
-}
-
-glm::dvec2 CanvasView::window_px() const {
-    return {std::round(width() * devicePixelRatioF()), std::round(height() * devicePixelRatioF())};
-}
-
-glm::dvec2 CanvasView::canvas_cells() const {
-    return {wanted_->film.shape.width, wanted_->film.shape.height};
-}
-
-glm::dvec2 CanvasView::canvas_mm(const QPointF& position) const {
-    if (wanted_ == nullptr) return {};
-    return wanted_->film.cell_mm * view_.cell_from_device(device_px(position));
-}
-
-std::optional<glm::dvec2> CanvasView::pointer_mm() const {
-    if (!pointer_) return std::nullopt;
-    return canvas_mm(*pointer_);
-}
-
-QPointF CanvasView::widget_position(const glm::dvec2& canvas_mm) const {
-    if (wanted_ == nullptr) return {};
-    const glm::dvec2 px =
-        view_.device_from_cell(canvas_mm / wanted_->film.cell_mm) / devicePixelRatioF();
-    return {px.x, px.y};
-}
-
-// ---- drawing
 
 void CanvasView::initializeGL() {
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &CanvasView::release_graphics);
@@ -266,6 +207,7 @@ void CanvasView::paintGL() {
         draw_frame_picture();
         draw_frame();
     }
+    if (light_handle_shown_) draw_light_handle();
     draw_tip();
 }
 
@@ -280,19 +222,26 @@ void CanvasView::upload_changes() {
         shown_ = wanted_;
         seen_ = std::move(seen);
         retrace_ = false;
+        if (!relook_) upload_look(changes.tiles);
         plan_.add_damage(damaged_region(changes));
     }
-    if (relight_) {
-        layers_.relight(*shown_, lighting_, pool_);
-        textures_.upload_surface(layers_, qt_rect(layers_.cells_with_border()));
-        relight_ = false;
-        damage_all();
-    }
+    if (relight_) upload_shadows();
+    if (relook_) upload_new_look();
     if (recolour_) {
         textures_.upload_colours(CanvasLayers::recolour(*seen_, viewing_.to_rgb, pool_));
         recolour_ = false;
         damage_all();
     }
+}
+
+void CanvasView::upload_shadows() {
+    QElapsedTimer timer;
+    timer.start();
+    layers_.relight(*shown_, lighting_, pool_);
+    textures_.upload_surface(layers_, qt_rect(layers_.cells_with_border()));
+    shadows_took_s_ = 1e-9 * static_cast<double>(timer.nsecsElapsed());
+    relight_ = false;
+    damage_all();
 }
 
 bool CanvasView::prepare_textures() {
@@ -305,6 +254,9 @@ bool CanvasView::prepare_textures() {
     }
     relight_ = false;
     recolour_ = false;
+    relook_ = true;
+    light_rests_.stop();
+    shadows_took_s_ = 0.0;
     damage_all();
     return true;
 }
@@ -313,12 +265,13 @@ bool CanvasView::prepare_textures() {
 QRegion CanvasView::damaged_region(const LayerChanges& changes) const {
     QRegion region;
     for (const QRect& cells : changes.surface)
-        region += device_rect(view_, cells);
+        region += damaged_pixels(view_, cells);
     return region;
 }
 
 double CanvasView::shade_job(const ShadingPlan::Job& job) {
-    const Scene scene{&textures_, shown_->film.cell_mm, view_, lighting_, viewing_.space};
+    const Scene scene{&textures_, shown_->film.cell_mm, view_,         lighting_,
+                      look_,      scale_top_mm_,        viewing_.space};
     double seconds = 0.0;
     for (const QRect& part : job.region)
         seconds += picture_.shade(part, job.quality, scene);
@@ -327,7 +280,7 @@ double CanvasView::shade_job(const ShadingPlan::Job& job) {
 }
 
 OverlayFrame CanvasView::overlay_frame(const glm::dvec2& origin_px) const {
-    return {origin_px, view_.zoom / shown_->film.cell_mm, picture_.size()};
+    return {origin_px, view_.zoom / shown_->film.cell_mm * view_.axes(), picture_.size()};
 }
 
 void CanvasView::draw_guides() {
@@ -358,10 +311,6 @@ void CanvasView::draw_handles(const OverlayFrame& canvas) {
     }
 }
 
-double CanvasView::mm_per_px() const {
-    return wanted_->film.cell_mm / view_.zoom;
-}
-
 /// How far from its centre a mirror is turned.
 double CanvasView::handle_axis_mm() const {
     constexpr double kShare = 0.4;
@@ -370,16 +319,11 @@ double CanvasView::handle_axis_mm() const {
 }
 
 void CanvasView::draw_tip() {
-    const bool paints = !pan_from_ && !space_held_ && !picks_next_ && !area_form_ && !frame_;
-    if (!pointer_ || !paints || guide_drag_.active()) return;
+    const bool paints = !view_drag_ && !space_held_ && !picks_next_ && !area_form_ && !frame_;
+    if (!pointer_ || !paints || guide_drag_.active() || light_drag_) return;
     TipShape tip = tip_;
     tip.rotation_deg = easel_->rotation_deg();
     overlay_.draw_loop(outline_mm(tip), overlay_frame(device_px(*pointer_)), 1.0F);
-}
-
-void CanvasView::resizeEvent(QResizeEvent* event) {
-    QOpenGLWidget::resizeEvent(event);
-    if (fitted_) fit();
 }
 
 }  // namespace pastoso::view

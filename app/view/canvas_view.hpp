@@ -10,7 +10,9 @@
 #include "view/area_drag.hpp"
 #include "view/brush_outline.hpp"
 #include "view/guide_drag.hpp"
+#include "view/light_handle.hpp"
 #include "view/line_overlay.hpp"
+#include "view/look.hpp"
 #include "view/picture_buffer.hpp"
 #include "view/selection_outline.hpp"
 #include "view/shading_plan.hpp"
@@ -20,12 +22,17 @@
 #include <optional>
 
 #include <QCursor>
+#include <QEventPoint>
 #include <QImage>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLWidget>
 #include <QTimer>
 
+class QTouchEvent;
+
 namespace pastoso::view {
+
+class LookLegend;
 
 class CanvasView : public QOpenGLWidget {
     Q_OBJECT
@@ -42,6 +49,9 @@ class CanvasView : public QOpenGLWidget {
                        std::optional<glm::dvec2> shift_mm = {});
     void set_easel(tools::Easel* easel);
     void set_lighting(const shade::Lighting& lighting);
+    void set_look(Look look);
+    Look look() const { return look_; }
+    const LookLegend& legend() const { return *legend_; }
     void set_viewing(const pigment::Viewing& viewing);
     void set_tip(const TipShape& tip);
 
@@ -56,6 +66,9 @@ class CanvasView : public QOpenGLWidget {
 
     /// Shows where the selection ends.
     void show_outline(bool shown);
+
+    /// Shows a handle by which the lamp is dragged.
+    void show_light_handle(bool shown);
 
     /// Shows the picture that is traced below the paint.
     void show_tracing(bool shown);
@@ -81,6 +94,13 @@ class CanvasView : public QOpenGLWidget {
     void fit();
     void show_actual_pixels();  ///< zoom 1 about the window's centre
     void zoom_about_centre(double factor);
+    void turn_about_centre(double by_deg);  ///< clockwise, the canvas about the window's centre
+    void turn_upright();                    ///< the same, until it stands as it is saved
+    void mirror();                          ///< left and right of the window change places
+
+    /// The view's corner has moved by so much on the desktop, and the picture has not, unless it is
+    /// fitted.
+    void keep_in_place(const QPoint& way);
 
     /// Whether the frame on the screen is the final one of the latest snapshot.
     bool finished() const;
@@ -120,6 +140,12 @@ class CanvasView : public QOpenGLWidget {
     void area_given_up();
     void areas_left();  ///< painting goes on
 
+    /// Escape was pressed where there was nothing to be given up.
+    void escaped();
+
+    /// The lamp is being dragged; it moves where set_lighting() has it.
+    void light_dragged(double elevation_deg, double azimuth_deg);
+
     /// The frame was dragged; what it shows is to be kept; it is to be taken away.
     void frame_dragged(const tools::TransformFrame& frame);
     void frame_accepted();
@@ -137,6 +163,7 @@ class CanvasView : public QOpenGLWidget {
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void tabletEvent(QTabletEvent* event) override;
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void enterEvent(QEnterEvent* event) override;
@@ -146,6 +173,14 @@ class CanvasView : public QOpenGLWidget {
   private:
     void release_graphics();
     void upload_changes();
+    void upload_shadows();
+    void upload_look(const std::vector<int>& tiles);
+    void upload_new_look();
+    void place_legend();
+    LightDial light_dial() const;
+    bool press_light(const QPointF& position);
+    void drag_light(const QPointF& position);
+    void draw_light_handle();
     Tracing seen_tracing() const;
     double shade_job(const ShadingPlan::Job& job);
     void draw_selection();
@@ -164,7 +199,7 @@ class CanvasView : public QOpenGLWidget {
     glm::dvec2 device_px(const QPointF& position) const;
     glm::dvec2 window_px() const;
     glm::dvec2 canvas_cells() const;
-    tools::Pointer mouse_pointer(const QMouseEvent& event) const;
+    tools::Pointer pointer_at(const QPointF& position, std::uint64_t time_ms) const;
     tools::Pointer pen_pointer(const QTabletEvent& event) const;
     void touch_down(const tools::Pointer& pointer, Qt::KeyboardModifiers modifiers);
     void follow_pointer(const QPointF& position);
@@ -184,8 +219,17 @@ class CanvasView : public QOpenGLWidget {
     void release_pointer();
     double handle_axis_mm() const;
     double mm_per_px() const;
-    void start_panning(const QPointF& position);
-    void pan_to(const QPointF& position);
+    ViewTransform fitted_view() const;
+    void set_turned(const ViewTransform& view);
+    void begin_view_drag(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    void drag_view(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    void drag_turn(const QPointF& position, bool by_steps);
+    void end_view_drag();
+    bool touch(QTouchEvent& event);
+    void pinch(const QEventPoint& first, const QEventPoint& second);
+    void move_finger(const QTouchEvent& event, const QEventPoint& finger);
+    void put_finger_down(const QTouchEvent& event);
+    void lift_finger(const QTouchEvent& event, bool meant);
     void set_cursor();
 
     tools::Easel* easel_;
@@ -208,6 +252,15 @@ class CanvasView : public QOpenGLWidget {
     bool fitted_ = true;  ///< follows the window's size until the painter zooms or pans
     shade::Lighting lighting_;
     bool relight_ = false;  ///< the shadows are still those of another light
+    QTimer light_rests_;    ///< when it fires, shadows follow the light
+    double shadows_took_s_ = 0.0;
+    bool light_handle_shown_ = false;
+    std::optional<glm::dvec2> light_drag_;  ///< from the pointer to the lamp
+    Look look_ = Look::Lit;
+    bool relook_ = false;      ///< what it shows is still that of another look
+    double highest_mm_ = 0.0;  ///< of the paint, while heights are shown
+    double scale_top_mm_ = 1.0;
+    LookLegend* legend_;
     pigment::Viewing viewing_;
     bool recolour_ = false;  ///< the colours are still those of another light
     TipShape tip_;
@@ -217,7 +270,20 @@ class CanvasView : public QOpenGLWidget {
     bool retrace_ = false;  ///< the picture below the paint is still another
 
     std::optional<QPointF> pointer_;
-    std::optional<QPointF> pan_from_;
+    /// The hand moves the canvas and not the brush.
+    struct ViewDrag {
+        enum class Kind { Pan, Turn, Zoom } kind;
+        QPointF from;
+        ViewTransform start;
+    };
+    std::optional<ViewDrag> view_drag_;
+    struct Touch {
+        enum class Does { Nothing, Wait, Paint, Pinch } does = Does::Nothing;
+        QPointF from;  ///< of a finger that waits
+        std::array<int, 2> ids{};
+        Fingers fingers_px{};
+    };
+    Touch touch_;
     bool space_held_ = false;
     GuideDrag guide_drag_;
     std::optional<AreaForm> area_form_;  ///< painting rests

@@ -2,9 +2,10 @@
 
 #include "core/check.hpp"
 #include "view/canvas_shader.hpp"
+#include "view/uniform_values.hpp"
 
-#include <QVector2D>
 #include <QVector4D>
+#include <glm/geometric.hpp>
 
 namespace pastoso::view {
 
@@ -52,9 +53,7 @@ void LineOverlay::draw(GLenum mode, const std::vector<glm::vec2>& points_mm, con
     gl_->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     program_->setUniformValue("dash_px", 0.0F);
     const auto lines = [&](double shift_px, const QVector4D& colour) {
-        program_->setUniformValue("origin_px",
-                                  QVector2D(static_cast<float>(frame.origin_px.x + shift_px),
-                                            static_cast<float>(frame.origin_px.y + shift_px)));
+        program_->setUniformValue("origin_px", vector(frame.origin_px + shift_px));
         program_->setUniformValue("line_colour", colour);
         gl_->glDrawArrays(mode, 0, static_cast<GLsizei>(points_mm.size()));
     };
@@ -70,8 +69,9 @@ void LineOverlay::draw_dashes(const std::vector<glm::vec2>& points_mm, const Ove
     if (points_mm.empty()) return;
     prepare(points_mm, frame);
     program_->setUniformValue("dash_px", kDash_px);
-    program_->setUniformValue("origin_px", QVector2D(static_cast<float>(frame.origin_px.x),
-                                                     static_cast<float>(frame.origin_px.y)));
+    const glm::dvec2 way = glm::normalize(frame.px_from_mm[0]) + glm::normalize(frame.px_from_mm[1]);
+    program_->setUniformValue("dash_way", vector({way.x, -way.y}));
+    program_->setUniformValue("origin_px", vector(frame.origin_px));
     program_->setUniformValue("line_colour", QVector4D(1.0F, 1.0F, 1.0F, 1.0F));
     gl_->glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(points_mm.size()));
     finish();
@@ -81,8 +81,8 @@ void LineOverlay::prepare(const std::vector<glm::vec2>& points_mm, const Overlay
     const QSize size = frame.window_px;
     gl_->glViewport(0, 0, size.width(), size.height());
     program_->bind();
-    program_->setUniformValue("window_px", QVector2D(size.width(), size.height()));
-    program_->setUniformValue("px_per_mm", static_cast<float>(frame.px_per_mm));
+    program_->setUniformValue("window_px", vector({size.width(), size.height()}));
+    program_->setUniformValue("px_from_mm", matrix(frame.px_from_mm));
     gl_->glBindVertexArray(vertex_array_);
     gl_->glBindBuffer(GL_ARRAY_BUFFER, vertices_);
     gl_->glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(points_mm.size() * sizeof(glm::vec2)),

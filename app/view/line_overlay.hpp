@@ -7,6 +7,7 @@
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLShaderProgram>
 #include <QSize>
+#include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 
 namespace pastoso::view {
@@ -14,7 +15,7 @@ namespace pastoso::view {
 /// Where millimetres lie in the window.
 struct OverlayFrame {
     glm::dvec2 origin_px{};  ///< of the millimetres, in device pixels, y down
-    double px_per_mm = 1.0;
+    glm::dmat2 px_from_mm{1.0};
     QSize window_px;
 };
 
@@ -30,7 +31,7 @@ class LineOverlay {
     void draw_segments(const std::vector<glm::vec2>& points_mm, const OverlayFrame& frame,
                        float strength);
 
-    /// A level or upright line for every two points, dark and light in turn.
+    /// A line for every two points, along the millimetres' axes, dark and light in turn.
     void draw_dashes(const std::vector<glm::vec2>& points_mm, const OverlayFrame& frame);
 
   private:

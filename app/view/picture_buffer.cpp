@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kSurfaceUnit = 0;
 constexpr int kColourUnit = 1;
+constexpr int kLookUnit = 2;
 constexpr int kCoarsePixel = 2;
 
 QRect whole(QSize size) {
@@ -42,20 +43,27 @@ void set_scissor(QOpenGLExtraFunctions& gl, const QRect& part) {
 
 void PictureBuffer::initialise(QOpenGLExtraFunctions* gl) {
     gl_ = gl;
-    program_ = std::make_unique<QOpenGLShaderProgram>();
-    const bool linked =
-        program_->addShaderFromSourceCode(QOpenGLShader::Vertex, kCanvasVertexShader) &&
-        program_->addShaderFromSourceCode(QOpenGLShader::Fragment, kCanvasFragmentShader) &&
-        program_->link();
-    if (!linked) {
-        throw core::InputError("The graphics driver refuses the program that shades the canvas: " +
-                               program_->log().simplified().toStdString());
-    }
+    program_of(Look::Lit);
     gl_->glGenVertexArrays(1, &vertex_array_);
 }
 
+QOpenGLShaderProgram& PictureBuffer::program_of(Look look) {
+    std::unique_ptr<QOpenGLShaderProgram>& program = programs_[look];
+    if (program != nullptr) return *program;
+    program = std::make_unique<QOpenGLShaderProgram>();
+    const bool linked = program->addShaderFromSourceCode(QOpenGLShader::Vertex, kCanvasVertexShader) &&
+                        program->addShaderFromSourceCode(QOpenGLShader::Fragment,
+                                                         canvas_fragment_shader(look).c_str()) &&
+                        program->link();
+    if (!linked) {
+        throw core::InputError("The graphics driver refuses the program that shades the canvas: " +
+                               program->log().simplified().toStdString());
+    }
+    return *program;
+}
+
 void PictureBuffer::release() {
-    program_.reset();
+    programs_.clear();
     picture_.reset();
     coarse_.reset();
     size_ = {};
@@ -91,15 +99,17 @@ void PictureBuffer::draw(const QRect& part, QOpenGLFramebufferObject& target, co
     set_scissor(*gl_, part);
     gl_->glDisable(GL_BLEND);
     gl_->glDisable(GL_DEPTH_TEST);
-    program_->bind();
-    scene.canvas->bind(kSurfaceUnit, kColourUnit);
-    program_->setUniformValue("surface_layers", kSurfaceUnit);
-    program_->setUniformValue("colour_and_wetness", kColourUnit);
-    set_shading_uniforms(*program_, scene, sampling);
+    QOpenGLShaderProgram& program = program_of(scene.look);
+    program.bind();
+    scene.canvas->bind(kSurfaceUnit, kColourUnit, kLookUnit);
+    program.setUniformValue("surface_layers", kSurfaceUnit);
+    program.setUniformValue("colour_and_wetness", kColourUnit);
+    program.setUniformValue("look_thickness", kLookUnit);
+    set_shading_uniforms(program, scene, sampling);
     gl_->glBindVertexArray(vertex_array_);
     gl_->glDrawArrays(GL_TRIANGLES, 0, 3);
     gl_->glBindVertexArray(0);
-    program_->release();
+    program.release();
     gl_->glDisable(GL_SCISSOR_TEST);
 }
 

@@ -5,6 +5,7 @@
 #include "view/scene.hpp"
 #include "view/shading_uniforms.hpp"
 
+#include <map>
 #include <memory>
 
 #include <QOpenGLExtraFunctions>
@@ -23,6 +24,9 @@ class PictureBuffer {
     void initialise(QOpenGLExtraFunctions* gl);
     void release();
 
+    /// Makes the program for a look, which else is made when it is first shaded. Throws as initialise().
+    void prepare(Look look) { program_of(look); }
+
     /// Forgets the picture when the size is another.
     void resize(QSize window_px);
     QSize size() const { return size_; }
@@ -34,13 +38,14 @@ class PictureBuffer {
     void copy_to(GLuint framebuffer);
 
   private:
+    QOpenGLShaderProgram& program_of(Look look);
     void draw(const QRect& part, QOpenGLFramebufferObject& target, const Sampling& sampling,
               const Scene& scene);
     void enlarge_coarse(const QRect& coarse, const QRect& part);
 
     QOpenGLExtraFunctions* gl_ = nullptr;
     QSize size_;
-    std::unique_ptr<QOpenGLShaderProgram> program_;
+    std::map<Look, std::unique_ptr<QOpenGLShaderProgram>> programs_;  ///< made when they are wanted
     // Both hold the window's top row first.
     std::unique_ptr<QOpenGLFramebufferObject> picture_;
     std::unique_ptr<QOpenGLFramebufferObject> coarse_;

@@ -12,6 +12,8 @@ struct Scene {
     double cell_mm = 0.25;
     ViewTransform view;
     shade::Lighting lighting;
+    Look look = Look::Lit;
+    double scale_top_mm = 1.0;  ///< of Look::Height
     pigment::WorkingSpace space = pigment::WorkingSpace::Srgb;
 };
 

@@ -1,0 +1,328 @@
+// A canvas that is turned and mirrored on the screen, fingers, and the canvas alone in the window.
+#include "app/window_fixture.hpp"
+#include "core/units.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QKeyEvent>
+#include <QMenuBar>
+#include <QPointingDevice>
+#include <QStatusBar>
+#include <QTest>
+#include <QToolBar>
+#include <QWheelEvent>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+
+class TurnedView : public WindowTest {
+  protected:
+    void give(Command command) { action(command)->trigger(); }
+
+    /// Through the window, as a key on the keyboard is.
+    void key(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        canvas().setFocus();
+        QTest::keyClick(&canvas(), static_cast<Qt::Key>(key), modifiers);
+    }
+
+    void hold_space(bool down) {
+        QKeyEvent event(down ? QEvent::KeyPress : QEvent::KeyRelease, Qt::Key_Space, Qt::ShiftModifier);
+        QApplication::sendEvent(&canvas(), &event);
+    }
+
+    void drag(const QPointF& from, const QPointF& to, Qt::KeyboardModifiers modifiers) {
+        const auto send = [&](QEvent::Type type, const QPointF& position, Qt::MouseButtons buttons) {
+            const auto button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+            QMouseEvent event(type, position, canvas().mapToGlobal(position), button, buttons,
+                              modifiers);
+            QApplication::sendEvent(&canvas(), &event);
+        };
+        send(QEvent::MouseButtonPress, from, Qt::LeftButton);
+        send(QEvent::MouseMove, 0.5 * (from + to), Qt::LeftButton);
+        send(QEvent::MouseMove, to, Qt::LeftButton);
+        send(QEvent::MouseButtonRelease, to, Qt::NoButton);
+    }
+
+    QPointF centre() { return {0.5 * canvas().width(), 0.5 * canvas().height()}; }
+
+    /// Where the wet paint lies, in millimetres.
+    glm::dvec2 paint_centre_mm() {
+        session().wait_until_applied();
+        const film::FilmState& film = session().snapshot()->film;
+        glm::dvec2 sum{};
+        double volume = 0.0;
+        for (int y = 0; y < film.shape.height; ++y) {
+            for (int x = 0; x < film.shape.width; ++x) {
+                const double thickness = film::thickness_mm(film.thickness.at(x, y));
+                sum += thickness * film.cell_mm * glm::dvec2(x + 0.5, y + 0.5);
+                volume += thickness;
+            }
+        }
+        return sum / volume;
+    }
+
+    struct Seen {
+        QImage image;
+        view::ViewTransform view;
+    };
+    Seen seen() {
+        const QImage image = picture();
+        return {image, canvas().view_transform()};
+    }
+
+    /// The pixels of the canvas in one picture with those in another that lie there.
+    PictureDifference compared(const Seen& a, const Seen& b) {
+        PictureDifference result;
+        int pixels = 0;
+        for (int y = 0; y < a.image.height(); ++y) {
+            for (int x = 0; x < a.image.width(); ++x) {
+                const glm::dvec2 cell = a.view.cell_from_device({x + 0.5, y + 0.5});
+                if (cell.x < 1.0 || cell.y < 1.0 || cell.x > 239.0 || cell.y > 159.0) continue;
+                const glm::dvec2 there = b.view.device_from_cell(cell);
+                const QPoint px(static_cast<int>(std::floor(there.x)),
+                                static_cast<int>(std::floor(there.y)));
+                if (!b.image.rect().contains(px)) continue;
+                const QColor one = a.image.pixelColor(x, y), other = b.image.pixelColor(px);
+                const int apart =
+                    std::max({std::abs(one.red() - other.red()), std::abs(one.green() - other.green()),
+                              std::abs(one.blue() - other.blue())});
+                result.largest = std::max(result.largest, apart);
+                result.mean += apart;
+                ++pixels;
+            }
+        }
+        EXPECT_GT(pixels, 10000);
+        result.mean /= pixels;
+        return result;
+    }
+};
+
+TEST_F(TurnedView, KeysTurnStepByStepAndPutUpright) {
+    const view::ViewTransform fitted = canvas().view_transform();
+    key(Qt::Key_6);
+    EXPECT_EQ(canvas().view_transform().angle_deg, 15.0);
+    key(Qt::Key_4);
+    key(Qt::Key_4);
+    EXPECT_EQ(canvas().view_transform().angle_deg, -15.0);
+    key(Qt::Key_5);
+    EXPECT_EQ(canvas().view_transform(), fitted);
+    key(Qt::Key_M);
+    EXPECT_TRUE(canvas().view_transform().mirrored);
+    EXPECT_TRUE(action(Command::MirrorView)->isChecked());
+    key(Qt::Key_M);
+    EXPECT_EQ(canvas().view_transform(), fitted);
+    EXPECT_FALSE(action(Command::MirrorView)->isChecked());
+}
+
+TEST_F(TurnedView, ShiftSpaceAndADragTurnTheCanvasUnderTheHand) {
+    const glm::dvec2 held = canvas().canvas_mm(centre() + QPointF(150.0, 0.0));
+    hold_space(true);
+    drag(centre() + QPointF(150.0, 0.0), centre() + QPointF(90.0, 120.0), Qt::ShiftModifier);
+    hold_space(false);
+    const glm::dvec2 there = canvas().canvas_mm(centre() + QPointF(90.0, 120.0));
+    EXPECT_NEAR(there.x, held.x, 1e-6);
+    EXPECT_NEAR(there.y, held.y, 1e-6);
+    EXPECT_NEAR(canvas().view_transform().angle_deg, 53.130102, 1e-5);  // atan(4/3)
+    EXPECT_EQ(volume_mm3(), 0.0);
+}
+
+TEST_F(TurnedView, TheWheelKeepsThePointUnderTheCursorThere) {
+    give(Command::TurnRight);
+    give(Command::MirrorView);
+    const QPointF cursor(301.0, 155.0);
+    const glm::dvec2 before = canvas().canvas_mm(cursor);
+    QWheelEvent event(cursor, canvas().mapToGlobal(cursor), {}, {0, 240}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&canvas(), &event);
+    EXPECT_NEAR(canvas().canvas_mm(cursor).x, before.x, 1e-6);
+    EXPECT_NEAR(canvas().canvas_mm(cursor).y, before.y, 1e-6);
+}
+
+TEST_F(TurnedView, AStrokeLandsWhereThePointerWas) {
+    give(Command::Pause);
+    for (int i = 0; i < 3; ++i)
+        give(Command::TurnRight);
+    give(Command::MirrorView);
+    window().easel().take_brush("Round sable 9", 5.0);
+    // Along a level line of the screen.
+    const QPointF from = centre() + QPointF(-110.0, 20.0), to = centre() + QPointF(90.0, 20.0);
+    const QImage before = picture();
+    mouse_stroke(line_mm(canvas().canvas_mm(from), canvas().canvas_mm(to)));
+    EXPECT_GT(volume_mm3(), 1.0);
+    const QImage after = picture();
+    const glm::dvec2 middle = canvas().canvas_mm(0.5 * (from + to)), paint = paint_centre_mm();
+    // Half the brush's width: more paint may lie on one side, and where the stroke starts.
+    EXPECT_NEAR(paint.x, middle.x, 2.5);
+    EXPECT_NEAR(paint.y, middle.y, 2.5);
+    const double ratio = canvas().devicePixelRatioF();
+    const QColor painted = after.pixelColor((ratio * 0.5 * (from + to)).toPoint());
+    EXPECT_GT(painted.blue(), painted.red() + 20);
+    const QPoint beside = (ratio * (0.5 * (from + to) + QPointF(0.0, 90.0))).toPoint();
+    EXPECT_EQ(after.pixel(beside), before.pixel(beside));
+}
+
+TEST_F(TurnedView, AStrokeOnATurnedCanvasIsThatOfTheSamePlaces) {
+    give(Command::Pause);
+    give(Command::TurnWithStroke);  // stands as the hand holds it
+    give(Command::TurnRight);
+    const std::vector<glm::dvec2> path = line_mm({15.0, 20.0}, {45.0, 22.0});
+    pen_stroke(path, {.pressure = 0.5, .tilt_x_deg = 30});
+    session().wait_until_applied();
+    int samples = 0;
+    for (const document::Event& event : session().recording().events) {
+        const auto* move = std::get_if<document::PenMove>(&event.action);
+        if (move == nullptr) continue;
+        ++samples;
+        EXPECT_NEAR(move->sample.rotation_deg, -15.0, 1e-9);
+        const double lean = std::tan(std::acos(-1.0) / 6.0);
+        EXPECT_NEAR(std::tan(core::radians(move->sample.tilt_x_deg)),
+                    lean * std::cos(core::radians(15.0)), 1e-9);
+        EXPECT_NEAR(std::tan(core::radians(move->sample.tilt_y_deg)),
+                    -lean * std::sin(core::radians(15.0)), 1e-9);
+        EXPECT_NEAR(move->sample.y_mm, 20.0 + (move->sample.x_mm - 15.0) / 15.0, 0.1);
+    }
+    EXPECT_GE(samples, 20);
+}
+
+/// Every pixel takes the same samples of the surface, in another order: rounding in single precision may
+/// move a value across the border of two levels.
+TEST_F(TurnedView, AQuarterTurnAndAMirrorShowTheSamePixels) {
+    give(Command::Pause);
+    mouse_stroke(line_mm({15.0, 12.0}, {45.0, 27.0}));
+    const Seen upright = seen();
+    give(Command::MirrorView);
+    EXPECT_LE(difference(picture(), upright.image.mirrored(true, false)).largest, 1);
+    give(Command::MirrorView);
+    canvas().turn_about_centre(180.0);
+    EXPECT_LE(compared(seen(), upright).largest, 1);
+    canvas().turn_about_centre(-90.0);
+    EXPECT_LE(compared(seen(), upright).largest, 1);
+    canvas().mirror();
+    EXPECT_LE(compared(seen(), upright).largest, 1);
+}
+
+/// Pixels askew lie up to 0.7 of one, less than a fifth of a cell, beside those upright, over which the
+/// smooth surface changes little but where paint ends.
+TEST_F(TurnedView, AnyAngleShowsTheSamePicture) {
+    give(Command::Pause);
+    mouse_stroke(line_mm({15.0, 12.0}, {45.0, 27.0}));
+    canvas().zoom_about_centre(4.0 / canvas().view_transform().zoom);
+    const Seen upright = seen();
+    canvas().turn_about_centre(37.0);
+    canvas().mirror();
+    const Seen askew = seen();
+    const double apart = compared(askew, upright).mean;
+    Seen elsewhere = upright;
+    elsewhere.view.origin_px += 8.0;  // half a millimetre
+    EXPECT_LT(apart, 0.3 * compared(askew, elsewhere).mean);
+    EXPECT_LT(apart, 2.0);
+}
+
+class Fingers : public TurnedView {
+  protected:
+    void SetUp() override {
+        TurnedView::SetUp();
+        static QPointingDevice* const screen = QTest::createTouchDevice();
+        screen_ = screen;
+    }
+    QPointingDevice* screen_ = nullptr;
+};
+
+TEST_F(Fingers, TwoMoveTurnAndZoomTheCanvas) {
+    const QPoint a = (centre() + QPointF(-60.0, 0.0)).toPoint(),
+                 b = (centre() + QPointF(60.0, 10.0)).toPoint();
+    const QPoint a2 = a + QPoint(20, -15), b2 = b + QPoint(30, 60);
+    const glm::dvec2 below_a = canvas().canvas_mm(a), below_b = canvas().canvas_mm(b);
+    QTest::touchEvent(&canvas(), screen_).press(0, a).press(1, b);
+    QTest::touchEvent(&canvas(), screen_).move(0, (a + a2) / 2).move(1, (b + b2) / 2);
+    QTest::touchEvent(&canvas(), screen_).move(0, a2).move(1, b2);
+    QTest::touchEvent(&canvas(), screen_).release(0, a2).release(1, b2);
+    const auto near = [](const glm::dvec2& there, const glm::dvec2& place) {
+        EXPECT_NEAR(there.x, place.x, 1e-6);
+        EXPECT_NEAR(there.y, place.y, 1e-6);
+    };
+    near(canvas().canvas_mm(a2), below_a);
+    near(canvas().canvas_mm(b2), below_b);
+    EXPECT_GT(canvas().view_transform().angle_deg, 10.0);
+    EXPECT_EQ(volume_mm3(), 0.0);
+}
+
+TEST_F(Fingers, OnePaintsAndASecondThenDoesNothing) {
+    give(Command::Pause);
+    const view::ViewTransform view = canvas().view_transform();
+    const QPoint from = (centre() + QPointF(-60.0, 0.0)).toPoint();
+    QTest::touchEvent(&canvas(), screen_).press(0, from);
+    for (int x = 10; x <= 120; x += 10)
+        QTest::touchEvent(&canvas(), screen_).move(0, from + QPoint(x, 0));
+    QTest::touchEvent(&canvas(), screen_).stationary(0).press(1, from + QPoint(0, 90));
+    QTest::touchEvent(&canvas(), screen_).stationary(0).move(1, from + QPoint(50, 120));
+    QTest::touchEvent(&canvas(), screen_).release(0, from + QPoint(120, 0)).release(1, from);
+    EXPECT_EQ(canvas().view_transform(), view);
+    EXPECT_GT(volume_mm3(), 2.0);
+    EXPECT_FALSE(session().status().stroke_in_progress);
+}
+
+class CanvasAlone : public TurnedView {
+  protected:
+    std::vector<bool> shown() {
+        std::vector<bool> shown{window().menuBar()->isVisible(), window().statusBar()->isVisible()};
+        for (const QWidget* widget : window().findChildren<QDockWidget*>())
+            shown.push_back(widget->isVisible());
+        for (const QWidget* widget : window().findChildren<QToolBar*>())
+            shown.push_back(widget->isVisible());
+        return shown;
+    }
+};
+
+TEST_F(CanvasAlone, TabHidesAllElseAndBringsItBackAsItWas) {
+    give(Command::MixingWell);
+    give(Command::TracingPanel);
+    canvas().zoom_about_centre(1.5);
+    QApplication::processEvents();
+    const std::vector<bool> before = shown();
+    const QByteArray state = window().saveState();
+    const QRect place = canvas().geometry();
+    const QPoint mark = canvas().mapToGlobal(canvas().widget_position({30.0, 20.0}).toPoint());
+    for (const int back : {Qt::Key_Tab, Qt::Key_Escape}) {
+        key(Qt::Key_Tab);
+        QApplication::processEvents();
+        EXPECT_EQ(canvas().size(), window().size());
+        EXPECT_EQ(shown(), std::vector<bool>(before.size(), false));
+        EXPECT_LE((canvas().mapToGlobal(canvas().widget_position({30.0, 20.0}).toPoint()) - mark)
+                      .manhattanLength(),
+                  2);
+        key(back);
+        QApplication::processEvents();
+        EXPECT_EQ(shown(), before);
+        EXPECT_EQ(canvas().geometry(), place);
+        EXPECT_EQ(window().saveState(), state);
+        EXPECT_LE((canvas().mapToGlobal(canvas().widget_position({30.0, 20.0}).toPoint()) - mark)
+                      .manhattanLength(),
+                  2);
+        EXPECT_FALSE(action(Command::CanvasOnly)->isChecked());
+    }
+}
+
+TEST_F(CanvasAlone, CommandsHoldWithoutTheirMenus) {
+    key(Qt::Key_Tab);
+    key(Qt::Key_6);
+    EXPECT_EQ(canvas().view_transform().angle_deg, 15.0);
+    key(Qt::Key_P);
+    EXPECT_TRUE(action(Command::Pause)->isChecked());
+}
+
+TEST_F(CanvasAlone, AWindowClosedSoOpensWithItsPanels) {
+    const std::vector<bool> before = shown();
+    key(Qt::Key_Tab);
+    start_again();
+    EXPECT_EQ(shown(), before);
+}
+
+}  // namespace
+}  // namespace pastoso::tests
