@@ -79,7 +79,7 @@ TEST_F(KeysWindow, AnotherKeyGivesTheCommandAtOnceAndAtTheNextStart) {
     QTest::keyClick(&canvas(), Qt::Key_F12, Qt::ShiftModifier);
     QTest::keyClick(&canvas(), Qt::Key_D);
     EXPECT_EQ(given.count(), 2);
-    start_again();
+    open_another();
     EXPECT_EQ(keys_of(Command::DryNow), "D; Shift+F12");
     EXPECT_TRUE(action(Command::DryNow)->toolTip().endsWith("(D)"));
 }
@@ -117,7 +117,7 @@ TEST_F(KeysWindow, KeysAreExchangedAndTakenAway) {
         QTreeWidgetItem* row = tree.currentItem();
         ASSERT_EQ(row->text(0), "Redo");
         QTest::mouseClick(tree.viewport(), Qt::LeftButton, {},
-                          tree.visualItemRect(row).topRight() - QPoint(40, -8));
+                          tree.visualRect(tree.indexFromItem(row, 1)).center());
         auto* listening = qobject_cast<dialogs::KeyCatcher*>(dialog_->focusWidget());
         ASSERT_NE(listening, nullptr);
         ASSERT_TRUE(listening->listening());
@@ -155,7 +155,7 @@ TEST_F(KeysWindow, ASetIsChosenAndTheOwnStay) {
     EXPECT_FALSE(action(Command::SelectRectangle)->isChecked());
     QTest::keyClick(&canvas(), Qt::Key_M);
     EXPECT_TRUE(action(Command::SelectRectangle)->isChecked());
-    start_again();
+    open_another();
     EXPECT_EQ(window().commands().keys().set(), commands::KeySet::Photoshop);
     in_dialog([&] {
         click("reset_all");
