@@ -262,6 +262,8 @@ void KeysDialog::add_key_button(const QKeySequence& key) {
     const int place = keys_->indexOf(add_);
     keys_->insertWidget(place, button);
     keys_->insertWidget(place + 1, drop_it);
+    // At once, so that it can have the keyboard.
+    button->show();
     if (first_ == nullptr) first_ = button;
 }
 

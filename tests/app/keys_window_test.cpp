@@ -156,7 +156,7 @@ TEST_F(KeysWindow, ASetIsChosenAndTheOwnStay) {
     EXPECT_FALSE(action(Command::SelectRectangle)->isChecked());
     QTest::keyClick(&canvas(), Qt::Key_M);
     EXPECT_TRUE(action(Command::SelectRectangle)->isChecked());
-    start_again();
+    open_another();
     EXPECT_EQ(window().commands().keys().set(), commands::KeySet::Photoshop);
     in_dialog([&] {
         click("reset_all");
