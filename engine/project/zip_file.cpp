@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <deque>
 #include <exception>
 #include <utility>
@@ -113,7 +112,8 @@ class Content {
 
     zip_int64_t read(void* data, zip_uint64_t size) {
         const std::size_t count = std::min<std::size_t>(size, bytes_.size() - read_);
-        std::memcpy(data, bytes_.data() + read_, count);
+        std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(read_), count,
+                    static_cast<std::byte*>(data));
         read_ += count;
         return static_cast<zip_int64_t>(count);
     }
