@@ -313,7 +313,7 @@ TEST_F(CanvasAlone, CommandsHoldWithoutTheirMenus) {
     key(Qt::Key_Tab);
     key(Qt::Key_6);
     EXPECT_EQ(canvas().view_transform().angle_deg, 15.0);
-    key(Qt::Key_P);
+    key(Qt::Key_F);
     EXPECT_TRUE(action(Command::Pause)->isChecked());
 }
 
