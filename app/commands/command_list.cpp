@@ -1,5 +1,8 @@
 #include "commands/command_list.hpp"
 
+#include "core/check.hpp"
+
+#include <algorithm>
 #include <array>
 
 namespace pastoso::commands {
@@ -220,6 +223,13 @@ constexpr std::array kCommands = {
 
 std::span<const CommandText> command_list() {
     return kCommands;
+}
+
+const CommandText& text_of(Command command) {
+    const auto* found = std::find_if(kCommands.begin(), kCommands.end(),
+                                     [&](const CommandText& text) { return text.command == command; });
+    PASTOSO_CHECK(found != kCommands.end());
+    return *found;
 }
 
 }  // namespace pastoso::commands

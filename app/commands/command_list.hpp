@@ -124,4 +124,7 @@ struct CommandText {
 /// In the order of the menus.
 std::span<const CommandText> command_list();
 
+/// Its entry in that list.
+const CommandText& text_of(Command command);
+
 }  // namespace pastoso::commands

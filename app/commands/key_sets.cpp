@@ -1,11 +1,5 @@
 #include "commands/key_sets.hpp"
 
-#include "core/check.hpp"
-
-#include <algorithm>
-#include <iterator>
-#include <optional>
-
 #include <QString>
 
 namespace pastoso::commands {
@@ -53,14 +47,6 @@ constexpr OtherKeys kPhotoshop[] = {
     {Command::LayersPanel, "F7"},
     {Command::GuidesPanel, "F8"},
 };
-
-const CommandText& text_of(Command command) {
-    const auto list = command_list();
-    const auto found = std::find_if(list.begin(), list.end(),
-                                    [&](const CommandText& text) { return text.command == command; });
-    PASTOSO_CHECK(found != list.end());
-    return *found;
-}
 
 const char* keys_text(KeySet set, Command command) {
     if (set == KeySet::Photoshop)

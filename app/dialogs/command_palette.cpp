@@ -30,12 +30,6 @@ std::vector<Command> listed(const commands::CommandRegistry& commands, const QSt
     return all;
 }
 
-const commands::CommandText& text_of(Command command) {
-    const auto list = commands::command_list();
-    return *std::find_if(list.begin(), list.end(),
-                         [&](const auto& text) { return text.command == command; });
-}
-
 }  // namespace
 
 CommandPalette::CommandPalette(const commands::CommandRegistry& commands, QWidget* parent)
@@ -104,7 +98,7 @@ void CommandPalette::fit_height() {
 }
 
 void CommandPalette::add(Command command) {
-    const commands::CommandText& text = text_of(command);
+    const commands::CommandText& text = commands::text_of(command);
     const QAction* action = commands_.action(command);
     auto* item = new QStandardItem(commands::plain_words(text.words));
     item->setData(static_cast<int>(command), CommandDelegate::kCommand);

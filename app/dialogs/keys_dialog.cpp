@@ -4,7 +4,6 @@
 #include "dialogs/key_catcher.hpp"
 #include "dialogs/keys_column.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include <QComboBox>
@@ -30,14 +29,8 @@ QString text_of(const QKeySequence& key) {
     return key.toString(QKeySequence::NativeText);
 }
 
-const commands::CommandText& words_of(Command command) {
-    const auto list = commands::command_list();
-    return *std::find_if(list.begin(), list.end(),
-                         [&](const auto& text) { return text.command == command; });
-}
-
 QString name_in_menu(Command command) {
-    const commands::CommandText& text = words_of(command);
+    const commands::CommandText& text = commands::text_of(command);
     return QStringLiteral("%1 › %2").arg(commands::plain_words(text.menu),
                                          commands::plain_words(text.words));
 }
@@ -243,7 +236,7 @@ void KeysDialog::show_chosen() {
     reset_->setEnabled(command && bindings_.is_own(*command));
     if (!command) return;
     name_->setText(name_in_menu(*command));
-    hint_->setText(QString::fromUtf8(words_of(*command).hint));
+    hint_->setText(QString::fromUtf8(commands::text_of(*command).hint));
     for (const QKeySequence& key : bindings_.keys(*command))
         add_key_button(key);
 }
