@@ -217,6 +217,8 @@ constexpr std::array kCommands = {
                 "Type a few letters of what you want to do"},
     CommandText{Command::EditKeys, "&Settings", "&Keys...", "Ctrl+Alt+K",
                 "Choose a set of keys, and give any command keys of your own", false, true},
+    CommandText{Command::EditSettings, "&Settings", "&Settings...", "Ctrl+Alt+P",
+                "The look of the window, what is kept, and how much of the machine is used"},
 };
 
 }  // namespace

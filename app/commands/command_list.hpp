@@ -109,6 +109,7 @@ enum class Command {
     MoveLight,
     FindCommand,
     EditKeys,
+    EditSettings,
 };
 
 struct CommandText {

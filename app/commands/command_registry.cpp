@@ -1,5 +1,7 @@
 #include "commands/command_registry.hpp"
 
+#include "appearance/icon.hpp"
+#include "commands/command_names.hpp"
 #include "core/check.hpp"
 
 #include <utility>
@@ -28,6 +30,8 @@ CommandRegistry::CommandRegistry(QObject* owner) {
         auto* action = new QAction(QString::fromUtf8(text.words), owner);
         action->setStatusTip(QString::fromUtf8(text.hint));
         action->setCheckable(text.checkable);
+        action->setIcon(appearance::icon(QString::fromUtf8(name_of(text.command))));
+        action->setIconVisibleInMenu(!text.checkable);  // menus show either the icon or the check mark
         actions_[text.command] = action;
         on(text.command, [this, command = text.command](bool) { note(command); });
     }

@@ -123,7 +123,8 @@ QGridLayout* CanvasSizeDialog::make_anchors() {
         auto* button = new QToolButton;
         button->setCheckable(true);
         button->setAutoExclusive(true);  // or no arrow key would reach it
-        button->setStyleSheet(QStringLiteral("QToolButton:focus { border-color: #dadadc; }"));
+        button->setStyleSheet(QStringLiteral("QToolButton:focus { border-color: %1; }")
+                                  .arg(palette().color(QPalette::ButtonText).name()));
         button->setFixedSize(kField);
         // Tab reaches the chosen one alone: Qt keeps it so from the first focus on.
         button->setFocusPolicy(field == kMiddle ? Qt::StrongFocus : Qt::ClickFocus);

@@ -1,5 +1,6 @@
 #include "dialogs/command_delegate.hpp"
 
+#include "appearance/theme.hpp"
 #include "dialogs/key_cap.hpp"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ void CommandDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     painter->setRenderHint(QPainter::Antialiasing);
     const bool enabled = index.flags().testFlag(Qt::ItemIsEnabled);
     const bool chosen = option.state.testFlag(QStyle::State_Selected);
-    const QColor faint(chosen && enabled ? QColor(206, 218, 230) : QColor(138, 138, 143));
+    const appearance::ThemeColours& colours = appearance::colours();
     const QRect row = option.rect.adjusted(kMargin, 0, -kMargin, 0);
     int right = row.right();
     QStringList keys = index.data(kKeys).toString().split(QStringLiteral("; "), Qt::SkipEmptyParts);
@@ -40,10 +41,10 @@ void CommandDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
 
     const QString mark = index.data(kChecked).toBool() ? QStringLiteral("✓  ") : QString();
     const QString words = mark + index.data(Qt::DisplayRole).toString();
-    painter->setPen(!enabled ? QColor(122, 122, 126) : chosen ? Qt::white : QColor(224, 224, 226));
+    painter->setPen(!enabled ? colours.faint_text : chosen ? colours.chosen_text : colours.text);
     painter->drawText(row, Qt::AlignVCenter | Qt::AlignLeft, words);
     const int words_end = row.left() + painter->fontMetrics().horizontalAdvance(words) + 12;
-    painter->setPen(faint);
+    painter->setPen(chosen && enabled ? colours.chosen_text : colours.quiet_text);
     painter->drawText(QRect(QPoint(words_end, row.top()), QPoint(right - kCapGap, row.bottom())),
                       Qt::AlignVCenter | Qt::AlignLeft, index.data(kMenu).toString());
     painter->restore();

@@ -1,5 +1,7 @@
 #include "dialogs/key_cap.hpp"
 
+#include "appearance/theme.hpp"
+
 #include <algorithm>
 
 #include <QPainter>
@@ -18,10 +20,13 @@ int key_cap_width(const QFontMetrics& metrics, const QString& key, const QRect& 
 void draw_key_cap(QPainter& painter, const QString& key, const QRect& row, int left, bool faint) {
     const int width = key_cap_width(painter.fontMetrics(), key, row);
     const QRectF cap(left + 0.5, row.top() + 4.5, width - 1, row.height() - 9);
-    painter.setPen(QColor(88, 88, 94));
-    painter.setBrush(QColor(50, 50, 53, faint ? 120 : 255));
+    const appearance::ThemeColours& colours = appearance::colours();
+    QColor face = colours.window;
+    if (faint) face.setAlphaF(0.5);
+    painter.setPen(colours.line);
+    painter.setBrush(face);
     painter.drawRoundedRect(cap, 4.0, 4.0);
-    painter.setPen(faint ? QColor(122, 122, 126) : QColor(218, 218, 220));
+    painter.setPen(faint ? colours.faint_text : colours.text);
     painter.drawText(cap, Qt::AlignCenter, key);
 }
 

@@ -1,5 +1,6 @@
 #include "dialogs/keys_dialog.hpp"
 
+#include "appearance/theme.hpp"
 #include "commands/command_search.hpp"
 #include "dialogs/key_catcher.hpp"
 #include "dialogs/keys_column.hpp"
@@ -100,7 +101,7 @@ QWidget* KeysDialog::make_tree() {
         if (menu == nullptr) {
             menu = new QTreeWidgetItem(tree_, {commands::plain_words(text.menu)});
             menu->setFlags(Qt::ItemIsEnabled);
-            menu->setForeground(0, QColor(169, 169, 174));
+            menu->setForeground(0, appearance::colours().quiet_text);
             menu->setExpanded(true);
         }
         auto* row = new QTreeWidgetItem(menu, {commands::plain_words(text.words)});

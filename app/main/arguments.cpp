@@ -23,6 +23,8 @@ ParsedArguments parse_arguments(int argc, char** argv) {
         ->capture_default_str()
         ->check(CLI::Range(0.0, 86400.0))
         ->needs(screenshot);
+    app.add_flag("--profile", arguments.profile,
+                 "Tell at the end how long strokes took to the painting and to the screen");
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& wanted) {

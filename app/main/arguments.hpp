@@ -11,6 +11,7 @@ struct Arguments {
     std::optional<std::filesystem::path>
         screenshot;        ///< where to save a picture of the window before leaving
     double after_s = 3.0;  ///< when to take it
+    bool profile = false;  ///< tell at the end how long the painter waited
 };
 
 /// Reads the command line. Prints what --help or --version ask for, or what is wrong, and gives the exit

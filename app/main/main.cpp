@@ -1,11 +1,15 @@
 // pastoso: the window.
 
 #include "core/error.hpp"
+#include "crash/crash_guard.hpp"
+#include "crash/crash_reports.hpp"
+#include "dialogs/crash_dialog.hpp"
 #include "io/recording_json.hpp"
 #include "main/arguments.hpp"
 #include "main/display.hpp"
+#include "main/machine_facts.hpp"
 #include "main/main_window.hpp"
-#include "panels/theme.hpp"
+#include "main/preference_commands.hpp"
 #include "project/project.hpp"
 
 #include <cstdio>
@@ -48,6 +52,36 @@ void take_screenshot_later(MainWindow& window, const Arguments& arguments) {
     poll->start(static_cast<int>(1000.0 * arguments.after_s));
 }
 
+/// Of a run that failed: what it says of that, and what was painted in it.
+void take_up_what_was_left(MainWindow& window) {
+    if (const auto report = pastoso::crash::take_report(pastoso::crash::reports_folder())) {
+        pastoso::dialogs::CrashDialog dialog(QString::fromStdString(report->text),
+                                             QString::fromStdString(report->file.string()), &window);
+        dialog.exec();
+    }
+    window.offer_recovery();
+}
+
+/// The window tells the painter what is wrong with them.
+void use_preferences() {
+    pastoso::tools::Preferences preferences;
+    try {
+        preferences = pastoso::tools::read_preferences(pastoso::main::preferences_file());
+    } catch (const pastoso::core::InputError&) {
+        preferences = {};
+    }
+    pastoso::main::apply_preferences(preferences);
+}
+
+void guard_against_crashes() {
+    const std::filesystem::path folder = pastoso::crash::reports_folder();
+    if (folder.empty()) return;
+    QString facts;
+    for (const auto& [what, how] : pastoso::main::machine_facts())
+        facts += QStringLiteral("%1: %2\n").arg(what, how);
+    pastoso::crash::guard(folder, facts.toStdString());
+}
+
 int run(QApplication& application, const Arguments& arguments) {
     pastoso::document::Recording recording;
     const bool opens = arguments.file && pastoso::project::is_project_path(*arguments.file);
@@ -63,8 +97,13 @@ int run(QApplication& application, const Arguments& arguments) {
     if (arguments.screenshot)
         take_screenshot_later(window, arguments);
     else
-        QTimer::singleShot(0, &window, &MainWindow::offer_recovery);
-    return QApplication::exec();
+        QTimer::singleShot(0, &window, [&window] { take_up_what_was_left(window); });
+    if (!arguments.profile) return QApplication::exec();
+    const auto times = std::make_shared<pastoso::session::FrameTimes>();
+    window.measure(times);
+    const int exit_status = QApplication::exec();
+    std::fputs(times->table().c_str(), stdout);
+    return exit_status;
 }
 
 }  // namespace
@@ -78,8 +117,10 @@ int main(int argc, char** argv) {
     pastoso::main::display_found();
     QApplication::setApplicationName(QStringLiteral("pastoso"));
     QApplication::setApplicationDisplayName(QStringLiteral("Pastoso"));
+    QApplication::setApplicationVersion(QStringLiteral(PASTOSO_VERSION));
     if (const auto problem = pastoso::main::opengl_problem()) return fail(*problem);
-    pastoso::panels::apply_theme(application);
+    use_preferences();
+    guard_against_crashes();
     try {
         return run(application, arguments);
     } catch (const pastoso::core::InputError& error) {

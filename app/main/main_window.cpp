@@ -13,6 +13,7 @@
 #include "main/paint_memory.hpp"
 #include "main/paint_picking.hpp"
 #include "main/picture_layers.hpp"
+#include "main/preference_commands.hpp"
 #include "main/project_files.hpp"
 #include "main/range_selection.hpp"
 #include "main/selection_commands.hpp"
@@ -52,7 +53,8 @@ struct MainWindow::Parts {
           exporting(studio, files, light),
           paints(studio, panels.colours),
           memory(studio, panels, light, undo, well),
-          keys(studio) {}
+          keys(studio),
+          preferences(studio, undo) {}
 
     CanvasSizing sizing;
     LayerCommands layers;
@@ -75,6 +77,7 @@ struct MainWindow::Parts {
     PaintMemory paints;
     WindowMemory memory;
     KeyCommands keys;
+    PreferenceCommands preferences;
 };
 
 MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journal)
@@ -86,12 +89,15 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
             &LayerTransform::end);
     connect(&parts.sizing, &CanvasSizing::resized, &parts.files, &ProjectFiles::show_title);
     connect(&parts.files, &ProjectFiles::about_to_keep, panels_.tracing, &panels::TracingPanel::finish);
+    connect(&parts.preferences, &PreferenceCommands::autosave_due, &parts.files,
+            &ProjectFiles::save_by_itself);
     commands().on(commands::Command::Quit, [this](bool) { close(); });
     parts.files.start(canvas);
     parts.brushes.read();
     parts.memory.recall();
     parts.paints.recall();
     parts.keys.recall();
+    parts.preferences.recall();
     easel().set_up();
     studio_.show_hand();
     studio_.show_published();
@@ -169,6 +175,10 @@ void MainWindow::use_light(const QString& name_or_path) {
 
 void MainWindow::use_space(pigment::WorkingSpace space) {
     parts_->light.use_space(space);
+}
+
+void MainWindow::measure(std::shared_ptr<session::FrameTimes> times) {
+    studio_.measure(std::move(times));
 }
 
 void MainWindow::open_palette(const QString& path) {

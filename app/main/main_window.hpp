@@ -70,6 +70,9 @@ class MainWindow : public QMainWindow {
     void use_space(pigment::WorkingSpace space);
     void open_palette(const QString& path);
 
+    /// As Studio::measure().
+    void measure(std::shared_ptr<session::FrameTimes> times);
+
   protected:
     void closeEvent(QCloseEvent* event) override;
 

@@ -6,7 +6,6 @@
 #include "panels/curves_panel.hpp"
 #include "panels/guides_panel.hpp"
 #include "panels/history_panel.hpp"
-#include "panels/layer_icons.hpp"
 #include "panels/layer_panel.hpp"
 #include "panels/load_panel.hpp"
 #include "panels/medium_panel.hpp"
@@ -28,19 +27,8 @@ namespace {
 
 using commands::Command;
 
-/// Of what has no check mark: menus show either.
-constexpr std::pair<Command, panels::LayerIcon> kIcons[] = {
-    {Command::AddLayer, panels::LayerIcon::New},
-    {Command::DuplicateLayer, panels::LayerIcon::Duplicate},
-    {Command::GroupLayers, panels::LayerIcon::Group},
-    {Command::MergeDown, panels::LayerIcon::MergeDown},
-    {Command::RemoveLayer, panels::LayerIcon::Remove},
-};
-
 panels::LayerPanel* make_layer_panel(Studio& studio) {
     const auto action = [&](Command command) { return studio.commands().action(command); };
-    for (const auto& [command, icon] : kIcons)
-        action(command)->setIcon(panels::layer_icon(icon, studio.window().devicePixelRatioF()));
     return new panels::LayerPanel(
         {action(Command::AddLayer), action(Command::DuplicateLayer), action(Command::GroupLayers),
          action(Command::MergeDown), action(Command::RemoveLayer)},

@@ -66,6 +66,7 @@ ProjectFiles::ProjectFiles(Studio& studio, bool keeps_journal)
             });
     connect(&studio_, &Studio::published, this, [this](const auto&, const session::Status& status) {
         studio_.window().setWindowModified(status.changes != saved_changes_);
+        if (save_waits_ && !status.stroke_in_progress) save_by_itself();
     });
 }
 
@@ -216,6 +217,14 @@ void ProjectFiles::save_painting(const QString& path) {
     studio_.window().setWindowModified(false);
     studio_.report(tr("Saving %1...").arg(path));
     saver_.save({std::move(capture.painting), std::move(capture.recording)}, path);
+}
+
+/// Saving ends a stroke in progress, so it waits for the hand.
+void ProjectFiles::save_by_itself() {
+    const session::Status status = studio_.session().status();
+    const bool needed = !path_.isEmpty() && status.changes != saved_changes_;
+    save_waits_ = needed && status.stroke_in_progress;
+    if (needed && !save_waits_) save_painting(path_);
 }
 
 void ProjectFiles::try_to_open(const QString& path) {

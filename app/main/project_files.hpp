@@ -30,6 +30,7 @@ class ProjectFiles : public QObject {
     void open_painting(const QString& path);
     void open_picture(const QString& path);
     void save_painting(const QString& path);
+    void save_by_itself();  ///< into its file, where it has one and has changed
     void recover_painting(const std::filesystem::path& journal);
     void offer_recovery();
     void replay(const document::Recording& recording);
@@ -66,6 +67,7 @@ class ProjectFiles : public QObject {
     QString path_;
     std::int64_t saved_changes_ = 0;
     std::optional<std::uint64_t> journal_events_saved_;  ///< of the painting that is being saved
+    bool save_waits_ = false;                            ///< for the stroke in progress to end
     QMenu* recent_ = nullptr;
 };
 

@@ -39,7 +39,15 @@ void Studio::put_up(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<docu
     session_ = std::make_unique<session::PaintSession>(
         std::move(pool), std::move(painting), std::move(notify), std::move(past),
         commands_.action(commands::Command::Pause)->isChecked(), std::move(journal));
+    session_->measure(times_);
     Q_EMIT session_begun();
+}
+
+void Studio::measure(std::shared_ptr<session::FrameTimes> times) {
+    times_ = std::move(times);
+    session_->measure(times_);
+    connect(canvas_, &QOpenGLWidget::frameSwapped, this,
+            [this] { times_->presented(canvas_->shown(), session::FrameTimes::Clock::now()); });
 }
 
 void Studio::show_published() {

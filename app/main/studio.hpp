@@ -41,6 +41,10 @@ class Studio : public QObject {
     void put_up(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<document::Painting> painting,
                 document::Recording past, std::unique_ptr<journal::JournalWriter> journal);
 
+    /// From now on all sessions tell how long the painter waits, and the canvas how long what they
+    /// publish takes to the screen.
+    void measure(std::shared_ptr<session::FrameTimes> times);
+
     /// Shows what the session has published last.
     void show_published();
     /// Waits until all that was posted is applied, and shows it.
@@ -67,6 +71,7 @@ class Studio : public QObject {
     commands::CommandRegistry commands_;
     std::unique_ptr<tools::Easel> easel_;
     std::unique_ptr<session::PaintSession> session_;
+    std::shared_ptr<session::FrameTimes> times_;
     view::CanvasView* canvas_;
     view::CanvasView* well_;
 };

@@ -4,8 +4,6 @@
 #include "panels/history_panel.hpp"
 
 #include <QAction>
-#include <QInputDialog>
-#include <QMainWindow>
 
 namespace pastoso::main {
 
@@ -20,7 +18,6 @@ UndoCommands::UndoCommands(Studio& studio, panels::HistoryPanel* history, LayerT
         transform_.end();
         studio_.easel().redo();
     });
-    studio_.commands().on(Command::UndoMemory, [this](bool) { ask_memory(); });
     connect(&studio_, &Studio::session_begun, this, &UndoCommands::apply_memory);
     connect(&studio_, &Studio::published, this, [this](const auto&, const session::Status& status) {
         show_enabled(status);
@@ -51,19 +48,6 @@ void UndoCommands::go_back(int steps) {
         studio_.easel().undo();
     for (; steps < 0; ++steps)
         studio_.easel().redo();
-}
-
-void UndoCommands::ask_memory() {
-    constexpr int kStep_MiB = 256;
-    QInputDialog dialog(&studio_.window());
-    dialog.setWindowTitle(tr("Memory for undo"));
-    dialog.setLabelText(
-        tr("The steps that you can return to may take so much memory, in MiB.\n"
-           "The oldest are given up when it is full; 500 are kept at most."));
-    dialog.setIntRange(tools::kLeastUndoMemory_MiB, tools::kMostUndoMemory_MiB);
-    dialog.setIntStep(kStep_MiB);
-    dialog.setIntValue(memory_MiB_);
-    if (dialog.exec() == QDialog::Accepted) set_memory(dialog.intValue());
 }
 
 void UndoCommands::set_memory(int MiB) {

@@ -24,7 +24,6 @@ class UndoCommands : public QObject {
     void set_memory(int MiB);
 
   private:
-    void ask_memory();
     void apply_memory();
     void show_enabled(const session::Status& status);
     void show_steps();

@@ -201,7 +201,7 @@ void ColourWheel::paint_boundary(QPainter& painter) const {
         const double lightness = 100.0 * i / kPoints;
         line << field_position(lightness, tools::most_chroma(lightness, oklch_[2]));
     }
-    painter.setPen(QPen(QColor(218, 218, 220, 150), 1.0));
+    painter.setPen(QPen(QColor(160, 160, 162, 170), 1.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(line);
 }

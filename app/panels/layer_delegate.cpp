@@ -1,6 +1,7 @@
 #include "panels/layer_delegate.hpp"
 
-#include "panels/layer_icons.hpp"
+#include "appearance/icon.hpp"
+#include "appearance/theme.hpp"
 
 #include <QAbstractItemView>
 #include <QHelpEvent>
@@ -11,12 +12,6 @@ namespace pastoso::panels {
 namespace {
 
 using Item = LayerModel::Item;
-
-constexpr QColor kAccent(124, 168, 212);
-constexpr QColor kText(218, 218, 220);
-constexpr QColor kFaint(138, 138, 143);
-constexpr QColor kVeryFaint(84, 84, 88);
-constexpr QColor kBareLight(92, 92, 96), kBareDark(78, 78, 82);
 
 constexpr int kGap = 6;
 constexpr int kLayerRow = 44, kGroupRow = 30;
@@ -36,11 +31,13 @@ QRect text_place(const QRect& row, const Item& item) {
 /// Squares behind what no paint covers, as painting programs do.
 void paint_bare(QPainter* painter, const QRect& place) {
     constexpr int kSquare = 6;
-    painter->fillRect(place, kBareDark);
+    painter->fillRect(place, appearance::colours().bare_dark);
     for (int y = place.top(); y <= place.bottom(); y += kSquare) {
         for (int x = place.left(); x <= place.right(); x += kSquare) {
             const bool light = ((x - place.left()) + (y - place.top())) / kSquare % 2 == 0;
-            if (light) painter->fillRect(QRect(x, y, kSquare, kSquare) & place, kBareLight);
+            if (light)
+                painter->fillRect(QRect(x, y, kSquare, kSquare) & place,
+                                  appearance::colours().bare_light);
         }
     }
 }
@@ -96,7 +93,8 @@ void LayerDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const {
     const Item item = model_->item(index);
     painter->save();
-    if (option.state & QStyle::State_Selected) painter->fillRect(option.rect, kChosenRow);
+    if (option.state & QStyle::State_Selected)
+        painter->fillRect(option.rect, appearance::colours().chosen);
     if (index.column() == LayerModel::kEye) paint_eye(painter, option.rect, item);
     if (index.column() == LayerModel::kName) paint_name(painter, option, index, item);
     if (index.column() == LayerModel::kLock) paint_lock(painter, option, item);
@@ -106,19 +104,24 @@ void LayerDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
 /// The layer that is painted on has a bright edge, whatever row is chosen.
 void LayerDelegate::paint_eye(QPainter* painter, const QRect& place, const Item& item) const {
     constexpr int kEdge = 3;
-    if (item.active) painter->fillRect(QRect(place.topLeft(), QSize(kEdge, place.height())), kAccent);
-    draw_icon(*painter, place.adjusted(kEdge, 0, 0, 0),
-              item.look.visible ? LayerIcon::Eye : LayerIcon::ClosedEye, is_seen(item) ? kText : kFaint);
+    if (item.active)
+        painter->fillRect(QRect(place.topLeft(), QSize(kEdge, place.height())),
+                          appearance::colours().accent);
+    appearance::draw_icon(
+        *painter, place.adjusted(kEdge, 0, 0, 0),
+        item.look.visible ? QStringLiteral("show_layer") : QStringLiteral("closed_eye"),
+        is_seen(item) ? appearance::colours().text : appearance::colours().faint_text);
 }
 
 void LayerDelegate::paint_lock(QPainter* painter, const QStyleOptionViewItem& option,
                                const Item& item) const {
     const bool locked = item.look.locked || item.group_locked;
     const bool chosen = option.state & QStyle::State_Selected;
-    draw_icon(*painter, option.rect, locked ? LayerIcon::Lock : LayerIcon::OpenLock,
-              item.look.locked   ? kText
-              : locked || chosen ? kFaint
-                                 : kVeryFaint);
+    appearance::draw_icon(*painter, option.rect,
+                          locked ? QStringLiteral("lock_layer") : QStringLiteral("open_lock"),
+                          item.look.locked   ? appearance::colours().text
+                          : locked || chosen ? appearance::colours().faint_text
+                                             : appearance::colours().very_faint);
 }
 
 void LayerDelegate::paint_name(QPainter* painter, const QStyleOptionViewItem& option,
@@ -127,14 +130,14 @@ void LayerDelegate::paint_name(QPainter* painter, const QStyleOptionViewItem& op
     QRect box = option.rect;
     box.setWidth(indent_of(item) - kGap);
     if (item.is_group)
-        draw_icon(*painter, box, LayerIcon::Group, kText);
+        appearance::draw_icon(*painter, box, QStringLiteral("group_layers"), appearance::colours().text);
     else
         paint_picture(painter, box, model_->picture(index));
     QRect text = text_place(option.rect, item);
     QFont font = option.font;
     font.setBold(item.active);
     painter->setFont(font);
-    painter->setPen(kText);
+    painter->setPen(appearance::colours().text);
     const QString second = remarks(item);
     const QString name = QFontMetrics(font).elidedText(QString::fromStdString(item.look.name),
                                                        Qt::ElideRight, text.width());
@@ -146,7 +149,7 @@ void LayerDelegate::paint_name(QPainter* painter, const QStyleOptionViewItem& op
     const bool low = text.height() < kLayerRow;
     if (low) {
         painter->drawText(text, Qt::AlignVCenter | Qt::AlignLeft, name);
-        painter->setPen(kFaint);
+        painter->setPen(appearance::colours().faint_text);
         painter->drawText(text, Qt::AlignVCenter | Qt::AlignRight, second);
         return;
     }
@@ -155,7 +158,8 @@ void LayerDelegate::paint_name(QPainter* painter, const QStyleOptionViewItem& op
     font.setBold(false);
     font.setPointSizeF(0.88 * font.pointSizeF());
     painter->setFont(font);
-    painter->setPen(option.state & QStyle::State_Selected ? kText : kFaint);
+    painter->setPen(option.state & QStyle::State_Selected ? appearance::colours().text
+                                                          : appearance::colours().faint_text);
     painter->drawText(QRect(text.left(), middle + 1, text.width(), text.bottom() - middle),
                       Qt::AlignTop | Qt::AlignLeft, second);
 }

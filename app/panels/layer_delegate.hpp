@@ -11,7 +11,6 @@ namespace pastoso::panels {
 /// Room for a layer's picture, in pixels of the layout.
 inline constexpr QSize kLayerPicture(52, 36);
 inline constexpr int kLayerIconColumn = 26;
-inline constexpr QColor kChosenRow(69, 96, 124);
 
 class LayerDelegate : public QStyledItemDelegate {
     Q_OBJECT

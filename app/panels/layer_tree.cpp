@@ -1,7 +1,8 @@
 #include "panels/layer_tree.hpp"
 
+#include "appearance/icon.hpp"
+#include "appearance/theme.hpp"
 #include "panels/layer_delegate.hpp"
-#include "panels/layer_icons.hpp"
 #include "panels/section.hpp"
 
 #include <algorithm>
@@ -143,11 +144,12 @@ void LayerTree::mouseDoubleClickEvent(QMouseEvent* event) {
 /// On the row's own colour, an arrow that a click folds and unfolds.
 void LayerTree::drawBranches(QPainter* painter, const QRect& place, const QModelIndex& index) const {
     const bool chosen = selectionModel()->isRowSelected(index.row(), index.parent());
-    if (chosen) painter->fillRect(place, kChosenRow);
+    if (chosen) painter->fillRect(place, appearance::colours().chosen);
     if (model_.row_at(index).group == 0) return;
     const QRectF box(place.right() - indentation(), place.top(), indentation(), place.height());
-    draw_icon(*painter, box, isExpanded(index) ? LayerIcon::Unfolded : LayerIcon::Folded,
-              palette().color(QPalette::Text));
+    appearance::draw_icon(*painter, box,
+                          isExpanded(index) ? QStringLiteral("unfolded") : QStringLiteral("folded"),
+                          palette().color(QPalette::Text));
 }
 
 /// The picture and the beginning of the name, beside the pointer, so that the gap that it is dragged to

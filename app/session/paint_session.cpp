@@ -67,6 +67,7 @@ void PaintSession::post(document::Action action) {
         const std::lock_guard lock(mutex_);
         posted_.push_back(std::move(action));
         ++posted_count_;
+        if (times_) times_->posted(WallClock::now());
         action_waits_ = true;
     }
     work_.notify_all();
@@ -116,6 +117,23 @@ void PaintSession::apply_budget() {
     if (!bytes) return;
     painting_->set_history_budget(*bytes);
     changed_ = steps_changed_ = true;
+}
+
+void PaintSession::measure(std::shared_ptr<FrameTimes> times) {
+    const std::lock_guard lock(mutex_);
+    times_ = std::move(times);
+}
+
+void PaintSession::measure_quiet_tick(WallClock::time_point begin) const {
+    const std::lock_guard lock(mutex_);
+    const bool quiet = posted_.empty() && painting_->film_report().awake_tiles == 0;
+    if (times_ && quiet)
+        times_->quiet_tick(std::chrono::duration<double>(WallClock::now() - begin).count());
+}
+
+/// The lock is held.
+void PaintSession::measure_publication(const document::Snapshot* snapshot) const {
+    if (times_) times_->published(applied_count_ - published_count_, snapshot, WallClock::now());
 }
 
 std::shared_ptr<const document::Snapshot> PaintSession::snapshot() const {
@@ -193,9 +211,11 @@ void PaintSession::run() {
         apply_posted();
         apply_due_replay();
         hand_out_capture();
-        advance_if_due();
+        const auto begin = WallClock::now();
+        const bool ticked = advance_if_due();
         if (journal_) keep_journal();
         if (changed_) publish();
+        if (ticked) measure_quiet_tick(begin);
     }
 }
 
@@ -282,13 +302,14 @@ void PaintSession::keep_journal() {
     errors_.insert(errors_.end(), faults.begin(), faults.end());
 }
 
-void PaintSession::advance_if_due() {
+/// Whether a tick was due.
+bool PaintSession::advance_if_due() {
     {
         const std::lock_guard lock(mutex_);
-        if (paused_) return;
+        if (paused_) return false;
     }
     const auto begin = WallClock::now();
-    if (!clock_.due(begin)) return;
+    if (!clock_.due(begin)) return false;
     const std::int64_t cells_before = painting_->film_report().cells_stepped;
     const bool passed = painting_->advance_tick_unless(
         [&] { return action_waits_ && WallClock::now() - begin > kFeltDelay; });
@@ -297,6 +318,7 @@ void PaintSession::advance_if_due() {
     constexpr std::int64_t kQuietTicks = 30;
     changed_ = changed_ || painting_->film_report().cells_stepped != cells_before ||
                painting_->tick() % kQuietTicks == 0;
+    return true;
 }
 
 void PaintSession::publish() {
@@ -309,6 +331,7 @@ void PaintSession::publish() {
         const std::lock_guard lock(mutex_);
         if (steps) steps_ = std::move(steps);
         snapshot_.swap(snapshot);
+        measure_publication(snapshot_.get());
         recording_.end_tick = painting_->tick();
         status_ = {.tick = painting_->tick(),
                    .steps = report.steps,

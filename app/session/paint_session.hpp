@@ -7,6 +7,7 @@
 #include "document/painting.hpp"
 #include "document/painting_state.hpp"
 #include "journal/journal_writer.hpp"
+#include "session/frame_times.hpp"
 #include "session/tick_clock.hpp"
 
 #include <atomic>
@@ -87,6 +88,9 @@ class PaintSession {
     /// Memory for what Undo returns to (document::Painting::set_history_budget()).
     void set_history_budget(std::size_t bytes);
 
+    /// From now on `times` is told how long what is posted takes.
+    void measure(std::shared_ptr<FrameTimes> times);
+
     /// The latest published state: never null, safe to read on any thread for as long as it is held.
     std::shared_ptr<const document::Snapshot> snapshot() const;
     Status status() const;
@@ -126,11 +130,13 @@ class PaintSession {
     void apply_posted();
     void apply_due_replay();
     void apply(const document::Action& action);
-    void advance_if_due();
+    bool advance_if_due();
     void publish();
     void hand_out_capture();
     void apply_budget();
     void keep_journal();
+    void measure_quiet_tick(WallClock::time_point begin) const;
+    void measure_publication(const document::Snapshot* snapshot) const;
 
     Notify notify_;
 
@@ -149,6 +155,7 @@ class PaintSession {
     std::condition_variable published_;
     std::deque<document::Action> posted_;
     std::deque<document::Event> replay_;
+    std::shared_ptr<FrameTimes> times_;
     std::vector<std::string> errors_;
     document::Recording recording_;
     std::vector<std::string> paints_used_;

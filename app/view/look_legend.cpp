@@ -1,5 +1,7 @@
 #include "view/look_legend.hpp"
 
+#include "appearance/theme.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -66,10 +68,13 @@ void LookLegend::show_look(Look look, double scale_top_mm) {
 void LookLegend::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QColor(0x55, 0x55, 0x5a));
-    painter.setBrush(QColor(0x2b, 0x2b, 0x2d, 225));
+    const appearance::ThemeColours& colours = appearance::colours();
+    QColor ground = colours.window;
+    ground.setAlpha(225);
+    painter.setPen(colours.line);
+    painter.setBrush(ground);
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 5.0, 5.0);
-    painter.setPen(QColor(0xda, 0xda, 0xdc));
+    painter.setPen(colours.text);
     const int line = fontMetrics().height();
     painter.drawText(QRect(kMargin, kMargin, width() - 2 * kMargin, line), Qt::AlignLeft,
                      lines_.front());

@@ -1,13 +1,26 @@
 #include "core/check.hpp"
 
+#include "core/failed_check.hpp"
+
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 
 namespace pastoso::core {
+namespace {
+
+std::array<char, 1024> failure{};
+
+}  // namespace
+
+const char* failed_check() {
+    return failure.data();
+}
 
 void fail_check(const char* file, int line, const char* expression, const std::string& detail) {
-    std::fprintf(stderr, "%s:%d: broken invariant: %s%s%s%s\n", file, line, expression,
-                 detail.empty() ? "" : " (", detail.c_str(), detail.empty() ? "" : ")");
+    std::snprintf(failure.data(), failure.size(), "%s:%d: broken invariant: %s%s%s%s", file, line,
+                  expression, detail.empty() ? "" : " (", detail.c_str(), detail.empty() ? "" : ")");
+    std::fprintf(stderr, "%s\n", failure.data());
     std::abort();
 }
 

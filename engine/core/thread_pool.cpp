@@ -1,8 +1,7 @@
 #include "core/thread_pool.hpp"
 
 #include "core/check.hpp"
-
-#include <algorithm>
+#include "core/thread_count.hpp"
 
 namespace pastoso::core {
 namespace {
@@ -30,9 +29,7 @@ void wait_while(const std::atomic<T>& value, T old) {
 
 ThreadPool::ThreadPool(int thread_count) {
     PASTOSO_CHECK_OP(thread_count, >=, 0);
-    const int wanted = thread_count > 0
-                           ? thread_count
-                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const int wanted = thread_count > 0 ? thread_count : default_thread_count();
     workers_.reserve(wanted - 1);
     for (int worker = 1; worker < wanted; ++worker)
         workers_.emplace_back([this, worker] { work(worker); });

@@ -6,7 +6,6 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QInputDialog>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSlider>
@@ -119,31 +118,6 @@ TEST_F(MemoryWindow, ThePensSettingsAreThereAgain) {
         if (const auto* set = std::get_if<document::SetStabiliser>(&event.action))
             posted = set->stabiliser == brush::Stabiliser{0.0, 7.0};
     EXPECT_TRUE(posted);
-}
-
-TEST_F(MemoryWindow, TheMemoryForUndoIsChosenAndThereAgain) {
-    const auto chosen_then = [&](int MiB) {
-        int before = 0;
-        QTimer::singleShot(0, [&before, MiB] {
-            auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
-            ASSERT_NE(dialog, nullptr);
-            before = dialog->intValue();
-            dialog->setIntValue(MiB);
-            dialog->accept();
-        });
-        give(Command::UndoMemory);
-        return before;
-    };
-    EXPECT_EQ(chosen_then(64), 512);
-    start_again();
-    EXPECT_EQ(chosen_then(1024), 64);
-    // Undo goes on as before.
-    mouse_stroke(line_mm({10, 10}, {30, 20}));
-    const double painted_mm3 = volume_mm3();
-    EXPECT_GT(painted_mm3, 0.0);
-    wait_for([&] { return window().commands().action(Command::Undo)->isEnabled(); });
-    give(Command::Undo);
-    EXPECT_EQ(volume_mm3(), 0.0);
 }
 
 TEST_F(MemoryWindow, ThePanelsStandAsTheyWereLeftUntilTheyAreReset) {

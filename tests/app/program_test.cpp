@@ -22,9 +22,8 @@ struct Outcome {
     std::string output;  ///< both streams
 };
 
-Outcome run(const std::string& environment, const std::string& arguments) {
-    const std::string command = "env " + environment + " '" PASTOSO_PROGRAM "' " + arguments + " 2>&1";
-    FILE* pipe = ::popen(command.c_str(), "r");
+Outcome run_command(const std::string& command) {
+    FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
     Outcome outcome;
     std::array<char, 4096> buffer{};
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
@@ -33,6 +32,10 @@ Outcome run(const std::string& environment, const std::string& arguments) {
     const int status = ::pclose(pipe);
     outcome.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     return outcome;
+}
+
+Outcome run(const std::string& environment, const std::string& arguments) {
+    return run_command("env " + environment + " '" PASTOSO_PROGRAM "' " + arguments);
 }
 
 void expect_one_sentence(const std::string& text) {
@@ -65,8 +68,8 @@ TEST(Program, SaysTheSameOfADisplayThatIsDead) {
 }
 
 TEST(Program, RefusesUnknownArguments) {
-    for (const auto& [arguments, unknown] : {std::pair{"--no-such-option", "--no-such-option"},
-                                             std::pair{"a.json b.json", "b.json"}}) {
+    for (const auto& [arguments, unknown] :
+         {std::pair{"--no-such-option", "--no-such-option"}, std::pair{"a.json b.json", "b.json"}}) {
         const Outcome outcome = run("", arguments);
         EXPECT_EQ(outcome.exit_status, 2);
         expect_one_sentence(outcome.output);
@@ -104,6 +107,29 @@ TEST_F(ProgramWithDisplay, ShowsItsWindowAndSavesAPictureOfIt) {
     const Outcome outcome = run("", "--screenshot " + picture.string() + " --after 0.5");
     EXPECT_EQ(outcome.exit_status, 0) << outcome.output;
     EXPECT_GT(std::filesystem::file_size(picture), 10000U);
+}
+
+TEST_F(ProgramWithDisplay, TellsHowLongThePainterWaitedWhereAsked) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        run("", "--profile --screenshot " + (folder.path() / "window.png").string() + " --after 0.5");
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("event to snapshot"));
+    EXPECT_THAT(outcome.output, HasSubstr("tick without paint"));
+}
+
+TEST_F(ProgramWithDisplay, LeavesAReportWhereItFails) {
+    const TemporaryFolder folder;
+    const std::string state = "XDG_STATE_HOME=" + folder.path().string();
+    const std::string killed = "sh -c 'exec \"" PASTOSO_PROGRAM "\" & sleep 3; kill -SEGV $!; wait $!'";
+    const Outcome outcome = run_command("env " + state + " " + killed);
+    EXPECT_NE(outcome.exit_status, 0);
+    const auto reports = pastoso::core::files_in(folder.path() / "pastoso" / "crashes", ".txt");
+    ASSERT_EQ(reports.size(), 1U) << outcome.output;
+    const std::string text = pastoso::core::read_text_file(reports.front());
+    EXPECT_THAT(text, HasSubstr("SIGSEGV"));
+    EXPECT_THAT(text, HasSubstr("OpenGL: "));
+    EXPECT_THAT(text, HasSubstr("QApplication"));
 }
 
 }  // namespace

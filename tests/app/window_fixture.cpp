@@ -1,7 +1,7 @@
 #include "app/window_fixture.hpp"
 
+#include "appearance/theme.hpp"
 #include "main/display.hpp"
-#include "panels/theme.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ void make_application() {
     format.setProfile(QSurfaceFormat::CoreProfile);
     QSurfaceFormat::setDefaultFormat(format);
     auto* application = new QApplication(argc, argv);
-    panels::apply_theme(*application);
+    appearance::apply_theme(*application, appearance::Theme::Dark);
 }
 
 /// Milliseconds for the next event, ten apart like those of a slow tablet.

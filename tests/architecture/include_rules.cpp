@@ -45,13 +45,16 @@ const Rules& app_rules() {
     static const Rules rules = {
         {"arguments", {}},
         {"cli", {"arguments"}},
+        {"appearance", {}},
+        {"crash", {}},
         {"session", {}},
-        {"commands", {"session"}},
+        {"commands", {"appearance", "session"}},
         {"tools", {"session"}},
-        {"view", {"session", "commands", "tools"}},
-        {"panels", {"session", "commands", "tools"}},
-        {"dialogs", {"session", "commands", "tools"}},
-        {"main", {"arguments", "session", "commands", "tools", "view", "panels", "dialogs"}},
+        {"view", {"appearance", "session", "commands", "tools"}},
+        {"panels", {"appearance", "session", "commands", "tools"}},
+        {"dialogs", {"appearance", "session", "commands", "tools"}},
+        {"main",
+         {"arguments", "appearance", "crash", "session", "commands", "tools", "view", "panels", "dialogs"}},
     };
     return rules;
 }

@@ -1,0 +1,90 @@
+#include "appearance/style_sheet.hpp"
+
+namespace pastoso::appearance {
+namespace {
+
+/// <window>, <edge> ... stand for the theme's colours.
+const char* const kRules = R"(
+QToolTip { background: <field>; color: <text>; border: 1px solid <line>; padding: 4px; }
+QLabel#heading { font-weight: 600; color: <quiet_text>; }
+QLabel#reading { color: <quiet_text>; }
+QLabel#canvas_note { background: <window>; color: <text>; border: 1px solid <line>; border-radius: 4px; padding: 5px 9px; }
+QToolBar { background: <window>; border: none; border-bottom: 1px solid <edge>; spacing: 4px; padding: 4px; }
+QMenuBar { background: <window>; border-bottom: 1px solid <edge>; }
+QMenuBar::item { padding: 5px 10px; background: transparent; }
+QMenuBar::item:selected { background: <button>; border-radius: 4px; }
+QMenu { background: <window>; border: 1px solid <line>; padding: 4px; }
+QMenu::item { padding: 5px 28px 5px 22px; border-radius: 3px; }
+QMenu::item:selected { background: <chosen>; }
+QMenu::item:disabled { color: <faint_text>; }
+QMenu::separator { height: 1px; background: <line>; margin: 4px 6px; }
+QStatusBar { background: <window>; border-top: 1px solid <edge>; color: <quiet_text>; }
+QStatusBar::item { border: none; }
+QStatusBar QLabel { color: <quiet_text>; padding: 0px 7px; }
+QListView, QTreeView, QComboBox, QAbstractSpinBox { background: <field>; border: 1px solid <line>; border-radius: 4px; }
+QListView { padding: 2px; outline: none; }
+QListView::item { padding: 3px 4px; border-radius: 3px; }
+QListView::item:hover { background: <window>; }
+QListView::item:selected { background: <chosen>; color: <chosen_text>; }
+QTreeView { padding: 2px 0px; outline: none; }
+QFrame#command_palette { background: <window>; border: 1px solid <line>; }
+#command_palette QLineEdit, #keys_dialog QLineEdit { background: <field>; border: 1px solid <line>; border-radius: 4px; padding: 5px 8px; }
+#command_palette QLineEdit:focus, #keys_dialog QLineEdit:focus { border-color: <accent>; }
+#command_palette QListView { border: none; background: transparent; }
+#keys_dialog QTreeView::item:hover { background: <window>; }
+#keys_dialog QTreeView::item:selected { background: <chosen>; color: <chosen_text>; }
+#keys_dialog QToolButton { background: transparent; border: none; padding: 4px 5px; color: <quiet_text>; }
+#keys_dialog QToolButton:hover { color: <chosen_text>; }
+#keys_dialog QLabel#sentence { color: <warning>; }
+QComboBox { padding: 4px 8px; }
+QAbstractSpinBox { padding: 3px 4px; }
+QDialogButtonBox, QMessageBox { dialogbuttonbox-buttons-have-icons: 0; }
+QPushButton { background: <button>; border: 1px solid <line>; border-radius: 4px; padding: 5px 14px; }
+QPushButton:hover { background: <hovered>; }
+QPushButton:default { background: <chosen>; border-color: <accent>; color: <chosen_text>; }
+QPushButton:disabled { color: <faint_text>; background: <window>; border-color: <button>; }
+QToolButton { background: <button>; border: 1px solid <line>; border-radius: 4px; padding: 5px 9px; }
+QToolButton:hover { background: <hovered>; }
+QToolButton:pressed, QToolButton:checked { background: <chosen>; border-color: <accent>; color: <chosen_text>; }
+QToolButton:disabled { color: <faint_text>; background: <window>; border-color: <button>; }
+QScrollBar:vertical { background: transparent; width: 9px; margin: 0px; }
+QScrollBar::handle:vertical { background: <line>; border-radius: 4px; min-height: 24px; }
+QScrollBar::add-line, QScrollBar::sub-line { height: 0px; }
+QSlider::groove:horizontal { height: 4px; background: <edge>; border-radius: 2px; }
+QSlider::sub-page:horizontal { background: <accent>; border-radius: 2px; }
+QSlider::handle:horizontal { width: 14px; margin: -5px 0px; border-radius: 7px; background: <text>; }
+QSlider::sub-page:horizontal:disabled { background: <line>; }
+QSlider::handle:horizontal:disabled { background: <very_faint>; }
+)";
+
+struct NamedColour {
+    const char* name;
+    QColor ThemeColours::*colour;
+};
+constexpr NamedColour kColours[] = {
+    {"<window>", &ThemeColours::window},
+    {"<edge>", &ThemeColours::edge},
+    {"<field>", &ThemeColours::field},
+    {"<button>", &ThemeColours::button},
+    {"<hovered>", &ThemeColours::hovered},
+    {"<line>", &ThemeColours::line},
+    {"<text>", &ThemeColours::text},
+    {"<quiet_text>", &ThemeColours::quiet_text},
+    {"<faint_text>", &ThemeColours::faint_text},
+    {"<very_faint>", &ThemeColours::very_faint},
+    {"<accent>", &ThemeColours::accent},
+    {"<chosen>", &ThemeColours::chosen},
+    {"<chosen_text>", &ThemeColours::chosen_text},
+    {"<warning>", &ThemeColours::warning},
+};
+
+}  // namespace
+
+QString style_sheet(const ThemeColours& colours) {
+    QString rules = QString::fromUtf8(kRules);
+    for (const NamedColour& named : kColours)
+        rules.replace(QLatin1String(named.name), (colours.*named.colour).name());
+    return rules;
+}
+
+}  // namespace pastoso::appearance

@@ -1,0 +1,98 @@
+#include "appearance/theme.hpp"
+
+#include "appearance/style_sheet.hpp"
+
+#include <QApplication>
+#include <QPalette>
+#include <QStyleFactory>
+
+namespace pastoso::appearance {
+namespace {
+
+ThemeColours dark_colours() {
+    return {.window = {43, 43, 45},
+            .edge = {31, 31, 33},
+            .field = {33, 33, 35},
+            .button = {58, 58, 61},
+            .hovered = {70, 70, 74},
+            .line = {72, 72, 76},
+            .text = {218, 218, 220},
+            .quiet_text = {169, 169, 174},
+            .faint_text = {122, 122, 126},
+            .very_faint = {84, 84, 88},
+            .accent = {104, 138, 172},
+            .chosen = {69, 96, 124},
+            .chosen_text = {255, 255, 255},
+            .warning = {224, 196, 138},
+            .bare_light = {92, 92, 96},
+            .bare_dark = {78, 78, 82}};
+}
+
+ThemeColours light_colours() {
+    return {.window = {212, 212, 213},
+            .edge = {180, 180, 182},
+            .field = {232, 232, 233},
+            .button = {226, 226, 227},
+            .hovered = {238, 238, 239},
+            .line = {164, 164, 167},
+            .text = {30, 30, 32},
+            .quiet_text = {76, 76, 80},
+            .faint_text = {128, 128, 132},
+            .very_faint = {160, 160, 164},
+            .accent = {58, 104, 150},
+            .chosen = {158, 188, 218},
+            .chosen_text = {12, 20, 28},
+            .warning = {128, 76, 0},
+            .bare_light = {206, 206, 208},
+            .bare_dark = {188, 188, 190}};
+}
+
+struct Used {
+    std::optional<Theme> theme;
+    ThemeColours colours = dark_colours();
+};
+
+Used& used() {
+    static Used used;
+    return used;
+}
+
+QPalette palette_of(const ThemeColours& colours) {
+    QPalette palette(colours.button, colours.window);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+        palette.setColor(role, colours.text);
+        palette.setColor(QPalette::Disabled, role, colours.faint_text);
+    }
+    palette.setColor(QPalette::Base, colours.field);
+    palette.setColor(QPalette::AlternateBase, colours.window);
+    palette.setColor(QPalette::Highlight, colours.accent);
+    palette.setColor(QPalette::HighlightedText, Qt::white);
+    palette.setColor(QPalette::Link, colours.accent);
+    palette.setColor(QPalette::PlaceholderText, colours.faint_text);
+    palette.setColor(QPalette::ToolTipBase, colours.field);
+    palette.setColor(QPalette::ToolTipText, colours.text);
+    return palette;
+}
+
+}  // namespace
+
+std::string_view name_of(Theme theme) {
+    return theme == Theme::Dark ? "dark" : "light";
+}
+
+std::optional<Theme> theme() {
+    return used().theme;
+}
+
+const ThemeColours& colours() {
+    return used().colours;
+}
+
+void apply_theme(QApplication& application, Theme theme) {
+    used() = {theme, theme == Theme::Dark ? dark_colours() : light_colours()};
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setPalette(palette_of(colours()));
+    application.setStyleSheet(style_sheet(colours()));
+}
+
+}  // namespace pastoso::appearance

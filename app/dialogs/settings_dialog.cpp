@@ -1,0 +1,173 @@
+#include "dialogs/settings_dialog.hpp"
+
+#include "core/thread_count.hpp"
+#include "tools/settings.hpp"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+namespace pastoso::dialogs {
+namespace {
+
+constexpr int kWidth = 560;
+
+QLabel* note(const QString& sentence) {
+    auto* label = new QLabel(sentence);
+    label->setObjectName(QStringLiteral("reading"));
+    label->setWordWrap(true);
+    return label;
+}
+
+QFormLayout* form_on(QWidget* page) {
+    auto* form = new QFormLayout(page);
+    form->setContentsMargins(16, 16, 16, 16);
+    form->setHorizontalSpacing(16);
+    form->setVerticalSpacing(10);
+    return form;
+}
+
+}  // namespace
+
+SettingsDialog::SettingsDialog(tools::Preferences preferences, int undo_memory_MiB,
+                               const std::vector<Fact>& machine, QWidget* parent)
+    : QDialog(parent), preferences_(std::move(preferences)) {
+    setWindowTitle(tr("Settings"));
+    setObjectName(QStringLiteral("settings_dialog"));
+    pages_ = new QTabWidget;
+    pages_->setObjectName(QStringLiteral("pages"));
+    pages_->addTab(make_appearance(), tr("Appearance"));
+    pages_->addTab(make_keeping(undo_memory_MiB), tr("Keeping"));
+    pages_->addTab(make_performance(), tr("Performance"));
+    pages_->addTab(make_machine(machine), tr("This machine"));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(14, 14, 14, 12);
+    column->setSpacing(12);
+    column->addWidget(pages_, 1);
+    column->addWidget(buttons);
+    setMinimumWidth(kWidth);
+}
+
+void SettingsDialog::show_page(Page page) {
+    pages_->setCurrentIndex(static_cast<int>(page));
+}
+
+void SettingsDialog::add_choice(QFormLayout* form, const QString& words, const QString& name,
+                                const std::vector<std::pair<QString, std::string>>& choices,
+                                std::string tools::Preferences::*preference) {
+    auto* box = new QComboBox;
+    box->setObjectName(name);
+    for (const auto& [shown, value] : choices)
+        box->addItem(shown, QString::fromStdString(value));
+    box->setCurrentIndex(box->findData(QString::fromStdString(preferences_.*preference)));
+    connect(box, &QComboBox::activated, this, [this, box, preference] {
+        preferences_.*preference = box->currentData().toString().toStdString();
+        Q_EMIT changed(preferences_);
+    });
+    form->addRow(words, box);
+}
+
+QWidget* SettingsDialog::make_appearance() {
+    auto* page = new QWidget;
+    QFormLayout* form = form_on(page);
+    add_choice(form, tr("Theme"), QStringLiteral("theme"),
+               {{tr("Dark"), "dark"}, {tr("Light"), "light"}}, &tools::Preferences::theme);
+    form->addRow(QString(), note(tr("Both are neutral greys, so that nothing beside the canvas colours "
+                                    "what you see on it.")));
+    add_choice(form, tr("Language"), QStringLiteral("language"),
+               {{tr("As on the desktop"), ""},
+                {QStringLiteral("English"), "en"},
+                {QStringLiteral("日本語"), "ja"},
+                {QStringLiteral("Svenska"), "sv"},
+                {QStringLiteral("繁體中文"), "zh_TW"}},
+               &tools::Preferences::language);
+    form->addRow(QString(), note(tr("Another language speaks from the next start on.")));
+    return page;
+}
+
+QWidget* SettingsDialog::make_keeping(int undo_memory_MiB) {
+    constexpr int kStep_MiB = 256;
+    auto* page = new QWidget;
+    QFormLayout* form = form_on(page);
+    auto* memory = new QSpinBox;
+    memory->setObjectName(QStringLiteral("undo_memory"));
+    memory->setRange(tools::kLeastUndoMemory_MiB, tools::kMostUndoMemory_MiB);
+    memory->setSingleStep(kStep_MiB);
+    memory->setSuffix(tr(" MiB"));
+    memory->setKeyboardTracking(false);
+    memory->setValue(undo_memory_MiB);
+    connect(memory, &QSpinBox::valueChanged, this, &SettingsDialog::undo_memory_changed);
+    form->addRow(tr("Memory for undo"), memory);
+    form->addRow(QString(), note(tr("The steps that you can return to. The oldest are given up when it "
+                                    "is full; 500 are kept at most.")));
+    auto* autosave = new QSpinBox;
+    autosave->setObjectName(QStringLiteral("autosave"));
+    autosave->setRange(0, tools::kMostAutosave_min);
+    autosave->setSpecialValueText(tr("Never"));
+    autosave->setSuffix(tr(" minutes"));
+    autosave->setKeyboardTracking(false);
+    autosave->setValue(preferences_.autosave_min);
+    connect(autosave, &QSpinBox::valueChanged, this, [this](int minutes) {
+        preferences_.autosave_min = minutes;
+        Q_EMIT changed(preferences_);
+    });
+    form->addRow(tr("Save by itself every"), autosave);
+    form->addRow(QString(),
+                 note(tr("Into the painting's own file, once it has one. Whatever you choose, "
+                         "every stroke is kept aside within a second and offered to you "
+                         "again should the program or the machine fail.")));
+    return page;
+}
+
+QWidget* SettingsDialog::make_performance() {
+    auto* page = new QWidget;
+    QFormLayout* form = form_on(page);
+    auto* threads = new QSpinBox;
+    threads->setObjectName(QStringLiteral("threads"));
+    threads->setRange(0, tools::kMostThreads);
+    threads->setSpecialValueText(tr("All of the machine (%1)").arg(core::processor_count()));
+    threads->setKeyboardTracking(false);
+    threads->setValue(preferences_.threads);
+    connect(threads, &QSpinBox::valueChanged, this, [this](int count) {
+        preferences_.threads = count;
+        Q_EMIT changed(preferences_);
+    });
+    form->addRow(tr("Threads"), threads);
+    form->addRow(QString(), note(tr("How many things the program works on at once, from the next "
+                                    "painting on. The paint flows the same with any number.")));
+    form->addRow(QString(), note(tr("How carefully moving paint is shown follows from how fast this "
+                                    "machine draws; what stands still is always shown in full.")));
+    return page;
+}
+
+QWidget* SettingsDialog::make_machine(const std::vector<Fact>& machine) {
+    auto* page = new QWidget;
+    QFormLayout* form = form_on(page);
+    QString all;
+    for (const auto& [what, how] : machine) {
+        auto* value = new QLabel(how);
+        value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        value->setWordWrap(true);
+        form->addRow(what, value);
+        all += QStringLiteral("%1: %2\n").arg(what, how);
+    }
+    auto* copy = new QPushButton(tr("Copy"));
+    copy->setObjectName(QStringLiteral("copy_machine"));
+    connect(copy, &QPushButton::clicked, this, [all] { QApplication::clipboard()->setText(all); });
+    auto* row = new QHBoxLayout;
+    row->addStretch();
+    row->addWidget(copy);
+    form->addRow(row);
+    return page;
+}
+
+}  // namespace pastoso::dialogs

@@ -1,0 +1,48 @@
+// The program's settings: how it looks, what it keeps, how much of the machine it takes, and what it
+// finds there. Every change holds at once; there is nothing to be accepted at the end.
+#pragma once
+
+#include "tools/preferences.hpp"
+
+#include <utility>
+#include <vector>
+
+#include <QDialog>
+
+class QFormLayout;
+class QLabel;
+class QTabWidget;
+
+namespace pastoso::dialogs {
+
+class SettingsDialog : public QDialog {
+    Q_OBJECT
+  public:
+    enum class Page { Appearance, Keeping, Performance, Machine };
+
+    /// One line of the page of the machine: what, and how it is.
+    using Fact = std::pair<QString, QString>;
+
+    SettingsDialog(tools::Preferences preferences, int undo_memory_MiB, const std::vector<Fact>& machine,
+                   QWidget* parent = nullptr);
+
+    void show_page(Page page);
+
+  Q_SIGNALS:
+    void changed(const pastoso::tools::Preferences& preferences);
+    void undo_memory_changed(int MiB);
+
+  private:
+    QWidget* make_appearance();
+    QWidget* make_keeping(int undo_memory_MiB);
+    QWidget* make_performance();
+    QWidget* make_machine(const std::vector<Fact>& machine);
+    void add_choice(QFormLayout* form, const QString& words, const QString& name,
+                    const std::vector<std::pair<QString, std::string>>& choices,
+                    std::string tools::Preferences::*preference);
+
+    tools::Preferences preferences_;
+    QTabWidget* pages_ = nullptr;
+};
+
+}  // namespace pastoso::dialogs

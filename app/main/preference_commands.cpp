@@ -1,0 +1,83 @@
+#include "main/preference_commands.hpp"
+
+#include "appearance/theme.hpp"
+#include "core/error.hpp"
+#include "core/thread_count.hpp"
+#include "core/user_data.hpp"
+#include "main/machine_facts.hpp"
+
+#include <chrono>
+
+#include <QApplication>
+#include <QMainWindow>
+#include <QTimer>
+
+namespace pastoso::main {
+namespace {
+
+using commands::Command;
+using Page = dialogs::SettingsDialog::Page;
+
+}  // namespace
+
+std::filesystem::path preferences_file() {
+    return core::user_config_path("preferences.json");
+}
+
+void apply_preferences(const tools::Preferences& preferences) {
+    core::set_default_thread_count(preferences.threads);
+    const auto theme = preferences.theme == appearance::name_of(appearance::Theme::Light)
+                           ? appearance::Theme::Light
+                           : appearance::Theme::Dark;
+    if (appearance::theme() != theme) appearance::apply_theme(*qApp, theme);
+}
+
+PreferenceCommands::PreferenceCommands(Studio& studio, UndoCommands& undo)
+    : studio_(studio), undo_(undo) {
+    studio_.commands().on(Command::EditSettings, [this](bool) { ask(Page::Appearance); });
+    studio_.commands().on(Command::UndoMemory, [this](bool) { ask(Page::Keeping); });
+    autosave_ = new QTimer(&studio_.window());
+    autosave_->setObjectName(QStringLiteral("autosave"));
+    connect(autosave_, &QTimer::timeout, this, &PreferenceCommands::autosave_due);
+}
+
+void PreferenceCommands::recall() {
+    try {
+        preferences_ = tools::read_preferences(preferences_file());
+    } catch (const core::InputError& error) {
+        studio_.report(QString::fromUtf8(error.what()));
+        usable_ = false;
+    }
+    start_autosave();
+}
+
+void PreferenceCommands::ask(Page page) {
+    dialogs::SettingsDialog dialog(preferences_, undo_.memory_MiB(), machine_facts(), &studio_.window());
+    connect(&dialog, &dialogs::SettingsDialog::changed, this, &PreferenceCommands::use);
+    connect(&dialog, &dialogs::SettingsDialog::undo_memory_changed, &undo_, &UndoCommands::set_memory);
+    dialog.show_page(page);
+    dialog.exec();
+}
+
+void PreferenceCommands::use(const tools::Preferences& preferences) {
+    preferences_ = preferences;
+    apply_preferences(preferences_);
+    start_autosave();
+    remember();
+}
+
+void PreferenceCommands::start_autosave() {
+    autosave_->stop();
+    if (preferences_.autosave_min > 0) autosave_->start(std::chrono::minutes(preferences_.autosave_min));
+}
+
+void PreferenceCommands::remember() {
+    if (!usable_ || preferences_file().empty()) return;
+    try {
+        tools::write_preferences(preferences_, preferences_file());
+    } catch (const core::InputError& error) {
+        studio_.report(QString::fromUtf8(error.what()));
+    }
+}
+
+}  // namespace pastoso::main

@@ -1,0 +1,46 @@
+// The program's settings: asked for in a dialog, applied at once, and kept.
+#pragma once
+
+#include "dialogs/settings_dialog.hpp"
+#include "main/studio.hpp"
+#include "main/undo_commands.hpp"
+#include "tools/preferences.hpp"
+
+#include <QObject>
+
+class QTimer;
+
+namespace pastoso::main {
+
+/// Where they are kept; empty where there is no home.
+std::filesystem::path preferences_file();
+
+/// What of them holds for the whole program.
+void apply_preferences(const tools::Preferences& preferences);
+
+class PreferenceCommands : public QObject {
+    Q_OBJECT
+  public:
+    PreferenceCommands(Studio& studio, UndoCommands& undo);
+
+    /// Reads them; tells the painter where that fails, and leaves the file alone then.
+    void recall();
+
+  Q_SIGNALS:
+    /// It is time that the painting is saved by itself.
+    void autosave_due();
+
+  private:
+    void ask(dialogs::SettingsDialog::Page page);
+    void use(const tools::Preferences& preferences);
+    void remember();
+    void start_autosave();
+
+    Studio& studio_;
+    UndoCommands& undo_;
+    tools::Preferences preferences_;
+    bool usable_ = true;
+    QTimer* autosave_;  ///< the window's
+};
+
+}  // namespace pastoso::main

@@ -1,0 +1,61 @@
+#include "session/frame_times.hpp"
+
+#include <gmock/gmock.h>
+
+namespace pastoso::session {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::DoubleNear;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+FrameTimes::Clock::time_point at_ms(int ms) {
+    return FrameTimes::Clock::time_point(milliseconds(ms));
+}
+
+TEST(Durations, PercentilesAreTheNearestRanks) {
+    const Durations durations{{0.005, 0.001, 0.004, 0.002, 0.003}};
+    EXPECT_EQ(durations.percentile_s(0.0), 0.001);
+    EXPECT_EQ(durations.percentile_s(0.5), 0.003);
+    EXPECT_EQ(durations.percentile_s(0.95), 0.005);
+    EXPECT_EQ(durations.percentile_s(1.0), 0.005);
+    EXPECT_EQ(Durations{}.percentile_s(0.5), 0.0);
+}
+
+TEST(FrameTimes, EachEventIsPublishedOnceInItsOrder) {
+    FrameTimes times;
+    const int first = 0, second = 0;
+    times.posted(at_ms(0));
+    times.posted(at_ms(2));
+    times.published(1, &first, at_ms(5));
+    times.posted(at_ms(6));
+    times.published(2, &second, at_ms(9));
+    times.published(3, &second, at_ms(20));
+    EXPECT_THAT(times.event_to_snapshot().all_s,
+                ElementsAre(DoubleNear(0.005, 1e-9), DoubleNear(0.007, 1e-9), DoubleNear(0.003, 1e-9)));
+}
+
+TEST(FrameTimes, ASnapshotThatIsPassedOverIsNeverOnTheScreen) {
+    FrameTimes times;
+    const int passed_over = 0, shown = 0, later = 0;
+    times.published(0, &passed_over, at_ms(0));
+    times.published(0, &shown, at_ms(10));
+    times.published(0, &later, at_ms(20));
+    times.presented(&shown, at_ms(26));
+    times.presented(&passed_over, at_ms(27));
+    times.presented(&shown, at_ms(28));
+    EXPECT_THAT(times.snapshot_to_screen().all_s, ElementsAre(DoubleNear(0.016, 1e-9)));
+    times.presented(&later, at_ms(30));
+    EXPECT_EQ(times.snapshot_to_screen().all_s.size(), 2U);
+}
+
+TEST(FrameTimes, TheTableTellsCountsAndMilliseconds) {
+    FrameTimes times;
+    EXPECT_THAT(times.quiet_ticks().all_s, IsEmpty());
+    times.quiet_tick(0.00125);
+    EXPECT_THAT(times.table(), testing::HasSubstr("tick without paint          1      1.25"));
+}
+
+}  // namespace
+}  // namespace pastoso::session

@@ -1,0 +1,206 @@
+// The program's settings through the real window: what is chosen holds at once, is kept, and is there
+// again.
+#include "app/window_fixture.hpp"
+#include "appearance/theme.hpp"
+#include "commands/command_names.hpp"
+#include "core/text_file.hpp"
+#include "core/thread_count.hpp"
+#include "core/user_data.hpp"
+#include "dialogs/settings_dialog.hpp"
+#include "main/preference_commands.hpp"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QImage>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTabWidget>
+#include <QTest>
+#include <QTimer>
+#include <gmock/gmock.h>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+using dialogs::SettingsDialog;
+using testing::HasSubstr;
+
+class SettingsWindow : public WindowTest {
+  protected:
+    void TearDown() override {
+        main::apply_preferences({});
+        WindowTest::TearDown();
+    }
+
+    /// Opens the settings, and does that in them.
+    void in_settings(const std::function<void(SettingsDialog&)>& work,
+                     Command command = Command::EditSettings) {
+        bool done = false;
+        QTimer::singleShot(0, [&] {
+            auto* dialog = qobject_cast<SettingsDialog*>(QApplication::activeModalWidget());
+            ASSERT_NE(dialog, nullptr);
+            work(*dialog);
+            done = true;
+            dialog->reject();
+        });
+        action(command)->trigger();
+        EXPECT_TRUE(done);
+    }
+    template <class Widget>
+    static Widget& find(QWidget& dialog, const char* name) {
+        auto* found = dialog.findChild<Widget*>(QString::fromLatin1(name));
+        if (found == nullptr) throw std::runtime_error(name);
+        return *found;
+    }
+    static void choose(QWidget& dialog, const char* name, const char* value) {
+        auto& box = find<QComboBox>(dialog, name);
+        box.setCurrentIndex(box.findData(QString::fromLatin1(value)));
+        Q_EMIT box.activated(box.currentIndex());
+    }
+    tools::Preferences kept() { return tools::read_preferences(main::preferences_file()); }
+};
+
+TEST_F(SettingsWindow, TheThemeChangesAtOnceAndIsKept) {
+    const QColor dark = window().palette().color(QPalette::Window);
+    in_settings([](QWidget& dialog) { choose(dialog, "theme", "light"); });
+    const QColor light = window().palette().color(QPalette::Window);
+    EXPECT_LT(dark.lightness(), 64);
+    EXPECT_GT(light.lightness(), 192);
+    EXPECT_EQ(kept().theme, "light");
+    in_settings([](QWidget& dialog) {
+        EXPECT_EQ(find<QComboBox>(dialog, "theme").currentData().toString(), "light");
+        choose(dialog, "theme", "dark");
+    });
+    EXPECT_EQ(window().palette().color(QPalette::Window), dark);
+}
+
+TEST_F(SettingsWindow, GreysOfBothThemesAreNeutralAndTextStandsOut) {
+    for (const appearance::Theme theme : {appearance::Theme::Dark, appearance::Theme::Light}) {
+        appearance::apply_theme(*qApp, theme);
+        const appearance::ThemeColours& colours = appearance::colours();
+        for (const QColor& grey : {colours.window, colours.field, colours.button, colours.edge})
+            EXPECT_LE(std::abs(grey.red() - grey.blue()), 3) << grey.name().toStdString();
+        const auto contrast = [](const QColor& a, const QColor& b) {
+            return std::abs(a.lightness() - b.lightness());
+        };
+        EXPECT_GT(contrast(colours.text, colours.window), 150);
+        EXPECT_GT(contrast(colours.quiet_text, colours.window), 110);
+        EXPECT_GT(contrast(colours.faint_text, colours.window), 70);
+        EXPECT_GT(contrast(colours.chosen_text, colours.chosen), 120);
+        EXPECT_GT(contrast(colours.warning, colours.window), 100);
+    }
+}
+
+TEST_F(SettingsWindow, EveryCommandHasAnIconInTheColourOfTheTheme) {
+    for (const commands::CommandText& text : commands::command_list()) {
+        const QImage picture = action(text.command)->icon().pixmap(16, 16).toImage();
+        ASSERT_FALSE(picture.isNull()) << commands::name_of(text.command);
+        int drawn = 0;
+        for (int y = 0; y < 16; ++y)
+            for (int x = 0; x < 16; ++x)
+                drawn += picture.pixelColor(x, y).alpha() > 128 ? 1 : 0;
+        EXPECT_GT(drawn, 4) << commands::name_of(text.command);
+        EXPECT_LT(drawn, 200) << commands::name_of(text.command);
+    }
+    const auto darkest = [&] {
+        const QImage picture = action(Command::LookFlat)->icon().pixmap(16, 16).toImage();
+        return picture.pixelColor(8, 8).lightness();
+    };
+    EXPECT_GT(darkest(), 200);
+    tools::Preferences light;
+    light.theme = "light";
+    main::apply_preferences(light);
+    EXPECT_LT(darkest(), 60);
+}
+
+TEST_F(SettingsWindow, TheMemoryForUndoIsChosenAndThereAgain) {
+    const auto chosen_then = [&](int MiB) {
+        int before = 0;
+        in_settings(
+            [&](SettingsDialog& dialog) {
+                EXPECT_EQ(find<QTabWidget>(dialog, "pages").currentIndex(),
+                          static_cast<int>(SettingsDialog::Page::Keeping));
+                before = find<QSpinBox>(dialog, "undo_memory").value();
+                find<QSpinBox>(dialog, "undo_memory").setValue(MiB);
+            },
+            Command::UndoMemory);
+        return before;
+    };
+    EXPECT_EQ(chosen_then(64), 512);
+    start_again();
+    EXPECT_EQ(chosen_then(1024), 64);
+    // Undo goes on as before.
+    mouse_stroke(line_mm({10, 10}, {30, 20}));
+    const double painted_mm3 = volume_mm3();
+    EXPECT_GT(painted_mm3, 0.0);
+    wait_for([&] { return window().commands().action(Command::Undo)->isEnabled(); });
+    action(Command::Undo)->trigger();
+    EXPECT_EQ(volume_mm3(), 0.0);
+}
+
+TEST_F(SettingsWindow, ThreadsHoldForTheNextPainting) {
+    in_settings([](QWidget& dialog) { find<QSpinBox>(dialog, "threads").setValue(3); });
+    EXPECT_EQ(core::default_thread_count(), 3);
+    EXPECT_EQ(kept().threads, 3);
+    in_settings([](QWidget& dialog) { find<QSpinBox>(dialog, "threads").setValue(0); });
+    EXPECT_EQ(core::default_thread_count(), core::processor_count());
+}
+
+TEST_F(SettingsWindow, SavesByItselfWhereThereIsAFileAndAChangeButNotWithinAStroke) {
+    in_settings([](QWidget& dialog) { find<QSpinBox>(dialog, "autosave").setValue(1); });
+    EXPECT_EQ(kept().autosave_min, 1);
+    auto& timer = *window().findChild<QTimer*>(QStringLiteral("autosave"));
+    EXPECT_EQ(timer.interval(), 60000);
+    timer.start(20);
+    mouse_stroke(line_mm({10, 10}, {30, 20}));
+    QTest::qWait(100);
+    EXPECT_TRUE(window().isWindowModified());
+
+    const std::filesystem::path file = data_file("own.pastoso");
+    std::filesystem::create_directories(file.parent_path());
+    window().save_painting(QString::fromStdString(file.string()));
+    window().project_saver().wait();
+    const auto first = std::filesystem::last_write_time(file);
+    QTest::qWait(100);
+    window().project_saver().wait();
+    EXPECT_EQ(std::filesystem::last_write_time(file), first);
+
+    press({10, 15});
+    move({20, 18});
+    QTest::qWait(100);
+    EXPECT_TRUE(session().status().stroke_in_progress);
+    EXPECT_EQ(std::filesystem::last_write_time(file), first);
+    release({20, 18});
+    wait_for([&] { return std::filesystem::last_write_time(file) != first; });
+    timer.stop();
+    window().project_saver().wait();
+    EXPECT_FALSE(window().isWindowModified());
+}
+
+TEST_F(SettingsWindow, TellsWhatTheMachineIsAndCopiesIt) {
+    in_settings([](QWidget& dialog) {
+        QApplication::clipboard()->clear();
+        find<QPushButton>(dialog, "copy_machine").click();
+        const std::string text = QApplication::clipboard()->text().toStdString();
+        EXPECT_THAT(text, HasSubstr("Qt " QT_VERSION_STR));
+        EXPECT_THAT(text, HasSubstr("OpenGL: "));
+        EXPECT_THAT(text, HasSubstr("Graphics: "));
+    });
+}
+
+TEST_F(SettingsWindow, AFileThatCanNotBeReadIsToldAndLeftAlone) {
+    const std::string broken = "{\"version\": 1, \"theme\": \"pink\"}";
+    std::filesystem::create_directories(main::preferences_file().parent_path());
+    core::write_text_file(main::preferences_file(), broken);
+    start_again();
+    EXPECT_THAT(told(), HasSubstr("preferences.json"));
+    in_settings([](QWidget& dialog) { choose(dialog, "theme", "light"); });
+    EXPECT_EQ(core::read_text_file(main::preferences_file()), broken);
+}
+
+}  // namespace
+}  // namespace pastoso::tests

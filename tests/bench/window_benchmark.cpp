@@ -1,0 +1,125 @@
+// How long a painter waits: the real window of 1280 x 800 is painted on with a brush of 60 pixels by a
+// pen that reports 200 times a second, and the times of FrameTimes are told at the end, with the number
+// of pen events sent and of those that reached the painting.
+//
+//     LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb xvfb-run -s "-screen 0 1600x1000x24" \
+//         build/w/bin/window_benchmark [SECONDS [WIDTH_PX]]
+
+#include "appearance/theme.hpp"
+#include "main/main_window.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QPointingDevice>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QWindow>
+#include <qpa/qwindowsysteminterface.h>
+
+namespace {
+
+using namespace pastoso;
+
+constexpr int kEvent_ms = 5;
+constexpr int kStroke_ms = 900, kLift_ms = 100;
+
+const QPointingDevice* pen() {
+    using Capability = QInputDevice::Capability;
+    auto* stylus = new QPointingDevice(
+        QStringLiteral("pen"), 77, QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Pen,
+        Capability::Position | Capability::Pressure | Capability::Hover, 1, 1);
+    QWindowSystemInterface::registerInputDevice(stylus);
+    return stylus;
+}
+
+/// Loops that wander over the canvas, a second each, the pen in the air at the end of each.
+class Painter {
+  public:
+    explicit Painter(main::MainWindow& window) : window_(window), pen_(pen()) {}
+
+    void paint_at(int time_ms) {
+        const auto canvas = window_.session().canvas();
+        const double second = time_ms / 1000.0, turn = 2.0 * std::numbers::pi * second;
+        const glm::dvec2 mm{canvas.width_mm * (0.5 + 0.35 * std::cos(0.37 * turn)),
+                            canvas.height_mm * (0.5 + 0.35 * std::sin(0.53 * turn))};
+        const bool down = time_ms % (kStroke_ms + kLift_ms) < kStroke_ms;
+        QWindow* handle = window_.windowHandle();
+        const QPointF global = window_.canvas().mapToGlobal(window_.canvas().widget_position(mm));
+        QWindowSystemInterface::handleTabletEvent(
+            handle, static_cast<ulong>(1000 + time_ms), pen_, handle->mapFromGlobal(global), global,
+            down ? Qt::LeftButton : Qt::NoButton, down ? 0.5 + 0.3 * std::sin(turn) : 0.0, 0, 0, 0.0,
+            0.0, 0);
+        sent_ += down ? 1 : 0;
+    }
+
+    int sent() const { return sent_; }
+
+  private:
+    main::MainWindow& window_;
+    const QPointingDevice* pen_;
+    int sent_ = 0;
+};
+
+int arrived(main::MainWindow& window) {
+    const document::Recording recording = window.session().recording();
+    return static_cast<int>(
+        std::count_if(recording.events.begin(), recording.events.end(), [](const auto& event) {
+            return std::holds_alternative<document::PenDown>(event.action) ||
+                   std::holds_alternative<document::PenMove>(event.action);
+        }));
+}
+
+void use_own_folders(const QTemporaryDir& home) {
+    for (const char* variable : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
+        qputenv(variable, home.path().toLocal8Bit());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    QSurfaceFormat::setDefaultFormat(format);
+    QApplication application(argc, argv);
+    appearance::apply_theme(application, appearance::Theme::Dark);
+    const int seconds = argc > 1 ? std::atoi(argv[1]) : 30;
+    const double width_px = argc > 2 ? std::atof(argv[2]) : 60.0;
+    const QTemporaryDir home;
+    use_own_folders(home);
+
+    main::MainWindow window(document::CanvasSettings{});
+    window.resize(1280, 800);
+    window.show();
+    if (!QTest::qWaitForWindowExposed(&window)) return EXIT_FAILURE;
+    window.easel().set_brush_width(width_px / window.session().canvas().px_per_mm);
+    const auto times = std::make_shared<session::FrameTimes>();
+    QTest::qWait(3000);
+    window.measure(times);
+    QTest::qWait(2000);
+
+    Painter painter(window);
+    QElapsedTimer clock;
+    clock.start();
+    for (int next_ms = 0; next_ms < 1000 * seconds; next_ms += kEvent_ms) {
+        while (clock.elapsed() < next_ms)
+            QApplication::processEvents(QEventLoop::AllEvents, 1);
+        painter.paint_at(next_ms);
+    }
+    painter.paint_at(1000 * seconds - 1);
+    QApplication::processEvents();
+    window.session().wait_until_applied();
+    std::printf("%d s, brush of %.0f pixels; pen events sent %d, arrived %d\n%s", seconds, width_px,
+                painter.sent(), arrived(window), times->table().c_str());
+    return EXIT_SUCCESS;
+}
