@@ -29,7 +29,7 @@
 namespace pastoso::main {
 namespace {
 
-constexpr int kPanelWidth = 232;
+constexpr int kPanelWidth = 232, kToolIconSide = 20;
 
 QColor colour(const pigment::Srgb8& rgb) {
     return {rgb[0], rgb[1], rgb[2]};
@@ -72,22 +72,25 @@ void make_tool_bar(Studio& studio, QComboBox* medium) {
     QToolBar* bar = studio.window().addToolBar(QObject::tr("Tools"));
     bar->setObjectName(QStringLiteral("tool_bar"));
     bar->setMovable(false);
+    bar->setIconSize(QSize(kToolIconSide, kToolIconSide));
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
-    const auto add_button = [&](Command command, const QString& words) {
+    const auto add_button = [&](Command command, const QString& words,
+                                Qt::ToolButtonStyle style = Qt::ToolButtonTextBesideIcon) {
         QAction* action = studio.commands().action(command);
         action->setIconText(words);
         auto* button = new QToolButton;
         button->setDefaultAction(action);
+        button->setToolButtonStyle(style);
         button->setFocusPolicy(Qt::TabFocus);
         bar->addWidget(button);
     };
-    add_button(Command::Undo, QObject::tr("Undo"));
-    add_button(Command::Redo, QObject::tr("Redo"));
+    add_button(Command::Undo, QObject::tr("Undo"), Qt::ToolButtonIconOnly);
+    add_button(Command::Redo, QObject::tr("Redo"), Qt::ToolButtonIconOnly);
     bar->addSeparator();
     add_button(Command::ReloadBrush, QObject::tr("Reload"));
     add_button(Command::CleanBrush, QObject::tr("Clean"));
-    add_button(Command::ReloadEachStroke, QObject::tr("Reload each stroke"));
-    add_button(Command::TurnWithStroke, QObject::tr("Turn with stroke"));
+    add_button(Command::ReloadEachStroke, QObject::tr("Reload each stroke"), Qt::ToolButtonIconOnly);
+    add_button(Command::TurnWithStroke, QObject::tr("Turn with stroke"), Qt::ToolButtonIconOnly);
     bar->addSeparator();
     bar->addWidget(new QLabel(QObject::tr("Medium ")));
     bar->addWidget(medium);
@@ -95,7 +98,7 @@ void make_tool_bar(Studio& studio, QComboBox* medium) {
     add_button(Command::DryNow, QObject::tr("Dry now"));
     add_button(Command::MixingWell, QObject::tr("Mixing well"));
     bar->addSeparator();
-    add_button(Command::SavePainting, QObject::tr("Save"));
+    add_button(Command::SavePainting, QObject::tr("Save"), Qt::ToolButtonIconOnly);
 }
 
 /// Its tools and their thumbnails come later.

@@ -44,8 +44,10 @@ void Studio::put_up(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<docu
 }
 
 void Studio::measure(std::shared_ptr<session::FrameTimes> times) {
+    const bool first = times_ == nullptr;
     times_ = std::move(times);
     session_->measure(times_);
+    if (!first) return;
     connect(canvas_, &QOpenGLWidget::frameSwapped, this,
             [this] { times_->presented(canvas_->shown(), session::FrameTimes::Clock::now()); });
 }

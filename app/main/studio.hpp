@@ -41,7 +41,7 @@ class Studio : public QObject {
     void put_up(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<document::Painting> painting,
                 document::Recording past, std::unique_ptr<journal::JournalWriter> journal);
 
-    /// From now on all sessions tell how long the painter waits, and the canvas how long what they
+    /// From now on all sessions tell these how long the painter waits, and the canvas how long what they
     /// publish takes to the screen.
     void measure(std::shared_ptr<session::FrameTimes> times);
 

@@ -56,7 +56,7 @@ BrushPanel::BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent
     });
     auto* column = section(this, tr("Brush"));
     column->addWidget(list_, 1);
-    column->addWidget(button_row(own_actions));
+    column->addWidget(icon_row(own_actions));
     column->addWidget(make_width_row());
     column->addWidget(make_stabiliser_rows());
 }

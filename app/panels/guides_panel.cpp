@@ -10,28 +10,12 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace pastoso::panels {
 namespace {
 
 constexpr double kFarthest_mm = 5000.0;
-
-QWidget* buttons(const std::vector<QAction*>& actions) {
-    auto* widget = new QWidget;
-    auto* row = new QHBoxLayout(widget);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(4);
-    for (QAction* action : actions) {
-        auto* button = new QToolButton;
-        button->setDefaultAction(action);
-        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        keep_keys_for_canvas(button);
-        row->addWidget(button);
-    }
-    return widget;
-}
 
 QFormLayout* form_in(QVBoxLayout* column) {
     auto* form = new QFormLayout;
@@ -60,7 +44,7 @@ GuidesPanel::GuidesPanel(const GuideActions& actions, QWidget* parent) : QWidget
     column->addWidget(symmetry_part(actions));
     column->addWidget(ruler_part(actions));
     column->addWidget(ellipse_part(actions));
-    column->addWidget(buttons({actions.handles, actions.remove}));
+    column->addWidget(button_row({actions.handles, actions.remove}));
     column->addStretch(1);
     show_hand({});
 }
@@ -83,7 +67,7 @@ QDoubleSpinBox* GuidesPanel::add_number(QFormLayout* form, const QString& name, 
 QWidget* GuidesPanel::symmetry_part(const GuideActions& actions) {
     auto* part = new QWidget;
     auto* column = section(part, tr("Mirrors and copies"));
-    column->addWidget(buttons({actions.upright, actions.level}));
+    column->addWidget(button_row({actions.upright, actions.level}));
     QFormLayout* form = form_in(column);
     const QString mm = tr(" mm"), degrees = QStringLiteral("\u00b0");
     copies_ = add_number(form, QStringLiteral("copies"), tr("Copies"), 1, document::kMostCopies, {});
@@ -102,7 +86,7 @@ QWidget* GuidesPanel::symmetry_part(const GuideActions& actions) {
 QWidget* GuidesPanel::ruler_part(const GuideActions& actions) {
     auto* part = new QWidget;
     auto* column = section(part, tr("Ruler"));
-    column->addWidget(buttons({actions.ruler}));
+    column->addWidget(button_row({actions.ruler}));
     QFormLayout* form = form_in(column);
     const QString mm = tr(" mm");
     ruler_x_ = add_number(form, QStringLiteral("ruler_x"), tr("Middle, from the left"), -kFarthest_mm,
@@ -119,7 +103,7 @@ QWidget* GuidesPanel::ruler_part(const GuideActions& actions) {
 QWidget* GuidesPanel::ellipse_part(const GuideActions& actions) {
     auto* part = new QWidget;
     auto* column = section(part, tr("Ellipse"));
-    column->addWidget(buttons({actions.ellipse}));
+    column->addWidget(button_row({actions.ellipse}));
     QFormLayout* form = form_in(column);
     const QString mm = tr(" mm");
     ellipse_x_ = add_number(form, QStringLiteral("ellipse_x"), tr("Middle, from the left"),

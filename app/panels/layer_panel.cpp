@@ -22,13 +22,6 @@ constexpr int kFollowing_ms = 400;
 /// Every rest of the slider is a step that Undo returns to.
 constexpr int kFading_ms = 250;
 
-QWidget* icon_row(const std::vector<QAction*>& actions) {
-    QWidget* row = button_row(actions);
-    for (auto* button : row->findChildren<QToolButton*>())
-        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    return row;
-}
-
 bool has_row(const document::LayerStack& stack, const LayerRow& row) {
     return !tools::layers_in(stack, {row}).empty();
 }

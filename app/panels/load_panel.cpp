@@ -23,14 +23,6 @@ namespace {
 
 using Way = tools::Dip::Way;
 
-QToolButton* button_for(QAction* action) {
-    auto* button = new QToolButton;
-    button->setDefaultAction(action);
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    keep_keys_for_canvas(button);
-    return button;
-}
-
 void show_paint(PaintSwatch* swatch, const QString& words, const document::PaintRecipe& paint) {
     const pigment::Srgb8 rgb = tools::paint_colour(paint);
     swatch->show_paint({rgb[0], rgb[1], rgb[2]},
@@ -51,7 +43,8 @@ LoadPanel::LoadPanel(const std::vector<QAction*>& actions, QAction* swap, QWidge
     auto* buttons = new QGridLayout;
     buttons->setSpacing(4);
     for (QAction* action : actions)
-        buttons->addWidget(button_for(action), buttons->count() / kColumns, buttons->count() % kColumns);
+        buttons->addWidget(action_button(action), buttons->count() / kColumns,
+                           buttons->count() % kColumns);
     way_->setObjectName(QStringLiteral("dip_way"));
     way_->setToolTip(tr("How the brush is dipped, from the next time on"));
     way_->addItem(tr("Full, in one paint"), static_cast<int>(Way::Full));
@@ -90,7 +83,7 @@ QWidget* LoadPanel::paints_row(QAction* swap) {
     first_->setObjectName(QStringLiteral("first_paint"));
     second_->setObjectName(QStringLiteral("second_paint"));
     layout->addWidget(first_, 1);
-    layout->addWidget(button_for(swap));
+    layout->addWidget(action_button(swap));
     layout->addWidget(second_, 1);
     connect(second_, &QPushButton::clicked, swap, &QAction::trigger);
     return row;

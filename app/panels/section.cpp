@@ -55,18 +55,29 @@ void keep_own_keys(QWidget* widget, const std::vector<QKeyCombination>& keys) {
     widget->installEventFilter(new OwnKeys(widget, keys));
 }
 
+QToolButton* action_button(QAction* action) {
+    auto* button = new QToolButton;
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    keep_keys_for_canvas(button);
+    return button;
+}
+
 QWidget* button_row(const std::vector<QAction*>& actions) {
     auto* row = new QWidget;
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    for (QAction* action : actions) {
-        auto* button = new QToolButton;
-        button->setDefaultAction(action);
-        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        keep_keys_for_canvas(button);
-        layout->addWidget(button);
-    }
+    for (QAction* action : actions)
+        layout->addWidget(action_button(action));
+    return row;
+}
+
+QWidget* icon_row(const std::vector<QAction*>& actions) {
+    QWidget* row = button_row(actions);
+    for (auto* button : row->findChildren<QToolButton*>())
+        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     return row;
 }
 

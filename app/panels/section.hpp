@@ -9,6 +9,7 @@ class QAction;
 class QDoubleSpinBox;
 class QListView;
 class QString;
+class QToolButton;
 class QVBoxLayout;
 class QWidget;
 
@@ -25,8 +26,14 @@ void keep_keys_for_canvas(QWidget* widget);
 /// elsewhere.
 void keep_own_keys(QWidget* widget, const std::vector<QKeyCombination>& keys);
 
-/// Buttons for actions side by side, all of one width.
+/// A button for an action, with its icon and its words, as wide as there is room.
+QToolButton* action_button(QAction* action);
+
+/// Such buttons side by side, all of one width.
 QWidget* button_row(const std::vector<QAction*>& actions);
+
+/// The same without words.
+QWidget* icon_row(const std::vector<QAction*>& actions);
 
 /// Shows the number without a signal.
 void show_number(QDoubleSpinBox* box, double value);

@@ -14,9 +14,8 @@ namespace {
 QHBoxLayout* left_row(const std::vector<QAction*>& actions) {
     auto* row = new QHBoxLayout;
     for (QAction* action : actions) {
-        auto* button = new QToolButton;
-        button->setDefaultAction(action);
-        keep_keys_for_canvas(button);
+        QToolButton* button = action_button(action);
+        button->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
         row->addWidget(button);
     }
     row->addStretch();

@@ -1,11 +1,13 @@
 // How long a painter waits: the real window of 1280 x 800 is painted on with a brush of 60 pixels by a
-// pen that reports 200 times a second, and the times of FrameTimes are told at the end, with the number
-// of pen events sent and of those that reached the painting.
+// pen that reports 200 times a second. Each minute, and at the end, it tells the times of FrameTimes,
+// the memory that the program holds, and how many pen events were sent and how many reached the
+// painting.
 //
-//     LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb xvfb-run -s "-screen 0 1600x1000x24" \
-//         build/w/bin/window_benchmark [SECONDS [WIDTH_PX]]
+//     LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb xvfb-run -a build/bin/window_benchmark [SECONDS
+//     [WIDTH_PX]]
 
 #include "appearance/theme.hpp"
+#include "core/memory.hpp"
 #include "main/main_window.hpp"
 
 #include <algorithm>
@@ -79,6 +81,16 @@ int arrived(main::MainWindow& window) {
         }));
 }
 
+void tell(main::MainWindow& window, const Painter& painter, const session::FrameTimes& times,
+          int seconds) {
+    QApplication::processEvents();
+    window.session().wait_until_applied();
+    std::printf("%d s: %zu MiB, pen events sent %d, arrived %d\n%s", seconds,
+                core::resident_memory_bytes() >> 20, painter.sent(), arrived(window),
+                times.table().c_str());
+    std::fflush(stdout);
+}
+
 void use_own_folders(const QTemporaryDir& home) {
     for (const char* variable : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
         qputenv(variable, home.path().toLocal8Bit());
@@ -103,23 +115,23 @@ int main(int argc, char** argv) {
     window.show();
     if (!QTest::qWaitForWindowExposed(&window)) return EXIT_FAILURE;
     window.easel().set_brush_width(width_px / window.session().canvas().px_per_mm);
-    const auto times = std::make_shared<session::FrameTimes>();
-    QTest::qWait(3000);
-    window.measure(times);
-    QTest::qWait(2000);
+    QTest::qWait(5000);
 
     Painter painter(window);
+    auto times = std::make_shared<session::FrameTimes>();
+    window.measure(times);
+    QTest::qWait(2000);
     QElapsedTimer clock;
     clock.start();
     for (int next_ms = 0; next_ms < 1000 * seconds; next_ms += kEvent_ms) {
         while (clock.elapsed() < next_ms)
             QApplication::processEvents(QEventLoop::AllEvents, 1);
         painter.paint_at(next_ms);
+        if (next_ms % 60000 != 60000 - kEvent_ms) continue;
+        tell(window, painter, *times, next_ms / 1000 + 1);
+        times = std::make_shared<session::FrameTimes>();
+        window.measure(times);
     }
-    painter.paint_at(1000 * seconds - 1);
-    QApplication::processEvents();
-    window.session().wait_until_applied();
-    std::printf("%d s, brush of %.0f pixels; pen events sent %d, arrived %d\n%s", seconds, width_px,
-                painter.sent(), arrived(window), times->table().c_str());
+    tell(window, painter, *times, seconds);
     return EXIT_SUCCESS;
 }
