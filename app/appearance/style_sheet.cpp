@@ -37,7 +37,6 @@ QFrame#command_palette { background: <window>; border: 1px solid <line>; }
 #keys_dialog QToolButton:hover { color: <chosen_text>; }
 #keys_dialog QLabel#sentence { color: <warning>; }
 QComboBox { padding: 4px 8px; }
-QComboBox::drop-down { border: none; width: 18px; }
 QAbstractSpinBox { padding: 3px 4px; }
 QDialogButtonBox, QMessageBox { dialogbuttonbox-buttons-have-icons: 0; }
 QPushButton { background: <button>; border: 1px solid <line>; border-radius: 4px; padding: 5px 14px; }

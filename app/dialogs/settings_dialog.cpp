@@ -43,6 +43,7 @@ SettingsDialog::SettingsDialog(tools::Preferences preferences, int undo_memory_M
     setObjectName(QStringLiteral("settings_dialog"));
     pages_ = new QTabWidget;
     pages_->setObjectName(QStringLiteral("pages"));
+    pages_->setDocumentMode(true);
     pages_->addTab(make_appearance(), tr("Appearance"));
     pages_->addTab(make_keeping(undo_memory_MiB), tr("Keeping"));
     pages_->addTab(make_performance(), tr("Performance"));
