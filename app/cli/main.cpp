@@ -11,6 +11,7 @@
 #include "cli/timelapse.hpp"
 #include "cli/usage_error.hpp"
 #include "core/error.hpp"
+#include "core/memory.hpp"
 
 #include <cstdio>
 #include <new>
@@ -86,6 +87,7 @@ int fail(const std::string& message, ExitStatus status) {
 
 int main(int argc, char** argv) {
     using namespace pastoso::cli;
+    pastoso::core::keep_freed_memory();
     try {
         return run(argc, argv);
     } catch (const UsageError& error) {

@@ -1,6 +1,7 @@
 // pastoso: the window.
 
 #include "core/error.hpp"
+#include "core/memory.hpp"
 #include "crash/crash_guard.hpp"
 #include "crash/crash_reports.hpp"
 #include "dialogs/crash_dialog.hpp"
@@ -109,6 +110,7 @@ int run(QApplication& application, const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    pastoso::core::keep_freed_memory();
     const auto [arguments, exit_status] = pastoso::main::parse_arguments(argc, argv);
     if (exit_status) return *exit_status;
     ask_for_opengl();

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <fstream>
+#include <malloc.h>
 #include <string>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -31,6 +32,14 @@ std::size_t peak_memory_bytes() {
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
     return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+void keep_freed_memory() {
+    constexpr int kMiB = 1 << 20;
+    ::mallopt(M_TRIM_THRESHOLD, 512 * kMiB);
+    ::mallopt(M_MMAP_THRESHOLD, 32 * kMiB);
+    // What one thread frees another can take.
+    ::mallopt(M_ARENA_MAX, 1);
 }
 
 }  // namespace pastoso::core
