@@ -1,5 +1,6 @@
 // Undo on a canvas of 4096 x 4096 cells that is painted all over and at rest: what a stroke, its Undo
 // and the tick after it take, and what the history holds.
+#include "core/memory.hpp"
 #include "painted_canvas.hpp"
 
 #include <algorithm>
@@ -22,6 +23,7 @@ double seconds_of(const auto& work) {
 
 /// All its tiles sleep.
 std::unique_ptr<document::Painting> resting_painting(core::ThreadPool& pool) {
+    core::keep_freed_memory();  // as the programs do
     document::PaintingState state = bench::painted_canvas("heavy-body oil", pool);
     state.canvas.solver = {};
     auto painting = std::make_unique<document::Painting>(state, pool);
