@@ -2,6 +2,7 @@
 
 #include "appearance/icon.hpp"
 #include "commands/command_names.hpp"
+#include "commands/command_words.hpp"
 #include "core/check.hpp"
 
 #include <utility>
@@ -27,8 +28,8 @@ void show_keys(QAction* action, const QList<QKeySequence>& keys) {
 
 CommandRegistry::CommandRegistry(QObject* owner) {
     for (const CommandText& text : command_list()) {
-        auto* action = new QAction(QString::fromUtf8(text.words), owner);
-        action->setStatusTip(QString::fromUtf8(text.hint));
+        auto* action = new QAction(words_of(text.words), owner);
+        action->setStatusTip(words_of(text.hint));
         action->setCheckable(text.checkable);
         action->setIcon(appearance::icon(QString::fromUtf8(name_of(text.command))));
         action->setIconVisibleInMenu(!text.checkable);  // menus show either the icon or the check mark
@@ -53,7 +54,7 @@ void CommandRegistry::fill(QMenuBar* bar) const {
     std::map<std::string, QMenu*> menus;
     for (const CommandText& text : command_list()) {
         QMenu*& menu = menus[text.menu];
-        if (menu == nullptr) menu = bar->addMenu(QString::fromUtf8(text.menu));
+        if (menu == nullptr) menu = bar->addMenu(words_of(text.menu));
         if (text.starts_group) menu->addSeparator();
         menu->addAction(action(text.command));
     }

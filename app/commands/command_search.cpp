@@ -1,5 +1,7 @@
 #include "commands/command_search.hpp"
 
+#include "commands/command_words.hpp"
+
 #include <algorithm>
 
 #include <QRegularExpression>
@@ -16,9 +18,17 @@ QStringList words_in(const QString& text) {
     return text.toCaseFolded().split(between, Qt::SkipEmptyParts);
 }
 
+/// Of scripts that leave no room between words.
+bool is_ideographic(const QString& typed) {
+    static const QRegularExpression ideographs(QStringLiteral("[\\p{Han}\\p{Hiragana}\\p{Katakana}]"));
+    return typed.contains(ideographs);
+}
+
 bool begins_one(const QString& typed, const QStringList& words) {
-    return std::any_of(words.begin(), words.end(),
-                       [&](const QString& word) { return word.startsWith(typed); });
+    const bool anywhere = is_ideographic(typed);
+    return std::any_of(words.begin(), words.end(), [&](const QString& word) {
+        return anywhere ? word.contains(typed) : word.startsWith(typed);
+    });
 }
 
 /// Whether the letters are beginnings of words, in their order, one after the other.
@@ -43,17 +53,10 @@ int fit_of_word(const QString& typed, const QStringList& words, const QStringLis
 
 }  // namespace
 
-QString plain_words(const char* words) {
-    QString plain = QString::fromUtf8(words);
-    plain.remove(QLatin1Char('&'));
-    if (plain.endsWith(QStringLiteral("..."))) plain.chop(3);
-    return plain;
-}
-
 int fit(const QString& typed, const CommandText& text) {
     const QStringList words = words_in(plain_words(text.words));
     const QStringList menu = words_in(plain_words(text.menu));
-    const QStringList hint = words_in(QString::fromUtf8(text.hint));
+    const QStringList hint = words_in(words_of(text.hint));
     int sum = 0;
     for (const QString& word : words_in(typed)) {
         const int found = fit_of_word(word, words, menu, hint);

@@ -9,9 +9,6 @@
 
 namespace pastoso::commands {
 
-/// Words of a menu or a command as they are read, without the mark of the mnemonic and the dots.
-QString plain_words(const char* words);
-
 /// How well what was typed fits: 0 not at all. Every word of it must begin a word of the command, of its
 /// menu or of its hint, or be put together of such beginnings ("nela" for New layer); what begins the
 /// command's own words counts most.

@@ -1,6 +1,7 @@
 #include "dialogs/command_palette.hpp"
 
 #include "commands/command_search.hpp"
+#include "commands/command_words.hpp"
 #include "dialogs/command_delegate.hpp"
 
 #include <algorithm>
@@ -106,7 +107,7 @@ void CommandPalette::add(Command command) {
     item->setData(QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText),
                   CommandDelegate::kKeys);
     item->setData(action->isCheckable() && action->isChecked(), CommandDelegate::kChecked);
-    item->setData(QString::fromUtf8(text.hint), CommandDelegate::kHint);
+    item->setData(commands::words_of(text.hint), CommandDelegate::kHint);
     item->setEnabled(action->isEnabled());
     model_->appendRow(item);
 }

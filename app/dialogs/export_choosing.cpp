@@ -9,6 +9,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
@@ -27,6 +28,10 @@ using Path = std::filesystem::path;
 
 bool is_folder(const tools::ExportFormat& format) {
     return *format.ending == '\0';
+}
+
+QString words_of(const tools::ExportFormat& format) {
+    return QCoreApplication::translate("pastoso::tools", format.words);
 }
 
 bool has_quality(const tools::ExportFormat& format) {
@@ -102,9 +107,9 @@ void ExportDialog::browse() {
                                                    QFileInfo(present).path());
         if (!chosen.isEmpty()) chosen += QLatin1Char('/') + QFileInfo(present).fileName();
     } else {
-        const QString filter = QStringLiteral("%1 (*%2)")
-                                   .arg(QString::fromUtf8(settings_.format().words),
-                                        QString::fromLatin1(settings_.format().ending));
+        const QString filter =
+            QStringLiteral("%1 (*%2)")
+                .arg(words_of(settings_.format()), QString::fromLatin1(settings_.format().ending));
         chosen =
             QFileDialog::getSaveFileName(this, tr("Export"), present, filter + tr(";;All files (*)"),
                                          nullptr, QFileDialog::DontConfirmOverwrite);
@@ -117,7 +122,7 @@ void ExportDialog::browse() {
 void ExportDialog::list_formats() {
     format_->clear();
     for (const tools::ExportFormat& format : tools::export_formats(settings_.form))
-        format_->addItem(QString::fromUtf8(format.words));
+        format_->addItem(words_of(format));
     format_->setCurrentIndex(
         static_cast<int>(settings_.formats[static_cast<std::size_t>(settings_.form)]));
 }

@@ -16,7 +16,7 @@ using tools::ExportSettings;
 using Path = std::filesystem::path;
 
 QString tr(const char* words) {
-    return QCoreApplication::translate("pastoso::dialogs::ExportDialog", words);
+    return QCoreApplication::translate("pastoso::dialogs", words);
 }
 
 bool is_folder_format(const ExportSettings& settings) {

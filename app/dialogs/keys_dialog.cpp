@@ -2,6 +2,7 @@
 
 #include "appearance/theme.hpp"
 #include "commands/command_search.hpp"
+#include "commands/command_words.hpp"
 #include "dialogs/key_catcher.hpp"
 #include "dialogs/keys_column.hpp"
 
@@ -106,7 +107,7 @@ QWidget* KeysDialog::make_tree() {
         }
         auto* row = new QTreeWidgetItem(menu, {commands::plain_words(text.words)});
         row->setData(0, kCommandRole, static_cast<int>(text.command));
-        row->setToolTip(0, QString::fromUtf8(text.hint));
+        row->setToolTip(0, commands::words_of(text.hint));
         row->setToolTip(1, tr("Click, and press other keys"));
         rows_[text.command] = row;
     }
@@ -237,7 +238,7 @@ void KeysDialog::show_chosen() {
     reset_->setEnabled(command && bindings_.is_own(*command));
     if (!command) return;
     name_->setText(name_in_menu(*command));
-    hint_->setText(QString::fromUtf8(commands::text_of(*command).hint));
+    hint_->setText(commands::words_of(commands::text_of(*command).hint));
     for (const QKeySequence& key : bindings_.keys(*command))
         add_key_button(key);
 }

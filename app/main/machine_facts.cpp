@@ -18,7 +18,7 @@ namespace {
 using Facts = std::vector<std::pair<QString, QString>>;
 
 QString tr(const char* words) {
-    return QCoreApplication::translate("pastoso::main::MachineFacts", words);
+    return QCoreApplication::translate("pastoso::main", words);
 }
 
 QString gl_text(QOpenGLFunctions& gl, GLenum what) {

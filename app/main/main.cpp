@@ -8,6 +8,7 @@
 #include "io/recording_json.hpp"
 #include "main/arguments.hpp"
 #include "main/display.hpp"
+#include "main/language.hpp"
 #include "main/machine_facts.hpp"
 #include "main/main_window.hpp"
 #include "main/preference_commands.hpp"
@@ -72,6 +73,7 @@ void use_preferences() {
         preferences = {};
     }
     pastoso::main::apply_preferences(preferences);
+    pastoso::main::speak(QString::fromStdString(preferences.language));
 }
 
 void guard_against_crashes() {

@@ -4,10 +4,11 @@
 #include "panels/section.hpp"
 #include "panels/tilt_dial.hpp"
 
-#include <array>
 #include <cmath>
+#include <iterator>
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -26,18 +27,18 @@ struct DryingStop {
     double speed;
     const char* words;
 };
-constexpr std::array kDryingStops = {DryingStop{0.0, QT_TR_NOOP("never")},
-                                     DryingStop{1.0, QT_TR_NOOP("real time")},
-                                     DryingStop{10.0, QT_TR_NOOP("10 times")},
-                                     DryingStop{60.0, QT_TR_NOOP("a minute a second")},
-                                     DryingStop{600.0, QT_TR_NOOP("10 min a second")},
-                                     DryingStop{3600.0, QT_TR_NOOP("an hour a second")},
-                                     DryingStop{86400.0, QT_TR_NOOP("a day a second")}};
+constexpr DryingStop kDryingStops[] = {DryingStop{0.0, QT_TR_NOOP("never")},
+                                       DryingStop{1.0, QT_TR_NOOP("real time")},
+                                       DryingStop{10.0, QT_TR_NOOP("10 times")},
+                                       DryingStop{60.0, QT_TR_NOOP("a minute a second")},
+                                       DryingStop{600.0, QT_TR_NOOP("10 min a second")},
+                                       DryingStop{3600.0, QT_TR_NOOP("an hour a second")},
+                                       DryingStop{86400.0, QT_TR_NOOP("a day a second")}};
 
 /// The last stop that is not faster.
 int drying_stop(double speed) {
     int stop = 0;
-    while (stop + 1 < static_cast<int>(kDryingStops.size()) && kDryingStops[stop + 1].speed <= speed)
+    while (stop + 1 < static_cast<int>(std::size(kDryingStops)) && kDryingStops[stop + 1].speed <= speed)
         ++stop;
     return stop;
 }
@@ -125,7 +126,7 @@ QWidget* EaselPanel::drying_row() {
     auto* layout = section(widget, tr("Drying"));
     layout->setSpacing(3);
     drying_->setObjectName(QStringLiteral("drying"));
-    drying_->setRange(0, static_cast<int>(kDryingStops.size()) - 1);
+    drying_->setRange(0, static_cast<int>(std::size(kDryingStops)) - 1);
     drying_->setPageStep(1);
     drying_->setToolTip(tr("How fast wet paint dries; D dries it at once"));
     keep_keys_for_canvas(drying_);
@@ -165,7 +166,8 @@ void EaselPanel::write_readings() {
     tilt_reading_->setText(
         flat ? tr("flat") : degrees_text(tilt_->angle_deg()) + ' ' + arrow_text(tilt_->azimuth_deg()));
     light_reading_->setText(degrees_text(light_->elevation_deg()) + tr(" high"));
-    drying_reading_->setText(tr(kDryingStops[drying_->value()].words));
+    drying_reading_->setText(
+        QCoreApplication::translate("pastoso::panels", kDryingStops[drying_->value()].words));
 }
 
 }  // namespace pastoso::panels

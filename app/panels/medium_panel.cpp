@@ -6,6 +6,7 @@
 #include "tools/medium_numbers.hpp"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -14,10 +15,14 @@
 namespace pastoso::panels {
 namespace {
 
+QString words_of(const char* text) {
+    return QCoreApplication::translate("pastoso::panels", text);
+}
+
 ValueRange shown_range(const MediumRow& number) {
     const film::MediumNumber& limits = tools::number_of(number.member);
     return {number.scale * limits.least, number.scale * limits.most, number.decimals,
-            QObject::tr(number.unit), number.logarithmic};
+            words_of(number.unit), number.logarithmic};
 }
 
 }  // namespace
@@ -67,7 +72,8 @@ QWidget* MediumPanel::numbers(const MediumSection& part) {
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(4);
     for (const MediumRow& number : part.rows) {
-        auto* row = new ValueRow(grid, tr(number.words), tr(number.hint), shown_range(number));
+        auto* row =
+            new ValueRow(grid, words_of(number.words), words_of(number.hint), shown_range(number));
         row->name(QLatin1String(number.name));
         connect(row, &ValueRow::chosen, this, [this, &number](double value) {
             medium_ = tools::with_number(medium_, number.member, value / number.scale);
@@ -76,7 +82,7 @@ QWidget* MediumPanel::numbers(const MediumSection& part) {
         });
         shown_.push_back({&number, row});
     }
-    section(widget, tr(part.heading))->addWidget(grid_widget);
+    section(widget, words_of(part.heading))->addWidget(grid_widget);
     return widget;
 }
 

@@ -1,7 +1,5 @@
 #include "panels/medium_rows.hpp"
 
-#include <array>
-
 #include <QObject>
 
 namespace pastoso::panels {
@@ -9,7 +7,7 @@ namespace {
 
 using film::Medium;
 
-constexpr std::array kFlowRows = {
+constexpr MediumRow kFlowRows[] = {
     MediumRow{"viscosity", QT_TR_NOOP("Viscosity"),
               QT_TR_NOOP("How slowly it flows: water 1, ink 100, cream 3000, oil from the tube 300000"),
               QT_TR_NOOP(" mm\u00b2/s"), &Medium::viscosity_m2_s, 1e6, 0, true},
@@ -24,7 +22,7 @@ constexpr std::array kFlowRows = {
               QT_TR_NOOP("Heavy paint runs faster down a tilted canvas"), QT_TR_NOOP(" kg/m\u00b3"),
               &Medium::density_kg_m3, 1.0, 0}};
 
-constexpr std::array kSurfaceRows = {
+constexpr MediumRow kSurfaceRows[] = {
     MediumRow{"surface_tension", QT_TR_NOOP("Surface tension"),
               QT_TR_NOOP("Rounds drips and edges, and draws thin lines into drops"), QT_TR_NOOP(" mN/m"),
               &Medium::surface_tension_N_m, 1e3, 0},
@@ -47,7 +45,7 @@ constexpr std::array kSurfaceRows = {
                          "drip, which gets thinner"),
               "", &Medium::alpha_max, 1.0, 2}};
 
-constexpr std::array kDryingRows = {
+constexpr MediumRow kDryingRows[] = {
     MediumRow{"touch_dry", QT_TR_NOOP("Dry after"),
               QT_TR_NOOP("Until a film of the usual thickness can be touched, in still air"),
               QT_TR_NOOP(" min"), &Medium::touch_dry_s, 1.0 / 60.0, 1, true},
@@ -58,9 +56,9 @@ constexpr std::array kDryingRows = {
               QT_TR_NOOP("How much of the wet thickness is left: oil keeps all, watery paint sinks in"),
               QT_TR_NOOP(" %"), &Medium::solid_fraction, 100.0, 0}};
 
-constexpr std::array kSections = {MediumSection{QT_TR_NOOP("Flow"), kFlowRows},
-                                  MediumSection{QT_TR_NOOP("Surface"), kSurfaceRows},
-                                  MediumSection{QT_TR_NOOP("Drying"), kDryingRows}};
+constexpr MediumSection kSections[] = {MediumSection{QT_TR_NOOP("Flow"), kFlowRows},
+                                       MediumSection{QT_TR_NOOP("Surface"), kSurfaceRows},
+                                       MediumSection{QT_TR_NOOP("Drying"), kDryingRows}};
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include "tools/export_settings.hpp"
 
+#include "tools/marked_words.hpp"
 #include "tools/memory_file.hpp"
 
 #include <utility>
@@ -12,27 +13,30 @@ using io::JsonPlace;
 
 constexpr int kVersion = 1;
 
-constexpr ExportFormat kPictures[] = {{"png8", "PNG, 8 bits", ".png", 8},
-                                      {"png16", "PNG, 16 bits", ".png", 16},
-                                      {"jpeg", "JPEG", ".jpg", 8},
-                                      {"tiff8", "TIFF, 8 bits", ".tif", 8},
-                                      {"tiff16", "TIFF, 16 bits", ".tif", 16},
-                                      {"tiff32", "TIFF, 32 bits of linear light", ".tif", 32},
-                                      {"webp", "WebP", ".webp", 8},
-                                      {"exr", "OpenEXR, linear light", ".exr", 8}};
-constexpr ExportFormat kLayers[] = {{"exr", "OpenEXR, linear light", ".exr", 8}};
-constexpr ExportFormat kMaps[] = {{"png8", "PNG, 8 bits, heights in 16", ".png", 8},
-                                  {"png16", "PNG, 16 bits", ".png", 16},
-                                  {"tiff16", "TIFF, 16 bits", ".tif", 16},
-                                  {"tiff32", "TIFF, 32 bits, heights in mm", ".tif", 32},
-                                  {"exr", "OpenEXR, heights in mm", ".exr", 8}};
-constexpr ExportFormat kReliefs[] = {
-    {"stl", "STL", ".stl"}, {"ply", "PLY", ".ply"}, {"obj", "Wavefront OBJ", ".obj"}};
-constexpr ExportFormat kFilms[] = {{"frames8", "Numbered pictures, PNG of 8 bits", "", 8},
-                                   {"frames16", "Numbered pictures, PNG of 16 bits", "", 16},
-                                   {"mp4", "Video, MP4", ".mp4", 8},
-                                   {"mkv", "Video, Matroska", ".mkv", 8},
-                                   {"webm", "Video, WebM", ".webm", 8}};
+constexpr ExportFormat kPictures[] = {
+    {"png8", PASTOSO_WORDS("PNG, 8 bits"), ".png", 8},
+    {"png16", PASTOSO_WORDS("PNG, 16 bits"), ".png", 16},
+    {"jpeg", PASTOSO_WORDS("JPEG"), ".jpg", 8},
+    {"tiff8", PASTOSO_WORDS("TIFF, 8 bits"), ".tif", 8},
+    {"tiff16", PASTOSO_WORDS("TIFF, 16 bits"), ".tif", 16},
+    {"tiff32", PASTOSO_WORDS("TIFF, 32 bits of linear light"), ".tif", 32},
+    {"webp", PASTOSO_WORDS("WebP"), ".webp", 8},
+    {"exr", PASTOSO_WORDS("OpenEXR, linear light"), ".exr", 8}};
+constexpr ExportFormat kLayers[] = {{"exr", PASTOSO_WORDS("OpenEXR, linear light"), ".exr", 8}};
+constexpr ExportFormat kMaps[] = {{"png8", PASTOSO_WORDS("PNG, 8 bits, heights in 16"), ".png", 8},
+                                  {"png16", PASTOSO_WORDS("PNG, 16 bits"), ".png", 16},
+                                  {"tiff16", PASTOSO_WORDS("TIFF, 16 bits"), ".tif", 16},
+                                  {"tiff32", PASTOSO_WORDS("TIFF, 32 bits, heights in mm"), ".tif", 32},
+                                  {"exr", PASTOSO_WORDS("OpenEXR, heights in mm"), ".exr", 8}};
+constexpr ExportFormat kReliefs[] = {{"stl", PASTOSO_WORDS("STL"), ".stl"},
+                                     {"ply", PASTOSO_WORDS("PLY"), ".ply"},
+                                     {"obj", PASTOSO_WORDS("Wavefront OBJ"), ".obj"}};
+constexpr ExportFormat kFilms[] = {
+    {"frames8", PASTOSO_WORDS("Numbered pictures, PNG of 8 bits"), "", 8},
+    {"frames16", PASTOSO_WORDS("Numbered pictures, PNG of 16 bits"), "", 16},
+    {"mp4", PASTOSO_WORDS("Video, MP4"), ".mp4", 8},
+    {"mkv", PASTOSO_WORDS("Video, Matroska"), ".mkv", 8},
+    {"webm", PASTOSO_WORDS("Video, WebM"), ".webm", 8}};
 
 struct NamedForm {
     const char* name;

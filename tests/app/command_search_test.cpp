@@ -1,6 +1,8 @@
 // Commands found by a few letters.
 #include "commands/command_search.hpp"
 
+#include "commands/command_words.hpp"
+
 #include <algorithm>
 
 #include <gmock/gmock.h>

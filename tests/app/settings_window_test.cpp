@@ -3,10 +3,13 @@
 #include "app/window_fixture.hpp"
 #include "appearance/theme.hpp"
 #include "commands/command_names.hpp"
+#include "commands/command_search.hpp"
+#include "commands/command_words.hpp"
 #include "core/text_file.hpp"
 #include "core/thread_count.hpp"
 #include "core/user_data.hpp"
 #include "dialogs/settings_dialog.hpp"
+#include "main/language.hpp"
 #include "main/preference_commands.hpp"
 
 #include <QAction>
@@ -15,6 +18,8 @@
 #include <QComboBox>
 #include <QImage>
 #include <QLabel>
+#include <QLocale>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTabWidget>
@@ -27,12 +32,14 @@ namespace {
 
 using commands::Command;
 using dialogs::SettingsDialog;
+using testing::Contains;
 using testing::HasSubstr;
 
 class SettingsWindow : public WindowTest {
   protected:
     void TearDown() override {
         main::apply_preferences({});
+        main::speak(QStringLiteral("en"));
         WindowTest::TearDown();
     }
 
@@ -140,6 +147,28 @@ TEST_F(SettingsWindow, TheMemoryForUndoIsChosenAndThereAgain) {
     wait_for([&] { return window().commands().action(Command::Undo)->isEnabled(); });
     action(Command::Undo)->trigger();
     EXPECT_EQ(volume_mm3(), 0.0);
+}
+
+TEST_F(SettingsWindow, SpeaksTheLanguageThatIsChosenFromTheNextStartOn) {
+    const auto file_menu = [&] { return window().menuBar()->actions().front()->text(); };
+    in_settings([](QWidget& dialog) { choose(dialog, "language", "sv"); });
+    EXPECT_EQ(kept().language, "sv");
+    EXPECT_EQ(file_menu(), "&File");
+    main::speak(QStringLiteral("sv"));
+    start_again();
+    EXPECT_EQ(file_menu(), "&Arkiv");
+    EXPECT_EQ(QLocale().decimalPoint(), ",");
+    for (const char* language : {"ja", "zh_TW"}) {
+        main::speak(QString::fromLatin1(language));
+        start_again();
+        EXPECT_GT(file_menu().front().unicode(), 0x2E80) << language;
+        EXPECT_THAT(commands::find_commands(commands::plain_words("&New layer").mid(1)),
+                    Contains(Command::AddLayer))
+            << language;
+    }
+    main::speak(QStringLiteral("en"));
+    start_again();
+    EXPECT_EQ(file_menu(), "&File");
 }
 
 TEST_F(SettingsWindow, ThreadsHoldForTheNextPainting) {

@@ -1,0 +1,78 @@
+// The files of the translators: nearly all is translated, and nothing that the program fills in is lost.
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include <QFile>
+#include <QRegularExpression>
+#include <QStringList>
+#include <QXmlStreamReader>
+#include <gtest/gtest.h>
+
+namespace pastoso::tests {
+namespace {
+
+struct Message {
+    QString source;
+    QStringList translations;  ///< several where it depends on a number
+    bool finished = true;
+};
+
+std::vector<Message> messages_of(const std::string& language) {
+    QFile file(QStringLiteral(PASTOSO_SOURCE_DIR "/resources/translations/pastoso_") +
+               QString::fromStdString(language) + QStringLiteral(".ts"));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << language;
+    QXmlStreamReader xml(&file);
+    std::vector<Message> messages;
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+        if (xml.name() == QStringLiteral("message")) messages.emplace_back();
+        if (xml.name() == QStringLiteral("source")) messages.back().source = xml.readElementText();
+        if (xml.name() == QStringLiteral("numerusform"))
+            messages.back().translations += xml.readElementText();
+        if (xml.name() != QStringLiteral("translation")) continue;
+        messages.back().finished = !xml.attributes().hasAttribute(QStringLiteral("type"));
+        const QString text = xml.readElementText(QXmlStreamReader::IncludeChildElements);
+        messages.back().translations += text;
+    }
+    EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
+    return messages;
+}
+
+/// "%1" and the like, sorted.
+QStringList places_in(const QString& text) {
+    static const QRegularExpression place(QStringLiteral("%(?:\\d+|n)"));
+    QStringList places;
+    for (auto found = place.globalMatch(text); found.hasNext();)
+        places += found.next().captured();
+    places.sort();
+    return places;
+}
+
+class Translations : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Translations, AreNearlyComplete) {
+    const std::vector<Message> messages = messages_of(GetParam());
+    EXPECT_GT(messages.size(), 700U);
+    const auto finished =
+        std::count_if(messages.begin(), messages.end(), [](const Message& one) { return one.finished; });
+    EXPECT_GE(static_cast<double>(finished), 0.95 * static_cast<double>(messages.size()));
+}
+
+TEST_P(Translations, KeepWhatIsFilledInAndTheMnemonics) {
+    for (const Message& message : messages_of(GetParam())) {
+        if (!message.finished) continue;
+        for (const QString& translation : message.translations) {
+            if (translation.isEmpty()) continue;
+            EXPECT_EQ(places_in(translation), places_in(message.source))
+                << message.source.toStdString() << " -> " << translation.toStdString();
+            EXPECT_EQ(translation.contains(QLatin1Char('&')), message.source.contains(QLatin1Char('&')))
+                << message.source.toStdString() << " -> " << translation.toStdString();
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, Translations, ::testing::Values("ja", "sv", "zh_TW"));
+
+}  // namespace
+}  // namespace pastoso::tests
