@@ -21,6 +21,7 @@
 #include "main/view_commands.hpp"
 #include "main/well_commands.hpp"
 #include "main/window_memory.hpp"
+#include "panels/medium_panel.hpp"
 #include "panels/tracing_panel.hpp"
 #include "pigment/user_pigments.hpp"
 
@@ -86,6 +87,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
             &LayerTransform::end);
     connect(&parts.sizing, &CanvasSizing::resized, &parts.files, &ProjectFiles::show_title);
     connect(&parts.files, &ProjectFiles::about_to_keep, panels_.tracing, &panels::TracingPanel::finish);
+    connect(&parts.files, &ProjectFiles::about_to_keep, panels_.physics, &panels::MediumPanel::finish);
     commands().on(commands::Command::Quit, [this](bool) { close(); });
     parts.files.start(canvas);
     parts.brushes.read();
