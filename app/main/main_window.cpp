@@ -10,11 +10,13 @@
 #include "main/layer_pictures.hpp"
 #include "main/layer_transform.hpp"
 #include "main/light_choice.hpp"
+#include "main/navigation.hpp"
 #include "main/paint_memory.hpp"
 #include "main/paint_picking.hpp"
 #include "main/picture_layers.hpp"
 #include "main/project_files.hpp"
 #include "main/range_selection.hpp"
+#include "main/recorder.hpp"
 #include "main/selection_commands.hpp"
 #include "main/tracing_commands.hpp"
 #include "main/undo_commands.hpp"
@@ -47,10 +49,12 @@ struct MainWindow::Parts {
           undo(studio, panels.history, transform),
           picking(studio),
           view(studio, panels.readings),
-          light(studio, panels.stand),
+          navigation(studio, panels.navigator, panels.docks.at(commands::Command::NavigatorPanel)),
+          light(studio, panels.stand, panels.lights),
           files(studio, keeps_journal),
           pictures(studio),
           exporting(studio, files, light),
+          recorder(studio, panels.recorder),
           paints(studio, panels.colours),
           memory(studio, panels, light, undo, well),
           keys(studio) {}
@@ -69,10 +73,12 @@ struct MainWindow::Parts {
     UndoCommands undo;
     PaintPicking picking;
     ViewCommands view;
+    Navigation navigation;
     LightChoice light;
     ProjectFiles files;
     PictureLayers pictures;
     Exporting exporting;
+    Recorder recorder;
     PaintMemory paints;
     WindowMemory memory;
     KeyCommands keys;
