@@ -51,8 +51,8 @@ LightPanel::LightPanel(QWidget* parent)
     illuminant_->setObjectName(QStringLiteral("panel_illuminant"));
     illuminant_->setAccessibleName(tr("Seen in"));
     section(seen_in, tr("Seen in"))->addWidget(illuminant_);
-    column->addWidget(seen_in);
     column->addWidget(varnish_section());
+    column->addWidget(seen_in);
     column->addStretch(1);
     connect(illuminant_, &IlluminantBox::chosen, this, &LightPanel::illuminant_chosen);
     connect(illuminant_, &IlluminantBox::file_wanted, this, &LightPanel::illuminant_file_wanted);
