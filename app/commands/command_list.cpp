@@ -40,6 +40,12 @@ constexpr CommandText kCommands[] = {
                 QT_TR_NOOP("Give up the export that is being written; its file stays as it was")},
     CommandText{Command::SaveRecording, kFile, QT_TR_NOOP("Export &recording..."), "Ctrl+Alt+Shift+E",
                 QT_TR_NOOP("Save all strokes, to be replayed at any resolution")},
+    CommandText{
+        Command::Play, kFile, QT_TR_NOOP("&Watch it grow..."), "Ctrl+Alt+P",
+        QT_TR_NOOP(
+            "See how the painting came about, in a window of its own; the painting stays as it is")},
+    CommandText{Command::MakeTimelapse, kFile, QT_TR_NOOP("&Make a time-lapse..."), "Ctrl+Alt+L",
+                QT_TR_NOOP("A film, or numbered pictures, of how the painting came about")},
     CommandText{Command::Quit, kFile, QT_TR_NOOP("&Quit"), "Ctrl+Q", QT_TR_NOOP("Close the window"),
                 false, true},
     CommandText{Command::Undo, kEdit, QT_TR_NOOP("&Undo"), "Ctrl+Z",
@@ -239,6 +245,13 @@ constexpr CommandText kCommands[] = {
                 QT_TR_NOOP("The picture that you trace, to look at and to pick colours from")},
     CommandText{Command::HistoryPanel, kView, QT_TR_NOOP("&History panel"), "Shift+F8",
                 QT_TR_NOOP("What was done, to go back to any of it")},
+    CommandText{Command::NavigatorPanel, kView, QT_TR_NOOP("&Navigator"), "Shift+F7",
+                QT_TR_NOOP("The whole canvas, to see where the window is and to go elsewhere")},
+    CommandText{Command::LightPanel, kView, QT_TR_NOOP("Li&ghts panel"), "F4",
+                QT_TR_NOOP("The lamp, its light, and a coat of varnish to look through")},
+    CommandText{
+        Command::RecorderPanel, kView, QT_TR_NOOP("Recor&der panel"), "Shift+F4",
+        QT_TR_NOOP("What is recorded of the painting: watch it grow again, or make a time-lapse")},
     CommandText{Command::ResetPanels, kView, QT_TR_NOOP("&Reset the panels"), "Shift+F5",
                 QT_TR_NOOP("Panels and mixing well as they stood at the first start")},
     CommandText{Command::SpaceSrgb, kView, QT_TR_NOOP("Colours for s&RGB"), "Ctrl+Alt+6",
@@ -262,7 +275,7 @@ constexpr CommandText kCommands[] = {
                 "Ctrl+Return; Ctrl+Enter", QT_TR_NOOP("Type a few letters of what you want to do")},
     CommandText{Command::EditKeys, kSettings, QT_TR_NOOP("&Keys..."), "Ctrl+Alt+K",
                 QT_TR_NOOP("Choose a set of keys, and give any command keys of your own"), false, true},
-    CommandText{Command::EditSettings, kSettings, QT_TR_NOOP("&Settings..."), "Ctrl+Alt+P",
+    CommandText{Command::EditSettings, kSettings, QT_TR_NOOP("&Settings..."), "Ctrl+Alt+O",
                 QT_TR_NOOP("The look of the window, what is kept, and how much of the machine is used")},
 };
 

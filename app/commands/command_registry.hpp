@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 class QAction;
@@ -35,6 +36,9 @@ class CommandRegistry {
 
     /// What was given so far, the latest first, each once.
     const std::vector<Command>& recent() const { return recent_; }
+
+    /// What was given before this start, in the same order.
+    void set_recent(std::vector<Command> recent) { recent_ = std::move(recent); }
 
   private:
     void note(Command command);

@@ -46,6 +46,7 @@ constexpr OtherKeys kPhotoshop[] = {
     {Command::ColourPanel, "F6"},
     {Command::LayersPanel, "F7"},
     {Command::GuidesPanel, "F8"},
+    {Command::NavigatorPanel, "Ctrl+F7"},
 };
 
 const char* keys_text(KeySet set, Command command) {

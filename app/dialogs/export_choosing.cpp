@@ -149,7 +149,7 @@ void ExportDialog::choose_colours() {
 
 int ExportDialog::cells_across() const {
     if (settings_.form == ExportForm::Timelapse)
-        return document::canvas_shape(subject_.film.canvas).width;
+        return document::canvas_shape(film_canvas(subject_, settings_)).width;
     return io::exported_cells(subject_.canvas, tools::export_choice(settings_, path(), subject_.light))
         .shape.width;
 }
@@ -183,7 +183,7 @@ void ExportDialog::show_rows() {
     show_row(lit_, !relief && form != ExportForm::Maps);
     for (QDoubleSpinBox* box : {base_, exaggeration_, resolution_})
         show_row(box, relief);
-    for (QDoubleSpinBox* box : {speed_, fps_})
+    for (QDoubleSpinBox* box : {speed_, fps_, film_cells_})
         show_row(box, film);
 }
 

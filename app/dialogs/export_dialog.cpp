@@ -1,5 +1,7 @@
 #include "dialogs/export_dialog.hpp"
 
+#include "document/canvas.hpp"
+
 #include <utility>
 
 #include <QCheckBox>
@@ -191,6 +193,13 @@ void ExportDialog::make_numbers() {
     fps_ =
         add_number({"fps", 1.0, tools::kMostFps, 1, tr(" per second"), tr("Frames in a second of film")},
                    settings_.fps);
+    film_cells_ =
+        add_number({"film_px_per_mm", 0.0, document::kMaxPxPerMm, 2, tr(" px/mm"),
+                    tr("Cells in a millimetre of the canvas that it is painted on once more: more show "
+                       "finer paint and take longer; 0 is as it was painted")},
+                   settings_.film_px_per_mm);
+    film_cells_->setSpecialValueText(tr("as it was painted"));
+    connect(film_cells_, &QDoubleSpinBox::valueChanged, this, &ExportDialog::show_size);
 }
 
 void ExportDialog::add_row(const QString& words, QWidget* field, QWidget* buddy) {
@@ -226,6 +235,7 @@ void ExportDialog::lay_out() {
     add_row(tr("&Points"), resolution_);
     add_row(tr("Sp&eed"), speed_);
     add_row(tr("F&rames"), fps_);
+    add_row(tr("Canvas of &it"), film_cells_);
     outcome_ = new QLabel;
     outcome_->setObjectName(QStringLiteral("outcome"));
     outcome_->setWordWrap(true);

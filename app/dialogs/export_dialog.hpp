@@ -90,6 +90,7 @@ class ExportDialog : public QDialog {
     QDoubleSpinBox* resolution_ = nullptr;
     QDoubleSpinBox* speed_ = nullptr;
     QDoubleSpinBox* fps_ = nullptr;
+    QDoubleSpinBox* film_cells_ = nullptr;
     QLabel* outcome_ = nullptr;
     QDialogButtonBox* buttons_ = nullptr;
     QPushButton* export_ = nullptr;

@@ -1,6 +1,7 @@
 #include "dialogs/export_summary.hpp"
 
 #include "core/error.hpp"
+#include "core/memory.hpp"
 #include "document/canvas.hpp"
 #include "io/files.hpp"
 
@@ -92,6 +93,7 @@ void check_timelapse(const ExportSubject& subject, const ExportSettings& setting
     if (!subject.has_strokes)
         throw core::InputError(tr("Nothing has been painted yet that a film could show.").toStdString());
     io::check_timelapse(choice);
+    document::check_canvas_fits(film_canvas(subject, settings), core::available_memory_bytes());
     if (is_folder_format(settings)) check_folder(choice.path);
 }
 
@@ -105,6 +107,12 @@ void check_path(const Path& path) {
 }
 
 }  // namespace
+
+document::CanvasSettings film_canvas(const ExportSubject& subject, const ExportSettings& settings) {
+    document::CanvasSettings canvas = subject.film.canvas;
+    if (settings.film_px_per_mm > 0.0) canvas.px_per_mm = settings.film_px_per_mm;
+    return canvas;
+}
 
 grid::Shape exported_size(const ExportSubject& subject, const ExportSettings& settings,
                           const Path& path) {

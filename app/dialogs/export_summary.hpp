@@ -17,6 +17,10 @@ struct ExportSubject {
     tools::ExportLight light{};
 };
 
+/// The canvas that a time-lapse is painted on.
+document::CanvasSettings film_canvas(const ExportSubject& subject,
+                                     const tools::ExportSettings& settings);
+
 /// Columns and rows of a picture, a relief or a frame. Throws InputError where there are too many.
 grid::Shape exported_size(const ExportSubject& subject, const tools::ExportSettings& settings,
                           const std::filesystem::path& path);

@@ -96,7 +96,12 @@ std::filesystem::path first_folder() {
 
 Exporting::Exporting(Studio& studio, const ProjectFiles& files, const LightChoice& light)
     : studio_(studio), files_(files), light_(light) {
-    studio_.commands().on(Command::Export, [this](bool) { ask(); });
+    studio_.commands().on(Command::Export, [this](bool) { ask(settings_); });
+    studio_.commands().on(Command::MakeTimelapse, [this](bool) {
+        tools::ExportSettings film = settings_;
+        film.form = ExportForm::Timelapse;
+        ask(film);
+    });
     studio_.commands().on(Command::ExportAgain, [this](bool) { repeat(); });
     studio_.commands().on(Command::StopExport, [this](bool) { exporter_.stop(); });
     studio_.commands().on(Command::SaveRecording, [this](bool) { ask_save_recording(); });
@@ -147,7 +152,7 @@ std::filesystem::path Exporting::proposal() const {
 }
 
 tools::ExportLight Exporting::light() const {
-    return {light_.name().toStdString(), studio_.canvas().lighting()};
+    return {light_.name().toStdString(), light_.lamp(), light_.varnish()};
 }
 
 bool Exporting::may_begin() {
@@ -157,7 +162,7 @@ bool Exporting::may_begin() {
     return !exporter_.busy();
 }
 
-void Exporting::ask() {
+void Exporting::ask(const tools::ExportSettings& settings) {
     if (!may_begin()) return;
     const auto painting = studio_.session().snapshot();
     dialogs::ExportSubject subject{{painting->film.shape, painting->film.cell_mm},
@@ -168,7 +173,7 @@ void Exporting::ask() {
     });
     subject.film.events.clear();
     subject.light = light();
-    auto* dialog = new dialogs::ExportDialog(std::move(subject), settings_, proposal(),
+    auto* dialog = new dialogs::ExportDialog(std::move(subject), settings, proposal(),
                                              exported_.has_value(), &studio_.window());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this,

@@ -35,7 +35,7 @@ class Exporting : public QObject {
     bool may_stop();
 
   private:
-    void ask();
+    void ask(const tools::ExportSettings& settings);
     void repeat();
     void end(const commands::ExportOutcome& outcome);
     bool may_begin();

@@ -81,7 +81,13 @@ void HandControls::connect_panels() {
             [this] { use_medium(panels_.medium->currentText()); });
     connect(panels_.physics, &panels::MediumPanel::medium_chosen, this, &HandControls::use_medium);
     connect(panels_.physics, &panels::MediumPanel::medium_changed, this,
-            [this](const film::Medium& medium) { studio_.easel().change_medium(medium); });
+            [this](const film::Medium& medium) {
+                studio_.easel().change_medium(medium);
+                studio_.show_hand();
+            });
+    // The brush that comes over the canvas holds what was set a moment ago.
+    for (const view::CanvasView* view : studio_.views())
+        connect(view, &view::CanvasView::pointer_moved, panels_.physics, &panels::MediumPanel::finish);
     connect(panels_.stand, &panels::EaselPanel::tilted, this,
             [this](double tilt_deg, double direction_deg) {
                 studio_.easel().tilt(tilt_deg, direction_deg);

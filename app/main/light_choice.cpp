@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "panels/easel_panel.hpp"
+#include "panels/light_panel.hpp"
 #include "pigment/illuminant.hpp"
 
 #include <utility>
@@ -26,20 +27,27 @@ constexpr std::pair<Command, pigment::WorkingSpace> kSpaces[] = {
 
 }  // namespace
 
-void LightChoice::show_under(const pigment::Viewing& viewing) {
+void LightChoice::light_views() {
     for (view::CanvasView* view : studio_.views())
-        view->set_viewing(viewing);
+        view->set_lighting(shade::varnished(lamp_, varnish_));
+}
+
+void LightChoice::colour_views() {
+    for (view::CanvasView* view : studio_.views())
+        view->set_viewing(shade::varnished(viewing_, varnish_));
 }
 
 void LightChoice::use(const QString& name_or_path) {
     try {
-        show_under(pigment::viewing_under(pigment::find_illuminant(name_or_path.toStdString()),
-                                          studio_.canvas().viewing().space));
+        viewing_ =
+            pigment::viewing_under(pigment::find_illuminant(name_or_path.toStdString()), viewing_.space);
         name_ = name_or_path;
+        colour_views();
     } catch (const core::InputError& error) {
         studio_.report(QString::fromUtf8(error.what()));
     }
     stand_->show_illuminant(name_);
+    panel_->show_illuminant(name_);
     show();
 }
 
@@ -58,28 +66,46 @@ void LightChoice::show() {
     }
     studio_.commands().action(Command::LightFile)->setChecked(!bundled);
     for (const auto& [command, space] : kSpaces)
-        studio_.commands().action(command)->setChecked(studio_.canvas().viewing().space == space);
+        studio_.commands().action(command)->setChecked(viewing_.space == space);
 }
 
 void LightChoice::use_space(pigment::WorkingSpace space) {
-    pigment::Viewing viewing = studio_.canvas().viewing();
-    if (viewing.space != space) {
-        viewing = pigment::viewing_under(pigment::find_illuminant(name_.toStdString()), space);
-        show_under(viewing);
+    if (viewing_.space != space) {
+        viewing_ = pigment::viewing_under(pigment::find_illuminant(name_.toStdString()), space);
+        colour_views();
     }
     show();
 }
 
-void LightChoice::light_from(double elevation_deg, double azimuth_deg) {
-    shade::Lighting lighting = studio_.canvas().lighting();
-    lighting.elevation_deg = elevation_deg;
-    lighting.azimuth_deg = azimuth_deg;
-    for (view::CanvasView* view : studio_.views())
-        view->set_lighting(lighting);
-    stand_->show_light(lighting);
+void LightChoice::use_lamp(const shade::Lighting& lamp) {
+    lamp_ = lamp;
+    light_views();
+    stand_->show_light(lamp_);
+    panel_->show_lamp(lamp_);
 }
 
-LightChoice::LightChoice(Studio& studio, panels::EaselPanel* stand) : studio_(studio), stand_(stand) {
+void LightChoice::move_lamp(double elevation_deg, double azimuth_deg) {
+    shade::Lighting lamp = lamp_;
+    lamp.elevation_deg = elevation_deg;
+    lamp.azimuth_deg = azimuth_deg;
+    use_lamp(lamp);
+}
+
+void LightChoice::use_varnish(const shade::Varnish& varnish) {
+    varnish_ = varnish;
+    light_views();
+    colour_views();
+    panel_->show_varnish(varnish_);
+}
+
+LightChoice::LightChoice(Studio& studio, panels::EaselPanel* stand, panels::LightPanel* panel)
+    : studio_(studio), stand_(stand), panel_(panel) {
+    connect_commands();
+    connect_panels();
+    show();
+}
+
+void LightChoice::connect_commands() {
     auto* lights = new QActionGroup(this);
     auto* spaces = new QActionGroup(this);
     for (const auto& [command, name] : kLights) {
@@ -92,13 +118,19 @@ LightChoice::LightChoice(Studio& studio, panels::EaselPanel* stand) : studio_(st
         spaces->addAction(studio_.commands().action(command));
         studio_.commands().on(command, [this, space = space](bool) { use_space(space); });
     }
-    connect(stand_, &panels::EaselPanel::illuminant_chosen, this, &LightChoice::use);
-    connect(stand_, &panels::EaselPanel::illuminant_file_wanted, this, &LightChoice::ask);
-    connect(stand_, &panels::EaselPanel::light_moved, this, &LightChoice::light_from);
     studio_.commands().on(Command::MoveLight,
                           [this](bool shown) { studio_.canvas().show_light_handle(shown); });
-    connect(&studio_.canvas(), &view::CanvasView::light_dragged, this, &LightChoice::light_from);
-    show();
+    connect(&studio_.canvas(), &view::CanvasView::light_dragged, this, &LightChoice::move_lamp);
+}
+
+void LightChoice::connect_panels() {
+    connect(stand_, &panels::EaselPanel::illuminant_chosen, this, &LightChoice::use);
+    connect(stand_, &panels::EaselPanel::illuminant_file_wanted, this, &LightChoice::ask);
+    connect(stand_, &panels::EaselPanel::light_moved, this, &LightChoice::move_lamp);
+    connect(panel_, &panels::LightPanel::illuminant_chosen, this, &LightChoice::use);
+    connect(panel_, &panels::LightPanel::illuminant_file_wanted, this, &LightChoice::ask);
+    connect(panel_, &panels::LightPanel::lamp_changed, this, &LightChoice::use_lamp);
+    connect(panel_, &panels::LightPanel::varnish_chosen, this, &LightChoice::use_varnish);
 }
 
 }  // namespace pastoso::main

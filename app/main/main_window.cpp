@@ -10,18 +10,21 @@
 #include "main/layer_pictures.hpp"
 #include "main/layer_transform.hpp"
 #include "main/light_choice.hpp"
+#include "main/navigation.hpp"
 #include "main/paint_memory.hpp"
 #include "main/paint_picking.hpp"
 #include "main/picture_layers.hpp"
 #include "main/preference_commands.hpp"
 #include "main/project_files.hpp"
 #include "main/range_selection.hpp"
+#include "main/recorder.hpp"
 #include "main/selection_commands.hpp"
 #include "main/tracing_commands.hpp"
 #include "main/undo_commands.hpp"
 #include "main/view_commands.hpp"
 #include "main/well_commands.hpp"
 #include "main/window_memory.hpp"
+#include "panels/medium_panel.hpp"
 #include "panels/tracing_panel.hpp"
 #include "pigment/user_pigments.hpp"
 
@@ -47,10 +50,12 @@ struct MainWindow::Parts {
           undo(studio, panels.history, transform),
           picking(studio),
           view(studio, panels.readings),
-          light(studio, panels.stand),
+          navigation(studio, panels.navigator, panels.docks.at(commands::Command::NavigatorPanel)),
+          light(studio, panels.stand, panels.lights),
           files(studio, keeps_journal),
           pictures(studio),
           exporting(studio, files, light),
+          recorder(studio, panels.recorder),
           paints(studio, panels.colours),
           memory(studio, panels, light, undo, well),
           keys(studio),
@@ -70,10 +75,12 @@ struct MainWindow::Parts {
     UndoCommands undo;
     PaintPicking picking;
     ViewCommands view;
+    Navigation navigation;
     LightChoice light;
     ProjectFiles files;
     PictureLayers pictures;
     Exporting exporting;
+    Recorder recorder;
     PaintMemory paints;
     WindowMemory memory;
     KeyCommands keys;
@@ -91,6 +98,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     connect(&parts.files, &ProjectFiles::about_to_keep, panels_.tracing, &panels::TracingPanel::finish);
     connect(&parts.preferences, &PreferenceCommands::autosave_due, &parts.files,
             &ProjectFiles::save_by_itself);
+    connect(&parts.files, &ProjectFiles::about_to_keep, panels_.physics, &panels::MediumPanel::finish);
     commands().on(commands::Command::Quit, [this](bool) { close(); });
     parts.files.start(canvas);
     parts.brushes.read();

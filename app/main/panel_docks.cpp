@@ -7,10 +7,14 @@
 #include "panels/guides_panel.hpp"
 #include "panels/history_panel.hpp"
 #include "panels/layer_panel.hpp"
+#include "panels/light_panel.hpp"
 #include "panels/load_panel.hpp"
 #include "panels/medium_panel.hpp"
+#include "panels/navigator_panel.hpp"
+#include "panels/recorder_panel.hpp"
 #include "panels/tracing_panel.hpp"
 
+#include <initializer_list>
 #include <utility>
 
 #include <QAction>
@@ -38,47 +42,56 @@ panels::LayerPanel* make_layer_panel(Studio& studio) {
          action(Command::FlattenLayers), action(Command::GroupLayers), action(Command::UngroupLayers)});
 }
 
-/// What does not fit into the window is scrolled to.
-QDockWidget* add_dock(Studio& studio, PanelSet& panels, Command command, const QString& name,
-                      const QString& title, QWidget* content) {
-    content->layout()->setContentsMargins(10, 8, 10, 8);
-    auto* scrolled = new QScrollArea;
-    scrolled->setFrameShape(QFrame::NoFrame);
-    scrolled->setFocusPolicy(Qt::NoFocus);  // a click beside the controls leaves the keys to the canvas
-    scrolled->setWidgetResizable(true);
-    scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scrolled->setWidget(content);
-    scrolled->setMinimumWidth(content->minimumSizeHint().width() +
-                              scrolled->verticalScrollBar()->sizeHint().width());
-    auto* dock = new QDockWidget(title, &studio.window());
-    dock->setObjectName(name);
-    dock->setWidget(scrolled);
-    studio.window().addDockWidget(Qt::RightDockWidgetArea, dock);
-    panels.docks[command] = dock;
-    studio.commands().on(command, [dock, content](bool) {
-        dock->show();
-        dock->raise();
-        if (QWidget* first = content->nextInFocusChain()) first->setFocus(Qt::TabFocusReason);
-    });
-    return dock;
+/// Of actions that stand on buttons.
+constexpr std::pair<Command, const char*> kButtonWords[] = {
+    {Command::TopUpBrush, QT_TR_NOOP("Top up")},
+    {Command::BlotBrush, QT_TR_NOOP("Blot")},
+    {Command::SwapPaints, QT_TR_NOOP("Swap")},
+    {Command::PickPaint, QT_TR_NOOP("Pick paint")},
+    {Command::PickColour, QT_TR_NOOP("Pick colour")},
+    {Command::MirrorSymmetry, QT_TR_NOOP("Left, right")},
+    {Command::MirrorLevel, QT_TR_NOOP("Above, below")},
+    {Command::Ruler, QT_TR_NOOP("Along the last stroke")},
+    {Command::Ellipse, QT_TR_NOOP("On the canvas")},
+    {Command::TracePicture, QT_TR_NOOP("Choose...")},
+    {Command::RemoveTracing, QT_TR_NOOP("Take away")},
+    {Command::ShowTracing, QT_TR_NOOP("Below the paint")},
+    {Command::FitTracing, QT_TR_NOOP("Fit")},
+    {Command::FitCanvas, QT_TR_NOOP("Fit")},
+    {Command::ActualPixels, QT_TR_NOOP("100 %")},
+    {Command::TurnUpright, QT_TR_NOOP("Upright")},
+    {Command::MirrorView, QT_TR_NOOP("Mirror")},
+    {Command::Play, QT_TR_NOOP("Watch it grow...")},
+    {Command::MakeTimelapse, QT_TR_NOOP("Make a time-lapse...")},
+    {Command::SaveRecording, QT_TR_NOOP("Save the recording...")},
+};
+
+/// All but the tool's panel, which is made of two.
+void make_panels(Studio& studio, PanelSet& panels) {
+    for (const auto& [command, words] : kButtonWords)
+        studio.commands().action(command)->setIconText(QObject::tr(words));
+    const auto action = [&](Command command) { return studio.commands().action(command); };
+    panels.colours = new panels::ColourPanel({action(Command::PickPaint), action(Command::PickColour)});
+    panels.physics = new panels::MediumPanel;
+    panels.guides = new panels::GuidesPanel(
+        {action(Command::MirrorSymmetry), action(Command::MirrorLevel), action(Command::Ruler),
+         action(Command::Ellipse), action(Command::GuideHandles), action(Command::RemoveGuides)});
+    panels.lights = new panels::LightPanel;
+    panels.layers = make_layer_panel(studio);
+    panels.tracing =
+        new panels::TracingPanel({action(Command::TracePicture), action(Command::RemoveTracing)},
+                                 {action(Command::ShowTracing), action(Command::FitTracing)});
+    panels.history = new panels::HistoryPanel;
+    panels.navigator =
+        new panels::NavigatorPanel({action(Command::FitCanvas), action(Command::ActualPixels)},
+                                   {action(Command::TurnUpright), action(Command::MirrorView)},
+                                   view::kSmallestZoom, view::kLargestZoom);
+    panels.recorder = new panels::RecorderPanel(
+        {action(Command::Play), action(Command::MakeTimelapse), action(Command::SaveRecording)});
 }
 
-}  // namespace
-
-void add_docks(Studio& studio, PanelSet& panels) {
+QWidget* make_tool_panel(Studio& studio, PanelSet& panels) {
     const auto action = [&](Command command) { return studio.commands().action(command); };
-    const auto name_button = [&](Command command, const QString& words) {
-        action(command)->setIconText(words);
-    };
-    name_button(Command::TopUpBrush, QObject::tr("Top up"));
-    name_button(Command::BlotBrush, QObject::tr("Blot"));
-    name_button(Command::SwapPaints, QObject::tr("Swap"));
-    name_button(Command::PickPaint, QObject::tr("Pick paint"));
-    name_button(Command::PickColour, QObject::tr("Pick colour"));
-    name_button(Command::MirrorSymmetry, QObject::tr("Left, right"));
-    name_button(Command::MirrorLevel, QObject::tr("Above, below"));
-    name_button(Command::Ruler, QObject::tr("Along the last stroke"));
-    name_button(Command::Ellipse, QObject::tr("On the canvas"));
     panels.load = new panels::LoadPanel({action(Command::ReloadBrush), action(Command::TopUpBrush),
                                          action(Command::BlotBrush), action(Command::CleanBrush)},
                                         action(Command::SwapPaints));
@@ -89,38 +102,72 @@ void add_docks(Studio& studio, PanelSet& panels) {
     column->addWidget(panels.load);
     column->addWidget(panels.curves);
     column->addStretch(1);
-    panels.colours = new panels::ColourPanel({action(Command::PickPaint), action(Command::PickColour)});
-    panels.guides = new panels::GuidesPanel(
-        {action(Command::MirrorSymmetry), action(Command::MirrorLevel), action(Command::Ruler),
-         action(Command::Ellipse), action(Command::GuideHandles), action(Command::RemoveGuides)});
-    name_button(Command::TracePicture, QObject::tr("Choose..."));
-    name_button(Command::RemoveTracing, QObject::tr("Take away"));
-    name_button(Command::ShowTracing, QObject::tr("Below the paint"));
-    name_button(Command::FitTracing, QObject::tr("Fit"));
-    panels.tracing =
-        new panels::TracingPanel({action(Command::TracePicture), action(Command::RemoveTracing)},
-                                 {action(Command::ShowTracing), action(Command::FitTracing)});
+    return tool;
+}
+
+struct Dock {
+    Command command;   ///< that shows it
+    const char* name;  ///< in what is remembered of the panels
+    const char* title;
+    QWidget* content;
+};
+
+/// What does not fit into the window is scrolled to.
+QDockWidget* add_dock(Studio& studio, PanelSet& panels, const Dock& added) {
+    QWidget* content = added.content;
+    content->layout()->setContentsMargins(10, 8, 10, 8);
+    auto* scrolled = new QScrollArea;
+    scrolled->setFrameShape(QFrame::NoFrame);
+    scrolled->setFocusPolicy(Qt::NoFocus);  // a click beside the controls leaves the keys to the canvas
+    scrolled->setWidgetResizable(true);
+    scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scrolled->setWidget(content);
+    scrolled->setMinimumWidth(content->minimumSizeHint().width() +
+                              scrolled->verticalScrollBar()->sizeHint().width());
+    auto* dock = new QDockWidget(QObject::tr(added.title), &studio.window());
+    dock->setObjectName(QString::fromLatin1(added.name));
+    dock->setWidget(scrolled);
+    studio.window().addDockWidget(Qt::RightDockWidgetArea, dock);
+    panels.docks[added.command] = dock;
+    studio.commands().on(added.command, [dock, content](bool) {
+        dock->show();
+        dock->raise();
+        if (QWidget* first = content->nextInFocusChain()) first->setFocus(Qt::TabFocusReason);
+    });
+    return dock;
+}
+
+/// In one place, the first on top.
+QDockWidget* add_tabs(Studio& studio, PanelSet& panels, std::initializer_list<Dock> docks) {
+    QDockWidget* first = nullptr;
+    for (const Dock& added : docks) {
+        QDockWidget* dock = add_dock(studio, panels, added);
+        if (first != nullptr) studio.window().tabifyDockWidget(first, dock);
+        if (first == nullptr) first = dock;
+    }
+    return first;
+}
+
+}  // namespace
+
+void add_docks(Studio& studio, PanelSet& panels) {
+    make_panels(studio, panels);
     QMainWindow& window = studio.window();
     window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-    const auto add = [&](Command command, const QString& name, const QString& title, QWidget* content) {
-        return add_dock(studio, panels, command, name, title, content);
-    };
-    QDockWidget* first =
-        add(Command::ToolPanel, QStringLiteral("tool_panel"), QObject::tr("Tool"), tool);
-    window.tabifyDockWidget(first, add(Command::ColourPanel, QStringLiteral("colour_panel"),
-                                       QObject::tr("Colour"), panels.colours));
-    window.tabifyDockWidget(
-        first, add(Command::PhysicsPanel, QStringLiteral("physics_panel"), QObject::tr("Physics"),
-                   panels.physics = new panels::MediumPanel));
-    window.tabifyDockWidget(first, add(Command::GuidesPanel, QStringLiteral("guides_panel"),
-                                       QObject::tr("Guides"), panels.guides));
-    QDockWidget* layers = add(Command::LayersPanel, QStringLiteral("layers_panel"),
-                              QObject::tr("Layers"), panels.layers = make_layer_panel(studio));
-    window.tabifyDockWidget(layers, add(Command::TracingPanel, QStringLiteral("tracing_panel"),
-                                        QObject::tr("Tracing"), panels.tracing));
-    window.tabifyDockWidget(
-        layers, add(Command::HistoryPanel, QStringLiteral("history_panel"), QObject::tr("History"),
-                    panels.history = new panels::HistoryPanel));
+    QDockWidget* first = add_tabs(
+        studio, panels,
+        {{Command::ToolPanel, "tool_panel", QT_TR_NOOP("Tool"), make_tool_panel(studio, panels)},
+         {Command::ColourPanel, "colour_panel", QT_TR_NOOP("Colour"), panels.colours},
+         {Command::PhysicsPanel, "physics_panel", QT_TR_NOOP("Physics"), panels.physics},
+         {Command::GuidesPanel, "guides_panel", QT_TR_NOOP("Guides"), panels.guides},
+         {Command::LightPanel, "light_panel", QT_TR_NOOP("Lights"), panels.lights}});
+    QDockWidget* layers = add_tabs(
+        studio, panels,
+        {{Command::LayersPanel, "layers_panel", QT_TR_NOOP("Layers"), panels.layers},
+         {Command::TracingPanel, "tracing_panel", QT_TR_NOOP("Tracing"), panels.tracing},
+         {Command::HistoryPanel, "history_panel", QT_TR_NOOP("History"), panels.history},
+         {Command::NavigatorPanel, "navigator_panel", QT_TR_NOOP("Navigator"), panels.navigator},
+         {Command::RecorderPanel, "recorder_panel", QT_TR_NOOP("Recorder"), panels.recorder}});
     layers->raise();
     first->raise();
     // As narrow as what they hold allows: the canvas gets the rest.

@@ -17,9 +17,12 @@ class EaselPanel;
 class GuidesPanel;
 class HistoryPanel;
 class LayerPanel;
+class LightPanel;
 class LoadPanel;
 class MediumPanel;
+class NavigatorPanel;
 class PaintPanel;
+class RecorderPanel;
 class StatusReadings;
 class TracingPanel;
 }  // namespace pastoso::panels
@@ -41,6 +44,9 @@ struct PanelSet {
     panels::GuidesPanel* guides = nullptr;
     panels::LayerPanel* layers = nullptr;
     panels::TracingPanel* tracing = nullptr;
+    panels::NavigatorPanel* navigator = nullptr;
+    panels::LightPanel* lights = nullptr;
+    panels::RecorderPanel* recorder = nullptr;
     panels::StatusReadings* readings = nullptr;
     QComboBox* medium = nullptr;
     QDockWidget* well = nullptr;

@@ -1,5 +1,6 @@
 #include "main/window_memory.hpp"
 
+#include "commands/command_names.hpp"
 #include "core/error.hpp"
 #include "core/user_data.hpp"
 #include "main/light_choice.hpp"
@@ -7,6 +8,8 @@
 #include "main/well_commands.hpp"
 #include "panels/brush_panel.hpp"
 #include "tools/settings.hpp"
+
+#include <cstddef>
 
 #include <QDockWidget>
 #include <QMainWindow>
@@ -29,6 +32,23 @@ std::string to_text(const QByteArray& bytes) {
     return bytes.toBase64().toStdString();
 }
 
+/// Of another version's commands, those that this one has.
+std::vector<commands::Command> commands_named(const std::vector<std::string>& names) {
+    std::vector<commands::Command> found;
+    for (const std::string& name : names)
+        if (const auto command = commands::command_named(name)) found.push_back(*command);
+    return found;
+}
+
+/// As many as the palette shows without scrolling, and some more.
+std::vector<std::string> recent_names(const commands::CommandRegistry& commands) {
+    constexpr std::size_t kMostRecent = 24;
+    std::vector<std::string> names;
+    for (const commands::Command command : commands.recent())
+        if (names.size() < kMostRecent) names.emplace_back(commands::name_of(command));
+    return names;
+}
+
 }  // namespace
 
 WindowMemory::WindowMemory(Studio& studio, const PanelSet& panels, LightChoice& light,
@@ -48,7 +68,11 @@ void WindowMemory::recall() {
         usable_ = false;
     }
     undo_.set_memory(settings.undo_memory_MiB);
-    light_.light_from(settings.light_elevation_deg, settings.light_azimuth_deg);
+    light_.use_lamp({.azimuth_deg = settings.light_azimuth_deg,
+                     .elevation_deg = settings.light_elevation_deg,
+                     .ambient = settings.light_ambient});
+    light_.use_varnish(settings.varnish);
+    studio_.commands().set_recent(commands_named(settings.recent_commands));
     tools::Hand hand = studio_.easel().hand();
     hand.stabiliser = tools::stabiliser_of(settings.steadying);
     hand.reload_each_stroke = settings.reload_each_stroke;
@@ -67,8 +91,11 @@ void WindowMemory::remember() {
     settings.reload_each_stroke = hand.reload_each_stroke;
     settings.turn_with_stroke = hand.turn_with_stroke;
     settings.undo_memory_MiB = undo_.memory_MiB();
-    settings.light_azimuth_deg = studio_.canvas().lighting().azimuth_deg;
-    settings.light_elevation_deg = studio_.canvas().lighting().elevation_deg;
+    settings.light_azimuth_deg = light_.lamp().azimuth_deg;
+    settings.light_elevation_deg = light_.lamp().elevation_deg;
+    settings.light_ambient = light_.lamp().ambient;
+    settings.varnish = light_.varnish();
+    settings.recent_commands = recent_names(studio_.commands());
     settings.window_place = to_text(studio_.window().saveGeometry());
     settings.panels = to_text(studio_.window().saveState(kPanelsVersion));
     try {

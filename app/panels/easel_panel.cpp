@@ -1,5 +1,6 @@
 #include "panels/easel_panel.hpp"
 
+#include "panels/illuminant_box.hpp"
 #include "panels/light_dial.hpp"
 #include "panels/section.hpp"
 #include "panels/tilt_dial.hpp"
@@ -7,9 +8,7 @@
 #include <cmath>
 #include <iterator>
 
-#include <QComboBox>
 #include <QCoreApplication>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSlider>
@@ -58,7 +57,7 @@ EaselPanel::EaselPanel(QWidget* parent)
       light_(new LightDial),
       tilt_reading_(new QLabel),
       light_reading_(new QLabel),
-      illuminant_(new QComboBox),
+      illuminant_(new IlluminantBox),
       drying_(new QSlider(Qt::Horizontal)),
       drying_reading_(new QLabel) {
     auto* rows = new QVBoxLayout(this);
@@ -75,13 +74,8 @@ EaselPanel::EaselPanel(QWidget* parent)
         write_readings();
         Q_EMIT tilted(angle_deg, azimuth_deg);
     });
-    connect(illuminant_, &QComboBox::activated, this, [this](int index) {
-        const QString name = illuminant_->itemData(index).toString();
-        if (name.isEmpty())
-            Q_EMIT illuminant_file_wanted();
-        else
-            Q_EMIT illuminant_chosen(name);
-    });
+    connect(illuminant_, &IlluminantBox::chosen, this, &EaselPanel::illuminant_chosen);
+    connect(illuminant_, &IlluminantBox::file_wanted, this, &EaselPanel::illuminant_file_wanted);
     connect(drying_, &QSlider::valueChanged, this, [this](int stop) {
         write_readings();
         Q_EMIT drying_changed(kDryingStops[stop].speed);
@@ -110,13 +104,6 @@ QWidget* EaselPanel::illuminant_row() {
     auto* layout = section(widget, tr("Seen in"));
     layout->setSpacing(3);
     illuminant_->setObjectName(QStringLiteral("illuminant"));
-    illuminant_->setToolTip(tr("The light on the easel; the paint stays as it is"));
-    illuminant_->addItem(tr("Daylight (D65)"), QStringLiteral("D65"));
-    illuminant_->addItem(tr("Print booth (D50)"), QStringLiteral("D50"));
-    illuminant_->addItem(tr("Light bulb (A)"), QStringLiteral("A"));
-    illuminant_->addItem(tr("LED lamp"), QStringLiteral("LED"));
-    illuminant_->addItem(tr("From a file..."), QString());
-    keep_keys_for_canvas(illuminant_);
     layout->addWidget(illuminant_);
     return widget;
 }
@@ -137,12 +124,7 @@ QWidget* EaselPanel::drying_row() {
 }
 
 void EaselPanel::show_illuminant(const QString& name_or_path) {
-    int item = illuminant_->findData(name_or_path);
-    if (item < 0) {
-        item = illuminant_->count() - 1;
-        illuminant_->insertItem(item, QFileInfo(name_or_path).completeBaseName(), name_or_path);
-    }
-    illuminant_->setCurrentIndex(item);
+    illuminant_->show_illuminant(name_or_path);
 }
 
 void EaselPanel::show_drying(double speed) {

@@ -5,12 +5,12 @@
 
 #include <QWidget>
 
-class QComboBox;
 class QLabel;
 class QSlider;
 
 namespace pastoso::panels {
 
+class IlluminantBox;
 class LightDial;
 class TiltDial;
 
@@ -49,7 +49,7 @@ class EaselPanel : public QWidget {
     LightDial* light_ = nullptr;
     QLabel* tilt_reading_ = nullptr;
     QLabel* light_reading_ = nullptr;
-    QComboBox* illuminant_ = nullptr;
+    IlluminantBox* illuminant_ = nullptr;
     QSlider* drying_ = nullptr;
     QLabel* drying_reading_ = nullptr;
 };

@@ -19,6 +19,8 @@ QString words_of(const char* text) {
     return QCoreApplication::translate("pastoso::panels", text);
 }
 
+constexpr int kRest_ms = 250;
+
 ValueRange shown_range(const MediumRow& number) {
     const film::MediumNumber& limits = tools::number_of(number.member);
     return {number.scale * limits.least, number.scale * limits.most, number.decimals,
@@ -32,6 +34,7 @@ MediumPanel::MediumPanel(QWidget* parent)
       media_(new QComboBox),
       description_(new QLabel),
       reset_(new QPushButton(tr("As it comes"))) {
+    setObjectName(QStringLiteral("medium_panel"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
@@ -39,6 +42,9 @@ MediumPanel::MediumPanel(QWidget* parent)
     for (const MediumSection& section : medium_sections())
         column->addWidget(numbers(section));
     column->addStretch();
+    resting_.setSingleShot(true);
+    resting_.setInterval(kRest_ms);
+    connect(&resting_, &QTimer::timeout, this, [this] { Q_EMIT medium_changed(medium_); });
     show_medium(film::bundled_media().front());
 }
 
@@ -58,11 +64,15 @@ QWidget* MediumPanel::medium_section() {
     column->addWidget(media_);
     column->addWidget(description_);
     column->addWidget(reset_);
-    connect(media_, &QComboBox::activated, this,
-            [this] { Q_EMIT medium_chosen(media_->currentText()); });
+    connect(media_, &QComboBox::activated, this, [this] { choose(media_->currentText()); });
     connect(reset_, &QPushButton::clicked, this,
-            [this] { Q_EMIT medium_chosen(QString::fromStdString(medium_.name)); });
+            [this] { choose(QString::fromStdString(medium_.name)); });
     return widget;
+}
+
+void MediumPanel::choose(const QString& name) {
+    resting_.stop();
+    Q_EMIT medium_chosen(name);
 }
 
 QWidget* MediumPanel::numbers(const MediumSection& part) {
@@ -77,8 +87,8 @@ QWidget* MediumPanel::numbers(const MediumSection& part) {
         row->name(QLatin1String(number.name));
         connect(row, &ValueRow::chosen, this, [this, &number](double value) {
             medium_ = tools::with_number(medium_, number.member, value / number.scale);
-            show_medium(medium_);
-            Q_EMIT medium_changed(medium_);
+            show_numbers(medium_);
+            resting_.start();
         });
         shown_.push_back({&number, row});
     }
@@ -86,7 +96,20 @@ QWidget* MediumPanel::numbers(const MediumSection& part) {
     return widget;
 }
 
+void MediumPanel::finish() {
+    if (!resting_.isActive()) return;
+    resting_.stop();
+    Q_EMIT medium_changed(medium_);
+}
+
 void MediumPanel::show_medium(const film::Medium& medium) {
+    if (resting_.isActive() && medium == in_hand_) return;
+    resting_.stop();
+    in_hand_ = medium;
+    show_numbers(medium);
+}
+
+void MediumPanel::show_numbers(const film::Medium& medium) {
     medium_ = medium;
     media_->setCurrentText(QString::fromStdString(medium.name));
     description_->setText(QString::fromStdString(medium.description));

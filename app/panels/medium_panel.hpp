@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include <QTimer>
 #include <QWidget>
 
 class QComboBox;
@@ -23,23 +24,31 @@ class MediumPanel : public QWidget {
   public:
     explicit MediumPanel(QWidget* parent = nullptr);
 
-    /// Shows the medium in hand, without a signal.
+    /// Shows the medium in hand, without a signal. A number that moves is let go only for another
+    /// medium.
     void show_medium(const film::Medium& medium);
 
+    /// Says at once what was set a moment ago.
+    void finish();
+
   Q_SIGNALS:
-    void medium_chosen(const QString& name);  ///< as it comes with the program
-    void medium_changed(const film::Medium& medium);
+    void medium_chosen(const QString& name);          ///< as it comes with the program
+    void medium_changed(const film::Medium& medium);  ///< its numbers rest: paint is poured only then
 
   private:
     QWidget* medium_section();
     QWidget* numbers(const MediumSection& section);
+    void choose(const QString& name);
+    void show_numbers(const film::Medium& medium);
 
     struct Shown {
         const MediumRow* number;
         ValueRow* row;
     };
 
-    film::Medium medium_;
+    film::Medium medium_;   ///< as shown
+    film::Medium in_hand_;  ///< behind it while a number moves
+    QTimer resting_;
     QComboBox* media_ = nullptr;
     QLabel* description_ = nullptr;
     QPushButton* reset_ = nullptr;

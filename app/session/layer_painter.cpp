@@ -2,6 +2,7 @@
 
 #include "pigment/appearance.hpp"
 #include "pigment/hex_colour.hpp"
+#include "session/small_picture.hpp"
 #include "shade/tile_colour.hpp"
 
 #include <algorithm>
@@ -11,22 +12,9 @@
 namespace pastoso::session {
 namespace {
 
-/// A pixel is the mean of at most so many cells a side: a picture of a large canvas takes no longer than
-/// that of a small one.
-constexpr int kMostCells = 4;
-
 bool is_covered(const film::FilmState& film, int x, int y) {
     return film.thickness.at(x, y) > 0 || film.strata.soluble_thickness.at(x, y) > 0 ||
            film.strata.optics.at(x, y) != film::kClearStrata;
-}
-
-/// The cells that pixel number `pixel` of `pixels` along a side shows: first and one past the last.
-std::pair<int, int> cells_of(int pixel, int pixels, int cells) {
-    const auto edge = [&](int number) {
-        return static_cast<int>(static_cast<std::int64_t>(number) * cells / pixels);
-    };
-    const int first = std::min(edge(pixel), cells - 1);
-    return {first, std::clamp(edge(pixel + 1), first + 1, first + kMostCells)};
 }
 
 std::array<std::uint8_t, 4> pixel_of(const film::FilmState& film, const grid::Rect& cells,
@@ -57,18 +45,11 @@ std::array<std::uint8_t, 4> pixel_of(const film::FilmState& film, const grid::Re
 
 LayerPicture layer_picture(const film::FilmState& layer, const pigment::Bands& ground, int most_width,
                            int most_height) {
-    const grid::Shape& shape = layer.shape;
-    const double scale = std::min(static_cast<double>(most_width) / shape.width,
-                                  static_cast<double>(most_height) / shape.height);
-    LayerPicture picture;
-    picture.width = std::max(1, static_cast<int>(shape.width * scale));
-    picture.height = std::max(1, static_cast<int>(shape.height * scale));
-    picture.wet = film::has_wet_paint(layer);
-    for (int y = 0; y < picture.height; ++y) {
-        const auto [y0, y1] = cells_of(y, picture.height, shape.height);
-        for (int x = 0; x < picture.width; ++x) {
-            const auto [x0, x1] = cells_of(x, picture.width, shape.width);
-            const auto pixel = pixel_of(layer, {x0, y0, x1, y1}, ground);
+    const PictureSize size = size_within(layer.shape, most_width, most_height);
+    LayerPicture picture{size.width, size.height, {}, film::has_wet_paint(layer)};
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            const auto pixel = pixel_of(layer, cells_of_pixel(x, y, size, layer.shape), ground);
             picture.rgba.insert(picture.rgba.end(), pixel.begin(), pixel.end());
         }
     }

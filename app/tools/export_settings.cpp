@@ -1,6 +1,7 @@
 #include "tools/export_settings.hpp"
 
 #include "tools/marked_words.hpp"
+#include "document/canvas.hpp"
 #include "tools/memory_file.hpp"
 
 #include <utility>
@@ -82,9 +83,11 @@ io::ReliefOptions read_relief(const JsonPlace& place) {
 }
 
 void read_film(const JsonPlace& place, ExportSettings& settings) {
-    place.allow_only({"fps", "speed"});
+    place.allow_only({"fps", "speed", "px_per_mm"});
     settings.fps = read_number(place.entry("fps"), 1.0, kMostFps);
     settings.speed = read_number(place.entry("speed"), kLeastSpeed, kMostSpeed);
+    if (const auto finer = place.optional_entry("px_per_mm"))
+        settings.film_px_per_mm = read_number(*finer, 0.0, document::kMaxPxPerMm);
 }
 
 Json formats_json(const ExportSettings& settings) {
@@ -120,6 +123,7 @@ io::ExportChoice export_choice(const ExportSettings& settings, const std::filesy
     choice.scale = settings.scale;
     choice.picture = picture_options(settings, light);
     choice.lighting = light.lighting;
+    choice.varnish = light.varnish;
     choice.relief = settings.relief;
     return choice;
 }
@@ -130,10 +134,12 @@ io::TimelapseChoice timelapse_choice(const ExportSettings& settings, const std::
     choice.path = path;
     choice.fps = settings.fps;
     choice.speed = settings.speed;
+    if (settings.film_px_per_mm > 0.0) choice.px_per_mm = settings.film_px_per_mm;
     choice.lit = settings.lit;
     choice.scale = settings.scale;
     choice.picture = picture_options(settings, light);
     choice.lighting = light.lighting;
+    choice.varnish = light.varnish;
     return choice;
 }
 
@@ -157,21 +163,23 @@ ExportSettings read_export_settings(const std::filesystem::path& file) {
 }
 
 void write_export_settings(const ExportSettings& settings, const std::filesystem::path& file) {
-    write_memory({{"version", kVersion},
-                  {"form", kForms[static_cast<std::size_t>(settings.form)].name},
-                  {"formats", formats_json(settings)},
-                  {"folder", settings.folder},
-                  {"of_well", settings.of_well},
-                  {"lit", settings.lit},
-                  {"scale", settings.scale},
-                  {"profile", settings.profile},
-                  {"quality", settings.quality},
-                  {"relief",
-                   {{"base_mm", settings.relief.base_mm},
-                    {"exaggeration", settings.relief.exaggeration},
-                    {"resolution_mm", settings.relief.resolution_mm}}},
-                  {"timelapse", {{"fps", settings.fps}, {"speed", settings.speed}}}},
-                 file);
+    write_memory(
+        {{"version", kVersion},
+         {"form", kForms[static_cast<std::size_t>(settings.form)].name},
+         {"formats", formats_json(settings)},
+         {"folder", settings.folder},
+         {"of_well", settings.of_well},
+         {"lit", settings.lit},
+         {"scale", settings.scale},
+         {"profile", settings.profile},
+         {"quality", settings.quality},
+         {"relief",
+          {{"base_mm", settings.relief.base_mm},
+           {"exaggeration", settings.relief.exaggeration},
+           {"resolution_mm", settings.relief.resolution_mm}}},
+         {"timelapse",
+          {{"fps", settings.fps}, {"speed", settings.speed}, {"px_per_mm", settings.film_px_per_mm}}}},
+        file);
 }
 
 }  // namespace pastoso::tools

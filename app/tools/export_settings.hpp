@@ -42,8 +42,9 @@ struct ExportSettings {
     std::string profile = "srgb";  ///< io::picture_colours()
     int quality = 95;
     io::ReliefOptions relief;
-    double fps = 25.0;    ///< of a time-lapse
-    double speed = 10.0;  ///< seconds of painting in a second of film
+    double fps = 25.0;            ///< of a time-lapse
+    double speed = 10.0;          ///< seconds of painting in a second of film
+    double film_px_per_mm = 0.0;  ///< cells of the canvas that it is painted on; 0: as they were
 
     const ExportFormat& format() const;  ///< of the form
     friend bool operator==(const ExportSettings&, const ExportSettings&) = default;
@@ -53,6 +54,7 @@ struct ExportSettings {
 struct ExportLight {
     std::string light = "D65";  ///< pigment::find_illuminant()
     shade::Lighting lighting;
+    shade::Varnish varnish;
 };
 
 /// A picture, layers, maps or a relief as the settings say.

@@ -2,6 +2,8 @@
 
 #include "tools/memory_file.hpp"
 
+#include <cstddef>
+
 namespace pastoso::tools {
 namespace {
 
@@ -37,12 +39,12 @@ double read_strength(const JsonPlace& place, double most) {
     return strength;
 }
 
-double read_angle(const JsonPlace& place, double least, double most) {
-    const double angle = place.number();
-    if (!(angle >= least && angle <= most))
+double read_number(const JsonPlace& place, double least, double most) {
+    const double number = place.number();
+    if (!(number >= least && number <= most))
         place.fail(place.value().dump() + " is not between " + Json(least).dump() + " and " +
                    Json(most).dump() + ".");
-    return angle;
+    return number;
 }
 
 Json steadying_json(const Steadying& steadying) {
@@ -58,16 +60,63 @@ Steadying read_steadying(const JsonPlace& place) {
             read_strength(place.entry("string_mm"), kLongestString_mm)};
 }
 
+std::vector<std::string> read_texts(const JsonPlace& place) {
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < place.size(); ++i)
+        texts.push_back(place.element(i).text());
+    return texts;
+}
+
+struct NamedFinish {
+    const char* name;
+    shade::Finish finish;
+};
+constexpr NamedFinish kFinishes[] = {{"none", shade::Finish::None},
+                                     {"matte", shade::Finish::Matte},
+                                     {"satin", shade::Finish::Satin},
+                                     {"gloss", shade::Finish::Gloss}};
+
+const char* name_of(shade::Finish finish) {
+    for (const NamedFinish& named : kFinishes)
+        if (named.finish == finish) return named.name;
+    return kFinishes[0].name;
+}
+
+shade::Finish read_finish(const JsonPlace& place) {
+    const std::string text = place.text();
+    for (const NamedFinish& named : kFinishes)
+        if (text == named.name) return named.finish;
+    place.fail("\"" + text + "\" is not one of none, matte, satin and gloss.");
+}
+
+Json varnish_json(const shade::Varnish& varnish) {
+    return {{"finish", name_of(varnish.finish)},
+            {"amount", varnish.amount},
+            {"yellowing", varnish.yellowing}};
+}
+
+shade::Varnish read_varnish(const JsonPlace& place) {
+    place.allow_only({"finish", "amount", "yellowing"});
+    return {read_finish(place.entry("finish")), read_number(place.entry("amount"), 0.0, 1.0),
+            read_number(place.entry("yellowing"), 0.0, 1.0)};
+}
+
 }  // namespace
 
 Settings read_settings(const std::filesystem::path& file) {
     Settings settings;
     read_memory(file, kVersion, [&](const JsonPlace& root) {
-        root.allow_only({"version", "pen", "window", "undo_memory_MiB", "light"});
+        root.allow_only({"version", "pen", "window", "undo_memory_MiB", "light", "recent_commands"});
+        if (const auto recent = root.optional_entry("recent_commands"))
+            settings.recent_commands = read_texts(*recent);
         if (const auto light = root.optional_entry("light")) {
-            light->allow_only({"azimuth_deg", "elevation_deg"});
-            settings.light_azimuth_deg = read_angle(light->entry("azimuth_deg"), 0.0, 360.0);
-            settings.light_elevation_deg = read_angle(light->entry("elevation_deg"), 5.0, 90.0);
+            light->allow_only({"azimuth_deg", "elevation_deg", "ambient", "varnish"});
+            settings.light_azimuth_deg = read_number(light->entry("azimuth_deg"), 0.0, 360.0);
+            settings.light_elevation_deg = read_number(light->entry("elevation_deg"), 5.0, 90.0);
+            if (const auto ambient = light->optional_entry("ambient"))
+                settings.light_ambient = read_number(*ambient, 0.0, 1.0);
+            if (const auto varnish = light->optional_entry("varnish"))
+                settings.varnish = read_varnish(*varnish);
         }
         if (const auto memory = root.optional_entry("undo_memory_MiB"))
             settings.undo_memory_MiB =
@@ -93,7 +142,10 @@ void write_settings(const Settings& settings, const std::filesystem::path& file)
                   {"undo_memory_MiB", settings.undo_memory_MiB},
                   {"light",
                    {{"azimuth_deg", settings.light_azimuth_deg},
-                    {"elevation_deg", settings.light_elevation_deg}}},
+                    {"elevation_deg", settings.light_elevation_deg},
+                    {"ambient", settings.light_ambient},
+                    {"varnish", varnish_json(settings.varnish)}}},
+                  {"recent_commands", settings.recent_commands},
                   {"window", {{"place", settings.window_place}, {"panels", settings.panels}}}},
                  file);
 }

@@ -1,10 +1,12 @@
 // How the painter likes the window and the pen: kept between two starts.
 #pragma once
 
+#include "shade/varnish.hpp"
 #include "tools/steadying.hpp"
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace pastoso::tools {
 
@@ -15,10 +17,13 @@ struct Settings {
     Steadying steadying;
     bool reload_each_stroke = true;
     bool turn_with_stroke = true;
-    int undo_memory_MiB = kUndoMemory_MiB;  ///< kLeast to kMostUndoMemory_MiB
-    double light_azimuth_deg = 135.0;       ///< 0 to 360: 0 right, 90 top
-    double light_elevation_deg = 36.0;      ///< 5 to 90
-    std::string window_place;               ///< as Qt writes it, in base 64; empty: nothing is known
+    int undo_memory_MiB = kUndoMemory_MiB;     ///< kLeast to kMostUndoMemory_MiB
+    double light_azimuth_deg = 135.0;          ///< 0 to 360: 0 right, 90 top
+    double light_elevation_deg = 36.0;         ///< 5 to 90
+    double light_ambient = 0.30;               ///< shade::Lighting, 0 to 1
+    shade::Varnish varnish;                    ///< that the painting is seen under
+    std::vector<std::string> recent_commands;  ///< of the palette, by name, the latest first
+    std::string window_place;                  ///< as Qt writes it, in base 64; empty: nothing is known
     std::string panels;  ///< the same: which stand where, how large, and which are open
     friend bool operator==(const Settings&, const Settings&) = default;
 };

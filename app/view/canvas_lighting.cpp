@@ -42,12 +42,15 @@ void CanvasView::set_look(Look look) {
 }
 
 void CanvasView::set_lighting(const shade::Lighting& lighting) {
+    const bool moved = lighting.azimuth_deg != lighting_.azimuth_deg ||
+                       lighting.elevation_deg != lighting_.elevation_deg;
     lighting_ = lighting;
+    damage_all();
+    if (!moved) return;  // the shadows stay where they are
     if (shadows_took_s_ > kQuickShadows_s)
         light_rests_.start();
     else
         relight_ = true;
-    damage_all();
 }
 
 /// `tiles` have changed; all of them where another look is asked for.

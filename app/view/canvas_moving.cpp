@@ -71,6 +71,13 @@ void CanvasView::keep_in_place(const QPoint& way) {
     set_view(panned(view_, device_px(way), canvas_cells(), window_px()));
 }
 
+void CanvasView::show_at_centre(const glm::dvec2& canvas_mm) {
+    if (wanted_ == nullptr) return;
+    fitted_ = false;
+    const glm::dvec2 place_px = view_.device_from_cell(canvas_mm / wanted_->film.cell_mm);
+    set_view(panned(view_, 0.5 * window_px() - place_px, canvas_cells(), window_px()));
+}
+
 ViewTransform CanvasView::fitted_view() const {
     constexpr double kMargin_px = 24.0;
     return fitted(canvas_cells(), window_px(), kMargin_px, view_);
@@ -94,6 +101,7 @@ void CanvasView::resizeEvent(QResizeEvent* event) {
     QOpenGLWidget::resizeEvent(event);
     if (fitted_) fit();
     place_legend();
+    Q_EMIT view_changed();
 }
 
 /// Shift turns the canvas, Control zooms.
@@ -146,6 +154,10 @@ glm::dvec2 CanvasView::window_px() const {
 
 glm::dvec2 CanvasView::canvas_cells() const {
     return {wanted_->film.shape.width, wanted_->film.shape.height};
+}
+
+glm::dvec2 CanvasView::canvas_size_mm() const {
+    return wanted_ == nullptr ? glm::dvec2(0.0) : wanted_->film.cell_mm * canvas_cells();
 }
 
 glm::dvec2 CanvasView::canvas_mm(const QPointF& position) const {

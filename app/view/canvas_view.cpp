@@ -113,9 +113,11 @@ void CanvasView::begin_other_canvas() {
 }
 
 void CanvasView::set_viewing(const pigment::Viewing& viewing) {
+    if (viewing == viewing_) return;
     viewing_ = viewing;
     recolour_ = true;
     update();
+    Q_EMIT viewing_changed();
 }
 
 void CanvasView::set_tip(const TipShape& tip) {

@@ -98,6 +98,9 @@ class CanvasView : public QOpenGLWidget {
     void turn_upright();                    ///< the same, until it stands as it is saved
     void mirror();                          ///< left and right of the window change places
 
+    /// Brings a place on the canvas to the window's centre, as far as some of the canvas stays in it.
+    void show_at_centre(const glm::dvec2& canvas_mm);
+
     /// The view's corner has moved by so much on the desktop, and the picture has not, unless it is
     /// fitted.
     void keep_in_place(const QPoint& way);
@@ -111,6 +114,8 @@ class CanvasView : public QOpenGLWidget {
     /// Where the pointer is above the view, in millimetres; none when it is elsewhere.
     std::optional<glm::dvec2> pointer_mm() const;
 
+    glm::dvec2 canvas_size_mm() const;  ///< 0 before there is one
+
     /// Millimetres on the canvas under a point of the widget, and back.
     glm::dvec2 canvas_mm(const QPointF& position) const;
     QPointF widget_position(const glm::dvec2& canvas_mm) const;
@@ -120,7 +125,8 @@ class CanvasView : public QOpenGLWidget {
     int heightForWidth(int width) const override;
 
   Q_SIGNALS:
-    void view_changed();
+    void view_changed();  ///< the window's size, too
+    void viewing_changed();
     void pointer_moved(const QPointF& canvas_mm);
     void pointer_left();
 

@@ -37,8 +37,9 @@ FilmState seen_film(const PaintingState& painting, const ExportChoice& choice, c
 ExportSource source_of(const FilmState& film, const ExportChoice& choice, const PictureStyle& style) {
     shade::RenderSettings settings;
     settings.scale = choice.scale;
-    settings.lighting = choice.lighting;
-    settings.viewing = style.viewing;
+    const shade::Varnish varnish = choice.lit ? choice.varnish : shade::Varnish{};
+    settings.lighting = shade::varnished(choice.lighting, varnish);
+    settings.viewing = shade::varnished(style.viewing, varnish);
     return {film, document::kPrimedGround, settings, choice.lit};
 }
 

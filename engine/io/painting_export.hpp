@@ -5,6 +5,7 @@
 #include "io/map_export.hpp"
 #include "io/picture_style.hpp"
 #include "io/relief_mesh.hpp"
+#include "shade/varnish.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -28,6 +29,7 @@ struct ExportChoice {
     double scale = 1.0;          ///< pixels of a cell, 1/64 to 64
     PictureOptions picture;
     shade::Lighting lighting;
+    shade::Varnish varnish;  ///< over what is lit
     ReliefOptions relief;
 };
 

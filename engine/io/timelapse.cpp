@@ -65,9 +65,18 @@ ExportSource source_of(const document::Snapshot& snapshot, const TimelapseChoice
                        const PictureStyle& style) {
     shade::RenderSettings settings;
     settings.scale = choice.scale;
-    settings.lighting = choice.lighting;
-    settings.viewing = style.viewing;
+    const shade::Varnish varnish = choice.lit ? choice.varnish : shade::Varnish{};
+    settings.lighting = shade::varnished(choice.lighting, varnish);
+    settings.viewing = shade::varnished(style.viewing, varnish);
     return {snapshot.film, snapshot.ground, settings, choice.lit};
+}
+
+/// Nothing without one: folders from before there was varnish go on as they are.
+std::string varnish_record(const TimelapseChoice& choice) {
+    const shade::Varnish& varnish = choice.varnish;
+    if (!choice.lit || varnish.finish == shade::Finish::None) return "";
+    return "\nvarnish: " + std::to_string(static_cast<int>(varnish.finish)) + ", " +
+           number_text(varnish.amount) + ", aged " + number_text(varnish.yellowing);
 }
 
 /// What decides on the frames of a folder, so that frames of another time-lapse are not mixed in.
@@ -83,7 +92,8 @@ std::string record_of(const Recording& recording, const TimelapseChoice& choice)
            (choice.lit ? number_text(lighting.azimuth_deg) + " deg round, " +
                              number_text(lighting.elevation_deg) + " deg high"
                        : "without shade") +
-           "\nprofile: " + picture.profile + "\ndepth: " + std::to_string(picture.depth_bits) + "\n";
+           varnish_record(choice) + "\nprofile: " + picture.profile +
+           "\ndepth: " + std::to_string(picture.depth_bits) + "\n";
 }
 
 Path frame_path(const Path& folder, std::size_t frame) {
@@ -177,7 +187,9 @@ std::int64_t frame_count(const Recording& recording, const TimelapseChoice& choi
 }
 
 grid::Shape timelapse_size(const document::CanvasSettings& first, const TimelapseChoice& choice) {
-    const grid::Shape shape = document::canvas_shape(first);
+    document::CanvasSettings canvas = first;
+    if (choice.px_per_mm) canvas.px_per_mm = *choice.px_per_mm;
+    const grid::Shape shape = document::canvas_shape(canvas);
     const shade::Lattice lattice = shade::picture_lattice(shape, shape.cells(), choice.scale);
     return {lattice.width, lattice.height};
 }

@@ -5,6 +5,7 @@
 #include "document/events.hpp"
 #include "io/export_bands.hpp"
 #include "io/picture_style.hpp"
+#include "shade/varnish.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,6 +25,7 @@ struct TimelapseChoice {
     double scale = 1.0;
     PictureOptions picture;  ///< a video has sRGB in 8 bits, whatever this says
     shade::Lighting lighting;
+    shade::Varnish varnish;                 ///< over what is lit
     std::string strokes = "the recording";  ///< what is painted again, for errors
 };
 

@@ -62,6 +62,7 @@ TEST_F(ExportSettingsTest, ComeBackAsTheyWereWritten) {
     settings.relief = {3.5, 2.25, 0.125};
     settings.fps = 60.0;
     settings.speed = 250.0;
+    settings.film_px_per_mm = 8.0;
     write_export_settings(settings, file());
     EXPECT_EQ(read_export_settings(file()), settings);
 }
@@ -133,6 +134,9 @@ TEST(ExportChoice, AVideoHasItsOwnColours) {
     EXPECT_EQ(choice.picture.depth_bits, 16);
     EXPECT_EQ(choice.fps, 30.0);
     EXPECT_EQ(choice.speed, 4.0);
+    EXPECT_EQ(choice.px_per_mm, std::nullopt);
+    settings.film_px_per_mm = 6.0;
+    EXPECT_EQ(timelapse_choice(settings, "film", {}).px_per_mm, 6.0);
     settings.formats[4] = number_of(ExportForm::Timelapse, "mp4");
     choice = timelapse_choice(settings, "/a/film.mp4", {});
     EXPECT_EQ(choice.picture.profile, "srgb");

@@ -3,6 +3,8 @@
 #include "dialogs/command_delegate.hpp"
 #include "dialogs/command_palette.hpp"
 
+#include <vector>
+
 #include <QAction>
 #include <QApplication>
 #include <QLabel>
@@ -139,6 +141,23 @@ TEST_F(PaletteWindow, AClickGivesACommand) {
     QApplication::processEvents();
     EXPECT_FALSE(palette().isVisible());
     EXPECT_EQ(layers(), before + 1);
+}
+
+TEST_F(PaletteWindow, WhatWasGivenLastComesFirstAfterTheNextStartToo) {
+    open();
+    type("actual pix");
+    key(Qt::Key_Return);
+    action(Command::FitCanvas)->trigger();
+    const std::vector<Command> given = window().commands().recent();
+    ASSERT_EQ(given.front(), Command::FitCanvas);
+    ASSERT_EQ(given[1], Command::ActualPixels);
+    start_again();
+    const std::vector<Command>& recalled = window().commands().recent();
+    ASSERT_GE(recalled.size(), 2U);
+    EXPECT_EQ(recalled[0], given[0]);
+    EXPECT_EQ(recalled[1], given[1]);
+    open();
+    EXPECT_EQ(command_at(0), Command::FitCanvas);
 }
 
 }  // namespace

@@ -1,8 +1,12 @@
 // The panel of what the paint is like.
 #include "app/window_fixture.hpp"
 #include "film/medium.hpp"
+#include "panels/medium_panel.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <stdexcept>
+#include <variant>
 
 #include <QAction>
 #include <QComboBox>
@@ -37,7 +41,15 @@ class PhysicsWindow : public WindowTest {
         QTest::keyClicks(&box, text);
         QTest::keyClick(&box, Qt::Key_Return);
     }
+    /// In the panel, as if it had rested.
+    void finish() { find<panels::MediumPanel>("medium_panel").finish(); }
     const document::UseMedium& medium() { return window().easel().hand().medium; }
+    std::ptrdiff_t times_poured() {
+        const auto events = session().recording().events;
+        return std::ranges::count_if(events, [](const document::Event& event) {
+            return std::holds_alternative<document::UseMedium>(event.action);
+        });
+    }
 };
 
 TEST_F(PhysicsWindow, AKeyShowsIt) {
@@ -58,6 +70,7 @@ TEST_F(PhysicsWindow, ShowsTheNumbersOfTheMediumInHand) {
 
 TEST_F(PhysicsWindow, ANumberGoesIntoThePaintAndBack) {
     type("yield_stress", QStringLiteral("12.5"));
+    finish();
     film::Medium expected = film::find_medium("heavy-body oil");
     expected.yield_stress_Pa = 12.5;
     EXPECT_EQ(medium(), (document::UseMedium{expected.name, expected}));
@@ -74,15 +87,73 @@ TEST_F(PhysicsWindow, ANumberGoesIntoThePaintAndBack) {
 TEST_F(PhysicsWindow, TheViscosityGoesByFactors) {
     auto& slider = find<QSlider>("viscosity_slider");
     slider.setValue(slider.maximum() / 2);
+    finish();
     EXPECT_NEAR(medium().own.value().viscosity_m2_s, 1e-3, 1e-6);
 }
 
 TEST_F(PhysicsWindow, NumbersThatContradictGoAlong) {
     type("receding_angle", QStringLiteral("50"));
-    EXPECT_DOUBLE_EQ(medium().own.value().advancing_angle_deg, 50.0);
     EXPECT_DOUBLE_EQ(find<QDoubleSpinBox>("advancing_angle").value(), 50.0);
+    finish();
+    EXPECT_DOUBLE_EQ(medium().own.value().advancing_angle_deg, 50.0);
     session().wait_until_applied();
     EXPECT_TRUE(session().take_errors().empty());
+}
+
+TEST_F(PhysicsWindow, ASliderThatIsDraggedPoursOnceWhenItRests) {
+    session().wait_until_applied();
+    const std::ptrdiff_t before = times_poured();
+    auto& slider = find<QSlider>("yield_stress_slider");
+    for (int step = 0; step < 40; ++step)
+        slider.setValue(step);
+    EXPECT_EQ(medium(), document::UseMedium{"heavy-body oil"});
+    const double shown_Pa = find<QDoubleSpinBox>("yield_stress").value();
+    wait_for([this] { return medium().own.has_value(); });
+    EXPECT_EQ(medium().own.value().yield_stress_Pa, shown_Pa);
+    session().wait_until_applied();
+    EXPECT_EQ(times_poured(), before + 1);
+}
+
+TEST_F(PhysicsWindow, ABrushThatComesOverTheCanvasHoldsTheNewPaint) {
+    find<QSlider>("yield_stress_slider").setValue(10);
+    ASSERT_FALSE(medium().own.has_value());
+    press({10, 10});
+    EXPECT_TRUE(medium().own.has_value());
+    release({10, 10});
+    session().wait_until_applied();
+    const auto events = session().recording().events;
+    const auto poured = std::ranges::find_if(events, [](const document::Event& event) {
+        const auto* use = std::get_if<document::UseMedium>(&event.action);
+        return use != nullptr && use->own.has_value();
+    });
+    ASSERT_NE(poured, events.end());
+    EXPECT_TRUE(std::ranges::any_of(poured, events.end(), [](const document::Event& event) {
+        return std::holds_alternative<document::PenDown>(event.action);
+    }));
+}
+
+TEST_F(PhysicsWindow, WhatIsSavedHasTheNumbersSetAMomentAgo) {
+    const TemporaryFolder folder;
+    find<QSlider>("yield_stress_slider").setValue(10);
+    window().save_painting(QString::fromStdString((folder.path() / "a.pastoso").string()));
+    EXPECT_TRUE(session().capture().painting.medium.own.has_value());
+    EXPECT_TRUE(window().project_saver().wait().isEmpty());
+}
+
+TEST_F(PhysicsWindow, AnotherKindOfPaintDropsANumberThatMoves) {
+    find<QSlider>("yield_stress_slider").setValue(10);
+    for (int i = 0; i < 3; ++i)
+        QTest::keyClick(&find<QComboBox>("kind_of_paint"), Qt::Key_Down);
+    finish();
+    EXPECT_EQ(medium(), document::UseMedium{"house paint"});
+}
+
+TEST_F(PhysicsWindow, ANumberThatMovesStaysWhenAnotherChoiceIsMade) {
+    find<QSlider>("yield_stress_slider").setValue(10);
+    const double chosen_Pa = find<QDoubleSpinBox>("yield_stress").value();
+    action(Command::LargerBrush)->trigger();
+    finish();
+    EXPECT_EQ(medium().own.value().yield_stress_Pa, chosen_Pa);
 }
 
 }  // namespace

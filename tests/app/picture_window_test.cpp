@@ -3,7 +3,9 @@
 #include "app/window_fixture.hpp"
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
+#include "panels/light_panel.hpp"
 #include "shade/render.hpp"
+#include "shade/varnish.hpp"
 
 #include <cmath>
 
@@ -75,6 +77,20 @@ TEST_F(PictureWindow, AnotherLightIsShownAsItIsSaved) {
     const QImage wanted = reference(2.0);
     const QImage shown = picture().copy(QRect(QPoint(20, 10), wanted.size()));
     EXPECT_LE(difference(shown, wanted).mean, kMeanStep);
+}
+
+TEST_F(PictureWindow, VarnishIsShownAsItIsSaved) {
+    const shade::Lighting lamp = canvas().lighting();
+    for (const shade::Finish finish : {shade::Finish::Matte, shade::Finish::Gloss}) {
+        const shade::Varnish varnish{finish, 0.8, 0.5};
+        Q_EMIT window().findChild<panels::LightPanel*>()->varnish_chosen(varnish);
+        EXPECT_EQ(canvas().lighting().dry_roughness, shade::varnished(lamp, varnish).dry_roughness);
+        EXPECT_NE(canvas().viewing(), pigment::Viewing{});
+        show_at(2.0, {20.0, 10.0});
+        const QImage wanted = reference(2.0);
+        const QImage shown = picture().copy(QRect(QPoint(20, 10), wanted.size()));
+        EXPECT_LE(difference(shown, wanted).mean, kMeanStep);
+    }
 }
 
 TEST_F(PictureWindow, TheLightOfAnotherLampIsShownAsItIsSaved) {

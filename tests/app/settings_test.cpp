@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
+#include "io/json_place.hpp"
 
 #include <gmock/gmock.h>
 
@@ -39,6 +40,9 @@ TEST_F(SettingsTest, ComeBackAsTheyWereWritten) {
     settings.undo_memory_MiB = 2048;
     settings.light_azimuth_deg = 221.5;
     settings.light_elevation_deg = 12.25;
+    settings.light_ambient = 0.5;
+    settings.varnish = {shade::Finish::Satin, 0.75, 0.25};
+    settings.recent_commands = {"dry_now", "of another version"};
     settings.window_place = "AdnQywAD";
     settings.panels = "AAAA/wAAAAD9";
     write_settings(settings, file());
@@ -46,6 +50,16 @@ TEST_F(SettingsTest, ComeBackAsTheyWereWritten) {
 }
 
 TEST_F(SettingsTest, AreTheFirstOnesWhereThereIsNoFile) {
+    EXPECT_EQ(read_settings(file()), Settings{});
+}
+
+TEST_F(SettingsTest, OfAnEarlierVersionKnowNoVarnish) {
+    write_settings({}, file());
+    io::Json json = io::parse_json(core::read_text_file(file()), "settings");
+    json["light"].erase("ambient");
+    json["light"].erase("varnish");
+    json.erase("recent_commands");
+    core::write_text_file(file(), json.dump());
     EXPECT_EQ(read_settings(file()), Settings{});
 }
 
@@ -60,6 +74,10 @@ TEST_F(SettingsTest, FaultsAreToldWithTheirPlace) {
     EXPECT_EQ(fault_of({}, "512", "5"), name + ", undo_memory_MiB: 5 is not between 64 and 65536.");
     EXPECT_EQ(fault_of({}, "36.0", "95"),
               name + ", light.elevation_deg: 95 is not between 5.0 and 90.0.");
+    EXPECT_EQ(fault_of({}, "\"none\"", "\"wax\""),
+              name + ", light.varnish.finish: \"wax\" is not one of none, matte, satin and gloss.");
+    EXPECT_EQ(fault_of({}, "\"yellowing\": 0.0", "\"yellowing\": 2"),
+              name + ", light.varnish.yellowing: 2 is not between 0.0 and 1.0.");
     EXPECT_THAT(fault_of({}, "\"window\"", "window"), HasSubstr("this is not valid JSON"));
 }
 

@@ -1,0 +1,70 @@
+// A small picture of the whole canvas that follows the paint, painted on a thread of its own.
+#pragma once
+
+#include "film/state.hpp"
+#include "pigment/viewing.hpp"
+#include "session/small_picture.hpp"
+#include "shade/render.hpp"
+
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace pastoso::session {
+
+/// What a picture of the canvas shows: its paint under even light, the relief left out.
+struct OverviewSubject {
+    std::shared_ptr<const film::FilmState> film;
+    pigment::Bands ground{};
+    pigment::Viewing viewing{};
+    std::vector<int> tiles;  ///< that have changed since the subject before
+};
+
+class Overview {
+  public:
+    /// As large as fits into a box of that many pixels.
+    Overview(int most_width, int most_height) : most_width_(most_width), most_height_(most_height) {}
+
+    /// Paints again what the changed tiles show; all of it where canvas or viewing are others.
+    const shade::Image8& update(const OverviewSubject& subject);
+
+  private:
+    bool begin(const OverviewSubject& subject);
+
+    int most_width_, most_height_;
+    grid::Shape canvas_;
+    pigment::Viewing viewing_;
+    shade::Image8 picture_;
+};
+
+class OverviewPainter {
+  public:
+    /// Is called on the painter's thread; must return at once.
+    using Deliver = std::function<void(const shade::Image8& picture)>;
+
+    OverviewPainter(int most_width, int most_height, Deliver deliver);
+    ~OverviewPainter();
+    OverviewPainter(const OverviewPainter&) = delete;
+    OverviewPainter& operator=(const OverviewPainter&) = delete;
+
+    /// Asks for the picture; one that is asked for before the last is painted takes its place, with
+    /// the tiles of both.
+    void want(OverviewSubject subject);
+
+  private:
+    void run();
+
+    Overview overview_;
+    const Deliver deliver_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::optional<OverviewSubject> wanted_;
+    bool stopping_ = false;
+    std::thread thread_;
+};
+
+}  // namespace pastoso::session

@@ -1,0 +1,153 @@
+// A recording that is watched: the same paint at every moment, however one comes there.
+#include "session/replayer.hpp"
+
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
+
+#include <gmock/gmock.h>
+
+namespace pastoso::session {
+namespace {
+
+using namespace document;
+using ::testing::HasSubstr;
+
+CanvasSettings small_canvas() {
+    CanvasSettings canvas;
+    canvas.width_mm = 40.0;
+    canvas.height_mm = 30.0;
+    canvas.px_per_mm = 2.0;
+    return canvas;
+}
+
+void add_stroke(Recording& recording, std::int64_t tick, double y_mm) {
+    const auto add = [&](std::int64_t later, Action action) {
+        recording.events.push_back({tick + later, std::move(action)});
+    };
+    const auto sample_at = [&](int i) {
+        brush::PenSample sample;
+        sample.time_s = static_cast<double>(tick + i) * kTick_s;
+        sample.x_mm = 6.0 + i;
+        sample.y_mm = y_mm;
+        return sample;
+    };
+    add(0, PenDown{sample_at(0)});
+    for (int i = 1; i <= 25; ++i)
+        add(i, PenMove{sample_at(i)});
+    add(26, PenUp{});
+}
+
+/// Runny paint on a steep canvas, so that every tick shows; 33 s of it.
+Recording four_strokes() {
+    Recording recording{small_canvas(), {}, 2000};
+    recording.events = {{0, UseMedium{"house paint"}}, {0, TiltCanvas{60.0, 90.0}}};
+    recording.events.push_back({0, TakeBrush{"Flat bristle 20", 8.0, 1}});
+    LoadPaint dip;
+    dip.paint.ingredients = {{"PB29", 1.0}};
+    recording.events.push_back({0, dip});
+    add_stroke(recording, 10, 5.0);
+    add_stroke(recording, 500, 10.0);
+    add_stroke(recording, 1000, 15.0);
+    add_stroke(recording, 1500, 20.0);
+    recording.events.push_back({2000, DryNow{}});  // after the last tick
+    return recording;
+}
+
+std::uint64_t hash_at(const Recording& recording, std::int64_t tick) {
+    core::ThreadPool pool(1);
+    Painting painting(recording.canvas, pool);
+    painting.keep_undo_steps(undo_depth(recording));
+    Player player(painting, recording);
+    while (tick == recording.end_tick ? !player.finished() : painting.tick() < tick)
+        player.play_tick();
+    return film::state_hash(painting.film());
+}
+
+class ReplayerTest : public ::testing::Test {
+  protected:
+    void watch(const Recording& recording) {
+        replayer_ = std::make_unique<Replayer>(recording, [this] {
+            const std::lock_guard lock(mutex_);
+            told_.notify_all();
+        });
+    }
+    template <class Condition>
+    void wait_for(const Condition& condition) {
+        std::unique_lock lock(mutex_);
+        while (!condition(replayer_->status()))
+            told_.wait_for(lock, std::chrono::milliseconds(20));
+    }
+    void wait_until_found() {
+        wait_for([](const Replayer::Status& status) { return !status.seeking; });
+    }
+    std::uint64_t shown() const { return film::state_hash(replayer_->snapshot()->film); }
+
+    std::mutex mutex_;
+    std::condition_variable told_;
+    std::unique_ptr<Replayer> replayer_;
+};
+
+TEST_F(ReplayerTest, EndsWithTheSamePainting) {
+    const Recording recording = four_strokes();
+    watch(recording);
+    replayer_->set_speed(kFullSpeed);
+    wait_for([](const auto& status) { return status.tick == 2000 && !status.playing; });
+    EXPECT_EQ(shown(), hash_at(recording, 2000));
+}
+
+TEST_F(ReplayerTest, EveryMomentIsTheSameHoweverOneComesThere) {
+    const Recording recording = four_strokes();
+    watch(recording);
+    replayer_->set_playing(false);
+    for (const std::int64_t tick : {700, 1900, 1100, 300, 1600, 0, 2000, 515, 1510}) {
+        replayer_->seek(tick);
+        wait_until_found();
+        EXPECT_EQ(replayer_->status().tick, tick);
+        EXPECT_EQ(shown(), hash_at(recording, tick)) << tick;
+        EXPECT_FALSE(replayer_->status().playing);
+    }
+}
+
+TEST_F(ReplayerTest, GoesBackBehindAnUndo) {
+    Recording recording = four_strokes();
+    recording.events.insert(recording.events.end() - 1,
+                            {{1600, Undo{}}, {1600, Undo{}}, {1700, Redo{}}});
+    watch(recording);
+    replayer_->set_playing(false);
+    for (const std::int64_t tick : {2000, 1550, 1650, 1200, 2000}) {
+        replayer_->seek(tick);
+        wait_until_found();
+        EXPECT_EQ(shown(), hash_at(recording, tick)) << tick;
+    }
+}
+
+TEST_F(ReplayerTest, StandsStillUntilItIsPlayedAndBeginsAnewAtTheEnd) {
+    watch(four_strokes());
+    replayer_->set_playing(false);
+    replayer_->seek(2000);
+    wait_until_found();
+    EXPECT_EQ(replayer_->status().tick, 2000);
+    replayer_->set_playing(true);
+    wait_for([](const auto& status) { return status.tick > 0 && status.tick < 1000; });
+    EXPECT_TRUE(replayer_->status().playing);
+}
+
+TEST_F(ReplayerTest, TellsWhyItCannotGoOn) {
+    Recording recording = four_strokes();
+    recording.events.insert(recording.events.end() - 1, {1900, TakeBrush{"No such brush", 8.0, 1}});
+    watch(recording);
+    replayer_->set_speed(kFullSpeed);
+    wait_for([](const auto& status) { return !status.error.empty(); });
+    EXPECT_THAT(replayer_->status().error, HasSubstr("No such brush"));
+    EXPECT_FALSE(replayer_->status().playing);
+}
+
+TEST_F(ReplayerTest, EndsInTheMiddle) {
+    watch(four_strokes());
+    replayer_.reset();
+    SUCCEED();
+}
+
+}  // namespace
+}  // namespace pastoso::session
