@@ -217,6 +217,8 @@ constexpr std::array kCommands = {
                 "Type a few letters of what you want to do"},
     CommandText{Command::EditKeys, "&Settings", "&Keys...", "Ctrl+Alt+K",
                 "Choose a set of keys, and give any command keys of your own", false, true},
+    CommandText{Command::PenSettings, "&Settings", "&Pen and tablet...", "Ctrl+Shift+T",
+                "How pens and mouse press, what their buttons do, and a sheet to try them on"},
 };
 
 }  // namespace

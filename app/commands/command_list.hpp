@@ -109,6 +109,7 @@ enum class Command {
     MoveLight,
     FindCommand,
     EditKeys,
+    PenSettings,
 };
 
 struct CommandText {

@@ -117,6 +117,7 @@ constexpr Name kNames[] = {
     {Command::MoveLight, "move_light"},
     {Command::FindCommand, "find_command"},
     {Command::EditKeys, "edit_keys"},
+    {Command::PenSettings, "pen_settings"},
 };
 
 }  // namespace

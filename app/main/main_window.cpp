@@ -12,6 +12,7 @@
 #include "main/light_choice.hpp"
 #include "main/paint_memory.hpp"
 #include "main/paint_picking.hpp"
+#include "main/pen_commands.hpp"
 #include "main/picture_layers.hpp"
 #include "main/project_files.hpp"
 #include "main/range_selection.hpp"
@@ -45,6 +46,7 @@ struct MainWindow::Parts {
           transform(studio, panels.brushes),
           undo(studio, panels.history, transform),
           picking(studio),
+          pens(studio),
           view(studio, panels.readings),
           light(studio, panels.stand),
           files(studio, keeps_journal),
@@ -67,6 +69,7 @@ struct MainWindow::Parts {
     LayerTransform transform;
     UndoCommands undo;
     PaintPicking picking;
+    PenCommands pens;
     ViewCommands view;
     LightChoice light;
     ProjectFiles files;
@@ -92,6 +95,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     parts.memory.recall();
     parts.paints.recall();
     parts.keys.recall();
+    parts.pens.recall();
     easel().set_up();
     studio_.show_hand();
     studio_.show_published();
