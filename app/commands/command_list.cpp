@@ -51,6 +51,8 @@ constexpr std::array kCommands = {
                 "Wipe the brush: an empty one moves the paint that lies there"},
     CommandText{Command::SwapPaints, "&Brush", "S&wap the two paints", "X",
                 "Dip the brush in the second paint; the first takes its place", false, true},
+    CommandText{Command::PopupPalette, "&Brush", "Pop-&up palette", "Menu",
+                "Tools and paints around the pointer; so does a right click on the canvas"},
     CommandText{
         Command::PickPaint, "&Brush", "P&ick up the paint there", "P",
         "The next click dips the brush in the mixture of pigments that lies there; so does Ctrl and a "

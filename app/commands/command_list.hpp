@@ -29,6 +29,7 @@ enum class Command {
     BlotBrush,
     CleanBrush,
     SwapPaints,
+    PopupPalette,
     PickPaint,
     PickColour,
     ReloadEachStroke,

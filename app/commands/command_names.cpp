@@ -37,6 +37,7 @@ constexpr Name kNames[] = {
     {Command::BlotBrush, "blot_brush"},
     {Command::CleanBrush, "clean_brush"},
     {Command::SwapPaints, "swap_paints"},
+    {Command::PopupPalette, "popup_palette"},
     {Command::PickPaint, "pick_paint"},
     {Command::PickColour, "pick_colour"},
     {Command::ReloadEachStroke, "reload_each_stroke"},

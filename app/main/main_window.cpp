@@ -14,6 +14,7 @@
 #include "main/paint_picking.hpp"
 #include "main/pen_commands.hpp"
 #include "main/picture_layers.hpp"
+#include "main/popup_commands.hpp"
 #include "main/project_files.hpp"
 #include "main/range_selection.hpp"
 #include "main/selection_commands.hpp"
@@ -47,6 +48,7 @@ struct MainWindow::Parts {
           undo(studio, panels.history, transform),
           picking(studio),
           pens(studio),
+          popup(studio, brushes, panels.colours),
           view(studio, panels.readings),
           light(studio, panels.stand),
           files(studio, keeps_journal),
@@ -70,6 +72,7 @@ struct MainWindow::Parts {
     UndoCommands undo;
     PaintPicking picking;
     PenCommands pens;
+    PopupCommands popup;
     ViewCommands view;
     LightChoice light;
     ProjectFiles files;
@@ -96,6 +99,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     parts.paints.recall();
     parts.keys.recall();
     parts.pens.recall();
+    parts.popup.recall();
     easel().set_up();
     studio_.show_hand();
     studio_.show_published();
@@ -112,6 +116,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     parts_->view.leave_canvas_only();
     parts_->paints.remember();
     parts_->memory.remember();
+    parts_->popup.remember();
     session().discard_journal();
 }
 
