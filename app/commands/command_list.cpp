@@ -75,6 +75,8 @@ constexpr CommandText kCommands[] = {
                 QT_TR_NOOP("Wipe the brush: an empty one moves the paint that lies there")},
     CommandText{Command::SwapPaints, kBrush, QT_TR_NOOP("S&wap the two paints"), "X",
                 QT_TR_NOOP("Dip the brush in the second paint; the first takes its place"), false, true},
+    CommandText{Command::PopupPalette, kBrush, QT_TR_NOOP("Pop-&up palette"), "Menu",
+                QT_TR_NOOP("Tools and paints around the pointer; so does a right click on the canvas")},
     CommandText{Command::PickPaint, kBrush, QT_TR_NOOP("P&ick up the paint there"), "P",
                 QT_TR_NOOP("The next click dips the brush in the mixture of pigments that lies there; "
                            "so does Ctrl and a click"),
@@ -277,6 +279,9 @@ constexpr CommandText kCommands[] = {
                 QT_TR_NOOP("Choose a set of keys, and give any command keys of your own"), false, true},
     CommandText{Command::EditSettings, kSettings, QT_TR_NOOP("&Settings..."), "Ctrl+Alt+O",
                 QT_TR_NOOP("The look of the window, what is kept, and how much of the machine is used")},
+    CommandText{
+        Command::PenSettings, kSettings, QT_TR_NOOP("&Pen and tablet..."), "Ctrl+Shift+T",
+        QT_TR_NOOP("How pens and mouse press, what their buttons do, and a sheet to try them on")},
 };
 
 }  // namespace

@@ -31,6 +31,7 @@ enum class Command {
     BlotBrush,
     CleanBrush,
     SwapPaints,
+    PopupPalette,
     PickPaint,
     PickColour,
     ReloadEachStroke,
@@ -115,6 +116,7 @@ enum class Command {
     FindCommand,
     EditKeys,
     EditSettings,
+    PenSettings,
 };
 
 struct CommandText {

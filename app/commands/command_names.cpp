@@ -39,6 +39,7 @@ constexpr Name kNames[] = {
     {Command::BlotBrush, "blot_brush"},
     {Command::CleanBrush, "clean_brush"},
     {Command::SwapPaints, "swap_paints"},
+    {Command::PopupPalette, "popup_palette"},
     {Command::PickPaint, "pick_paint"},
     {Command::PickColour, "pick_colour"},
     {Command::ReloadEachStroke, "reload_each_stroke"},
@@ -123,6 +124,7 @@ constexpr Name kNames[] = {
     {Command::FindCommand, "find_command"},
     {Command::EditKeys, "edit_keys"},
     {Command::EditSettings, "edit_settings"},
+    {Command::PenSettings, "pen_settings"},
 };
 
 }  // namespace

@@ -175,6 +175,11 @@ void BrushJar::take_brush(const QString& name, double width_mm) {
     studio_.show_hand();
 }
 
+void BrushJar::take(const QString& name) {
+    const auto* entry = brush::find_entry(library_, name.toStdString());
+    if (entry != nullptr) take_brush(name, entry->preset.tip.width_mm);
+}
+
 /// The tool in hand as it is kept, or itself where it is kept nowhere.
 brush::Preset BrushJar::kept_brush() const {
     const auto* entry = brush::find_entry(library_, studio_.easel().hand().brush);

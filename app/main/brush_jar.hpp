@@ -26,6 +26,11 @@ class BrushJar : public QObject {
     /// Reads the files and lists what can be taken.
     void read();
 
+    const brush::PresetLibrary& library() const { return library_; }
+
+    /// As a click in the list does. Nothing where there is no such tool.
+    void take(const QString& name);
+
   protected:
     bool eventFilter(QObject* window, QEvent* event) override;
 

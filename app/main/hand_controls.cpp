@@ -18,11 +18,8 @@ namespace {
 
 using commands::Command;
 
-view::TipShape tip_in_hand(const tools::Hand& hand) {
-    const brush::Preset preset = brush::resized(tools::preset_in_hand(hand), hand.brush_width_mm);
-    return {.width_mm = preset.tip.width_mm,
-            .thickness_mm = preset.tip.thickness_mm,
-            .angular = preset.tip.shape != brush::TipShape::Round};
+brush::Preset tool_in_hand(const tools::Hand& hand) {
+    return brush::resized(tools::preset_in_hand(hand), hand.brush_width_mm);
 }
 
 }  // namespace
@@ -126,7 +123,7 @@ void HandControls::show(const tools::Hand& hand) {
     for (const auto command : {Command::ReloadBrush, Command::TopUpBrush})
         commands.action(command)->setEnabled(dips);
     for (view::CanvasView* view : studio_.views())
-        view->set_tip(tip_in_hand(hand));
+        view->set_tool(tool_in_hand(hand));
 }
 
 }  // namespace pastoso::main

@@ -13,7 +13,9 @@
 #include "main/navigation.hpp"
 #include "main/paint_memory.hpp"
 #include "main/paint_picking.hpp"
+#include "main/pen_commands.hpp"
 #include "main/picture_layers.hpp"
+#include "main/popup_commands.hpp"
 #include "main/preference_commands.hpp"
 #include "main/project_files.hpp"
 #include "main/range_selection.hpp"
@@ -49,6 +51,8 @@ struct MainWindow::Parts {
           transform(studio, panels.brushes),
           undo(studio, panels.history, transform),
           picking(studio),
+          pens(studio),
+          popup(studio, brushes, panels.colours),
           view(studio, panels.readings),
           navigation(studio, panels.navigator, panels.docks.at(commands::Command::NavigatorPanel)),
           light(studio, panels.stand, panels.lights),
@@ -74,6 +78,8 @@ struct MainWindow::Parts {
     LayerTransform transform;
     UndoCommands undo;
     PaintPicking picking;
+    PenCommands pens;
+    PopupCommands popup;
     ViewCommands view;
     Navigation navigation;
     LightChoice light;
@@ -106,6 +112,8 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     parts.paints.recall();
     parts.keys.recall();
     parts.preferences.recall();
+    parts.pens.recall();
+    parts.popup.recall();
     easel().set_up();
     studio_.show_hand();
     studio_.show_published();
@@ -122,6 +130,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     parts_->view.leave_canvas_only();
     parts_->paints.remember();
     parts_->memory.remember();
+    parts_->popup.remember();
     session().discard_journal();
 }
 

@@ -1,6 +1,7 @@
 #include "panels/curve_editor.hpp"
 
 #include "panels/section.hpp"
+#include "tools/pressure_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -91,11 +92,17 @@ void CurveEditor::choose(int index) {
 void CurveEditor::move_chosen(const brush::CurvePoint& place) {
     if (chosen_ < 0) return;
     brush::CurvePoint& point = curve_.points[static_cast<std::size_t>(chosen_)];
-    const brush::CurvePoint moved = tools::confined(curve_.points, chosen_, place, frame_);
+    const brush::CurvePoint moved = rises_ ? tools::confined_rising(curve_.points, chosen_, place)
+                                           : tools::confined(curve_.points, chosen_, place, frame_);
     if (moved == point) return;
     point = moved;
     Q_EMIT edited(curve_.points);
     choose(chosen_);
+}
+
+int CurveEditor::add(const brush::CurvePoint& place) {
+    return rises_ ? tools::add_rising(curve_.points, place)
+                  : tools::add_point(curve_.points, place, frame_);
 }
 
 void CurveEditor::step_chosen(int key, bool fine) {
@@ -115,15 +122,15 @@ void CurveEditor::add_behind_chosen() {
     const brush::CurvePoint from = points[i];
     const brush::CurvePoint to =
         i + 1 < points.size() ? points[i + 1] : brush::CurvePoint{frame_.most_input, from.output};
-    const int added = tools::add_point(
-        curve_.points, {0.5 * (from.input + to.input), 0.5 * (from.output + to.output)}, frame_);
+    const int added = add({0.5 * (from.input + to.input), 0.5 * (from.output + to.output)});
     if (added < 0) return;
     Q_EMIT edited(curve_.points);
     choose(added);
 }
 
 void CurveEditor::remove_chosen() {
-    if (chosen_ < 0 || curve_.points.size() <= 1) return;
+    const int last = static_cast<int>(curve_.points.size()) - 1;
+    if (chosen_ < 0 || last <= 0 || (rises_ && (chosen_ == 0 || chosen_ == last))) return;
     tools::remove_point(curve_.points, chosen_);
     Q_EMIT edited(curve_.points);
     choose(std::min(chosen_, static_cast<int>(curve_.points.size()) - 1));
@@ -142,7 +149,7 @@ void CurveEditor::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
     dragging_ = true;
     if (near >= 0) return choose(near);
-    const int added = tools::add_point(curve_.points, point_at(event->position()), frame_);
+    const int added = add(point_at(event->position()));
     if (added >= 0) Q_EMIT edited(curve_.points);
     choose(added);
 }

@@ -19,6 +19,9 @@ class CurveEditor : public QWidget {
     /// Shows a curve without a signal. A point that was chosen stays chosen where there still is one.
     void show_curve(const brush::DynamicsCurve& curve);
 
+    /// From now on the curve rises from side to side of the frame and never falls.
+    void keep_rising() { rises_ = true; }
+
     const tools::CurvePoints& points() const { return curve_.points; }
     const tools::CurveFrame& frame() const { return frame_; }
     int chosen_point() const { return chosen_; }  ///< -1: none
@@ -49,6 +52,7 @@ class CurveEditor : public QWidget {
     int point_near(const QPointF& position) const;
     void choose(int index);
     void move_chosen(const brush::CurvePoint& place);
+    int add(const brush::CurvePoint& place);
     void step_chosen(int key, bool fine);
     void add_behind_chosen();
     void remove_chosen();
@@ -57,6 +61,7 @@ class CurveEditor : public QWidget {
     tools::CurveFrame frame_;
     int chosen_ = -1;
     bool dragging_ = false;
+    bool rises_ = false;
 };
 
 }  // namespace pastoso::panels

@@ -329,6 +329,14 @@ void Easel::follow(const Pointer& pointer) {
     heading_.moved_to(pointer.x_mm, pointer.y_mm);
     const double held_deg = hand_.turn_with_stroke ? heading_.rotation_deg() : pointer.hand_deg;
     rotation_deg_ = pointer.rotation_deg.value_or(held_deg);
+    followed_ = pointer;
+}
+
+brush::PenSample Easel::held() const {
+    return {.pressure = std::clamp(followed_.pressure, 0.0, 1.0),
+            .tilt_x_deg = std::clamp(followed_.tilt_x_deg, -90.0, 90.0),
+            .tilt_y_deg = std::clamp(followed_.tilt_y_deg, -90.0, 90.0),
+            .rotation_deg = rotation_deg_};
 }
 
 /// The sample in the engine's terms. Time starts at the first touch and never runs backwards, even where
@@ -337,13 +345,11 @@ brush::PenSample Easel::sample(const Pointer& pointer) {
     if (!std::exchange(has_clock_zero_, true)) clock_zero_ms_ = pointer.time_ms;
     const std::uint64_t since_ms = pointer.time_ms - std::min(clock_zero_ms_, pointer.time_ms);
     previous_time_s_ = std::max(previous_time_s_, 1e-3 * static_cast<double>(since_ms));
-    return {.time_s = previous_time_s_,
-            .x_mm = pointer.x_mm,
-            .y_mm = pointer.y_mm,
-            .pressure = std::clamp(pointer.pressure, 0.0, 1.0),
-            .tilt_x_deg = std::clamp(pointer.tilt_x_deg, -90.0, 90.0),
-            .tilt_y_deg = std::clamp(pointer.tilt_y_deg, -90.0, 90.0),
-            .rotation_deg = rotation_deg_};
+    brush::PenSample sample = held();
+    sample.time_s = previous_time_s_;
+    sample.x_mm = pointer.x_mm;
+    sample.y_mm = pointer.y_mm;
+    return sample;
 }
 
 }  // namespace pastoso::tools

@@ -120,8 +120,8 @@ class Easel {
     /// Where the straight line that is being drawn starts.
     std::optional<Pointer> line_start() const;
 
-    /// How the brush stands over the canvas now: direction of its width, clockwise.
-    double rotation_deg() const { return rotation_deg_; }
+    /// How the brush is held over the canvas now, in the air too; where and when do not count.
+    brush::PenSample held() const;
 
   private:
     void end_stroke();
@@ -136,6 +136,7 @@ class Easel {
     std::function<void()> note_hand_;
     Heading heading_;
     double rotation_deg_ = 0.0;
+    Pointer followed_;  ///< where it was last
     bool lent_ = false;
     bool painting_ = false;
     document::Surface painting_on_ = document::Surface::Canvas;  ///< in the latest stroke

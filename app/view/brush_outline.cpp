@@ -1,37 +1,82 @@
 #include "view/brush_outline.hpp"
 
+#include "brush/footprint.hpp"
+#include "brush/hand_pose.hpp"
 #include "core/units.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include <glm/geometric.hpp>
 
 namespace pastoso::view {
 namespace {
 
 constexpr int kPoints = 96;
 
-/// Exponent of the superellipse: 2 is an ellipse, 6 a rectangle with round corners.
-constexpr double kRound = 2.0;
-constexpr double kAngular = 6.0;
+/// Seen from above, of a handle that lies flat.
+constexpr double kHandle_px = 48.0;
 
-double signed_power(double value, double exponent) {
-    return std::copysign(std::pow(std::abs(value), exponent), value);
+/// A pen that stands so straight has no direction that a hand means.
+constexpr double kUpright_deg = 4.0, kFlattest_deg = 89.0;
+
+glm::dvec2 direction(int point) {
+    const double angle = 2.0 * core::kPi * point / kPoints;
+    return {std::cos(angle), std::sin(angle)};
+}
+
+double slope(double tilt_deg) {
+    return std::tan(core::radians(std::clamp(tilt_deg, -kFlattest_deg, kFlattest_deg)));
+}
+
+/// The ferrule's end: where all hairs of an upright brush are rooted.
+std::vector<glm::vec2> roots_mm(const brush::Tip& tip, const brush::HandPose& pose) {
+    std::vector<glm::vec2> roots;
+    for (const brush::Bristle& bristle : tip.bristles) {
+        const double x = bristle.root_x_mm, y = bristle.root_y_mm;
+        roots.emplace_back(x * pose.cos_rotation - y * pose.sin_rotation,
+                           x * pose.sin_rotation + y * pose.cos_rotation);
+    }
+    return roots;
 }
 
 }  // namespace
 
-std::vector<glm::vec2> outline_mm(const TipShape& shape) {
-    const double exponent = 2.0 / (shape.angular ? kAngular : kRound);
-    const double turn = core::radians(shape.rotation_deg);
-    std::vector<glm::vec2> points;
-    points.reserve(kPoints);
+BrushOutline::BrushOutline(const brush::Preset& tool) : tool_(tool), tip_(brush::make_tip(tool, 1)) {}
+
+void BrushOutline::set_tool(const brush::Preset& tool) {
+    if (!(tool == tool_)) *this = BrushOutline(tool);
+}
+
+std::vector<glm::vec2> BrushOutline::around_mm(const brush::PenSample& pen) const {
+    const brush::HandPose pose = brush::hand_pose(tool_.dynamics, {.pen = pen});
+    if (tool_.kind != brush::ToolKind::Contact)
+        return hull_mm({{0.0F, 0.0F}}, tip_.half_width_mm * std::max(pose.spread, 0.05));
+    const std::vector<glm::vec2> touched = brush::tips_set_down(tool_, tip_, pose);
+    return hull_mm(touched.empty() ? roots_mm(tip_, pose) : touched,
+                   std::max(tip_.radius_mm, tip_.lane_mm));
+}
+
+/// In every direction, the point of the circles that lies farthest there.
+std::vector<glm::vec2> hull_mm(const std::vector<glm::vec2>& centres_mm, double radius_mm) {
+    std::vector<glm::vec2> line;
+    line.reserve(kPoints);
     for (int i = 0; i < kPoints; ++i) {
-        const double angle = 2.0 * core::kPi * i / kPoints;
-        const double x = 0.5 * shape.width_mm * signed_power(std::cos(angle), exponent);
-        const double y = 0.5 * shape.thickness_mm * signed_power(std::sin(angle), exponent);
-        points.emplace_back(x * std::cos(turn) - y * std::sin(turn),
-                            x * std::sin(turn) + y * std::cos(turn));
+        const glm::vec2 outward(direction(i));
+        const auto farthest = std::max_element(
+            centres_mm.begin(), centres_mm.end(),
+            [&](const auto& a, const auto& b) { return glm::dot(a, outward) < glm::dot(b, outward); });
+        line.push_back(*farthest + static_cast<float>(radius_mm) * outward);
     }
-    return points;
+    return line;
+}
+
+glm::dvec2 handle_px(double tilt_x_deg, double tilt_y_deg) {
+    const glm::dvec2 lean(slope(tilt_x_deg), slope(tilt_y_deg));
+    const double tangent = glm::length(lean);
+    if (tangent < slope(kUpright_deg)) return {};
+    // Of a handle of unit length, its foot to its end: the sine of the tilt.
+    return kHandle_px / std::sqrt(1.0 + tangent * tangent) * lean;
 }
 
 }  // namespace pastoso::view

@@ -1,5 +1,9 @@
-// The outline of the brush's tip around the pointer.
+// The outline of the brush's tip around the pointer: what of the canvas it touches as it is held.
 #pragma once
+
+#include "brush/pen_sample.hpp"
+#include "brush/preset.hpp"
+#include "brush/tip.hpp"
 
 #include <vector>
 
@@ -7,16 +11,28 @@
 
 namespace pastoso::view {
 
-/// The tip's footprint on the canvas: an ellipse, or a rectangle with round corners.
-struct TipShape {
-    double width_mm = 20.0;
-    double thickness_mm = 5.0;
-    double rotation_deg = 0.0;  ///< of the width's direction, clockwise on the canvas
-    bool angular = true;
-    friend bool operator==(const TipShape&, const TipShape&) = default;
+class BrushOutline {
+  public:
+    explicit BrushOutline(const brush::Preset& tool = brush::bundled_presets().front());
+
+    /// From now on it is that tool, as large as it is in hand.
+    void set_tool(const brush::Preset& tool);
+
+    /// A closed line, from the pen in millimetres: around all hairs that touch the canvas where the
+    /// brush is set down so, or the reach of drops and breath. Around the tip at rest where the
+    /// hand does not press enough for a hair to touch.
+    std::vector<glm::vec2> around_mm(const brush::PenSample& pen) const;
+
+  private:
+    brush::Preset tool_;
+    brush::Tip tip_;
 };
 
-/// A closed line around the shape, relative to its centre.
-std::vector<glm::vec2> outline_mm(const TipShape& shape);
+/// A closed line around circles of that radius about the points, at least one, that bulges nowhere in.
+std::vector<glm::vec2> hull_mm(const std::vector<glm::vec2>& centres_mm, double radius_mm);
+
+/// How the handle leans: from the pen to where its end is seen from above, in pixels of the layout; the
+/// more it leans the longer, nothing where it stands nearly upright.
+glm::dvec2 handle_px(double tilt_x_deg, double tilt_y_deg);
 
 }  // namespace pastoso::view

@@ -1,14 +1,11 @@
-// The part of CanvasView that listens to pen, mouse and keys.
+// The part of CanvasView that listens to mouse and keys, and what presses of the pen do too.
 
 #include "view/canvas_view.hpp"
-#include "view/turned_pen.hpp"
 
 #include <QEnterEvent>
 #include <QFocusEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QPointingDevice>
-#include <QTabletEvent>
 
 namespace pastoso::view {
 namespace {
@@ -17,35 +14,6 @@ namespace {
 constexpr double kHandleReach_px = 9.0;
 
 }  // namespace
-
-/// Of a mouse or a finger.
-tools::Pointer CanvasView::pointer_at(const QPointF& position, std::uint64_t time_ms) const {
-    const glm::dvec2 mm = canvas_mm(position);
-    tools::Pointer pointer;
-    pointer.surface = surface_;
-    pointer.x_mm = mm.x;
-    pointer.y_mm = mm.y;
-    pointer.pressure = tools::kMousePressure;
-    pointer.time_ms = time_ms;
-    return against_canvas(view_, pointer);
-}
-
-tools::Pointer CanvasView::pen_pointer(const QTabletEvent& event) const {
-    const glm::dvec2 mm = canvas_mm(event.position());
-    tools::Pointer pointer;
-    pointer.surface = surface_;
-    pointer.x_mm = mm.x;
-    pointer.y_mm = mm.y;
-    pointer.pressure = event.pressure();
-    pointer.tilt_x_deg = event.xTilt();
-    pointer.tilt_y_deg = event.yTilt();
-    pointer.time_ms = event.timestamp();
-    const QPointingDevice* device = event.pointingDevice();
-    if (device != nullptr && device->capabilities().testFlag(QInputDevice::Capability::Rotation)) {
-        pointer.rotation_deg = event.rotation();
-    }
-    return against_canvas(view_, pointer);
-}
 
 /// Control squeezes paint onto the well instead of painting there.
 void CanvasView::touch_down(const tools::Pointer& pointer, Qt::KeyboardModifiers modifiers) {
@@ -122,9 +90,13 @@ bool CanvasView::drag_guides(const QPointF& position, Qt::KeyboardModifiers modi
 }
 
 void CanvasView::mousePressEvent(QMouseEvent* event) {
+    Q_EMIT pen_used(false);
     follow_pointer(event->position());
     if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && space_held_)) {
         begin_view_drag(event->position(), event->modifiers());
+    } else if (event->button() == Qt::RightButton) {
+        if (event->buttons() == Qt::RightButton && !frame_)
+            Q_EMIT palette_wanted(event->globalPosition().toPoint());
     } else if (event->button() == Qt::LeftButton &&
                !press_guides(event->position(), event->modifiers())) {
         touch_down(pointer_at(event->position(), event->timestamp()), event->modifiers());
@@ -158,33 +130,6 @@ void CanvasView::release_pointer() {
     light_drag_.reset();
     release_area();
     picking_ = false;
-}
-
-void CanvasView::tabletEvent(QTabletEvent* event) {
-    event->accept();
-    if (view_drag_) drag_view(event->position(), event->modifiers());
-    follow_pointer(event->position());
-    switch (event->type()) {
-        case QEvent::TabletPress:
-            if (space_held_ || event->button() == Qt::MiddleButton) {
-                begin_view_drag(event->position(), event->modifiers());
-            } else if (event->button() == Qt::LeftButton &&
-                       !press_guides(event->position(), event->modifiers())) {
-                touch_down(pen_pointer(*event), event->modifiers());
-            }
-            break;
-        case QEvent::TabletRelease:
-            view_drag_.reset();
-            if (area_drag_.active()) drag_area(event->position(), event->modifiers());
-            if (frame_drag_) drag_frame(event->position(), event->modifiers());
-            if (event->button() == Qt::LeftButton) release_pointer();
-            set_cursor();
-            break;
-        default:
-            if (!event->buttons().testFlag(Qt::LeftButton)) release_pointer();
-            if (!view_drag_ && !drag_guides(event->position(), event->modifiers()))
-                easel_->move(pen_pointer(*event));
-    }
 }
 
 void CanvasView::keyPressEvent(QKeyEvent* event) {

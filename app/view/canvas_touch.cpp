@@ -85,6 +85,7 @@ void CanvasView::move_finger(const QTouchEvent& event, const QEventPoint& finger
 /// Where the finger touched first.
 void CanvasView::put_finger_down(const QTouchEvent& event) {
     touch_.does = Touch::Does::Paint;
+    mouse_pressure_ = {};  // it comes from nowhere
     follow_pointer(touch_.from);
     if (!press_guides(touch_.from, event.modifiers()))
         touch_down(pointer_at(touch_.from, event.timestamp()), event.modifiers());

@@ -120,9 +120,13 @@ void CanvasView::set_viewing(const pigment::Viewing& viewing) {
     Q_EMIT viewing_changed();
 }
 
-void CanvasView::set_tip(const TipShape& tip) {
-    tip_ = tip;
+void CanvasView::set_tool(const brush::Preset& tool) {
+    outline_.set_tool(tool);
     update();
+}
+
+void CanvasView::set_pen(const tools::PenSettings& pen) {
+    pen_ = pen;
 }
 
 void CanvasView::show_handles(bool shown) {
@@ -318,14 +322,6 @@ double CanvasView::handle_axis_mm() const {
     constexpr double kShare = 0.4;
     const glm::dvec2 canvas = wanted_->film.cell_mm * canvas_cells();
     return kShare * std::min(canvas.x, canvas.y);
-}
-
-void CanvasView::draw_tip() {
-    const bool paints = !view_drag_ && !space_held_ && !picks_next_ && !area_form_ && !frame_;
-    if (!pointer_ || !paints || guide_drag_.active() || light_drag_) return;
-    TipShape tip = tip_;
-    tip.rotation_deg = easel_->rotation_deg();
-    overlay_.draw_loop(outline_mm(tip), overlay_frame(device_px(*pointer_)), 1.0F);
 }
 
 }  // namespace pastoso::view

@@ -5,6 +5,8 @@
 #include "core/thread_pool.hpp"
 #include "document/painting.hpp"
 #include "tools/easel.hpp"
+#include "tools/mouse_pressure.hpp"
+#include "tools/pen_settings.hpp"
 #include "tools/picked_paint.hpp"
 #include "tools/transform_frame.hpp"
 #include "view/area_drag.hpp"
@@ -53,7 +55,8 @@ class CanvasView : public QOpenGLWidget {
     Look look() const { return look_; }
     const LookLegend& legend() const { return *legend_; }
     void set_viewing(const pigment::Viewing& viewing);
-    void set_tip(const TipShape& tip);
+    void set_tool(const brush::Preset& tool);  ///< whose outline goes with the pointer
+    void set_pen(const tools::PenSettings& pen);
 
     /// Shows the handles of the guides, by which they are dragged.
     void show_handles(bool shown);
@@ -146,6 +149,12 @@ class CanvasView : public QOpenGLWidget {
     void area_given_up();
     void areas_left();  ///< painting goes on
 
+    /// A pen is used by this end, or a mouse, which is like the tip.
+    void pen_used(bool eraser_end);
+
+    /// The pop-up palette is to open there on the desktop.
+    void palette_wanted(const QPoint& place);
+
     /// Escape was pressed where there was nothing to be given up.
     void escaped();
 
@@ -205,8 +214,11 @@ class CanvasView : public QOpenGLWidget {
     glm::dvec2 device_px(const QPointF& position) const;
     glm::dvec2 window_px() const;
     glm::dvec2 canvas_cells() const;
-    tools::Pointer pointer_at(const QPointF& position, std::uint64_t time_ms) const;
+    tools::Pointer pointer_at(const QPointF& position, std::uint64_t time_ms);
     tools::Pointer pen_pointer(const QTabletEvent& event) const;
+    bool closes_popup(const QTabletEvent& event);
+    void press_pen(const QTabletEvent& event);
+    void press_pen_button(tools::PenButtonDoes what, const QTabletEvent& event);
     void touch_down(const tools::Pointer& pointer, Qt::KeyboardModifiers modifiers);
     void follow_pointer(const QPointF& position);
     std::optional<tools::Pick> pick_wanted(Qt::KeyboardModifiers modifiers) const;
@@ -269,7 +281,10 @@ class CanvasView : public QOpenGLWidget {
     LookLegend* legend_;
     pigment::Viewing viewing_;
     bool recolour_ = false;  ///< the colours are still those of another light
-    TipShape tip_;
+    BrushOutline outline_;
+    tools::PenSettings pen_;
+    tools::MousePressure mouse_pressure_;
+    bool closing_popup_ = false;  ///< the press that closed it does nothing else
     TracingGround tracing_ground_;
     bool tracing_shown_ = true;
     Tracing tracing_preview_;

@@ -1,5 +1,6 @@
 #include "brush/bristle_motion.hpp"
 
+#include "brush/footprint.hpp"
 #include "brush/motion_kernel.hpp"
 
 #include <algorithm>
@@ -31,15 +32,15 @@ constexpr double kTuft_radii = 0.5;
 /// Slope down into the weave: descend (a + b p^2).
 constexpr float kLightDescent = 0.06F, kPressedDescent = 1.6F;
 
-StepFlex step_flex(const Brush& brush, double step_mm) {
-    const FlexPreset& flex = brush.preset.flex;
-    const double length_mm = brush.preset.tip.length_mm;
+StepFlex step_flex(const Preset& preset, const Tip& tip, double step_mm) {
+    const FlexPreset& flex = preset.flex;
+    const double length_mm = preset.tip.length_mm;
     return {.length_mm = length_mm,
             .full_depth_mm = flex.press_depth * length_mm,
-            .per_full_depth = 1.0 / (brush.preset.flex.press_depth * length_mm),
-            .bend = brush.tip.rigid ? 0.0 : flex.bend,
+            .per_full_depth = 1.0 / (flex.press_depth * length_mm),
+            .bend = tip.rigid ? 0.0 : flex.bend,
             .splay = flex.splay,
-            .tilt_gain = brush.tip.rigid ? 0.0 : flex.tilt_gain,
+            .tilt_gain = tip.rigid ? 0.0 : flex.tilt_gain,
             .restore = 1.0 - std::exp(-step_mm / (kRestoring * length_mm * flex.lag))};
 }
 
@@ -158,9 +159,29 @@ const MotionKernels& motion_kernels() {
     return kernels;
 }
 
+std::vector<glm::vec2> tips_set_down(const Preset& preset, const Tip& tip, const HandPose& hand) {
+    if (preset.kind != ToolKind::Contact) return {};
+    const double slide_mm = kPressSlide * preset.flex.press_depth * preset.tip.length_mm * hand.press;
+    const StepFlex flex = step_flex(preset, tip, slide_mm);
+    FerrulePose ferrule = ferrule_pose(hand);
+    ferrule.x_mm = ferrule.y_mm = 0.0;
+    const std::vector<BristlePose> lifted(tip.bristles.size());
+    std::vector<glm::vec2> tips;
+    MotionColumns columns{};
+    const int all = static_cast<int>(lifted.size());
+    for (int first = 0; first < all; first += MotionColumns::kCount) {
+        const int count = std::min(MotionColumns::kCount, all - first);
+        fill_columns(&tip.bristles[first], &lifted[first], count, columns);
+        motion_kernels().move(flex, ferrule, columns);
+        for (int i = 0; i < count; ++i)
+            if (columns.depth_mm[i] > 0.0) tips.emplace_back(columns.x_mm[i], columns.y_mm[i]);
+    }
+    return tips;
+}
+
 Swath move_bristles(const Brush& brush, const HandPose& hand, double step_mm,
                     const film::FilmState& film, std::vector<BristlePose>& poses) {
-    const StepFlex flex = step_flex(brush, step_mm);
+    const StepFlex flex = step_flex(brush.preset, brush.tip, step_mm);
     const StepDescent descent = step_descent(brush, step_mm);
     const FerrulePose ferrule = ferrule_pose(hand);
     const TuftGrid grid = tuft_grid(film, brush.tip.radius_mm);

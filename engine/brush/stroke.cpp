@@ -1,5 +1,6 @@
 #include "brush/stroke.hpp"
 
+#include "brush/footprint.hpp"
 #include "brush/gusts.hpp"
 #include "brush/spill.hpp"
 #include "brush/wick.hpp"
@@ -14,8 +15,6 @@
 namespace pastoso::brush {
 namespace {
 
-/// Bristles slide this share of the way that the ferrule is pressed down.
-constexpr double kPressSlide = 0.4;
 /// Steps into which the whole pressure is cut for tools that do not touch the canvas.
 constexpr double kPressureSteps = 200.0;
 /// Length of travel after which neighbouring bristles exchange paint.

@@ -273,11 +273,11 @@ TEST_F(EaselTest, ABrushWithoutSensorStandsAcrossItsPath) {
     for (int i = 0; i <= 60; ++i)
         move_to(i, 0.0);
     // The memory of the first direction has faded to exp(-60/9) of a right angle.
-    EXPECT_NEAR(std::abs(easel_.rotation_deg()), 90.0, 0.2);
-    const double there_deg = easel_.rotation_deg();
+    EXPECT_NEAR(std::abs(easel_.held().rotation_deg), 90.0, 0.2);
+    const double there_deg = easel_.held().rotation_deg;
     for (int i = 60; i >= 0; --i)
         move_to(i, 0.0);
-    EXPECT_NEAR(easel_.rotation_deg(), there_deg, 0.2);
+    EXPECT_NEAR(easel_.held().rotation_deg, there_deg, 0.2);
     EXPECT_TRUE(actions_.empty());
 }
 

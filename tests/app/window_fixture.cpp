@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <private/qhighdpiscaling_p.h>
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -17,6 +18,33 @@
 
 namespace pastoso::tests {
 namespace {
+
+const QPointingDevice* stylus() {
+    using Capability = QInputDevice::Capability;
+    static const QPointingDevice* device = [] {
+        auto* made =
+            new QPointingDevice(QStringLiteral("test stylus"), 77, QInputDevice::DeviceType::Stylus,
+                                QPointingDevice::PointerType::Pen,
+                                Capability::Position | Capability::Pressure | Capability::XTilt |
+                                    Capability::YTilt | Capability::Hover,
+                                1, 3);
+        QWindowSystemInterface::registerInputDevice(made);
+        return made;
+    }();
+    return device;
+}
+
+const QPointingDevice* eraser_end() {
+    static const QPointingDevice* device = [] {
+        auto* made = new QPointingDevice(
+            QStringLiteral("test eraser"), 78, QInputDevice::DeviceType::Stylus,
+            QPointingDevice::PointerType::Eraser,
+            QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 1);
+        QWindowSystemInterface::registerInputDevice(made);
+        return made;
+    }();
+    return device;
+}
 
 /// Made by the first test and never destroyed: Qt allows one for a process.
 void make_application() {
@@ -30,6 +58,8 @@ void make_application() {
     QSurfaceFormat::setDefaultFormat(format);
     auto* application = new QApplication(argc, argv);
     appearance::apply_theme(*application, appearance::Theme::Dark);
+    stylus();
+    eraser_end();
 }
 
 /// Milliseconds for the next event, ten apart like those of a slow tablet.
@@ -138,38 +168,28 @@ void WindowTest::pen_stroke(const std::vector<glm::dvec2>& path_mm, const Pen& p
 
 void WindowTest::pen_stroke_on(view::CanvasView& view, const std::vector<glm::dvec2>& path_mm,
                                const Pen& pen) {
-    static const QPointingDevice* device = [] {
-        using Capability = QInputDevice::Capability;
-        auto* stylus =
-            new QPointingDevice(QStringLiteral("test stylus"), 77, QInputDevice::DeviceType::Stylus,
-                                QPointingDevice::PointerType::Pen,
-                                Capability::Position | Capability::Pressure | Capability::XTilt |
-                                    Capability::YTilt | Capability::Hover,
-                                1, 3);
-        QWindowSystemInterface::registerInputDevice(stylus);
-        return stylus;
-    }();
-    static const QPointingDevice* eraser = [] {
-        auto* end = new QPointingDevice(
-            QStringLiteral("test eraser"), 78, QInputDevice::DeviceType::Stylus,
-            QPointingDevice::PointerType::Eraser,
-            QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 1);
-        QWindowSystemInterface::registerInputDevice(end);
-        return end;
-    }();
-    const QPointingDevice* tool = pen.eraser_end ? eraser : device;
-    QWindow* handle = view.window()->windowHandle();
-    const auto send = [&](const glm::dvec2& place_mm, Qt::MouseButtons buttons, double pressure) {
-        const QPointF global = view.mapToGlobal(view.widget_position(place_mm));
-        QWindowSystemInterface::handleTabletEvent(handle, next_time_ms(), tool,
-                                                  handle->mapFromGlobal(global), global, buttons,
-                                                  pressure, pen.tilt_x_deg, pen.tilt_y_deg, 0.0, 0.0, 0);
-        QApplication::processEvents();
-    };
-    send(path_mm.front(), Qt::NoButton, 0.0);
+    Pen lifted = pen;
+    lifted.pressure = 0.0;
+    pen_over(view, view.widget_position(path_mm.front()), Qt::NoButton, lifted);
     for (const glm::dvec2& place_mm : path_mm)
-        send(place_mm, Qt::LeftButton, pen.pressure);
-    send(path_mm.back(), Qt::NoButton, 0.0);
+        pen_over(view, view.widget_position(place_mm), Qt::LeftButton, pen);
+    pen_over(view, view.widget_position(path_mm.back()), Qt::NoButton, lifted);
+}
+
+void WindowTest::pen_at(const glm::dvec2& place_mm, Qt::MouseButtons buttons, const Pen& pen) {
+    pen_over(canvas(), canvas().widget_position(place_mm), buttons, pen);
+}
+
+void WindowTest::pen_over(QWidget& widget, const QPointF& place, Qt::MouseButtons buttons,
+                          const Pen& pen) {
+    QWindow* handle = widget.window()->windowHandle();
+    const QPointF global = widget.mapToGlobal(place);
+    QWindowSystemInterface::handleTabletEvent(
+        handle, next_time_ms(), pen.eraser_end ? eraser_end() : stylus(),
+        QHighDpi::toNativeLocalPosition(handle->mapFromGlobal(global), handle),
+        QHighDpi::toNativeGlobalPosition(global, handle), buttons, pen.pressure, pen.tilt_x_deg,
+        pen.tilt_y_deg, 0.0, 0.0, 0);
+    QApplication::processEvents();
 }
 
 void WindowTest::wait_for(const std::function<bool()>& condition) {

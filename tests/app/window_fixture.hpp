@@ -38,6 +38,11 @@ class WindowTest : public ::testing::Test {
         bool eraser_end = false;
     };
     void pen_stroke(const std::vector<glm::dvec2>& path_mm, const Pen& pen);
+
+    /// One event of the pen over the canvas; a button that was not down before is pressed.
+    void pen_at(const glm::dvec2& place_mm, Qt::MouseButtons buttons, const Pen& pen);
+    /// The same over any widget, at a place of its own.
+    void pen_over(QWidget& widget, const QPointF& place, Qt::MouseButtons buttons, const Pen& pen);
     void pen_stroke_on(view::CanvasView& view, const std::vector<glm::dvec2>& path_mm, const Pen& pen);
 
     /// Handles events until the condition holds; fails the test when it does not within a minute.

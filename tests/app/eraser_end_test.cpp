@@ -1,0 +1,67 @@
+// The tool that the other end of a pen takes, and what it gives back.
+#include "tools/eraser_end.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace pastoso::tools {
+namespace {
+
+class EraserEndTest : public ::testing::Test {
+  protected:
+    int brushes_taken() const {
+        int taken = 0;
+        for (const document::Action& action : actions_)
+            taken += std::holds_alternative<document::TakeBrush>(action) ? 1 : 0;
+        return taken;
+    }
+
+    std::vector<document::Action> actions_;
+    Easel easel_{Hand{}, [this](document::Action action) { actions_.push_back(std::move(action)); }};
+    EraserEnd end_;
+};
+
+TEST_F(EraserEndTest, TakesItsToolAndGivesBackTheOneBefore) {
+    brush::Preset own = brush::find_preset("Filbert 14");
+    own.name = "My filbert";
+    easel_.take_brush(own, 17.0);
+    EXPECT_TRUE(end_.turn_over("Eraser 15", easel_));
+    EXPECT_EQ(easel_.hand().brush, "Eraser 15");
+    EXPECT_EQ(easel_.hand().brush_width_mm, 15.0);
+    EXPECT_FALSE(end_.turn_over("Eraser 15", easel_));
+    EXPECT_TRUE(end_.turn_back(easel_));
+    EXPECT_EQ(preset_in_hand(easel_.hand()), own);
+    EXPECT_EQ(easel_.hand().brush_width_mm, 17.0);
+    EXPECT_FALSE(end_.turn_back(easel_));
+    EXPECT_EQ(brushes_taken(), 3);
+}
+
+TEST_F(EraserEndTest, KeepsItsOwnWidth) {
+    end_.turn_over("Eraser 15", easel_);
+    easel_.set_brush_width(6.0);
+    end_.turn_back(easel_);
+    EXPECT_EQ(easel_.hand().brush_width_mm, 20.0);
+    end_.turn_over("Eraser 15", easel_);
+    EXPECT_EQ(easel_.hand().brush_width_mm, 6.0);
+    end_.turn_back(easel_);
+    end_.turn_over("Rag 35", easel_);
+    EXPECT_EQ(easel_.hand().brush_width_mm, 35.0);
+}
+
+TEST_F(EraserEndTest, AToolTakenInTheMeantimeStays) {
+    end_.turn_over("Eraser 15", easel_);
+    easel_.take_brush("Fan 26", 26.0);
+    EXPECT_FALSE(end_.turn_back(easel_));
+    EXPECT_EQ(easel_.hand().brush, "Fan 26");
+    EXPECT_FALSE(end_.in_use());
+}
+
+TEST_F(EraserEndTest, MayPaintWithWhatIsInHand) {
+    EXPECT_FALSE(end_.turn_over("", easel_));
+    EXPECT_FALSE(end_.turn_back(easel_));
+    EXPECT_TRUE(actions_.empty());
+}
+
+}  // namespace
+}  // namespace pastoso::tools
