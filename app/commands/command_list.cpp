@@ -13,6 +13,8 @@ constexpr std::array kCommands = {
                 "Put a fresh canvas on the easel"},
     CommandText{Command::OpenPainting, "&File", "&Open...", "Ctrl+O",
                 "Go on with a painting that was saved, wet as it was"},
+    CommandText{Command::StartPage, "&File", "Start &page", "",
+                "New canvases, recent paintings and examples at a glance"},
     CommandText{Command::SavePainting, "&File", "&Save", "Ctrl+S",
                 "Save the painting with all its wet paint", false, true},
     CommandText{Command::SavePaintingAs, "&File", "Save &as...", "Ctrl+Shift+S",

@@ -2,6 +2,7 @@
 
 #include "main/brush_jar.hpp"
 #include "main/canvas_sizing.hpp"
+#include "main/dropped_files.hpp"
 #include "main/exporting.hpp"
 #include "main/guide_commands.hpp"
 #include "main/hand_controls.hpp"
@@ -17,6 +18,7 @@
 #include "main/project_files.hpp"
 #include "main/range_selection.hpp"
 #include "main/selection_commands.hpp"
+#include "main/start_commands.hpp"
 #include "main/tracing_commands.hpp"
 #include "main/undo_commands.hpp"
 #include "main/view_commands.hpp"
@@ -46,13 +48,15 @@ struct MainWindow::Parts {
           transform(studio, panels.brushes),
           undo(studio, panels.history, transform),
           picking(studio),
+          files(studio, keeps_journal),
+          start(studio, files),
           view(studio, panels.readings),
           light(studio, panels.stand),
-          files(studio, keeps_journal),
           pictures(studio),
+          dropped(studio, files, pictures, tracing),
           exporting(studio, files, light),
           paints(studio, panels.colours),
-          memory(studio, panels, light, undo, well),
+          memory(studio, panels, light, undo, well, start),
           keys(studio),
           preferences(studio, undo) {}
 
@@ -69,10 +73,12 @@ struct MainWindow::Parts {
     LayerTransform transform;
     UndoCommands undo;
     PaintPicking picking;
+    ProjectFiles files;
+    StartCommands start;
     ViewCommands view;
     LightChoice light;
-    ProjectFiles files;
     PictureLayers pictures;
+    DroppedFiles dropped;
     Exporting exporting;
     PaintMemory paints;
     WindowMemory memory;
@@ -149,6 +155,14 @@ void MainWindow::recover_painting(const std::filesystem::path& journal) {
 
 void MainWindow::offer_recovery() {
     parts_->files.offer_recovery();
+}
+
+void MainWindow::show_start_page() {
+    parts_->start.show_page();
+}
+
+void MainWindow::welcome() {
+    parts_->start.welcome();
 }
 
 void MainWindow::replay(const document::Recording& recording) {

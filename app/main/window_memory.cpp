@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/user_data.hpp"
 #include "main/light_choice.hpp"
+#include "main/start_commands.hpp"
 #include "main/undo_commands.hpp"
 #include "main/well_commands.hpp"
 #include "panels/brush_panel.hpp"
@@ -32,8 +33,8 @@ std::string to_text(const QByteArray& bytes) {
 }  // namespace
 
 WindowMemory::WindowMemory(Studio& studio, const PanelSet& panels, LightChoice& light,
-                           UndoCommands& undo, WellCommands& well)
-    : studio_(studio), panels_(panels), light_(light), undo_(undo), well_(well) {
+                           UndoCommands& undo, WellCommands& well, StartCommands& start)
+    : studio_(studio), panels_(panels), light_(light), undo_(undo), well_(well), start_(start) {
     studio_.commands().on(commands::Command::ResetPanels, [this](bool) { reset_panels(); });
 }
 
@@ -47,6 +48,7 @@ void WindowMemory::recall() {
         studio_.report(QString::fromUtf8(error.what()));
         usable_ = false;
     }
+    start_.set_shown_at_start(settings.show_start_page);
     undo_.set_memory(settings.undo_memory_MiB);
     light_.light_from(settings.light_elevation_deg, settings.light_azimuth_deg);
     tools::Hand hand = studio_.easel().hand();
@@ -66,6 +68,7 @@ void WindowMemory::remember() {
     settings.steadying = panels_.brushes->steadying();
     settings.reload_each_stroke = hand.reload_each_stroke;
     settings.turn_with_stroke = hand.turn_with_stroke;
+    settings.show_start_page = start_.shown_at_start();
     settings.undo_memory_MiB = undo_.memory_MiB();
     settings.light_azimuth_deg = studio_.canvas().lighting().azimuth_deg;
     settings.light_elevation_deg = studio_.canvas().lighting().elevation_deg;

@@ -63,7 +63,7 @@ Steadying read_steadying(const JsonPlace& place) {
 Settings read_settings(const std::filesystem::path& file) {
     Settings settings;
     read_memory(file, kVersion, [&](const JsonPlace& root) {
-        root.allow_only({"version", "pen", "window", "undo_memory_MiB", "light"});
+        root.allow_only({"version", "pen", "window", "undo_memory_MiB", "light", "show_start_page"});
         if (const auto light = root.optional_entry("light")) {
             light->allow_only({"azimuth_deg", "elevation_deg"});
             settings.light_azimuth_deg = read_angle(light->entry("azimuth_deg"), 0.0, 360.0);
@@ -72,6 +72,8 @@ Settings read_settings(const std::filesystem::path& file) {
         if (const auto memory = root.optional_entry("undo_memory_MiB"))
             settings.undo_memory_MiB =
                 static_cast<int>(memory->integer(kLeastUndoMemory_MiB, kMostUndoMemory_MiB));
+        if (const auto shown = root.optional_entry("show_start_page"))
+            settings.show_start_page = shown->boolean();
         const JsonPlace pen = root.entry("pen"), window = root.entry("window");
         pen.allow_only({"steadying", "reload_each_stroke", "turn_with_stroke"});
         window.allow_only({"place", "panels"});
@@ -90,6 +92,7 @@ void write_settings(const Settings& settings, const std::filesystem::path& file)
                    {{"steadying", steadying_json(settings.steadying)},
                     {"reload_each_stroke", settings.reload_each_stroke},
                     {"turn_with_stroke", settings.turn_with_stroke}}},
+                  {"show_start_page", settings.show_start_page},
                   {"undo_memory_MiB", settings.undo_memory_MiB},
                   {"light",
                    {{"azimuth_deg", settings.light_azimuth_deg},

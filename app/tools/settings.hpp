@@ -18,6 +18,7 @@ struct Settings {
     int undo_memory_MiB = kUndoMemory_MiB;  ///< kLeast to kMostUndoMemory_MiB
     double light_azimuth_deg = 135.0;       ///< 0 to 360: 0 right, 90 top
     double light_elevation_deg = 36.0;      ///< 5 to 90
+    bool show_start_page = true;            ///< when the program starts without a file
     std::string window_place;               ///< as Qt writes it, in base 64; empty: nothing is known
     std::string panels;  ///< the same: which stand where, how large, and which are open
     friend bool operator==(const Settings&, const Settings&) = default;

@@ -39,6 +39,7 @@ TEST_F(SettingsTest, ComeBackAsTheyWereWritten) {
     settings.undo_memory_MiB = 2048;
     settings.light_azimuth_deg = 221.5;
     settings.light_elevation_deg = 12.25;
+    settings.show_start_page = false;
     settings.window_place = "AdnQywAD";
     settings.panels = "AAAA/wAAAAD9";
     write_settings(settings, file());
@@ -60,6 +61,8 @@ TEST_F(SettingsTest, FaultsAreToldWithTheirPlace) {
     EXPECT_EQ(fault_of({}, "512", "5"), name + ", undo_memory_MiB: 5 is not between 64 and 65536.");
     EXPECT_EQ(fault_of({}, "36.0", "95"),
               name + ", light.elevation_deg: 95 is not between 5.0 and 90.0.");
+    EXPECT_EQ(fault_of({}, "start_page\": true", "start_page\": \"no\""),
+              name + ", show_start_page: expected true or false, found \"no\".");
     EXPECT_THAT(fault_of({}, "\"window\"", "window"), HasSubstr("this is not valid JSON"));
 }
 
