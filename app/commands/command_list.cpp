@@ -26,6 +26,8 @@ constexpr CommandText kCommands[] = {
                 QT_TR_NOOP("Put a fresh canvas on the easel")},
     CommandText{Command::OpenPainting, kFile, QT_TR_NOOP("&Open..."), "Ctrl+O",
                 QT_TR_NOOP("Go on with a painting that was saved, wet as it was")},
+    CommandText{Command::StartPage, kFile, QT_TR_NOOP("Start &page"), "",
+                QT_TR_NOOP("New canvases, recent paintings and examples at a glance")},
     CommandText{Command::SavePainting, kFile, QT_TR_NOOP("&Save"), "Ctrl+S",
                 QT_TR_NOOP("Save the painting with all its wet paint"), false, true},
     CommandText{Command::SavePaintingAs, kFile, QT_TR_NOOP("Save &as..."), "Ctrl+Shift+S",

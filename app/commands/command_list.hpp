@@ -8,6 +8,7 @@ namespace pastoso::commands {
 enum class Command {
     NewCanvas,
     OpenPainting,
+    StartPage,
     SavePainting,
     SavePaintingAs,
     Export,

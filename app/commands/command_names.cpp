@@ -16,6 +16,7 @@ struct Name {
 constexpr Name kNames[] = {
     {Command::NewCanvas, "new_canvas"},
     {Command::OpenPainting, "open_painting"},
+    {Command::StartPage, "start_page"},
     {Command::SavePainting, "save_painting"},
     {Command::SavePaintingAs, "save_painting_as"},
     {Command::Export, "export"},

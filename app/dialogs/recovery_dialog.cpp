@@ -1,15 +1,13 @@
 #include "dialogs/recovery_dialog.hpp"
 
-#include <filesystem>
+#include "dialogs/unfinished_words.hpp"
+
 #include <utility>
 
-#include <QDateTime>
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QListWidget>
-#include <QLocale>
 #include <QMessageBox>
-#include <QPainter>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -17,41 +15,6 @@ namespace pastoso::dialogs {
 namespace {
 
 constexpr int kPicture_px = 96;
-
-/// The picture in the middle of a square, so that the texts of all rows stand in line.
-QIcon picture_of(const journal::Unfinished& painting) {
-    QPixmap square(kPicture_px, kPicture_px);
-    square.fill(Qt::transparent);
-    QPixmap picture;
-    const std::string& file = painting.thumbnail;
-    if (picture.loadFromData(reinterpret_cast<const uchar*>(file.data()),
-                             static_cast<uint>(file.size()))) {
-        picture = picture.scaled(square.size(), Qt::KeepAspectRatio, Qt::SmoothTransformation);
-        QPainter(&square).drawPixmap((kPicture_px - picture.width()) / 2,
-                                     (kPicture_px - picture.height()) / 2, picture);
-    }
-    return square;
-}
-
-QString name_of(const journal::Unfinished& painting) {
-    if (painting.painting.empty()) return RecoveryDialog::tr("A painting without a name");
-    return QString::fromStdString(std::filesystem::path(painting.painting).filename().string());
-}
-
-QString time_of(const journal::Unfinished& painting) {
-    const auto seconds = std::chrono::system_clock::to_time_t(painting.last_painted);
-    return QLocale().toString(QDateTime::fromSecsSinceEpoch(seconds), QLocale::ShortFormat);
-}
-
-QString text_of(const journal::Unfinished& painting) {
-    if (!painting.fault.empty())
-        return RecoveryDialog::tr("A painting that cannot be read\n%1").arg(time_of(painting));
-    return RecoveryDialog::tr("%1\n%2\n%3 × %4 mm, %n change(s) not saved", nullptr,
-                              static_cast<int>(painting.changes))
-        .arg(name_of(painting), time_of(painting))
-        .arg(painting.canvas.width_mm)
-        .arg(painting.canvas.height_mm);
-}
 
 }  // namespace
 
@@ -96,7 +59,7 @@ const journal::Unfinished& RecoveryDialog::chosen() const {
 void RecoveryDialog::list_paintings() {
     list_->clear();
     for (const journal::Unfinished& painting : paintings_)
-        list_->addItem(new QListWidgetItem(picture_of(painting), text_of(painting)));
+        list_->addItem(new QListWidgetItem(unfinished_picture(painting, kPicture_px), unfinished_words(painting)));
     list_->setCurrentRow(0);
 }
 
@@ -110,7 +73,7 @@ void RecoveryDialog::show_chosen() {
 
 /// Another window may have taken it meanwhile; then it is no longer ours to discard.
 void RecoveryDialog::discard_chosen() {
-    const QString question = tr("Discard %1 for good? It is nowhere else.").arg(name_of(chosen()));
+    const QString question = tr("Discard %1 for good? It is nowhere else.").arg(unfinished_name(chosen()));
     const bool agreed = confirm_ ? confirm_(question)
                                  : QMessageBox::question(this, windowTitle(), question,
                                                          QMessageBox::Discard | QMessageBox::Cancel,

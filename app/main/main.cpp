@@ -54,14 +54,18 @@ void take_screenshot_later(MainWindow& window, const Arguments& arguments) {
     poll->start(static_cast<int>(1000.0 * arguments.after_s));
 }
 
-/// Of a run that failed: what it says of that, and what was painted in it.
-void take_up_what_was_left(MainWindow& window) {
+/// First of a run that failed: what it says of that. What was painted in it stands on the start page,
+/// or is offered alone where the painter came for a file, or to measure.
+void meet_painter(MainWindow& window, bool with_page) {
     if (const auto report = pastoso::crash::take_report(pastoso::crash::reports_folder())) {
         pastoso::dialogs::CrashDialog dialog(QString::fromStdString(report->text),
                                              QString::fromStdString(report->file.string()), &window);
         dialog.exec();
     }
-    window.offer_recovery();
+    if (with_page)
+        window.welcome();
+    else
+        window.offer_recovery();
 }
 
 /// The window tells the painter what is wrong with them.
@@ -100,7 +104,9 @@ int run(QApplication& application, const Arguments& arguments) {
     if (arguments.screenshot)
         take_screenshot_later(window, arguments);
     else
-        QTimer::singleShot(0, &window, [&window] { take_up_what_was_left(window); });
+        QTimer::singleShot(0, &window, [&window, with_page = !arguments.file && !arguments.profile] {
+            meet_painter(window, with_page);
+        });
     if (!arguments.profile) return QApplication::exec();
     const auto times = std::make_shared<pastoso::session::FrameTimes>();
     window.measure(times);

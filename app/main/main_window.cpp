@@ -2,6 +2,7 @@
 
 #include "main/brush_jar.hpp"
 #include "main/canvas_sizing.hpp"
+#include "main/dropped_files.hpp"
 #include "main/exporting.hpp"
 #include "main/guide_commands.hpp"
 #include "main/hand_controls.hpp"
@@ -21,6 +22,7 @@
 #include "main/range_selection.hpp"
 #include "main/recorder.hpp"
 #include "main/selection_commands.hpp"
+#include "main/start_commands.hpp"
 #include "main/tracing_commands.hpp"
 #include "main/undo_commands.hpp"
 #include "main/view_commands.hpp"
@@ -53,15 +55,17 @@ struct MainWindow::Parts {
           picking(studio),
           pens(studio),
           popup(studio, brushes, panels.colours),
+          files(studio, keeps_journal),
+          start(studio, files),
           view(studio, panels.readings),
           navigation(studio, panels.navigator, panels.docks.at(commands::Command::NavigatorPanel)),
           light(studio, panels.stand, panels.lights),
-          files(studio, keeps_journal),
           pictures(studio),
+          dropped(studio, files, pictures, tracing),
           exporting(studio, files, light),
           recorder(studio, panels.recorder),
           paints(studio, panels.colours),
-          memory(studio, panels, light, undo, well),
+          memory(studio, panels, light, undo, well, start),
           keys(studio),
           preferences(studio, undo) {}
 
@@ -80,11 +84,13 @@ struct MainWindow::Parts {
     PaintPicking picking;
     PenCommands pens;
     PopupCommands popup;
+    ProjectFiles files;
+    StartCommands start;
     ViewCommands view;
     Navigation navigation;
     LightChoice light;
-    ProjectFiles files;
     PictureLayers pictures;
+    DroppedFiles dropped;
     Exporting exporting;
     Recorder recorder;
     PaintMemory paints;
@@ -166,6 +172,14 @@ void MainWindow::recover_painting(const std::filesystem::path& journal) {
 
 void MainWindow::offer_recovery() {
     parts_->files.offer_recovery();
+}
+
+void MainWindow::show_start_page() {
+    parts_->start.show_page();
+}
+
+void MainWindow::welcome() {
+    parts_->start.welcome();
 }
 
 void MainWindow::replay(const document::Recording& recording) {

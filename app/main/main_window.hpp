@@ -53,6 +53,13 @@ class MainWindow : public QMainWindow {
     /// Asks what to do with unfinished paintings, if there are any.
     void offer_recovery();
 
+    /// Shows the start page over the canvas.
+    void show_start_page();
+
+    /// What meets the painter at the start: the page, or unfinished paintings alone where the painter
+    /// does not want it.
+    void welcome();
+
     /// Puts up the recording's canvas and paints on it what was recorded.
     void replay(const document::Recording& recording);
 

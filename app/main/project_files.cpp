@@ -65,6 +65,8 @@ ProjectFiles::ProjectFiles(Studio& studio, bool keeps_journal)
                 QMessageBox::warning(&studio_.window(), tr("Save"), error);
             });
     connect(&studio_, &Studio::published, this, [this](const auto&, const session::Status& status) {
+        if (watched_) saved_changes_ = status.changes;
+        watched_ = watched_ && status.replaying;
         studio_.window().setWindowModified(status.changes != saved_changes_);
         if (save_waits_ && !status.stroke_in_progress) save_by_itself();
     });
@@ -86,6 +88,7 @@ void ProjectFiles::start(std::unique_ptr<core::ThreadPool> pool,
     journal_events_saved_.reset();
     path_.clear();
     saved_changes_ = 0;
+    watched_ = false;
     show_title();
 }
 
@@ -136,9 +139,7 @@ void ProjectFiles::fill_recent() {
     recent_->clear();
     for (const std::filesystem::path& painting : commands::recent_paintings()) {
         const QString path = QString::fromStdString(painting.string());
-        recent_->addAction(path, this, [this, path] {
-            if (may_discard()) try_to_open(path);
-        });
+        recent_->addAction(path, this, [this, path] { ask_to_open(path); });
     }
     if (recent_->isEmpty()) recent_->addAction(tr("None yet"))->setEnabled(false);
 }

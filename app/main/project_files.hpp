@@ -35,6 +35,22 @@ class ProjectFiles : public QObject {
     void offer_recovery();
     void replay(const document::Recording& recording);
 
+    /// Paints a recording on a canvas of its own, as fast as it goes. Nothing of it needs to be saved
+    /// until the painter goes on with it. Throws core::InputError as new_canvas() does.
+    void watch(const document::Recording& recording);
+
+    /// The same when the painter asks for it: first what is on the easel may be saved, and what goes
+    /// wrong is told. Nothing happens where the painter thinks better of it.
+    void ask_to_put_up(const document::CanvasSettings& canvas);
+    void ask_to_open(const QString& path);
+    void ask_to_recover(const std::filesystem::path& journal);
+    void ask_to_watch(const std::filesystem::path& recording);
+    void ask_new_canvas();
+    void ask_open_painting();
+
+    /// Whether the painting on the easel has been worked on, or stands in a file.
+    bool begun() const;
+
     /// Of the project file; empty: not saved yet.
     const QString& path() const { return path_; }
     commands::ProjectSaver& saver() { return saver_; }
@@ -54,9 +70,7 @@ class ProjectFiles : public QObject {
                document::Recording past, journal::Beginning beginning);
     std::unique_ptr<journal::JournalWriter> new_journal(const journal::Beginning& beginning);
     void take_up_hand(const document::Recording& past);
-    void ask_new_canvas();
     void try_to_open(const QString& path);
-    void ask_open_painting();
     bool ask_save_painting();  ///< false: the painter thought better of it
     void fill_recent();
     void show_unsaved();
@@ -66,6 +80,7 @@ class ProjectFiles : public QObject {
     commands::ProjectSaver saver_;
     QString path_;
     std::int64_t saved_changes_ = 0;
+    bool watched_ = false;  ///< a recording is being painted that needs no saving
     std::optional<std::uint64_t> journal_events_saved_;  ///< of the painting that is being saved
     bool save_waits_ = false;                            ///< for the stroke in progress to end
     QMenu* recent_ = nullptr;

@@ -5,13 +5,11 @@
 #include "dialogs/recovery_dialog.hpp"
 #include "journal/recovery.hpp"
 #include "main/project_files.hpp"
-#include "main/wait_cursor.hpp"
 #include "project/project.hpp"
 
 #include <utility>
 
 #include <QMainWindow>
-#include <QMessageBox>
 
 namespace pastoso::main {
 
@@ -56,14 +54,7 @@ void ProjectFiles::offer_recovery() {
     if (paintings.empty()) return;
     dialogs::RecoveryDialog dialog(std::move(paintings), &studio_.window());
     if (dialog.exec() != QDialog::Accepted) return;
-    QString fault;
-    try {
-        const WaitCursor waiting;
-        recover_painting(dialog.chosen().folder);
-    } catch (const core::InputError& error) {
-        fault = QString::fromUtf8(error.what());
-    }
-    if (!fault.isEmpty()) QMessageBox::warning(&studio_.window(), tr("Recover"), fault);
+    ask_to_recover(dialog.chosen().folder);
 }
 
 }  // namespace pastoso::main

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/user_data.hpp"
 #include "main/light_choice.hpp"
+#include "main/start_commands.hpp"
 #include "main/undo_commands.hpp"
 #include "main/well_commands.hpp"
 #include "panels/brush_panel.hpp"
@@ -52,8 +53,8 @@ std::vector<std::string> recent_names(const commands::CommandRegistry& commands)
 }  // namespace
 
 WindowMemory::WindowMemory(Studio& studio, const PanelSet& panels, LightChoice& light,
-                           UndoCommands& undo, WellCommands& well)
-    : studio_(studio), panels_(panels), light_(light), undo_(undo), well_(well) {
+                           UndoCommands& undo, WellCommands& well, StartCommands& start)
+    : studio_(studio), panels_(panels), light_(light), undo_(undo), well_(well), start_(start) {
     studio_.commands().on(commands::Command::ResetPanels, [this](bool) { reset_panels(); });
 }
 
@@ -67,6 +68,7 @@ void WindowMemory::recall() {
         studio_.report(QString::fromUtf8(error.what()));
         usable_ = false;
     }
+    start_.set_shown_at_start(settings.show_start_page);
     undo_.set_memory(settings.undo_memory_MiB);
     light_.use_lamp({.azimuth_deg = settings.light_azimuth_deg,
                      .elevation_deg = settings.light_elevation_deg,
@@ -90,6 +92,7 @@ void WindowMemory::remember() {
     settings.steadying = panels_.brushes->steadying();
     settings.reload_each_stroke = hand.reload_each_stroke;
     settings.turn_with_stroke = hand.turn_with_stroke;
+    settings.show_start_page = start_.shown_at_start();
     settings.undo_memory_MiB = undo_.memory_MiB();
     settings.light_azimuth_deg = light_.lamp().azimuth_deg;
     settings.light_elevation_deg = light_.lamp().elevation_deg;

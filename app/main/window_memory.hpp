@@ -10,6 +10,7 @@
 namespace pastoso::main {
 
 class LightChoice;
+class StartCommands;
 class UndoCommands;
 class WellCommands;
 
@@ -17,7 +18,7 @@ class WindowMemory : public QObject {
     Q_OBJECT
   public:
     WindowMemory(Studio& studio, const PanelSet& panels, LightChoice& light, UndoCommands& undo,
-                 WellCommands& well);
+                 WellCommands& well, StartCommands& start);
 
     /// A file that cannot be read is told, and left as it is.
     void recall();
@@ -31,6 +32,7 @@ class WindowMemory : public QObject {
     LightChoice& light_;
     UndoCommands& undo_;
     WellCommands& well_;
+    StartCommands& start_;
     QByteArray first_panels_;  ///< how the panels stand unless the painter moves them
     bool usable_ = true;       ///< the file is none that cannot be read
 };

@@ -2,9 +2,11 @@
 
 #include "core/check.hpp"
 #include "core/error.hpp"
+#include "document/history.hpp"
 #include "document/paint_reading.hpp"
 #include "pigment/paint_name.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace pastoso::session {
@@ -78,9 +80,13 @@ void PaintSession::note_hand() {
     hand_moved_ = WallClock::now();
 }
 
-void PaintSession::play(const std::vector<document::Event>& events) {
+void PaintSession::play(const std::vector<document::Event>& events, bool hurried) {
     {
         const std::lock_guard lock(mutex_);
+        replay_is_hurried_ = hurried;
+        replay_undoes_ = std::any_of(events.begin(), events.end(), [](const document::Event& event) {
+            return std::holds_alternative<document::Undo>(event.action);
+        });
         const std::int64_t now = status_.tick;
         for (document::Event event : events) {
             event.tick += now;
@@ -114,8 +120,11 @@ void PaintSession::apply_budget() {
         const std::lock_guard lock(mutex_);
         bytes = std::exchange(wanted_budget_bytes_, std::nullopt);
     }
-    if (!bytes) return;
-    painting_->set_history_budget(*bytes);
+    if (bytes) budget_bytes_ = bytes;
+    if (!bytes && needs_no_steps_ == keeps_no_steps_) return;
+    keeps_no_steps_ = needs_no_steps_;
+    painting_->set_history_budget(
+        keeps_no_steps_ ? 0 : budget_bytes_.value_or(document::History::kDefaultBudget_bytes));
     changed_ = steps_changed_ = true;
 }
 
@@ -214,9 +223,17 @@ void PaintSession::run() {
         const auto begin = WallClock::now();
         const bool ticked = advance_if_due();
         if (journal_) keep_journal();
-        if (changed_) publish();
+        if (changed_ && !may_wait()) publish();
         if (ticked) measure_quiet_tick(begin);
     }
+}
+
+/// A hurried replay shows no more pictures than a screen does.
+bool PaintSession::may_wait() const {
+    constexpr auto kScreenPeriod = std::chrono::milliseconds(16);
+    if (!hurries_ || published_count_ != applied_count_) return false;
+    const std::lock_guard lock(mutex_);
+    return !paused_ && !replay_.empty() && WallClock::now() - published_at_ < kScreenPeriod;
 }
 
 /// Sleeps until there is an action, a tick is due or the session ends; false at the end.
@@ -232,6 +249,9 @@ bool PaintSession::wait_for_work() {
         work_.wait_until(lock, clock_.next(), [&] { return ready() || paused_; });
     }
     clock_.hand_moved(hand_moved_);
+    hurries_ = replay_is_hurried_ && !replay_.empty();
+    needs_no_steps_ = hurries_ && !replay_undoes_;
+    clock_.set_hurried(hurries_);
     return !stopping_;
 }
 
@@ -347,6 +367,7 @@ void PaintSession::publish() {
                    .replaying = !replay_.empty()};
     }
     changed_ = false;
+    published_at_ = WallClock::now();
     if (notify_) notify_();
     // Whoever waits for the publication finds it announced.
     {

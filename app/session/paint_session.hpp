@@ -80,7 +80,10 @@ class PaintSession {
     void note_hand();
 
     /// Applies the events of a recording when their ticks come, the present tick being its tick 0.
-    void play(const std::vector<document::Event>& events);
+    /// `hurried`: until the last one, ticks pass as fast as they are computed, and no steps to return to
+    /// are kept, unless the recording returns to them itself: they would come faster than they can be
+    /// packed, and fill the memory.
+    void play(const std::vector<document::Event>& events, bool hurried = false);
 
     /// Stops paint time; the brush goes on working.
     void set_paused(bool paused);
@@ -132,6 +135,7 @@ class PaintSession {
     void apply(const document::Action& action);
     bool advance_if_due();
     void publish();
+    bool may_wait() const;
     void hand_out_capture();
     void apply_budget();
     void keep_journal();
@@ -149,6 +153,10 @@ class PaintSession {
     std::int64_t changes_ = 0;
     bool changed_ = false;
     bool steps_changed_ = false;
+    bool hurries_ = false;
+    bool needs_no_steps_ = false, keeps_no_steps_ = false;  ///< to return to
+    std::optional<std::size_t> budget_bytes_;  ///< for steps, where it is not the painting's own
+    WallClock::time_point published_at_;
 
     mutable std::mutex mutex_;
     std::condition_variable work_;
@@ -156,6 +164,8 @@ class PaintSession {
     std::deque<document::Action> posted_;
     std::deque<document::Event> replay_;
     std::shared_ptr<FrameTimes> times_;
+    bool replay_is_hurried_ = false;
+    bool replay_undoes_ = false;
     std::vector<std::string> errors_;
     document::Recording recording_;
     std::vector<std::string> paints_used_;

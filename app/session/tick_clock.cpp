@@ -34,7 +34,7 @@ WallClock::time_point TickClock::next() const {
 
 void TickClock::tick_ended(WallClock::time_point begin, WallClock::time_point end, bool passed) {
     latest_cost_ = end - begin;
-    next_ = std::max(next_ + kTickPeriod, end);
+    next_ = hurried_ ? end : std::max(next_ + kTickPeriod, end);
     if (!passed) return;
     const double period_s = std::max(seconds(begin - previous_begin_), seconds(end - begin));
     // A slow tick weighs by the time that it took, a quick one by its own length.

@@ -21,6 +21,9 @@ class TickClock {
     bool due(WallClock::time_point now) const { return now >= next(); }
     WallClock::time_point next() const;
 
+    /// Hurried, a tick is due as soon as the one before has been computed.
+    void set_hurried(bool hurried) { hurried_ = hurried; }
+
     /// The brush was moved, on the canvas or above it.
     void hand_moved(WallClock::time_point when) { hand_moved_ = when; }
 
@@ -42,6 +45,7 @@ class TickClock {
     WallClock::time_point previous_begin_;
     WallClock::time_point hand_moved_;
     WallClock::duration latest_cost_{};
+    bool hurried_ = false;
     double mean_period_s_;
     double mean_cost_s_ = 0.0;
 };

@@ -23,6 +23,7 @@ struct Settings {
     double light_ambient = 0.30;               ///< shade::Lighting, 0 to 1
     shade::Varnish varnish;                    ///< that the painting is seen under
     std::vector<std::string> recent_commands;  ///< of the palette, by name, the latest first
+    bool show_start_page = true;               ///< when the program starts without a file
     std::string window_place;                  ///< as Qt writes it, in base 64; empty: nothing is known
     std::string panels;  ///< the same: which stand where, how large, and which are open
     friend bool operator==(const Settings&, const Settings&) = default;

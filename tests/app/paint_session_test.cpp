@@ -216,6 +216,42 @@ TEST(PaintSession, PlayingARecordingPaintsWhatWasRecorded) {
     EXPECT_EQ(second->recording().events.size(), first->recording().events.size());
 }
 
+TEST(PaintSession, AHurriedRecordingPaintsTheSameAndShowsLess) {
+    const auto first = start_session();
+    first->set_paused(true);
+    take_loaded_brush(*first);
+    post_stroke(*first, 0.0, 15.0);
+    first->wait_until_applied();
+    Recording recording = first->recording();
+    constexpr std::int64_t kLastTick = 400;
+    recording.events.push_back({0, TiltCanvas{80.0, 90.0}});
+    recording.events.push_back({kLastTick, TiltCanvas{0.0, 90.0}});
+
+    std::atomic<std::int64_t> shown = 0;
+    const auto second = start_session([&] { ++shown; });
+    second->play(recording.events, true);
+    while (second->status().replaying)
+        std::this_thread::yield();
+    EXPECT_LE(second->steps()->past.size(), 1U) << "they would come faster than they are packed";
+    EXPECT_LT(shown, second->status().tick) << "many ticks share a picture";
+    const Capture then = second->capture();
+    EXPECT_EQ(then.recording.events.size(), recording.events.size());
+    EXPECT_EQ(then.recording.events.back().tick - then.recording.events.front().tick, kLastTick);
+
+    core::ThreadPool pool(1);
+    Painting painting(then.recording.canvas, pool);
+    Player player(painting, then.recording);
+    while (!player.finished())
+        player.play_tick();
+    EXPECT_GT(paint_on(*second), 0);
+    EXPECT_EQ(painting.state_hash(), document::state_hash(then.painting));
+
+    post_stroke(*second, 9.0, 10.0);
+    post_stroke(*second, 9.5, 20.0);
+    second->wait_until_applied();
+    EXPECT_GE(second->steps()->past.size(), 2U) << "now they are kept again";
+}
+
 TEST(PaintSession, ARefusedActionIsToldInASentenceAndTheSessionGoesOn) {
     const auto session = start_session();
     session->post(TakeBrush{"Toothbrush", 8.0, 1});

@@ -43,6 +43,7 @@ TEST_F(SettingsTest, ComeBackAsTheyWereWritten) {
     settings.light_ambient = 0.5;
     settings.varnish = {shade::Finish::Satin, 0.75, 0.25};
     settings.recent_commands = {"dry_now", "of another version"};
+    settings.show_start_page = false;
     settings.window_place = "AdnQywAD";
     settings.panels = "AAAA/wAAAAD9";
     write_settings(settings, file());
@@ -78,6 +79,8 @@ TEST_F(SettingsTest, FaultsAreToldWithTheirPlace) {
               name + ", light.varnish.finish: \"wax\" is not one of none, matte, satin and gloss.");
     EXPECT_EQ(fault_of({}, "\"yellowing\": 0.0", "\"yellowing\": 2"),
               name + ", light.varnish.yellowing: 2 is not between 0.0 and 1.0.");
+    EXPECT_EQ(fault_of({}, "start_page\": true", "start_page\": \"no\""),
+              name + ", show_start_page: expected true or false, found \"no\".");
     EXPECT_THAT(fault_of({}, "\"window\"", "window"), HasSubstr("this is not valid JSON"));
 }
 

@@ -37,6 +37,16 @@ TEST(TickClock, QuickTicksKeepTimeWithTheWall) {
     EXPECT_NEAR(clock.load(), 0.001 / document::kTick_s, 1e-3);
 }
 
+TEST(TickClock, HurriedTicksFollowOneAnother) {
+    TickClock clock(at(0.0));
+    clock.set_hurried(true);
+    EXPECT_NEAR(ticks_until(clock, 2.0, 0.004), 500, 1);
+    clock.set_hurried(false);
+    clock.tick_ended(at(2.0), at(2.004), true);
+    EXPECT_FALSE(clock.due(at(2.010)));
+    EXPECT_TRUE(clock.due(at(2.017)));
+}
+
 TEST(TickClock, SlowTicksMakePaintTimeSlow) {
     TickClock clock(at(0.0));
     EXPECT_NEAR(ticks_until(clock, 2.0, 4.0 * document::kTick_s), 0.25 * 2.0 / document::kTick_s, 1.0);

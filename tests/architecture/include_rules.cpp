@@ -53,8 +53,10 @@ const Rules& app_rules() {
         {"view", {"appearance", "session", "commands", "tools"}},
         {"panels", {"appearance", "session", "commands", "tools"}},
         {"dialogs", {"appearance", "session", "commands", "tools"}},
+        {"start", {"appearance", "session", "commands", "tools", "dialogs"}},
         {"main",
-         {"arguments", "appearance", "crash", "session", "commands", "tools", "view", "panels", "dialogs"}},
+         {"arguments", "appearance", "crash", "session", "commands", "tools", "view", "panels",
+          "dialogs", "start"}},
     };
     return rules;
 }

@@ -14,9 +14,11 @@ int main(int argc, char** argv) {
     try {
         const std::filesystem::path folder = argv[1];
         pastoso::io::write_recording_json(folder / "palette.json", pastoso::examples::palette());
+        pastoso::io::write_recording_json(folder / "poppies.json", pastoso::examples::poppies());
         pastoso::io::write_recording_json(folder / "sampler.json", pastoso::examples::sampler());
         pastoso::io::write_recording_json(folder / "sheet.json", pastoso::examples::sheet());
         pastoso::io::write_recording_json(folder / "still-life.json", pastoso::examples::still_life());
+        pastoso::io::write_recording_json(folder / "surf.json", pastoso::examples::surf());
     } catch (const pastoso::core::InputError& error) {
         std::fprintf(stderr, "pastoso-make-examples: %s\n", error.what());
         return 1;

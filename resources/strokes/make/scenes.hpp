@@ -8,6 +8,9 @@ namespace pastoso::examples {
 /// Mixtures made on the mixing well, by knife and brush, and carried to the canvas.
 document::Recording palette();
 
+/// A meadow with poppies below two cypresses, upright: thin ground, thick petals.
+document::Recording poppies();
+
 /// What the brushes do: loaded and dry strokes, wet crossings, a knife, swells, dabs and double loads.
 document::Recording sampler();
 
@@ -16,5 +19,8 @@ document::Recording sheet();
 
 /// A bowl with two pears, a lemon and an apple on a cloth, painted wet in wet.
 document::Recording still_life();
+
+/// A wave that breaks before a low sun, with thick foam.
+document::Recording surf();
 
 }  // namespace pastoso::examples

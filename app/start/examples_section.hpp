@@ -1,0 +1,31 @@
+// The part of the start page that opens the paintings that come with the program.
+#pragma once
+
+#include "start/example_paintings.hpp"
+
+#include <vector>
+
+#include <QWidget>
+
+namespace pastoso::start {
+
+class Gallery;
+
+class ExamplesSection : public QWidget {
+    Q_OBJECT
+  public:
+    explicit ExamplesSection(QWidget* parent = nullptr);
+
+    void fit(int width);
+
+    Gallery* gallery() { return gallery_; }
+
+  Q_SIGNALS:
+    void wanted(const pastoso::start::ExamplePainting& example);
+
+  private:
+    const std::vector<ExamplePainting> examples_ = example_paintings();
+    Gallery* gallery_;
+};
+
+}  // namespace pastoso::start

@@ -1,0 +1,52 @@
+// The part of the start page that puts up a fresh canvas with one click.
+#pragma once
+
+#include "start/canvas_choices.hpp"
+#include "start/gallery.hpp"
+
+#include <vector>
+
+#include <QImage>
+#include <QWidget>
+
+class QToolButton;
+
+namespace pastoso::start {
+
+class NewCanvasSection : public QWidget {
+    Q_OBJECT
+  public:
+    explicit NewCanvasSection(QWidget* parent = nullptr);
+
+    /// The same support and orientation as a canvas has.
+    void propose(const document::CanvasSettings& canvas);
+
+    void fit(int width);
+
+    Gallery* sizes() { return sizes_; }
+
+  Q_SIGNALS:
+    void wanted(const pastoso::document::CanvasSettings& canvas);
+    void more_wanted();  ///< other sizes, and supports of the painter's own
+
+  private:
+    void add_supports(QLayout* row);
+    void add_orientations(QLayout* row);
+    QToolButton* add_choice(QLayout* row, const QString& words, const QString& hint);
+    void show_sizes();
+    Tile tile_of(const document::CanvasSettings& canvas, const QString& name) const;
+    void choose(int number);
+    document::CanvasSettings canvas(int number) const;
+    bool upright() const;
+    std::size_t support() const;
+
+    const std::vector<CanvasSize> canvas_sizes_ = start::canvas_sizes();
+    const std::vector<Support> supports_ = start::supports();
+    std::vector<QImage> support_pictures_;
+    std::vector<QToolButton*> support_buttons_;
+    QToolButton* lying_ = nullptr;
+    QToolButton* upright_ = nullptr;
+    Gallery* sizes_;
+};
+
+}  // namespace pastoso::start

@@ -1,0 +1,34 @@
+// The part of the start page that brings back paintings that a program left unfinished.
+#pragma once
+
+#include "journal/recovery.hpp"
+
+#include <filesystem>
+#include <vector>
+
+#include <QWidget>
+
+class QVBoxLayout;
+
+namespace pastoso::start {
+
+class UnfinishedSection : public QWidget {
+    Q_OBJECT
+  public:
+    explicit UnfinishedSection(QWidget* parent = nullptr);
+
+    /// The latest stand here, the others behind a button. Hidden where there are none.
+    void show_paintings(const std::vector<journal::Unfinished>& paintings);
+
+  Q_SIGNALS:
+    void wanted(const std::filesystem::path& journal);
+    void all_wanted();  ///< to choose among them, or to discard some
+
+  private:
+    QWidget* row(const journal::Unfinished& painting);
+
+    QVBoxLayout* rows_;
+    QWidget* shown_ = nullptr;
+};
+
+}  // namespace pastoso::start

@@ -1,0 +1,418 @@
+// The start page over the canvas of the real window.
+#include "app/window_fixture.hpp"
+#include "commands/recent_paintings.hpp"
+#include "core/temporary_folder.hpp"
+#include "core/text_file.hpp"
+#include "dialogs/new_canvas_dialog.hpp"
+#include "dialogs/recovery_dialog.hpp"
+#include "journal/recovery.hpp"
+#include "start/examples_section.hpp"
+#include "start/gallery.hpp"
+#include "start/new_canvas_section.hpp"
+#include "start/recent_section.hpp"
+#include "start/start_page.hpp"
+
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPainter>
+#include <QPushButton>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+#include <QUrl>
+#include <gmock/gmock.h>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+class StartWindow : public WindowTest {
+  protected:
+    void SetUp() override {
+        ::setenv("XDG_DATA_HOME", data_.path().c_str(), 1);
+        WindowTest::SetUp();
+        if (!IsSkipped()) pause();
+    }
+    void TearDown() override {
+        WindowTest::TearDown();
+        ::unsetenv("XDG_DATA_HOME");
+    }
+
+    /// Paint that stands still can be compared.
+    void pause() { action(Command::Pause)->trigger(); }
+    void start_again_paused() {
+        start_again();
+        pause();
+    }
+    template <class Widget>
+    Widget& find(const char* name) {
+        auto* found = window().findChild<Widget*>(QString::fromLatin1(name));
+        if (found == nullptr) throw std::runtime_error(name);
+        return *found;
+    }
+    start::StartPage& page() { return find<start::StartPage>("start_page"); }
+    bool page_is_shown() {
+        auto* found = window().findChild<start::StartPage*>();
+        return found != nullptr && found->isVisible();
+    }
+    start::Gallery& gallery(const char* name) { return find<start::Gallery>(name); }
+    void show_page() {
+        window().show_start_page();
+        QApplication::processEvents();
+    }
+    void press_key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::keyClick(QApplication::focusWidget(), key, modifiers);
+    }
+    void click(start::Gallery& tiles, int number) {
+        QTest::mouseClick(tiles.viewport(), Qt::LeftButton, {}, tiles.middle(number));
+    }
+    int number_of(start::Gallery& tiles, const char* name) {
+        for (int i = 0; i < tiles.count(); ++i)
+            if (tiles.model()->index(i, 0).data().toString() == QString::fromUtf8(name)) return i;
+        return -1;
+    }
+    void click(const char* button) { find<QPushButton>(button).click(); }
+    void choose(const char* toggle) { find<QToolButton>(toggle).click(); }
+
+    /// Does this to the dialog that is going to ask.
+    template <class Dialog, class Answer>
+    void when_asked(Answer answer) {
+        asked_ = 0;
+        auto* looking = new QTimer(&window());
+        QObject::connect(looking, &QTimer::timeout, looking, [this, looking, answer] {
+            auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+            if (dialog == nullptr) return;
+            looking->deleteLater();
+            looking->stop();
+            ++asked_;
+            answer(*dialog);
+        });
+        looking->start(5);
+    }
+    std::string size_on_easel() {
+        const document::CanvasSettings canvas = session().canvas();
+        return QStringLiteral("%1 x %2, %3")
+            .arg(canvas.width_mm)
+            .arg(canvas.height_mm)
+            .arg(QString::fromStdString(canvas.support))
+            .toStdString();
+    }
+    std::filesystem::path saved(const char* name) {
+        const std::filesystem::path path = folder_.path() / name;
+        window().save_painting(QString::fromStdString(path.string()));
+        EXPECT_EQ(window().project_saver().wait().toStdString(), "");
+        QApplication::processEvents();
+        return path;
+    }
+    void paint() { mouse_stroke(line_mm({12.0, 12.0}, {48.0, 30.0})); }
+    std::uint64_t state() { return document::state_hash(session().capture().painting); }
+    void drop(const std::filesystem::path& file) {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+        QDragEnterEvent enter({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(&window(), &enter);
+        EXPECT_TRUE(enter.isAccepted());
+        QDropEvent event({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(&window(), &event);
+        QApplication::processEvents();
+    }
+
+    TemporaryFolder data_, folder_;
+    int asked_ = 0;
+};
+
+TEST_F(StartWindow, ThePageMeetsThePainterAndTheFirstStrokeFollowsAtOnce) {
+    EXPECT_FALSE(page_is_shown());
+    window().welcome();
+    ASSERT_TRUE(page_is_shown());
+    EXPECT_EQ(QApplication::focusWidget(), &find<QPushButton>("start_painting"));
+    QTest::mouseClick(&find<QPushButton>("start_painting"), Qt::LeftButton);
+    EXPECT_FALSE(page_is_shown());
+    paint();
+    EXPECT_GT(volume_mm3(), 1.0);
+}
+
+TEST_F(StartWindow, AStrokeBesideThePagePaintsAndSendsItAway) {
+    show_page();
+    const QRect around = page().geometry();
+    EXPECT_TRUE(canvas().geometry().contains(around));
+    const QPoint beside(5, canvas().height() / 2);
+    EXPECT_EQ(QApplication::widgetAt(canvas().mapToGlobal(beside)), &canvas());
+    mouse_stroke(line_mm(canvas().canvas_mm(beside), {30.0, 20.0}));
+    EXPECT_FALSE(page_is_shown());
+    EXPECT_GT(volume_mm3(), 1.0);
+}
+
+TEST_F(StartWindow, AClickOnThePageIsNoStroke) {
+    show_page();
+    QTest::mouseClick(&page(), Qt::LeftButton, {}, {4, 4});
+    EXPECT_TRUE(page_is_shown());
+    EXPECT_EQ(volume_mm3(), 0.0);
+}
+
+TEST_F(StartWindow, KeysAreEnough) {
+    show_page();
+    press_key(Qt::Key_D);  // "dry now" anywhere else
+    session().wait_until_applied();
+    EXPECT_EQ(session().status().changes, 0);
+    press_key(Qt::Key_Escape);
+    EXPECT_FALSE(page_is_shown());
+    EXPECT_EQ(QApplication::focusWidget(), &canvas());
+
+    action(Command::StartPage)->trigger();
+    ASSERT_TRUE(page_is_shown());
+    for (int i = 0; i < 12 && !gallery("canvas_sizes").hasFocus(); ++i)
+        press_key(Qt::Key_Tab);
+    ASSERT_TRUE(gallery("canvas_sizes").hasFocus());
+    press_key(Qt::Key_Right);
+    press_key(Qt::Key_Right);
+    press_key(Qt::Key_Return);
+    EXPECT_FALSE(page_is_shown());
+    EXPECT_EQ(size_on_easel(), "297 x 210, linen");
+}
+
+TEST_F(StartWindow, OneClickPutsUpACanvasOfThatSizeAndSupport) {
+    show_page();
+    start::Gallery& sizes = gallery("canvas_sizes");
+    choose("support_cotton duck");
+    choose("portrait");
+    click(sizes, number_of(sizes, "A5"));
+    EXPECT_FALSE(page_is_shown());
+    EXPECT_EQ(size_on_easel(), "148 x 210, cotton duck");
+    show_page();
+    EXPECT_TRUE(find<QToolButton>("portrait").isChecked());
+    choose("landscape");
+    choose("support_panel");
+    click(sizes, number_of(sizes, "Screen, HD"));
+    EXPECT_EQ(size_on_easel(), "480 x 270, panel");
+    const auto snapshot = session().snapshot();
+    EXPECT_EQ(snapshot->film.shape.width, 1920);
+    EXPECT_EQ(snapshot->film.shape.height, 1080);
+}
+
+TEST_F(StartWindow, MoreOpensTheDialogAndThePageStaysUntilThereIsACanvas) {
+    show_page();
+    start::Gallery& sizes = gallery("canvas_sizes");
+    when_asked<dialogs::NewCanvasDialog>([](QDialog& dialog) { dialog.reject(); });
+    click(sizes, sizes.count() - 1);
+    EXPECT_EQ(asked_, 1);
+    EXPECT_TRUE(page_is_shown());
+    when_asked<dialogs::NewCanvasDialog>([](QDialog& dialog) { dialog.accept(); });
+    click(sizes, sizes.count() - 1);
+    EXPECT_FALSE(page_is_shown());
+}
+
+TEST_F(StartWindow, WhatIsNotSavedIsNotLostToANewCanvas) {
+    paint();
+    settle();
+    const std::uint64_t painted = state();
+    show_page();
+    EXPECT_EQ(find<QPushButton>("start_painting").text().toStdString(), "Back to the painting");
+    when_asked<QMessageBox>([](QMessageBox& box) { box.button(QMessageBox::Cancel)->click(); });
+    click(gallery("canvas_sizes"), 0);
+    EXPECT_EQ(asked_, 1);
+    EXPECT_TRUE(page_is_shown());
+    EXPECT_EQ(state(), painted);
+}
+
+TEST_F(StartWindow, RecentPaintingsShowTheirPicturesAndOpen) {
+    paint();
+    settle();
+    saved("harbour.pastoso");
+    const std::uint64_t painted = state();
+    start_again_paused();
+    show_page();
+    start::Gallery& recent = gallery("recent_paintings");
+    ASSERT_EQ(recent.count(), 1);
+    wait_for([&] { return page().recent()->all_read(); });
+    const QModelIndex tile = recent.model()->index(0, 0);
+    EXPECT_EQ(tile.data().toString().toStdString(), "harbour");
+    const QImage picture = tile.data(Qt::DecorationRole).value<QPixmap>().toImage();
+    ASSERT_FALSE(picture.isNull());
+    EXPECT_NEAR(1.0 * picture.width() / picture.height(), 1.5, 0.05);
+    const QColor middle = picture.pixelColor(picture.width() / 2, picture.height() / 2);
+    EXPECT_GT(middle.blue(), middle.red() + 20) << "the stroke is seen";
+    click(recent, 0);
+    EXPECT_FALSE(page_is_shown());
+    EXPECT_EQ(state(), painted);
+}
+
+TEST_F(StartWindow, AFileThatIsGoneOrDamagedIsToldAndCanBeTakenFromTheList) {
+    const auto gone = saved("gone.pastoso"), damaged = saved("damaged.pastoso");
+    std::filesystem::remove(gone);
+    core::write_text_file(damaged, "nothing");
+    show_page();
+    start::Gallery& recent = gallery("recent_paintings");
+    wait_for([&] { return page().recent()->all_read(); });
+    ASSERT_THAT(page().recent()->paintings(), SizeIs(2));
+    EXPECT_EQ(page().recent()->paintings()[0].fault.toStdString(), "This file cannot be read.");
+    EXPECT_THAT(page().recent()->paintings()[0].reason.toStdString(), HasSubstr("damaged.pastoso"));
+    EXPECT_EQ(page().recent()->paintings()[1].fault.toStdString(), "This file is not there any more.");
+
+    when_asked<QMessageBox>([](QMessageBox& box) { box.accept(); });
+    click(recent, 1);
+    EXPECT_EQ(asked_, 1);
+    EXPECT_TRUE(page_is_shown());
+    EXPECT_EQ(size_on_easel(), "60 x 40, linen");
+
+    recent.setFocus();
+    recent.setCurrentIndex(recent.model()->index(1, 0));
+    press_key(Qt::Key_Delete);
+    EXPECT_THAT(commands::known_paintings(), ElementsAre(damaged));
+    EXPECT_EQ(recent.count(), 1);
+    press_key(Qt::Key_Home);
+    press_key(Qt::Key_Delete);
+    EXPECT_THAT(commands::known_paintings(), IsEmpty());
+    EXPECT_TRUE(std::filesystem::exists(damaged)) << "only the list forgets it";
+}
+
+TEST_F(StartWindow, AnExampleIsPaintedOnItsCanvasAndNeedsNoSaving) {
+    show_page();
+    start::Gallery& examples = gallery("examples");
+    ASSERT_EQ(examples.count(), 3);
+    for (int i = 0; i < 3; ++i)
+        EXPECT_FALSE(examples.model()->index(i, 0).data(Qt::DecorationRole).value<QPixmap>().isNull());
+    click(examples, number_of(examples, "Poppies"));
+    EXPECT_FALSE(page_is_shown());
+    EXPECT_EQ(size_on_easel(), "100 x 132, linen");
+    wait_for([this] { return session().status().strokes > 5; });
+    EXPECT_TRUE(session().status().replaying);
+    wait_for([this] { return !session().status().replaying && !window().easel().brush_is_lent(); });
+    EXPECT_THAT(session().take_errors(), IsEmpty());
+    EXPECT_GT(session().status().strokes, 300);
+    EXPECT_GT(volume_mm3(), 500.0);
+    EXPECT_FALSE(window().isWindowModified());
+    const std::int64_t strokes = session().status().strokes;
+    paint();
+    session().wait_until_applied();
+    EXPECT_EQ(session().status().strokes, strokes + 1) << "the brush is the painter's";
+    wait_for([this] { return window().isWindowModified(); });
+}
+
+TEST_F(StartWindow, UnfinishedPaintingsStandAtTheTopAndComeBack) {
+    paint();
+    settle();
+    const double painted_mm3 = volume_mm3();
+    open_another();
+    window().welcome();
+    ASSERT_TRUE(page_is_shown()) << "and no dialog asks for the same";
+    ASSERT_TRUE(find<QPushButton>("recover").isVisible());
+    press_key(Qt::Key_Escape);
+    EXPECT_THAT(journal::unfinished_paintings(journal::journals_path()), SizeIs(1))
+        << "nothing is lost to a painter who looks away";
+    show_page();
+    click("recover");
+    EXPECT_FALSE(page_is_shown());
+    EXPECT_NEAR(volume_mm3(), painted_mm3, 1e-6 * painted_mm3);
+    EXPECT_TRUE(window().isWindowModified());
+    EXPECT_THAT(journal::unfinished_paintings(journal::journals_path()), IsEmpty());
+    show_page();
+    EXPECT_EQ(window().findChild<QPushButton*>("recover"), nullptr);
+}
+
+TEST_F(StartWindow, UnfinishedPaintingsCanBeDiscardedFromThePage) {
+    paint();
+    settle();
+    open_another();
+    show_page();
+    when_asked<dialogs::RecoveryDialog>([](dialogs::RecoveryDialog& dialog) {
+        QTimer::singleShot(50, [] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (box != nullptr) box->button(QMessageBox::Discard)->click();
+        });
+        dialog.discard_button()->click();
+    });
+    click("all_unfinished");
+    EXPECT_EQ(asked_, 1);
+    EXPECT_TRUE(page_is_shown());
+    EXPECT_THAT(journal::unfinished_paintings(journal::journals_path()), IsEmpty());
+    EXPECT_FALSE(find<QPushButton>("all_unfinished").isVisible());
+}
+
+TEST_F(StartWindow, ThatItIsNotWantedAtTheStartIsRemembered) {
+    window().welcome();
+    auto& box = find<QCheckBox>("show_at_start");
+    EXPECT_TRUE(box.isChecked());
+    box.click();
+    start_again();
+    window().welcome();
+    EXPECT_FALSE(page_is_shown());
+    action(Command::StartPage)->trigger();
+    EXPECT_TRUE(page_is_shown());
+    EXPECT_FALSE(find<QCheckBox>("show_at_start").isChecked());
+    find<QCheckBox>("show_at_start").click();
+    start_again();
+    window().welcome();
+    EXPECT_TRUE(page_is_shown());
+}
+
+TEST_F(StartWindow, ThePageStaysWithinTheCanvasWhateverItsSize) {
+    show_page();
+    for (const QSize size : {QSize(1000, 560), QSize(1500, 900)}) {
+        window().resize(size);
+        wait_for([&] { return canvas().geometry().contains(page().geometry()); });
+    }
+    action(Command::CanvasOnly)->trigger();
+    EXPECT_FALSE(page_is_shown());
+    action(Command::CanvasOnly)->trigger();
+    EXPECT_FALSE(page_is_shown());
+}
+
+TEST_F(StartWindow, APaintingDraggedOntoTheWindowOpens) {
+    paint();
+    settle();
+    const auto file = saved("harbour.pastoso");
+    const std::uint64_t painted = state();
+    start_again_paused();
+    drop(file);
+    EXPECT_EQ(state(), painted);
+
+    paint();
+    settle();
+    const std::uint64_t changed = state();
+    when_asked<QMessageBox>([](QMessageBox& box) { box.button(QMessageBox::Cancel)->click(); });
+    drop(file);
+    EXPECT_EQ(asked_, 1);
+    EXPECT_EQ(state(), changed);
+}
+
+TEST_F(StartWindow, OfADraggedPictureThePainterSaysWhatBecomesOfIt) {
+    QImage red(30, 20, QImage::Format_RGB888);
+    red.fill(QColor(200, 30, 20));
+    const std::filesystem::path file = folder_.path() / "red.png";
+    ASSERT_TRUE(red.save(QString::fromStdString(file.string())));
+    const auto choose_in_menu = [&](int number) {
+        drop(file);
+        auto* menu = window().findChild<QMenu*>("dropped_picture");
+        ASSERT_NE(menu, nullptr);
+        QAction* action = menu->actions().at(number);
+        menu->close();
+        action->trigger();
+        QApplication::processEvents();
+        session().wait_until_applied();
+    };
+    choose_in_menu(0);
+    EXPECT_EQ(session().snapshot()->layers->layers.size(), 2U);
+    choose_in_menu(1);
+    EXPECT_NE(session().snapshot()->tracing, nullptr);
+    EXPECT_EQ(size_on_easel(), "60 x 40, linen");
+
+    const std::filesystem::path text = folder_.path() / "letter.txt";
+    core::write_text_file(text, "Dear painter");
+    drop(text);
+    EXPECT_EQ(told(), "letter.txt is no painting and no picture that can be opened.");
+}
+
+}  // namespace
+}  // namespace pastoso::tests
