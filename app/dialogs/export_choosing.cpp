@@ -174,7 +174,7 @@ void ExportDialog::show_rows() {
     const tools::ExportFormat& format = settings_.format();
     const bool film = form == ExportForm::Timelapse, relief = form == ExportForm::Relief;
     const bool video = film && !is_folder(format);
-    labels_.at(path_row_)->setText(is_folder(format) ? tr("&Folder") : tr("&File"));
+    labels_.at(path_row_)->setText(is_folder(format) ? tr("&Folder") : tr("&File name"));
     show_row(format_, format_->count() > 1);
     show_row(quality_, form == ExportForm::Picture && has_quality(format));
     show_row(surface_, form == ExportForm::Picture);

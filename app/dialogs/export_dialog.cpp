@@ -223,7 +223,7 @@ void ExportDialog::lay_out() {
     rows_->setColumnStretch(1, 1);
     add_row(tr("&Make"), form_);
     add_row(QString(), explanation_);
-    add_row(tr("&File"), path_row_, path_);
+    add_row(tr("&File name"), path_row_, path_);
     add_row(tr("F&ormat"), format_);
     add_row(tr("&Quality"), quality_);
     add_row(tr("Sho&w"), surface_);

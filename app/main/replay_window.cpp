@@ -44,7 +44,7 @@ ReplayWindow::ReplayWindow(document::Recording recording, const view::CanvasView
     canvas_->set_lighting(like.lighting());
     canvas_->set_viewing(like.viewing());
     canvas_->show_handles(false);
-    canvas_->set_tip({.width_mm = 0.0, .thickness_mm = 0.0});
+    canvas_->hide_tool();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 8);
     column->setSpacing(8);

@@ -179,7 +179,7 @@ void ColourPanel::show_nearest(const document::PaintRecipe& paint, double differ
     nearest_paint_ = paint;
     nearest_->show_paint(qcolor(tools::screen_colour(paint)),
                          QString::fromStdString(tools::painters_recipe(paint)));
-    words_->setText(tr("%1\n\u0394E %2, %3")
+    words_->setText(tr("%1\nΔE %2, %3")
                         .arg(recipe_lines(paint), QString::number(difference, 'f', 1),
                              difference_words(difference)));
     use_recipe_->setEnabled(!(paint == in_hand_));

@@ -118,7 +118,7 @@ void CanvasView::press_pen_button(tools::PenButtonDoes what, const QTabletEvent&
 /// What the brush touches as it is held, and how its handle leans.
 void CanvasView::draw_tip() {
     const bool paints = !view_drag_ && !space_held_ && !picks_next_ && !area_form_ && !frame_;
-    if (!pointer_ || !paints || guide_drag_.active() || light_drag_) return;
+    if (tool_hidden_ || !pointer_ || !paints || guide_drag_.active() || light_drag_) return;
     brush::PenSample held = easel_->held();
     if (held.pressure == 0.0 && !easel_->painting()) held.pressure = kExpectedPressure;
     const OverlayFrame frame = overlay_frame(device_px(*pointer_));

@@ -125,6 +125,11 @@ void CanvasView::set_tool(const brush::Preset& tool) {
     update();
 }
 
+void CanvasView::hide_tool() {
+    tool_hidden_ = true;
+    update();
+}
+
 void CanvasView::set_pen(const tools::PenSettings& pen) {
     pen_ = pen;
 }

@@ -56,6 +56,7 @@ class CanvasView : public QOpenGLWidget {
     const LookLegend& legend() const { return *legend_; }
     void set_viewing(const pigment::Viewing& viewing);
     void set_tool(const brush::Preset& tool);  ///< whose outline goes with the pointer
+    void hide_tool();                          ///< nothing is painted here
     void set_pen(const tools::PenSettings& pen);
 
     /// Shows the handles of the guides, by which they are dragged.
@@ -282,6 +283,7 @@ class CanvasView : public QOpenGLWidget {
     pigment::Viewing viewing_;
     bool recolour_ = false;  ///< the colours are still those of another light
     BrushOutline outline_;
+    bool tool_hidden_ = false;
     tools::PenSettings pen_;
     tools::MousePressure mouse_pressure_;
     bool closing_popup_ = false;  ///< the press that closed it does nothing else

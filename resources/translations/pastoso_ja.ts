@@ -2,3560 +2,4391 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
+    <name>CanvasChoices</name>
+    <message>
+        <source>Small study</source>
+        <translation>小さな習作</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>正方形</translation>
+    </message>
+    <message>
+        <source>Small canvas</source>
+        <translation>小さなキャンバス</translation>
+    </message>
+    <message>
+        <source>Large canvas</source>
+        <translation>大きなキャンバス</translation>
+    </message>
+    <message>
+        <source>Screen, HD</source>
+        <translation>画面 HD</translation>
+    </message>
+    <message>
+        <source>Screen, QHD</source>
+        <translation>画面 QHD</translation>
+    </message>
+    <message>
+        <source>Linen</source>
+        <translation>麻布</translation>
+    </message>
+    <message>
+        <source>coarse weave</source>
+        <translation>粗い織り</translation>
+    </message>
+    <message>
+        <source>Cotton duck</source>
+        <translation>綿布</translation>
+    </message>
+    <message>
+        <source>fine weave</source>
+        <translation>細かい織り</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>パネル</translation>
+    </message>
+    <message>
+        <source>smooth gesso</source>
+        <translation>なめらかなジェッソ</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>an image</source>
+        <translation>画像</translation>
+    </message>
+</context>
+<context>
+    <name>ExamplePaintings</name>
+    <message>
+        <source>Still life</source>
+        <translation>静物</translation>
+    </message>
+    <message>
+        <source>Oil, wet in wet</source>
+        <translation>油彩、ウェット・イン・ウェット</translation>
+    </message>
+    <message>
+        <source>Surf</source>
+        <translation>寄せる波</translation>
+    </message>
+    <message>
+        <source>Oil, in thick impasto</source>
+        <translation>油彩、厚いインパスト</translation>
+    </message>
+    <message>
+        <source>Poppies</source>
+        <translation>ポピー</translation>
+    </message>
+    <message>
+        <source>Oil over a dry ground</source>
+        <translation>油彩、乾いた下地の上に</translation>
+    </message>
+</context>
+<context>
     <name>Keys</name>
     <message>
         <source>Like Krita</source>
-        <translation type="unfinished"></translation>
+        <translation>Krita風</translation>
     </message>
     <message>
         <source>The keys of Krita, where it has the same command</source>
-        <translation type="unfinished"></translation>
+        <translation>同じコマンドがあればKritaのキーを使う</translation>
     </message>
     <message>
         <source>Like Photoshop</source>
-        <translation type="unfinished"></translation>
+        <translation>Photoshop風</translation>
     </message>
     <message>
         <source>The keys of Photoshop, where it has the same command</source>
-        <translation type="unfinished"></translation>
+        <translation>同じコマンドがあればPhotoshopのキーを使う</translation>
     </message>
 </context>
 <context>
     <name>QObject</name>
     <message>
         <source>Drops and sprays</source>
-        <translation type="unfinished"></translation>
+        <translation>しずくとスプレー</translation>
     </message>
     <message>
         <source>Air</source>
-        <translation type="unfinished"></translation>
+        <translation>エアー</translation>
     </message>
     <message>
         <source>Knives and combs</source>
-        <translation type="unfinished"></translation>
+        <translation>ナイフとコーム</translation>
     </message>
     <message>
         <source>Rags and fingers</source>
-        <translation type="unfinished"></translation>
+        <translation>布と指</translation>
     </message>
     <message>
         <source>Brushes</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシ</translation>
     </message>
     <message>
         <source>Cannot be read</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Top up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Blot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Swap</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pick paint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pick colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Left, right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Above, below</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Along the last stroke</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>On the canvas</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose...</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take away</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Below the paint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tool</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Physics</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Guides</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tracing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation type="unfinished"></translation>
+        <translation>読み込めないもの</translation>
     </message>
     <message>
         <source>Clear medium</source>
-        <translation type="unfinished"></translation>
+        <translation>透明メディウム</translation>
     </message>
     <message>
         <source>How the next paint flows; what lies on the canvas keeps its own way</source>
-        <translation type="unfinished"></translation>
+        <translation>これから使う絵の具の流れ方。キャンバス上の絵の具の性質は変わらない</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>ツール</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>元に戻す</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>やり直す</translation>
     </message>
     <message>
         <source>Reload</source>
-        <translation type="unfinished"></translation>
+        <translation>付け直す</translation>
     </message>
     <message>
         <source>Clean</source>
-        <translation type="unfinished"></translation>
+        <translation>洗う</translation>
     </message>
     <message>
         <source>Reload each stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>ストロークごとに付け直す</translation>
     </message>
     <message>
         <source>Turn with stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>ストロークに合わせて回す</translation>
     </message>
     <message>
         <source>Medium </source>
-        <translation type="unfinished"></translation>
+        <translation>メディウム </translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>一時停止</translation>
     </message>
     <message>
         <source>Dry now</source>
-        <translation type="unfinished"></translation>
+        <translation>すぐ乾かす</translation>
     </message>
     <message>
         <source>Mixing well</source>
-        <translation type="unfinished"></translation>
+        <translation>混色皿</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>保存</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>名前を変更</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>削除</translation>
     </message>
     <message>
         <source>Squeeze</source>
-        <translation type="unfinished"></translation>
+        <translation>絞り出す</translation>
     </message>
     <message>
         <source>Wipe the well</source>
-        <translation type="unfinished"></translation>
+        <translation>混色皿を拭く</translation>
     </message>
     <message>
         <source>the same to the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>見た目は同じ</translation>
     </message>
     <message>
         <source>close</source>
-        <translation type="unfinished"></translation>
+        <translation>近い</translation>
     </message>
     <message>
         <source>a little off</source>
-        <translation type="unfinished"></translation>
+        <translation>少し違う</translation>
     </message>
     <message>
         <source>beyond these tubes</source>
-        <translation type="unfinished"></translation>
+        <translation>このチューブでは作れない</translation>
     </message>
     <message>
         <source>Pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>筆圧</translation>
     </message>
     <message>
         <source>Tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>傾き</translation>
     </message>
     <message>
         <source>Barrel</source>
-        <translation type="unfinished"></translation>
+        <translation>ペン軸の回転</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>速度</translation>
     </message>
     <message>
         <source>how far it is pressed</source>
-        <translation type="unfinished"></translation>
+        <translation>押し付ける強さ</translation>
     </message>
     <message>
         <source>how far it leans</source>
-        <translation type="unfinished"></translation>
+        <translation>倒れ具合</translation>
     </message>
     <message>
         <source>how it is turned</source>
-        <translation type="unfinished"></translation>
+        <translation>向き</translation>
     </message>
     <message>
         <source>reach into hollows</source>
-        <translation type="unfinished"></translation>
+        <translation>くぼみへの届き方</translation>
     </message>
     <message>
         <source>film that it leaves</source>
-        <translation type="unfinished"></translation>
+        <translation>残る絵の具の膜</translation>
     </message>
     <message>
         <source>paint taken up</source>
-        <translation type="unfinished"></translation>
+        <translation>拾う絵の具の量</translation>
     </message>
     <message>
         <source>flow</source>
-        <translation type="unfinished"></translation>
+        <translation>流量</translation>
     </message>
     <message>
         <source>width of the spread</source>
-        <translation type="unfinished"></translation>
+        <translation>広がりの幅</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>%1 % pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>筆圧 %1 %</translation>
     </message>
     <message>
         <source>%1 mm/s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm/s</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>wet, asleep</source>
-        <translation type="unfinished"></translation>
+        <translation>濡れたまま休止中</translation>
     </message>
     <message>
         <source>A group: its eye, its lock and its opacity hold for all of its layers</source>
-        <translation type="unfinished"></translation>
+        <translation>グループ。表示、ロック、不透明度は中のすべてのレイヤーに効く</translation>
     </message>
     <message>
         <source>You paint on this layer; its wet paint flows and dries</source>
-        <translation type="unfinished"></translation>
+        <translation>描画中のレイヤー。濡れた絵の具は流れ、乾いていく</translation>
     </message>
     <message>
         <source>Its wet paint is asleep: it neither flows nor dries, and stays as wet as it is until you choose this layer</source>
-        <translation type="unfinished"></translation>
+        <translation>濡れた絵の具は休止中。このレイヤーを選ぶまで、流れも乾きもせず濡れたまま保たれる</translation>
     </message>
     <message>
         <source>Click to paint on this layer; a double click names it, dragging moves it</source>
-        <translation type="unfinished"></translation>
+        <translation>クリックするとこのレイヤーに描く。ダブルクリックで名前を変更、ドラッグで移動</translation>
     </message>
     <message>
         <source>Seen; click to hide it. Its relief goes with it</source>
-        <translation type="unfinished"></translation>
+        <translation>表示中。クリックで隠す。凹凸も一緒に隠れる</translation>
     </message>
     <message>
         <source>Hidden, and not painted on; click to show it</source>
-        <translation type="unfinished"></translation>
+        <translation>非表示で、描き込めない。クリックで表示</translation>
     </message>
     <message>
         <source>Locked: nothing is painted on it, cleared or merged. Click to unlock</source>
-        <translation type="unfinished"></translation>
+        <translation>ロック中。描画も消去も結合もできない。クリックでロックを解除</translation>
     </message>
     <message>
         <source>Click to lock it against painting, clearing and merging</source>
-        <translation type="unfinished"></translation>
+        <translation>クリックでロックし、描画、消去、結合から守る</translation>
     </message>
     <message>
         <source>Stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>ストローク</translation>
     </message>
     <message>
         <source>Stroke in the mixing well</source>
-        <translation type="unfinished"></translation>
+        <translation>混色皿でのストローク</translation>
     </message>
     <message>
         <source>Paint squeezed out</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の具の絞り出し</translation>
     </message>
     <message>
         <source>Mixing well wiped</source>
-        <translation type="unfinished"></translation>
+        <translation>混色皿の拭き取り</translation>
     </message>
     <message>
         <source>New layer</source>
-        <translation type="unfinished"></translation>
+        <translation>新規レイヤー</translation>
     </message>
     <message>
         <source>Look of a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーの表示設定</translation>
     </message>
     <message>
         <source>Layer duplicated</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーの複製</translation>
     </message>
     <message>
         <source>Layer removed</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーの削除</translation>
     </message>
     <message>
         <source>Layer cleared</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーの消去</translation>
     </message>
     <message>
         <source>Transform</source>
-        <translation type="unfinished"></translation>
+        <translation>変形</translation>
     </message>
     <message>
         <source>Layer moved</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーの移動</translation>
     </message>
     <message>
         <source>Merged down</source>
-        <translation type="unfinished"></translation>
+        <translation>下のレイヤーと結合</translation>
     </message>
     <message>
         <source>Flattened</source>
-        <translation type="unfinished"></translation>
+        <translation>表示レイヤーを結合</translation>
     </message>
     <message>
         <source>Layers grouped</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーのグループ化</translation>
     </message>
     <message>
         <source>Look of a group</source>
-        <translation type="unfinished"></translation>
+        <translation>グループの表示設定</translation>
     </message>
     <message>
         <source>Group moved</source>
-        <translation type="unfinished"></translation>
+        <translation>グループの移動</translation>
     </message>
     <message>
         <source>Group dissolved</source>
-        <translation type="unfinished"></translation>
+        <translation>グループの解除</translation>
     </message>
     <message>
         <source>Selection</source>
-        <translation type="unfinished"></translation>
+        <translation>選択範囲</translation>
     </message>
     <message>
         <source>Size of the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスサイズ</translation>
     </message>
     <message>
         <source>Picture as paint</source>
-        <translation type="unfinished"></translation>
+        <translation>画像を絵の具として追加</translation>
     </message>
     <message>
         <source>Picture to trace</source>
-        <translation type="unfinished"></translation>
+        <translation>下絵</translation>
     </message>
     <message>
         <source>Place of the traced picture</source>
-        <translation type="unfinished"></translation>
+        <translation>下絵の位置</translation>
+    </message>
+    <message>
+        <source>tip</source>
+        <translation>ペン先</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>下側</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>中央</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>上側</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <comment>rotation</comment>
+        <translation>情報なし</translation>
+    </message>
+    <message>
+        <source>Tilt %1 across, %2 along; rotation %3; buttons: %4</source>
+        <translation>傾き 横 %1、縦 %2、回転 %3、ボタン: %4</translation>
+    </message>
+    <message>
+        <source>%1, eraser end</source>
+        <translation>%1、消しゴム側</translation>
+    </message>
+    <message>
+        <source>%1, puck</source>
+        <translation>%1、パック</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>マウス</translation>
+    </message>
+    <message>
+        <source>pressure %1 → %2</source>
+        <translation>筆圧 %1 → %2</translation>
+    </message>
+    <message>
+        <source>pressure %1</source>
+        <translation>筆圧 %1</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 events a second</source>
+        <translation>%1: %2、毎秒 %3 イベント</translation>
+    </message>
+    <message>
+        <source>Buttons: %1</source>
+        <translation>ボタン: %1</translation>
     </message>
 </context>
 <context>
     <name>pastoso::commands</name>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイル(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>編集(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシ(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の具(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Layer</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤー(&amp;L)</translation>
     </message>
     <message>
         <source>&amp;Select</source>
-        <translation type="unfinished"></translation>
+        <translation>選択(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Guides</source>
-        <translation type="unfinished"></translation>
+        <translation>ガイド(&amp;G)</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>表示(&amp;V)</translation>
     </message>
     <message>
         <source>&amp;Light</source>
-        <translation type="unfinished"></translation>
+        <translation>ライト(&amp;L)</translation>
     </message>
     <message>
         <source>&amp;Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>設定(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;New canvas...</source>
-        <translation type="unfinished"></translation>
+        <translation>新規キャンバス(&amp;N)...</translation>
     </message>
     <message>
         <source>Put a fresh canvas on the easel</source>
-        <translation type="unfinished"></translation>
+        <translation>新しいキャンバスをイーゼルに置く</translation>
     </message>
     <message>
         <source>&amp;Open...</source>
-        <translation type="unfinished"></translation>
+        <translation>開く(&amp;O)...</translation>
     </message>
     <message>
         <source>Go on with a painting that was saved, wet as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>保存した作品の続きを、濡れた絵の具もそのままに描く</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>保存(&amp;S)</translation>
     </message>
     <message>
         <source>Save the painting with all its wet paint</source>
-        <translation type="unfinished"></translation>
+        <translation>作品を濡れた絵の具ごと保存する</translation>
     </message>
     <message>
         <source>Save &amp;as...</source>
-        <translation type="unfinished"></translation>
+        <translation>名前を付けて保存(&amp;A)...</translation>
     </message>
     <message>
         <source>Save the painting in another file</source>
-        <translation type="unfinished"></translation>
+        <translation>作品を別のファイルに保存する</translation>
     </message>
     <message>
         <source>&amp;Export...</source>
-        <translation type="unfinished"></translation>
+        <translation>エクスポート(&amp;E)...</translation>
     </message>
     <message>
         <source>Make a picture, layers, maps, a relief to print or a time-lapse of the painting</source>
-        <translation type="unfinished"></translation>
+        <translation>作品から画像、レイヤー、マップ、3Dプリント用レリーフ、タイムラプスを作る</translation>
     </message>
     <message>
         <source>Export a&amp;gain</source>
-        <translation type="unfinished"></translation>
+        <translation>もう一度エクスポート(&amp;G)</translation>
     </message>
     <message>
         <source>The same export of the painting as it is now, into the same file</source>
-        <translation type="unfinished"></translation>
+        <translation>今の作品を、前回と同じ設定で同じファイルにエクスポートする</translation>
     </message>
     <message>
         <source>S&amp;top the export</source>
-        <translation type="unfinished"></translation>
+        <translation>エクスポートを中止(&amp;T)</translation>
     </message>
     <message>
         <source>Give up the export that is being written; its file stays as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>書き出し中のエクスポートをやめる。元のファイルは変わらない</translation>
     </message>
     <message>
         <source>Export &amp;recording...</source>
-        <translation type="unfinished"></translation>
+        <translation>記録をエクスポート(&amp;R)...</translation>
     </message>
     <message>
         <source>Save all strokes, to be replayed at any resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>すべてのストロークを保存する。どの解像度でも再生できる</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>終了(&amp;Q)</translation>
     </message>
     <message>
         <source>Close the window</source>
-        <translation type="unfinished"></translation>
+        <translation>ウィンドウを閉じる</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>元に戻す(&amp;U)</translation>
     </message>
     <message>
         <source>Take the last stroke back</source>
-        <translation type="unfinished"></translation>
+        <translation>最後のストロークを取り消す</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>やり直す(&amp;R)</translation>
     </message>
     <message>
         <source>Put the last stroke back</source>
-        <translation type="unfinished"></translation>
+        <translation>取り消したストロークをもう一度描く</translation>
     </message>
     <message>
         <source>&amp;Memory for undo...</source>
-        <translation type="unfinished"></translation>
+        <translation>元に戻すためのメモリー(&amp;M)...</translation>
     </message>
     <message>
         <source>How much memory the steps may take that you can return to</source>
-        <translation type="unfinished"></translation>
+        <translation>元に戻せる操作の記憶に使うメモリーの上限</translation>
     </message>
     <message>
         <source>&amp;Canvas size...</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスサイズ(&amp;C)...</translation>
     </message>
     <message>
         <source>Make the canvas larger, or cut it, on any side</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスを好きな辺で広げる、または切り取る</translation>
     </message>
     <message>
         <source>Crop to the &amp;selection</source>
-        <translation type="unfinished"></translation>
+        <translation>選択範囲で切り抜き(&amp;S)</translation>
     </message>
     <message>
         <source>Cut the canvas to the smallest one that holds what is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>選択範囲がちょうど収まる大きさにキャンバスを切り取る</translation>
     </message>
     <message>
         <source>&amp;Narrower</source>
-        <translation type="unfinished"></translation>
+        <translation>細く(&amp;N)</translation>
     </message>
     <message>
         <source>A narrower brush</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシを細くする</translation>
     </message>
     <message>
         <source>&amp;Wider</source>
-        <translation type="unfinished"></translation>
+        <translation>太く(&amp;W)</translation>
     </message>
     <message>
         <source>A wider brush</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシを太くする</translation>
     </message>
     <message>
         <source>Next &amp;brush</source>
-        <translation type="unfinished"></translation>
+        <translation>次のブラシ(&amp;B)</translation>
     </message>
     <message>
         <source>Take the next brush of the list</source>
-        <translation type="unfinished"></translation>
+        <translation>リストの次のブラシに持ち替える</translation>
     </message>
     <message>
         <source>&amp;Previous brush</source>
-        <translation type="unfinished"></translation>
+        <translation>前のブラシ(&amp;P)</translation>
     </message>
     <message>
         <source>Take the brush before in the list</source>
-        <translation type="unfinished"></translation>
+        <translation>リストの前のブラシに持ち替える</translation>
     </message>
     <message>
         <source>&amp;Reload</source>
-        <translation type="unfinished"></translation>
+        <translation>付け直す(&amp;R)</translation>
     </message>
     <message>
         <source>Clean the brush and fill it with the paint</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシを洗い、絵の具をたっぷり含ませる</translation>
     </message>
     <message>
         <source>&amp;Top up</source>
-        <translation type="unfinished"></translation>
+        <translation>付け足す(&amp;T)</translation>
     </message>
     <message>
         <source>Dip the brush without cleaning it: what it holds stays on it</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシを洗わずに絵の具を付ける。含んでいた絵の具は残る</translation>
     </message>
     <message>
         <source>B&amp;lot</source>
-        <translation type="unfinished"></translation>
+        <translation>吸い取る(&amp;L)</translation>
     </message>
     <message>
         <source>Press the brush into a cloth: a quarter of its paint stays on it</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシを布に押し当てる。絵の具は4分の1だけ残る</translation>
     </message>
     <message>
         <source>&amp;Clean</source>
-        <translation type="unfinished"></translation>
+        <translation>洗う(&amp;C)</translation>
     </message>
     <message>
         <source>Wipe the brush: an empty one moves the paint that lies there</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシを拭う。空のブラシはその場の絵の具を動かす</translation>
     </message>
     <message>
         <source>S&amp;wap the two paints</source>
-        <translation type="unfinished"></translation>
+        <translation>2つの絵の具を入れ替え(&amp;W)</translation>
     </message>
     <message>
         <source>Dip the brush in the second paint; the first takes its place</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシに2番目の絵の具を付ける。今の絵の具が2番目になる</translation>
     </message>
     <message>
         <source>P&amp;ick up the paint there</source>
-        <translation type="unfinished"></translation>
+        <translation>その場の絵の具を取る(&amp;I)</translation>
     </message>
     <message>
         <source>The next click dips the brush in the mixture of pigments that lies there; so does Ctrl and a click</source>
-        <translation type="unfinished"></translation>
+        <translation>次にクリックした場所にある、顔料の混ざった絵の具をブラシに付ける。Ctrl+クリックでも同じ</translation>
     </message>
     <message>
         <source>Pick the c&amp;olour seen there</source>
-        <translation type="unfinished"></translation>
+        <translation>見えている色を拾う(&amp;O)</translation>
     </message>
     <message>
         <source>The next click makes paint of the colour that is seen there; so does Alt and a click</source>
-        <translation type="unfinished"></translation>
+        <translation>次にクリックした場所に見えている色の絵の具を作る。Alt+クリックでも同じ</translation>
     </message>
     <message>
         <source>Reload before &amp;each stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>ストロークごとに付け直す(&amp;E)</translation>
     </message>
     <message>
         <source>Every stroke starts with a clean, full brush</source>
-        <translation type="unfinished"></translation>
+        <translation>毎回、きれいなブラシに絵の具をたっぷり含ませて描き始める</translation>
     </message>
     <message>
         <source>&amp;Turn with the stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>ストロークに合わせて回す(&amp;T)</translation>
     </message>
     <message>
         <source>Flat brushes stand across their path, where the pen does not tell its rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>ペンが回転を伝えないとき、平筆が進む向きと直角に構える</translation>
     </message>
     <message>
         <source>&amp;Save as my own...</source>
-        <translation type="unfinished"></translation>
+        <translation>自分のツールとして保存(&amp;S)...</translation>
     </message>
     <message>
         <source>Keep the tool in hand, with its curves, among your own</source>
-        <translation type="unfinished"></translation>
+        <translation>今のツールをカーブごと自分のツールに加える</translation>
     </message>
     <message>
         <source>Re&amp;name...</source>
-        <translation type="unfinished"></translation>
+        <translation>名前を変更(&amp;N)...</translation>
     </message>
     <message>
         <source>Give your own tool another name</source>
-        <translation type="unfinished"></translation>
+        <translation>自分のツールの名前を変える</translation>
     </message>
     <message>
         <source>&amp;Delete...</source>
-        <translation type="unfinished"></translation>
+        <translation>削除(&amp;D)...</translation>
     </message>
     <message>
         <source>Throw your own tool away</source>
-        <translation type="unfinished"></translation>
+        <translation>自分のツールを捨てる</translation>
     </message>
     <message>
         <source>&amp;Pause the paint</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の具を一時停止(&amp;P)</translation>
     </message>
     <message>
         <source>Wet paint stands still until you go on</source>
-        <translation type="unfinished"></translation>
+        <translation>再開するまで濡れた絵の具を止めておく</translation>
     </message>
     <message>
         <source>&amp;Dry now</source>
-        <translation type="unfinished"></translation>
+        <translation>すぐ乾かす(&amp;D)</translation>
     </message>
     <message>
         <source>All wet paint dries at once: paint over it without stirring it up</source>
-        <translation type="unfinished"></translation>
+        <translation>濡れた絵の具をすべて一度に乾かす。下の絵の具を動かさずに塗り重ねられる</translation>
     </message>
     <message>
         <source>Mixing &amp;well</source>
-        <translation type="unfinished"></translation>
+        <translation>混色皿(&amp;W)</translation>
     </message>
     <message>
         <source>A palette of wet paint: mix there with any tool, and carry it to the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>濡れた絵の具のパレット。どのツールでも混ぜられ、キャンバスに運べる</translation>
     </message>
     <message>
         <source>&amp;Squeeze onto the well</source>
-        <translation type="unfinished"></translation>
+        <translation>混色皿に絵の具を出す(&amp;S)</translation>
     </message>
     <message>
         <source>Squeeze the paint that you chose onto the mixing well; Control and click says where</source>
-        <translation type="unfinished"></translation>
+        <translation>選んだ絵の具を混色皿に絞り出す。Ctrl+クリックで場所を決める</translation>
     </message>
     <message>
         <source>&amp;Clean the well</source>
-        <translation type="unfinished"></translation>
+        <translation>混色皿を拭く(&amp;C)</translation>
     </message>
     <message>
         <source>Wipe the mixing well bare</source>
-        <translation type="unfinished"></translation>
+        <translation>混色皿をすっかり拭き取る</translation>
     </message>
     <message>
         <source>&amp;New layer</source>
-        <translation type="unfinished"></translation>
+        <translation>新規レイヤー(&amp;N)</translation>
     </message>
     <message>
         <source>A bare layer above the one that you paint on</source>
-        <translation type="unfinished"></translation>
+        <translation>描画中のレイヤーの上に空のレイヤーを作る</translation>
     </message>
     <message>
         <source>From a &amp;picture...</source>
-        <translation type="unfinished"></translation>
+        <translation>画像から(&amp;P)...</translation>
     </message>
     <message>
         <source>Put a picture onto the canvas as a layer of dry paint</source>
-        <translation type="unfinished"></translation>
+        <translation>画像を乾いた絵の具のレイヤーとしてキャンバスに置く</translation>
     </message>
     <message>
         <source>&amp;Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>複製(&amp;D)</translation>
     </message>
     <message>
         <source>The same paint once more, on a layer above</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ絵の具をもう一つ、上のレイヤーに作る</translation>
     </message>
     <message>
         <source>Na&amp;me...</source>
-        <translation type="unfinished"></translation>
+        <translation>名前(&amp;M)...</translation>
     </message>
     <message>
         <source>Give the layer or the group another name</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーやグループの名前を変える</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>削除(&amp;R)</translation>
     </message>
     <message>
         <source>Take the layer away with all its paint</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーを絵の具ごと取り除く</translation>
     </message>
     <message>
         <source>&amp;Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>消去(&amp;C)</translation>
     </message>
     <message>
         <source>Wipe all paint off the layer</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーの絵の具をすべて拭き取る</translation>
     </message>
     <message>
         <source>&amp;Transform</source>
-        <translation type="unfinished"></translation>
+        <translation>変形(&amp;T)</translation>
     </message>
     <message>
-        <source>Move, scale, turn and mirror the layer&apos;s paint, or what is selected of it, by a frame</source>
-        <translation type="unfinished"></translation>
+        <source>Move, scale, turn and mirror the layer's paint, or what is selected of it, by a frame</source>
+        <translation>レイヤーまたは選択範囲の絵の具を、枠を使って移動、拡大縮小、回転、反転する</translation>
     </message>
     <message>
         <source>M&amp;erge down</source>
-        <translation type="unfinished"></translation>
+        <translation>下のレイヤーと結合(&amp;E)</translation>
     </message>
     <message>
-        <source>Put the layer&apos;s paint on the layer below, and make them one</source>
-        <translation type="unfinished"></translation>
+        <source>Put the layer's paint on the layer below, and make them one</source>
+        <translation>レイヤーの絵の具を下のレイヤーに重ね、一つにする</translation>
     </message>
     <message>
         <source>&amp;Flatten what is visible</source>
-        <translation type="unfinished"></translation>
+        <translation>表示レイヤーを結合(&amp;F)</translation>
     </message>
     <message>
         <source>Make one layer of all that are visible; hidden ones stay</source>
-        <translation type="unfinished"></translation>
+        <translation>見えているすべてのレイヤーを一つにする。非表示のレイヤーは残る</translation>
     </message>
     <message>
         <source>&amp;Group</source>
-        <translation type="unfinished"></translation>
+        <translation>グループ化(&amp;G)</translation>
     </message>
     <message>
         <source>Put the chosen layers into a group, which is hidden, locked and faded as one</source>
-        <translation type="unfinished"></translation>
+        <translation>選んだレイヤーをグループにまとめ、表示、ロック、不透明度を一度に変えられるようにする</translation>
     </message>
     <message>
         <source>&amp;Ungroup</source>
-        <translation type="unfinished"></translation>
+        <translation>グループ解除(&amp;U)</translation>
     </message>
     <message>
         <source>Dissolve the group; its layers stay where they are</source>
-        <translation type="unfinished"></translation>
+        <translation>グループを解除する。レイヤーは元の位置に残る</translation>
     </message>
     <message>
         <source>&amp;Visible</source>
-        <translation type="unfinished"></translation>
+        <translation>表示(&amp;V)</translation>
     </message>
     <message>
         <source>Show or hide the layer or the group</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーやグループを表示する、または隠す</translation>
     </message>
     <message>
         <source>&amp;Locked</source>
-        <translation type="unfinished"></translation>
+        <translation>ロック(&amp;L)</translation>
     </message>
     <message>
         <source>Keep the layer or the group from being painted on, cleared and merged</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーやグループを描画、消去、結合から守る</translation>
     </message>
     <message>
         <source>Choose the one &amp;above</source>
-        <translation type="unfinished"></translation>
+        <translation>上を選択(&amp;A)</translation>
     </message>
     <message>
         <source>Paint on the layer above</source>
-        <translation type="unfinished"></translation>
+        <translation>上のレイヤーに描く</translation>
     </message>
     <message>
         <source>Choose the one &amp;below</source>
-        <translation type="unfinished"></translation>
+        <translation>下を選択(&amp;B)</translation>
     </message>
     <message>
         <source>Paint on the layer below</source>
-        <translation type="unfinished"></translation>
+        <translation>下のレイヤーに描く</translation>
     </message>
     <message>
         <source>Move u&amp;p</source>
-        <translation type="unfinished"></translation>
+        <translation>上へ移動(&amp;P)</translation>
     </message>
     <message>
         <source>Move the layer or the group one place up, into and out of groups</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーやグループを一つ上へ移す。グループの出入りもできる</translation>
     </message>
     <message>
         <source>Move d&amp;own</source>
-        <translation type="unfinished"></translation>
+        <translation>下へ移動(&amp;O)</translation>
     </message>
     <message>
         <source>Move the layer or the group one place down, into and out of groups</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーやグループを一つ下へ移す。グループの出入りもできる</translation>
     </message>
     <message>
         <source>&amp;Rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>長方形(&amp;R)</translation>
     </message>
     <message>
         <source>Drag a rectangle that tools keep to; Shift adds, Alt takes away, Ctrl makes a square</source>
-        <translation type="unfinished"></translation>
+        <translation>ドラッグした長方形の中だけにツールが効くようにする。Shiftで追加、Altで除外、Ctrlで正方形</translation>
     </message>
     <message>
         <source>&amp;Lasso</source>
-        <translation type="unfinished"></translation>
+        <translation>なげなわ(&amp;L)</translation>
     </message>
     <message>
         <source>Draw around what tools keep to; Shift adds, Alt takes away</source>
-        <translation type="unfinished"></translation>
+        <translation>囲んだ範囲の中だけにツールが効くようにする。Shiftで追加、Altで除外</translation>
     </message>
     <message>
         <source>&amp;Everything</source>
-        <translation type="unfinished"></translation>
+        <translation>すべて(&amp;E)</translation>
     </message>
     <message>
         <source>End the selection: tools work on all of the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>選択を解除し、キャンバス全体にツールが効くようにする</translation>
     </message>
     <message>
         <source>&amp;Invert</source>
-        <translation type="unfinished"></translation>
+        <translation>選択範囲を反転(&amp;I)</translation>
     </message>
     <message>
         <source>Select what is not selected</source>
-        <translation type="unfinished"></translation>
+        <translation>選択されていない部分を選択する</translation>
     </message>
     <message>
         <source>By &amp;height...</source>
-        <translation type="unfinished"></translation>
+        <translation>高さで選択(&amp;H)...</translation>
     </message>
     <message>
         <source>Select where the paint stands so high above the bare canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の具の盛り上がりが指定した高さの部分を選択する</translation>
     </message>
     <message>
         <source>By &amp;wetness...</source>
-        <translation type="unfinished"></translation>
+        <translation>濡れ具合で選択(&amp;W)...</translation>
     </message>
     <message>
         <source>Select where the wet paint of the layer is so thick</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーの濡れた絵の具が指定した厚さの部分を選択する</translation>
     </message>
     <message>
         <source>Show the &amp;outline</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭を表示(&amp;O)</translation>
     </message>
     <message>
         <source>Hidden, it is out of the way of what you paint; tools keep to it as before</source>
-        <translation type="unfinished"></translation>
+        <translation>隠すと描くときに邪魔にならない。ツールが効く範囲は変わらない</translation>
     </message>
     <message>
         <source>&amp;Mirror left and right</source>
-        <translation type="unfinished"></translation>
+        <translation>左右対称(&amp;M)</translation>
     </message>
     <message>
         <source>Every stroke is painted on both sides of the upright line</source>
-        <translation type="unfinished"></translation>
+        <translation>縦の線の両側に、すべてのストロークを描く</translation>
     </message>
     <message>
         <source>Mirror a&amp;bove and below</source>
-        <translation type="unfinished"></translation>
+        <translation>上下対称(&amp;B)</translation>
     </message>
     <message>
         <source>Every stroke is painted on both sides of the level line</source>
-        <translation type="unfinished"></translation>
+        <translation>横の線の両側に、すべてのストロークを描く</translation>
     </message>
     <message>
         <source>M&amp;ore copies around the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>中心まわりのコピーを増やす(&amp;O)</translation>
     </message>
     <message>
         <source>Every stroke is painted once more around the middle of the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスの中心のまわりに描くストロークを一つ増やす</translation>
     </message>
     <message>
         <source>&amp;Fewer copies around the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>中心まわりのコピーを減らす(&amp;F)</translation>
     </message>
     <message>
         <source>Every stroke is painted once less around the middle of the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスの中心のまわりに描くストロークを一つ減らす</translation>
     </message>
     <message>
         <source>&amp;Ruler along the last stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>最後のストロークに沿う定規(&amp;R)</translation>
     </message>
     <message>
         <source>Strokes run along the ruler, or parallel to it; Shift and drag draw a straight line</source>
-        <translation type="unfinished"></translation>
+        <translation>ストロークが定規に沿う、または平行になる。Shift+ドラッグで直線を描く</translation>
     </message>
     <message>
         <source>&amp;Ellipse</source>
-        <translation type="unfinished"></translation>
+        <translation>楕円(&amp;E)</translation>
     </message>
     <message>
         <source>Strokes run along the ellipse, or along another of the same shape</source>
-        <translation type="unfinished"></translation>
+        <translation>ストロークが楕円、または同じ形の別の楕円に沿う</translation>
     </message>
     <message>
         <source>&amp;Handles</source>
-        <translation type="unfinished"></translation>
+        <translation>ハンドル(&amp;H)</translation>
     </message>
     <message>
         <source>Points by which guides are dragged; Shift keeps to steps and proportions</source>
-        <translation type="unfinished"></translation>
+        <translation>ガイドをドラッグするための点。Shiftで段階や比率を保つ</translation>
     </message>
     <message>
         <source>&amp;No guides</source>
-        <translation type="unfinished"></translation>
+        <translation>ガイドなし(&amp;N)</translation>
     </message>
     <message>
         <source>Take mirrors, copies, ruler and ellipse away</source>
-        <translation type="unfinished"></translation>
+        <translation>対称、コピー、定規、楕円をすべて外す</translation>
     </message>
     <message>
         <source>&amp;Trace a picture...</source>
-        <translation type="unfinished"></translation>
+        <translation>下絵を置く(&amp;T)...</translation>
     </message>
     <message>
         <source>Lay a picture below the paint, and beside the canvas; it is in no picture that you save</source>
-        <translation type="unfinished"></translation>
+        <translation>画像を絵の具の下とキャンバスの横に置く。保存する画像には含まれない</translation>
     </message>
     <message>
         <source>&amp;Show it below the paint</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の具の下に表示(&amp;S)</translation>
     </message>
     <message>
         <source>Show or hide the picture that you trace</source>
-        <translation type="unfinished"></translation>
+        <translation>下絵を表示する、または隠す</translation>
     </message>
     <message>
         <source>F&amp;it it to the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスに合わせる(&amp;I)</translation>
     </message>
     <message>
         <source>In the middle of the canvas, as large as it fits</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスの中央に、収まる最大の大きさで置く</translation>
     </message>
     <message>
         <source>Ta&amp;ke it away</source>
-        <translation type="unfinished"></translation>
+        <translation>下絵を外す(&amp;K)</translation>
     </message>
     <message>
         <source>Take the picture that you trace away</source>
-        <translation type="unfinished"></translation>
+        <translation>下絵を取り除く</translation>
     </message>
     <message>
         <source>&amp;Fit the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバス全体を表示(&amp;F)</translation>
     </message>
     <message>
         <source>Show the whole canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバス全体が見えるようにする</translation>
     </message>
     <message>
         <source>&amp;Actual pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>ピクセル等倍(&amp;A)</translation>
     </message>
     <message>
         <source>One screen pixel for every pixel of the saved picture</source>
-        <translation type="unfinished"></translation>
+        <translation>保存される画像の1ピクセルを画面の1ピクセルで表示する</translation>
     </message>
     <message>
         <source>Zoom &amp;in</source>
-        <translation type="unfinished"></translation>
+        <translation>ズームイン(&amp;I)</translation>
     </message>
     <message>
         <source>Closer</source>
-        <translation type="unfinished"></translation>
+        <translation>近づいて見る</translation>
     </message>
     <message>
         <source>Zoom &amp;out</source>
-        <translation type="unfinished"></translation>
+        <translation>ズームアウト(&amp;O)</translation>
     </message>
     <message>
         <source>Farther</source>
-        <translation type="unfinished"></translation>
+        <translation>離れて見る</translation>
     </message>
     <message>
         <source>Turn &amp;left</source>
-        <translation type="unfinished"></translation>
+        <translation>左に回転(&amp;L)</translation>
     </message>
     <message>
         <source>Turn the canvas a little to the left on the screen; so does Shift+Space and a drag</source>
-        <translation type="unfinished"></translation>
+        <translation>画面上のキャンバスを少し左に回す。Shift+Space+ドラッグでも同じ</translation>
     </message>
     <message>
         <source>&amp;Upright</source>
-        <translation type="unfinished"></translation>
+        <translation>正位置に戻す(&amp;U)</translation>
     </message>
     <message>
         <source>The canvas stands again as it is saved</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスを保存される向きに戻す</translation>
     </message>
     <message>
         <source>Turn &amp;right</source>
-        <translation type="unfinished"></translation>
+        <translation>右に回転(&amp;R)</translation>
     </message>
     <message>
         <source>Turn the canvas a little to the right on the screen; so does Shift+Space and a drag</source>
-        <translation type="unfinished"></translation>
+        <translation>画面上のキャンバスを少し右に回す。Shift+Space+ドラッグでも同じ</translation>
     </message>
     <message>
         <source>&amp;Mirror the view</source>
-        <translation type="unfinished"></translation>
+        <translation>左右反転表示(&amp;M)</translation>
     </message>
     <message>
         <source>See the painting as in a mirror, and paint on it so; it is saved as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>鏡に映したように作品を見ながら描く。保存される向きは変わらない</translation>
     </message>
     <message>
         <source>Canvas &amp;only</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスのみ(&amp;O)</translation>
     </message>
     <message>
         <source>Nothing but the canvas; Tab or Escape brings the panels back</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスだけを表示する。TabキーまたはEscキーでパネルが戻る</translation>
     </message>
     <message>
         <source>In its l&amp;ight</source>
-        <translation type="unfinished"></translation>
+        <translation>光を当てて表示(&amp;I)</translation>
     </message>
     <message>
         <source>The paint as it hangs in its light</source>
-        <translation type="unfinished"></translation>
+        <translation>光の中に置いた絵の具の見え方</translation>
     </message>
     <message>
         <source>Show &amp;wet</source>
-        <translation type="unfinished"></translation>
+        <translation>濡れた部分を表示(&amp;W)</translation>
     </message>
     <message>
         <source>Tints what is still wet, the more the thicker it is</source>
-        <translation type="unfinished"></translation>
+        <translation>まだ濡れている部分に色を付ける。厚いほど濃い</translation>
     </message>
     <message>
         <source>Show &amp;height</source>
-        <translation type="unfinished"></translation>
+        <translation>高さを表示(&amp;H)</translation>
     </message>
     <message>
         <source>How high the paint stands above the bare canvas, in steps of colour</source>
-        <translation type="unfinished"></translation>
+        <translation>何もないキャンバスから絵の具がどれだけ盛り上がっているかを色分けで表示</translation>
     </message>
     <message>
         <source>Show &amp;normals</source>
-        <translation type="unfinished"></translation>
+        <translation>法線を表示(&amp;N)</translation>
     </message>
     <message>
         <source>Where the surface faces: red to the right, green up, blue towards you</source>
-        <translation type="unfinished"></translation>
+        <translation>面の向き。赤は右、緑は上、青は手前</translation>
     </message>
     <message>
         <source>&amp;Flat colour</source>
-        <translation type="unfinished"></translation>
+        <translation>色だけを表示(&amp;F)</translation>
     </message>
     <message>
-        <source>The paint&apos;s colours alone, without light and relief</source>
-        <translation type="unfinished"></translation>
+        <source>The paint's colours alone, without light and relief</source>
+        <translation>光も凹凸もない、絵の具の色だけの表示</translation>
     </message>
     <message>
         <source>&amp;Tool panel</source>
-        <translation type="unfinished"></translation>
+        <translation>ツールパネル(&amp;T)</translation>
     </message>
     <message>
         <source>What the brush holds, and how it answers to the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシが含む絵の具と、手の動きへの反応</translation>
     </message>
     <message>
         <source>&amp;Colour panel</source>
-        <translation type="unfinished"></translation>
+        <translation>色パネル(&amp;C)</translation>
     </message>
     <message>
         <source>A paint of any colour, and its recipe from the tubes</source>
-        <translation type="unfinished"></translation>
+        <translation>好きな色の絵の具と、チューブから作る配合</translation>
     </message>
     <message>
         <source>P&amp;hysics panel</source>
-        <translation type="unfinished"></translation>
+        <translation>物理パネル(&amp;H)</translation>
     </message>
     <message>
         <source>What the paint is like: how it flows, holds and dries</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の具の性質。流れ方、形の保ち方、乾き方</translation>
     </message>
     <message>
         <source>&amp;Guides panel</source>
-        <translation type="unfinished"></translation>
+        <translation>ガイドパネル(&amp;G)</translation>
     </message>
     <message>
         <source>Mirrors, ruler and ellipse in millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>対称、定規、楕円をミリメートルで</translation>
     </message>
     <message>
         <source>&amp;Layers panel</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーパネル(&amp;L)</translation>
     </message>
     <message>
         <source>The layers of the painting: seen, locked, faded, in what order</source>
-        <translation type="unfinished"></translation>
+        <translation>作品のレイヤー。表示、ロック、不透明度、重なり順</translation>
     </message>
     <message>
         <source>Tr&amp;acing panel</source>
-        <translation type="unfinished"></translation>
+        <translation>下絵パネル(&amp;A)</translation>
     </message>
     <message>
         <source>The picture that you trace, to look at and to pick colours from</source>
-        <translation type="unfinished"></translation>
+        <translation>下絵を見て、そこから色を拾う</translation>
     </message>
     <message>
         <source>&amp;History panel</source>
-        <translation type="unfinished"></translation>
+        <translation>履歴パネル(&amp;H)</translation>
     </message>
     <message>
         <source>What was done, to go back to any of it</source>
-        <translation type="unfinished"></translation>
+        <translation>これまでの操作。どの時点にも戻れる</translation>
     </message>
     <message>
         <source>&amp;Reset the panels</source>
-        <translation type="unfinished"></translation>
+        <translation>パネルの配置を戻す(&amp;R)</translation>
     </message>
     <message>
         <source>Panels and mixing well as they stood at the first start</source>
-        <translation type="unfinished"></translation>
+        <translation>パネルと混色皿を最初に起動したときの配置に戻す</translation>
     </message>
     <message>
         <source>Colours for s&amp;RGB</source>
-        <translation type="unfinished"></translation>
+        <translation>sRGB用の色(&amp;R)</translation>
     </message>
     <message>
         <source>Shows the painting for common screens</source>
-        <translation type="unfinished"></translation>
+        <translation>一般的な画面向けに作品を表示する</translation>
     </message>
     <message>
         <source>Colours for Display &amp;P3</source>
-        <translation type="unfinished"></translation>
+        <translation>Display P3用の色(&amp;P)</translation>
     </message>
     <message>
         <source>Shows the painting for a screen of wide gamut</source>
-        <translation type="unfinished"></translation>
+        <translation>広色域の画面向けに作品を表示する</translation>
     </message>
     <message>
         <source>&amp;Daylight (D65)</source>
-        <translation type="unfinished"></translation>
+        <translation>昼光 (D65)(&amp;D)</translation>
     </message>
     <message>
         <source>The light that screens are made for</source>
-        <translation type="unfinished"></translation>
+        <translation>画面が基準としている光</translation>
     </message>
     <message>
         <source>&amp;Print booth (D50)</source>
-        <translation type="unfinished"></translation>
+        <translation>印刷評価用の光 (D50)(&amp;P)</translation>
     </message>
     <message>
         <source>The light that prints are judged in</source>
-        <translation type="unfinished"></translation>
+        <translation>印刷物を評価するための光</translation>
     </message>
     <message>
         <source>Light &amp;bulb (A)</source>
-        <translation type="unfinished"></translation>
+        <translation>電球 (A)(&amp;B)</translation>
     </message>
     <message>
         <source>Incandescent lamplight</source>
-        <translation type="unfinished"></translation>
+        <translation>白熱電球の光</translation>
     </message>
     <message>
         <source>&amp;LED lamp</source>
-        <translation type="unfinished"></translation>
+        <translation>LEDランプ(&amp;L)</translation>
     </message>
     <message>
         <source>A white LED with its blue peak</source>
-        <translation type="unfinished"></translation>
+        <translation>青にピークのある白色LED</translation>
     </message>
     <message>
         <source>From a &amp;file...</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルから(&amp;F)...</translation>
     </message>
     <message>
         <source>A lamp that you have measured, as a CSV file</source>
-        <translation type="unfinished"></translation>
+        <translation>実測したランプのCSVファイル</translation>
     </message>
     <message>
         <source>&amp;Move the light</source>
-        <translation type="unfinished"></translation>
+        <translation>ライトを動かす(&amp;M)</translation>
     </message>
     <message>
         <source>Drag the lamp over the canvas: towards the rim it rakes over the relief</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスの上でランプをドラッグする。縁に近いほど光が横から差し、凹凸が際立つ</translation>
     </message>
     <message>
         <source>&amp;Find a command...</source>
-        <translation type="unfinished"></translation>
+        <translation>コマンドを検索(&amp;F)...</translation>
     </message>
     <message>
         <source>Type a few letters of what you want to do</source>
-        <translation type="unfinished"></translation>
+        <translation>したいことを数文字入力する</translation>
     </message>
     <message>
         <source>&amp;Keys...</source>
-        <translation type="unfinished"></translation>
+        <translation>キーの割り当て(&amp;K)...</translation>
     </message>
     <message>
         <source>Choose a set of keys, and give any command keys of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>キーセットを選び、どのコマンドにも好きなキーを割り当てる</translation>
     </message>
     <message>
         <source>&amp;Settings...</source>
-        <translation type="unfinished"></translation>
+        <translation>設定(&amp;S)...</translation>
     </message>
     <message>
         <source>The look of the window, what is kept, and how much of the machine is used</source>
-        <translation type="unfinished"></translation>
+        <translation>ウィンドウの外観、保存のしかた、コンピューターの性能の使い方</translation>
+    </message>
+    <message>
+        <source>Start &amp;page</source>
+        <translation>スタートページ(&amp;P)</translation>
+    </message>
+    <message>
+        <source>New canvases, recent paintings and examples at a glance</source>
+        <translation>新しいキャンバス、最近の作品、作例を一覧する</translation>
+    </message>
+    <message>
+        <source>&amp;Watch it grow...</source>
+        <translation>制作過程を見る(&amp;W)...</translation>
+    </message>
+    <message>
+        <source>See how the painting came about, in a window of its own; the painting stays as it is</source>
+        <translation>作品が出来上がっていく様子を別のウィンドウで見る。作品は変わらない</translation>
+    </message>
+    <message>
+        <source>&amp;Make a time-lapse...</source>
+        <translation>タイムラプスを作成(&amp;M)...</translation>
+    </message>
+    <message>
+        <source>A film, or numbered pictures, of how the painting came about</source>
+        <translation>作品が出来上がっていく様子を、動画または連番画像にする</translation>
+    </message>
+    <message>
+        <source>Pop-&amp;up palette</source>
+        <translation>ポップアップパレット(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Tools and paints around the pointer; so does a right click on the canvas</source>
+        <translation>ポインターのまわりにツールと絵の具を表示する。キャンバスの右クリックでも同じ</translation>
+    </message>
+    <message>
+        <source>&amp;Navigator</source>
+        <translation>ナビゲーター(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The whole canvas, to see where the window is and to go elsewhere</source>
+        <translation>キャンバス全体を表示し、今の位置の確認や移動ができる</translation>
+    </message>
+    <message>
+        <source>Li&amp;ghts panel</source>
+        <translation>ライトパネル(&amp;G)</translation>
+    </message>
+    <message>
+        <source>The lamp, its light, and a coat of varnish to look through</source>
+        <translation>ランプとその光、上から重ねて見るワニス</translation>
+    </message>
+    <message>
+        <source>Recor&amp;der panel</source>
+        <translation>記録パネル(&amp;D)</translation>
+    </message>
+    <message>
+        <source>What is recorded of the painting: watch it grow again, or make a time-lapse</source>
+        <translation>作品の記録。制作過程の再生やタイムラプスの作成ができる</translation>
+    </message>
+    <message>
+        <source>&amp;Pen and tablet...</source>
+        <translation>ペンとタブレット(&amp;P)...</translation>
+    </message>
+    <message>
+        <source>How pens and mouse press, what their buttons do, and a sheet to try them on</source>
+        <translation>ペンやマウスの筆圧、ボタンの動作、試し書き</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 秒</translation>
     </message>
     <message>
         <source>%1 min %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 分 %2 秒</translation>
     </message>
     <message>
         <source>%1 h %2 min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 時間 %2 分</translation>
     </message>
     <message>
         <source>%1 × %2 pixels for %3 × %4 mm, which is %5 pixels per inch.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 ピクセル、実寸 %3 × %4 mm、1インチあたり %5 ピクセルです。</translation>
     </message>
     <message>
         <source>Four files of %1 × %2 pixels, %3 to %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 ピクセルのファイル4つ、%3 から %4 までです。</translation>
     </message>
     <message>
         <source>A solid of %1 × %2 mm; its front has %3 × %4 points, %5 mm apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 mm の立体。表面は %3 × %4 点、間隔は %5 mm です。</translation>
     </message>
     <message>
         <source>%1 of painting become %2 of film: %3 frames of %4 × %5 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 の制作が %2 の動画になります。%4 × %5 ピクセル、%3 フレームです。</translation>
     </message>
     <message>
         <source>%1 is a file; numbered pictures go into a folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 はファイルです。連番画像はフォルダーに保存します。</translation>
     </message>
     <message>
         <source>The folder %1 holds the frames of another time-lapse; name another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダー %1 には別のタイムラプスのフレームがあります。別の名前にしてください。</translation>
     </message>
     <message>
         <source>Nothing has been painted yet that a film could show.</source>
-        <translation type="unfinished"></translation>
+        <translation>動画にできるものはまだ描かれていません。</translation>
     </message>
     <message>
         <source>The file needs a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイル名を入力してください。</translation>
     </message>
     <message>
         <source>There is no folder %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダー %1 がありません。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::CanvasSizeDialog</name>
     <message>
         <source>The upper left corner stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>左上の角を固定する</translation>
     </message>
     <message>
         <source>The middle of the upper edge stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>上辺の中央を固定する</translation>
     </message>
     <message>
         <source>The upper right corner stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>右上の角を固定する</translation>
     </message>
     <message>
         <source>The middle of the left edge stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>左辺の中央を固定する</translation>
     </message>
     <message>
         <source>The middle stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>中央を固定する</translation>
     </message>
     <message>
         <source>The middle of the right edge stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>右辺の中央を固定する</translation>
     </message>
     <message>
         <source>The lower left corner stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>左下の角を固定する</translation>
     </message>
     <message>
         <source>The middle of the lower edge stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>下辺の中央を固定する</translation>
     </message>
     <message>
         <source>The lower right corner stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>右下の角を固定する</translation>
     </message>
     <message>
         <source>%1 mm on the left</source>
-        <translation type="unfinished"></translation>
+        <translation>左に %1 mm</translation>
     </message>
     <message>
         <source>%1 mm on the right</source>
-        <translation type="unfinished"></translation>
+        <translation>右に %1 mm</translation>
     </message>
     <message>
         <source>%1 mm at the top</source>
-        <translation type="unfinished"></translation>
+        <translation>上に %1 mm</translation>
     </message>
     <message>
         <source>%1 mm at the bottom</source>
-        <translation type="unfinished"></translation>
+        <translation>下に %1 mm</translation>
     </message>
     <message>
         <source>Added: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>追加: %1。</translation>
     </message>
     <message>
         <source>Cut off: %1. What lies there is wiped off.</source>
-        <translation type="unfinished"></translation>
+        <translation>切り取り: %1。そこにある絵の具は拭き取られます。</translation>
     </message>
     <message>
         <source>Canvas size</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスサイズ</translation>
     </message>
     <message>
         <source>Change the size</source>
-        <translation type="unfinished"></translation>
+        <translation>サイズを変更</translation>
     </message>
     <message>
         <source>&amp;Width</source>
-        <translation type="unfinished"></translation>
+        <translation>幅(&amp;W)</translation>
     </message>
     <message>
         <source>&amp;Height</source>
-        <translation type="unfinished"></translation>
+        <translation>高さ(&amp;H)</translation>
     </message>
     <message>
         <source>Stays in place</source>
-        <translation type="unfinished"></translation>
+        <translation>固定する位置</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>The canvas has this size.</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスはこの大きさです。</translation>
     </message>
     <message>
         <source>A picture of %1 × %2 pixels.
 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 ピクセルの画像になります。
+%3</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::CommandPalette</name>
     <message>
         <source>What do you want to do?</source>
-        <translation type="unfinished"></translation>
+        <translation>何をしますか？</translation>
     </message>
     <message>
         <source>No command of that name. Fewer letters find more.</source>
-        <translation type="unfinished"></translation>
+        <translation>その名前のコマンドはありません。文字を減らすと見つかりやすくなります。</translation>
     </message>
     <message>
         <source>Not now: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>今は使えません: %1</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::CrashDialog</name>
     <message>
         <source>Pastoso failed the last time</source>
-        <translation type="unfinished"></translation>
+        <translation>前回、Pastosoが異常終了しました</translation>
     </message>
     <message>
         <source>We are sorry. What you had painted was kept and is offered to you next. This report says where the program was; it tells nothing of your painting. With it the mistake can be found.</source>
-        <translation type="unfinished"></translation>
+        <translation>申し訳ありません。描いていたものは保存されており、このあと復元できます。この報告にはプログラムのどこで問題が起きたかが書かれています。作品の内容は含まれません。この報告があれば原因を調べられます。</translation>
     </message>
     <message>
         <source>It is kept as %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 として保存してあります。</translation>
     </message>
     <message>
         <source>Copy the report</source>
-        <translation type="unfinished"></translation>
+        <translation>報告をコピー</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::ExportDialog</name>
     <message>
         <source>Where the folder is put</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダーの保存先</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>エクスポート</translation>
     </message>
     <message>
         <source>;;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>;;すべてのファイル (*)</translation>
     </message>
     <message>
         <source>sRGB</source>
-        <translation type="unfinished"></translation>
+        <translation>sRGB</translation>
     </message>
     <message>
         <source>Display P3</source>
-        <translation type="unfinished"></translation>
+        <translation>Display P3</translation>
     </message>
     <message>
         <source>ICC profile...</source>
-        <translation type="unfinished"></translation>
+        <translation>ICCプロファイル...</translation>
     </message>
     <message>
         <source>ICC profile</source>
-        <translation type="unfinished"></translation>
+        <translation>ICCプロファイル</translation>
     </message>
     <message>
         <source>ICC profiles (*.icc *.icm);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>ICCプロファイル (*.icc *.icm);;すべてのファイル (*)</translation>
     </message>
     <message>
         <source>What the painting looks like.</source>
-        <translation type="unfinished"></translation>
+        <translation>作品の見た目そのままの画像です。</translation>
     </message>
     <message>
         <source>The picture, and of every layer its colours, normals, heights in mm, wetness, gloss and cover, as channels of one file.</source>
-        <translation type="unfinished"></translation>
+        <translation>作品の画像と、各レイヤーの色、法線、高さ (mm)、濡れ具合、光沢、被覆を、一つのファイルのチャンネルとして保存します。</translation>
     </message>
     <message>
         <source>Base colour, normal (OpenGL, +Y up), height and roughness, a file for each.</source>
-        <translation type="unfinished"></translation>
+        <translation>ベースカラー、法線 (OpenGL、+Yが上)、高さ、粗さを別々のファイルに保存します。</translation>
     </message>
     <message>
         <source>The paint as it stands on the canvas: a closed solid in millimetres.</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバス上に盛り上がった絵の具を、ミリメートル単位の閉じた立体にします。</translation>
     </message>
     <message>
         <source>How the painting came about. It is painted once more, which takes a while.</source>
-        <translation type="unfinished"></translation>
+        <translation>作品が出来上がっていく様子です。もう一度描き直すので、しばらく時間がかかります。</translation>
     </message>
     <message>
         <source>&amp;Folder</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダー(&amp;F)</translation>
     </message>
     <message>
         <source>Replace</source>
-        <translation type="unfinished"></translation>
+        <translation>置き換え</translation>
     </message>
     <message>
         <source>What the file is; its name ends accordingly</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルの形式。拡張子もそれに合わせて変わる</translation>
     </message>
     <message>
         <source>What is made of the painting</source>
-        <translation type="unfinished"></translation>
+        <translation>作品から作るもの</translation>
     </message>
     <message>
         <source>Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>画像</translation>
     </message>
     <message>
         <source>Layers, for compositing</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤー（合成用）</translation>
     </message>
     <message>
         <source>Maps, for 3D programs</source>
-        <translation type="unfinished"></translation>
+        <translation>マップ（3Dソフト用）</translation>
     </message>
     <message>
         <source>Relief, for 3D printing</source>
-        <translation type="unfinished"></translation>
+        <translation>レリーフ（3Dプリント用）</translation>
     </message>
     <message>
         <source>Time-lapse</source>
-        <translation type="unfinished"></translation>
+        <translation>タイムラプス</translation>
     </message>
     <message>
         <source>Where it is put; the ending of the name chooses the format</source>
-        <translation type="unfinished"></translation>
+        <translation>保存先。拡張子で形式が決まる</translation>
     </message>
     <message>
         <source>&amp;Browse...</source>
-        <translation type="unfinished"></translation>
+        <translation>参照(&amp;B)...</translation>
     </message>
     <message>
         <source>1 is a small file, 100 a fine picture</source>
-        <translation type="unfinished"></translation>
+        <translation>1はファイルが小さく、100は高画質</translation>
     </message>
     <message>
         <source>What the picture is of</source>
-        <translation type="unfinished"></translation>
+        <translation>画像にするもの</translation>
     </message>
     <message>
         <source>The canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバス</translation>
     </message>
     <message>
         <source>The mixing well</source>
-        <translation type="unfinished"></translation>
+        <translation>混色皿</translation>
     </message>
     <message>
         <source>&amp;Light and shade</source>
-        <translation type="unfinished"></translation>
+        <translation>光と陰影(&amp;L)</translation>
     </message>
     <message>
-        <source>As the window shows the painting; otherwise the paint&apos;s own colours, as a scan would have them</source>
-        <translation type="unfinished"></translation>
+        <source>As the window shows the painting; otherwise the paint's own colours, as a scan would have them</source>
+        <translation>ウィンドウで見たとおりの作品。オフにすると、スキャンしたような絵の具そのものの色になる</translation>
     </message>
     <message>
         <source> px/cell</source>
-        <translation type="unfinished"></translation>
+        <translation> px/セル</translation>
     </message>
     <message>
-        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint&apos;s surface is interpolated, not the pixels</source>
-        <translation type="unfinished"></translation>
+        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint's surface is interpolated, not the pixels</source>
+        <translation>キャンバスの1セルあたりのピクセル数。1はウィンドウで描くときと同じ、2は幅も高さも2倍。補間されるのは画像ではなく絵の具の表面</translation>
     </message>
     <message>
         <source> px wide</source>
-        <translation type="unfinished"></translation>
+        <translation> px 幅</translation>
     </message>
     <message>
         <source>The width that the scale comes to, or the scale that gives this width</source>
-        <translation type="unfinished"></translation>
+        <translation>倍率から決まる幅。幅を入れると倍率が決まる</translation>
     </message>
     <message>
         <source>What the numbers in the file mean; the file says so too. sRGB is for common screens, Display P3 for screens of wide gamut, an ICC profile for a printer</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイル内の数値が表す色。この情報はファイルにも書き込まれる。sRGBは一般的な画面、Display P3は広色域の画面、ICCプロファイルはプリンター用</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Thickness from the flat back to the lowest level of the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>平らな裏面からキャンバスの最も低い面までの厚さ</translation>
     </message>
     <message>
         <source> times as high</source>
-        <translation type="unfinished"></translation>
+        <translation> 倍</translation>
     </message>
     <message>
         <source>1 is the relief as it is painted, 2 twice as high; width and height stay</source>
-        <translation type="unfinished"></translation>
+        <translation>1は描いたとおりのレリーフ、2は高さが2倍。幅と縦の長さは変わらない</translation>
     </message>
     <message>
         <source> mm apart</source>
-        <translation type="unfinished"></translation>
+        <translation> mm 間隔</translation>
     </message>
     <message>
         <source>Distance between two points of the surface; 0 is as far as the cells, or farther where the canvas is large</source>
-        <translation type="unfinished"></translation>
+        <translation>表面の点と点の間隔。0はセルと同じ間隔、大きなキャンバスではそれより広くなる</translation>
     </message>
     <message>
         <source>automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>自動</translation>
     </message>
     <message>
         <source> times as fast</source>
-        <translation type="unfinished"></translation>
+        <translation> 倍速</translation>
     </message>
     <message>
         <source>Seconds of painting in a second of film</source>
-        <translation type="unfinished"></translation>
+        <translation>動画1秒あたりの制作時間（秒）</translation>
     </message>
     <message>
         <source> per second</source>
-        <translation type="unfinished"></translation>
+        <translation> フレーム/秒</translation>
     </message>
     <message>
         <source>Frames in a second of film</source>
-        <translation type="unfinished"></translation>
+        <translation>動画1秒あたりのフレーム数</translation>
     </message>
     <message>
         <source>&amp;Make</source>
-        <translation type="unfinished"></translation>
+        <translation>作るもの(&amp;M)</translation>
     </message>
     <message>
         <source>F&amp;ormat</source>
-        <translation type="unfinished"></translation>
+        <translation>形式(&amp;O)</translation>
     </message>
     <message>
         <source>&amp;Quality</source>
-        <translation type="unfinished"></translation>
+        <translation>画質(&amp;Q)</translation>
     </message>
     <message>
         <source>Sho&amp;w</source>
-        <translation type="unfinished"></translation>
+        <translation>対象(&amp;W)</translation>
     </message>
     <message>
         <source>&amp;Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>倍率(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>色(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>厚さ(&amp;T)</translation>
     </message>
     <message>
         <source>&amp;Heights</source>
-        <translation type="unfinished"></translation>
+        <translation>高さ(&amp;H)</translation>
     </message>
     <message>
         <source>&amp;Points</source>
-        <translation type="unfinished"></translation>
+        <translation>点(&amp;P)</translation>
     </message>
     <message>
         <source>Sp&amp;eed</source>
-        <translation type="unfinished"></translation>
+        <translation>速度(&amp;E)</translation>
     </message>
     <message>
         <source>F&amp;rames</source>
-        <translation type="unfinished"></translation>
+        <translation>フレームレート(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;File name</source>
+        <translation>ファイル名(&amp;N)</translation>
+    </message>
+    <message>
+        <source> px/mm</source>
+        <translation> px/mm</translation>
+    </message>
+    <message>
+        <source>Cells in a millimetre of the canvas that it is painted on once more: more show finer paint and take longer; 0 is as it was painted</source>
+        <translation>描き直すキャンバスの1ミリメートルあたりのセル数。多いほど絵の具が細かく描かれ、時間がかかる。0は描いたときと同じ</translation>
+    </message>
+    <message>
+        <source>as it was painted</source>
+        <translation>描いたときと同じ</translation>
+    </message>
+    <message>
+        <source>Canvas of &amp;it</source>
+        <translation>キャンバスの解像度(&amp;I)</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::KeyCatcher</name>
     <message>
         <source>Press the keys... (Esc: none)</source>
-        <translation type="unfinished"></translation>
+        <translation>キーを押してください... (Esc: なし)</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::KeysDialog</name>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>キーの割り当て</translation>
     </message>
     <message>
         <source>What the keys are to start with; keys of your own stay</source>
-        <translation type="unfinished"></translation>
+        <translation>土台にするキーセット。自分で決めたキーはそのまま残る</translation>
     </message>
     <message>
         <source>Find by words, or by keys such as Ctrl+J</source>
-        <translation type="unfinished"></translation>
+        <translation>言葉、またはCtrl+Jなどのキーで検索</translation>
     </message>
     <message>
         <source>Click, and press other keys</source>
-        <translation type="unfinished"></translation>
+        <translation>クリックして別のキーを押す</translation>
     </message>
     <message>
         <source>Add a key</source>
-        <translation type="unfinished"></translation>
+        <translation>キーを追加</translation>
     </message>
     <message>
         <source>As the set has it</source>
-        <translation type="unfinished"></translation>
+        <translation>キーセットの設定に戻す</translation>
     </message>
     <message>
         <source>Leave it</source>
-        <translation type="unfinished"></translation>
+        <translation>そのままにする</translation>
     </message>
     <message>
         <source>Forget all my own keys</source>
-        <translation type="unfinished"></translation>
+        <translation>自分のキーをすべて消す</translation>
     </message>
     <message>
         <source>Click, and press other keys in place of these</source>
-        <translation type="unfinished"></translation>
+        <translation>クリックし、代わりのキーを押す</translation>
     </message>
     <message>
         <source>Take %1 away</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 を外す</translation>
     </message>
     <message>
         <source>%1 is needed on the canvas itself: it can be given to no command. Choose another key.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 はキャンバスの操作に必要なため、コマンドには割り当てられません。別のキーを選んでください。</translation>
     </message>
     <message>
         <source>%1 is its key already.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 はすでにこのコマンドのキーです。</translation>
     </message>
     <message>
-        <source>%1 is the key of &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <source>%1 is the key of "%2".</source>
+        <translation>%1 は「%2」のキーです。</translation>
     </message>
     <message>
         <source>Take it from there</source>
-        <translation type="unfinished"></translation>
+        <translation>こちらに割り当てる</translation>
     </message>
     <message>
-        <source>%1 stays with &quot;%2&quot;, which you gave it to.</source>
-        <translation type="unfinished"></translation>
+        <source>%1 stays with "%2", which you gave it to.</source>
+        <translation>%1 は、自分で割り当てた「%2」のキーのままになります。</translation>
     </message>
     <message>
-        <source>All keys will be as the set &quot;%1&quot; has them.</source>
-        <translation type="unfinished"></translation>
+        <source>All keys will be as the set "%1" has them.</source>
+        <translation>すべてのキーがキーセット「%1」のとおりになります。</translation>
     </message>
     <message>
         <source>Forget my own</source>
-        <translation type="unfinished"></translation>
+        <translation>自分のキーを消す</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::NewCanvasDialog</name>
     <message>
         <source>New canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>新規キャンバス</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source> px/mm</source>
-        <translation type="unfinished"></translation>
+        <translation> px/mm</translation>
     </message>
     <message>
         <source>Linen</source>
-        <translation type="unfinished"></translation>
+        <translation>麻布</translation>
     </message>
     <message>
         <source>Cotton duck</source>
-        <translation type="unfinished"></translation>
+        <translation>綿布</translation>
     </message>
     <message>
         <source>Panel</source>
-        <translation type="unfinished"></translation>
+        <translation>パネル</translation>
     </message>
     <message>
         <source>Height image...</source>
-        <translation type="unfinished"></translation>
+        <translation>高さ画像...</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>幅</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>高さ</translation>
     </message>
     <message>
         <source>Resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>解像度</translation>
     </message>
     <message>
         <source>Support</source>
-        <translation type="unfinished"></translation>
+        <translation>支持体</translation>
     </message>
     <message>
         <source>Height image: white is high</source>
-        <translation type="unfinished"></translation>
+        <translation>高さ画像。白いほど高い</translation>
     </message>
     <message>
         <source>Image: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>画像: %1</translation>
     </message>
     <message>
         <source>A picture of %1 × %2 pixels; up to %3 MiB of memory when all of it is wet.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 ピクセルの画像になります。全体が濡れているときは最大 %3 MiB のメモリーを使います。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::RecoveryDialog</name>
     <message>
         <source>A painting without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>名前のない作品</translation>
     </message>
     <message>
         <source>A painting that cannot be read
 %1</source>
-        <translation type="unfinished"></translation>
+        <translation>読み込めない作品
+%1</translation>
     </message>
     <message numerus="yes">
         <source>%1
 %2
 %3 × %4 mm, %n change(s) not saved</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1
+%2
+%3 × %4 mm、未保存の変更 %n 件</numerusform>
         </translation>
     </message>
     <message>
         <source>Unfinished paintings</source>
-        <translation type="unfinished"></translation>
+        <translation>描きかけの作品</translation>
     </message>
     <message>
         <source>Pastoso ended before these were saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>これらを保存する前にPastosoが終了しました。</translation>
     </message>
     <message>
         <source>Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>復元</translation>
     </message>
     <message>
         <source>Not now</source>
-        <translation type="unfinished"></translation>
+        <translation>あとで</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>破棄</translation>
     </message>
     <message>
         <source>Discard %1 for good? It is nowhere else.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 を完全に破棄しますか？ほかの場所には残っていません。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::SelectRangeDialog</name>
     <message>
         <source>Select it</source>
-        <translation type="unfinished"></translation>
+        <translation>新しく選択</translation>
     </message>
     <message>
         <source>Add it to the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>選択範囲に追加</translation>
     </message>
     <message>
         <source>Take it out of the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>選択範囲から除外</translation>
     </message>
     <message>
         <source>Keep what is in both</source>
-        <translation type="unfinished"></translation>
+        <translation>重なる部分を残す</translation>
     </message>
     <message>
         <source>Select</source>
-        <translation type="unfinished"></translation>
+        <translation>選択</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>下限</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>上限</translation>
     </message>
     <message>
         <source>Do</source>
-        <translation type="unfinished"></translation>
+        <translation>操作</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Nothing is there to be selected.</source>
-        <translation type="unfinished"></translation>
+        <translation>選択できるものがありません。</translation>
     </message>
     <message>
         <source>Then %1 % of the canvas is selected.</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスの %1 % が選択されます。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::SettingsDialog</name>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>設定</translation>
     </message>
     <message>
         <source>Appearance</source>
-        <translation type="unfinished"></translation>
+        <translation>外観</translation>
     </message>
     <message>
         <source>Keeping</source>
-        <translation type="unfinished"></translation>
+        <translation>保存</translation>
     </message>
     <message>
         <source>Performance</source>
-        <translation type="unfinished"></translation>
+        <translation>パフォーマンス</translation>
     </message>
     <message>
         <source>This machine</source>
-        <translation type="unfinished"></translation>
+        <translation>このコンピューター</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>テーマ</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>ダーク</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>ライト</translation>
     </message>
     <message>
         <source>Both are neutral greys, so that nothing beside the canvas colours what you see on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>どちらも無彩色のグレーなので、キャンバスの色の見え方に影響しません。</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>言語</translation>
     </message>
     <message>
         <source>As on the desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>デスクトップに合わせる</translation>
     </message>
     <message>
         <source>Another language speaks from the next start on.</source>
-        <translation type="unfinished"></translation>
+        <translation>言語の変更は次回の起動から反映されます。</translation>
     </message>
     <message>
         <source> MiB</source>
-        <translation type="unfinished"></translation>
+        <translation> MiB</translation>
     </message>
     <message>
         <source>Memory for undo</source>
-        <translation type="unfinished"></translation>
+        <translation>元に戻すためのメモリー</translation>
     </message>
     <message>
         <source>The steps that you can return to. The oldest are given up when it is full; 500 are kept at most.</source>
-        <translation type="unfinished"></translation>
+        <translation>元に戻せる操作の記憶に使います。いっぱいになると古いものから失われます。最大500回分です。</translation>
     </message>
     <message>
         <source>Never</source>
-        <translation type="unfinished"></translation>
+        <translation>しない</translation>
     </message>
     <message>
         <source> minutes</source>
-        <translation type="unfinished"></translation>
+        <translation> 分ごと</translation>
     </message>
     <message>
         <source>Save by itself every</source>
-        <translation type="unfinished"></translation>
+        <translation>自動保存</translation>
     </message>
     <message>
-        <source>Into the painting&apos;s own file, once it has one. Whatever you choose, every stroke is kept aside within a second and offered to you again should the program or the machine fail.</source>
-        <translation type="unfinished"></translation>
+        <source>Into the painting's own file, once it has one. Whatever you choose, every stroke is kept aside within a second and offered to you again should the program or the machine fail.</source>
+        <translation>一度保存した作品は、そのファイルに自動保存されます。設定にかかわらず、すべてのストロークは1秒以内に控えが取られ、プログラムやコンピューターが異常終了しても復元できます。</translation>
     </message>
     <message>
         <source>All of the machine (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>すべて使う (%1)</translation>
     </message>
     <message>
         <source>Threads</source>
-        <translation type="unfinished"></translation>
+        <translation>スレッド数</translation>
     </message>
     <message>
         <source>How many things the program works on at once, from the next painting on. The paint flows the same with any number.</source>
-        <translation type="unfinished"></translation>
+        <translation>同時に行う処理の数。次の作品から有効になります。いくつにしても絵の具の流れ方は同じです。</translation>
     </message>
     <message>
         <source>How carefully moving paint is shown follows from how fast this machine draws; what stands still is always shown in full.</source>
-        <translation type="unfinished"></translation>
+        <translation>動いている絵の具をどこまで細かく表示するかは、コンピューターの描画速度で決まります。止まっている絵の具は常に完全に表示されます。</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>コピー</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::TransformDialog</name>
     <message>
         <source>Transform</source>
-        <translation type="unfinished"></translation>
+        <translation>変形</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>°</source>
-        <translation type="unfinished"></translation>
+        <translation>°</translation>
     </message>
     <message>
         <source>Move right</source>
-        <translation type="unfinished"></translation>
+        <translation>右へ移動</translation>
     </message>
     <message>
         <source>Move down</source>
-        <translation type="unfinished"></translation>
+        <translation>下へ移動</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>幅</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>高さ</translation>
     </message>
     <message>
         <source>Turn</source>
-        <translation type="unfinished"></translation>
+        <translation>回転</translation>
     </message>
     <message>
         <source>Clockwise, about the middle of the frame</source>
-        <translation type="unfinished"></translation>
+        <translation>枠の中心を軸に時計回り</translation>
     </message>
     <message>
         <source>Left–right</source>
-        <translation type="unfinished"></translation>
+        <translation>左右</translation>
     </message>
     <message>
         <source>Left and right of the paint change places, before it is turned</source>
-        <translation type="unfinished"></translation>
+        <translation>回転の前に、絵の具の左右を入れ替える</translation>
     </message>
     <message>
         <source>Up–down</source>
-        <translation type="unfinished"></translation>
+        <translation>上下</translation>
     </message>
     <message>
         <source>Above and below change places, before the paint is turned</source>
-        <translation type="unfinished"></translation>
+        <translation>回転の前に、絵の具の上下を入れ替える</translation>
     </message>
     <message>
         <source>Mirror</source>
-        <translation type="unfinished"></translation>
+        <translation>反転</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>適用</translation>
     </message>
     <message>
         <source>The paint keeps its thickness and its amount.</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の具の厚さと量は変わりません。</translation>
     </message>
     <message>
         <source>The paint keeps its thickness: %1 % of it will be there.</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の具の厚さは変わらず、量は %1 % になります。</translation>
     </message>
     <message>
         <source>What comes beyond the canvas is wiped off.</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスからはみ出した絵の具は拭き取られます。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main</name>
     <message>
         <source>OpenGL</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenGL</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>なし</translation>
     </message>
     <message>
         <source>Graphics</source>
-        <translation type="unfinished"></translation>
+        <translation>グラフィックス</translation>
     </message>
     <message>
         <source>%1 (the processor draws, no graphics card)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (プロセッサーで描画、グラフィックスカードなし)</translation>
     </message>
     <message>
         <source>Its maker</source>
-        <translation type="unfinished"></translation>
+        <translation>開発元</translation>
     </message>
     <message>
         <source>Shading language</source>
-        <translation type="unfinished"></translation>
+        <translation>シェーディング言語</translation>
     </message>
     <message>
         <source>Largest texture</source>
-        <translation type="unfinished"></translation>
+        <translation>テクスチャの最大サイズ</translation>
     </message>
     <message>
         <source>%1 pixels a side</source>
-        <translation type="unfinished"></translation>
+        <translation>一辺 %1 ピクセル</translation>
     </message>
     <message>
         <source>%1 × %2 pixels, %3 for one of the layout</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 ピクセル、表示倍率 %3</translation>
     </message>
     <message>
         <source>Program</source>
-        <translation type="unfinished"></translation>
+        <translation>プログラム</translation>
     </message>
     <message>
         <source>System</source>
-        <translation type="unfinished"></translation>
+        <translation>システム</translation>
     </message>
     <message>
         <source>Processor</source>
-        <translation type="unfinished"></translation>
+        <translation>プロセッサー</translation>
     </message>
     <message>
         <source>%1 at once, %2, kernels for %3</source>
-        <translation type="unfinished"></translation>
+        <translation>同時処理数 %1、%2、%3 用カーネル</translation>
     </message>
     <message>
         <source>Free memory</source>
-        <translation type="unfinished"></translation>
+        <translation>空きメモリー</translation>
     </message>
     <message>
         <source>%1 GiB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 GiB</translation>
     </message>
     <message>
         <source>Windows by</source>
-        <translation type="unfinished"></translation>
+        <translation>ウィンドウシステム</translation>
     </message>
     <message>
         <source>Screen</source>
-        <translation type="unfinished"></translation>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>Top up</source>
+        <translation>付け足す</translation>
+    </message>
+    <message>
+        <source>Blot</source>
+        <translation>吸い取る</translation>
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation>入れ替え</translation>
+    </message>
+    <message>
+        <source>Pick paint</source>
+        <translation>絵の具を取る</translation>
+    </message>
+    <message>
+        <source>Pick colour</source>
+        <translation>色を拾う</translation>
+    </message>
+    <message>
+        <source>Left, right</source>
+        <translation>左右</translation>
+    </message>
+    <message>
+        <source>Above, below</source>
+        <translation>上下</translation>
+    </message>
+    <message>
+        <source>Along the last stroke</source>
+        <translation>最後のストロークに沿う</translation>
+    </message>
+    <message>
+        <source>On the canvas</source>
+        <translation>キャンバスに置く</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>選択...</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>外す</translation>
+    </message>
+    <message>
+        <source>Below the paint</source>
+        <translation>絵の具の下に表示</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>合わせる</translation>
+    </message>
+    <message>
+        <source>100 %</source>
+        <translation>100 %</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>正位置</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>反転</translation>
+    </message>
+    <message>
+        <source>Watch it grow...</source>
+        <translation>制作過程を見る...</translation>
+    </message>
+    <message>
+        <source>Make a time-lapse...</source>
+        <translation>タイムラプスを作成...</translation>
+    </message>
+    <message>
+        <source>Save the recording...</source>
+        <translation>記録を保存...</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>ツール</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>色</translation>
+    </message>
+    <message>
+        <source>Physics</source>
+        <translation>物理</translation>
+    </message>
+    <message>
+        <source>Guides</source>
+        <translation>ガイド</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>ライト</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>レイヤー</translation>
+    </message>
+    <message>
+        <source>Tracing</source>
+        <translation>下絵</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>履歴</translation>
+    </message>
+    <message>
+        <source>Navigator</source>
+        <translation>ナビゲーター</translation>
+    </message>
+    <message>
+        <source>Recorder</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>As it was painted</source>
+        <translation>描いたときの速さ</translation>
+    </message>
+    <message>
+        <source>4 times as fast</source>
+        <translation>4倍速</translation>
+    </message>
+    <message>
+        <source>16 times as fast</source>
+        <translation>16倍速</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>できるだけ速く</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::BrushJar</name>
     <message>
         <source>%1 was read again; the next stroke is painted with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」を読み直しました。次のストロークから使われます。</translation>
     </message>
     <message>
         <source>Name of the tool:</source>
-        <translation type="unfinished"></translation>
+        <translation>ツールの名前:</translation>
     </message>
     <message>
         <source>Pastoso</source>
-        <translation type="unfinished"></translation>
+        <translation>Pastoso</translation>
     </message>
     <message>
         <source>My %1</source>
-        <translation type="unfinished"></translation>
+        <translation>マイ %1</translation>
     </message>
     <message>
         <source>Save as my own</source>
-        <translation type="unfinished"></translation>
+        <translation>自分のツールとして保存</translation>
     </message>
     <message>
-        <source>There is already a tool of your own named &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <source>There is already a tool of your own named "%1".</source>
+        <translation>「%1」という名前の自分のツールがすでにあります。</translation>
     </message>
     <message>
         <source>Overwrite</source>
-        <translation type="unfinished"></translation>
+        <translation>上書き</translation>
     </message>
     <message>
-        <source>Kept &quot;%1&quot; among your own.</source>
-        <translation type="unfinished"></translation>
+        <source>Kept "%1" among your own.</source>
+        <translation>「%1」を自分のツールに加えました。</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>名前を変更</translation>
     </message>
     <message>
-        <source>Throw your tool &quot;%1&quot; away? Its file is deleted.</source>
-        <translation type="unfinished"></translation>
+        <source>Throw your tool "%1" away? Its file is deleted.</source>
+        <translation>自分のツール「%1」を捨てますか？ファイルも削除されます。</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>削除</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is thrown away; what you have in hand stays.</source>
-        <translation type="unfinished"></translation>
+        <source>"%1" is thrown away; what you have in hand stays.</source>
+        <translation>「%1」を捨てました。手に持っているツールはそのまま使えます。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::CanvasSizing</name>
     <message>
         <source>A recording is being played; the canvas is yours when it has ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>記録を再生中です。終わるとキャンバスを操作できます。</translation>
     </message>
     <message>
         <source>The selection reaches over the whole canvas: there is nothing to cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>選択範囲がキャンバス全体に及ぶため、切り取るところがありません。</translation>
     </message>
     <message>
         <source>The canvas is %1 × %2 mm now; Undo brings back what it was.</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスは %1 × %2 mm になりました。「元に戻す」で前の大きさに戻ります。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::DroppedFiles</name>
+    <message>
+        <source>%1 is no painting and no picture that can be opened.</source>
+        <translation>%1 は作品としても画像としても開けません。</translation>
+    </message>
+    <message>
+        <source>Put it on a &amp;layer, as dry paint</source>
+        <translation>乾いた絵の具としてレイヤーに置く(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Trace it, below the paint</source>
+        <translation>下絵として絵の具の下に置く(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;New canvas made of it</source>
+        <translation>この画像から新規キャンバスを作る(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Leave it</source>
+        <translation>そのままにする</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>開く</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::Exporting</name>
     <message>
         <source>Exported %1: %2 triangles, %3 × %4 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 をエクスポートしました: 三角形 %2 個、%3 × %4 mm。</translation>
     </message>
     <message>
         <source>Exported %1 and %2 more; heights from %3 mm (black) to %4 mm (white).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 とほか %2 個をエクスポートしました。高さは %3 mm (黒) から %4 mm (白) です。</translation>
     </message>
     <message>
         <source>Exported %1: %2 × %3 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 をエクスポートしました: %2 × %3 ピクセル。</translation>
     </message>
     <message>
         <source>Exported %1: %2 frames of %3 × %4 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 をエクスポートしました: %3 × %4 ピクセル、%2 フレーム。</translation>
     </message>
     <message>
         <source>Stopped; %1 holds the pictures that are complete.</source>
-        <translation type="unfinished"></translation>
+        <translation>中止しました。完成した画像は %1 にあります。</translation>
     </message>
     <message>
         <source>Stopped; %1 was not written.</source>
-        <translation type="unfinished"></translation>
+        <translation>中止しました。%1 は書き出されていません。</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>中止</translation>
     </message>
     <message>
         <source>painting</source>
-        <translation type="unfinished"></translation>
+        <translation>作品</translation>
     </message>
     <message>
         <source>%1 is still being written; wait for it, or stop it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 を書き出し中です。終わるのを待つか、中止してください。</translation>
     </message>
     <message>
         <source>Exporting %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 をエクスポート中</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>エクスポート</translation>
     </message>
     <message>
         <source>Pastoso</source>
-        <translation type="unfinished"></translation>
+        <translation>Pastoso</translation>
     </message>
     <message>
         <source>%1 is still being written.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 を書き出し中です。</translation>
     </message>
     <message>
         <source>Close when it is done</source>
-        <translation type="unfinished"></translation>
+        <translation>終わったら閉じる</translation>
     </message>
     <message>
         <source>Stop it</source>
-        <translation type="unfinished"></translation>
+        <translation>中止する</translation>
     </message>
     <message>
         <source>The window closes as soon as %1 is written.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 の書き出しが終わるとウィンドウが閉じます。</translation>
     </message>
     <message>
         <source>Export recording</source>
-        <translation type="unfinished"></translation>
+        <translation>記録をエクスポート</translation>
     </message>
     <message>
         <source>painting.json</source>
-        <translation type="unfinished"></translation>
+        <translation>作品.json</translation>
     </message>
     <message>
         <source>Recordings (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>記録 (*.json)</translation>
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 を保存しました。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::GuideCommands</name>
     <message>
         <source>Strokes around the middle: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>中心まわりのストローク: %1</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::LayerCommands</name>
     <message>
         <source>Layer %1</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤー %1</translation>
     </message>
     <message>
         <source>Group %1</source>
-        <translation type="unfinished"></translation>
+        <translation>グループ %1</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::LayerTransform</name>
     <message>
         <source>A recording is being played; the layers are yours when it has ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>記録を再生中です。終わるとレイヤーを操作できます。</translation>
     </message>
     <message>
         <source>There is no paint on this layer.</source>
-        <translation type="unfinished"></translation>
+        <translation>このレイヤーには絵の具がありません。</translation>
     </message>
     <message>
         <source>There is no paint of this layer in the selection.</source>
-        <translation type="unfinished"></translation>
+        <translation>選択範囲の中に、このレイヤーの絵の具がありません。</translation>
     </message>
     <message>
         <source>Drag inside to move, a handle to scale, outside to turn (Shift: in steps). Enter applies, Esc gives up.</source>
-        <translation type="unfinished"></translation>
+        <translation>内側をドラッグで移動、ハンドルで拡大縮小、外側で回転 (Shiftで段階的に)。Enterで適用、Escで中止します。</translation>
     </message>
     <message>
         <source>The paint stays as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の具はそのままです。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::LightChoice</name>
     <message>
         <source>Light from a file</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルから光を読み込む</translation>
     </message>
     <message>
         <source>Spectra (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>スペクトル (*.csv)</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::PaintMemory</name>
     <message>
         <source>Open a palette</source>
-        <translation type="unfinished"></translation>
+        <translation>パレットを開く</translation>
     </message>
     <message>
         <source>Palettes (*.gpl)</source>
-        <translation type="unfinished"></translation>
+        <translation>パレット (*.gpl)</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::PaintPicking</name>
     <message>
         <source>Picked up wet paint: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>濡れた絵の具を取りました: %1</translation>
     </message>
     <message>
         <source>Picked up dry paint: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>乾いた絵の具を取りました: %1</translation>
     </message>
     <message>
         <source>There is no colour to pick beside the canvas.</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスの外には拾える色がありません。</translation>
     </message>
     <message>
         <source>Picked the colour seen: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>見えている色を拾いました: %1</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::PictureLayers</name>
     <message>
         <source>Layer from a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>画像からレイヤーを作成</translation>
     </message>
     <message>
         <source>Pictures (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>画像 (%1);;すべてのファイル (*)</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::PopupCommands</name>
+    <message>
+        <source>Mirror</source>
+        <translation>反転</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>合わせる</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::ProjectFiles</name>
     <message>
         <source>Open re&amp;cent</source>
-        <translation type="unfinished"></translation>
+        <translation>最近の作品を開く(&amp;C)</translation>
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 を保存しました。</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>保存</translation>
     </message>
     <message>
         <source>New canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>新規キャンバス</translation>
     </message>
     <message>
         <source>None yet</source>
-        <translation type="unfinished"></translation>
+        <translation>まだありません</translation>
     </message>
     <message>
         <source>Canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバス</translation>
     </message>
     <message>
         <source>%1[*] %2 × %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1[*] %2 × %3 mm</translation>
     </message>
     <message>
         <source>Saving %1...</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 を保存中...</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>開く</translation>
     </message>
     <message>
         <source>Paintings and pictures (*.pastoso *.ora %1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>作品と画像 (*.pastoso *.ora %1);;すべてのファイル (*)</translation>
     </message>
     <message>
         <source>painting.pastoso</source>
-        <translation type="unfinished"></translation>
+        <translation>作品.pastoso</translation>
     </message>
     <message>
         <source>Paintings (*.pastoso)</source>
-        <translation type="unfinished"></translation>
+        <translation>作品 (*.pastoso)</translation>
     </message>
     <message>
         <source>Pastoso</source>
-        <translation type="unfinished"></translation>
+        <translation>Pastoso</translation>
     </message>
     <message>
         <source>The painting on the easel has changes that are not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>イーゼルの上の作品に保存していない変更があります。</translation>
     </message>
     <message>
         <source>Discard them</source>
-        <translation type="unfinished"></translation>
+        <translation>変更を破棄</translation>
     </message>
     <message>
         <source>Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>復元</translation>
+    </message>
+    <message>
+        <source>Painted from its strokes; the brush is yours when it is done.</source>
+        <translation>ストロークから描き直しています。終わるとブラシを使えます。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::RangeSelection</name>
     <message>
         <source>Wet paint of this layer is up to %1 mm thick, %2 mm on average.</source>
-        <translation type="unfinished"></translation>
+        <translation>このレイヤーの濡れた絵の具は最大 %1 mm、平均 %2 mm の厚さです。</translation>
     </message>
     <message>
         <source>Paint, wet and dry, stands up to %1 mm above the canvas, %2 mm on average.</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の具は濡れたものも乾いたものも含め、キャンバスから最大 %1 mm、平均 %2 mm の高さです。</translation>
     </message>
     <message>
         <source>Select by wetness</source>
-        <translation type="unfinished"></translation>
+        <translation>濡れ具合で選択</translation>
     </message>
     <message>
         <source>Select by height</source>
-        <translation type="unfinished"></translation>
+        <translation>高さで選択</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::Recorder</name>
+    <message>
+        <source>Nothing has been painted yet that could be shown again.</source>
+        <translation>再生できるものはまだ描かれていません。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::ReplayWindow</name>
+    <message>
+        <source>How it was painted</source>
+        <translation>制作過程</translation>
+    </message>
+    <message>
+        <source>Play, or stop for a moment (Space)</source>
+        <translation>再生または一時停止 (Space)</translation>
+    </message>
+    <message>
+        <source>Moment of the painting</source>
+        <translation>制作中の時点</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the painting</source>
+        <translation>ドラッグで制作中の好きな時点へ</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>再生</translation>
+    </message>
+    <message>
+        <source>It cannot be shown any further</source>
+        <translation>これより先は表示できません</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::SelectionCommands</name>
     <message>
         <source>Outside the selection: nothing is painted there.</source>
-        <translation type="unfinished"></translation>
+        <translation>選択範囲の外なので、何も描かれません。</translation>
     </message>
     <message>
         <source>Nothing was selected. Esc again goes back to painting.</source>
-        <translation type="unfinished"></translation>
+        <translation>何も選択されていません。もう一度Escを押すと描画に戻ります。</translation>
     </message>
     <message>
         <source>Tools keep to the outline. Esc, or taking a tool, goes back to painting.</source>
-        <translation type="unfinished"></translation>
+        <translation>ツールは輪郭の中だけに効きます。Escを押すか、ツールを選ぶと描画に戻ります。</translation>
     </message>
     <message>
         <source>Drag around what tools shall keep to. Shift adds, Alt takes away, both keep what is in both; a click ends the selection.</source>
-        <translation type="unfinished"></translation>
+        <translation>ツールを効かせたい範囲をドラッグで囲みます。Shiftで追加、Altで除外、両方で重なる部分を残します。クリックで選択を解除します。</translation>
     </message>
     <message>
         <source>The brush paints again.</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシで描けるようになりました。</translation>
     </message>
     <message>
         <source>Selects what is inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>囲んだ部分を選択します。</translation>
     </message>
     <message>
         <source>Adds what is inside to the selection.</source>
-        <translation type="unfinished"></translation>
+        <translation>囲んだ部分を選択範囲に追加します。</translation>
     </message>
     <message>
         <source>Takes what is inside out of the selection.</source>
-        <translation type="unfinished"></translation>
+        <translation>囲んだ部分を選択範囲から除外します。</translation>
     </message>
     <message>
         <source>Keeps what is inside and was selected before.</source>
-        <translation type="unfinished"></translation>
+        <translation>囲んだ部分のうち、すでに選択されていたところを残します。</translation>
     </message>
     <message>
         <source>A recording is being played; the brush is yours when it has ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>記録を再生中です。終わるとブラシを使えます。</translation>
     </message>
     <message>
         <source>Nothing is selected: tools work on all of the canvas.</source>
-        <translation type="unfinished"></translation>
+        <translation>何も選択されていません。ツールはキャンバス全体に効きます。</translation>
     </message>
     <message>
         <source>lasso</source>
-        <translation type="unfinished"></translation>
+        <translation>なげなわ</translation>
     </message>
     <message>
         <source>rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>長方形</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::TracingCommands</name>
     <message>
         <source>Picked the colour of the picture: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>下絵の色を拾いました: %1</translation>
     </message>
     <message>
         <source>Trace a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>下絵を置く</translation>
     </message>
     <message>
         <source>Pictures (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>画像 (%1);;すべてのファイル (*)</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels</name>
     <message>
         <source>never</source>
-        <translation type="unfinished"></translation>
+        <translation>乾かない</translation>
     </message>
     <message>
         <source>real time</source>
-        <translation type="unfinished"></translation>
+        <translation>実際の速さ</translation>
     </message>
     <message>
         <source>10 times</source>
-        <translation type="unfinished"></translation>
+        <translation>10倍速</translation>
     </message>
     <message>
         <source>a minute a second</source>
-        <translation type="unfinished"></translation>
+        <translation>1秒で1分</translation>
     </message>
     <message>
         <source>10 min a second</source>
-        <translation type="unfinished"></translation>
+        <translation>1秒で10分</translation>
     </message>
     <message>
         <source>an hour a second</source>
-        <translation type="unfinished"></translation>
+        <translation>1秒で1時間</translation>
     </message>
     <message>
         <source>a day a second</source>
-        <translation type="unfinished"></translation>
+        <translation>1秒で1日</translation>
     </message>
     <message>
         <source>Viscosity</source>
-        <translation type="unfinished"></translation>
+        <translation>粘度</translation>
     </message>
     <message>
         <source>How slowly it flows: water 1, ink 100, cream 3000, oil from the tube 300000</source>
-        <translation type="unfinished"></translation>
+        <translation>流れにくさ。水は1、インクは100、クリームは3000、チューブの油絵の具は300000</translation>
     </message>
     <message>
         <source> mm²/s</source>
-        <translation type="unfinished"></translation>
+        <translation> mm²/s</translation>
     </message>
     <message>
         <source>Yield stress</source>
-        <translation type="unfinished"></translation>
+        <translation>降伏応力</translation>
     </message>
     <message>
         <source>What it stands up to before it moves at all: at 0 it runs for ever, at 80 it keeps every bristle mark, at 200 it stands in peaks</source>
-        <translation type="unfinished"></translation>
+        <translation>動き出すまでに耐えられる力。0ではどこまでも流れ、80では毛の跡がすべて残り、200では角が立つ</translation>
     </message>
     <message>
         <source> Pa</source>
-        <translation type="unfinished"></translation>
+        <translation> Pa</translation>
     </message>
     <message>
         <source>Flow index</source>
-        <translation type="unfinished"></translation>
+        <translation>流動指数</translation>
     </message>
     <message>
         <source>Below 1 it thins where it is sheared: a brush or a fast run finds it thinner</source>
-        <translation type="unfinished"></translation>
+        <translation>1より小さいと、こすられたところの粘りが減る。ブラシや速い流れの中でさらりとする</translation>
     </message>
     <message>
         <source>Density</source>
-        <translation type="unfinished"></translation>
+        <translation>密度</translation>
     </message>
     <message>
         <source>Heavy paint runs faster down a tilted canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>重い絵の具は傾いたキャンバスを速く流れ落ちる</translation>
     </message>
     <message>
         <source> kg/m³</source>
-        <translation type="unfinished"></translation>
+        <translation> kg/m³</translation>
     </message>
     <message>
         <source>Surface tension</source>
-        <translation type="unfinished"></translation>
+        <translation>表面張力</translation>
     </message>
     <message>
         <source>Rounds drips and edges, and draws thin lines into drops</source>
-        <translation type="unfinished"></translation>
+        <translation>垂れや縁を丸め、細い線を粒にまとめる</translation>
     </message>
     <message>
         <source> mN/m</source>
-        <translation type="unfinished"></translation>
+        <translation> mN/m</translation>
     </message>
     <message>
         <source>Spreads at</source>
-        <translation type="unfinished"></translation>
+        <translation>広がる角度</translation>
     </message>
     <message>
         <source>The edge moves out where it is steeper than this: low numbers wet the canvas easily, high ones stand in beads</source>
-        <translation type="unfinished"></translation>
+        <translation>縁がこれより急だと外へ広がる。小さいとキャンバスになじみやすく、大きいと玉になる</translation>
     </message>
     <message>
         <source>°</source>
-        <translation type="unfinished"></translation>
+        <translation>°</translation>
     </message>
     <message>
         <source>Draws back at</source>
-        <translation type="unfinished"></translation>
+        <translation>縮む角度</translation>
     </message>
     <message>
         <source>The edge draws back where it is flatter than this; 0: it stays where it was</source>
-        <translation type="unfinished"></translation>
+        <translation>縁がこれより緩やかだと内へ縮む。0では元の位置にとどまる</translation>
     </message>
     <message>
         <source>Slip</source>
-        <translation type="unfinished"></translation>
+        <translation>すべり</translation>
     </message>
     <message>
         <source>How easily it slides over the canvas, in cells: more lets edges run on</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスの上のすべりやすさ（セル単位）。大きいほど縁が先へ流れる</translation>
     </message>
     <message>
         <source> cells</source>
-        <translation type="unfinished"></translation>
+        <translation> セル</translation>
     </message>
     <message>
         <source>Profile against</source>
-        <translation type="unfinished"></translation>
+        <translation>流速分布（逆）</translation>
     </message>
     <message>
         <source>Alpha where surface tension pulls against the flow: less slows the front of a drip, which gets thicker and rounder</source>
-        <translation type="unfinished"></translation>
+        <translation>表面張力が流れに逆らうところのアルファ値。小さいと垂れの先端が遅くなり、厚く丸くなる</translation>
     </message>
     <message>
         <source>Profile along</source>
-        <translation type="unfinished"></translation>
+        <translation>流速分布（順）</translation>
     </message>
     <message>
         <source>Alpha where surface tension pulls with the flow: more speeds up the tail of a drip, which gets thinner</source>
-        <translation type="unfinished"></translation>
+        <translation>表面張力が流れと同じ向きに引くところのアルファ値。大きいと垂れの尾が速くなり、薄くなる</translation>
     </message>
     <message>
         <source>Dry after</source>
-        <translation type="unfinished"></translation>
+        <translation>乾燥時間</translation>
     </message>
     <message>
         <source>Until a film of the usual thickness can be touched, in still air</source>
-        <translation type="unfinished"></translation>
+        <translation>標準の厚さの膜が、静かな空気の中で触れるようになるまでの時間</translation>
     </message>
     <message>
         <source> min</source>
-        <translation type="unfinished"></translation>
+        <translation> 分</translation>
     </message>
     <message>
         <source>Usual thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>標準の厚さ</translation>
     </message>
     <message>
         <source>The film that dries in that time; thicker ones take longer</source>
-        <translation type="unfinished"></translation>
+        <translation>上の時間で乾く膜の厚さ。厚い膜はもっと時間がかかる</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Stays when dry</source>
-        <translation type="unfinished"></translation>
+        <translation>乾いて残る量</translation>
     </message>
     <message>
         <source>How much of the wet thickness is left: oil keeps all, watery paint sinks in</source>
-        <translation type="unfinished"></translation>
+        <translation>濡れているときの厚さのうち残る割合。油彩はすべて残り、水っぽい絵の具はやせて薄くなる</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>Flow</source>
-        <translation type="unfinished"></translation>
+        <translation>流れ</translation>
     </message>
     <message>
         <source>Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>表面</translation>
     </message>
     <message>
         <source>Drying</source>
-        <translation type="unfinished"></translation>
+        <translation>乾燥</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Matte</source>
+        <translation>マット</translation>
+    </message>
+    <message>
+        <source>Satin</source>
+        <translation>サテン</translation>
+    </message>
+    <message>
+        <source>Gloss</source>
+        <translation>グロス</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::BrushList</name>
     <message>
         <source>%1, your own</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (自分のツール)</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::BrushPanel</name>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシ</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
-        <source>Width of the brush&apos;s tip  ([ and ])</source>
-        <translation type="unfinished"></translation>
+        <source>Width of the brush's tip  ([ and ])</source>
+        <translation>ブラシの穂先の幅  ([ と ])</translation>
     </message>
     <message>
         <source>Steady</source>
-        <translation type="unfinished"></translation>
+        <translation>手ぶれ補正</translation>
     </message>
     <message>
         <source>How the hand is steadied</source>
-        <translation type="unfinished"></translation>
+        <translation>手ぶれ補正の方法</translation>
     </message>
     <message>
-        <source>How a trembling hand is steadied, besides the brush&apos;s own smoothing</source>
-        <translation type="unfinished"></translation>
+        <source>How a trembling hand is steadied, besides the brush's own smoothing</source>
+        <translation>ブラシ自体の滑らかさに加えて、手の震えを抑える方法</translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished"></translation>
+        <translation>オフ</translation>
     </message>
     <message>
         <source>lags behind</source>
-        <translation type="unfinished"></translation>
+        <translation>遅れて追う</translation>
     </message>
     <message>
         <source>pulled on a string</source>
-        <translation type="unfinished"></translation>
+        <translation>ひもで引く</translation>
     </message>
     <message>
         <source>How much the hand is steadied</source>
-        <translation type="unfinished"></translation>
+        <translation>手ぶれ補正の強さ</translation>
     </message>
     <message>
         <source>Length of the string: wide curves without a tremor</source>
-        <translation type="unfinished"></translation>
+        <translation>ひもの長さ。震えのない大きな曲線が描ける</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>How far the brush lags behind the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシが手からどれだけ遅れるか</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::ColourPanel</name>
     <message>
         <source>Mix a colour</source>
-        <translation type="unfinished"></translation>
+        <translation>色を作る</translation>
     </message>
     <message>
         <source>Nearest from the tubes</source>
-        <translation type="unfinished"></translation>
+        <translation>チューブで作れる近い色</translation>
     </message>
     <message>
         <source>Use the recipe</source>
-        <translation type="unfinished"></translation>
+        <translation>この配合を使う</translation>
     </message>
     <message>
         <source>Dip the brush in this mixture from the tubes instead</source>
-        <translation type="unfinished"></translation>
+        <translation>代わりに、チューブから混ぜたこの絵の具をブラシに付ける</translation>
     </message>
     <message>
         <source>Used before</source>
-        <translation type="unfinished"></translation>
+        <translation>最近使った絵の具</translation>
     </message>
     <message>
         <source>Your palette</source>
-        <translation type="unfinished"></translation>
+        <translation>自分のパレット</translation>
     </message>
     <message>
         <source>Paints that you keep stay here.</source>
-        <translation type="unfinished"></translation>
+        <translation>取っておいた絵の具がここに並びます。</translation>
     </message>
     <message>
         <source>Keep</source>
-        <translation type="unfinished"></translation>
+        <translation>取っておく</translation>
     </message>
     <message>
         <source>Lay the paint in hand out on your palette</source>
-        <translation type="unfinished"></translation>
+        <translation>今の絵の具を自分のパレットに置く</translation>
     </message>
     <message>
         <source>From a file</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルから</translation>
     </message>
     <message>
         <source>none opened</source>
-        <translation type="unfinished"></translation>
+        <translation>開いていません</translation>
     </message>
     <message>
         <source>Open...</source>
-        <translation type="unfinished"></translation>
+        <translation>開く...</translation>
     </message>
     <message>
         <source>Colours of GIMP, Krita or Inkscape, from a .gpl file</source>
-        <translation type="unfinished"></translation>
+        <translation>GIMP、Krita、Inkscapeの色 (.gplファイル)</translation>
     </message>
     <message>
         <source>The colour itself, as a paint of its own: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1
-㥎 %2, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>この色そのものの絵の具: %1</translation>
     </message>
     <message>
         <source>Your palette is full: the right button takes a paint away.</source>
-        <translation type="unfinished"></translation>
+        <translation>パレットがいっぱいです。右クリックで絵の具を取り除けます。</translation>
     </message>
     <message>
         <source>%1
 The right button, or Delete, takes it away.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+右クリックまたはDeleteキーで取り除けます。</translation>
+    </message>
+    <message>
+        <source>%1
+ΔE %2, %3</source>
+        <translation>%1
+ΔE %2、%3</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::ColourPicker</name>
     <message>
         <source>OKLCh</source>
-        <translation type="unfinished"></translation>
+        <translation>OKLCh</translation>
     </message>
     <message>
         <source>Lightness, chroma and hue as the eye sees them</source>
-        <translation type="unfinished"></translation>
+        <translation>目に見える明度、彩度、色相</translation>
     </message>
     <message>
         <source>HSV</source>
-        <translation type="unfinished"></translation>
+        <translation>HSV</translation>
     </message>
     <message>
         <source>Hue, saturation and value</source>
-        <translation type="unfinished"></translation>
+        <translation>色相、彩度、明るさ</translation>
     </message>
     <message>
         <source>RGB</source>
-        <translation type="unfinished"></translation>
+        <translation>RGB</translation>
     </message>
     <message>
         <source>Red, green and blue of the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>画面の赤、緑、青</translation>
     </message>
     <message>
         <source>The colour as it is written, for example #c03020</source>
-        <translation type="unfinished"></translation>
+        <translation>カラーコード。例: #c03020</translation>
     </message>
     <message>
         <source>Colour as written</source>
-        <translation type="unfinished"></translation>
+        <translation>カラーコード</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no colour; write it for example as #c03020.</source>
-        <translation type="unfinished"></translation>
+        <source>"%1" is no colour; write it for example as #c03020.</source>
+        <translation>「%1」は色として読めません。#c03020のように書いてください。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::ColourWheel</name>
     <message>
         <source>Colour wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>カラーホイール</translation>
     </message>
     <message>
         <source>The ring is the hue. Inside, lightness goes up and chroma to the right, as far as the
 screen has it. Keys: arrows, Page Up and Page Down for the hue, with Ctrl finely.</source>
-        <translation type="unfinished"></translation>
+        <translation>外側の輪は色相です。内側は上ほど明るく、右ほど鮮やかです（画面で出せる範囲まで）。
+キー: 色は矢印、色相はPage UpとPage Down、Ctrlで細かく動きます。</translation>
     </message>
     <message>
         <source>Lightness %1 %, chroma %2, hue %3°</source>
-        <translation type="unfinished"></translation>
+        <translation>明度 %1 %、彩度 %2、色相 %3°</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::CurveEditor</name>
     <message>
         <source>Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>カーブ</translation>
     </message>
     <message>
         <source>Drag a point, click beside one to add another, right click to take one away.
 Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.</source>
-        <translation type="unfinished"></translation>
+        <translation>点をドラッグで移動、何もないところをクリックで追加、右クリックで削除。
+キー: Page UpとPage Downで選択、矢印で移動、Insertで追加、Deleteで削除。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::CurvesPanel</name>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>追加</translation>
     </message>
     <message>
         <source>Another curve: what of the hand sets what of the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>カーブを追加し、手のどの動きがツールの何を変えるかを決める</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>削除</translation>
     </message>
     <message>
         <source>Takes this curve away</source>
-        <translation type="unfinished"></translation>
+        <translation>このカーブを取り除く</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>リセット</translation>
     </message>
     <message>
         <source>The curve as the tool was kept with</source>
-        <translation type="unfinished"></translation>
+        <translation>ツールに保存されているカーブに戻す</translation>
     </message>
     <message>
         <source>How it answers to the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>手の動きへの反応</translation>
     </message>
     <message>
         <source>What of the hand sets what of the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>手のどの動きがツールの何を変えるか</translation>
     </message>
     <message>
         <source>This tool has no curves.</source>
-        <translation type="unfinished"></translation>
+        <translation>このツールにはカーブがありません。</translation>
     </message>
     <message>
         <source>%1 → %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 → %2</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::EaselPanel</name>
     <message>
         <source>Tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>傾き</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>ライト</translation>
     </message>
     <message>
         <source>Seen in</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The light on the easel; the paint stays as it is</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Daylight (D65)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Print booth (D50)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Light bulb (A)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>LED lamp</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From a file...</source>
-        <translation type="unfinished"></translation>
+        <translation>見るときの光</translation>
     </message>
     <message>
         <source>Drying</source>
-        <translation type="unfinished"></translation>
+        <translation>乾燥</translation>
     </message>
     <message>
         <source>How fast wet paint dries; D dries it at once</source>
-        <translation type="unfinished"></translation>
+        <translation>濡れた絵の具が乾く速さ。Dですぐに乾く</translation>
     </message>
     <message>
         <source>flat</source>
-        <translation type="unfinished"></translation>
+        <translation>水平</translation>
     </message>
     <message>
         <source> high</source>
-        <translation type="unfinished"></translation>
+        <translation> の高さ</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::GuidesPanel</name>
     <message>
         <source>Mirrors and copies</source>
-        <translation type="unfinished"></translation>
+        <translation>対称とコピー</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Copies</source>
-        <translation type="unfinished"></translation>
+        <translation>コピー数</translation>
     </message>
     <message>
         <source>From the left</source>
-        <translation type="unfinished"></translation>
+        <translation>左から</translation>
     </message>
     <message>
         <source>From above</source>
-        <translation type="unfinished"></translation>
+        <translation>上から</translation>
     </message>
     <message>
         <source>Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>軸</translation>
     </message>
     <message>
         <source>Ruler</source>
-        <translation type="unfinished"></translation>
+        <translation>定規</translation>
     </message>
     <message>
         <source>Middle, from the left</source>
-        <translation type="unfinished"></translation>
+        <translation>中心、左から</translation>
     </message>
     <message>
         <source>Middle, from above</source>
-        <translation type="unfinished"></translation>
+        <translation>中心、上から</translation>
     </message>
     <message>
         <source>Slope</source>
-        <translation type="unfinished"></translation>
+        <translation>傾斜</translation>
     </message>
     <message>
         <source>Ellipse</source>
-        <translation type="unfinished"></translation>
+        <translation>楕円</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>幅</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>高さ</translation>
     </message>
     <message>
         <source>Turned by</source>
-        <translation type="unfinished"></translation>
+        <translation>回転</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::HistoryModel</name>
     <message>
         <source>As far back as is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>残っている最も古い時点</translation>
     </message>
     <message>
         <source>Click: do again up to here</source>
-        <translation type="unfinished"></translation>
+        <translation>クリックでここまでやり直す</translation>
     </message>
     <message>
         <source>Click: go back to this moment</source>
-        <translation type="unfinished"></translation>
+        <translation>クリックでこの時点に戻る</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::HistoryPanel</name>
     <message>
         <source>What was done</source>
-        <translation type="unfinished"></translation>
+        <translation>これまでの操作</translation>
     </message>
     <message>
-        <source>What the steps take; &quot;Memory for undo&quot; in the Edit menu says how much they may</source>
-        <translation type="unfinished"></translation>
+        <source>What the steps take; "Memory for undo" in the Edit menu says how much they may</source>
+        <translation>履歴が使っているメモリー。上限は「編集」メニューの「元に戻すためのメモリー」で決める</translation>
     </message>
     <message>
         <source>%1 of %2 MiB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2 MiB</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::IlluminantBox</name>
+    <message>
+        <source>The light on the easel; the paint stays as it is</source>
+        <translation>イーゼルに当たる光。絵の具そのものは変わらない</translation>
+    </message>
+    <message>
+        <source>Daylight (D65)</source>
+        <translation>昼光 (D65)</translation>
+    </message>
+    <message>
+        <source>Print booth (D50)</source>
+        <translation>印刷評価用の光 (D50)</translation>
+    </message>
+    <message>
+        <source>Light bulb (A)</source>
+        <translation>電球 (A)</translation>
+    </message>
+    <message>
+        <source>LED lamp</source>
+        <translation>LEDランプ</translation>
+    </message>
+    <message>
+        <source>From a file...</source>
+        <translation>ファイルから...</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::LayerModel</name>
     <message>
         <source>a group of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 枚のグループ</translation>
     </message>
     <message>
         <source>the layer that you paint on</source>
-        <translation type="unfinished"></translation>
+        <translation>描画中のレイヤー</translation>
     </message>
     <message>
         <source>hidden</source>
-        <translation type="unfinished"></translation>
+        <translation>非表示</translation>
     </message>
     <message>
         <source>locked</source>
-        <translation type="unfinished"></translation>
+        <translation>ロック中</translation>
     </message>
     <message>
         <source>opacity %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>不透明度 %1 %</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::LayerPanel</name>
     <message>
         <source>Layers</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤー</translation>
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>不透明度</translation>
     </message>
     <message>
         <source>Fades what its paint does to light; its relief stays</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の具の色を透けさせる。凹凸は残る</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::LightDial</name>
     <message>
         <source>Drag the lamp: near the rim it rakes over the relief. Double-click puts it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>ランプをドラッグします。縁に近いほど光が横から差し、凹凸が際立ちます。ダブルクリックで元に戻ります。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::LightPanel</name>
+    <message>
+        <source>Seen in</source>
+        <translation>見るときの光</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>ランプ</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Where the light comes from: 0 right, 90 above, 180 left, 270 below</source>
+        <translation>光が来る方向。0は右、90は上、180は左、270は下</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Low light rakes over the relief, 90 is overhead</source>
+        <translation>低い光は凹凸を際立たせる。90は真上</translation>
+    </message>
+    <message>
+        <source>Even light</source>
+        <translation>環境光</translation>
+    </message>
+    <message>
+        <source>The part of the light that comes from all sides; the lamp gives the rest. More of it softens the relief</source>
+        <translation>四方から来る光の割合。残りはランプの光。多いほど凹凸がやわらかく見える</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Varnish</source>
+        <translation>ワニス</translation>
+    </message>
+    <message>
+        <source>A clear coat to look through, here and in exports; it changes no paint, and can be taken off again</source>
+        <translation>上に重ねる透明な膜。画面とエクスポートで見え方だけが変わり、絵の具は変わらない。いつでも外せる</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>量</translation>
+    </message>
+    <message>
+        <source>A thin coat evens the gloss only in part</source>
+        <translation>薄く塗ると、つやは部分的にしかそろわない</translation>
+    </message>
+    <message>
+        <source>Aged</source>
+        <translation>経年変化</translation>
+    </message>
+    <message>
+        <source>Old varnish turns yellow: 100 % is about a century</source>
+        <translation>古いワニスは黄ばむ。100 % はおよそ1世紀分</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::LoadBar</name>
     <message>
         <source>The paint in the brush, across its width: how full it is, and of which colour</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシが含む絵の具。幅の各部分の量と色</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::LoadPanel</name>
     <message>
         <source>On the brush</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシの絵の具</translation>
     </message>
     <message>
         <source>How the brush is dipped, from the next time on</source>
-        <translation type="unfinished"></translation>
+        <translation>次からの絵の具の付け方</translation>
     </message>
     <message>
         <source>Full, in one paint</source>
-        <translation type="unfinished"></translation>
+        <translation>1色をたっぷり</translation>
     </message>
     <message>
         <source>Only the tip</source>
-        <translation type="unfinished"></translation>
+        <translation>先端だけ</translation>
     </message>
     <message>
         <source>One paint on each side</source>
-        <translation type="unfinished"></translation>
+        <translation>両側に1色ずつ</translation>
     </message>
     <message>
         <source>Half mixed from two</source>
-        <translation type="unfinished"></translation>
+        <translation>2色を半混ぜで</translation>
     </message>
     <message>
         <source>Fill</source>
-        <translation type="unfinished"></translation>
+        <translation>含み</translation>
     </message>
     <message>
         <source>How full the brush is dipped; little leaves a dry brush</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシに含ませる絵の具の量。少ないとかすれたドライブラシになる</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>Second</source>
-        <translation type="unfinished"></translation>
+        <translation>2色目</translation>
     </message>
     <message>
-        <source>The second paint&apos;s share of a half-mixed load</source>
-        <translation type="unfinished"></translation>
+        <source>The second paint's share of a half-mixed load</source>
+        <translation>半混ぜにするときの2番目の絵の具の割合</translation>
     </message>
     <message>
         <source>In hand: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>今の絵の具: %1</translation>
     </message>
     <message>
         <source>The second paint of the load: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシに付ける2番目の絵の具: %1</translation>
     </message>
     <message>
         <source>The second paint, laid out for later: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>後で使う2番目の絵の具: %1</translation>
     </message>
     <message>
         <source>empty</source>
-        <translation type="unfinished"></translation>
+        <translation>空</translation>
     </message>
     <message>
         <source>all but empty</source>
-        <translation type="unfinished"></translation>
+        <translation>ほとんど空</translation>
     </message>
     <message>
         <source>%1 % full</source>
-        <translation type="unfinished"></translation>
+        <translation>含み %1 %</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::MediumPanel</name>
     <message>
         <source>As it comes</source>
-        <translation type="unfinished"></translation>
+        <translation>標準</translation>
     </message>
     <message>
         <source>Kind of paint</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の具の種類</translation>
     </message>
     <message>
         <source>The brush is cleaned, and dipped in paint of this kind</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシを洗い、この種類の絵の具を付ける</translation>
     </message>
     <message>
         <source>Takes back what was changed below</source>
-        <translation type="unfinished"></translation>
+        <translation>下で変えた値を元に戻す</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::NavigatorPanel</name>
+    <message>
+        <source>The whole canvas</source>
+        <translation>キャンバス全体</translation>
+    </message>
+    <message>
+        <source>Drag the frame, or click, to go there
+Wheel: closer, farther</source>
+        <translation>枠をドラッグ、またはクリックでその場所へ
+ホイール: 近づく、離れる</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>ズーム</translation>
+    </message>
+    <message>
+        <source>Screen pixels for a pixel of the saved picture</source>
+        <translation>保存される画像の1ピクセルに対する画面のピクセル数</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>How far the canvas is turned, clockwise</source>
+        <translation>キャンバスの回転角度、時計回り</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::PaintPanel</name>
     <message>
         <source>The medium without pigment, for example thinner</source>
-        <translation type="unfinished"></translation>
+        <translation>顔料を含まないメディウム。薄め液など</translation>
     </message>
     <message>
         <source>%1 (%2): from the tube, and mixed with white</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2): チューブの色と、白を混ぜた色</translation>
     </message>
     <message>
         <source>Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の具</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::PenDialog</name>
+    <message>
+        <source>Pen and tablet</source>
+        <translation>ペンとタブレット</translation>
+    </message>
+    <message>
+        <source>Pens and mouse</source>
+        <translation>ペンとマウス</translation>
+    </message>
+    <message>
+        <source>A pen that is not listed comes here when it touches the sheet below.</source>
+        <translation>リストにないペンは、下の用紙に触れるとここに加わります。</translation>
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation>やわらかめ</translation>
+    </message>
+    <message>
+        <source>A light hand already presses hard</source>
+        <translation>軽い力でも強い筆圧になる</translation>
+    </message>
+    <message>
+        <source>As it comes</source>
+        <translation>標準</translation>
+    </message>
+    <message>
+        <source>The pressure as the pen tells it, without a curve</source>
+        <translation>カーブを使わない、ペンが伝えるままの筆圧</translation>
+    </message>
+    <message>
+        <source>Firm</source>
+        <translation>かため</translation>
+    </message>
+    <message>
+        <source>Only a heavy hand presses hard</source>
+        <translation>力を入れたときだけ強い筆圧になる</translation>
+    </message>
+    <message>
+        <source>From left to right what the pen tells, upwards what the brush is pressed with.</source>
+        <translation>横軸はペンが伝える筆圧、縦軸はブラシを押す強さです。</translation>
+    </message>
+    <message>
+        <source>A mouse, or a finger on the screen, does not tell how hard it presses.</source>
+        <translation>マウスや画面に触れる指は、押す強さを伝えません。</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>筆圧</translation>
+    </message>
+    <message>
+        <source>How hard the brush is pressed</source>
+        <translation>ブラシを押す強さ</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Lighter the faster it goes</source>
+        <translation>速く動かすほど弱く</translation>
+    </message>
+    <message>
+        <source>A slow line is pressed as set above, a fast one down to a quarter of it</source>
+        <translation>ゆっくりした線は上で決めた強さ、速い線はその4分の1まで弱くなる</translation>
+    </message>
+    <message>
+        <source>Ends and buttons of pens</source>
+        <translation>ペンの端とボタン</translation>
+    </message>
+    <message>
+        <source>Eraser end</source>
+        <translation>消しゴム側</translation>
+    </message>
+    <message>
+        <source>Lower button</source>
+        <translation>下側のボタン</translation>
+    </message>
+    <message>
+        <source>Upper button</source>
+        <translation>上側のボタン</translation>
+    </message>
+    <message>
+        <source>Wipe</source>
+        <translation>消す</translation>
+    </message>
+    <message>
+        <source>Try it here</source>
+        <translation>試し書き</translation>
+    </message>
+    <message>
+        <source>picks up paint</source>
+        <translation>絵の具を取る</translation>
+    </message>
+    <message>
+        <source>picks the colour seen</source>
+        <translation>見えている色を拾う</translation>
+    </message>
+    <message>
+        <source>moves the canvas</source>
+        <translation>キャンバスを動かす</translation>
+    </message>
+    <message>
+        <source>opens the palette</source>
+        <translation>パレットを開く</translation>
+    </message>
+    <message>
+        <source>does nothing</source>
+        <translation>何もしない</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>%1 に持ち替える</translation>
+    </message>
+    <message>
+        <source>paints like the tip</source>
+        <translation>ペン先と同じように描く</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>マウス</translation>
+    </message>
+    <message>
+        <source>Pressure of %1</source>
+        <translation>%1 の筆圧</translation>
+    </message>
+    <message>
+        <source>Pressure of the mouse</source>
+        <translation>マウスの筆圧</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::PenPad</name>
+    <message>
+        <source>Sheet to try the pen on</source>
+        <translation>ペンの試し書き用紙</translation>
+    </message>
+    <message>
+        <source>Scribble here with a pen or the mouse</source>
+        <translation>ペンやマウスで自由に描いてみてください</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::PictureBoard</name>
     <message>
         <source>No picture to trace</source>
-        <translation type="unfinished"></translation>
+        <translation>下絵はありません</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::PopupPalette</name>
+    <message>
+        <source>Pop-up palette</source>
+        <translation>ポップアップパレット</translation>
+    </message>
+    <message>
+        <source>A narrower brush</source>
+        <translation>ブラシを細くする</translation>
+    </message>
+    <message>
+        <source>A wider brush</source>
+        <translation>ブラシを太くする</translation>
+    </message>
+    <message>
+        <source>%1: take this one, and put the other here</source>
+        <translation>%1: この絵の具に持ち替え、今の絵の具をここに置く</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::RecorderPanel</name>
+    <message>
+        <source>Strokes</source>
+        <translation>ストローク</translation>
+    </message>
+    <message>
+        <source>Painting time</source>
+        <translation>制作時間</translation>
+    </message>
+    <message>
+        <source>Recorded so far</source>
+        <translation>これまでの記録</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::StatusReadings</name>
     <message>
-        <source>The pen&apos;s place on the canvas, from its upper left corner</source>
-        <translation type="unfinished"></translation>
+        <source>The pen's place on the canvas, from its upper left corner</source>
+        <translation>ペンのキャンバス上の位置。左上の角から測る</translation>
     </message>
     <message>
         <source>Tiles of 64 x 64 cells in which the paint still moves, and how much of its time computing them takes</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の具がまだ動いている64 x 64セルのタイルの数と、その計算が時間に占める割合</translation>
     </message>
     <message>
         <source>Paint time against the clock: slower than 1 when there is more wet paint than this computer can move in time</source>
-        <translation type="unfinished"></translation>
+        <translation>実際の時間に対する絵の具の時間。濡れた絵の具が多く、計算が追いつかないときは1より遅くなる</translation>
     </message>
     <message>
         <source>Tools keep to what is outlined; Ctrl+A ends the selection, Esc goes back to painting</source>
-        <translation type="unfinished"></translation>
+        <translation>ツールは輪郭の中だけに効く。Ctrl+Aで選択を解除、Escで描画に戻る</translation>
     </message>
     <message>
         <source>Memory that the program holds: the painting, its history and its pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>プログラムが使っているメモリー。作品、履歴、画像を含む</translation>
     </message>
     <message>
         <source>Size of the canvas and of its saved picture</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスと、保存される画像の大きさ</translation>
     </message>
     <message>
         <source>What the canvas shows; Alt+1 shows it in its light again</source>
-        <translation type="unfinished"></translation>
+        <translation>キャンバスの表示方法。Alt+1で光を当てた表示に戻る</translation>
     </message>
     <message>
         <source>How the canvas stands on the screen; 5 puts it upright, M mirrors it</source>
-        <translation type="unfinished"></translation>
+        <translation>画面でのキャンバスの向き。5で正位置に戻し、Mで左右反転</translation>
     </message>
     <message>
         <source>Screen pixels for a pixel of the saved picture</source>
-        <translation type="unfinished"></translation>
+        <translation>保存される画像の1ピクセルに対する画面のピクセル数</translation>
     </message>
     <message>
         <source>%1 × %2 mm   %3 × %4 px</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 mm   %3 × %4 px</translation>
     </message>
     <message>
         <source>mirrored</source>
-        <translation type="unfinished"></translation>
+        <translation>左右反転</translation>
     </message>
     <message>
         <source>turned %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1° 回転</translation>
     </message>
     <message>
         <source>%1, %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 mm</translation>
     </message>
     <message>
         <source>paused</source>
-        <translation type="unfinished"></translation>
+        <translation>一時停止中</translation>
     </message>
     <message>
         <source>paint at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の具は静止</translation>
     </message>
     <message>
         <source>%1 tiles moving, %2 % load</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 タイルが動作中、負荷 %2 %</translation>
     </message>
     <message>
         <source>%1 × time</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 倍速</translation>
     </message>
     <message>
         <source>%1 MiB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 MiB</translation>
     </message>
     <message>
         <source>%1 GiB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 GiB</translation>
     </message>
     <message>
         <source>%1 % selected</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % を選択中</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::TiltDial</name>
     <message>
         <source>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>ドラッグでキャンバスを傾けます。矢印は絵の具が流れる向きです。ダブルクリックで水平に戻ります。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::TracingPanel</name>
     <message>
         <source>Picture to trace</source>
-        <translation type="unfinished"></translation>
+        <translation>下絵</translation>
     </message>
     <message>
         <source>Click: paint of that colour
 Wheel: closer, farther
 Drag: move the picture
 0: all of it</source>
-        <translation type="unfinished"></translation>
+        <translation>クリック: その色の絵の具を作る
+ホイール: 近づく、離れる
+ドラッグ: 画像を動かす
+0: 全体を表示</translation>
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>不透明度</translation>
     </message>
     <message>
         <source>How strongly it shows below the paint</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の具の下での見え方の強さ</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>From the left</source>
-        <translation type="unfinished"></translation>
+        <translation>左から</translation>
     </message>
     <message>
         <source>From above</source>
-        <translation type="unfinished"></translation>
+        <translation>上から</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>幅</translation>
     </message>
     <message>
         <source>Its height follows in proportion</source>
-        <translation type="unfinished"></translation>
+        <translation>高さは比率を保って変わる</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::WorkProgress</name>
     <message>
         <source>%p %</source>
-        <translation type="unfinished"></translation>
+        <translation>%p %</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::ExamplesSection</name>
+    <message>
+        <source>Examples, painted before your eyes</source>
+        <translation>目の前で描かれていく作例</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>作例</translation>
+    </message>
+    <message>
+        <source>Watch how it is painted, stroke by stroke, and paint on</source>
+        <translation>一筆ずつ描かれる様子を見て、続きを描ける</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::NewCanvasSection</name>
+    <message>
+        <source>New canvas</source>
+        <translation>新規キャンバス</translation>
+    </message>
+    <message>
+        <source>Sizes of a new canvas</source>
+        <translation>新規キャンバスのサイズ</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>横長</translation>
+    </message>
+    <message>
+        <source>Wider than high</source>
+        <translation>幅が高さより大きい</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>縦長</translation>
+    </message>
+    <message>
+        <source>Higher than wide</source>
+        <translation>高さが幅より大きい</translation>
+    </message>
+    <message>
+        <source>More...</source>
+        <translation>その他...</translation>
+    </message>
+    <message>
+        <source>Any size</source>
+        <translation>好きなサイズ</translation>
+    </message>
+    <message>
+        <source>Choose width, height, resolution and support yourself</source>
+        <translation>幅、高さ、解像度、支持体を自分で決める</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels</source>
+        <translation>%1、%2 × %3 ピクセル</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::PaintingReader</name>
+    <message>
+        <source>This file is not there any more.</source>
+        <translation>このファイルはもうありません。</translation>
+    </message>
+    <message>
+        <source>This file cannot be read.</source>
+        <translation>このファイルは読み込めません。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::RecentSection</name>
+    <message>
+        <source>Today, %1</source>
+        <translation>今日 %1</translation>
+    </message>
+    <message>
+        <source>Yesterday, %1</source>
+        <translation>昨日 %1</translation>
+    </message>
+    <message>
+        <source>Recent paintings</source>
+        <translation>最近の作品</translation>
+    </message>
+    <message>
+        <source>Open a file...</source>
+        <translation>ファイルを開く...</translation>
+    </message>
+    <message>
+        <source>Paintings that you save will stand here.</source>
+        <translation>保存した作品がここに並びます。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::StartPage</name>
+    <message>
+        <source>Show this page at start</source>
+        <translation>起動時にこのページを表示</translation>
+    </message>
+    <message>
+        <source>Start page</source>
+        <translation>スタートページ</translation>
+    </message>
+    <message>
+        <source>Esc closes it; "Start page" in the "File" menu brings it back.</source>
+        <translation>Escで閉じます。「ファイル」メニューの「スタートページ」でまた開けます。</translation>
+    </message>
+    <message>
+        <source>Back to the painting</source>
+        <translation>作品に戻る</translation>
+    </message>
+    <message>
+        <source>Start painting</source>
+        <translation>描き始める</translation>
+    </message>
+    <message>
+        <source>The painting stands on the easel as you left it.</source>
+        <translation>作品は前のままイーゼルに置いてあります。</translation>
+    </message>
+    <message>
+        <source>A canvas of %1, %2, is ready. You can also just paint on it.</source>
+        <translation>%1、%2のキャンバスを用意しました。そのまま描き始めることもできます。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::UnfinishedSection</name>
+    <message>
+        <source>Not closed last time</source>
+        <translation>前回閉じられなかった作品</translation>
+    </message>
+    <message>
+        <source>Choose or discard...</source>
+        <translation>選択または破棄...</translation>
+    </message>
+    <message>
+        <source>All paintings that were left unfinished</source>
+        <translation>描きかけのまま残っているすべての作品</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>復元</translation>
     </message>
 </context>
 <context>
     <name>pastoso::tools</name>
     <message>
         <source>PNG, 8 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG、8ビット</translation>
     </message>
     <message>
         <source>PNG, 16 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG、16ビット</translation>
     </message>
     <message>
         <source>JPEG</source>
-        <translation type="unfinished"></translation>
+        <translation>JPEG</translation>
     </message>
     <message>
         <source>TIFF, 8 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>TIFF、8ビット</translation>
     </message>
     <message>
         <source>TIFF, 16 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>TIFF、16ビット</translation>
     </message>
     <message>
         <source>TIFF, 32 bits of linear light</source>
-        <translation type="unfinished"></translation>
+        <translation>TIFF、32ビット、リニア</translation>
     </message>
     <message>
         <source>WebP</source>
-        <translation type="unfinished"></translation>
+        <translation>WebP</translation>
     </message>
     <message>
         <source>OpenEXR, linear light</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenEXR、リニア</translation>
     </message>
     <message>
         <source>PNG, 8 bits, heights in 16</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG、8ビット、高さは16ビット</translation>
     </message>
     <message>
         <source>TIFF, 32 bits, heights in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>TIFF、32ビット、高さは mm</translation>
     </message>
     <message>
         <source>OpenEXR, heights in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenEXR、高さは mm</translation>
     </message>
     <message>
         <source>STL</source>
-        <translation type="unfinished"></translation>
+        <translation>STL</translation>
     </message>
     <message>
         <source>PLY</source>
-        <translation type="unfinished"></translation>
+        <translation>PLY</translation>
     </message>
     <message>
         <source>Wavefront OBJ</source>
-        <translation type="unfinished"></translation>
+        <translation>Wavefront OBJ</translation>
     </message>
     <message>
         <source>Numbered pictures, PNG of 8 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>連番画像、8ビットPNG</translation>
     </message>
     <message>
         <source>Numbered pictures, PNG of 16 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>連番画像、16ビットPNG</translation>
     </message>
     <message>
         <source>Video, MP4</source>
-        <translation type="unfinished"></translation>
+        <translation>動画、MP4</translation>
     </message>
     <message>
         <source>Video, Matroska</source>
-        <translation type="unfinished"></translation>
+        <translation>動画、Matroska</translation>
     </message>
     <message>
         <source>Video, WebM</source>
-        <translation type="unfinished"></translation>
+        <translation>動画、WebM</translation>
     </message>
 </context>
 <context>
     <name>pastoso::view::LookLegend</name>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Wet paint</source>
-        <translation type="unfinished"></translation>
+        <translation>濡れた絵の具</translation>
     </message>
     <message>
         <source>Height of the paint</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の具の高さ</translation>
     </message>
     <message>
         <source>Slopes of the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>表面の傾き</translation>
     </message>
     <message>
         <source>Flat colour</source>
-        <translation type="unfinished"></translation>
+        <translation>色のみ</translation>
     </message>
 </context>
 </TS>

@@ -2,3561 +2,4394 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv" sourcelanguage="en">
 <context>
+    <name>CanvasChoices</name>
+    <message>
+        <source>Small study</source>
+        <translation>Liten studie</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Kvadrat</translation>
+    </message>
+    <message>
+        <source>Small canvas</source>
+        <translation>Liten duk</translation>
+    </message>
+    <message>
+        <source>Large canvas</source>
+        <translation>Stor duk</translation>
+    </message>
+    <message>
+        <source>Screen, HD</source>
+        <translation>Skärm, HD</translation>
+    </message>
+    <message>
+        <source>Screen, QHD</source>
+        <translation>Skärm, QHD</translation>
+    </message>
+    <message>
+        <source>Linen</source>
+        <translation>Linne</translation>
+    </message>
+    <message>
+        <source>coarse weave</source>
+        <translation>grov väv</translation>
+    </message>
+    <message>
+        <source>Cotton duck</source>
+        <translation>Bomullsduk</translation>
+    </message>
+    <message>
+        <source>fine weave</source>
+        <translation>fin väv</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Pannå</translation>
+    </message>
+    <message>
+        <source>smooth gesso</source>
+        <translation>slät gesso</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>an image</source>
+        <translation>en bild</translation>
+    </message>
+</context>
+<context>
+    <name>ExamplePaintings</name>
+    <message>
+        <source>Still life</source>
+        <translation>Stilleben</translation>
+    </message>
+    <message>
+        <source>Oil, wet in wet</source>
+        <translation>Olja, vått i vått</translation>
+    </message>
+    <message>
+        <source>Surf</source>
+        <translation>Bränningar</translation>
+    </message>
+    <message>
+        <source>Oil, in thick impasto</source>
+        <translation>Olja, i tjock impasto</translation>
+    </message>
+    <message>
+        <source>Poppies</source>
+        <translation>Vallmo</translation>
+    </message>
+    <message>
+        <source>Oil over a dry ground</source>
+        <translation>Olja på torr grund</translation>
+    </message>
+</context>
+<context>
     <name>Keys</name>
     <message>
         <source>Like Krita</source>
-        <translation type="unfinished"></translation>
+        <translation>Som i Krita</translation>
     </message>
     <message>
         <source>The keys of Krita, where it has the same command</source>
-        <translation type="unfinished"></translation>
+        <translation>Kritas kortkommandon, där Krita har samma kommando</translation>
     </message>
     <message>
         <source>Like Photoshop</source>
-        <translation type="unfinished"></translation>
+        <translation>Som i Photoshop</translation>
     </message>
     <message>
         <source>The keys of Photoshop, where it has the same command</source>
-        <translation type="unfinished"></translation>
+        <translation>Photoshops kortkommandon, där Photoshop har samma kommando</translation>
     </message>
 </context>
 <context>
     <name>QObject</name>
     <message>
         <source>Drops and sprays</source>
-        <translation type="unfinished"></translation>
+        <translation>Droppar och sprej</translation>
     </message>
     <message>
         <source>Air</source>
-        <translation type="unfinished"></translation>
+        <translation>Luft</translation>
     </message>
     <message>
         <source>Knives and combs</source>
-        <translation type="unfinished"></translation>
+        <translation>Knivar och kammar</translation>
     </message>
     <message>
         <source>Rags and fingers</source>
-        <translation type="unfinished"></translation>
+        <translation>Trasor och fingrar</translation>
     </message>
     <message>
         <source>Brushes</source>
-        <translation type="unfinished"></translation>
+        <translation>Penslar</translation>
     </message>
     <message>
         <source>Cannot be read</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Top up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Blot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Swap</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pick paint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pick colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Left, right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Above, below</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Along the last stroke</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>On the canvas</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose...</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take away</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Below the paint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tool</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Physics</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Guides</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tracing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation type="unfinished"></translation>
+        <translation>Kan inte läsas</translation>
     </message>
     <message>
         <source>Clear medium</source>
-        <translation type="unfinished"></translation>
+        <translation>Klart medium</translation>
     </message>
     <message>
         <source>How the next paint flows; what lies on the canvas keeps its own way</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur nästa färg flyter; det som redan ligger på duken beter sig som förut</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Verktyg</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Ångra</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>Gör om</translation>
     </message>
     <message>
         <source>Reload</source>
-        <translation type="unfinished"></translation>
+        <translation>Ladda om</translation>
     </message>
     <message>
         <source>Clean</source>
-        <translation type="unfinished"></translation>
+        <translation>Rengör</translation>
     </message>
     <message>
         <source>Reload each stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>Ladda om före varje drag</translation>
     </message>
     <message>
         <source>Turn with stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>Vrid med draget</translation>
     </message>
     <message>
         <source>Medium </source>
-        <translation type="unfinished"></translation>
+        <translation>Medium </translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pausa</translation>
     </message>
     <message>
         <source>Dry now</source>
-        <translation type="unfinished"></translation>
+        <translation>Torka nu</translation>
     </message>
     <message>
         <source>Mixing well</source>
-        <translation type="unfinished"></translation>
+        <translation>Blandningsyta</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>Spara</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>Byt namn</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta bort</translation>
     </message>
     <message>
         <source>Squeeze</source>
-        <translation type="unfinished"></translation>
+        <translation>Kläm ut</translation>
     </message>
     <message>
         <source>Wipe the well</source>
-        <translation type="unfinished"></translation>
+        <translation>Torka av blandningsytan</translation>
     </message>
     <message>
         <source>the same to the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>ser likadan ut</translation>
     </message>
     <message>
         <source>close</source>
-        <translation type="unfinished"></translation>
+        <translation>nära</translation>
     </message>
     <message>
         <source>a little off</source>
-        <translation type="unfinished"></translation>
+        <translation>lite vid sidan av</translation>
     </message>
     <message>
         <source>beyond these tubes</source>
-        <translation type="unfinished"></translation>
+        <translation>utom räckhåll för de här tuberna</translation>
     </message>
     <message>
         <source>Pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>Tryck</translation>
     </message>
     <message>
         <source>Tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>Lutning</translation>
     </message>
     <message>
         <source>Barrel</source>
-        <translation type="unfinished"></translation>
+        <translation>Rotation</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Hastighet</translation>
     </message>
     <message>
         <source>how far it is pressed</source>
-        <translation type="unfinished"></translation>
+        <translation>hur hårt det trycks ned</translation>
     </message>
     <message>
         <source>how far it leans</source>
-        <translation type="unfinished"></translation>
+        <translation>hur mycket det lutar</translation>
     </message>
     <message>
         <source>how it is turned</source>
-        <translation type="unfinished"></translation>
+        <translation>hur det är vridet</translation>
     </message>
     <message>
         <source>reach into hollows</source>
-        <translation type="unfinished"></translation>
+        <translation>hur djupt det når i fördjupningar</translation>
     </message>
     <message>
         <source>film that it leaves</source>
-        <translation type="unfinished"></translation>
+        <translation>skiktet det lämnar</translation>
     </message>
     <message>
         <source>paint taken up</source>
-        <translation type="unfinished"></translation>
+        <translation>färg som tas upp</translation>
     </message>
     <message>
         <source>flow</source>
-        <translation type="unfinished"></translation>
+        <translation>flöde</translation>
     </message>
     <message>
         <source>width of the spread</source>
-        <translation type="unfinished"></translation>
+        <translation>spridningens bredd</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>%1 % pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % tryck</translation>
     </message>
     <message>
         <source>%1 mm/s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm/s</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>wet, asleep</source>
-        <translation type="unfinished"></translation>
+        <translation>våt, sover</translation>
     </message>
     <message>
         <source>A group: its eye, its lock and its opacity hold for all of its layers</source>
-        <translation type="unfinished"></translation>
+        <translation>En grupp: dess öga, lås och opacitet gäller alla lager i den</translation>
     </message>
     <message>
         <source>You paint on this layer; its wet paint flows and dries</source>
-        <translation type="unfinished"></translation>
+        <translation>Du målar på det här lagret; dess våta färg flyter och torkar</translation>
     </message>
     <message>
         <source>Its wet paint is asleep: it neither flows nor dries, and stays as wet as it is until you choose this layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Den våta färgen sover: den varken flyter eller torkar, och förblir lika våt tills du väljer lagret</translation>
     </message>
     <message>
         <source>Click to paint on this layer; a double click names it, dragging moves it</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicka för att måla på lagret; dubbelklicka för att namnge det, dra för att flytta det</translation>
     </message>
     <message>
         <source>Seen; click to hide it. Its relief goes with it</source>
-        <translation type="unfinished"></translation>
+        <translation>Syns; klicka för att dölja. Reliefen försvinner också</translation>
     </message>
     <message>
         <source>Hidden, and not painted on; click to show it</source>
-        <translation type="unfinished"></translation>
+        <translation>Dolt, och kan inte målas på; klicka för att visa det</translation>
     </message>
     <message>
         <source>Locked: nothing is painted on it, cleared or merged. Click to unlock</source>
-        <translation type="unfinished"></translation>
+        <translation>Låst: det kan inte målas på, tömmas eller sammanfogas. Klicka för att låsa upp</translation>
     </message>
     <message>
         <source>Click to lock it against painting, clearing and merging</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicka för att låsa det mot målning, tömning och sammanfogning</translation>
     </message>
     <message>
         <source>Stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>Penseldrag</translation>
     </message>
     <message>
         <source>Stroke in the mixing well</source>
-        <translation type="unfinished"></translation>
+        <translation>Penseldrag på blandningsytan</translation>
     </message>
     <message>
         <source>Paint squeezed out</source>
-        <translation type="unfinished"></translation>
+        <translation>Färg utklämd</translation>
     </message>
     <message>
         <source>Mixing well wiped</source>
-        <translation type="unfinished"></translation>
+        <translation>Blandningsytan avtorkad</translation>
     </message>
     <message>
         <source>New layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Nytt lager</translation>
     </message>
     <message>
         <source>Look of a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Lagrets utseende</translation>
     </message>
     <message>
         <source>Layer duplicated</source>
-        <translation type="unfinished"></translation>
+        <translation>Lager duplicerat</translation>
     </message>
     <message>
         <source>Layer removed</source>
-        <translation type="unfinished"></translation>
+        <translation>Lager borttaget</translation>
     </message>
     <message>
         <source>Layer cleared</source>
-        <translation type="unfinished"></translation>
+        <translation>Lager tömt</translation>
     </message>
     <message>
         <source>Transform</source>
-        <translation type="unfinished"></translation>
+        <translation>Transformera</translation>
     </message>
     <message>
         <source>Layer moved</source>
-        <translation type="unfinished"></translation>
+        <translation>Lager flyttat</translation>
     </message>
     <message>
         <source>Merged down</source>
-        <translation type="unfinished"></translation>
+        <translation>Sammanfogat nedåt</translation>
     </message>
     <message>
         <source>Flattened</source>
-        <translation type="unfinished"></translation>
+        <translation>Synliga lager sammanfogade</translation>
     </message>
     <message>
         <source>Layers grouped</source>
-        <translation type="unfinished"></translation>
+        <translation>Lager grupperade</translation>
     </message>
     <message>
         <source>Look of a group</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppens utseende</translation>
     </message>
     <message>
         <source>Group moved</source>
-        <translation type="unfinished"></translation>
+        <translation>Grupp flyttad</translation>
     </message>
     <message>
         <source>Group dissolved</source>
-        <translation type="unfinished"></translation>
+        <translation>Grupp upplöst</translation>
     </message>
     <message>
         <source>Selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Markering</translation>
     </message>
     <message>
         <source>Size of the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Dukens storlek</translation>
     </message>
     <message>
         <source>Picture as paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild som färg</translation>
     </message>
     <message>
         <source>Picture to trace</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild att kalkera</translation>
     </message>
     <message>
         <source>Place of the traced picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Den kalkerade bildens läge</translation>
+    </message>
+    <message>
+        <source>tip</source>
+        <translation>spets</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>vänster</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>nedre</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>mitten</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>övre</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>höger</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <comment>rotation</comment>
+        <translation>okänd</translation>
+    </message>
+    <message>
+        <source>Tilt %1 across, %2 along; rotation %3; buttons: %4</source>
+        <translation>Lutning %1 i sidled, %2 i höjdled; rotation %3; knappar: %4</translation>
+    </message>
+    <message>
+        <source>%1, eraser end</source>
+        <translation>%1, suddänden</translation>
+    </message>
+    <message>
+        <source>%1, puck</source>
+        <translation>%1, puck</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Mus</translation>
+    </message>
+    <message>
+        <source>pressure %1 → %2</source>
+        <translation>tryck %1 → %2</translation>
+    </message>
+    <message>
+        <source>pressure %1</source>
+        <translation>tryck %1</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 events a second</source>
+        <translation>%1: %2, %3 händelser per sekund</translation>
+    </message>
+    <message>
+        <source>Buttons: %1</source>
+        <translation>Knappar: %1</translation>
     </message>
 </context>
 <context>
     <name>pastoso::commands</name>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Arkiv</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Redigera</translation>
     </message>
     <message>
         <source>&amp;Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Pensel</translation>
     </message>
     <message>
         <source>&amp;Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Färg</translation>
     </message>
     <message>
         <source>&amp;Layer</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Lager</translation>
     </message>
     <message>
         <source>&amp;Select</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Markera</translation>
     </message>
     <message>
         <source>&amp;Guides</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hjälplinjer</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Visa</translation>
     </message>
     <message>
         <source>&amp;Light</source>
-        <translation type="unfinished"></translation>
+        <translation>L&amp;jus</translation>
     </message>
     <message>
         <source>&amp;Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Inställningar</translation>
     </message>
     <message>
         <source>&amp;New canvas...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ny duk...</translation>
     </message>
     <message>
         <source>Put a fresh canvas on the easel</source>
-        <translation type="unfinished"></translation>
+        <translation>Ställ en ny duk på staffliet</translation>
     </message>
     <message>
         <source>&amp;Open...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Öppna...</translation>
     </message>
     <message>
         <source>Go on with a painting that was saved, wet as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortsätt på en sparad målning, lika våt som du lämnade den</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Spara</translation>
     </message>
     <message>
         <source>Save the painting with all its wet paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Spara målningen med all våt färg</translation>
     </message>
     <message>
         <source>Save &amp;as...</source>
-        <translation type="unfinished"></translation>
+        <translation>Spara s&amp;om...</translation>
     </message>
     <message>
         <source>Save the painting in another file</source>
-        <translation type="unfinished"></translation>
+        <translation>Spara målningen i en annan fil</translation>
     </message>
     <message>
         <source>&amp;Export...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportera...</translation>
     </message>
     <message>
         <source>Make a picture, layers, maps, a relief to print or a time-lapse of the painting</source>
-        <translation type="unfinished"></translation>
+        <translation>Gör en bild, lager, texturkartor, en relief för 3D-utskrift eller en timelapse av målningen</translation>
     </message>
     <message>
         <source>Export a&amp;gain</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportera i&amp;gen</translation>
     </message>
     <message>
         <source>The same export of the painting as it is now, into the same file</source>
-        <translation type="unfinished"></translation>
+        <translation>Samma export av målningen som den är nu, till samma fil</translation>
     </message>
     <message>
         <source>S&amp;top the export</source>
-        <translation type="unfinished"></translation>
+        <translation>Avbr&amp;yt exporten</translation>
     </message>
     <message>
         <source>Give up the export that is being written; its file stays as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>Avbryt exporten som pågår; filen förblir som den var</translation>
     </message>
     <message>
         <source>Export &amp;recording...</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportera &amp;inspelning...</translation>
     </message>
     <message>
         <source>Save all strokes, to be replayed at any resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>Spara alla penseldrag, för uppspelning i valfri upplösning</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Avsluta</translation>
     </message>
     <message>
         <source>Close the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Stäng fönstret</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ångra</translation>
     </message>
     <message>
         <source>Take the last stroke back</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta tillbaka det senaste draget</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gör om</translation>
     </message>
     <message>
         <source>Put the last stroke back</source>
-        <translation type="unfinished"></translation>
+        <translation>Lägg tillbaka det senaste draget</translation>
     </message>
     <message>
         <source>&amp;Memory for undo...</source>
-        <translation type="unfinished"></translation>
+        <translation>Å&amp;ngraminne...</translation>
     </message>
     <message>
         <source>How much memory the steps may take that you can return to</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur mycket minne ångrastegen får ta</translation>
     </message>
     <message>
         <source>&amp;Canvas size...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dukstorlek...</translation>
     </message>
     <message>
         <source>Make the canvas larger, or cut it, on any side</source>
-        <translation type="unfinished"></translation>
+        <translation>Gör duken större, eller beskär den, på valfri sida</translation>
     </message>
     <message>
         <source>Crop to the &amp;selection</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beskär till markeringen</translation>
     </message>
     <message>
         <source>Cut the canvas to the smallest one that holds what is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Beskär duken till den minsta storlek som rymmer det markerade</translation>
     </message>
     <message>
         <source>&amp;Narrower</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;malare</translation>
     </message>
     <message>
         <source>A narrower brush</source>
-        <translation type="unfinished"></translation>
+        <translation>En smalare pensel</translation>
     </message>
     <message>
         <source>&amp;Wider</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bredare</translation>
     </message>
     <message>
         <source>A wider brush</source>
-        <translation type="unfinished"></translation>
+        <translation>En bredare pensel</translation>
     </message>
     <message>
         <source>Next &amp;brush</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nästa pensel</translation>
     </message>
     <message>
         <source>Take the next brush of the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta nästa pensel i listan</translation>
     </message>
     <message>
         <source>&amp;Previous brush</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Föregående pensel</translation>
     </message>
     <message>
         <source>Take the brush before in the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta föregående pensel i listan</translation>
     </message>
     <message>
         <source>&amp;Reload</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ladda om</translation>
     </message>
     <message>
         <source>Clean the brush and fill it with the paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Rengör penseln och fyll den med färgen</translation>
     </message>
     <message>
         <source>&amp;Top up</source>
-        <translation type="unfinished"></translation>
+        <translation>Fyll &amp;på</translation>
     </message>
     <message>
         <source>Dip the brush without cleaning it: what it holds stays on it</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppa penseln utan att rengöra den: det som sitter på den blir kvar</translation>
     </message>
     <message>
         <source>B&amp;lot</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Torka av</translation>
     </message>
     <message>
         <source>Press the brush into a cloth: a quarter of its paint stays on it</source>
-        <translation type="unfinished"></translation>
+        <translation>Tryck av penseln i en trasa: en fjärdedel av färgen blir kvar på den</translation>
     </message>
     <message>
         <source>&amp;Clean</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rengör</translation>
     </message>
     <message>
         <source>Wipe the brush: an empty one moves the paint that lies there</source>
-        <translation type="unfinished"></translation>
+        <translation>Torka penseln ren: en tom pensel flyttar färgen som redan ligger där</translation>
     </message>
     <message>
         <source>S&amp;wap the two paints</source>
-        <translation type="unfinished"></translation>
+        <translation>B&amp;yt plats på de två färgerna</translation>
     </message>
     <message>
         <source>Dip the brush in the second paint; the first takes its place</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppa penseln i den andra färgen; den första tar dess plats</translation>
     </message>
     <message>
         <source>P&amp;ick up the paint there</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hämta färgen där</translation>
     </message>
     <message>
         <source>The next click dips the brush in the mixture of pigments that lies there; so does Ctrl and a click</source>
-        <translation type="unfinished"></translation>
+        <translation>Nästa klick doppar penseln i den pigmentblandning som ligger där; eller håll Ctrl och klicka</translation>
     </message>
     <message>
         <source>Pick the c&amp;olour seen there</source>
-        <translation type="unfinished"></translation>
+        <translation>Hämta &amp;kulören som syns där</translation>
     </message>
     <message>
         <source>The next click makes paint of the colour that is seen there; so does Alt and a click</source>
-        <translation type="unfinished"></translation>
+        <translation>Nästa klick gör färg av den kulör som syns där; eller håll Alt och klicka</translation>
     </message>
     <message>
         <source>Reload before &amp;each stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>Ladda om före &amp;varje drag</translation>
     </message>
     <message>
         <source>Every stroke starts with a clean, full brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Varje drag börjar med en ren, full pensel</translation>
     </message>
     <message>
         <source>&amp;Turn with the stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>Vri&amp;d med draget</translation>
     </message>
     <message>
         <source>Flat brushes stand across their path, where the pen does not tell its rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>Platta penslar ställer sig tvärs mot draget, när pennan inte anger sin rotation</translation>
     </message>
     <message>
         <source>&amp;Save as my own...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Spara som eget...</translation>
     </message>
     <message>
         <source>Keep the tool in hand, with its curves, among your own</source>
-        <translation type="unfinished"></translation>
+        <translation>Behåll verktyget i handen, med dess kurvor, bland dina egna</translation>
     </message>
     <message>
         <source>Re&amp;name...</source>
-        <translation type="unfinished"></translation>
+        <translation>Byt n&amp;amn...</translation>
     </message>
     <message>
         <source>Give your own tool another name</source>
-        <translation type="unfinished"></translation>
+        <translation>Ge ditt eget verktyg ett annat namn</translation>
     </message>
     <message>
         <source>&amp;Delete...</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta b&amp;ort...</translation>
     </message>
     <message>
         <source>Throw your own tool away</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta bort ditt eget verktyg</translation>
     </message>
     <message>
         <source>&amp;Pause the paint</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Pausa färgen</translation>
     </message>
     <message>
         <source>Wet paint stands still until you go on</source>
-        <translation type="unfinished"></translation>
+        <translation>Våt färg står stilla tills du fortsätter</translation>
     </message>
     <message>
         <source>&amp;Dry now</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Torka nu</translation>
     </message>
     <message>
         <source>All wet paint dries at once: paint over it without stirring it up</source>
-        <translation type="unfinished"></translation>
+        <translation>All våt färg torkar på en gång: måla över den utan att röra upp den</translation>
     </message>
     <message>
         <source>Mixing &amp;well</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Blandningsyta</translation>
     </message>
     <message>
         <source>A palette of wet paint: mix there with any tool, and carry it to the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>En palett med våt färg: blanda där med vilket verktyg som helst, och för över till duken</translation>
     </message>
     <message>
         <source>&amp;Squeeze onto the well</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kläm ut på blandningsytan</translation>
     </message>
     <message>
         <source>Squeeze the paint that you chose onto the mixing well; Control and click says where</source>
-        <translation type="unfinished"></translation>
+        <translation>Kläm ut den valda färgen på blandningsytan; håll Ctrl och klicka där den ska ligga</translation>
     </message>
     <message>
         <source>&amp;Clean the well</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rengör blandningsytan</translation>
     </message>
     <message>
         <source>Wipe the mixing well bare</source>
-        <translation type="unfinished"></translation>
+        <translation>Torka blandningsytan helt ren</translation>
     </message>
     <message>
         <source>&amp;New layer</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nytt lager</translation>
     </message>
     <message>
         <source>A bare layer above the one that you paint on</source>
-        <translation type="unfinished"></translation>
+        <translation>Ett tomt lager ovanför det du målar på</translation>
     </message>
     <message>
         <source>From a &amp;picture...</source>
-        <translation type="unfinished"></translation>
+        <translation>Från en &amp;bild...</translation>
     </message>
     <message>
         <source>Put a picture onto the canvas as a layer of dry paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Lägg en bild på duken som ett lager torr färg</translation>
     </message>
     <message>
         <source>&amp;Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Duplicera</translation>
     </message>
     <message>
         <source>The same paint once more, on a layer above</source>
-        <translation type="unfinished"></translation>
+        <translation>Samma färg en gång till, på ett lager ovanför</translation>
     </message>
     <message>
         <source>Na&amp;me...</source>
-        <translation type="unfinished"></translation>
+        <translation>Na&amp;mn...</translation>
     </message>
     <message>
         <source>Give the layer or the group another name</source>
-        <translation type="unfinished"></translation>
+        <translation>Ge lagret eller gruppen ett annat namn</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ta bort</translation>
     </message>
     <message>
         <source>Take the layer away with all its paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta bort lagret med all färg på det</translation>
     </message>
     <message>
         <source>&amp;Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>T&amp;öm</translation>
     </message>
     <message>
         <source>Wipe all paint off the layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Torka bort all färg från lagret</translation>
     </message>
     <message>
         <source>&amp;Transform</source>
-        <translation type="unfinished"></translation>
+        <translation>T&amp;ransformera</translation>
     </message>
     <message>
-        <source>Move, scale, turn and mirror the layer&apos;s paint, or what is selected of it, by a frame</source>
-        <translation type="unfinished"></translation>
+        <source>Move, scale, turn and mirror the layer's paint, or what is selected of it, by a frame</source>
+        <translation>Flytta, skala, vrid och spegla lagrets färg, eller den markerade delen, med en ram</translation>
     </message>
     <message>
         <source>M&amp;erge down</source>
-        <translation type="unfinished"></translation>
+        <translation>Sammanfoga n&amp;edåt</translation>
     </message>
     <message>
-        <source>Put the layer&apos;s paint on the layer below, and make them one</source>
-        <translation type="unfinished"></translation>
+        <source>Put the layer's paint on the layer below, and make them one</source>
+        <translation>Lägg lagrets färg på lagret under, och gör dem till ett</translation>
     </message>
     <message>
         <source>&amp;Flatten what is visible</source>
-        <translation type="unfinished"></translation>
+        <translation>Sammanfoga s&amp;ynliga</translation>
     </message>
     <message>
         <source>Make one layer of all that are visible; hidden ones stay</source>
-        <translation type="unfinished"></translation>
+        <translation>Gör ett lager av alla som syns; dolda lager blir kvar</translation>
     </message>
     <message>
         <source>&amp;Group</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gruppera</translation>
     </message>
     <message>
         <source>Put the chosen layers into a group, which is hidden, locked and faded as one</source>
-        <translation type="unfinished"></translation>
+        <translation>Lägg de valda lagren i en grupp, som döljs, låses och tonas ned som ett</translation>
     </message>
     <message>
         <source>&amp;Ungroup</source>
-        <translation type="unfinished"></translation>
+        <translation>Lös upp gru&amp;ppen</translation>
     </message>
     <message>
         <source>Dissolve the group; its layers stay where they are</source>
-        <translation type="unfinished"></translation>
+        <translation>Lös upp gruppen; lagren i den blir kvar på sin plats</translation>
     </message>
     <message>
         <source>&amp;Visible</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Synligt</translation>
     </message>
     <message>
         <source>Show or hide the layer or the group</source>
-        <translation type="unfinished"></translation>
+        <translation>Visa eller dölj lagret eller gruppen</translation>
     </message>
     <message>
         <source>&amp;Locked</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Låst</translation>
     </message>
     <message>
         <source>Keep the layer or the group from being painted on, cleared and merged</source>
-        <translation type="unfinished"></translation>
+        <translation>Skydda lagret eller gruppen mot målning, tömning och sammanfogning</translation>
     </message>
     <message>
         <source>Choose the one &amp;above</source>
-        <translation type="unfinished"></translation>
+        <translation>Välj lagret &amp;ovanför</translation>
     </message>
     <message>
         <source>Paint on the layer above</source>
-        <translation type="unfinished"></translation>
+        <translation>Måla på lagret ovanför</translation>
     </message>
     <message>
         <source>Choose the one &amp;below</source>
-        <translation type="unfinished"></translation>
+        <translation>V&amp;älj lagret under</translation>
     </message>
     <message>
         <source>Paint on the layer below</source>
-        <translation type="unfinished"></translation>
+        <translation>Måla på lagret under</translation>
     </message>
     <message>
         <source>Move u&amp;p</source>
-        <translation type="unfinished"></translation>
+        <translation>Flytta &amp;upp</translation>
     </message>
     <message>
         <source>Move the layer or the group one place up, into and out of groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Flytta lagret eller gruppen ett steg upp, in i och ut ur grupper</translation>
     </message>
     <message>
         <source>Move d&amp;own</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Flytta ned</translation>
     </message>
     <message>
         <source>Move the layer or the group one place down, into and out of groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Flytta lagret eller gruppen ett steg ned, in i och ut ur grupper</translation>
     </message>
     <message>
         <source>&amp;Rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rektangel</translation>
     </message>
     <message>
         <source>Drag a rectangle that tools keep to; Shift adds, Alt takes away, Ctrl makes a square</source>
-        <translation type="unfinished"></translation>
+        <translation>Dra en rektangel som verktygen håller sig inom; Shift lägger till, Alt tar bort, Ctrl ger en kvadrat</translation>
     </message>
     <message>
         <source>&amp;Lasso</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Lasso</translation>
     </message>
     <message>
         <source>Draw around what tools keep to; Shift adds, Alt takes away</source>
-        <translation type="unfinished"></translation>
+        <translation>Rita runt det som verktygen ska hålla sig inom; Shift lägger till, Alt tar bort</translation>
     </message>
     <message>
         <source>&amp;Everything</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Allt</translation>
     </message>
     <message>
         <source>End the selection: tools work on all of the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Avsluta markeringen: verktygen arbetar på hela duken</translation>
     </message>
     <message>
         <source>&amp;Invert</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Invertera</translation>
     </message>
     <message>
         <source>Select what is not selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Markera det som inte är markerat</translation>
     </message>
     <message>
         <source>By &amp;height...</source>
-        <translation type="unfinished"></translation>
+        <translation>Efter &amp;höjd...</translation>
     </message>
     <message>
         <source>Select where the paint stands so high above the bare canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Markera där färgen når en viss höjd över den tomma duken</translation>
     </message>
     <message>
         <source>By &amp;wetness...</source>
-        <translation type="unfinished"></translation>
+        <translation>Efter &amp;våthet...</translation>
     </message>
     <message>
         <source>Select where the wet paint of the layer is so thick</source>
-        <translation type="unfinished"></translation>
+        <translation>Markera där lagrets våta färg har en viss tjocklek</translation>
     </message>
     <message>
         <source>Show the &amp;outline</source>
-        <translation type="unfinished"></translation>
+        <translation>Visa &amp;konturen</translation>
     </message>
     <message>
         <source>Hidden, it is out of the way of what you paint; tools keep to it as before</source>
-        <translation type="unfinished"></translation>
+        <translation>Dold är den inte i vägen när du målar; verktygen håller sig inom den som förut</translation>
     </message>
     <message>
         <source>&amp;Mirror left and right</source>
-        <translation type="unfinished"></translation>
+        <translation>Spegla &amp;vänster och höger</translation>
     </message>
     <message>
         <source>Every stroke is painted on both sides of the upright line</source>
-        <translation type="unfinished"></translation>
+        <translation>Varje drag målas på båda sidor om den lodräta linjen</translation>
     </message>
     <message>
         <source>Mirror a&amp;bove and below</source>
-        <translation type="unfinished"></translation>
+        <translation>Spegla &amp;uppe och nere</translation>
     </message>
     <message>
         <source>Every stroke is painted on both sides of the level line</source>
-        <translation type="unfinished"></translation>
+        <translation>Varje drag målas på båda sidor om den vågräta linjen</translation>
     </message>
     <message>
         <source>M&amp;ore copies around the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fler kopior runt mitten</translation>
     </message>
     <message>
         <source>Every stroke is painted once more around the middle of the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Varje drag målas en gång till runt dukens mitt</translation>
     </message>
     <message>
         <source>&amp;Fewer copies around the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Fä&amp;rre kopior runt mitten</translation>
     </message>
     <message>
         <source>Every stroke is painted once less around the middle of the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Varje drag målas en gång mindre runt dukens mitt</translation>
     </message>
     <message>
         <source>&amp;Ruler along the last stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Linjal längs senaste draget</translation>
     </message>
     <message>
         <source>Strokes run along the ruler, or parallel to it; Shift and drag draw a straight line</source>
-        <translation type="unfinished"></translation>
+        <translation>Dragen följer linjalen, eller löper parallellt med den; dra med Shift för en rak linje</translation>
     </message>
     <message>
         <source>&amp;Ellipse</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ellips</translation>
     </message>
     <message>
         <source>Strokes run along the ellipse, or along another of the same shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Dragen följer ellipsen, eller en annan med samma form</translation>
     </message>
     <message>
         <source>&amp;Handles</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Handtag</translation>
     </message>
     <message>
         <source>Points by which guides are dragged; Shift keeps to steps and proportions</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkter att dra hjälplinjerna i; med Shift i steg och med bevarade proportioner</translation>
     </message>
     <message>
         <source>&amp;No guides</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Inga hjälplinjer</translation>
     </message>
     <message>
         <source>Take mirrors, copies, ruler and ellipse away</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta bort speglar, kopior, linjal och ellips</translation>
     </message>
     <message>
         <source>&amp;Trace a picture...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kalkera en bild...</translation>
     </message>
     <message>
         <source>Lay a picture below the paint, and beside the canvas; it is in no picture that you save</source>
-        <translation type="unfinished"></translation>
+        <translation>Lägg en bild under färgen, och bredvid duken; den kommer inte med i någon bild som du sparar</translation>
     </message>
     <message>
         <source>&amp;Show it below the paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Vi&amp;sa den under färgen</translation>
     </message>
     <message>
         <source>Show or hide the picture that you trace</source>
-        <translation type="unfinished"></translation>
+        <translation>Visa eller dölj bilden som du kalkerar</translation>
     </message>
     <message>
         <source>F&amp;it it to the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Anp&amp;assa den till duken</translation>
     </message>
     <message>
         <source>In the middle of the canvas, as large as it fits</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitt på duken, så stor som får plats</translation>
     </message>
     <message>
         <source>Ta&amp;ke it away</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ta bort den</translation>
     </message>
     <message>
         <source>Take the picture that you trace away</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta bort bilden som du kalkerar</translation>
     </message>
     <message>
         <source>&amp;Fit the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Visa &amp;hela duken</translation>
     </message>
     <message>
         <source>Show the whole canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Visa hela duken</translation>
     </message>
     <message>
         <source>&amp;Actual pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Verkliga &amp;pixlar</translation>
     </message>
     <message>
         <source>One screen pixel for every pixel of the saved picture</source>
-        <translation type="unfinished"></translation>
+        <translation>En skärmpixel för varje pixel i den sparade bilden</translation>
     </message>
     <message>
         <source>Zoom &amp;in</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zooma in</translation>
     </message>
     <message>
         <source>Closer</source>
-        <translation type="unfinished"></translation>
+        <translation>Närmare</translation>
     </message>
     <message>
         <source>Zoom &amp;out</source>
-        <translation type="unfinished"></translation>
+        <translation>Zooma &amp;ut</translation>
     </message>
     <message>
         <source>Farther</source>
-        <translation type="unfinished"></translation>
+        <translation>Längre bort</translation>
     </message>
     <message>
         <source>Turn &amp;left</source>
-        <translation type="unfinished"></translation>
+        <translation>Vrid åt &amp;vänster</translation>
     </message>
     <message>
         <source>Turn the canvas a little to the left on the screen; so does Shift+Space and a drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Vrid duken lite åt vänster på skärmen; eller håll Shift+mellanslag och dra</translation>
     </message>
     <message>
         <source>&amp;Upright</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Räta upp</translation>
     </message>
     <message>
         <source>The canvas stands again as it is saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Duken står åter som den sparas</translation>
     </message>
     <message>
         <source>Turn &amp;right</source>
-        <translation type="unfinished"></translation>
+        <translation>Vrid åt hö&amp;ger</translation>
     </message>
     <message>
         <source>Turn the canvas a little to the right on the screen; so does Shift+Space and a drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Vrid duken lite åt höger på skärmen; eller håll Shift+mellanslag och dra</translation>
     </message>
     <message>
         <source>&amp;Mirror the view</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Spegla vyn</translation>
     </message>
     <message>
         <source>See the painting as in a mirror, and paint on it so; it is saved as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Se målningen som i en spegel, och måla på den så; den sparas rättvänd</translation>
     </message>
     <message>
         <source>Canvas &amp;only</source>
-        <translation type="unfinished"></translation>
+        <translation>Bara &amp;duken</translation>
     </message>
     <message>
         <source>Nothing but the canvas; Tab or Escape brings the panels back</source>
-        <translation type="unfinished"></translation>
+        <translation>Inget annat än duken; Tab eller Escape tar fram panelerna igen</translation>
     </message>
     <message>
         <source>In its l&amp;ight</source>
-        <translation type="unfinished"></translation>
+        <translation>I sitt &amp;ljus</translation>
     </message>
     <message>
         <source>The paint as it hangs in its light</source>
-        <translation type="unfinished"></translation>
+        <translation>Färgen som den ser ut i sitt ljus</translation>
     </message>
     <message>
         <source>Show &amp;wet</source>
-        <translation type="unfinished"></translation>
+        <translation>Visa vå&amp;tt</translation>
     </message>
     <message>
         <source>Tints what is still wet, the more the thicker it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Tonar det som ännu är vått, starkare ju tjockare det är</translation>
     </message>
     <message>
         <source>Show &amp;height</source>
-        <translation type="unfinished"></translation>
+        <translation>Visa hö&amp;jd</translation>
     </message>
     <message>
         <source>How high the paint stands above the bare canvas, in steps of colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur högt färgen når över den tomma duken, i färgade steg</translation>
     </message>
     <message>
         <source>Show &amp;normals</source>
-        <translation type="unfinished"></translation>
+        <translation>Visa &amp;normaler</translation>
     </message>
     <message>
         <source>Where the surface faces: red to the right, green up, blue towards you</source>
-        <translation type="unfinished"></translation>
+        <translation>Vart ytan vetter: rött åt höger, grönt uppåt, blått mot dig</translation>
     </message>
     <message>
         <source>&amp;Flat colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Kul&amp;ör utan ljus</translation>
     </message>
     <message>
-        <source>The paint&apos;s colours alone, without light and relief</source>
-        <translation type="unfinished"></translation>
+        <source>The paint's colours alone, without light and relief</source>
+        <translation>Färgens kulörer för sig, utan ljus och relief</translation>
     </message>
     <message>
         <source>&amp;Tool panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Verkt&amp;ygspanel</translation>
     </message>
     <message>
         <source>What the brush holds, and how it answers to the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Vad penseln bär, och hur den svarar på handen</translation>
     </message>
     <message>
         <source>&amp;Colour panel</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kulörpanel</translation>
     </message>
     <message>
         <source>A paint of any colour, and its recipe from the tubes</source>
-        <translation type="unfinished"></translation>
+        <translation>Färg i vilken kulör som helst, och receptet från tuberna</translation>
     </message>
     <message>
         <source>P&amp;hysics panel</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fysikpanel</translation>
     </message>
     <message>
         <source>What the paint is like: how it flows, holds and dries</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur färgen beter sig: hur den flyter, håller formen och torkar</translation>
     </message>
     <message>
         <source>&amp;Guides panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Hjälplinjepan&amp;el</translation>
     </message>
     <message>
         <source>Mirrors, ruler and ellipse in millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Speglar, linjal och ellips i millimeter</translation>
     </message>
     <message>
         <source>&amp;Layers panel</source>
-        <translation type="unfinished"></translation>
+        <translation>L&amp;agerpanel</translation>
     </message>
     <message>
         <source>The layers of the painting: seen, locked, faded, in what order</source>
-        <translation type="unfinished"></translation>
+        <translation>Målningens lager: synliga, låsta, nedtonade, i vilken ordning</translation>
     </message>
     <message>
         <source>Tr&amp;acing panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalker&amp;ingspanel</translation>
     </message>
     <message>
         <source>The picture that you trace, to look at and to pick colours from</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilden som du kalkerar, att titta på och hämta kulörer från</translation>
     </message>
     <message>
         <source>&amp;History panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Hist&amp;orikpanel</translation>
     </message>
     <message>
         <source>What was done, to go back to any of it</source>
-        <translation type="unfinished"></translation>
+        <translation>Vad som har gjorts, för att gå tillbaka till valfritt steg</translation>
     </message>
     <message>
         <source>&amp;Reset the panels</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Återställ panelerna</translation>
     </message>
     <message>
         <source>Panels and mixing well as they stood at the first start</source>
-        <translation type="unfinished"></translation>
+        <translation>Paneler och blandningsyta som de stod vid första starten</translation>
     </message>
     <message>
         <source>Colours for s&amp;RGB</source>
-        <translation type="unfinished"></translation>
+        <translation>Färger för sRG&amp;B</translation>
     </message>
     <message>
         <source>Shows the painting for common screens</source>
-        <translation type="unfinished"></translation>
+        <translation>Visar målningen för vanliga skärmar</translation>
     </message>
     <message>
         <source>Colours for Display &amp;P3</source>
-        <translation type="unfinished"></translation>
+        <translation>F&amp;ärger för Display P3</translation>
     </message>
     <message>
         <source>Shows the painting for a screen of wide gamut</source>
-        <translation type="unfinished"></translation>
+        <translation>Visar målningen för en skärm med brett färgomfång</translation>
     </message>
     <message>
         <source>&amp;Daylight (D65)</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dagsljus (D65)</translation>
     </message>
     <message>
         <source>The light that screens are made for</source>
-        <translation type="unfinished"></translation>
+        <translation>Ljuset som skärmar är gjorda för</translation>
     </message>
     <message>
         <source>&amp;Print booth (D50)</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Granskningsljus (D50)</translation>
     </message>
     <message>
         <source>The light that prints are judged in</source>
-        <translation type="unfinished"></translation>
+        <translation>Ljuset som utskrifter bedöms i</translation>
     </message>
     <message>
         <source>Light &amp;bulb (A)</source>
-        <translation type="unfinished"></translation>
+        <translation>Glödla&amp;mpa (A)</translation>
     </message>
     <message>
         <source>Incandescent lamplight</source>
-        <translation type="unfinished"></translation>
+        <translation>Ljus från glödlampor</translation>
     </message>
     <message>
         <source>&amp;LED lamp</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;LED-lampa</translation>
     </message>
     <message>
         <source>A white LED with its blue peak</source>
-        <translation type="unfinished"></translation>
+        <translation>En vit LED med sin blå topp</translation>
     </message>
     <message>
         <source>From a &amp;file...</source>
-        <translation type="unfinished"></translation>
+        <translation>Från en &amp;fil...</translation>
     </message>
     <message>
         <source>A lamp that you have measured, as a CSV file</source>
-        <translation type="unfinished"></translation>
+        <translation>En lampa som du har mätt, som CSV-fil</translation>
     </message>
     <message>
         <source>&amp;Move the light</source>
-        <translation type="unfinished"></translation>
+        <translation>Fl&amp;ytta ljuset</translation>
     </message>
     <message>
         <source>Drag the lamp over the canvas: towards the rim it rakes over the relief</source>
-        <translation type="unfinished"></translation>
+        <translation>Dra lampan över duken: mot kanten ger den släpljus över reliefen</translation>
     </message>
     <message>
         <source>&amp;Find a command...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Sök ett kommando...</translation>
     </message>
     <message>
         <source>Type a few letters of what you want to do</source>
-        <translation type="unfinished"></translation>
+        <translation>Skriv några bokstäver av det du vill göra</translation>
     </message>
     <message>
         <source>&amp;Keys...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kortkommandon...</translation>
     </message>
     <message>
         <source>Choose a set of keys, and give any command keys of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>Välj en uppsättning kortkommandon, och ge valfritt kommando egna tangenter</translation>
     </message>
     <message>
         <source>&amp;Settings...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Inställningar...</translation>
     </message>
     <message>
         <source>The look of the window, what is kept, and how much of the machine is used</source>
-        <translation type="unfinished"></translation>
+        <translation>Fönstrets utseende, vad som sparas och hur mycket av datorn som används</translation>
+    </message>
+    <message>
+        <source>Start &amp;page</source>
+        <translation>Sta&amp;rtsida</translation>
+    </message>
+    <message>
+        <source>New canvases, recent paintings and examples at a glance</source>
+        <translation>Nya dukar, senaste målningar och exempel i en överblick</translation>
+    </message>
+    <message>
+        <source>&amp;Watch it grow...</source>
+        <translation>Se den &amp;växa fram...</translation>
+    </message>
+    <message>
+        <source>See how the painting came about, in a window of its own; the painting stays as it is</source>
+        <translation>Se hur målningen kom till, i ett eget fönster; målningen förblir som den är</translation>
+    </message>
+    <message>
+        <source>&amp;Make a time-lapse...</source>
+        <translation>Gör en time&amp;lapse...</translation>
+    </message>
+    <message>
+        <source>A film, or numbered pictures, of how the painting came about</source>
+        <translation>En film, eller numrerade bilder, av hur målningen kom till</translation>
+    </message>
+    <message>
+        <source>Pop-&amp;up palette</source>
+        <translation>Popup-pale&amp;tt</translation>
+    </message>
+    <message>
+        <source>Tools and paints around the pointer; so does a right click on the canvas</source>
+        <translation>Verktyg och färger runt pekaren; eller högerklicka på duken</translation>
+    </message>
+    <message>
+        <source>&amp;Navigator</source>
+        <translation>Övers&amp;ikt</translation>
+    </message>
+    <message>
+        <source>The whole canvas, to see where the window is and to go elsewhere</source>
+        <translation>Hela duken, för att se var fönstret är och gå någon annanstans</translation>
+    </message>
+    <message>
+        <source>Li&amp;ghts panel</source>
+        <translation>Bel&amp;ysningspanel</translation>
+    </message>
+    <message>
+        <source>The lamp, its light, and a coat of varnish to look through</source>
+        <translation>Lampan, dess ljus, och ett skikt fernissa att se igenom</translation>
+    </message>
+    <message>
+        <source>Recor&amp;der panel</source>
+        <translation>Inspelni&amp;ngspanel</translation>
+    </message>
+    <message>
+        <source>What is recorded of the painting: watch it grow again, or make a time-lapse</source>
+        <translation>Vad som är inspelat av målningen: se den växa fram igen, eller gör en timelapse</translation>
+    </message>
+    <message>
+        <source>&amp;Pen and tablet...</source>
+        <translation>&amp;Penna och ritplatta...</translation>
+    </message>
+    <message>
+        <source>How pens and mouse press, what their buttons do, and a sheet to try them on</source>
+        <translation>Hur pennor och mus trycker, vad knapparna gör, och ett ark att prova dem på</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>%1 min %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 min %2 s</translation>
     </message>
     <message>
         <source>%1 h %2 min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 h %2 min</translation>
     </message>
     <message>
         <source>%1 × %2 pixels for %3 × %4 mm, which is %5 pixels per inch.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 pixlar för %3 × %4 mm, vilket är %5 pixlar per tum.</translation>
     </message>
     <message>
         <source>Four files of %1 × %2 pixels, %3 to %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fyra filer på %1 × %2 pixlar, %3 till %4.</translation>
     </message>
     <message>
         <source>A solid of %1 × %2 mm; its front has %3 × %4 points, %5 mm apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>En solid kropp på %1 × %2 mm; framsidan har %3 × %4 punkter, %5 mm emellan.</translation>
     </message>
     <message>
         <source>%1 of painting become %2 of film: %3 frames of %4 × %5 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 målande blir %2 film: %3 bildrutor på %4 × %5 pixlar.</translation>
     </message>
     <message>
         <source>%1 is a file; numbered pictures go into a folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är en fil; numrerade bilder läggs i en mapp.</translation>
     </message>
     <message>
         <source>The folder %1 holds the frames of another time-lapse; name another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mappen %1 innehåller bildrutor från en annan timelapse; ange en annan.</translation>
     </message>
     <message>
         <source>Nothing has been painted yet that a film could show.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ännu har inget målats som en film kan visa.</translation>
     </message>
     <message>
         <source>The file needs a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Filen behöver ett namn.</translation>
     </message>
     <message>
         <source>There is no folder %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Det finns ingen mapp %1.</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::CanvasSizeDialog</name>
     <message>
         <source>The upper left corner stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Övre vänstra hörnet ligger kvar</translation>
     </message>
     <message>
         <source>The middle of the upper edge stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Överkantens mitt ligger kvar</translation>
     </message>
     <message>
         <source>The upper right corner stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Övre högra hörnet ligger kvar</translation>
     </message>
     <message>
         <source>The middle of the left edge stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Vänsterkantens mitt ligger kvar</translation>
     </message>
     <message>
         <source>The middle stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitten ligger kvar</translation>
     </message>
     <message>
         <source>The middle of the right edge stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Högerkantens mitt ligger kvar</translation>
     </message>
     <message>
         <source>The lower left corner stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Nedre vänstra hörnet ligger kvar</translation>
     </message>
     <message>
         <source>The middle of the lower edge stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Underkantens mitt ligger kvar</translation>
     </message>
     <message>
         <source>The lower right corner stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Nedre högra hörnet ligger kvar</translation>
     </message>
     <message>
         <source>%1 mm on the left</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm till vänster</translation>
     </message>
     <message>
         <source>%1 mm on the right</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm till höger</translation>
     </message>
     <message>
         <source>%1 mm at the top</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm upptill</translation>
     </message>
     <message>
         <source>%1 mm at the bottom</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm nedtill</translation>
     </message>
     <message>
         <source>Added: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Läggs till: %1.</translation>
     </message>
     <message>
         <source>Cut off: %1. What lies there is wiped off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skärs av: %1. Det som ligger där torkas bort.</translation>
     </message>
     <message>
         <source>Canvas size</source>
-        <translation type="unfinished"></translation>
+        <translation>Dukstorlek</translation>
     </message>
     <message>
         <source>Change the size</source>
-        <translation type="unfinished"></translation>
+        <translation>Ändra storleken</translation>
     </message>
     <message>
         <source>&amp;Width</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bredd</translation>
     </message>
     <message>
         <source>&amp;Height</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Höjd</translation>
     </message>
     <message>
         <source>Stays in place</source>
-        <translation type="unfinished"></translation>
+        <translation>Ligger kvar</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>The canvas has this size.</source>
-        <translation type="unfinished"></translation>
+        <translation>Duken har den här storleken.</translation>
     </message>
     <message>
         <source>A picture of %1 × %2 pixels.
 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>En bild på %1 × %2 pixlar.
+%3</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::CommandPalette</name>
     <message>
         <source>What do you want to do?</source>
-        <translation type="unfinished"></translation>
+        <translation>Vad vill du göra?</translation>
     </message>
     <message>
         <source>No command of that name. Fewer letters find more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Det finns inget kommando med det namnet. Färre bokstäver hittar fler.</translation>
     </message>
     <message>
         <source>Not now: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Inte nu: %1</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::CrashDialog</name>
     <message>
         <source>Pastoso failed the last time</source>
-        <translation type="unfinished"></translation>
+        <translation>Pastoso kraschade förra gången</translation>
     </message>
     <message>
         <source>We are sorry. What you had painted was kept and is offered to you next. This report says where the program was; it tells nothing of your painting. With it the mistake can be found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vi beklagar. Det du hade målat är bevarat och erbjuds dig strax. Den här rapporten talar om var programmet befann sig; den säger inget om din målning. Med den går felet att hitta.</translation>
     </message>
     <message>
         <source>It is kept as %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den är sparad som %1.</translation>
     </message>
     <message>
         <source>Copy the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopiera rapporten</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::ExportDialog</name>
     <message>
         <source>Where the folder is put</source>
-        <translation type="unfinished"></translation>
+        <translation>Var mappen läggs</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportera</translation>
     </message>
     <message>
         <source>;;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>;;Alla filer (*)</translation>
     </message>
     <message>
         <source>sRGB</source>
-        <translation type="unfinished"></translation>
+        <translation>sRGB</translation>
     </message>
     <message>
         <source>Display P3</source>
-        <translation type="unfinished"></translation>
+        <translation>Display P3</translation>
     </message>
     <message>
         <source>ICC profile...</source>
-        <translation type="unfinished"></translation>
+        <translation>ICC-profil...</translation>
     </message>
     <message>
         <source>ICC profile</source>
-        <translation type="unfinished"></translation>
+        <translation>ICC-profil</translation>
     </message>
     <message>
         <source>ICC profiles (*.icc *.icm);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>ICC-profiler (*.icc *.icm);;Alla filer (*)</translation>
     </message>
     <message>
         <source>What the painting looks like.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur målningen ser ut.</translation>
     </message>
     <message>
         <source>The picture, and of every layer its colours, normals, heights in mm, wetness, gloss and cover, as channels of one file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilden, och för varje lager dess färger, normaler, höjder i mm, våthet, glans och täckning, som kanaler i en fil.</translation>
     </message>
     <message>
         <source>Base colour, normal (OpenGL, +Y up), height and roughness, a file for each.</source>
-        <translation type="unfinished"></translation>
+        <translation>Grundfärg, normaler (OpenGL, +Y uppåt), höjd och strävhet, en fil för var och en.</translation>
     </message>
     <message>
         <source>The paint as it stands on the canvas: a closed solid in millimetres.</source>
-        <translation type="unfinished"></translation>
+        <translation>Färgen som den ligger på duken: en sluten solid kropp i millimeter.</translation>
     </message>
     <message>
         <source>How the painting came about. It is painted once more, which takes a while.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur målningen kom till. Den målas en gång till, vilket tar en stund.</translation>
     </message>
     <message>
         <source>&amp;Folder</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Mapp</translation>
     </message>
     <message>
         <source>Replace</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersätt</translation>
     </message>
     <message>
         <source>What the file is; its name ends accordingly</source>
-        <translation type="unfinished"></translation>
+        <translation>Filens format; namnet får motsvarande ändelse</translation>
     </message>
     <message>
         <source>What is made of the painting</source>
-        <translation type="unfinished"></translation>
+        <translation>Vad som görs av målningen</translation>
     </message>
     <message>
         <source>Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild</translation>
     </message>
     <message>
         <source>Layers, for compositing</source>
-        <translation type="unfinished"></translation>
+        <translation>Lager, för kompositing</translation>
     </message>
     <message>
         <source>Maps, for 3D programs</source>
-        <translation type="unfinished"></translation>
+        <translation>Texturkartor, för 3D-program</translation>
     </message>
     <message>
         <source>Relief, for 3D printing</source>
-        <translation type="unfinished"></translation>
+        <translation>Relief, för 3D-utskrift</translation>
     </message>
     <message>
         <source>Time-lapse</source>
-        <translation type="unfinished"></translation>
+        <translation>Timelapse</translation>
     </message>
     <message>
         <source>Where it is put; the ending of the name chooses the format</source>
-        <translation type="unfinished"></translation>
+        <translation>Var den läggs; namnets ändelse väljer formatet</translation>
     </message>
     <message>
         <source>&amp;Browse...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bläddra...</translation>
     </message>
     <message>
         <source>1 is a small file, 100 a fine picture</source>
-        <translation type="unfinished"></translation>
+        <translation>1 är en liten fil, 100 en fin bild</translation>
     </message>
     <message>
         <source>What the picture is of</source>
-        <translation type="unfinished"></translation>
+        <translation>Vad bilden visar</translation>
     </message>
     <message>
         <source>The canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Duken</translation>
     </message>
     <message>
         <source>The mixing well</source>
-        <translation type="unfinished"></translation>
+        <translation>Blandningsytan</translation>
     </message>
     <message>
         <source>&amp;Light and shade</source>
-        <translation type="unfinished"></translation>
+        <translation>L&amp;jus och skugga</translation>
     </message>
     <message>
-        <source>As the window shows the painting; otherwise the paint&apos;s own colours, as a scan would have them</source>
-        <translation type="unfinished"></translation>
+        <source>As the window shows the painting; otherwise the paint's own colours, as a scan would have them</source>
+        <translation>Som fönstret visar målningen; annars färgens egna kulörer, som en skanning återger dem</translation>
     </message>
     <message>
         <source> px/cell</source>
-        <translation type="unfinished"></translation>
+        <translation> px/cell</translation>
     </message>
     <message>
-        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint&apos;s surface is interpolated, not the pixels</source>
-        <translation type="unfinished"></translation>
+        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint's surface is interpolated, not the pixels</source>
+        <translation>Pixlar per cell på duken: 1 som fönstret målar den, 2 dubbelt så bred och hög. Färgens yta interpoleras, inte pixlarna</translation>
     </message>
     <message>
         <source> px wide</source>
-        <translation type="unfinished"></translation>
+        <translation> px bred</translation>
     </message>
     <message>
         <source>The width that the scale comes to, or the scale that gives this width</source>
-        <translation type="unfinished"></translation>
+        <translation>Bredden som skalan ger, eller skalan som ger den här bredden</translation>
     </message>
     <message>
         <source>What the numbers in the file mean; the file says so too. sRGB is for common screens, Display P3 for screens of wide gamut, an ICC profile for a printer</source>
-        <translation type="unfinished"></translation>
+        <translation>Vad talen i filen betyder; det står också i filen. sRGB är för vanliga skärmar, Display P3 för skärmar med brett färgomfång, en ICC-profil för en skrivare</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Thickness from the flat back to the lowest level of the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Tjockleken från den plana baksidan till dukens lägsta nivå</translation>
     </message>
     <message>
         <source> times as high</source>
-        <translation type="unfinished"></translation>
+        <translation> gånger höjden</translation>
     </message>
     <message>
         <source>1 is the relief as it is painted, 2 twice as high; width and height stay</source>
-        <translation type="unfinished"></translation>
+        <translation>1 är reliefen som den är målad, 2 dubbelt så hög; bredd och höjd ändras inte</translation>
     </message>
     <message>
         <source> mm apart</source>
-        <translation type="unfinished"></translation>
+        <translation> mm emellan</translation>
     </message>
     <message>
         <source>Distance between two points of the surface; 0 is as far as the cells, or farther where the canvas is large</source>
-        <translation type="unfinished"></translation>
+        <translation>Avståndet mellan två punkter på ytan; 0 är lika långt som mellan cellerna, eller längre om duken är stor</translation>
     </message>
     <message>
         <source>automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>automatiskt</translation>
     </message>
     <message>
         <source> times as fast</source>
-        <translation type="unfinished"></translation>
+        <translation> gånger så fort</translation>
     </message>
     <message>
         <source>Seconds of painting in a second of film</source>
-        <translation type="unfinished"></translation>
+        <translation>Sekunder av målande per sekund film</translation>
     </message>
     <message>
         <source> per second</source>
-        <translation type="unfinished"></translation>
+        <translation> per sekund</translation>
     </message>
     <message>
         <source>Frames in a second of film</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildrutor per sekund film</translation>
     </message>
     <message>
         <source>&amp;Make</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Skapa</translation>
     </message>
     <message>
         <source>F&amp;ormat</source>
-        <translation type="unfinished"></translation>
+        <translation>F&amp;ormat</translation>
     </message>
     <message>
         <source>&amp;Quality</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kvalitet</translation>
     </message>
     <message>
         <source>Sho&amp;w</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Visa</translation>
     </message>
     <message>
         <source>&amp;Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Ska&amp;la</translation>
     </message>
     <message>
         <source>&amp;Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Färger</translation>
     </message>
     <message>
         <source>&amp;Thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tjocklek</translation>
     </message>
     <message>
         <source>&amp;Heights</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Höjder</translation>
     </message>
     <message>
         <source>&amp;Points</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Punkter</translation>
     </message>
     <message>
         <source>Sp&amp;eed</source>
-        <translation type="unfinished"></translation>
+        <translation>Hasti&amp;ghet</translation>
     </message>
     <message>
         <source>F&amp;rames</source>
-        <translation type="unfinished"></translation>
+        <translation>Bil&amp;drutor</translation>
+    </message>
+    <message>
+        <source>&amp;File name</source>
+        <translation>F&amp;ilnamn</translation>
+    </message>
+    <message>
+        <source> px/mm</source>
+        <translation> px/mm</translation>
+    </message>
+    <message>
+        <source>Cells in a millimetre of the canvas that it is painted on once more: more show finer paint and take longer; 0 is as it was painted</source>
+        <translation>Celler per millimeter duk när den målas på nytt: fler ger finare färg och tar längre tid; 0 är som den målades</translation>
+    </message>
+    <message>
+        <source>as it was painted</source>
+        <translation>som den målades</translation>
+    </message>
+    <message>
+        <source>Canvas of &amp;it</source>
+        <translation>D&amp;ukens upplösning</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::KeyCatcher</name>
     <message>
         <source>Press the keys... (Esc: none)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tryck på tangenterna... (Esc: inga)</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::KeysDialog</name>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Kortkommandon</translation>
     </message>
     <message>
         <source>What the keys are to start with; keys of your own stay</source>
-        <translation type="unfinished"></translation>
+        <translation>Vilka kortkommandon du utgår från; dina egna ligger kvar</translation>
     </message>
     <message>
         <source>Find by words, or by keys such as Ctrl+J</source>
-        <translation type="unfinished"></translation>
+        <translation>Sök med ord, eller med tangenter som Ctrl+J</translation>
     </message>
     <message>
         <source>Click, and press other keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicka, och tryck på andra tangenter</translation>
     </message>
     <message>
         <source>Add a key</source>
-        <translation type="unfinished"></translation>
+        <translation>Lägg till en tangent</translation>
     </message>
     <message>
         <source>As the set has it</source>
-        <translation type="unfinished"></translation>
+        <translation>Som i uppsättningen</translation>
     </message>
     <message>
         <source>Leave it</source>
-        <translation type="unfinished"></translation>
+        <translation>Låt bli</translation>
     </message>
     <message>
         <source>Forget all my own keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Glöm alla mina egna kortkommandon</translation>
     </message>
     <message>
         <source>Click, and press other keys in place of these</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicka, och tryck på andra tangenter i stället för dessa</translation>
     </message>
     <message>
         <source>Take %1 away</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta bort %1</translation>
     </message>
     <message>
         <source>%1 is needed on the canvas itself: it can be given to no command. Choose another key.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 behövs på själva duken och kan inte ges till något kommando. Välj en annan tangent.</translation>
     </message>
     <message>
         <source>%1 is its key already.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är redan dess tangent.</translation>
     </message>
     <message>
-        <source>%1 is the key of &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <source>%1 is the key of "%2".</source>
+        <translation>%1 används av ”%2”.</translation>
     </message>
     <message>
         <source>Take it from there</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta den därifrån</translation>
     </message>
     <message>
-        <source>%1 stays with &quot;%2&quot;, which you gave it to.</source>
-        <translation type="unfinished"></translation>
+        <source>%1 stays with "%2", which you gave it to.</source>
+        <translation>%1 stannar hos ”%2”, som du gav den till.</translation>
     </message>
     <message>
-        <source>All keys will be as the set &quot;%1&quot; has them.</source>
-        <translation type="unfinished"></translation>
+        <source>All keys will be as the set "%1" has them.</source>
+        <translation>Alla kortkommandon blir som i uppsättningen ”%1”.</translation>
     </message>
     <message>
         <source>Forget my own</source>
-        <translation type="unfinished"></translation>
+        <translation>Glöm mina egna</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::NewCanvasDialog</name>
     <message>
         <source>New canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Ny duk</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source> px/mm</source>
-        <translation type="unfinished"></translation>
+        <translation> px/mm</translation>
     </message>
     <message>
         <source>Linen</source>
-        <translation type="unfinished"></translation>
+        <translation>Linne</translation>
     </message>
     <message>
         <source>Cotton duck</source>
-        <translation type="unfinished"></translation>
+        <translation>Bomullsduk</translation>
     </message>
     <message>
         <source>Panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Pannå</translation>
     </message>
     <message>
         <source>Height image...</source>
-        <translation type="unfinished"></translation>
+        <translation>Höjdbild...</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Bredd</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Höjd</translation>
     </message>
     <message>
         <source>Resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>Upplösning</translation>
     </message>
     <message>
         <source>Support</source>
-        <translation type="unfinished"></translation>
+        <translation>Underlag</translation>
     </message>
     <message>
         <source>Height image: white is high</source>
-        <translation type="unfinished"></translation>
+        <translation>Höjdbild: vitt är högt</translation>
     </message>
     <message>
         <source>Image: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild: %1</translation>
     </message>
     <message>
         <source>A picture of %1 × %2 pixels; up to %3 MiB of memory when all of it is wet.</source>
-        <translation type="unfinished"></translation>
+        <translation>En bild på %1 × %2 pixlar; upp till %3 MiB minne när allt är vått.</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::RecoveryDialog</name>
     <message>
         <source>A painting without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>En målning utan namn</translation>
     </message>
     <message>
         <source>A painting that cannot be read
 %1</source>
-        <translation type="unfinished"></translation>
+        <translation>En målning som inte kan läsas
+%1</translation>
     </message>
     <message numerus="yes">
         <source>%1
 %2
 %3 × %4 mm, %n change(s) not saved</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1
+%2
+%3 × %4 mm, osparade ändringar: %n</numerusform>
+            <numerusform>%1
+%2
+%3 × %4 mm, osparade ändringar: %n</numerusform>
         </translation>
     </message>
     <message>
         <source>Unfinished paintings</source>
-        <translation type="unfinished"></translation>
+        <translation>Oavslutade målningar</translation>
     </message>
     <message>
         <source>Pastoso ended before these were saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pastoso avslutades innan de här hade sparats.</translation>
     </message>
     <message>
         <source>Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>Återskapa</translation>
     </message>
     <message>
         <source>Not now</source>
-        <translation type="unfinished"></translation>
+        <translation>Inte nu</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>Kasta</translation>
     </message>
     <message>
         <source>Discard %1 for good? It is nowhere else.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kasta %1 för gott? Den finns ingen annanstans.</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::SelectRangeDialog</name>
     <message>
         <source>Select it</source>
-        <translation type="unfinished"></translation>
+        <translation>Markera det</translation>
     </message>
     <message>
         <source>Add it to the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Lägg till det i markeringen</translation>
     </message>
     <message>
         <source>Take it out of the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta bort det ur markeringen</translation>
     </message>
     <message>
         <source>Keep what is in both</source>
-        <translation type="unfinished"></translation>
+        <translation>Behåll det som finns i båda</translation>
     </message>
     <message>
         <source>Select</source>
-        <translation type="unfinished"></translation>
+        <translation>Markera</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>Från</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>Till</translation>
     </message>
     <message>
         <source>Do</source>
-        <translation type="unfinished"></translation>
+        <translation>Gör</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Nothing is there to be selected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Det finns inget att markera.</translation>
     </message>
     <message>
         <source>Then %1 % of the canvas is selected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Då är %1 % av duken markerad.</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::SettingsDialog</name>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Inställningar</translation>
     </message>
     <message>
         <source>Appearance</source>
-        <translation type="unfinished"></translation>
+        <translation>Utseende</translation>
     </message>
     <message>
         <source>Keeping</source>
-        <translation type="unfinished"></translation>
+        <translation>Spara och ångra</translation>
     </message>
     <message>
         <source>Performance</source>
-        <translation type="unfinished"></translation>
+        <translation>Prestanda</translation>
     </message>
     <message>
         <source>This machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Den här datorn</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Tema</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Mörkt</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Ljust</translation>
     </message>
     <message>
         <source>Both are neutral greys, so that nothing beside the canvas colours what you see on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Båda är neutralt grå, så att inget bredvid duken färgar det du ser på den.</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Språk</translation>
     </message>
     <message>
         <source>As on the desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>Som på skrivbordet</translation>
     </message>
     <message>
         <source>Another language speaks from the next start on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ett annat språk gäller från nästa start.</translation>
     </message>
     <message>
         <source> MiB</source>
-        <translation type="unfinished"></translation>
+        <translation> MiB</translation>
     </message>
     <message>
         <source>Memory for undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Ångraminne</translation>
     </message>
     <message>
         <source>The steps that you can return to. The oldest are given up when it is full; 500 are kept at most.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stegen som du kan gå tillbaka till. De äldsta släpps när minnet är fullt; högst 500 behålls.</translation>
     </message>
     <message>
         <source>Never</source>
-        <translation type="unfinished"></translation>
+        <translation>Aldrig</translation>
     </message>
     <message>
         <source> minutes</source>
-        <translation type="unfinished"></translation>
+        <translation> minuter emellan</translation>
     </message>
     <message>
         <source>Save by itself every</source>
-        <translation type="unfinished"></translation>
+        <translation>Spara automatiskt</translation>
     </message>
     <message>
-        <source>Into the painting&apos;s own file, once it has one. Whatever you choose, every stroke is kept aside within a second and offered to you again should the program or the machine fail.</source>
-        <translation type="unfinished"></translation>
+        <source>Into the painting's own file, once it has one. Whatever you choose, every stroke is kept aside within a second and offered to you again should the program or the machine fail.</source>
+        <translation>Till målningens egen fil, när den väl har en. Vad du än väljer sparas varje drag undan inom en sekund och erbjuds dig igen om programmet eller datorn skulle haverera.</translation>
     </message>
     <message>
         <source>All of the machine (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Hela datorn (%1)</translation>
     </message>
     <message>
         <source>Threads</source>
-        <translation type="unfinished"></translation>
+        <translation>Trådar</translation>
     </message>
     <message>
         <source>How many things the program works on at once, from the next painting on. The paint flows the same with any number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur många saker programmet arbetar med samtidigt, från och med nästa målning. Färgen flyter likadant med vilket antal som helst.</translation>
     </message>
     <message>
         <source>How carefully moving paint is shown follows from how fast this machine draws; what stands still is always shown in full.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur noga färg i rörelse visas beror på hur snabbt den här datorn ritar; det som står stilla visas alltid i full kvalitet.</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopiera</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::TransformDialog</name>
     <message>
         <source>Transform</source>
-        <translation type="unfinished"></translation>
+        <translation>Transformera</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>°</source>
-        <translation type="unfinished"></translation>
+        <translation>°</translation>
     </message>
     <message>
         <source>Move right</source>
-        <translation type="unfinished"></translation>
+        <translation>Flytta åt höger</translation>
     </message>
     <message>
         <source>Move down</source>
-        <translation type="unfinished"></translation>
+        <translation>Flytta nedåt</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Bredd</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Höjd</translation>
     </message>
     <message>
         <source>Turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Vrid</translation>
     </message>
     <message>
         <source>Clockwise, about the middle of the frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Medurs, runt ramens mitt</translation>
     </message>
     <message>
         <source>Left–right</source>
-        <translation type="unfinished"></translation>
+        <translation>Vänster–höger</translation>
     </message>
     <message>
         <source>Left and right of the paint change places, before it is turned</source>
-        <translation type="unfinished"></translation>
+        <translation>Färgens vänstra och högra sida byter plats, innan den vrids</translation>
     </message>
     <message>
         <source>Up–down</source>
-        <translation type="unfinished"></translation>
+        <translation>Uppe–nere</translation>
     </message>
     <message>
         <source>Above and below change places, before the paint is turned</source>
-        <translation type="unfinished"></translation>
+        <translation>Uppe och nere byter plats, innan färgen vrids</translation>
     </message>
     <message>
         <source>Mirror</source>
-        <translation type="unfinished"></translation>
+        <translation>Spegla</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>Verkställ</translation>
     </message>
     <message>
         <source>The paint keeps its thickness and its amount.</source>
-        <translation type="unfinished"></translation>
+        <translation>Färgen behåller sin tjocklek och sin mängd.</translation>
     </message>
     <message>
         <source>The paint keeps its thickness: %1 % of it will be there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Färgen behåller sin tjocklek: %1 % av den blir kvar.</translation>
     </message>
     <message>
         <source>What comes beyond the canvas is wiped off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Det som hamnar utanför duken torkas bort.</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main</name>
     <message>
         <source>OpenGL</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenGL</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>ingen</translation>
     </message>
     <message>
         <source>Graphics</source>
-        <translation type="unfinished"></translation>
+        <translation>Grafik</translation>
     </message>
     <message>
         <source>%1 (the processor draws, no graphics card)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (processorn ritar, inget grafikkort)</translation>
     </message>
     <message>
         <source>Its maker</source>
-        <translation type="unfinished"></translation>
+        <translation>Dess tillverkare</translation>
     </message>
     <message>
         <source>Shading language</source>
-        <translation type="unfinished"></translation>
+        <translation>Skuggningsspråk</translation>
     </message>
     <message>
         <source>Largest texture</source>
-        <translation type="unfinished"></translation>
+        <translation>Största textur</translation>
     </message>
     <message>
         <source>%1 pixels a side</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pixlar per sida</translation>
     </message>
     <message>
         <source>%1 × %2 pixels, %3 for one of the layout</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 pixlar, %3 per layoutpixel</translation>
     </message>
     <message>
         <source>Program</source>
-        <translation type="unfinished"></translation>
+        <translation>Program</translation>
     </message>
     <message>
         <source>System</source>
-        <translation type="unfinished"></translation>
+        <translation>System</translation>
     </message>
     <message>
         <source>Processor</source>
-        <translation type="unfinished"></translation>
+        <translation>Processor</translation>
     </message>
     <message>
         <source>%1 at once, %2, kernels for %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 trådar, %2, beräkningskod för %3</translation>
     </message>
     <message>
         <source>Free memory</source>
-        <translation type="unfinished"></translation>
+        <translation>Ledigt minne</translation>
     </message>
     <message>
         <source>%1 GiB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 GiB</translation>
     </message>
     <message>
         <source>Windows by</source>
-        <translation type="unfinished"></translation>
+        <translation>Fönster via</translation>
     </message>
     <message>
         <source>Screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Skärm</translation>
+    </message>
+    <message>
+        <source>Top up</source>
+        <translation>Fyll på</translation>
+    </message>
+    <message>
+        <source>Blot</source>
+        <translation>Torka av</translation>
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation>Byt plats</translation>
+    </message>
+    <message>
+        <source>Pick paint</source>
+        <translation>Hämta färg</translation>
+    </message>
+    <message>
+        <source>Pick colour</source>
+        <translation>Hämta kulör</translation>
+    </message>
+    <message>
+        <source>Left, right</source>
+        <translation>Vänster, höger</translation>
+    </message>
+    <message>
+        <source>Above, below</source>
+        <translation>Uppe, nere</translation>
+    </message>
+    <message>
+        <source>Along the last stroke</source>
+        <translation>Längs senaste draget</translation>
+    </message>
+    <message>
+        <source>On the canvas</source>
+        <translation>På duken</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Välj...</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Below the paint</source>
+        <translation>Under färgen</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassa</translation>
+    </message>
+    <message>
+        <source>100 %</source>
+        <translation>100 %</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>Räta upp</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spegla</translation>
+    </message>
+    <message>
+        <source>Watch it grow...</source>
+        <translation>Se den växa fram...</translation>
+    </message>
+    <message>
+        <source>Make a time-lapse...</source>
+        <translation>Gör en timelapse...</translation>
+    </message>
+    <message>
+        <source>Save the recording...</source>
+        <translation>Spara inspelningen...</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Verktyg</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Kulör</translation>
+    </message>
+    <message>
+        <source>Physics</source>
+        <translation>Fysik</translation>
+    </message>
+    <message>
+        <source>Guides</source>
+        <translation>Hjälplinjer</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>Belysning</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Lager</translation>
+    </message>
+    <message>
+        <source>Tracing</source>
+        <translation>Kalkering</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historik</translation>
+    </message>
+    <message>
+        <source>Navigator</source>
+        <translation>Översikt</translation>
+    </message>
+    <message>
+        <source>Recorder</source>
+        <translation>Inspelning</translation>
+    </message>
+    <message>
+        <source>As it was painted</source>
+        <translation>Som den målades</translation>
+    </message>
+    <message>
+        <source>4 times as fast</source>
+        <translation>4 gånger så fort</translation>
+    </message>
+    <message>
+        <source>16 times as fast</source>
+        <translation>16 gånger så fort</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>Så fort som möjligt</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::BrushJar</name>
     <message>
         <source>%1 was read again; the next stroke is painted with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 har lästs in på nytt; nästa drag målas med det.</translation>
     </message>
     <message>
         <source>Name of the tool:</source>
-        <translation type="unfinished"></translation>
+        <translation>Verktygets namn:</translation>
     </message>
     <message>
         <source>Pastoso</source>
-        <translation type="unfinished"></translation>
+        <translation>Pastoso</translation>
     </message>
     <message>
         <source>My %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Min %1</translation>
     </message>
     <message>
         <source>Save as my own</source>
-        <translation type="unfinished"></translation>
+        <translation>Spara som eget</translation>
     </message>
     <message>
-        <source>There is already a tool of your own named &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <source>There is already a tool of your own named "%1".</source>
+        <translation>Du har redan ett eget verktyg som heter ”%1”.</translation>
     </message>
     <message>
         <source>Overwrite</source>
-        <translation type="unfinished"></translation>
+        <translation>Skriv över</translation>
     </message>
     <message>
-        <source>Kept &quot;%1&quot; among your own.</source>
-        <translation type="unfinished"></translation>
+        <source>Kept "%1" among your own.</source>
+        <translation>”%1” finns nu bland dina egna.</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>Byt namn</translation>
     </message>
     <message>
-        <source>Throw your tool &quot;%1&quot; away? Its file is deleted.</source>
-        <translation type="unfinished"></translation>
+        <source>Throw your tool "%1" away? Its file is deleted.</source>
+        <translation>Ta bort ditt verktyg ”%1”? Dess fil raderas.</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta bort</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is thrown away; what you have in hand stays.</source>
-        <translation type="unfinished"></translation>
+        <source>"%1" is thrown away; what you have in hand stays.</source>
+        <translation>”%1” är borttaget; det du har i handen finns kvar.</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::CanvasSizing</name>
     <message>
         <source>A recording is being played; the canvas is yours when it has ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>En inspelning spelas upp; duken blir din igen när den är slut.</translation>
     </message>
     <message>
         <source>The selection reaches over the whole canvas: there is nothing to cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Markeringen täcker hela duken: det finns inget att skära bort.</translation>
     </message>
     <message>
         <source>The canvas is %1 × %2 mm now; Undo brings back what it was.</source>
-        <translation type="unfinished"></translation>
+        <translation>Duken är nu %1 × %2 mm; Ångra återställer den.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::DroppedFiles</name>
+    <message>
+        <source>%1 is no painting and no picture that can be opened.</source>
+        <translation>%1 är varken en målning eller en bild som går att öppna.</translation>
+    </message>
+    <message>
+        <source>Put it on a &amp;layer, as dry paint</source>
+        <translation>Lägg den på ett &amp;lager, som torr färg</translation>
+    </message>
+    <message>
+        <source>&amp;Trace it, below the paint</source>
+        <translation>&amp;Kalkera den, under färgen</translation>
+    </message>
+    <message>
+        <source>&amp;New canvas made of it</source>
+        <translation>&amp;Ny duk av den</translation>
+    </message>
+    <message>
+        <source>Leave it</source>
+        <translation>Låt bli</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öppna</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::Exporting</name>
     <message>
         <source>Exported %1: %2 triangles, %3 × %4 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporterade %1: %2 trianglar, %3 × %4 mm.</translation>
     </message>
     <message>
         <source>Exported %1 and %2 more; heights from %3 mm (black) to %4 mm (white).</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporterade %1 och %2 till; höjder från %3 mm (svart) till %4 mm (vitt).</translation>
     </message>
     <message>
         <source>Exported %1: %2 × %3 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporterade %1: %2 × %3 pixlar.</translation>
     </message>
     <message>
         <source>Exported %1: %2 frames of %3 × %4 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporterade %1: %2 bildrutor på %3 × %4 pixlar.</translation>
     </message>
     <message>
         <source>Stopped; %1 holds the pictures that are complete.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avbruten; %1 innehåller de bilder som blev klara.</translation>
     </message>
     <message>
         <source>Stopped; %1 was not written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avbruten; %1 skrevs inte.</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Avbryt</translation>
     </message>
     <message>
         <source>painting</source>
-        <translation type="unfinished"></translation>
+        <translation>målning</translation>
     </message>
     <message>
         <source>%1 is still being written; wait for it, or stop it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 skrivs fortfarande; vänta tills den är klar, eller avbryt.</translation>
     </message>
     <message>
         <source>Exporting %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporterar %1</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportera</translation>
     </message>
     <message>
         <source>Pastoso</source>
-        <translation type="unfinished"></translation>
+        <translation>Pastoso</translation>
     </message>
     <message>
         <source>%1 is still being written.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 skrivs fortfarande.</translation>
     </message>
     <message>
         <source>Close when it is done</source>
-        <translation type="unfinished"></translation>
+        <translation>Stäng när den är klar</translation>
     </message>
     <message>
         <source>Stop it</source>
-        <translation type="unfinished"></translation>
+        <translation>Avbryt den</translation>
     </message>
     <message>
         <source>The window closes as soon as %1 is written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fönstret stängs så snart %1 är skriven.</translation>
     </message>
     <message>
         <source>Export recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportera inspelning</translation>
     </message>
     <message>
         <source>painting.json</source>
-        <translation type="unfinished"></translation>
+        <translation>målning.json</translation>
     </message>
     <message>
         <source>Recordings (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Inspelningar (*.json)</translation>
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sparade %1.</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::GuideCommands</name>
     <message>
         <source>Strokes around the middle: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Penseldrag runt mitten: %1</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::LayerCommands</name>
     <message>
         <source>Layer %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lager %1</translation>
     </message>
     <message>
         <source>Group %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Grupp %1</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::LayerTransform</name>
     <message>
         <source>A recording is being played; the layers are yours when it has ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>En inspelning spelas upp; lagren blir dina igen när den är slut.</translation>
     </message>
     <message>
         <source>There is no paint on this layer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Det finns ingen färg på det här lagret.</translation>
     </message>
     <message>
         <source>There is no paint of this layer in the selection.</source>
-        <translation type="unfinished"></translation>
+        <translation>Det finns ingen färg från det här lagret i markeringen.</translation>
     </message>
     <message>
         <source>Drag inside to move, a handle to scale, outside to turn (Shift: in steps). Enter applies, Esc gives up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dra inuti för att flytta, i ett handtag för att skala, utanför för att vrida (Shift: stegvis). Enter verkställer, Esc avbryter.</translation>
     </message>
     <message>
         <source>The paint stays as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Färgen förblir som den är.</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::LightChoice</name>
     <message>
         <source>Light from a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Ljus från en fil</translation>
     </message>
     <message>
         <source>Spectra (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Spektra (*.csv)</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::PaintMemory</name>
     <message>
         <source>Open a palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Öppna en palett</translation>
     </message>
     <message>
         <source>Palettes (*.gpl)</source>
-        <translation type="unfinished"></translation>
+        <translation>Paletter (*.gpl)</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::PaintPicking</name>
     <message>
         <source>Picked up wet paint: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Hämtade våt färg: %1</translation>
     </message>
     <message>
         <source>Picked up dry paint: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Hämtade torr färg: %1</translation>
     </message>
     <message>
         <source>There is no colour to pick beside the canvas.</source>
-        <translation type="unfinished"></translation>
+        <translation>Det finns ingen kulör att hämta bredvid duken.</translation>
     </message>
     <message>
         <source>Picked the colour seen: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Hämtade kulören som syns: %1</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::PictureLayers</name>
     <message>
         <source>Layer from a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Lager från en bild</translation>
     </message>
     <message>
         <source>Pictures (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder (%1);;Alla filer (*)</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::PopupCommands</name>
+    <message>
+        <source>Mirror</source>
+        <translation>Spegla</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassa</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::ProjectFiles</name>
     <message>
         <source>Open re&amp;cent</source>
-        <translation type="unfinished"></translation>
+        <translation>Öppna &amp;tidigare</translation>
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sparade %1.</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>Spara</translation>
     </message>
     <message>
         <source>New canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Ny duk</translation>
     </message>
     <message>
         <source>None yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Inga ännu</translation>
     </message>
     <message>
         <source>Canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Duk</translation>
     </message>
     <message>
         <source>%1[*] %2 × %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1[*] %2 × %3 mm</translation>
     </message>
     <message>
         <source>Saving %1...</source>
-        <translation type="unfinished"></translation>
+        <translation>Sparar %1...</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Öppna</translation>
     </message>
     <message>
         <source>Paintings and pictures (*.pastoso *.ora %1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Målningar och bilder (*.pastoso *.ora %1);;Alla filer (*)</translation>
     </message>
     <message>
         <source>painting.pastoso</source>
-        <translation type="unfinished"></translation>
+        <translation>målning.pastoso</translation>
     </message>
     <message>
         <source>Paintings (*.pastoso)</source>
-        <translation type="unfinished"></translation>
+        <translation>Målningar (*.pastoso)</translation>
     </message>
     <message>
         <source>Pastoso</source>
-        <translation type="unfinished"></translation>
+        <translation>Pastoso</translation>
     </message>
     <message>
         <source>The painting on the easel has changes that are not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Målningen på staffliet har ändringar som inte är sparade.</translation>
     </message>
     <message>
         <source>Discard them</source>
-        <translation type="unfinished"></translation>
+        <translation>Kasta dem</translation>
     </message>
     <message>
         <source>Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>Återskapa</translation>
+    </message>
+    <message>
+        <source>Painted from its strokes; the brush is yours when it is done.</source>
+        <translation>Målas fram drag för drag; penseln blir din när det är klart.</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::RangeSelection</name>
     <message>
         <source>Wet paint of this layer is up to %1 mm thick, %2 mm on average.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lagrets våta färg är upp till %1 mm tjock, i genomsnitt %2 mm.</translation>
     </message>
     <message>
         <source>Paint, wet and dry, stands up to %1 mm above the canvas, %2 mm on average.</source>
-        <translation type="unfinished"></translation>
+        <translation>Färgen, våt och torr, når upp till %1 mm över duken, i genomsnitt %2 mm.</translation>
     </message>
     <message>
         <source>Select by wetness</source>
-        <translation type="unfinished"></translation>
+        <translation>Markera efter våthet</translation>
     </message>
     <message>
         <source>Select by height</source>
-        <translation type="unfinished"></translation>
+        <translation>Markera efter höjd</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::Recorder</name>
+    <message>
+        <source>Nothing has been painted yet that could be shown again.</source>
+        <translation>Ännu har inget målats som kan visas igen.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::ReplayWindow</name>
+    <message>
+        <source>How it was painted</source>
+        <translation>Så målades den</translation>
+    </message>
+    <message>
+        <source>Play, or stop for a moment (Space)</source>
+        <translation>Spela upp, eller pausa en stund (mellanslag)</translation>
+    </message>
+    <message>
+        <source>Moment of the painting</source>
+        <translation>Ögonblick i målningen</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the painting</source>
+        <translation>Dra till valfritt ögonblick i målningen</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Hastighet</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Spela upp</translation>
+    </message>
+    <message>
+        <source>It cannot be shown any further</source>
+        <translation>Den kan inte visas längre än så</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 av %2</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::SelectionCommands</name>
     <message>
         <source>Outside the selection: nothing is painted there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Utanför markeringen: där målas inget.</translation>
     </message>
     <message>
         <source>Nothing was selected. Esc again goes back to painting.</source>
-        <translation type="unfinished"></translation>
+        <translation>Inget markerades. Tryck Esc igen för att fortsätta måla.</translation>
     </message>
     <message>
         <source>Tools keep to the outline. Esc, or taking a tool, goes back to painting.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verktygen håller sig inom konturen. Tryck Esc, eller ta ett verktyg, för att måla igen.</translation>
     </message>
     <message>
         <source>Drag around what tools shall keep to. Shift adds, Alt takes away, both keep what is in both; a click ends the selection.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dra runt det som verktygen ska hålla sig inom. Shift lägger till, Alt tar bort, båda behåller det som finns i båda; ett klick avslutar markeringen.</translation>
     </message>
     <message>
         <source>The brush paints again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Penseln målar igen.</translation>
     </message>
     <message>
         <source>Selects what is inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Markerar det som är innanför.</translation>
     </message>
     <message>
         <source>Adds what is inside to the selection.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lägger till det som är innanför i markeringen.</translation>
     </message>
     <message>
         <source>Takes what is inside out of the selection.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tar bort det som är innanför ur markeringen.</translation>
     </message>
     <message>
         <source>Keeps what is inside and was selected before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Behåller det som är innanför och redan var markerat.</translation>
     </message>
     <message>
         <source>A recording is being played; the brush is yours when it has ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>En inspelning spelas upp; penseln blir din igen när den är slut.</translation>
     </message>
     <message>
         <source>Nothing is selected: tools work on all of the canvas.</source>
-        <translation type="unfinished"></translation>
+        <translation>Inget är markerat: verktygen arbetar på hela duken.</translation>
     </message>
     <message>
         <source>lasso</source>
-        <translation type="unfinished"></translation>
+        <translation>lasso</translation>
     </message>
     <message>
         <source>rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>rektangel</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::TracingCommands</name>
     <message>
         <source>Picked the colour of the picture: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Hämtade bildens kulör: %1</translation>
     </message>
     <message>
         <source>Trace a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalkera en bild</translation>
     </message>
     <message>
         <source>Pictures (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder (%1);;Alla filer (*)</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels</name>
     <message>
         <source>never</source>
-        <translation type="unfinished"></translation>
+        <translation>aldrig</translation>
     </message>
     <message>
         <source>real time</source>
-        <translation type="unfinished"></translation>
+        <translation>realtid</translation>
     </message>
     <message>
         <source>10 times</source>
-        <translation type="unfinished"></translation>
+        <translation>10 gånger</translation>
     </message>
     <message>
         <source>a minute a second</source>
-        <translation type="unfinished"></translation>
+        <translation>en minut per sekund</translation>
     </message>
     <message>
         <source>10 min a second</source>
-        <translation type="unfinished"></translation>
+        <translation>10 min per sekund</translation>
     </message>
     <message>
         <source>an hour a second</source>
-        <translation type="unfinished"></translation>
+        <translation>en timme per sekund</translation>
     </message>
     <message>
         <source>a day a second</source>
-        <translation type="unfinished"></translation>
+        <translation>ett dygn per sekund</translation>
     </message>
     <message>
         <source>Viscosity</source>
-        <translation type="unfinished"></translation>
+        <translation>Viskositet</translation>
     </message>
     <message>
         <source>How slowly it flows: water 1, ink 100, cream 3000, oil from the tube 300000</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur trögt den flyter: vatten 1, bläck 100, grädde 3000, olja ur tuben 300000</translation>
     </message>
     <message>
         <source> mm²/s</source>
-        <translation type="unfinished"></translation>
+        <translation> mm²/s</translation>
     </message>
     <message>
         <source>Yield stress</source>
-        <translation type="unfinished"></translation>
+        <translation>Flytgräns</translation>
     </message>
     <message>
         <source>What it stands up to before it moves at all: at 0 it runs for ever, at 80 it keeps every bristle mark, at 200 it stands in peaks</source>
-        <translation type="unfinished"></translation>
+        <translation>Vad den står emot innan den rör sig alls: vid 0 rinner den i det oändliga, vid 80 behåller den varje borstspår, vid 200 står den i toppar</translation>
     </message>
     <message>
         <source> Pa</source>
-        <translation type="unfinished"></translation>
+        <translation> Pa</translation>
     </message>
     <message>
         <source>Flow index</source>
-        <translation type="unfinished"></translation>
+        <translation>Flödesindex</translation>
     </message>
     <message>
         <source>Below 1 it thins where it is sheared: a brush or a fast run finds it thinner</source>
-        <translation type="unfinished"></translation>
+        <translation>Under 1 blir den tunnare när den skjuvas: under penseln eller i en snabb rinning flyter den lättare</translation>
     </message>
     <message>
         <source>Density</source>
-        <translation type="unfinished"></translation>
+        <translation>Densitet</translation>
     </message>
     <message>
         <source>Heavy paint runs faster down a tilted canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Tung färg rinner snabbare nedför en lutande duk</translation>
     </message>
     <message>
         <source> kg/m³</source>
-        <translation type="unfinished"></translation>
+        <translation> kg/m³</translation>
     </message>
     <message>
         <source>Surface tension</source>
-        <translation type="unfinished"></translation>
+        <translation>Ytspänning</translation>
     </message>
     <message>
         <source>Rounds drips and edges, and draws thin lines into drops</source>
-        <translation type="unfinished"></translation>
+        <translation>Rundar rinningar och kanter, och drar ihop tunna linjer till droppar</translation>
     </message>
     <message>
         <source> mN/m</source>
-        <translation type="unfinished"></translation>
+        <translation> mN/m</translation>
     </message>
     <message>
         <source>Spreads at</source>
-        <translation type="unfinished"></translation>
+        <translation>Breder ut sig vid</translation>
     </message>
     <message>
         <source>The edge moves out where it is steeper than this: low numbers wet the canvas easily, high ones stand in beads</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanten flyter utåt där den är brantare än så: vid låga värden väter färgen duken lätt, vid höga står den i droppar</translation>
     </message>
     <message>
         <source>°</source>
-        <translation type="unfinished"></translation>
+        <translation>°</translation>
     </message>
     <message>
         <source>Draws back at</source>
-        <translation type="unfinished"></translation>
+        <translation>Drar sig tillbaka vid</translation>
     </message>
     <message>
         <source>The edge draws back where it is flatter than this; 0: it stays where it was</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanten drar sig tillbaka där den är flackare än så; 0: den stannar där den var</translation>
     </message>
     <message>
         <source>Slip</source>
-        <translation type="unfinished"></translation>
+        <translation>Glidning</translation>
     </message>
     <message>
         <source>How easily it slides over the canvas, in cells: more lets edges run on</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur lätt den glider över duken, i celler: mer låter kanterna rinna vidare</translation>
     </message>
     <message>
         <source> cells</source>
-        <translation type="unfinished"></translation>
+        <translation> celler</translation>
     </message>
     <message>
         <source>Profile against</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil mot flödet</translation>
     </message>
     <message>
         <source>Alpha where surface tension pulls against the flow: less slows the front of a drip, which gets thicker and rounder</source>
-        <translation type="unfinished"></translation>
+        <translation>Alfa där ytspänningen drar mot flödet: mindre bromsar fronten på en rinning, som blir tjockare och rundare</translation>
     </message>
     <message>
         <source>Profile along</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil med flödet</translation>
     </message>
     <message>
         <source>Alpha where surface tension pulls with the flow: more speeds up the tail of a drip, which gets thinner</source>
-        <translation type="unfinished"></translation>
+        <translation>Alfa där ytspänningen drar med flödet: mer skyndar på svansen på en rinning, som blir tunnare</translation>
     </message>
     <message>
         <source>Dry after</source>
-        <translation type="unfinished"></translation>
+        <translation>Torr efter</translation>
     </message>
     <message>
         <source>Until a film of the usual thickness can be touched, in still air</source>
-        <translation type="unfinished"></translation>
+        <translation>Tills ett skikt av vanlig tjocklek tål beröring, i stillastående luft</translation>
     </message>
     <message>
         <source> min</source>
-        <translation type="unfinished"></translation>
+        <translation> min</translation>
     </message>
     <message>
         <source>Usual thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>Vanlig tjocklek</translation>
     </message>
     <message>
         <source>The film that dries in that time; thicker ones take longer</source>
-        <translation type="unfinished"></translation>
+        <translation>Skiktet som torkar på den tiden; tjockare tar längre tid</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Stays when dry</source>
-        <translation type="unfinished"></translation>
+        <translation>Kvar efter torkning</translation>
     </message>
     <message>
         <source>How much of the wet thickness is left: oil keeps all, watery paint sinks in</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur mycket av den våta tjockleken som blir kvar: olja behåller allt, vattnig färg sjunker in</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>Flow</source>
-        <translation type="unfinished"></translation>
+        <translation>Flöde</translation>
     </message>
     <message>
         <source>Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Yta</translation>
     </message>
     <message>
         <source>Drying</source>
-        <translation type="unfinished"></translation>
+        <translation>Torkning</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>Matte</source>
+        <translation>Matt</translation>
+    </message>
+    <message>
+        <source>Satin</source>
+        <translation>Satin</translation>
+    </message>
+    <message>
+        <source>Gloss</source>
+        <translation>Blank</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::BrushList</name>
     <message>
         <source>%1, your own</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, ditt eget</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::BrushPanel</name>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pensel</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
-        <source>Width of the brush&apos;s tip  ([ and ])</source>
-        <translation type="unfinished"></translation>
+        <source>Width of the brush's tip  ([ and ])</source>
+        <translation>Bredden på penselns spets  ([ och ])</translation>
     </message>
     <message>
         <source>Steady</source>
-        <translation type="unfinished"></translation>
+        <translation>Stabilisera</translation>
     </message>
     <message>
         <source>How the hand is steadied</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur handen stabiliseras</translation>
     </message>
     <message>
-        <source>How a trembling hand is steadied, besides the brush&apos;s own smoothing</source>
-        <translation type="unfinished"></translation>
+        <source>How a trembling hand is steadied, besides the brush's own smoothing</source>
+        <translation>Hur en darrande hand stabiliseras, utöver penselns egen utjämning</translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished"></translation>
+        <translation>av</translation>
     </message>
     <message>
         <source>lags behind</source>
-        <translation type="unfinished"></translation>
+        <translation>släpar efter</translation>
     </message>
     <message>
         <source>pulled on a string</source>
-        <translation type="unfinished"></translation>
+        <translation>dras i ett snöre</translation>
     </message>
     <message>
         <source>How much the hand is steadied</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur mycket handen stabiliseras</translation>
     </message>
     <message>
         <source>Length of the string: wide curves without a tremor</source>
-        <translation type="unfinished"></translation>
+        <translation>Snörets längd: vida kurvor utan darr</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>How far the brush lags behind the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur långt penseln släpar efter handen</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::ColourPanel</name>
     <message>
         <source>Mix a colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Blanda en kulör</translation>
     </message>
     <message>
         <source>Nearest from the tubes</source>
-        <translation type="unfinished"></translation>
+        <translation>Närmast ur tuberna</translation>
     </message>
     <message>
         <source>Use the recipe</source>
-        <translation type="unfinished"></translation>
+        <translation>Använd receptet</translation>
     </message>
     <message>
         <source>Dip the brush in this mixture from the tubes instead</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppa penseln i den här blandningen ur tuberna i stället</translation>
     </message>
     <message>
         <source>Used before</source>
-        <translation type="unfinished"></translation>
+        <translation>Använda tidigare</translation>
     </message>
     <message>
         <source>Your palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Din palett</translation>
     </message>
     <message>
         <source>Paints that you keep stay here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Färger som du behåller stannar här.</translation>
     </message>
     <message>
         <source>Keep</source>
-        <translation type="unfinished"></translation>
+        <translation>Behåll</translation>
     </message>
     <message>
         <source>Lay the paint in hand out on your palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Lägg ut färgen i handen på din palett</translation>
     </message>
     <message>
         <source>From a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Från en fil</translation>
     </message>
     <message>
         <source>none opened</source>
-        <translation type="unfinished"></translation>
+        <translation>ingen öppnad</translation>
     </message>
     <message>
         <source>Open...</source>
-        <translation type="unfinished"></translation>
+        <translation>Öppna...</translation>
     </message>
     <message>
         <source>Colours of GIMP, Krita or Inkscape, from a .gpl file</source>
-        <translation type="unfinished"></translation>
+        <translation>Färger från GIMP, Krita eller Inkscape, ur en .gpl-fil</translation>
     </message>
     <message>
         <source>The colour itself, as a paint of its own: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1
-㥎 %2, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Själva kulören, som en egen färg: %1</translation>
     </message>
     <message>
         <source>Your palette is full: the right button takes a paint away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Din palett är full: höger knapp tar bort en färg.</translation>
     </message>
     <message>
         <source>%1
 The right button, or Delete, takes it away.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+Höger knapp, eller Delete, tar bort den.</translation>
+    </message>
+    <message>
+        <source>%1
+ΔE %2, %3</source>
+        <translation>%1
+ΔE %2, %3</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::ColourPicker</name>
     <message>
         <source>OKLCh</source>
-        <translation type="unfinished"></translation>
+        <translation>OKLCh</translation>
     </message>
     <message>
         <source>Lightness, chroma and hue as the eye sees them</source>
-        <translation type="unfinished"></translation>
+        <translation>Ljushet, kroma och nyans som ögat ser dem</translation>
     </message>
     <message>
         <source>HSV</source>
-        <translation type="unfinished"></translation>
+        <translation>HSV</translation>
     </message>
     <message>
         <source>Hue, saturation and value</source>
-        <translation type="unfinished"></translation>
+        <translation>Nyans, mättnad och värde</translation>
     </message>
     <message>
         <source>RGB</source>
-        <translation type="unfinished"></translation>
+        <translation>RGB</translation>
     </message>
     <message>
         <source>Red, green and blue of the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Skärmens rött, grönt och blått</translation>
     </message>
     <message>
         <source>The colour as it is written, for example #c03020</source>
-        <translation type="unfinished"></translation>
+        <translation>Kulören i skrift, till exempel #c03020</translation>
     </message>
     <message>
         <source>Colour as written</source>
-        <translation type="unfinished"></translation>
+        <translation>Kulören i skrift</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no colour; write it for example as #c03020.</source>
-        <translation type="unfinished"></translation>
+        <source>"%1" is no colour; write it for example as #c03020.</source>
+        <translation>”%1” är ingen kulör; skriv den till exempel som #c03020.</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::ColourWheel</name>
     <message>
         <source>Colour wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Färghjul</translation>
     </message>
     <message>
         <source>The ring is the hue. Inside, lightness goes up and chroma to the right, as far as the
 screen has it. Keys: arrows, Page Up and Page Down for the hue, with Ctrl finely.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ringen är nyansen. Inuti ökar ljusheten uppåt och kroman åt höger, så långt
+skärmen räcker. Tangenter: piltangenter, Page Up och Page Down för nyansen, fint med Ctrl.</translation>
     </message>
     <message>
         <source>Lightness %1 %, chroma %2, hue %3°</source>
-        <translation type="unfinished"></translation>
+        <translation>Ljushet %1 %, kroma %2, nyans %3°</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::CurveEditor</name>
     <message>
         <source>Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurva</translation>
     </message>
     <message>
         <source>Drag a point, click beside one to add another, right click to take one away.
 Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dra en punkt, klicka bredvid för att lägga till en, högerklicka för att ta bort en.
+Tangenter: Page Up och Page Down väljer, pilarna flyttar, Insert lägger till, Delete tar bort.</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::CurvesPanel</name>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Lägg till</translation>
     </message>
     <message>
         <source>Another curve: what of the hand sets what of the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Ännu en kurva: vad hos handen som styr vad hos verktyget</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta bort</translation>
     </message>
     <message>
         <source>Takes this curve away</source>
-        <translation type="unfinished"></translation>
+        <translation>Tar bort den här kurvan</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Återställ</translation>
     </message>
     <message>
         <source>The curve as the tool was kept with</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurvan som verktyget sparades med</translation>
     </message>
     <message>
         <source>How it answers to the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur det svarar på handen</translation>
     </message>
     <message>
         <source>What of the hand sets what of the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Vad hos handen som styr vad hos verktyget</translation>
     </message>
     <message>
         <source>This tool has no curves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Det här verktyget har inga kurvor.</translation>
     </message>
     <message>
         <source>%1 → %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 → %2</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::EaselPanel</name>
     <message>
         <source>Tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>Lutning</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Ljus</translation>
     </message>
     <message>
         <source>Seen in</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The light on the easel; the paint stays as it is</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Daylight (D65)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Print booth (D50)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Light bulb (A)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>LED lamp</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From a file...</source>
-        <translation type="unfinished"></translation>
+        <translation>Betraktas i</translation>
     </message>
     <message>
         <source>Drying</source>
-        <translation type="unfinished"></translation>
+        <translation>Torkning</translation>
     </message>
     <message>
         <source>How fast wet paint dries; D dries it at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur snabbt våt färg torkar; D torkar den på en gång</translation>
     </message>
     <message>
         <source>flat</source>
-        <translation type="unfinished"></translation>
+        <translation>plan</translation>
     </message>
     <message>
         <source> high</source>
-        <translation type="unfinished"></translation>
+        <translation> högt</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::GuidesPanel</name>
     <message>
         <source>Mirrors and copies</source>
-        <translation type="unfinished"></translation>
+        <translation>Speglar och kopior</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Copies</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopior</translation>
     </message>
     <message>
         <source>From the left</source>
-        <translation type="unfinished"></translation>
+        <translation>Från vänster</translation>
     </message>
     <message>
         <source>From above</source>
-        <translation type="unfinished"></translation>
+        <translation>Uppifrån</translation>
     </message>
     <message>
         <source>Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Axel</translation>
     </message>
     <message>
         <source>Ruler</source>
-        <translation type="unfinished"></translation>
+        <translation>Linjal</translation>
     </message>
     <message>
         <source>Middle, from the left</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitten, från vänster</translation>
     </message>
     <message>
         <source>Middle, from above</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitten, uppifrån</translation>
     </message>
     <message>
         <source>Slope</source>
-        <translation type="unfinished"></translation>
+        <translation>Lutning</translation>
     </message>
     <message>
         <source>Ellipse</source>
-        <translation type="unfinished"></translation>
+        <translation>Ellips</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Bredd</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Höjd</translation>
     </message>
     <message>
         <source>Turned by</source>
-        <translation type="unfinished"></translation>
+        <translation>Vriden</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::HistoryModel</name>
     <message>
         <source>As far back as is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Så långt tillbaka som finns kvar</translation>
     </message>
     <message>
         <source>Click: do again up to here</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicka: gör om fram till hit</translation>
     </message>
     <message>
         <source>Click: go back to this moment</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicka: gå tillbaka till det här ögonblicket</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::HistoryPanel</name>
     <message>
         <source>What was done</source>
-        <translation type="unfinished"></translation>
+        <translation>Vad som har gjorts</translation>
     </message>
     <message>
-        <source>What the steps take; &quot;Memory for undo&quot; in the Edit menu says how much they may</source>
-        <translation type="unfinished"></translation>
+        <source>What the steps take; "Memory for undo" in the Edit menu says how much they may</source>
+        <translation>Vad stegen tar; ”Ångraminne” i menyn Redigera anger hur mycket de får ta</translation>
     </message>
     <message>
         <source>%1 of %2 MiB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 av %2 MiB</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::IlluminantBox</name>
+    <message>
+        <source>The light on the easel; the paint stays as it is</source>
+        <translation>Ljuset på staffliet; färgen förblir som den är</translation>
+    </message>
+    <message>
+        <source>Daylight (D65)</source>
+        <translation>Dagsljus (D65)</translation>
+    </message>
+    <message>
+        <source>Print booth (D50)</source>
+        <translation>Granskningsljus (D50)</translation>
+    </message>
+    <message>
+        <source>Light bulb (A)</source>
+        <translation>Glödlampa (A)</translation>
+    </message>
+    <message>
+        <source>LED lamp</source>
+        <translation>LED-lampa</translation>
+    </message>
+    <message>
+        <source>From a file...</source>
+        <translation>Från en fil...</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::LayerModel</name>
     <message>
         <source>a group of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>en grupp med %1 lager</translation>
     </message>
     <message>
         <source>the layer that you paint on</source>
-        <translation type="unfinished"></translation>
+        <translation>lagret som du målar på</translation>
     </message>
     <message>
         <source>hidden</source>
-        <translation type="unfinished"></translation>
+        <translation>dolt</translation>
     </message>
     <message>
         <source>locked</source>
-        <translation type="unfinished"></translation>
+        <translation>låst</translation>
     </message>
     <message>
         <source>opacity %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>opacitet %1 %</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::LayerPanel</name>
     <message>
         <source>Layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Lager</translation>
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Opacitet</translation>
     </message>
     <message>
         <source>Fades what its paint does to light; its relief stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Tonar ned färgens verkan på ljuset; reliefen blir kvar</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::LightDial</name>
     <message>
         <source>Drag the lamp: near the rim it rakes over the relief. Double-click puts it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dra lampan: nära kanten ger den släpljus över reliefen. Dubbelklicka för att ställa tillbaka den.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::LightPanel</name>
+    <message>
+        <source>Seen in</source>
+        <translation>Betraktas i</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Lampa</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Från</translation>
+    </message>
+    <message>
+        <source>Where the light comes from: 0 right, 90 above, 180 left, 270 below</source>
+        <translation>Varifrån ljuset kommer: 0 höger, 90 ovanifrån, 180 vänster, 270 nedifrån</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höjd</translation>
+    </message>
+    <message>
+        <source>Low light rakes over the relief, 90 is overhead</source>
+        <translation>Lågt ljus ger släpljus över reliefen, 90 är rakt ovanifrån</translation>
+    </message>
+    <message>
+        <source>Even light</source>
+        <translation>Jämnt ljus</translation>
+    </message>
+    <message>
+        <source>The part of the light that comes from all sides; the lamp gives the rest. More of it softens the relief</source>
+        <translation>Den del av ljuset som kommer från alla håll; lampan ger resten. Mer av det mjukar upp reliefen</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Varnish</source>
+        <translation>Fernissa</translation>
+    </message>
+    <message>
+        <source>A clear coat to look through, here and in exports; it changes no paint, and can be taken off again</source>
+        <translation>Ett klart skikt att se igenom, här och vid export; det ändrar ingen färg, och kan tas bort igen</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Mängd</translation>
+    </message>
+    <message>
+        <source>A thin coat evens the gloss only in part</source>
+        <translation>Ett tunt skikt jämnar bara delvis ut glansen</translation>
+    </message>
+    <message>
+        <source>Aged</source>
+        <translation>Åldrad</translation>
+    </message>
+    <message>
+        <source>Old varnish turns yellow: 100 % is about a century</source>
+        <translation>Gammal fernissa gulnar: 100 % är ungefär ett sekel</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::LoadBar</name>
     <message>
         <source>The paint in the brush, across its width: how full it is, and of which colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Färgen i penseln, tvärs över dess bredd: hur full den är, och av vilken kulör</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::LoadPanel</name>
     <message>
         <source>On the brush</source>
-        <translation type="unfinished"></translation>
+        <translation>På penseln</translation>
     </message>
     <message>
         <source>How the brush is dipped, from the next time on</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur penseln doppas, från och med nästa gång</translation>
     </message>
     <message>
         <source>Full, in one paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Full, i en färg</translation>
     </message>
     <message>
         <source>Only the tip</source>
-        <translation type="unfinished"></translation>
+        <translation>Bara spetsen</translation>
     </message>
     <message>
         <source>One paint on each side</source>
-        <translation type="unfinished"></translation>
+        <translation>En färg på var sida</translation>
     </message>
     <message>
         <source>Half mixed from two</source>
-        <translation type="unfinished"></translation>
+        <translation>Halvblandad av två</translation>
     </message>
     <message>
         <source>Fill</source>
-        <translation type="unfinished"></translation>
+        <translation>Fyllnad</translation>
     </message>
     <message>
         <source>How full the brush is dipped; little leaves a dry brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur full penseln doppas; lite ger en torr pensel</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>Second</source>
-        <translation type="unfinished"></translation>
+        <translation>Andra färgen</translation>
     </message>
     <message>
-        <source>The second paint&apos;s share of a half-mixed load</source>
-        <translation type="unfinished"></translation>
+        <source>The second paint's share of a half-mixed load</source>
+        <translation>Den andra färgens andel när färgerna är halvblandade</translation>
     </message>
     <message>
         <source>In hand: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>I handen: %1</translation>
     </message>
     <message>
         <source>The second paint of the load: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Den andra färgen på penseln: %1</translation>
     </message>
     <message>
         <source>The second paint, laid out for later: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Den andra färgen, framlagd till senare: %1</translation>
     </message>
     <message>
         <source>empty</source>
-        <translation type="unfinished"></translation>
+        <translation>tom</translation>
     </message>
     <message>
         <source>all but empty</source>
-        <translation type="unfinished"></translation>
+        <translation>nästan tom</translation>
     </message>
     <message>
         <source>%1 % full</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % full</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::MediumPanel</name>
     <message>
         <source>As it comes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ursprungligt</translation>
     </message>
     <message>
         <source>Kind of paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Färgtyp</translation>
     </message>
     <message>
         <source>The brush is cleaned, and dipped in paint of this kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Penseln rengörs, och doppas i färg av den här typen</translation>
     </message>
     <message>
         <source>Takes back what was changed below</source>
-        <translation type="unfinished"></translation>
+        <translation>Tar tillbaka det som ändrats nedan</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::NavigatorPanel</name>
+    <message>
+        <source>The whole canvas</source>
+        <translation>Hela duken</translation>
+    </message>
+    <message>
+        <source>Drag the frame, or click, to go there
+Wheel: closer, farther</source>
+        <translation>Dra ramen, eller klicka, för att gå dit
+Hjulet: närmare, längre bort</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Screen pixels for a pixel of the saved picture</source>
+        <translation>Skärmpixlar per pixel i den sparade bilden</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>Vriden</translation>
+    </message>
+    <message>
+        <source>How far the canvas is turned, clockwise</source>
+        <translation>Hur långt duken är vriden, medurs</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::PaintPanel</name>
     <message>
         <source>The medium without pigment, for example thinner</source>
-        <translation type="unfinished"></translation>
+        <translation>Mediet utan pigment, till exempel förtunning</translation>
     </message>
     <message>
         <source>%1 (%2): from the tube, and mixed with white</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2): ur tuben, och blandad med vitt</translation>
     </message>
     <message>
         <source>Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Färg</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::PenDialog</name>
+    <message>
+        <source>Pen and tablet</source>
+        <translation>Penna och ritplatta</translation>
+    </message>
+    <message>
+        <source>Pens and mouse</source>
+        <translation>Pennor och mus</translation>
+    </message>
+    <message>
+        <source>A pen that is not listed comes here when it touches the sheet below.</source>
+        <translation>En penna som saknas i listan dyker upp när den rör vid arket nedan.</translation>
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation>Mjukt</translation>
+    </message>
+    <message>
+        <source>A light hand already presses hard</source>
+        <translation>En lätt hand trycker redan hårt</translation>
+    </message>
+    <message>
+        <source>As it comes</source>
+        <translation>Ursprungligt</translation>
+    </message>
+    <message>
+        <source>The pressure as the pen tells it, without a curve</source>
+        <translation>Trycket som pennan anger det, utan kurva</translation>
+    </message>
+    <message>
+        <source>Firm</source>
+        <translation>Fast</translation>
+    </message>
+    <message>
+        <source>Only a heavy hand presses hard</source>
+        <translation>Bara en tung hand trycker hårt</translation>
+    </message>
+    <message>
+        <source>From left to right what the pen tells, upwards what the brush is pressed with.</source>
+        <translation>Från vänster till höger vad pennan anger, uppåt hur hårt penseln trycks.</translation>
+    </message>
+    <message>
+        <source>A mouse, or a finger on the screen, does not tell how hard it presses.</source>
+        <translation>En mus, eller ett finger på skärmen, anger inte hur hårt den trycker.</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Tryck</translation>
+    </message>
+    <message>
+        <source>How hard the brush is pressed</source>
+        <translation>Hur hårt penseln trycks</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Lighter the faster it goes</source>
+        <translation>Lättare ju fortare det går</translation>
+    </message>
+    <message>
+        <source>A slow line is pressed as set above, a fast one down to a quarter of it</source>
+        <translation>En långsam linje får trycket ovan, en snabb ned till en fjärdedel av det</translation>
+    </message>
+    <message>
+        <source>Ends and buttons of pens</source>
+        <translation>Pennornas ändar och knappar</translation>
+    </message>
+    <message>
+        <source>Eraser end</source>
+        <translation>Suddände</translation>
+    </message>
+    <message>
+        <source>Lower button</source>
+        <translation>Nedre knappen</translation>
+    </message>
+    <message>
+        <source>Upper button</source>
+        <translation>Övre knappen</translation>
+    </message>
+    <message>
+        <source>Wipe</source>
+        <translation>Torka rent</translation>
+    </message>
+    <message>
+        <source>Try it here</source>
+        <translation>Prova här</translation>
+    </message>
+    <message>
+        <source>picks up paint</source>
+        <translation>hämtar färg</translation>
+    </message>
+    <message>
+        <source>picks the colour seen</source>
+        <translation>hämtar kulören som syns</translation>
+    </message>
+    <message>
+        <source>moves the canvas</source>
+        <translation>flyttar duken</translation>
+    </message>
+    <message>
+        <source>opens the palette</source>
+        <translation>öppnar paletten</translation>
+    </message>
+    <message>
+        <source>does nothing</source>
+        <translation>gör inget</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>tar %1</translation>
+    </message>
+    <message>
+        <source>paints like the tip</source>
+        <translation>målar som spetsen</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Mus</translation>
+    </message>
+    <message>
+        <source>Pressure of %1</source>
+        <translation>Tryck för %1</translation>
+    </message>
+    <message>
+        <source>Pressure of the mouse</source>
+        <translation>Tryck för musen</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::PenPad</name>
+    <message>
+        <source>Sheet to try the pen on</source>
+        <translation>Ark att prova pennan på</translation>
+    </message>
+    <message>
+        <source>Scribble here with a pen or the mouse</source>
+        <translation>Klottra här med en penna eller musen</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::PictureBoard</name>
     <message>
         <source>No picture to trace</source>
-        <translation type="unfinished"></translation>
+        <translation>Ingen bild att kalkera</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::PopupPalette</name>
+    <message>
+        <source>Pop-up palette</source>
+        <translation>Popup-palett</translation>
+    </message>
+    <message>
+        <source>A narrower brush</source>
+        <translation>En smalare pensel</translation>
+    </message>
+    <message>
+        <source>A wider brush</source>
+        <translation>En bredare pensel</translation>
+    </message>
+    <message>
+        <source>%1: take this one, and put the other here</source>
+        <translation>%1: ta den här, och lägg den andra här</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::RecorderPanel</name>
+    <message>
+        <source>Strokes</source>
+        <translation>Penseldrag</translation>
+    </message>
+    <message>
+        <source>Painting time</source>
+        <translation>Målningstid</translation>
+    </message>
+    <message>
+        <source>Recorded so far</source>
+        <translation>Inspelat hittills</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::StatusReadings</name>
     <message>
-        <source>The pen&apos;s place on the canvas, from its upper left corner</source>
-        <translation type="unfinished"></translation>
+        <source>The pen's place on the canvas, from its upper left corner</source>
+        <translation>Pennans läge på duken, från dess övre vänstra hörn</translation>
     </message>
     <message>
         <source>Tiles of 64 x 64 cells in which the paint still moves, and how much of its time computing them takes</source>
-        <translation type="unfinished"></translation>
+        <translation>Rutor på 64 x 64 celler där färgen ännu rör sig, och hur stor del av tiden det tar att beräkna dem</translation>
     </message>
     <message>
         <source>Paint time against the clock: slower than 1 when there is more wet paint than this computer can move in time</source>
-        <translation type="unfinished"></translation>
+        <translation>Färgens tid mot klockan: långsammare än 1 när det finns mer våt färg än datorn hinner flytta</translation>
     </message>
     <message>
         <source>Tools keep to what is outlined; Ctrl+A ends the selection, Esc goes back to painting</source>
-        <translation type="unfinished"></translation>
+        <translation>Verktygen håller sig inom konturen; Ctrl+A avslutar markeringen, med Esc målar du igen</translation>
     </message>
     <message>
         <source>Memory that the program holds: the painting, its history and its pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Minne som programmet använder: målningen, dess historik och dess bilder</translation>
     </message>
     <message>
         <source>Size of the canvas and of its saved picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Dukens storlek, och den sparade bildens</translation>
     </message>
     <message>
         <source>What the canvas shows; Alt+1 shows it in its light again</source>
-        <translation type="unfinished"></translation>
+        <translation>Vad duken visar; Alt+1 visar den i sitt ljus igen</translation>
     </message>
     <message>
         <source>How the canvas stands on the screen; 5 puts it upright, M mirrors it</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur duken står på skärmen; 5 rätar upp den, M speglar den</translation>
     </message>
     <message>
         <source>Screen pixels for a pixel of the saved picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Skärmpixlar per pixel i den sparade bilden</translation>
     </message>
     <message>
         <source>%1 × %2 mm   %3 × %4 px</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 mm   %3 × %4 px</translation>
     </message>
     <message>
         <source>mirrored</source>
-        <translation type="unfinished"></translation>
+        <translation>speglad</translation>
     </message>
     <message>
         <source>turned %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>vriden %1°</translation>
     </message>
     <message>
         <source>%1, %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 mm</translation>
     </message>
     <message>
         <source>paused</source>
-        <translation type="unfinished"></translation>
+        <translation>pausad</translation>
     </message>
     <message>
         <source>paint at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>färgen i vila</translation>
     </message>
     <message>
         <source>%1 tiles moving, %2 % load</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 rutor rör sig, %2 % last</translation>
     </message>
     <message>
         <source>%1 × time</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × tiden</translation>
     </message>
     <message>
         <source>%1 MiB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 MiB</translation>
     </message>
     <message>
         <source>%1 GiB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 GiB</translation>
     </message>
     <message>
         <source>%1 % selected</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % markerat</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::TiltDial</name>
     <message>
         <source>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dra för att luta duken: pilen visar vart färgen rinner. Dubbelklicka för att lägga den plant.</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::TracingPanel</name>
     <message>
         <source>Picture to trace</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild att kalkera</translation>
     </message>
     <message>
         <source>Click: paint of that colour
 Wheel: closer, farther
 Drag: move the picture
 0: all of it</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick: färg i den kulören
+Hjulet: närmare, längre bort
+Dra: flytta bilden
+0: hela bilden</translation>
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Opacitet</translation>
     </message>
     <message>
         <source>How strongly it shows below the paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Hur starkt den syns under färgen</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>From the left</source>
-        <translation type="unfinished"></translation>
+        <translation>Från vänster</translation>
     </message>
     <message>
         <source>From above</source>
-        <translation type="unfinished"></translation>
+        <translation>Uppifrån</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Bredd</translation>
     </message>
     <message>
         <source>Its height follows in proportion</source>
-        <translation type="unfinished"></translation>
+        <translation>Dess höjd följer i proportion</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::WorkProgress</name>
     <message>
         <source>%p %</source>
-        <translation type="unfinished"></translation>
+        <translation>%p %</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::ExamplesSection</name>
+    <message>
+        <source>Examples, painted before your eyes</source>
+        <translation>Exempel, målade inför dina ögon</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Exempel</translation>
+    </message>
+    <message>
+        <source>Watch how it is painted, stroke by stroke, and paint on</source>
+        <translation>Se hur den målas, drag för drag, och måla vidare</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::NewCanvasSection</name>
+    <message>
+        <source>New canvas</source>
+        <translation>Ny duk</translation>
+    </message>
+    <message>
+        <source>Sizes of a new canvas</source>
+        <translation>Storlekar för en ny duk</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Liggande</translation>
+    </message>
+    <message>
+        <source>Wider than high</source>
+        <translation>Bredare än hög</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>Stående</translation>
+    </message>
+    <message>
+        <source>Higher than wide</source>
+        <translation>Högre än bred</translation>
+    </message>
+    <message>
+        <source>More...</source>
+        <translation>Mer...</translation>
+    </message>
+    <message>
+        <source>Any size</source>
+        <translation>Valfri storlek</translation>
+    </message>
+    <message>
+        <source>Choose width, height, resolution and support yourself</source>
+        <translation>Välj själv bredd, höjd, upplösning och underlag</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels</source>
+        <translation>%1, %2 × %3 pixlar</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::PaintingReader</name>
+    <message>
+        <source>This file is not there any more.</source>
+        <translation>Filen finns inte längre kvar.</translation>
+    </message>
+    <message>
+        <source>This file cannot be read.</source>
+        <translation>Filen kan inte läsas.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::RecentSection</name>
+    <message>
+        <source>Today, %1</source>
+        <translation>I dag, %1</translation>
+    </message>
+    <message>
+        <source>Yesterday, %1</source>
+        <translation>I går, %1</translation>
+    </message>
+    <message>
+        <source>Recent paintings</source>
+        <translation>Senaste målningar</translation>
+    </message>
+    <message>
+        <source>Open a file...</source>
+        <translation>Öppna en fil...</translation>
+    </message>
+    <message>
+        <source>Paintings that you save will stand here.</source>
+        <translation>Målningar som du sparar visas här.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::StartPage</name>
+    <message>
+        <source>Show this page at start</source>
+        <translation>Visa den här sidan vid start</translation>
+    </message>
+    <message>
+        <source>Start page</source>
+        <translation>Startsida</translation>
+    </message>
+    <message>
+        <source>Esc closes it; "Start page" in the "File" menu brings it back.</source>
+        <translation>Esc stänger den; ”Startsida” i menyn ”Arkiv” tar fram den igen.</translation>
+    </message>
+    <message>
+        <source>Back to the painting</source>
+        <translation>Tillbaka till målningen</translation>
+    </message>
+    <message>
+        <source>Start painting</source>
+        <translation>Börja måla</translation>
+    </message>
+    <message>
+        <source>The painting stands on the easel as you left it.</source>
+        <translation>Målningen står på staffliet som du lämnade den.</translation>
+    </message>
+    <message>
+        <source>A canvas of %1, %2, is ready. You can also just paint on it.</source>
+        <translation>En duk på %1, %2, står klar. Du kan också bara börja måla på den.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::UnfinishedSection</name>
+    <message>
+        <source>Not closed last time</source>
+        <translation>Inte stängda förra gången</translation>
+    </message>
+    <message>
+        <source>Choose or discard...</source>
+        <translation>Välj eller kasta...</translation>
+    </message>
+    <message>
+        <source>All paintings that were left unfinished</source>
+        <translation>Alla målningar som lämnades oavslutade</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Återskapa</translation>
     </message>
 </context>
 <context>
     <name>pastoso::tools</name>
     <message>
         <source>PNG, 8 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG, 8 bitar</translation>
     </message>
     <message>
         <source>PNG, 16 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG, 16 bitar</translation>
     </message>
     <message>
         <source>JPEG</source>
-        <translation type="unfinished"></translation>
+        <translation>JPEG</translation>
     </message>
     <message>
         <source>TIFF, 8 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>TIFF, 8 bitar</translation>
     </message>
     <message>
         <source>TIFF, 16 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>TIFF, 16 bitar</translation>
     </message>
     <message>
         <source>TIFF, 32 bits of linear light</source>
-        <translation type="unfinished"></translation>
+        <translation>TIFF, 32 bitar linjärt ljus</translation>
     </message>
     <message>
         <source>WebP</source>
-        <translation type="unfinished"></translation>
+        <translation>WebP</translation>
     </message>
     <message>
         <source>OpenEXR, linear light</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenEXR, linjärt ljus</translation>
     </message>
     <message>
         <source>PNG, 8 bits, heights in 16</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG, 8 bitar, höjder med 16</translation>
     </message>
     <message>
         <source>TIFF, 32 bits, heights in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>TIFF, 32 bitar, höjder i mm</translation>
     </message>
     <message>
         <source>OpenEXR, heights in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenEXR, höjder i mm</translation>
     </message>
     <message>
         <source>STL</source>
-        <translation type="unfinished"></translation>
+        <translation>STL</translation>
     </message>
     <message>
         <source>PLY</source>
-        <translation type="unfinished"></translation>
+        <translation>PLY</translation>
     </message>
     <message>
         <source>Wavefront OBJ</source>
-        <translation type="unfinished"></translation>
+        <translation>Wavefront OBJ</translation>
     </message>
     <message>
         <source>Numbered pictures, PNG of 8 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>Numrerade bilder, PNG med 8 bitar</translation>
     </message>
     <message>
         <source>Numbered pictures, PNG of 16 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>Numrerade bilder, PNG med 16 bitar</translation>
     </message>
     <message>
         <source>Video, MP4</source>
-        <translation type="unfinished"></translation>
+        <translation>Video, MP4</translation>
     </message>
     <message>
         <source>Video, Matroska</source>
-        <translation type="unfinished"></translation>
+        <translation>Video, Matroska</translation>
     </message>
     <message>
         <source>Video, WebM</source>
-        <translation type="unfinished"></translation>
+        <translation>Video, WebM</translation>
     </message>
 </context>
 <context>
     <name>pastoso::view::LookLegend</name>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Wet paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Våt färg</translation>
     </message>
     <message>
         <source>Height of the paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Färgens höjd</translation>
     </message>
     <message>
         <source>Slopes of the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Ytans lutningar</translation>
     </message>
     <message>
         <source>Flat colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Kulör utan ljus</translation>
     </message>
 </context>
 </TS>

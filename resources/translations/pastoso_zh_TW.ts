@@ -2,3560 +2,4391 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_TW" sourcelanguage="en">
 <context>
+    <name>CanvasChoices</name>
+    <message>
+        <source>Small study</source>
+        <translation>小型習作</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>正方形</translation>
+    </message>
+    <message>
+        <source>Small canvas</source>
+        <translation>小畫布</translation>
+    </message>
+    <message>
+        <source>Large canvas</source>
+        <translation>大畫布</translation>
+    </message>
+    <message>
+        <source>Screen, HD</source>
+        <translation>HD 螢幕</translation>
+    </message>
+    <message>
+        <source>Screen, QHD</source>
+        <translation>QHD 螢幕</translation>
+    </message>
+    <message>
+        <source>Linen</source>
+        <translation>亞麻布</translation>
+    </message>
+    <message>
+        <source>coarse weave</source>
+        <translation>粗織紋</translation>
+    </message>
+    <message>
+        <source>Cotton duck</source>
+        <translation>棉帆布</translation>
+    </message>
+    <message>
+        <source>fine weave</source>
+        <translation>細織紋</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>木板</translation>
+    </message>
+    <message>
+        <source>smooth gesso</source>
+        <translation>光滑打底</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>an image</source>
+        <translation>圖片</translation>
+    </message>
+</context>
+<context>
+    <name>ExamplePaintings</name>
+    <message>
+        <source>Still life</source>
+        <translation>靜物</translation>
+    </message>
+    <message>
+        <source>Oil, wet in wet</source>
+        <translation>油畫，濕中濕</translation>
+    </message>
+    <message>
+        <source>Surf</source>
+        <translation>浪花</translation>
+    </message>
+    <message>
+        <source>Oil, in thick impasto</source>
+        <translation>油畫，厚塗</translation>
+    </message>
+    <message>
+        <source>Poppies</source>
+        <translation>罌粟花</translation>
+    </message>
+    <message>
+        <source>Oil over a dry ground</source>
+        <translation>油畫，畫在乾的底色上</translation>
+    </message>
+</context>
+<context>
     <name>Keys</name>
     <message>
         <source>Like Krita</source>
-        <translation type="unfinished"></translation>
+        <translation>Krita 風格</translation>
     </message>
     <message>
         <source>The keys of Krita, where it has the same command</source>
-        <translation type="unfinished"></translation>
+        <translation>有相同指令時，使用 Krita 的快速鍵</translation>
     </message>
     <message>
         <source>Like Photoshop</source>
-        <translation type="unfinished"></translation>
+        <translation>Photoshop 風格</translation>
     </message>
     <message>
         <source>The keys of Photoshop, where it has the same command</source>
-        <translation type="unfinished"></translation>
+        <translation>有相同指令時，使用 Photoshop 的快速鍵</translation>
     </message>
 </context>
 <context>
     <name>QObject</name>
     <message>
         <source>Drops and sprays</source>
-        <translation type="unfinished"></translation>
+        <translation>滴灑與噴灑</translation>
     </message>
     <message>
         <source>Air</source>
-        <translation type="unfinished"></translation>
+        <translation>吹氣</translation>
     </message>
     <message>
         <source>Knives and combs</source>
-        <translation type="unfinished"></translation>
+        <translation>畫刀與刮梳</translation>
     </message>
     <message>
         <source>Rags and fingers</source>
-        <translation type="unfinished"></translation>
+        <translation>擦布與手指</translation>
     </message>
     <message>
         <source>Brushes</source>
-        <translation type="unfinished"></translation>
+        <translation>筆刷</translation>
     </message>
     <message>
         <source>Cannot be read</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Top up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Blot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Swap</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pick paint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pick colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Left, right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Above, below</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Along the last stroke</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>On the canvas</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose...</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take away</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Below the paint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tool</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Physics</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Guides</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tracing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation type="unfinished"></translation>
+        <translation>無法讀取</translation>
     </message>
     <message>
         <source>Clear medium</source>
-        <translation type="unfinished"></translation>
+        <translation>透明媒介劑</translation>
     </message>
     <message>
         <source>How the next paint flows; what lies on the canvas keeps its own way</source>
-        <translation type="unfinished"></translation>
+        <translation>接下來的顏料如何流動；畫布上已有的顏料不受影響</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>工具</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>復原</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>重做</translation>
     </message>
     <message>
         <source>Reload</source>
-        <translation type="unfinished"></translation>
+        <translation>重新沾料</translation>
     </message>
     <message>
         <source>Clean</source>
-        <translation type="unfinished"></translation>
+        <translation>清潔</translation>
     </message>
     <message>
         <source>Reload each stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>每筆重新沾料</translation>
     </message>
     <message>
         <source>Turn with stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>隨筆觸轉動</translation>
     </message>
     <message>
         <source>Medium </source>
-        <translation type="unfinished"></translation>
+        <translation>媒材 </translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>暫停</translation>
     </message>
     <message>
         <source>Dry now</source>
-        <translation type="unfinished"></translation>
+        <translation>立即乾燥</translation>
     </message>
     <message>
         <source>Mixing well</source>
-        <translation type="unfinished"></translation>
+        <translation>調色槽</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>儲存</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>重新命名</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>刪除</translation>
     </message>
     <message>
         <source>Squeeze</source>
-        <translation type="unfinished"></translation>
+        <translation>擠出</translation>
     </message>
     <message>
         <source>Wipe the well</source>
-        <translation type="unfinished"></translation>
+        <translation>擦淨調色槽</translation>
     </message>
     <message>
         <source>the same to the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>肉眼看不出差別</translation>
     </message>
     <message>
         <source>close</source>
-        <translation type="unfinished"></translation>
+        <translation>接近</translation>
     </message>
     <message>
         <source>a little off</source>
-        <translation type="unfinished"></translation>
+        <translation>略有偏差</translation>
     </message>
     <message>
         <source>beyond these tubes</source>
-        <translation type="unfinished"></translation>
+        <translation>這些管裝顏料調不出來</translation>
     </message>
     <message>
         <source>Pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>筆壓</translation>
     </message>
     <message>
         <source>Tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>傾斜</translation>
     </message>
     <message>
         <source>Barrel</source>
-        <translation type="unfinished"></translation>
+        <translation>筆桿</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>速度</translation>
     </message>
     <message>
         <source>how far it is pressed</source>
-        <translation type="unfinished"></translation>
+        <translation>下壓的程度</translation>
     </message>
     <message>
         <source>how far it leans</source>
-        <translation type="unfinished"></translation>
+        <translation>傾倒的程度</translation>
     </message>
     <message>
         <source>how it is turned</source>
-        <translation type="unfinished"></translation>
+        <translation>轉動的角度</translation>
     </message>
     <message>
         <source>reach into hollows</source>
-        <translation type="unfinished"></translation>
+        <translation>深入凹處的程度</translation>
     </message>
     <message>
         <source>film that it leaves</source>
-        <translation type="unfinished"></translation>
+        <translation>留下的顏料薄層</translation>
     </message>
     <message>
         <source>paint taken up</source>
-        <translation type="unfinished"></translation>
+        <translation>帶起的顏料</translation>
     </message>
     <message>
         <source>flow</source>
-        <translation type="unfinished"></translation>
+        <translation>流量</translation>
     </message>
     <message>
         <source>width of the spread</source>
-        <translation type="unfinished"></translation>
+        <translation>散布的寬度</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2</translation>
     </message>
     <message>
         <source>%1 % pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>筆壓 %1 %</translation>
     </message>
     <message>
         <source>%1 mm/s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm/s</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>wet, asleep</source>
-        <translation type="unfinished"></translation>
+        <translation>未乾，休眠中</translation>
     </message>
     <message>
         <source>A group: its eye, its lock and its opacity hold for all of its layers</source>
-        <translation type="unfinished"></translation>
+        <translation>群組：它的眼睛、鎖頭和不透明度，對其中所有圖層都有效</translation>
     </message>
     <message>
         <source>You paint on this layer; its wet paint flows and dries</source>
-        <translation type="unfinished"></translation>
+        <translation>你正畫在這個圖層上；上面的濕顏料會流動、會乾</translation>
     </message>
     <message>
         <source>Its wet paint is asleep: it neither flows nor dries, and stays as wet as it is until you choose this layer</source>
-        <translation type="unfinished"></translation>
+        <translation>這個圖層的濕顏料正在休眠：不流動也不會乾，在你選取這個圖層之前都保持現在的濕度</translation>
     </message>
     <message>
         <source>Click to paint on this layer; a double click names it, dragging moves it</source>
-        <translation type="unfinished"></translation>
+        <translation>按一下就在這個圖層上作畫；按兩下可命名，拖曳可移動</translation>
     </message>
     <message>
         <source>Seen; click to hide it. Its relief goes with it</source>
-        <translation type="unfinished"></translation>
+        <translation>可見；按一下可隱藏，它的起伏也一併隱藏</translation>
     </message>
     <message>
         <source>Hidden, and not painted on; click to show it</source>
-        <translation type="unfinished"></translation>
+        <translation>已隱藏，不會畫到；按一下可顯示</translation>
     </message>
     <message>
         <source>Locked: nothing is painted on it, cleared or merged. Click to unlock</source>
-        <translation type="unfinished"></translation>
+        <translation>已鎖定：無法在上面作畫，也不能清除或合併。按一下可解除鎖定</translation>
     </message>
     <message>
         <source>Click to lock it against painting, clearing and merging</source>
-        <translation type="unfinished"></translation>
+        <translation>按一下可鎖定，避免被畫到、清除或合併</translation>
     </message>
     <message>
         <source>Stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>筆觸</translation>
     </message>
     <message>
         <source>Stroke in the mixing well</source>
-        <translation type="unfinished"></translation>
+        <translation>調色槽裡的筆觸</translation>
     </message>
     <message>
         <source>Paint squeezed out</source>
-        <translation type="unfinished"></translation>
+        <translation>擠出顏料</translation>
     </message>
     <message>
         <source>Mixing well wiped</source>
-        <translation type="unfinished"></translation>
+        <translation>擦淨調色槽</translation>
     </message>
     <message>
         <source>New layer</source>
-        <translation type="unfinished"></translation>
+        <translation>新增圖層</translation>
     </message>
     <message>
         <source>Look of a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>圖層外觀</translation>
     </message>
     <message>
         <source>Layer duplicated</source>
-        <translation type="unfinished"></translation>
+        <translation>複製圖層</translation>
     </message>
     <message>
         <source>Layer removed</source>
-        <translation type="unfinished"></translation>
+        <translation>移除圖層</translation>
     </message>
     <message>
         <source>Layer cleared</source>
-        <translation type="unfinished"></translation>
+        <translation>清除圖層</translation>
     </message>
     <message>
         <source>Transform</source>
-        <translation type="unfinished"></translation>
+        <translation>變形</translation>
     </message>
     <message>
         <source>Layer moved</source>
-        <translation type="unfinished"></translation>
+        <translation>移動圖層</translation>
     </message>
     <message>
         <source>Merged down</source>
-        <translation type="unfinished"></translation>
+        <translation>向下合併</translation>
     </message>
     <message>
         <source>Flattened</source>
-        <translation type="unfinished"></translation>
+        <translation>平面化</translation>
     </message>
     <message>
         <source>Layers grouped</source>
-        <translation type="unfinished"></translation>
+        <translation>將圖層組成群組</translation>
     </message>
     <message>
         <source>Look of a group</source>
-        <translation type="unfinished"></translation>
+        <translation>群組外觀</translation>
     </message>
     <message>
         <source>Group moved</source>
-        <translation type="unfinished"></translation>
+        <translation>移動群組</translation>
     </message>
     <message>
         <source>Group dissolved</source>
-        <translation type="unfinished"></translation>
+        <translation>解散群組</translation>
     </message>
     <message>
         <source>Selection</source>
-        <translation type="unfinished"></translation>
+        <translation>選取範圍</translation>
     </message>
     <message>
         <source>Size of the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>畫布尺寸</translation>
     </message>
     <message>
         <source>Picture as paint</source>
-        <translation type="unfinished"></translation>
+        <translation>圖片轉為顏料</translation>
     </message>
     <message>
         <source>Picture to trace</source>
-        <translation type="unfinished"></translation>
+        <translation>描圖底圖</translation>
     </message>
     <message>
         <source>Place of the traced picture</source>
-        <translation type="unfinished"></translation>
+        <translation>底圖的位置</translation>
+    </message>
+    <message>
+        <source>tip</source>
+        <translation>筆尖</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左鍵</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>下鍵</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>中鍵</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>上鍵</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右鍵</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>無</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <comment>rotation</comment>
+        <translation>未提供</translation>
+    </message>
+    <message>
+        <source>Tilt %1 across, %2 along; rotation %3; buttons: %4</source>
+        <translation>左右傾斜 %1，前後傾斜 %2；旋轉 %3；按鈕：%4</translation>
+    </message>
+    <message>
+        <source>%1, eraser end</source>
+        <translation>%1，橡皮擦端</translation>
+    </message>
+    <message>
+        <source>%1, puck</source>
+        <translation>%1，數位板滑鼠</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>滑鼠</translation>
+    </message>
+    <message>
+        <source>pressure %1 → %2</source>
+        <translation>筆壓 %1 → %2</translation>
+    </message>
+    <message>
+        <source>pressure %1</source>
+        <translation>筆壓 %1</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 events a second</source>
+        <translation>%1：%2，每秒 %3 個事件</translation>
+    </message>
+    <message>
+        <source>Buttons: %1</source>
+        <translation>按鈕：%1</translation>
     </message>
 </context>
 <context>
     <name>pastoso::commands</name>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>檔案(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>編輯(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>筆刷(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>顏料(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Layer</source>
-        <translation type="unfinished"></translation>
+        <translation>圖層(&amp;L)</translation>
     </message>
     <message>
         <source>&amp;Select</source>
-        <translation type="unfinished"></translation>
+        <translation>選取(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Guides</source>
-        <translation type="unfinished"></translation>
+        <translation>輔助線(&amp;G)</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>檢視(&amp;V)</translation>
     </message>
     <message>
         <source>&amp;Light</source>
-        <translation type="unfinished"></translation>
+        <translation>光線(&amp;L)</translation>
     </message>
     <message>
         <source>&amp;Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>設定(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;New canvas...</source>
-        <translation type="unfinished"></translation>
+        <translation>新增畫布(&amp;N)...</translation>
     </message>
     <message>
         <source>Put a fresh canvas on the easel</source>
-        <translation type="unfinished"></translation>
+        <translation>在畫架上放一張新的畫布</translation>
     </message>
     <message>
         <source>&amp;Open...</source>
-        <translation type="unfinished"></translation>
+        <translation>開啟(&amp;O)...</translation>
     </message>
     <message>
         <source>Go on with a painting that was saved, wet as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>接著畫先前儲存的畫作，未乾的顏料也原樣保留</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>儲存(&amp;S)</translation>
     </message>
     <message>
         <source>Save the painting with all its wet paint</source>
-        <translation type="unfinished"></translation>
+        <translation>儲存畫作，包括所有濕顏料</translation>
     </message>
     <message>
         <source>Save &amp;as...</source>
-        <translation type="unfinished"></translation>
+        <translation>另存新檔(&amp;A)...</translation>
     </message>
     <message>
         <source>Save the painting in another file</source>
-        <translation type="unfinished"></translation>
+        <translation>將畫作存成另一個檔案</translation>
     </message>
     <message>
         <source>&amp;Export...</source>
-        <translation type="unfinished"></translation>
+        <translation>匯出(&amp;E)...</translation>
     </message>
     <message>
         <source>Make a picture, layers, maps, a relief to print or a time-lapse of the painting</source>
-        <translation type="unfinished"></translation>
+        <translation>將畫作輸出為圖片、圖層、貼圖、可列印的浮雕或縮時影片</translation>
     </message>
     <message>
         <source>Export a&amp;gain</source>
-        <translation type="unfinished"></translation>
+        <translation>再次匯出(&amp;G)</translation>
     </message>
     <message>
         <source>The same export of the painting as it is now, into the same file</source>
-        <translation type="unfinished"></translation>
+        <translation>以相同設定將畫作目前的樣子匯出到同一個檔案</translation>
     </message>
     <message>
         <source>S&amp;top the export</source>
-        <translation type="unfinished"></translation>
+        <translation>停止匯出(&amp;T)</translation>
     </message>
     <message>
         <source>Give up the export that is being written; its file stays as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>放棄正在寫入的匯出；原有的檔案保持不變</translation>
     </message>
     <message>
         <source>Export &amp;recording...</source>
-        <translation type="unfinished"></translation>
+        <translation>匯出錄製檔(&amp;R)...</translation>
     </message>
     <message>
         <source>Save all strokes, to be replayed at any resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>儲存所有筆觸，可用任何解析度重播</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>結束(&amp;Q)</translation>
     </message>
     <message>
         <source>Close the window</source>
-        <translation type="unfinished"></translation>
+        <translation>關閉視窗</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>復原(&amp;U)</translation>
     </message>
     <message>
         <source>Take the last stroke back</source>
-        <translation type="unfinished"></translation>
+        <translation>收回上一筆</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>重做(&amp;R)</translation>
     </message>
     <message>
         <source>Put the last stroke back</source>
-        <translation type="unfinished"></translation>
+        <translation>恢復剛才收回的一筆</translation>
     </message>
     <message>
         <source>&amp;Memory for undo...</source>
-        <translation type="unfinished"></translation>
+        <translation>復原記憶體(&amp;M)...</translation>
     </message>
     <message>
         <source>How much memory the steps may take that you can return to</source>
-        <translation type="unfinished"></translation>
+        <translation>可以返回的步驟最多能占用多少記憶體</translation>
     </message>
     <message>
         <source>&amp;Canvas size...</source>
-        <translation type="unfinished"></translation>
+        <translation>畫布尺寸(&amp;C)...</translation>
     </message>
     <message>
         <source>Make the canvas larger, or cut it, on any side</source>
-        <translation type="unfinished"></translation>
+        <translation>從任一邊加大或裁切畫布</translation>
     </message>
     <message>
         <source>Crop to the &amp;selection</source>
-        <translation type="unfinished"></translation>
+        <translation>裁切到選取範圍(&amp;S)</translation>
     </message>
     <message>
         <source>Cut the canvas to the smallest one that holds what is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>將畫布裁切到剛好容納選取的部分</translation>
     </message>
     <message>
         <source>&amp;Narrower</source>
-        <translation type="unfinished"></translation>
+        <translation>縮小筆刷(&amp;N)</translation>
     </message>
     <message>
         <source>A narrower brush</source>
-        <translation type="unfinished"></translation>
+        <translation>較窄的筆刷</translation>
     </message>
     <message>
         <source>&amp;Wider</source>
-        <translation type="unfinished"></translation>
+        <translation>加大筆刷(&amp;W)</translation>
     </message>
     <message>
         <source>A wider brush</source>
-        <translation type="unfinished"></translation>
+        <translation>較寬的筆刷</translation>
     </message>
     <message>
         <source>Next &amp;brush</source>
-        <translation type="unfinished"></translation>
+        <translation>下一支筆刷(&amp;B)</translation>
     </message>
     <message>
         <source>Take the next brush of the list</source>
-        <translation type="unfinished"></translation>
+        <translation>換成清單中的下一支筆刷</translation>
     </message>
     <message>
         <source>&amp;Previous brush</source>
-        <translation type="unfinished"></translation>
+        <translation>上一支筆刷(&amp;P)</translation>
     </message>
     <message>
         <source>Take the brush before in the list</source>
-        <translation type="unfinished"></translation>
+        <translation>換成清單中的上一支筆刷</translation>
     </message>
     <message>
         <source>&amp;Reload</source>
-        <translation type="unfinished"></translation>
+        <translation>重新沾料(&amp;R)</translation>
     </message>
     <message>
         <source>Clean the brush and fill it with the paint</source>
-        <translation type="unfinished"></translation>
+        <translation>清潔筆刷，再沾滿顏料</translation>
     </message>
     <message>
         <source>&amp;Top up</source>
-        <translation type="unfinished"></translation>
+        <translation>補沾顏料(&amp;T)</translation>
     </message>
     <message>
         <source>Dip the brush without cleaning it: what it holds stays on it</source>
-        <translation type="unfinished"></translation>
+        <translation>不清潔就再沾顏料：筆刷上原有的會留著</translation>
     </message>
     <message>
         <source>B&amp;lot</source>
-        <translation type="unfinished"></translation>
+        <translation>吸除顏料(&amp;L)</translation>
     </message>
     <message>
         <source>Press the brush into a cloth: a quarter of its paint stays on it</source>
-        <translation type="unfinished"></translation>
+        <translation>把筆刷按在布上：只留下四分之一的顏料</translation>
     </message>
     <message>
         <source>&amp;Clean</source>
-        <translation type="unfinished"></translation>
+        <translation>清潔筆刷(&amp;C)</translation>
     </message>
     <message>
         <source>Wipe the brush: an empty one moves the paint that lies there</source>
-        <translation type="unfinished"></translation>
+        <translation>擦淨筆刷：乾淨的筆刷可推動畫面上的顏料</translation>
     </message>
     <message>
         <source>S&amp;wap the two paints</source>
-        <translation type="unfinished"></translation>
+        <translation>交換兩種顏料(&amp;W)</translation>
     </message>
     <message>
         <source>Dip the brush in the second paint; the first takes its place</source>
-        <translation type="unfinished"></translation>
+        <translation>讓筆刷改沾第二種顏料；原來的換到第二種的位置</translation>
     </message>
     <message>
         <source>P&amp;ick up the paint there</source>
-        <translation type="unfinished"></translation>
+        <translation>沾取畫面上的顏料(&amp;I)</translation>
     </message>
     <message>
         <source>The next click dips the brush in the mixture of pigments that lies there; so does Ctrl and a click</source>
-        <translation type="unfinished"></translation>
+        <translation>下一次按一下，筆刷就會沾取該處混好的顏料；按住 Ctrl 再按一下也可以</translation>
     </message>
     <message>
         <source>Pick the c&amp;olour seen there</source>
-        <translation type="unfinished"></translation>
+        <translation>取用畫面上的顏色(&amp;O)</translation>
     </message>
     <message>
         <source>The next click makes paint of the colour that is seen there; so does Alt and a click</source>
-        <translation type="unfinished"></translation>
+        <translation>下一次按一下，就會以該處看到的顏色調出顏料；按住 Alt 再按一下也可以</translation>
     </message>
     <message>
         <source>Reload before &amp;each stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>每一筆都重新沾料(&amp;E)</translation>
     </message>
     <message>
         <source>Every stroke starts with a clean, full brush</source>
-        <translation type="unfinished"></translation>
+        <translation>每一筆都從乾淨且沾滿的筆刷開始</translation>
     </message>
     <message>
         <source>&amp;Turn with the stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>隨筆觸轉動(&amp;T)</translation>
     </message>
     <message>
         <source>Flat brushes stand across their path, where the pen does not tell its rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>筆不提供旋轉角度時，讓平頭筆刷與行進方向垂直</translation>
     </message>
     <message>
         <source>&amp;Save as my own...</source>
-        <translation type="unfinished"></translation>
+        <translation>存為自己的工具(&amp;S)...</translation>
     </message>
     <message>
         <source>Keep the tool in hand, with its curves, among your own</source>
-        <translation type="unfinished"></translation>
+        <translation>將手上的工具連同曲線存入自己的工具</translation>
     </message>
     <message>
         <source>Re&amp;name...</source>
-        <translation type="unfinished"></translation>
+        <translation>重新命名(&amp;N)...</translation>
     </message>
     <message>
         <source>Give your own tool another name</source>
-        <translation type="unfinished"></translation>
+        <translation>為自己的工具換個名稱</translation>
     </message>
     <message>
         <source>&amp;Delete...</source>
-        <translation type="unfinished"></translation>
+        <translation>刪除(&amp;D)...</translation>
     </message>
     <message>
         <source>Throw your own tool away</source>
-        <translation type="unfinished"></translation>
+        <translation>丟掉自己的工具</translation>
     </message>
     <message>
         <source>&amp;Pause the paint</source>
-        <translation type="unfinished"></translation>
+        <translation>暫停顏料(&amp;P)</translation>
     </message>
     <message>
         <source>Wet paint stands still until you go on</source>
-        <translation type="unfinished"></translation>
+        <translation>濕顏料靜止不動，直到你繼續為止</translation>
     </message>
     <message>
         <source>&amp;Dry now</source>
-        <translation type="unfinished"></translation>
+        <translation>立即乾燥(&amp;D)</translation>
     </message>
     <message>
         <source>All wet paint dries at once: paint over it without stirring it up</source>
-        <translation type="unfinished"></translation>
+        <translation>所有濕顏料立刻變乾：可以疊畫而不會攪動下層</translation>
     </message>
     <message>
         <source>Mixing &amp;well</source>
-        <translation type="unfinished"></translation>
+        <translation>調色槽(&amp;W)</translation>
     </message>
     <message>
         <source>A palette of wet paint: mix there with any tool, and carry it to the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>放濕顏料的調色盤：可用任何工具調色，再帶到畫布上</translation>
     </message>
     <message>
         <source>&amp;Squeeze onto the well</source>
-        <translation type="unfinished"></translation>
+        <translation>擠到調色槽(&amp;S)</translation>
     </message>
     <message>
         <source>Squeeze the paint that you chose onto the mixing well; Control and click says where</source>
-        <translation type="unfinished"></translation>
+        <translation>將選好的顏料擠到調色槽上；按住 Ctrl 再按一下可指定位置</translation>
     </message>
     <message>
         <source>&amp;Clean the well</source>
-        <translation type="unfinished"></translation>
+        <translation>清潔調色槽(&amp;C)</translation>
     </message>
     <message>
         <source>Wipe the mixing well bare</source>
-        <translation type="unfinished"></translation>
+        <translation>將調色槽擦乾淨</translation>
     </message>
     <message>
         <source>&amp;New layer</source>
-        <translation type="unfinished"></translation>
+        <translation>新增圖層(&amp;N)</translation>
     </message>
     <message>
         <source>A bare layer above the one that you paint on</source>
-        <translation type="unfinished"></translation>
+        <translation>在目前作畫的圖層上方新增空白圖層</translation>
     </message>
     <message>
         <source>From a &amp;picture...</source>
-        <translation type="unfinished"></translation>
+        <translation>從圖片新增(&amp;P)...</translation>
     </message>
     <message>
         <source>Put a picture onto the canvas as a layer of dry paint</source>
-        <translation type="unfinished"></translation>
+        <translation>將圖片放到畫布上，成為一層乾顏料</translation>
     </message>
     <message>
         <source>&amp;Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>複製圖層(&amp;D)</translation>
     </message>
     <message>
         <source>The same paint once more, on a layer above</source>
-        <translation type="unfinished"></translation>
+        <translation>在上方圖層再放一份相同的顏料</translation>
     </message>
     <message>
         <source>Na&amp;me...</source>
-        <translation type="unfinished"></translation>
+        <translation>命名(&amp;M)...</translation>
     </message>
     <message>
         <source>Give the layer or the group another name</source>
-        <translation type="unfinished"></translation>
+        <translation>為圖層或群組換個名稱</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>移除圖層(&amp;R)</translation>
     </message>
     <message>
         <source>Take the layer away with all its paint</source>
-        <translation type="unfinished"></translation>
+        <translation>移除圖層和上面的所有顏料</translation>
     </message>
     <message>
         <source>&amp;Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>清除(&amp;C)</translation>
     </message>
     <message>
         <source>Wipe all paint off the layer</source>
-        <translation type="unfinished"></translation>
+        <translation>擦掉圖層上的所有顏料</translation>
     </message>
     <message>
         <source>&amp;Transform</source>
-        <translation type="unfinished"></translation>
+        <translation>變形(&amp;T)</translation>
     </message>
     <message>
-        <source>Move, scale, turn and mirror the layer&apos;s paint, or what is selected of it, by a frame</source>
-        <translation type="unfinished"></translation>
+        <source>Move, scale, turn and mirror the layer's paint, or what is selected of it, by a frame</source>
+        <translation>用外框移動、縮放、旋轉和鏡像圖層的顏料或選取的部分</translation>
     </message>
     <message>
         <source>M&amp;erge down</source>
-        <translation type="unfinished"></translation>
+        <translation>向下合併(&amp;E)</translation>
     </message>
     <message>
-        <source>Put the layer&apos;s paint on the layer below, and make them one</source>
-        <translation type="unfinished"></translation>
+        <source>Put the layer's paint on the layer below, and make them one</source>
+        <translation>將圖層的顏料疊到下方圖層上，合成一層</translation>
     </message>
     <message>
         <source>&amp;Flatten what is visible</source>
-        <translation type="unfinished"></translation>
+        <translation>平面化可見圖層(&amp;F)</translation>
     </message>
     <message>
         <source>Make one layer of all that are visible; hidden ones stay</source>
-        <translation type="unfinished"></translation>
+        <translation>將所有可見圖層合成一層；隱藏的圖層保留</translation>
     </message>
     <message>
         <source>&amp;Group</source>
-        <translation type="unfinished"></translation>
+        <translation>組成群組(&amp;G)</translation>
     </message>
     <message>
         <source>Put the chosen layers into a group, which is hidden, locked and faded as one</source>
-        <translation type="unfinished"></translation>
+        <translation>將選取的圖層放入群組，一起隱藏、鎖定和調淡</translation>
     </message>
     <message>
         <source>&amp;Ungroup</source>
-        <translation type="unfinished"></translation>
+        <translation>解散群組(&amp;U)</translation>
     </message>
     <message>
         <source>Dissolve the group; its layers stay where they are</source>
-        <translation type="unfinished"></translation>
+        <translation>解散群組；其中的圖層留在原處</translation>
     </message>
     <message>
         <source>&amp;Visible</source>
-        <translation type="unfinished"></translation>
+        <translation>可見(&amp;V)</translation>
     </message>
     <message>
         <source>Show or hide the layer or the group</source>
-        <translation type="unfinished"></translation>
+        <translation>顯示或隱藏圖層或群組</translation>
     </message>
     <message>
         <source>&amp;Locked</source>
-        <translation type="unfinished"></translation>
+        <translation>鎖定(&amp;L)</translation>
     </message>
     <message>
         <source>Keep the layer or the group from being painted on, cleared and merged</source>
-        <translation type="unfinished"></translation>
+        <translation>避免圖層或群組被畫到、清除或合併</translation>
     </message>
     <message>
         <source>Choose the one &amp;above</source>
-        <translation type="unfinished"></translation>
+        <translation>選取上方圖層(&amp;A)</translation>
     </message>
     <message>
         <source>Paint on the layer above</source>
-        <translation type="unfinished"></translation>
+        <translation>在上方的圖層作畫</translation>
     </message>
     <message>
         <source>Choose the one &amp;below</source>
-        <translation type="unfinished"></translation>
+        <translation>選取下方圖層(&amp;B)</translation>
     </message>
     <message>
         <source>Paint on the layer below</source>
-        <translation type="unfinished"></translation>
+        <translation>在下方的圖層作畫</translation>
     </message>
     <message>
         <source>Move u&amp;p</source>
-        <translation type="unfinished"></translation>
+        <translation>上移(&amp;P)</translation>
     </message>
     <message>
         <source>Move the layer or the group one place up, into and out of groups</source>
-        <translation type="unfinished"></translation>
+        <translation>將圖層或群組往上移一格，可移入或移出群組</translation>
     </message>
     <message>
         <source>Move d&amp;own</source>
-        <translation type="unfinished"></translation>
+        <translation>下移(&amp;O)</translation>
     </message>
     <message>
         <source>Move the layer or the group one place down, into and out of groups</source>
-        <translation type="unfinished"></translation>
+        <translation>將圖層或群組往下移一格，可移入或移出群組</translation>
     </message>
     <message>
         <source>&amp;Rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>矩形(&amp;R)</translation>
     </message>
     <message>
         <source>Drag a rectangle that tools keep to; Shift adds, Alt takes away, Ctrl makes a square</source>
-        <translation type="unfinished"></translation>
+        <translation>拖曳出工具可作用的矩形範圍；Shift 增加，Alt 減去，Ctrl 畫正方形</translation>
     </message>
     <message>
         <source>&amp;Lasso</source>
-        <translation type="unfinished"></translation>
+        <translation>套索(&amp;L)</translation>
     </message>
     <message>
         <source>Draw around what tools keep to; Shift adds, Alt takes away</source>
-        <translation type="unfinished"></translation>
+        <translation>圈出工具可作用的範圍；Shift 增加，Alt 減去</translation>
     </message>
     <message>
         <source>&amp;Everything</source>
-        <translation type="unfinished"></translation>
+        <translation>全部(&amp;E)</translation>
     </message>
     <message>
         <source>End the selection: tools work on all of the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>取消選取：工具可作用於整張畫布</translation>
     </message>
     <message>
         <source>&amp;Invert</source>
-        <translation type="unfinished"></translation>
+        <translation>反轉(&amp;I)</translation>
     </message>
     <message>
         <source>Select what is not selected</source>
-        <translation type="unfinished"></translation>
+        <translation>改為選取未選取的部分</translation>
     </message>
     <message>
         <source>By &amp;height...</source>
-        <translation type="unfinished"></translation>
+        <translation>依高度(&amp;H)...</translation>
     </message>
     <message>
         <source>Select where the paint stands so high above the bare canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>選取顏料高出空白畫布的高度在指定範圍內的地方</translation>
     </message>
     <message>
         <source>By &amp;wetness...</source>
-        <translation type="unfinished"></translation>
+        <translation>依濕潤度(&amp;W)...</translation>
     </message>
     <message>
         <source>Select where the wet paint of the layer is so thick</source>
-        <translation type="unfinished"></translation>
+        <translation>選取圖層上濕顏料厚度在指定範圍內的地方</translation>
     </message>
     <message>
         <source>Show the &amp;outline</source>
-        <translation type="unfinished"></translation>
+        <translation>顯示外框線(&amp;O)</translation>
     </message>
     <message>
         <source>Hidden, it is out of the way of what you paint; tools keep to it as before</source>
-        <translation type="unfinished"></translation>
+        <translation>隱藏後不會妨礙作畫；工具仍只作用於選取範圍</translation>
     </message>
     <message>
         <source>&amp;Mirror left and right</source>
-        <translation type="unfinished"></translation>
+        <translation>左右鏡像(&amp;M)</translation>
     </message>
     <message>
         <source>Every stroke is painted on both sides of the upright line</source>
-        <translation type="unfinished"></translation>
+        <translation>每一筆都同時畫在垂直線的兩側</translation>
     </message>
     <message>
         <source>Mirror a&amp;bove and below</source>
-        <translation type="unfinished"></translation>
+        <translation>上下鏡像(&amp;B)</translation>
     </message>
     <message>
         <source>Every stroke is painted on both sides of the level line</source>
-        <translation type="unfinished"></translation>
+        <translation>每一筆都同時畫在水平線的兩側</translation>
     </message>
     <message>
         <source>M&amp;ore copies around the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>增加環繞份數(&amp;O)</translation>
     </message>
     <message>
         <source>Every stroke is painted once more around the middle of the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>每一筆繞著畫布中心多畫一份</translation>
     </message>
     <message>
         <source>&amp;Fewer copies around the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>減少環繞份數(&amp;F)</translation>
     </message>
     <message>
         <source>Every stroke is painted once less around the middle of the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>每一筆繞著畫布中心少畫一份</translation>
     </message>
     <message>
         <source>&amp;Ruler along the last stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>沿上一筆放直尺(&amp;R)</translation>
     </message>
     <message>
         <source>Strokes run along the ruler, or parallel to it; Shift and drag draw a straight line</source>
-        <translation type="unfinished"></translation>
+        <translation>筆觸沿著直尺走，或與直尺平行；按住 Shift 拖曳可畫直線</translation>
     </message>
     <message>
         <source>&amp;Ellipse</source>
-        <translation type="unfinished"></translation>
+        <translation>橢圓(&amp;E)</translation>
     </message>
     <message>
         <source>Strokes run along the ellipse, or along another of the same shape</source>
-        <translation type="unfinished"></translation>
+        <translation>筆觸沿著橢圓走，或沿著另一個同形的橢圓</translation>
     </message>
     <message>
         <source>&amp;Handles</source>
-        <translation type="unfinished"></translation>
+        <translation>控制點(&amp;H)</translation>
     </message>
     <message>
         <source>Points by which guides are dragged; Shift keeps to steps and proportions</source>
-        <translation type="unfinished"></translation>
+        <translation>用來拖曳輔助線的點；按住 Shift 可依固定間距並維持比例</translation>
     </message>
     <message>
         <source>&amp;No guides</source>
-        <translation type="unfinished"></translation>
+        <translation>移除輔助線(&amp;N)</translation>
     </message>
     <message>
         <source>Take mirrors, copies, ruler and ellipse away</source>
-        <translation type="unfinished"></translation>
+        <translation>移除鏡像、環繞份數、直尺和橢圓</translation>
     </message>
     <message>
         <source>&amp;Trace a picture...</source>
-        <translation type="unfinished"></translation>
+        <translation>描圖(&amp;T)...</translation>
     </message>
     <message>
         <source>Lay a picture below the paint, and beside the canvas; it is in no picture that you save</source>
-        <translation type="unfinished"></translation>
+        <translation>將圖片墊在顏料下方，並放在畫布旁；它不會出現在你儲存的任何圖片中</translation>
     </message>
     <message>
         <source>&amp;Show it below the paint</source>
-        <translation type="unfinished"></translation>
+        <translation>顯示在顏料下方(&amp;S)</translation>
     </message>
     <message>
         <source>Show or hide the picture that you trace</source>
-        <translation type="unfinished"></translation>
+        <translation>顯示或隱藏描圖的底圖</translation>
     </message>
     <message>
         <source>F&amp;it it to the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>符合畫布大小(&amp;I)</translation>
     </message>
     <message>
         <source>In the middle of the canvas, as large as it fits</source>
-        <translation type="unfinished"></translation>
+        <translation>置於畫布中央，放到能容納的最大尺寸</translation>
     </message>
     <message>
         <source>Ta&amp;ke it away</source>
-        <translation type="unfinished"></translation>
+        <translation>移除底圖(&amp;K)</translation>
     </message>
     <message>
         <source>Take the picture that you trace away</source>
-        <translation type="unfinished"></translation>
+        <translation>移除描圖用的底圖</translation>
     </message>
     <message>
         <source>&amp;Fit the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>顯示整張畫布(&amp;F)</translation>
     </message>
     <message>
         <source>Show the whole canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>將整張畫布顯示在視窗內</translation>
     </message>
     <message>
         <source>&amp;Actual pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>實際像素(&amp;A)</translation>
     </message>
     <message>
         <source>One screen pixel for every pixel of the saved picture</source>
-        <translation type="unfinished"></translation>
+        <translation>儲存圖片的每個像素對應螢幕上的一個像素</translation>
     </message>
     <message>
         <source>Zoom &amp;in</source>
-        <translation type="unfinished"></translation>
+        <translation>放大(&amp;I)</translation>
     </message>
     <message>
         <source>Closer</source>
-        <translation type="unfinished"></translation>
+        <translation>靠近一點</translation>
     </message>
     <message>
         <source>Zoom &amp;out</source>
-        <translation type="unfinished"></translation>
+        <translation>縮小(&amp;O)</translation>
     </message>
     <message>
         <source>Farther</source>
-        <translation type="unfinished"></translation>
+        <translation>退遠一點</translation>
     </message>
     <message>
         <source>Turn &amp;left</source>
-        <translation type="unfinished"></translation>
+        <translation>向左轉(&amp;L)</translation>
     </message>
     <message>
         <source>Turn the canvas a little to the left on the screen; so does Shift+Space and a drag</source>
-        <translation type="unfinished"></translation>
+        <translation>將螢幕上的畫布稍微向左轉；也可按住 Shift+空白鍵拖曳</translation>
     </message>
     <message>
         <source>&amp;Upright</source>
-        <translation type="unfinished"></translation>
+        <translation>轉正(&amp;U)</translation>
     </message>
     <message>
         <source>The canvas stands again as it is saved</source>
-        <translation type="unfinished"></translation>
+        <translation>讓畫布回到儲存時的方向</translation>
     </message>
     <message>
         <source>Turn &amp;right</source>
-        <translation type="unfinished"></translation>
+        <translation>向右轉(&amp;R)</translation>
     </message>
     <message>
         <source>Turn the canvas a little to the right on the screen; so does Shift+Space and a drag</source>
-        <translation type="unfinished"></translation>
+        <translation>將螢幕上的畫布稍微向右轉；也可按住 Shift+空白鍵拖曳</translation>
     </message>
     <message>
         <source>&amp;Mirror the view</source>
-        <translation type="unfinished"></translation>
+        <translation>鏡像檢視(&amp;M)</translation>
     </message>
     <message>
         <source>See the painting as in a mirror, and paint on it so; it is saved as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>像照鏡子一樣看畫，也能這樣作畫；儲存的畫作不受影響</translation>
     </message>
     <message>
         <source>Canvas &amp;only</source>
-        <translation type="unfinished"></translation>
+        <translation>只顯示畫布(&amp;O)</translation>
     </message>
     <message>
         <source>Nothing but the canvas; Tab or Escape brings the panels back</source>
-        <translation type="unfinished"></translation>
+        <translation>除了畫布什麼都不顯示；按 Tab 或 Esc 恢復面板</translation>
     </message>
     <message>
         <source>In its l&amp;ight</source>
-        <translation type="unfinished"></translation>
+        <translation>燈光下(&amp;I)</translation>
     </message>
     <message>
         <source>The paint as it hangs in its light</source>
-        <translation type="unfinished"></translation>
+        <translation>顏料在燈光下的樣子</translation>
     </message>
     <message>
         <source>Show &amp;wet</source>
-        <translation type="unfinished"></translation>
+        <translation>顯示未乾處(&amp;W)</translation>
     </message>
     <message>
         <source>Tints what is still wet, the more the thicker it is</source>
-        <translation type="unfinished"></translation>
+        <translation>為未乾的地方染色，越厚染得越濃</translation>
     </message>
     <message>
         <source>Show &amp;height</source>
-        <translation type="unfinished"></translation>
+        <translation>顯示高度(&amp;H)</translation>
     </message>
     <message>
         <source>How high the paint stands above the bare canvas, in steps of colour</source>
-        <translation type="unfinished"></translation>
+        <translation>以分階的顏色顯示顏料高出空白畫布多少</translation>
     </message>
     <message>
         <source>Show &amp;normals</source>
-        <translation type="unfinished"></translation>
+        <translation>顯示法線(&amp;N)</translation>
     </message>
     <message>
         <source>Where the surface faces: red to the right, green up, blue towards you</source>
-        <translation type="unfinished"></translation>
+        <translation>表面的朝向：紅色朝右，綠色朝上，藍色朝向你</translation>
     </message>
     <message>
         <source>&amp;Flat colour</source>
-        <translation type="unfinished"></translation>
+        <translation>只看顏色(&amp;F)</translation>
     </message>
     <message>
-        <source>The paint&apos;s colours alone, without light and relief</source>
-        <translation type="unfinished"></translation>
+        <source>The paint's colours alone, without light and relief</source>
+        <translation>只有顏料的顏色，不含光影和起伏</translation>
     </message>
     <message>
         <source>&amp;Tool panel</source>
-        <translation type="unfinished"></translation>
+        <translation>工具面板(&amp;T)</translation>
     </message>
     <message>
         <source>What the brush holds, and how it answers to the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>筆刷沾了什麼，以及它如何隨手的動作變化</translation>
     </message>
     <message>
         <source>&amp;Colour panel</source>
-        <translation type="unfinished"></translation>
+        <translation>顏色面板(&amp;C)</translation>
     </message>
     <message>
         <source>A paint of any colour, and its recipe from the tubes</source>
-        <translation type="unfinished"></translation>
+        <translation>任何顏色的顏料，以及用管裝顏料調出它的配方</translation>
     </message>
     <message>
         <source>P&amp;hysics panel</source>
-        <translation type="unfinished"></translation>
+        <translation>物理面板(&amp;H)</translation>
     </message>
     <message>
         <source>What the paint is like: how it flows, holds and dries</source>
-        <translation type="unfinished"></translation>
+        <translation>顏料的特性：如何流動、定形和乾燥</translation>
     </message>
     <message>
         <source>&amp;Guides panel</source>
-        <translation type="unfinished"></translation>
+        <translation>輔助線面板(&amp;G)</translation>
     </message>
     <message>
         <source>Mirrors, ruler and ellipse in millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>以公釐設定鏡像、直尺和橢圓</translation>
     </message>
     <message>
         <source>&amp;Layers panel</source>
-        <translation type="unfinished"></translation>
+        <translation>圖層面板(&amp;L)</translation>
     </message>
     <message>
         <source>The layers of the painting: seen, locked, faded, in what order</source>
-        <translation type="unfinished"></translation>
+        <translation>畫作的圖層：顯示、鎖定、調淡與順序</translation>
     </message>
     <message>
         <source>Tr&amp;acing panel</source>
-        <translation type="unfinished"></translation>
+        <translation>描圖面板(&amp;A)</translation>
     </message>
     <message>
         <source>The picture that you trace, to look at and to pick colours from</source>
-        <translation type="unfinished"></translation>
+        <translation>描圖用的底圖，可供觀察和取色</translation>
     </message>
     <message>
         <source>&amp;History panel</source>
-        <translation type="unfinished"></translation>
+        <translation>步驟記錄面板(&amp;H)</translation>
     </message>
     <message>
         <source>What was done, to go back to any of it</source>
-        <translation type="unfinished"></translation>
+        <translation>做過的每個步驟，可返回任何一步</translation>
     </message>
     <message>
         <source>&amp;Reset the panels</source>
-        <translation type="unfinished"></translation>
+        <translation>重設面板(&amp;R)</translation>
     </message>
     <message>
         <source>Panels and mixing well as they stood at the first start</source>
-        <translation type="unfinished"></translation>
+        <translation>面板和調色槽恢復到首次啟動時的位置</translation>
     </message>
     <message>
         <source>Colours for s&amp;RGB</source>
-        <translation type="unfinished"></translation>
+        <translation>使用 sRGB 色彩(&amp;R)</translation>
     </message>
     <message>
         <source>Shows the painting for common screens</source>
-        <translation type="unfinished"></translation>
+        <translation>為一般螢幕顯示畫作</translation>
     </message>
     <message>
         <source>Colours for Display &amp;P3</source>
-        <translation type="unfinished"></translation>
+        <translation>使用 Display P3 色彩(&amp;P)</translation>
     </message>
     <message>
         <source>Shows the painting for a screen of wide gamut</source>
-        <translation type="unfinished"></translation>
+        <translation>為廣色域螢幕顯示畫作</translation>
     </message>
     <message>
         <source>&amp;Daylight (D65)</source>
-        <translation type="unfinished"></translation>
+        <translation>日光 (D65)(&amp;D)</translation>
     </message>
     <message>
         <source>The light that screens are made for</source>
-        <translation type="unfinished"></translation>
+        <translation>螢幕所依據的光源</translation>
     </message>
     <message>
         <source>&amp;Print booth (D50)</source>
-        <translation type="unfinished"></translation>
+        <translation>看樣燈箱 (D50)(&amp;P)</translation>
     </message>
     <message>
         <source>The light that prints are judged in</source>
-        <translation type="unfinished"></translation>
+        <translation>評看印刷品所用的光源</translation>
     </message>
     <message>
         <source>Light &amp;bulb (A)</source>
-        <translation type="unfinished"></translation>
+        <translation>燈泡 (A)(&amp;B)</translation>
     </message>
     <message>
         <source>Incandescent lamplight</source>
-        <translation type="unfinished"></translation>
+        <translation>白熾燈的燈光</translation>
     </message>
     <message>
         <source>&amp;LED lamp</source>
-        <translation type="unfinished"></translation>
+        <translation>LED 燈(&amp;L)</translation>
     </message>
     <message>
         <source>A white LED with its blue peak</source>
-        <translation type="unfinished"></translation>
+        <translation>帶有藍光峰值的白光 LED</translation>
     </message>
     <message>
         <source>From a &amp;file...</source>
-        <translation type="unfinished"></translation>
+        <translation>從檔案(&amp;F)...</translation>
     </message>
     <message>
         <source>A lamp that you have measured, as a CSV file</source>
-        <translation type="unfinished"></translation>
+        <translation>你測量過的燈光，CSV 檔案格式</translation>
     </message>
     <message>
         <source>&amp;Move the light</source>
-        <translation type="unfinished"></translation>
+        <translation>移動燈光(&amp;M)</translation>
     </message>
     <message>
         <source>Drag the lamp over the canvas: towards the rim it rakes over the relief</source>
-        <translation type="unfinished"></translation>
+        <translation>在畫布上拖曳燈的位置：越靠邊緣，光線越斜，越能掃出起伏</translation>
     </message>
     <message>
         <source>&amp;Find a command...</source>
-        <translation type="unfinished"></translation>
+        <translation>尋找指令(&amp;F)...</translation>
     </message>
     <message>
         <source>Type a few letters of what you want to do</source>
-        <translation type="unfinished"></translation>
+        <translation>輸入幾個字，找出想做的事</translation>
     </message>
     <message>
         <source>&amp;Keys...</source>
-        <translation type="unfinished"></translation>
+        <translation>快速鍵(&amp;K)...</translation>
     </message>
     <message>
         <source>Choose a set of keys, and give any command keys of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>選擇一組快速鍵，也可以為任何指令自訂按鍵</translation>
     </message>
     <message>
         <source>&amp;Settings...</source>
-        <translation type="unfinished"></translation>
+        <translation>設定(&amp;S)...</translation>
     </message>
     <message>
         <source>The look of the window, what is kept, and how much of the machine is used</source>
-        <translation type="unfinished"></translation>
+        <translation>視窗的外觀、要保留的內容，以及使用多少電腦資源</translation>
+    </message>
+    <message>
+        <source>Start &amp;page</source>
+        <translation>起始頁(&amp;P)</translation>
+    </message>
+    <message>
+        <source>New canvases, recent paintings and examples at a glance</source>
+        <translation>新畫布、最近的畫作和範例一覽</translation>
+    </message>
+    <message>
+        <source>&amp;Watch it grow...</source>
+        <translation>觀看作畫過程(&amp;W)...</translation>
+    </message>
+    <message>
+        <source>See how the painting came about, in a window of its own; the painting stays as it is</source>
+        <translation>在另外的視窗觀看畫作如何完成；畫作本身不會改變</translation>
+    </message>
+    <message>
+        <source>&amp;Make a time-lapse...</source>
+        <translation>製作縮時影片(&amp;M)...</translation>
+    </message>
+    <message>
+        <source>A film, or numbered pictures, of how the painting came about</source>
+        <translation>用影片或連號圖片呈現畫作的完成過程</translation>
+    </message>
+    <message>
+        <source>Pop-&amp;up palette</source>
+        <translation>快顯調色盤(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Tools and paints around the pointer; so does a right click on the canvas</source>
+        <translation>在指標周圍顯示工具和顏料；在畫布上按右鍵也可以</translation>
+    </message>
+    <message>
+        <source>&amp;Navigator</source>
+        <translation>導覽器(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The whole canvas, to see where the window is and to go elsewhere</source>
+        <translation>顯示整張畫布，可看出目前的檢視位置，也可前往別處</translation>
+    </message>
+    <message>
+        <source>Li&amp;ghts panel</source>
+        <translation>光線面板(&amp;G)</translation>
+    </message>
+    <message>
+        <source>The lamp, its light, and a coat of varnish to look through</source>
+        <translation>燈的位置、光源，以及加在畫面上的一層凡尼斯</translation>
+    </message>
+    <message>
+        <source>Recor&amp;der panel</source>
+        <translation>錄製面板(&amp;D)</translation>
+    </message>
+    <message>
+        <source>What is recorded of the painting: watch it grow again, or make a time-lapse</source>
+        <translation>畫作的錄製內容：可重看作畫過程，或製作縮時影片</translation>
+    </message>
+    <message>
+        <source>&amp;Pen and tablet...</source>
+        <translation>筆與數位板(&amp;P)...</translation>
+    </message>
+    <message>
+        <source>How pens and mouse press, what their buttons do, and a sheet to try them on</source>
+        <translation>筆和滑鼠的壓力、按鈕的功能，以及試畫區</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 秒</translation>
     </message>
     <message>
         <source>%1 min %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 分 %2 秒</translation>
     </message>
     <message>
         <source>%1 h %2 min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 小時 %2 分</translation>
     </message>
     <message>
         <source>%1 × %2 pixels for %3 × %4 mm, which is %5 pixels per inch.</source>
-        <translation type="unfinished"></translation>
+        <translation>%3 × %4 mm 的畫面為 %1 × %2 像素，相當於每英寸 %5 像素。</translation>
     </message>
     <message>
         <source>Four files of %1 × %2 pixels, %3 to %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>四個 %1 × %2 像素的檔案，%3 到 %4。</translation>
     </message>
     <message>
         <source>A solid of %1 × %2 mm; its front has %3 × %4 points, %5 mm apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 mm 的實體；正面有 %3 × %4 個點，間距 %5 mm。</translation>
     </message>
     <message>
         <source>%1 of painting become %2 of film: %3 frames of %4 × %5 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的作畫過程會成為 %2 的影片：%3 個影格，%4 × %5 像素。</translation>
     </message>
     <message>
         <source>%1 is a file; numbered pictures go into a folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是檔案；連號圖片需要放在資料夾裡。</translation>
     </message>
     <message>
         <source>The folder %1 holds the frames of another time-lapse; name another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>資料夾 %1 裡已有另一段縮時影片的影格；請換個名稱。</translation>
     </message>
     <message>
         <source>Nothing has been painted yet that a film could show.</source>
-        <translation type="unfinished"></translation>
+        <translation>還沒有畫任何東西，無法製作影片。</translation>
     </message>
     <message>
         <source>The file needs a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>檔案需要名稱。</translation>
     </message>
     <message>
         <source>There is no folder %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有資料夾 %1。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::CanvasSizeDialog</name>
     <message>
         <source>The upper left corner stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>左上角維持不動</translation>
     </message>
     <message>
         <source>The middle of the upper edge stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>上邊中點維持不動</translation>
     </message>
     <message>
         <source>The upper right corner stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>右上角維持不動</translation>
     </message>
     <message>
         <source>The middle of the left edge stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>左邊中點維持不動</translation>
     </message>
     <message>
         <source>The middle stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>中心維持不動</translation>
     </message>
     <message>
         <source>The middle of the right edge stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>右邊中點維持不動</translation>
     </message>
     <message>
         <source>The lower left corner stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>左下角維持不動</translation>
     </message>
     <message>
         <source>The middle of the lower edge stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>下邊中點維持不動</translation>
     </message>
     <message>
         <source>The lower right corner stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>右下角維持不動</translation>
     </message>
     <message>
         <source>%1 mm on the left</source>
-        <translation type="unfinished"></translation>
+        <translation>左側 %1 mm</translation>
     </message>
     <message>
         <source>%1 mm on the right</source>
-        <translation type="unfinished"></translation>
+        <translation>右側 %1 mm</translation>
     </message>
     <message>
         <source>%1 mm at the top</source>
-        <translation type="unfinished"></translation>
+        <translation>上方 %1 mm</translation>
     </message>
     <message>
         <source>%1 mm at the bottom</source>
-        <translation type="unfinished"></translation>
+        <translation>下方 %1 mm</translation>
     </message>
     <message>
         <source>Added: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>增加：%1。</translation>
     </message>
     <message>
         <source>Cut off: %1. What lies there is wiped off.</source>
-        <translation type="unfinished"></translation>
+        <translation>裁掉：%1。該處的內容會被擦掉。</translation>
     </message>
     <message>
         <source>Canvas size</source>
-        <translation type="unfinished"></translation>
+        <translation>畫布尺寸</translation>
     </message>
     <message>
         <source>Change the size</source>
-        <translation type="unfinished"></translation>
+        <translation>變更尺寸</translation>
     </message>
     <message>
         <source>&amp;Width</source>
-        <translation type="unfinished"></translation>
+        <translation>寬度(&amp;W)</translation>
     </message>
     <message>
         <source>&amp;Height</source>
-        <translation type="unfinished"></translation>
+        <translation>高度(&amp;H)</translation>
     </message>
     <message>
         <source>Stays in place</source>
-        <translation type="unfinished"></translation>
+        <translation>維持不動的位置</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>The canvas has this size.</source>
-        <translation type="unfinished"></translation>
+        <translation>畫布已是這個尺寸。</translation>
     </message>
     <message>
         <source>A picture of %1 × %2 pixels.
 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 像素的圖片。
+%3</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::CommandPalette</name>
     <message>
         <source>What do you want to do?</source>
-        <translation type="unfinished"></translation>
+        <translation>你想做什麼？</translation>
     </message>
     <message>
         <source>No command of that name. Fewer letters find more.</source>
-        <translation type="unfinished"></translation>
+        <translation>找不到這個指令。少打幾個字，可以找到更多。</translation>
     </message>
     <message>
         <source>Not now: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>目前無法使用：%1</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::CrashDialog</name>
     <message>
         <source>Pastoso failed the last time</source>
-        <translation type="unfinished"></translation>
+        <translation>Pastoso 上次發生錯誤而中斷</translation>
     </message>
     <message>
         <source>We are sorry. What you had painted was kept and is offered to you next. This report says where the program was; it tells nothing of your painting. With it the mistake can be found.</source>
-        <translation type="unfinished"></translation>
+        <translation>很抱歉。你畫的內容已經保留，接下來可以救回。這份報告說明程式中斷的位置，不包含任何畫作內容。有了它就能找出錯誤。</translation>
     </message>
     <message>
         <source>It is kept as %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>報告已存為 %1。</translation>
     </message>
     <message>
         <source>Copy the report</source>
-        <translation type="unfinished"></translation>
+        <translation>複製報告</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::ExportDialog</name>
     <message>
         <source>Where the folder is put</source>
-        <translation type="unfinished"></translation>
+        <translation>資料夾要放在哪裡</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>匯出</translation>
     </message>
     <message>
         <source>;;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>;;所有檔案 (*)</translation>
     </message>
     <message>
         <source>sRGB</source>
-        <translation type="unfinished"></translation>
+        <translation>sRGB</translation>
     </message>
     <message>
         <source>Display P3</source>
-        <translation type="unfinished"></translation>
+        <translation>Display P3</translation>
     </message>
     <message>
         <source>ICC profile...</source>
-        <translation type="unfinished"></translation>
+        <translation>ICC 描述檔...</translation>
     </message>
     <message>
         <source>ICC profile</source>
-        <translation type="unfinished"></translation>
+        <translation>ICC 描述檔</translation>
     </message>
     <message>
         <source>ICC profiles (*.icc *.icm);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>ICC 描述檔 (*.icc *.icm);;所有檔案 (*)</translation>
     </message>
     <message>
         <source>What the painting looks like.</source>
-        <translation type="unfinished"></translation>
+        <translation>畫作看起來的樣子。</translation>
     </message>
     <message>
         <source>The picture, and of every layer its colours, normals, heights in mm, wetness, gloss and cover, as channels of one file.</source>
-        <translation type="unfinished"></translation>
+        <translation>畫作圖片，以及每個圖層的顏色、法線、高度 (mm)、濕潤度、光澤和覆蓋率，存成同一檔案的色版。</translation>
     </message>
     <message>
         <source>Base colour, normal (OpenGL, +Y up), height and roughness, a file for each.</source>
-        <translation type="unfinished"></translation>
+        <translation>基本顏色、法線（OpenGL，+Y 朝上）、高度和粗糙度，各存成一個檔案。</translation>
     </message>
     <message>
         <source>The paint as it stands on the canvas: a closed solid in millimetres.</source>
-        <translation type="unfinished"></translation>
+        <translation>顏料在畫布上的立體形狀：以公釐為單位的封閉實體。</translation>
     </message>
     <message>
         <source>How the painting came about. It is painted once more, which takes a while.</source>
-        <translation type="unfinished"></translation>
+        <translation>畫作的完成過程。需要重新畫一次，會花一些時間。</translation>
     </message>
     <message>
         <source>&amp;Folder</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>資料夾(&amp;F)</translation>
     </message>
     <message>
         <source>Replace</source>
-        <translation type="unfinished"></translation>
+        <translation>取代</translation>
     </message>
     <message>
         <source>What the file is; its name ends accordingly</source>
-        <translation type="unfinished"></translation>
+        <translation>檔案的類型；檔名的結尾會隨之改變</translation>
     </message>
     <message>
         <source>What is made of the painting</source>
-        <translation type="unfinished"></translation>
+        <translation>要從畫作做出什麼</translation>
     </message>
     <message>
         <source>Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>圖片</translation>
     </message>
     <message>
         <source>Layers, for compositing</source>
-        <translation type="unfinished"></translation>
+        <translation>圖層，供合成使用</translation>
     </message>
     <message>
         <source>Maps, for 3D programs</source>
-        <translation type="unfinished"></translation>
+        <translation>貼圖，供 3D 程式使用</translation>
     </message>
     <message>
         <source>Relief, for 3D printing</source>
-        <translation type="unfinished"></translation>
+        <translation>浮雕，供 3D 列印</translation>
     </message>
     <message>
         <source>Time-lapse</source>
-        <translation type="unfinished"></translation>
+        <translation>縮時影片</translation>
     </message>
     <message>
         <source>Where it is put; the ending of the name chooses the format</source>
-        <translation type="unfinished"></translation>
+        <translation>存放的位置；副檔名決定格式</translation>
     </message>
     <message>
         <source>&amp;Browse...</source>
-        <translation type="unfinished"></translation>
+        <translation>瀏覽(&amp;B)...</translation>
     </message>
     <message>
         <source>1 is a small file, 100 a fine picture</source>
-        <translation type="unfinished"></translation>
+        <translation>1 檔案最小，100 畫質最好</translation>
     </message>
     <message>
         <source>What the picture is of</source>
-        <translation type="unfinished"></translation>
+        <translation>圖片的內容</translation>
     </message>
     <message>
         <source>The canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>畫布</translation>
     </message>
     <message>
         <source>The mixing well</source>
-        <translation type="unfinished"></translation>
+        <translation>調色槽</translation>
     </message>
     <message>
         <source>&amp;Light and shade</source>
-        <translation type="unfinished"></translation>
+        <translation>光影(&amp;L)</translation>
     </message>
     <message>
-        <source>As the window shows the painting; otherwise the paint&apos;s own colours, as a scan would have them</source>
-        <translation type="unfinished"></translation>
+        <source>As the window shows the painting; otherwise the paint's own colours, as a scan would have them</source>
+        <translation>和視窗顯示的畫作一樣；否則只輸出顏料本身的顏色，像掃描的結果</translation>
     </message>
     <message>
         <source> px/cell</source>
-        <translation type="unfinished"></translation>
+        <translation> px/格</translation>
     </message>
     <message>
-        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint&apos;s surface is interpolated, not the pixels</source>
-        <translation type="unfinished"></translation>
+        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint's surface is interpolated, not the pixels</source>
+        <translation>畫布每一格的像素數：1 與視窗所畫的相同，2 的寬和高都加倍。內插的是顏料表面，不是像素</translation>
     </message>
     <message>
         <source> px wide</source>
-        <translation type="unfinished"></translation>
+        <translation> px 寬</translation>
     </message>
     <message>
         <source>The width that the scale comes to, or the scale that gives this width</source>
-        <translation type="unfinished"></translation>
+        <translation>這個比例得出的寬度，或得出這個寬度的比例</translation>
     </message>
     <message>
         <source>What the numbers in the file mean; the file says so too. sRGB is for common screens, Display P3 for screens of wide gamut, an ICC profile for a printer</source>
-        <translation type="unfinished"></translation>
+        <translation>檔案中數值所代表的顏色，檔案裡也會註明。sRGB 適合一般螢幕，Display P3 適合廣色域螢幕，ICC 描述檔適合印表機</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Thickness from the flat back to the lowest level of the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>從平坦的背面到畫布最低處的厚度</translation>
     </message>
     <message>
         <source> times as high</source>
-        <translation type="unfinished"></translation>
+        <translation> 倍高</translation>
     </message>
     <message>
         <source>1 is the relief as it is painted, 2 twice as high; width and height stay</source>
-        <translation type="unfinished"></translation>
+        <translation>1 是畫出來的起伏，2 則起伏高度加倍；畫面的寬和高不變</translation>
     </message>
     <message>
         <source> mm apart</source>
-        <translation type="unfinished"></translation>
+        <translation> mm 間距</translation>
     </message>
     <message>
         <source>Distance between two points of the surface; 0 is as far as the cells, or farther where the canvas is large</source>
-        <translation type="unfinished"></translation>
+        <translation>表面上兩點之間的距離；0 表示與格子間距相同，畫布較大時會更寬</translation>
     </message>
     <message>
         <source>automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>自動</translation>
     </message>
     <message>
         <source> times as fast</source>
-        <translation type="unfinished"></translation>
+        <translation> 倍速</translation>
     </message>
     <message>
         <source>Seconds of painting in a second of film</source>
-        <translation type="unfinished"></translation>
+        <translation>一秒影片呈現幾秒的作畫過程</translation>
     </message>
     <message>
         <source> per second</source>
-        <translation type="unfinished"></translation>
+        <translation> 影格/秒</translation>
     </message>
     <message>
         <source>Frames in a second of film</source>
-        <translation type="unfinished"></translation>
+        <translation>影片每秒的影格數</translation>
     </message>
     <message>
         <source>&amp;Make</source>
-        <translation type="unfinished"></translation>
+        <translation>製作(&amp;M)</translation>
     </message>
     <message>
         <source>F&amp;ormat</source>
-        <translation type="unfinished"></translation>
+        <translation>格式(&amp;O)</translation>
     </message>
     <message>
         <source>&amp;Quality</source>
-        <translation type="unfinished"></translation>
+        <translation>品質(&amp;Q)</translation>
     </message>
     <message>
         <source>Sho&amp;w</source>
-        <translation type="unfinished"></translation>
+        <translation>內容(&amp;W)</translation>
     </message>
     <message>
         <source>&amp;Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>比例(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>色彩(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>厚度(&amp;T)</translation>
     </message>
     <message>
         <source>&amp;Heights</source>
-        <translation type="unfinished"></translation>
+        <translation>起伏高度(&amp;H)</translation>
     </message>
     <message>
         <source>&amp;Points</source>
-        <translation type="unfinished"></translation>
+        <translation>取樣點(&amp;P)</translation>
     </message>
     <message>
         <source>Sp&amp;eed</source>
-        <translation type="unfinished"></translation>
+        <translation>速度(&amp;E)</translation>
     </message>
     <message>
         <source>F&amp;rames</source>
-        <translation type="unfinished"></translation>
+        <translation>影格(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;File name</source>
+        <translation>檔案名稱(&amp;N)</translation>
+    </message>
+    <message>
+        <source> px/mm</source>
+        <translation> px/mm</translation>
+    </message>
+    <message>
+        <source>Cells in a millimetre of the canvas that it is painted on once more: more show finer paint and take longer; 0 is as it was painted</source>
+        <translation>重畫時畫布每公釐的格數：越多越能呈現細緻的顏料，但也越花時間；0 表示與原作相同</translation>
+    </message>
+    <message>
+        <source>as it was painted</source>
+        <translation>與原作相同</translation>
+    </message>
+    <message>
+        <source>Canvas of &amp;it</source>
+        <translation>重畫用的畫布(&amp;I)</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::KeyCatcher</name>
     <message>
         <source>Press the keys... (Esc: none)</source>
-        <translation type="unfinished"></translation>
+        <translation>請按下按鍵...（Esc：不設定）</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::KeysDialog</name>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>快速鍵</translation>
     </message>
     <message>
         <source>What the keys are to start with; keys of your own stay</source>
-        <translation type="unfinished"></translation>
+        <translation>一開始使用的快速鍵；自訂的按鍵會保留</translation>
     </message>
     <message>
         <source>Find by words, or by keys such as Ctrl+J</source>
-        <translation type="unfinished"></translation>
+        <translation>用文字尋找，或用 Ctrl+J 之類的按鍵尋找</translation>
     </message>
     <message>
         <source>Click, and press other keys</source>
-        <translation type="unfinished"></translation>
+        <translation>按一下，再按其他按鍵</translation>
     </message>
     <message>
         <source>Add a key</source>
-        <translation type="unfinished"></translation>
+        <translation>新增快速鍵</translation>
     </message>
     <message>
         <source>As the set has it</source>
-        <translation type="unfinished"></translation>
+        <translation>恢復成這組的按鍵</translation>
     </message>
     <message>
         <source>Leave it</source>
-        <translation type="unfinished"></translation>
+        <translation>保持原狀</translation>
     </message>
     <message>
         <source>Forget all my own keys</source>
-        <translation type="unfinished"></translation>
+        <translation>清除所有自訂按鍵</translation>
     </message>
     <message>
         <source>Click, and press other keys in place of these</source>
-        <translation type="unfinished"></translation>
+        <translation>按一下，再按要取代的按鍵</translation>
     </message>
     <message>
         <source>Take %1 away</source>
-        <translation type="unfinished"></translation>
+        <translation>移除 %1</translation>
     </message>
     <message>
         <source>%1 is needed on the canvas itself: it can be given to no command. Choose another key.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 在畫布上另有用途，不能指定給任何指令。請選擇其他按鍵。</translation>
     </message>
     <message>
         <source>%1 is its key already.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 已經是這個指令的快速鍵。</translation>
     </message>
     <message>
-        <source>%1 is the key of &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <source>%1 is the key of "%2".</source>
+        <translation>%1 是「%2」的快速鍵。</translation>
     </message>
     <message>
         <source>Take it from there</source>
-        <translation type="unfinished"></translation>
+        <translation>改給這個指令</translation>
     </message>
     <message>
-        <source>%1 stays with &quot;%2&quot;, which you gave it to.</source>
-        <translation type="unfinished"></translation>
+        <source>%1 stays with "%2", which you gave it to.</source>
+        <translation>%1 仍屬於「%2」，那是你指定的。</translation>
     </message>
     <message>
-        <source>All keys will be as the set &quot;%1&quot; has them.</source>
-        <translation type="unfinished"></translation>
+        <source>All keys will be as the set "%1" has them.</source>
+        <translation>所有快速鍵都會恢復成「%1」的設定。</translation>
     </message>
     <message>
         <source>Forget my own</source>
-        <translation type="unfinished"></translation>
+        <translation>清除自訂按鍵</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::NewCanvasDialog</name>
     <message>
         <source>New canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>新增畫布</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source> px/mm</source>
-        <translation type="unfinished"></translation>
+        <translation> px/mm</translation>
     </message>
     <message>
         <source>Linen</source>
-        <translation type="unfinished"></translation>
+        <translation>亞麻布</translation>
     </message>
     <message>
         <source>Cotton duck</source>
-        <translation type="unfinished"></translation>
+        <translation>棉帆布</translation>
     </message>
     <message>
         <source>Panel</source>
-        <translation type="unfinished"></translation>
+        <translation>木板</translation>
     </message>
     <message>
         <source>Height image...</source>
-        <translation type="unfinished"></translation>
+        <translation>高度圖...</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>寬度</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>高度</translation>
     </message>
     <message>
         <source>Resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>解析度</translation>
     </message>
     <message>
         <source>Support</source>
-        <translation type="unfinished"></translation>
+        <translation>基底材</translation>
     </message>
     <message>
         <source>Height image: white is high</source>
-        <translation type="unfinished"></translation>
+        <translation>高度圖：白色為高處</translation>
     </message>
     <message>
         <source>Image: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>圖片：%1</translation>
     </message>
     <message>
         <source>A picture of %1 × %2 pixels; up to %3 MiB of memory when all of it is wet.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 像素的圖片；全部都是濕顏料時，最多占用 %3 MiB 記憶體。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::RecoveryDialog</name>
     <message>
         <source>A painting without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>未命名的畫作</translation>
     </message>
     <message>
         <source>A painting that cannot be read
 %1</source>
-        <translation type="unfinished"></translation>
+        <translation>無法讀取的畫作
+%1</translation>
     </message>
     <message numerus="yes">
         <source>%1
 %2
 %3 × %4 mm, %n change(s) not saved</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1
+%2
+%3 × %4 mm，%n 項變更尚未儲存</numerusform>
         </translation>
     </message>
     <message>
         <source>Unfinished paintings</source>
-        <translation type="unfinished"></translation>
+        <translation>未完成的畫作</translation>
     </message>
     <message>
         <source>Pastoso ended before these were saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pastoso 結束時，這些畫作還沒有儲存。</translation>
     </message>
     <message>
         <source>Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>救回</translation>
     </message>
     <message>
         <source>Not now</source>
-        <translation type="unfinished"></translation>
+        <translation>稍後再說</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>捨棄</translation>
     </message>
     <message>
         <source>Discard %1 for good? It is nowhere else.</source>
-        <translation type="unfinished"></translation>
+        <translation>要永久捨棄 %1 嗎？別處沒有備份。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::SelectRangeDialog</name>
     <message>
         <source>Select it</source>
-        <translation type="unfinished"></translation>
+        <translation>建立選取範圍</translation>
     </message>
     <message>
         <source>Add it to the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>加入選取範圍</translation>
     </message>
     <message>
         <source>Take it out of the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>從選取範圍減去</translation>
     </message>
     <message>
         <source>Keep what is in both</source>
-        <translation type="unfinished"></translation>
+        <translation>保留兩者重疊的部分</translation>
     </message>
     <message>
         <source>Select</source>
-        <translation type="unfinished"></translation>
+        <translation>選取</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>從</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>到</translation>
     </message>
     <message>
         <source>Do</source>
-        <translation type="unfinished"></translation>
+        <translation>動作</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Nothing is there to be selected.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有可選取的部分。</translation>
     </message>
     <message>
         <source>Then %1 % of the canvas is selected.</source>
-        <translation type="unfinished"></translation>
+        <translation>結果會選取畫布的 %1 %。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::SettingsDialog</name>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>設定</translation>
     </message>
     <message>
         <source>Appearance</source>
-        <translation type="unfinished"></translation>
+        <translation>外觀</translation>
     </message>
     <message>
         <source>Keeping</source>
-        <translation type="unfinished"></translation>
+        <translation>儲存與復原</translation>
     </message>
     <message>
         <source>Performance</source>
-        <translation type="unfinished"></translation>
+        <translation>效能</translation>
     </message>
     <message>
         <source>This machine</source>
-        <translation type="unfinished"></translation>
+        <translation>這部電腦</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>佈景主題</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>深色</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>淺色</translation>
     </message>
     <message>
         <source>Both are neutral greys, so that nothing beside the canvas colours what you see on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>兩者都是中性灰，畫布旁的顏色才不會影響你對畫面的判斷。</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>語言</translation>
     </message>
     <message>
         <source>As on the desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>與桌面相同</translation>
     </message>
     <message>
         <source>Another language speaks from the next start on.</source>
-        <translation type="unfinished"></translation>
+        <translation>下次啟動後會改用新的語言。</translation>
     </message>
     <message>
         <source> MiB</source>
-        <translation type="unfinished"></translation>
+        <translation> MiB</translation>
     </message>
     <message>
         <source>Memory for undo</source>
-        <translation type="unfinished"></translation>
+        <translation>復原記憶體</translation>
     </message>
     <message>
         <source>The steps that you can return to. The oldest are given up when it is full; 500 are kept at most.</source>
-        <translation type="unfinished"></translation>
+        <translation>可以返回的步驟。存滿時會捨棄最舊的步驟；最多保留 500 步。</translation>
     </message>
     <message>
         <source>Never</source>
-        <translation type="unfinished"></translation>
+        <translation>永不</translation>
     </message>
     <message>
         <source> minutes</source>
-        <translation type="unfinished"></translation>
+        <translation> 分鐘</translation>
     </message>
     <message>
         <source>Save by itself every</source>
-        <translation type="unfinished"></translation>
+        <translation>自動儲存間隔</translation>
     </message>
     <message>
-        <source>Into the painting&apos;s own file, once it has one. Whatever you choose, every stroke is kept aside within a second and offered to you again should the program or the machine fail.</source>
-        <translation type="unfinished"></translation>
+        <source>Into the painting's own file, once it has one. Whatever you choose, every stroke is kept aside within a second and offered to you again should the program or the machine fail.</source>
+        <translation>畫作有了自己的檔案後，就自動存入該檔案。無論怎麼選，每一筆都會在一秒內另外保留；萬一程式或電腦出問題，也能讓你救回。</translation>
     </message>
     <message>
         <source>All of the machine (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>電腦的全部資源 (%1)</translation>
     </message>
     <message>
         <source>Threads</source>
-        <translation type="unfinished"></translation>
+        <translation>執行緒</translation>
     </message>
     <message>
         <source>How many things the program works on at once, from the next painting on. The paint flows the same with any number.</source>
-        <translation type="unfinished"></translation>
+        <translation>程式同時處理多少工作，從下一幅畫作開始生效。無論數目多少，顏料的流動都一樣。</translation>
     </message>
     <message>
         <source>How carefully moving paint is shown follows from how fast this machine draws; what stands still is always shown in full.</source>
-        <translation type="unfinished"></translation>
+        <translation>流動中的顏料顯示得多細緻，取決於這部電腦的繪圖速度；靜止的部分一律完整顯示。</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>複製</translation>
     </message>
 </context>
 <context>
     <name>pastoso::dialogs::TransformDialog</name>
     <message>
         <source>Transform</source>
-        <translation type="unfinished"></translation>
+        <translation>變形</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>°</source>
-        <translation type="unfinished"></translation>
+        <translation>°</translation>
     </message>
     <message>
         <source>Move right</source>
-        <translation type="unfinished"></translation>
+        <translation>右移</translation>
     </message>
     <message>
         <source>Move down</source>
-        <translation type="unfinished"></translation>
+        <translation>下移</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>寬度</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>高度</translation>
     </message>
     <message>
         <source>Turn</source>
-        <translation type="unfinished"></translation>
+        <translation>旋轉</translation>
     </message>
     <message>
         <source>Clockwise, about the middle of the frame</source>
-        <translation type="unfinished"></translation>
+        <translation>繞外框中心順時針旋轉</translation>
     </message>
     <message>
         <source>Left–right</source>
-        <translation type="unfinished"></translation>
+        <translation>左右</translation>
     </message>
     <message>
         <source>Left and right of the paint change places, before it is turned</source>
-        <translation type="unfinished"></translation>
+        <translation>旋轉之前，先將顏料左右對調</translation>
     </message>
     <message>
         <source>Up–down</source>
-        <translation type="unfinished"></translation>
+        <translation>上下</translation>
     </message>
     <message>
         <source>Above and below change places, before the paint is turned</source>
-        <translation type="unfinished"></translation>
+        <translation>旋轉之前，先將顏料上下對調</translation>
     </message>
     <message>
         <source>Mirror</source>
-        <translation type="unfinished"></translation>
+        <translation>鏡像</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>套用</translation>
     </message>
     <message>
         <source>The paint keeps its thickness and its amount.</source>
-        <translation type="unfinished"></translation>
+        <translation>顏料的厚度和總量都不變。</translation>
     </message>
     <message>
         <source>The paint keeps its thickness: %1 % of it will be there.</source>
-        <translation type="unfinished"></translation>
+        <translation>顏料的厚度不變：總量會變成原來的 %1 %。</translation>
     </message>
     <message>
         <source>What comes beyond the canvas is wiped off.</source>
-        <translation type="unfinished"></translation>
+        <translation>超出畫布的部分會被擦掉。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main</name>
     <message>
         <source>OpenGL</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenGL</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>無</translation>
     </message>
     <message>
         <source>Graphics</source>
-        <translation type="unfinished"></translation>
+        <translation>圖形處理器</translation>
     </message>
     <message>
         <source>%1 (the processor draws, no graphics card)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（由處理器繪製，沒有使用顯示卡）</translation>
     </message>
     <message>
         <source>Its maker</source>
-        <translation type="unfinished"></translation>
+        <translation>製造商</translation>
     </message>
     <message>
         <source>Shading language</source>
-        <translation type="unfinished"></translation>
+        <translation>著色語言</translation>
     </message>
     <message>
         <source>Largest texture</source>
-        <translation type="unfinished"></translation>
+        <translation>最大材質</translation>
     </message>
     <message>
         <source>%1 pixels a side</source>
-        <translation type="unfinished"></translation>
+        <translation>每邊 %1 像素</translation>
     </message>
     <message>
         <source>%1 × %2 pixels, %3 for one of the layout</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 像素，版面每像素為 %3 像素</translation>
     </message>
     <message>
         <source>Program</source>
-        <translation type="unfinished"></translation>
+        <translation>程式</translation>
     </message>
     <message>
         <source>System</source>
-        <translation type="unfinished"></translation>
+        <translation>系統</translation>
     </message>
     <message>
         <source>Processor</source>
-        <translation type="unfinished"></translation>
+        <translation>處理器</translation>
     </message>
     <message>
         <source>%1 at once, %2, kernels for %3</source>
-        <translation type="unfinished"></translation>
+        <translation>可同時執行 %1 個執行緒，%2，運算程式碼採用 %3</translation>
     </message>
     <message>
         <source>Free memory</source>
-        <translation type="unfinished"></translation>
+        <translation>可用記憶體</translation>
     </message>
     <message>
         <source>%1 GiB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 GiB</translation>
     </message>
     <message>
         <source>Windows by</source>
-        <translation type="unfinished"></translation>
+        <translation>視窗系統</translation>
     </message>
     <message>
         <source>Screen</source>
-        <translation type="unfinished"></translation>
+        <translation>螢幕</translation>
+    </message>
+    <message>
+        <source>Top up</source>
+        <translation>補沾</translation>
+    </message>
+    <message>
+        <source>Blot</source>
+        <translation>吸除</translation>
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation>交換</translation>
+    </message>
+    <message>
+        <source>Pick paint</source>
+        <translation>沾取顏料</translation>
+    </message>
+    <message>
+        <source>Pick colour</source>
+        <translation>取色</translation>
+    </message>
+    <message>
+        <source>Left, right</source>
+        <translation>左右</translation>
+    </message>
+    <message>
+        <source>Above, below</source>
+        <translation>上下</translation>
+    </message>
+    <message>
+        <source>Along the last stroke</source>
+        <translation>沿著上一筆</translation>
+    </message>
+    <message>
+        <source>On the canvas</source>
+        <translation>在畫布上</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>選擇...</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Below the paint</source>
+        <translation>在顏料下方</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>符合大小</translation>
+    </message>
+    <message>
+        <source>100 %</source>
+        <translation>100 %</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>轉正</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>鏡像</translation>
+    </message>
+    <message>
+        <source>Watch it grow...</source>
+        <translation>觀看作畫過程...</translation>
+    </message>
+    <message>
+        <source>Make a time-lapse...</source>
+        <translation>製作縮時影片...</translation>
+    </message>
+    <message>
+        <source>Save the recording...</source>
+        <translation>儲存錄製檔...</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>顏色</translation>
+    </message>
+    <message>
+        <source>Physics</source>
+        <translation>物理</translation>
+    </message>
+    <message>
+        <source>Guides</source>
+        <translation>輔助線</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>光線</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>圖層</translation>
+    </message>
+    <message>
+        <source>Tracing</source>
+        <translation>描圖</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>步驟記錄</translation>
+    </message>
+    <message>
+        <source>Navigator</source>
+        <translation>導覽器</translation>
+    </message>
+    <message>
+        <source>Recorder</source>
+        <translation>錄製</translation>
+    </message>
+    <message>
+        <source>As it was painted</source>
+        <translation>原本的速度</translation>
+    </message>
+    <message>
+        <source>4 times as fast</source>
+        <translation>4 倍速</translation>
+    </message>
+    <message>
+        <source>16 times as fast</source>
+        <translation>16 倍速</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>盡可能快</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::BrushJar</name>
     <message>
         <source>%1 was read again; the next stroke is painted with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>已重新讀取 %1；下一筆就會使用它。</translation>
     </message>
     <message>
         <source>Name of the tool:</source>
-        <translation type="unfinished"></translation>
+        <translation>工具的名稱：</translation>
     </message>
     <message>
         <source>Pastoso</source>
-        <translation type="unfinished"></translation>
+        <translation>Pastoso</translation>
     </message>
     <message>
         <source>My %1</source>
-        <translation type="unfinished"></translation>
+        <translation>我的 %1</translation>
     </message>
     <message>
         <source>Save as my own</source>
-        <translation type="unfinished"></translation>
+        <translation>存為自己的工具</translation>
     </message>
     <message>
-        <source>There is already a tool of your own named &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <source>There is already a tool of your own named "%1".</source>
+        <translation>自己的工具中已有「%1」。</translation>
     </message>
     <message>
         <source>Overwrite</source>
-        <translation type="unfinished"></translation>
+        <translation>覆寫</translation>
     </message>
     <message>
-        <source>Kept &quot;%1&quot; among your own.</source>
-        <translation type="unfinished"></translation>
+        <source>Kept "%1" among your own.</source>
+        <translation>已將「%1」存入自己的工具。</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>重新命名</translation>
     </message>
     <message>
-        <source>Throw your tool &quot;%1&quot; away? Its file is deleted.</source>
-        <translation type="unfinished"></translation>
+        <source>Throw your tool "%1" away? Its file is deleted.</source>
+        <translation>要丟掉你的工具「%1」嗎？它的檔案會被刪除。</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>刪除</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is thrown away; what you have in hand stays.</source>
-        <translation type="unfinished"></translation>
+        <source>"%1" is thrown away; what you have in hand stays.</source>
+        <translation>已丟掉「%1」；手上的工具維持不變。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::CanvasSizing</name>
     <message>
         <source>A recording is being played; the canvas is yours when it has ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在播放錄製內容；結束後就能變更畫布。</translation>
     </message>
     <message>
         <source>The selection reaches over the whole canvas: there is nothing to cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>選取範圍涵蓋整張畫布，沒有可裁切的部分。</translation>
     </message>
     <message>
         <source>The canvas is %1 × %2 mm now; Undo brings back what it was.</source>
-        <translation type="unfinished"></translation>
+        <translation>畫布現在是 %1 × %2 mm；用「復原」可回到原來的樣子。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::DroppedFiles</name>
+    <message>
+        <source>%1 is no painting and no picture that can be opened.</source>
+        <translation>%1 不是能開啟的畫作或圖片。</translation>
+    </message>
+    <message>
+        <source>Put it on a &amp;layer, as dry paint</source>
+        <translation>放到圖層上，成為乾顏料(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Trace it, below the paint</source>
+        <translation>墊在顏料下方，用來描圖(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;New canvas made of it</source>
+        <translation>用它建立新畫布(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Leave it</source>
+        <translation>保持原狀</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>開啟</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::Exporting</name>
     <message>
         <source>Exported %1: %2 triangles, %3 × %4 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>已匯出 %1：%2 個三角形，%3 × %4 mm。</translation>
     </message>
     <message>
         <source>Exported %1 and %2 more; heights from %3 mm (black) to %4 mm (white).</source>
-        <translation type="unfinished"></translation>
+        <translation>已匯出 %1 和另外 %2 個檔案；高度從 %3 mm（黑）到 %4 mm（白）。</translation>
     </message>
     <message>
         <source>Exported %1: %2 × %3 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>已匯出 %1：%2 × %3 像素。</translation>
     </message>
     <message>
         <source>Exported %1: %2 frames of %3 × %4 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>已匯出 %1：%2 個影格，%3 × %4 像素。</translation>
     </message>
     <message>
         <source>Stopped; %1 holds the pictures that are complete.</source>
-        <translation type="unfinished"></translation>
+        <translation>已停止；%1 裡是已完成的圖片。</translation>
     </message>
     <message>
         <source>Stopped; %1 was not written.</source>
-        <translation type="unfinished"></translation>
+        <translation>已停止；未寫入 %1。</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>停止</translation>
     </message>
     <message>
         <source>painting</source>
-        <translation type="unfinished"></translation>
+        <translation>畫作</translation>
     </message>
     <message>
         <source>%1 is still being written; wait for it, or stop it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 還在寫入；請等它完成，或停止匯出。</translation>
     </message>
     <message>
         <source>Exporting %1</source>
-        <translation type="unfinished"></translation>
+        <translation>正在匯出 %1</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>匯出</translation>
     </message>
     <message>
         <source>Pastoso</source>
-        <translation type="unfinished"></translation>
+        <translation>Pastoso</translation>
     </message>
     <message>
         <source>%1 is still being written.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 還在寫入。</translation>
     </message>
     <message>
         <source>Close when it is done</source>
-        <translation type="unfinished"></translation>
+        <translation>完成後關閉</translation>
     </message>
     <message>
         <source>Stop it</source>
-        <translation type="unfinished"></translation>
+        <translation>停止匯出</translation>
     </message>
     <message>
         <source>The window closes as soon as %1 is written.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 寫入完成後，視窗就會關閉。</translation>
     </message>
     <message>
         <source>Export recording</source>
-        <translation type="unfinished"></translation>
+        <translation>匯出錄製檔</translation>
     </message>
     <message>
         <source>painting.json</source>
-        <translation type="unfinished"></translation>
+        <translation>畫作.json</translation>
     </message>
     <message>
         <source>Recordings (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>錄製檔 (*.json)</translation>
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>已儲存 %1。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::GuideCommands</name>
     <message>
         <source>Strokes around the middle: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>環繞中心的筆觸份數：%1</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::LayerCommands</name>
     <message>
         <source>Layer %1</source>
-        <translation type="unfinished"></translation>
+        <translation>圖層 %1</translation>
     </message>
     <message>
         <source>Group %1</source>
-        <translation type="unfinished"></translation>
+        <translation>群組 %1</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::LayerTransform</name>
     <message>
         <source>A recording is being played; the layers are yours when it has ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在播放錄製內容；結束後就能變更圖層。</translation>
     </message>
     <message>
         <source>There is no paint on this layer.</source>
-        <translation type="unfinished"></translation>
+        <translation>這個圖層上沒有顏料。</translation>
     </message>
     <message>
         <source>There is no paint of this layer in the selection.</source>
-        <translation type="unfinished"></translation>
+        <translation>選取範圍內沒有這個圖層的顏料。</translation>
     </message>
     <message>
         <source>Drag inside to move, a handle to scale, outside to turn (Shift: in steps). Enter applies, Esc gives up.</source>
-        <translation type="unfinished"></translation>
+        <translation>在框內拖曳可移動，拖曳控制點可縮放，在框外拖曳可旋轉（Shift：依固定角度）。Enter 套用，Esc 放棄。</translation>
     </message>
     <message>
         <source>The paint stays as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>顏料維持原樣。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::LightChoice</name>
     <message>
         <source>Light from a file</source>
-        <translation type="unfinished"></translation>
+        <translation>從檔案載入光源</translation>
     </message>
     <message>
         <source>Spectra (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>光譜 (*.csv)</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::PaintMemory</name>
     <message>
         <source>Open a palette</source>
-        <translation type="unfinished"></translation>
+        <translation>開啟調色盤</translation>
     </message>
     <message>
         <source>Palettes (*.gpl)</source>
-        <translation type="unfinished"></translation>
+        <translation>調色盤 (*.gpl)</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::PaintPicking</name>
     <message>
         <source>Picked up wet paint: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已沾取濕顏料：%1</translation>
     </message>
     <message>
         <source>Picked up dry paint: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已取用乾顏料的配方：%1</translation>
     </message>
     <message>
         <source>There is no colour to pick beside the canvas.</source>
-        <translation type="unfinished"></translation>
+        <translation>畫布以外沒有顏色可取。</translation>
     </message>
     <message>
         <source>Picked the colour seen: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已取用看到的顏色：%1</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::PictureLayers</name>
     <message>
         <source>Layer from a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>從圖片新增圖層</translation>
     </message>
     <message>
         <source>Pictures (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>圖片 (%1);;所有檔案 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::PopupCommands</name>
+    <message>
+        <source>Mirror</source>
+        <translation>鏡像</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>符合大小</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::ProjectFiles</name>
     <message>
         <source>Open re&amp;cent</source>
-        <translation type="unfinished"></translation>
+        <translation>開啟最近的檔案(&amp;C)</translation>
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>已儲存 %1。</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>儲存</translation>
     </message>
     <message>
         <source>New canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>新增畫布</translation>
     </message>
     <message>
         <source>None yet</source>
-        <translation type="unfinished"></translation>
+        <translation>還沒有</translation>
     </message>
     <message>
         <source>Canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>畫布</translation>
     </message>
     <message>
         <source>%1[*] %2 × %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1[*] %2 × %3 mm</translation>
     </message>
     <message>
         <source>Saving %1...</source>
-        <translation type="unfinished"></translation>
+        <translation>正在儲存 %1...</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>開啟</translation>
     </message>
     <message>
         <source>Paintings and pictures (*.pastoso *.ora %1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>畫作與圖片 (*.pastoso *.ora %1);;所有檔案 (*)</translation>
     </message>
     <message>
         <source>painting.pastoso</source>
-        <translation type="unfinished"></translation>
+        <translation>畫作.pastoso</translation>
     </message>
     <message>
         <source>Paintings (*.pastoso)</source>
-        <translation type="unfinished"></translation>
+        <translation>畫作 (*.pastoso)</translation>
     </message>
     <message>
         <source>Pastoso</source>
-        <translation type="unfinished"></translation>
+        <translation>Pastoso</translation>
     </message>
     <message>
         <source>The painting on the easel has changes that are not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>畫架上的畫作有尚未儲存的變更。</translation>
     </message>
     <message>
         <source>Discard them</source>
-        <translation type="unfinished"></translation>
+        <translation>捨棄變更</translation>
     </message>
     <message>
         <source>Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>救回</translation>
+    </message>
+    <message>
+        <source>Painted from its strokes; the brush is yours when it is done.</source>
+        <translation>正在依筆觸重新畫出；完成後就能繼續作畫。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::RangeSelection</name>
     <message>
         <source>Wet paint of this layer is up to %1 mm thick, %2 mm on average.</source>
-        <translation type="unfinished"></translation>
+        <translation>這個圖層的濕顏料最厚 %1 mm，平均 %2 mm。</translation>
     </message>
     <message>
         <source>Paint, wet and dry, stands up to %1 mm above the canvas, %2 mm on average.</source>
-        <translation type="unfinished"></translation>
+        <translation>濕的和乾的顏料最高高出畫布 %1 mm，平均 %2 mm。</translation>
     </message>
     <message>
         <source>Select by wetness</source>
-        <translation type="unfinished"></translation>
+        <translation>依濕潤度選取</translation>
     </message>
     <message>
         <source>Select by height</source>
-        <translation type="unfinished"></translation>
+        <translation>依高度選取</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::Recorder</name>
+    <message>
+        <source>Nothing has been painted yet that could be shown again.</source>
+        <translation>還沒有畫任何東西可以重播。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::ReplayWindow</name>
+    <message>
+        <source>How it was painted</source>
+        <translation>作畫過程</translation>
+    </message>
+    <message>
+        <source>Play, or stop for a moment (Space)</source>
+        <translation>播放，或暫時停下（空白鍵）</translation>
+    </message>
+    <message>
+        <source>Moment of the painting</source>
+        <translation>作畫的時間點</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the painting</source>
+        <translation>拖曳到作畫過程的任何時間點</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暫停</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>It cannot be shown any further</source>
+        <translation>之後的內容無法顯示</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::SelectionCommands</name>
     <message>
         <source>Outside the selection: nothing is painted there.</source>
-        <translation type="unfinished"></translation>
+        <translation>在選取範圍之外：不會畫上任何東西。</translation>
     </message>
     <message>
         <source>Nothing was selected. Esc again goes back to painting.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有選到任何部分。再按一次 Esc 就回到作畫。</translation>
     </message>
     <message>
         <source>Tools keep to the outline. Esc, or taking a tool, goes back to painting.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具只作用於外框線內。按 Esc 或拿起工具，就回到作畫。</translation>
     </message>
     <message>
         <source>Drag around what tools shall keep to. Shift adds, Alt takes away, both keep what is in both; a click ends the selection.</source>
-        <translation type="unfinished"></translation>
+        <translation>圈出工具可作用的範圍。Shift 增加，Alt 減去，兩鍵同按保留重疊的部分；按一下則取消選取。</translation>
     </message>
     <message>
         <source>The brush paints again.</source>
-        <translation type="unfinished"></translation>
+        <translation>筆刷可以繼續畫了。</translation>
     </message>
     <message>
         <source>Selects what is inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>選取框內的部分。</translation>
     </message>
     <message>
         <source>Adds what is inside to the selection.</source>
-        <translation type="unfinished"></translation>
+        <translation>將框內的部分加入選取範圍。</translation>
     </message>
     <message>
         <source>Takes what is inside out of the selection.</source>
-        <translation type="unfinished"></translation>
+        <translation>從選取範圍減去框內的部分。</translation>
     </message>
     <message>
         <source>Keeps what is inside and was selected before.</source>
-        <translation type="unfinished"></translation>
+        <translation>保留框內原本已選取的部分。</translation>
     </message>
     <message>
         <source>A recording is being played; the brush is yours when it has ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在播放錄製內容；結束後就能使用筆刷。</translation>
     </message>
     <message>
         <source>Nothing is selected: tools work on all of the canvas.</source>
-        <translation type="unfinished"></translation>
+        <translation>目前沒有選取範圍：工具可作用於整張畫布。</translation>
     </message>
     <message>
         <source>lasso</source>
-        <translation type="unfinished"></translation>
+        <translation>套索</translation>
     </message>
     <message>
         <source>rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>矩形</translation>
     </message>
 </context>
 <context>
     <name>pastoso::main::TracingCommands</name>
     <message>
         <source>Picked the colour of the picture: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已取用底圖的顏色：%1</translation>
     </message>
     <message>
         <source>Trace a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>描圖</translation>
     </message>
     <message>
         <source>Pictures (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>圖片 (%1);;所有檔案 (*)</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels</name>
     <message>
         <source>never</source>
-        <translation type="unfinished"></translation>
+        <translation>不會乾</translation>
     </message>
     <message>
         <source>real time</source>
-        <translation type="unfinished"></translation>
+        <translation>實際時間</translation>
     </message>
     <message>
         <source>10 times</source>
-        <translation type="unfinished"></translation>
+        <translation>10 倍速</translation>
     </message>
     <message>
         <source>a minute a second</source>
-        <translation type="unfinished"></translation>
+        <translation>每秒一分鐘</translation>
     </message>
     <message>
         <source>10 min a second</source>
-        <translation type="unfinished"></translation>
+        <translation>每秒 10 分鐘</translation>
     </message>
     <message>
         <source>an hour a second</source>
-        <translation type="unfinished"></translation>
+        <translation>每秒一小時</translation>
     </message>
     <message>
         <source>a day a second</source>
-        <translation type="unfinished"></translation>
+        <translation>每秒一天</translation>
     </message>
     <message>
         <source>Viscosity</source>
-        <translation type="unfinished"></translation>
+        <translation>黏度</translation>
     </message>
     <message>
         <source>How slowly it flows: water 1, ink 100, cream 3000, oil from the tube 300000</source>
-        <translation type="unfinished"></translation>
+        <translation>流動有多慢：水 1，墨水 100，鮮奶油 3000，管裝油畫顏料 300000</translation>
     </message>
     <message>
         <source> mm²/s</source>
-        <translation type="unfinished"></translation>
+        <translation> mm²/s</translation>
     </message>
     <message>
         <source>Yield stress</source>
-        <translation type="unfinished"></translation>
+        <translation>降伏應力</translation>
     </message>
     <message>
         <source>What it stands up to before it moves at all: at 0 it runs for ever, at 80 it keeps every bristle mark, at 200 it stands in peaks</source>
-        <translation type="unfinished"></translation>
+        <translation>受力多大才開始流動：0 會一直流，80 能留住每道筆毛痕跡，200 可以堆出尖峰</translation>
     </message>
     <message>
         <source> Pa</source>
-        <translation type="unfinished"></translation>
+        <translation> Pa</translation>
     </message>
     <message>
         <source>Flow index</source>
-        <translation type="unfinished"></translation>
+        <translation>流動指數</translation>
     </message>
     <message>
         <source>Below 1 it thins where it is sheared: a brush or a fast run finds it thinner</source>
-        <translation type="unfinished"></translation>
+        <translation>小於 1 時，受剪切會變稀：筆刷刷過或流得快時，顏料會比較稀</translation>
     </message>
     <message>
         <source>Density</source>
-        <translation type="unfinished"></translation>
+        <translation>密度</translation>
     </message>
     <message>
         <source>Heavy paint runs faster down a tilted canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>重的顏料在傾斜的畫布上流得比較快</translation>
     </message>
     <message>
         <source> kg/m³</source>
-        <translation type="unfinished"></translation>
+        <translation> kg/m³</translation>
     </message>
     <message>
         <source>Surface tension</source>
-        <translation type="unfinished"></translation>
+        <translation>表面張力</translation>
     </message>
     <message>
         <source>Rounds drips and edges, and draws thin lines into drops</source>
-        <translation type="unfinished"></translation>
+        <translation>讓垂流和邊緣變圓，也讓細線收縮成珠滴</translation>
     </message>
     <message>
         <source> mN/m</source>
-        <translation type="unfinished"></translation>
+        <translation> mN/m</translation>
     </message>
     <message>
         <source>Spreads at</source>
-        <translation type="unfinished"></translation>
+        <translation>擴展角度</translation>
     </message>
     <message>
         <source>The edge moves out where it is steeper than this: low numbers wet the canvas easily, high ones stand in beads</source>
-        <translation type="unfinished"></translation>
+        <translation>邊緣比這個角度陡時就向外擴展：數值小容易潤濕畫布，數值大則凝成珠狀</translation>
     </message>
     <message>
         <source>°</source>
-        <translation type="unfinished"></translation>
+        <translation>°</translation>
     </message>
     <message>
         <source>Draws back at</source>
-        <translation type="unfinished"></translation>
+        <translation>回縮角度</translation>
     </message>
     <message>
         <source>The edge draws back where it is flatter than this; 0: it stays where it was</source>
-        <translation type="unfinished"></translation>
+        <translation>邊緣比這個角度平緩時就向內回縮；0：停在原處不回縮</translation>
     </message>
     <message>
         <source>Slip</source>
-        <translation type="unfinished"></translation>
+        <translation>滑移</translation>
     </message>
     <message>
         <source>How easily it slides over the canvas, in cells: more lets edges run on</source>
-        <translation type="unfinished"></translation>
+        <translation>在畫布上滑動的難易，以格為單位：數值越大，邊緣越能繼續流動</translation>
     </message>
     <message>
         <source> cells</source>
-        <translation type="unfinished"></translation>
+        <translation> 格</translation>
     </message>
     <message>
         <source>Profile against</source>
-        <translation type="unfinished"></translation>
+        <translation>逆流剖面係數</translation>
     </message>
     <message>
         <source>Alpha where surface tension pulls against the flow: less slows the front of a drip, which gets thicker and rounder</source>
-        <translation type="unfinished"></translation>
+        <translation>表面張力與流動方向相反時的 α 值：越小，垂流前端越慢，也越厚越圓</translation>
     </message>
     <message>
         <source>Profile along</source>
-        <translation type="unfinished"></translation>
+        <translation>順流剖面係數</translation>
     </message>
     <message>
         <source>Alpha where surface tension pulls with the flow: more speeds up the tail of a drip, which gets thinner</source>
-        <translation type="unfinished"></translation>
+        <translation>表面張力與流動方向相同時的 α 值：越大，垂流尾端越快，也越薄</translation>
     </message>
     <message>
         <source>Dry after</source>
-        <translation type="unfinished"></translation>
+        <translation>乾燥時間</translation>
     </message>
     <message>
         <source>Until a film of the usual thickness can be touched, in still air</source>
-        <translation type="unfinished"></translation>
+        <translation>在靜止的空氣中，一般厚度的顏料層乾到可以觸摸所需的時間</translation>
     </message>
     <message>
         <source> min</source>
-        <translation type="unfinished"></translation>
+        <translation> 分鐘</translation>
     </message>
     <message>
         <source>Usual thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>一般厚度</translation>
     </message>
     <message>
         <source>The film that dries in that time; thicker ones take longer</source>
-        <translation type="unfinished"></translation>
+        <translation>在上述時間內會乾的顏料層厚度；越厚越慢乾</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Stays when dry</source>
-        <translation type="unfinished"></translation>
+        <translation>乾後保留</translation>
     </message>
     <message>
         <source>How much of the wet thickness is left: oil keeps all, watery paint sinks in</source>
-        <translation type="unfinished"></translation>
+        <translation>濕的厚度會留下多少：油畫顏料全部保留，水性的稀顏料會滲下去</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>Flow</source>
-        <translation type="unfinished"></translation>
+        <translation>流動</translation>
     </message>
     <message>
         <source>Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>表面</translation>
     </message>
     <message>
         <source>Drying</source>
-        <translation type="unfinished"></translation>
+        <translation>乾燥</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>無</translation>
+    </message>
+    <message>
+        <source>Matte</source>
+        <translation>消光</translation>
+    </message>
+    <message>
+        <source>Satin</source>
+        <translation>半光</translation>
+    </message>
+    <message>
+        <source>Gloss</source>
+        <translation>亮光</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::BrushList</name>
     <message>
         <source>%1, your own</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（自己的）</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::BrushPanel</name>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>筆刷</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
-        <source>Width of the brush&apos;s tip  ([ and ])</source>
-        <translation type="unfinished"></translation>
+        <source>Width of the brush's tip  ([ and ])</source>
+        <translation>筆尖的寬度（[ 和 ]）</translation>
     </message>
     <message>
         <source>Steady</source>
-        <translation type="unfinished"></translation>
+        <translation>穩定</translation>
     </message>
     <message>
         <source>How the hand is steadied</source>
-        <translation type="unfinished"></translation>
+        <translation>手部穩定的方式</translation>
     </message>
     <message>
-        <source>How a trembling hand is steadied, besides the brush&apos;s own smoothing</source>
-        <translation type="unfinished"></translation>
+        <source>How a trembling hand is steadied, besides the brush's own smoothing</source>
+        <translation>在筆刷本身的平滑之外，另外修正手的抖動</translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished"></translation>
+        <translation>關閉</translation>
     </message>
     <message>
         <source>lags behind</source>
-        <translation type="unfinished"></translation>
+        <translation>延遲跟隨</translation>
     </message>
     <message>
         <source>pulled on a string</source>
-        <translation type="unfinished"></translation>
+        <translation>拉繩</translation>
     </message>
     <message>
         <source>How much the hand is steadied</source>
-        <translation type="unfinished"></translation>
+        <translation>手部穩定的強度</translation>
     </message>
     <message>
         <source>Length of the string: wide curves without a tremor</source>
-        <translation type="unfinished"></translation>
+        <translation>繩子的長度：畫大弧線也不抖</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>How far the brush lags behind the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>筆刷落後手的時間</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::ColourPanel</name>
     <message>
         <source>Mix a colour</source>
-        <translation type="unfinished"></translation>
+        <translation>調出顏色</translation>
     </message>
     <message>
         <source>Nearest from the tubes</source>
-        <translation type="unfinished"></translation>
+        <translation>用管裝顏料調出的最接近色</translation>
     </message>
     <message>
         <source>Use the recipe</source>
-        <translation type="unfinished"></translation>
+        <translation>使用配方</translation>
     </message>
     <message>
         <source>Dip the brush in this mixture from the tubes instead</source>
-        <translation type="unfinished"></translation>
+        <translation>讓筆刷改沾用管裝顏料調成的這個混色</translation>
     </message>
     <message>
         <source>Used before</source>
-        <translation type="unfinished"></translation>
+        <translation>用過的顏色</translation>
     </message>
     <message>
         <source>Your palette</source>
-        <translation type="unfinished"></translation>
+        <translation>你的調色盤</translation>
     </message>
     <message>
         <source>Paints that you keep stay here.</source>
-        <translation type="unfinished"></translation>
+        <translation>你保留的顏料會放在這裡。</translation>
     </message>
     <message>
         <source>Keep</source>
-        <translation type="unfinished"></translation>
+        <translation>保留</translation>
     </message>
     <message>
         <source>Lay the paint in hand out on your palette</source>
-        <translation type="unfinished"></translation>
+        <translation>將手上的顏料放到你的調色盤</translation>
     </message>
     <message>
         <source>From a file</source>
-        <translation type="unfinished"></translation>
+        <translation>從檔案載入</translation>
     </message>
     <message>
         <source>none opened</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未開啟</translation>
     </message>
     <message>
         <source>Open...</source>
-        <translation type="unfinished"></translation>
+        <translation>開啟...</translation>
     </message>
     <message>
         <source>Colours of GIMP, Krita or Inkscape, from a .gpl file</source>
-        <translation type="unfinished"></translation>
+        <translation>GIMP、Krita 或 Inkscape 的顏色，來自 .gpl 檔案</translation>
     </message>
     <message>
         <source>The colour itself, as a paint of its own: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1
-㥎 %2, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>這個顏色本身，當作一種獨立的顏料：%1</translation>
     </message>
     <message>
         <source>Your palette is full: the right button takes a paint away.</source>
-        <translation type="unfinished"></translation>
+        <translation>調色盤滿了：按右鍵可以移除顏料。</translation>
     </message>
     <message>
         <source>%1
 The right button, or Delete, takes it away.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+按右鍵或 Delete 可移除。</translation>
+    </message>
+    <message>
+        <source>%1
+ΔE %2, %3</source>
+        <translation>%1
+ΔE %2，%3</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::ColourPicker</name>
     <message>
         <source>OKLCh</source>
-        <translation type="unfinished"></translation>
+        <translation>OKLCh</translation>
     </message>
     <message>
         <source>Lightness, chroma and hue as the eye sees them</source>
-        <translation type="unfinished"></translation>
+        <translation>肉眼感受的明度、彩度和色相</translation>
     </message>
     <message>
         <source>HSV</source>
-        <translation type="unfinished"></translation>
+        <translation>HSV</translation>
     </message>
     <message>
         <source>Hue, saturation and value</source>
-        <translation type="unfinished"></translation>
+        <translation>色相、飽和度和明度</translation>
     </message>
     <message>
         <source>RGB</source>
-        <translation type="unfinished"></translation>
+        <translation>RGB</translation>
     </message>
     <message>
         <source>Red, green and blue of the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>螢幕的紅、綠、藍</translation>
     </message>
     <message>
         <source>The colour as it is written, for example #c03020</source>
-        <translation type="unfinished"></translation>
+        <translation>用色碼表示的顏色，例如 #c03020</translation>
     </message>
     <message>
         <source>Colour as written</source>
-        <translation type="unfinished"></translation>
+        <translation>色碼</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no colour; write it for example as #c03020.</source>
-        <translation type="unfinished"></translation>
+        <source>"%1" is no colour; write it for example as #c03020.</source>
+        <translation>「%1」不是顏色；請寫成像 #c03020 這樣。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::ColourWheel</name>
     <message>
         <source>Colour wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>色環</translation>
     </message>
     <message>
         <source>The ring is the hue. Inside, lightness goes up and chroma to the right, as far as the
 screen has it. Keys: arrows, Page Up and Page Down for the hue, with Ctrl finely.</source>
-        <translation type="unfinished"></translation>
+        <translation>外環是色相。內側往上明度增加，往右彩度增加，
+範圍到螢幕能顯示的為止。按鍵：方向鍵；Page Up 和 Page Down 調色相，加 Ctrl 可微調。</translation>
     </message>
     <message>
         <source>Lightness %1 %, chroma %2, hue %3°</source>
-        <translation type="unfinished"></translation>
+        <translation>明度 %1 %，彩度 %2，色相 %3°</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::CurveEditor</name>
     <message>
         <source>Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>曲線</translation>
     </message>
     <message>
         <source>Drag a point, click beside one to add another, right click to take one away.
 Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.</source>
-        <translation type="unfinished"></translation>
+        <translation>拖曳控制點；在旁邊按一下可新增，按右鍵可移除。
+按鍵：Page Up 和 Page Down 選取，方向鍵移動，Insert 新增，Delete 移除。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::CurvesPanel</name>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>新增</translation>
     </message>
     <message>
         <source>Another curve: what of the hand sets what of the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>再加一條曲線：手的哪種動作控制工具的哪種特性</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>移除</translation>
     </message>
     <message>
         <source>Takes this curve away</source>
-        <translation type="unfinished"></translation>
+        <translation>移除這條曲線</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>重設</translation>
     </message>
     <message>
         <source>The curve as the tool was kept with</source>
-        <translation type="unfinished"></translation>
+        <translation>恢復工具儲存時的曲線</translation>
     </message>
     <message>
         <source>How it answers to the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>如何隨手的動作變化</translation>
     </message>
     <message>
         <source>What of the hand sets what of the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>手的哪種動作控制工具的哪種特性</translation>
     </message>
     <message>
         <source>This tool has no curves.</source>
-        <translation type="unfinished"></translation>
+        <translation>這個工具沒有曲線。</translation>
     </message>
     <message>
         <source>%1 → %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 → %2</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::EaselPanel</name>
     <message>
         <source>Tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>傾斜</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>光線</translation>
     </message>
     <message>
         <source>Seen in</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The light on the easel; the paint stays as it is</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Daylight (D65)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Print booth (D50)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Light bulb (A)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>LED lamp</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From a file...</source>
-        <translation type="unfinished"></translation>
+        <translation>觀看光源</translation>
     </message>
     <message>
         <source>Drying</source>
-        <translation type="unfinished"></translation>
+        <translation>乾燥</translation>
     </message>
     <message>
         <source>How fast wet paint dries; D dries it at once</source>
-        <translation type="unfinished"></translation>
+        <translation>濕顏料乾得多快；按 D 可讓它立刻變乾</translation>
     </message>
     <message>
         <source>flat</source>
-        <translation type="unfinished"></translation>
+        <translation>平放</translation>
     </message>
     <message>
         <source> high</source>
-        <translation type="unfinished"></translation>
+        <translation> 高</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::GuidesPanel</name>
     <message>
         <source>Mirrors and copies</source>
-        <translation type="unfinished"></translation>
+        <translation>鏡像與環繞份數</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Copies</source>
-        <translation type="unfinished"></translation>
+        <translation>份數</translation>
     </message>
     <message>
         <source>From the left</source>
-        <translation type="unfinished"></translation>
+        <translation>距左側</translation>
     </message>
     <message>
         <source>From above</source>
-        <translation type="unfinished"></translation>
+        <translation>距上方</translation>
     </message>
     <message>
         <source>Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>軸線</translation>
     </message>
     <message>
         <source>Ruler</source>
-        <translation type="unfinished"></translation>
+        <translation>直尺</translation>
     </message>
     <message>
         <source>Middle, from the left</source>
-        <translation type="unfinished"></translation>
+        <translation>中心距左側</translation>
     </message>
     <message>
         <source>Middle, from above</source>
-        <translation type="unfinished"></translation>
+        <translation>中心距上方</translation>
     </message>
     <message>
         <source>Slope</source>
-        <translation type="unfinished"></translation>
+        <translation>斜度</translation>
     </message>
     <message>
         <source>Ellipse</source>
-        <translation type="unfinished"></translation>
+        <translation>橢圓</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>寬度</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>高度</translation>
     </message>
     <message>
         <source>Turned by</source>
-        <translation type="unfinished"></translation>
+        <translation>旋轉角度</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::HistoryModel</name>
     <message>
         <source>As far back as is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>保留的最早狀態</translation>
     </message>
     <message>
         <source>Click: do again up to here</source>
-        <translation type="unfinished"></translation>
+        <translation>按一下：重做到這一步</translation>
     </message>
     <message>
         <source>Click: go back to this moment</source>
-        <translation type="unfinished"></translation>
+        <translation>按一下：回到這一步</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::HistoryPanel</name>
     <message>
         <source>What was done</source>
-        <translation type="unfinished"></translation>
+        <translation>做過的步驟</translation>
     </message>
     <message>
-        <source>What the steps take; &quot;Memory for undo&quot; in the Edit menu says how much they may</source>
-        <translation type="unfinished"></translation>
+        <source>What the steps take; "Memory for undo" in the Edit menu says how much they may</source>
+        <translation>步驟占用的記憶體；上限可在「編輯」選單的「復原記憶體」設定</translation>
     </message>
     <message>
         <source>%1 of %2 MiB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2 MiB</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::IlluminantBox</name>
+    <message>
+        <source>The light on the easel; the paint stays as it is</source>
+        <translation>照在畫架上的光；顏料本身不會改變</translation>
+    </message>
+    <message>
+        <source>Daylight (D65)</source>
+        <translation>日光 (D65)</translation>
+    </message>
+    <message>
+        <source>Print booth (D50)</source>
+        <translation>看樣燈箱 (D50)</translation>
+    </message>
+    <message>
+        <source>Light bulb (A)</source>
+        <translation>燈泡 (A)</translation>
+    </message>
+    <message>
+        <source>LED lamp</source>
+        <translation>LED 燈</translation>
+    </message>
+    <message>
+        <source>From a file...</source>
+        <translation>從檔案...</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::LayerModel</name>
     <message>
         <source>a group of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>含 %1 個圖層的群組</translation>
     </message>
     <message>
         <source>the layer that you paint on</source>
-        <translation type="unfinished"></translation>
+        <translation>正在作畫的圖層</translation>
     </message>
     <message>
         <source>hidden</source>
-        <translation type="unfinished"></translation>
+        <translation>已隱藏</translation>
     </message>
     <message>
         <source>locked</source>
-        <translation type="unfinished"></translation>
+        <translation>已鎖定</translation>
     </message>
     <message>
         <source>opacity %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>不透明度 %1 %</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::LayerPanel</name>
     <message>
         <source>Layers</source>
-        <translation type="unfinished"></translation>
+        <translation>圖層</translation>
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>不透明度</translation>
     </message>
     <message>
         <source>Fades what its paint does to light; its relief stays</source>
-        <translation type="unfinished"></translation>
+        <translation>讓顏料的顏色變淡；起伏不變</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::LightDial</name>
     <message>
         <source>Drag the lamp: near the rim it rakes over the relief. Double-click puts it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>拖曳燈的位置：靠近邊緣時，斜光會掃出起伏。按兩下可恢復原位。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::LightPanel</name>
+    <message>
+        <source>Seen in</source>
+        <translation>觀看光源</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>燈</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>從</translation>
+    </message>
+    <message>
+        <source>Where the light comes from: 0 right, 90 above, 180 left, 270 below</source>
+        <translation>光線的來向：0 右方，90 上方，180 左方，270 下方</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Low light rakes over the relief, 90 is overhead</source>
+        <translation>低角度的光會掃出起伏，90 是正上方</translation>
+    </message>
+    <message>
+        <source>Even light</source>
+        <translation>環境光</translation>
+    </message>
+    <message>
+        <source>The part of the light that comes from all sides; the lamp gives the rest. More of it softens the relief</source>
+        <translation>從四面八方來的光所占的比例，其餘來自燈。比例越高，起伏越柔和</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Varnish</source>
+        <translation>凡尼斯</translation>
+    </message>
+    <message>
+        <source>A clear coat to look through, here and in exports; it changes no paint, and can be taken off again</source>
+        <translation>隔著看畫的一層透明塗層，匯出時也有；不會改變顏料，隨時可以除去</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>用量</translation>
+    </message>
+    <message>
+        <source>A thin coat evens the gloss only in part</source>
+        <translation>塗得薄時，光澤只會部分變均勻</translation>
+    </message>
+    <message>
+        <source>Aged</source>
+        <translation>老化</translation>
+    </message>
+    <message>
+        <source>Old varnish turns yellow: 100 % is about a century</source>
+        <translation>老凡尼斯會泛黃：100 % 約為一百年</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::LoadBar</name>
     <message>
         <source>The paint in the brush, across its width: how full it is, and of which colour</source>
-        <translation type="unfinished"></translation>
+        <translation>筆刷上的顏料，依筆寬分布：沾了多少、是什麼顏色</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::LoadPanel</name>
     <message>
         <source>On the brush</source>
-        <translation type="unfinished"></translation>
+        <translation>筆刷上的顏料</translation>
     </message>
     <message>
         <source>How the brush is dipped, from the next time on</source>
-        <translation type="unfinished"></translation>
+        <translation>筆刷沾顏料的方式，從下一次開始生效</translation>
     </message>
     <message>
         <source>Full, in one paint</source>
-        <translation type="unfinished"></translation>
+        <translation>沾滿單一顏料</translation>
     </message>
     <message>
         <source>Only the tip</source>
-        <translation type="unfinished"></translation>
+        <translation>只沾筆尖</translation>
     </message>
     <message>
         <source>One paint on each side</source>
-        <translation type="unfinished"></translation>
+        <translation>兩側各沾一種顏料</translation>
     </message>
     <message>
         <source>Half mixed from two</source>
-        <translation type="unfinished"></translation>
+        <translation>兩種顏料半混</translation>
     </message>
     <message>
         <source>Fill</source>
-        <translation type="unfinished"></translation>
+        <translation>沾取量</translation>
     </message>
     <message>
         <source>How full the brush is dipped; little leaves a dry brush</source>
-        <translation type="unfinished"></translation>
+        <translation>筆刷沾多少顏料；沾得少就成為乾筆</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>Second</source>
-        <translation type="unfinished"></translation>
+        <translation>第二種</translation>
     </message>
     <message>
-        <source>The second paint&apos;s share of a half-mixed load</source>
-        <translation type="unfinished"></translation>
+        <source>The second paint's share of a half-mixed load</source>
+        <translation>半混時第二種顏料所占的比例</translation>
     </message>
     <message>
         <source>In hand: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>手上的顏料：%1</translation>
     </message>
     <message>
         <source>The second paint of the load: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>筆刷所沾的第二種顏料：%1</translation>
     </message>
     <message>
         <source>The second paint, laid out for later: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>第二種顏料，備著待用：%1</translation>
     </message>
     <message>
         <source>empty</source>
-        <translation type="unfinished"></translation>
+        <translation>空的</translation>
     </message>
     <message>
         <source>all but empty</source>
-        <translation type="unfinished"></translation>
+        <translation>幾乎空了</translation>
     </message>
     <message>
         <source>%1 % full</source>
-        <translation type="unfinished"></translation>
+        <translation>沾了 %1 %</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::MediumPanel</name>
     <message>
         <source>As it comes</source>
-        <translation type="unfinished"></translation>
+        <translation>原樣</translation>
     </message>
     <message>
         <source>Kind of paint</source>
-        <translation type="unfinished"></translation>
+        <translation>顏料的種類</translation>
     </message>
     <message>
         <source>The brush is cleaned, and dipped in paint of this kind</source>
-        <translation type="unfinished"></translation>
+        <translation>清潔筆刷，再沾這種顏料</translation>
     </message>
     <message>
         <source>Takes back what was changed below</source>
-        <translation type="unfinished"></translation>
+        <translation>還原下方所做的變更</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::NavigatorPanel</name>
+    <message>
+        <source>The whole canvas</source>
+        <translation>整張畫布</translation>
+    </message>
+    <message>
+        <source>Drag the frame, or click, to go there
+Wheel: closer, farther</source>
+        <translation>拖曳外框或按一下，前往該處
+滾輪：靠近、退遠</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>縮放</translation>
+    </message>
+    <message>
+        <source>Screen pixels for a pixel of the saved picture</source>
+        <translation>儲存圖片的一個像素對應多少螢幕像素</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>旋轉</translation>
+    </message>
+    <message>
+        <source>How far the canvas is turned, clockwise</source>
+        <translation>畫布順時針旋轉的角度</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::PaintPanel</name>
     <message>
         <source>The medium without pigment, for example thinner</source>
-        <translation type="unfinished"></translation>
+        <translation>不含色料的媒介劑，例如稀釋劑</translation>
     </message>
     <message>
         <source>%1 (%2): from the tube, and mixed with white</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)：管裝原色，以及加白調淡的顏色</translation>
     </message>
     <message>
         <source>Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>顏料</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::PenDialog</name>
+    <message>
+        <source>Pen and tablet</source>
+        <translation>筆與數位板</translation>
+    </message>
+    <message>
+        <source>Pens and mouse</source>
+        <translation>筆與滑鼠</translation>
+    </message>
+    <message>
+        <source>A pen that is not listed comes here when it touches the sheet below.</source>
+        <translation>沒有列出的筆，碰一下下方的試畫區就會出現在這裡。</translation>
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation>柔軟</translation>
+    </message>
+    <message>
+        <source>A light hand already presses hard</source>
+        <translation>輕輕下筆就很重</translation>
+    </message>
+    <message>
+        <source>As it comes</source>
+        <translation>原樣</translation>
+    </message>
+    <message>
+        <source>The pressure as the pen tells it, without a curve</source>
+        <translation>筆所提供的筆壓，不套用曲線</translation>
+    </message>
+    <message>
+        <source>Firm</source>
+        <translation>硬實</translation>
+    </message>
+    <message>
+        <source>Only a heavy hand presses hard</source>
+        <translation>用力下筆才會重</translation>
+    </message>
+    <message>
+        <source>From left to right what the pen tells, upwards what the brush is pressed with.</source>
+        <translation>由左到右是筆所提供的筆壓，由下到上是筆刷實際的下壓力道。</translation>
+    </message>
+    <message>
+        <source>A mouse, or a finger on the screen, does not tell how hard it presses.</source>
+        <translation>滑鼠或在螢幕上的手指無法提供下壓的力道。</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>筆壓</translation>
+    </message>
+    <message>
+        <source>How hard the brush is pressed</source>
+        <translation>筆刷下壓的力道</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Lighter the faster it goes</source>
+        <translation>畫得越快，下筆越輕</translation>
+    </message>
+    <message>
+        <source>A slow line is pressed as set above, a fast one down to a quarter of it</source>
+        <translation>慢慢畫時照上方設定的力道，快速畫時最輕減到四分之一</translation>
+    </message>
+    <message>
+        <source>Ends and buttons of pens</source>
+        <translation>筆的兩端與按鈕</translation>
+    </message>
+    <message>
+        <source>Eraser end</source>
+        <translation>橡皮擦端</translation>
+    </message>
+    <message>
+        <source>Lower button</source>
+        <translation>下方按鈕</translation>
+    </message>
+    <message>
+        <source>Upper button</source>
+        <translation>上方按鈕</translation>
+    </message>
+    <message>
+        <source>Wipe</source>
+        <translation>擦掉</translation>
+    </message>
+    <message>
+        <source>Try it here</source>
+        <translation>在這裡試畫</translation>
+    </message>
+    <message>
+        <source>picks up paint</source>
+        <translation>沾取顏料</translation>
+    </message>
+    <message>
+        <source>picks the colour seen</source>
+        <translation>取用看到的顏色</translation>
+    </message>
+    <message>
+        <source>moves the canvas</source>
+        <translation>移動畫布</translation>
+    </message>
+    <message>
+        <source>opens the palette</source>
+        <translation>開啟快顯調色盤</translation>
+    </message>
+    <message>
+        <source>does nothing</source>
+        <translation>沒有作用</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>換成 %1</translation>
+    </message>
+    <message>
+        <source>paints like the tip</source>
+        <translation>與筆尖一樣作畫</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>滑鼠</translation>
+    </message>
+    <message>
+        <source>Pressure of %1</source>
+        <translation>%1 的筆壓</translation>
+    </message>
+    <message>
+        <source>Pressure of the mouse</source>
+        <translation>滑鼠的筆壓</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::PenPad</name>
+    <message>
+        <source>Sheet to try the pen on</source>
+        <translation>試筆區</translation>
+    </message>
+    <message>
+        <source>Scribble here with a pen or the mouse</source>
+        <translation>用筆或滑鼠在這裡隨意塗畫</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::PictureBoard</name>
     <message>
         <source>No picture to trace</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有描圖用的底圖</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::PopupPalette</name>
+    <message>
+        <source>Pop-up palette</source>
+        <translation>快顯調色盤</translation>
+    </message>
+    <message>
+        <source>A narrower brush</source>
+        <translation>較窄的筆刷</translation>
+    </message>
+    <message>
+        <source>A wider brush</source>
+        <translation>較寬的筆刷</translation>
+    </message>
+    <message>
+        <source>%1: take this one, and put the other here</source>
+        <translation>%1：改用這種顏料，並將手上的放到這裡</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::RecorderPanel</name>
+    <message>
+        <source>Strokes</source>
+        <translation>筆觸數</translation>
+    </message>
+    <message>
+        <source>Painting time</source>
+        <translation>作畫時間</translation>
+    </message>
+    <message>
+        <source>Recorded so far</source>
+        <translation>目前已錄製</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::StatusReadings</name>
     <message>
-        <source>The pen&apos;s place on the canvas, from its upper left corner</source>
-        <translation type="unfinished"></translation>
+        <source>The pen's place on the canvas, from its upper left corner</source>
+        <translation>筆在畫布上的位置，從左上角算起</translation>
     </message>
     <message>
         <source>Tiles of 64 x 64 cells in which the paint still moves, and how much of its time computing them takes</source>
-        <translation type="unfinished"></translation>
+        <translation>顏料仍在流動的區塊數（每塊 64 x 64 格），以及計算它們所占的時間</translation>
     </message>
     <message>
         <source>Paint time against the clock: slower than 1 when there is more wet paint than this computer can move in time</source>
-        <translation type="unfinished"></translation>
+        <translation>顏料時間與實際時間的比例：濕顏料太多，電腦來不及計算時，會小於 1</translation>
     </message>
     <message>
         <source>Tools keep to what is outlined; Ctrl+A ends the selection, Esc goes back to painting</source>
-        <translation type="unfinished"></translation>
+        <translation>工具只作用於框選的範圍；Ctrl+A 取消選取，Esc 回到作畫</translation>
     </message>
     <message>
         <source>Memory that the program holds: the painting, its history and its pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>程式占用的記憶體：畫作、步驟記錄和圖片</translation>
     </message>
     <message>
         <source>Size of the canvas and of its saved picture</source>
-        <translation type="unfinished"></translation>
+        <translation>畫布的尺寸和儲存圖片的大小</translation>
     </message>
     <message>
         <source>What the canvas shows; Alt+1 shows it in its light again</source>
-        <translation type="unfinished"></translation>
+        <translation>畫布顯示的內容；按 Alt+1 恢復燈光下的樣子</translation>
     </message>
     <message>
         <source>How the canvas stands on the screen; 5 puts it upright, M mirrors it</source>
-        <translation type="unfinished"></translation>
+        <translation>畫布在螢幕上的方向；按 5 轉正，按 M 鏡像</translation>
     </message>
     <message>
         <source>Screen pixels for a pixel of the saved picture</source>
-        <translation type="unfinished"></translation>
+        <translation>儲存圖片的一個像素對應多少螢幕像素</translation>
     </message>
     <message>
         <source>%1 × %2 mm   %3 × %4 px</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 mm   %3 × %4 px</translation>
     </message>
     <message>
         <source>mirrored</source>
-        <translation type="unfinished"></translation>
+        <translation>已鏡像</translation>
     </message>
     <message>
         <source>turned %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>已旋轉 %1°</translation>
     </message>
     <message>
         <source>%1, %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 mm</translation>
     </message>
     <message>
         <source>paused</source>
-        <translation type="unfinished"></translation>
+        <translation>已暫停</translation>
     </message>
     <message>
         <source>paint at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>顏料靜止</translation>
     </message>
     <message>
         <source>%1 tiles moving, %2 % load</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 個區塊流動中，負載 %2 %</translation>
     </message>
     <message>
         <source>%1 × time</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × 時間</translation>
     </message>
     <message>
         <source>%1 MiB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 MiB</translation>
     </message>
     <message>
         <source>%1 GiB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 GiB</translation>
     </message>
     <message>
         <source>%1 % selected</source>
-        <translation type="unfinished"></translation>
+        <translation>已選取 %1 %</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::TiltDial</name>
     <message>
         <source>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>拖曳可傾斜畫布：箭頭是顏料流動的方向。按兩下可放平。</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::TracingPanel</name>
     <message>
         <source>Picture to trace</source>
-        <translation type="unfinished"></translation>
+        <translation>描圖底圖</translation>
     </message>
     <message>
         <source>Click: paint of that colour
 Wheel: closer, farther
 Drag: move the picture
 0: all of it</source>
-        <translation type="unfinished"></translation>
+        <translation>按一下：調出該顏色的顏料
+滾輪：靠近、退遠
+拖曳：移動圖片
+0：顯示全部</translation>
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>不透明度</translation>
     </message>
     <message>
         <source>How strongly it shows below the paint</source>
-        <translation type="unfinished"></translation>
+        <translation>在顏料下方顯示的濃淡</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>From the left</source>
-        <translation type="unfinished"></translation>
+        <translation>距左側</translation>
     </message>
     <message>
         <source>From above</source>
-        <translation type="unfinished"></translation>
+        <translation>距上方</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>寬度</translation>
     </message>
     <message>
         <source>Its height follows in proportion</source>
-        <translation type="unfinished"></translation>
+        <translation>高度依比例調整</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::WorkProgress</name>
     <message>
         <source>%p %</source>
-        <translation type="unfinished"></translation>
+        <translation>%p %</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::ExamplesSection</name>
+    <message>
+        <source>Examples, painted before your eyes</source>
+        <translation>範例，在你眼前一筆一筆畫出</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>範例</translation>
+    </message>
+    <message>
+        <source>Watch how it is painted, stroke by stroke, and paint on</source>
+        <translation>一筆一筆看它如何畫成，再接著畫下去</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::NewCanvasSection</name>
+    <message>
+        <source>New canvas</source>
+        <translation>新增畫布</translation>
+    </message>
+    <message>
+        <source>Sizes of a new canvas</source>
+        <translation>新畫布的尺寸</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>橫向</translation>
+    </message>
+    <message>
+        <source>Wider than high</source>
+        <translation>寬大於高</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>直向</translation>
+    </message>
+    <message>
+        <source>Higher than wide</source>
+        <translation>高大於寬</translation>
+    </message>
+    <message>
+        <source>More...</source>
+        <translation>更多...</translation>
+    </message>
+    <message>
+        <source>Any size</source>
+        <translation>任意尺寸</translation>
+    </message>
+    <message>
+        <source>Choose width, height, resolution and support yourself</source>
+        <translation>自行決定寬度、高度、解析度和基底材</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels</source>
+        <translation>%1，%2 × %3 像素</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::PaintingReader</name>
+    <message>
+        <source>This file is not there any more.</source>
+        <translation>這個檔案已經不在了。</translation>
+    </message>
+    <message>
+        <source>This file cannot be read.</source>
+        <translation>無法讀取這個檔案。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::RecentSection</name>
+    <message>
+        <source>Today, %1</source>
+        <translation>今天 %1</translation>
+    </message>
+    <message>
+        <source>Yesterday, %1</source>
+        <translation>昨天 %1</translation>
+    </message>
+    <message>
+        <source>Recent paintings</source>
+        <translation>最近的畫作</translation>
+    </message>
+    <message>
+        <source>Open a file...</source>
+        <translation>開啟檔案...</translation>
+    </message>
+    <message>
+        <source>Paintings that you save will stand here.</source>
+        <translation>儲存的畫作會出現在這裡。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::StartPage</name>
+    <message>
+        <source>Show this page at start</source>
+        <translation>啟動時顯示此頁</translation>
+    </message>
+    <message>
+        <source>Start page</source>
+        <translation>起始頁</translation>
+    </message>
+    <message>
+        <source>Esc closes it; "Start page" in the "File" menu brings it back.</source>
+        <translation>按 Esc 關閉；從「檔案」選單的「起始頁」可再開啟。</translation>
+    </message>
+    <message>
+        <source>Back to the painting</source>
+        <translation>回到畫作</translation>
+    </message>
+    <message>
+        <source>Start painting</source>
+        <translation>開始作畫</translation>
+    </message>
+    <message>
+        <source>The painting stands on the easel as you left it.</source>
+        <translation>畫作還在畫架上，和你離開時一樣。</translation>
+    </message>
+    <message>
+        <source>A canvas of %1, %2, is ready. You can also just paint on it.</source>
+        <translation>畫布（%1，%2）已經備妥，你也可以直接開始畫。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::start::UnfinishedSection</name>
+    <message>
+        <source>Not closed last time</source>
+        <translation>上次未正常關閉</translation>
+    </message>
+    <message>
+        <source>Choose or discard...</source>
+        <translation>選擇或捨棄...</translation>
+    </message>
+    <message>
+        <source>All paintings that were left unfinished</source>
+        <translation>所有未完成的畫作</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>救回</translation>
     </message>
 </context>
 <context>
     <name>pastoso::tools</name>
     <message>
         <source>PNG, 8 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG，8 位元</translation>
     </message>
     <message>
         <source>PNG, 16 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG，16 位元</translation>
     </message>
     <message>
         <source>JPEG</source>
-        <translation type="unfinished"></translation>
+        <translation>JPEG</translation>
     </message>
     <message>
         <source>TIFF, 8 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>TIFF，8 位元</translation>
     </message>
     <message>
         <source>TIFF, 16 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>TIFF，16 位元</translation>
     </message>
     <message>
         <source>TIFF, 32 bits of linear light</source>
-        <translation type="unfinished"></translation>
+        <translation>TIFF，32 位元線性光</translation>
     </message>
     <message>
         <source>WebP</source>
-        <translation type="unfinished"></translation>
+        <translation>WebP</translation>
     </message>
     <message>
         <source>OpenEXR, linear light</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenEXR，線性光</translation>
     </message>
     <message>
         <source>PNG, 8 bits, heights in 16</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG，8 位元，高度為 16 位元</translation>
     </message>
     <message>
         <source>TIFF, 32 bits, heights in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>TIFF，32 位元，高度以 mm 為單位</translation>
     </message>
     <message>
         <source>OpenEXR, heights in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenEXR，高度以 mm 為單位</translation>
     </message>
     <message>
         <source>STL</source>
-        <translation type="unfinished"></translation>
+        <translation>STL</translation>
     </message>
     <message>
         <source>PLY</source>
-        <translation type="unfinished"></translation>
+        <translation>PLY</translation>
     </message>
     <message>
         <source>Wavefront OBJ</source>
-        <translation type="unfinished"></translation>
+        <translation>Wavefront OBJ</translation>
     </message>
     <message>
         <source>Numbered pictures, PNG of 8 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>連號圖片，8 位元 PNG</translation>
     </message>
     <message>
         <source>Numbered pictures, PNG of 16 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>連號圖片，16 位元 PNG</translation>
     </message>
     <message>
         <source>Video, MP4</source>
-        <translation type="unfinished"></translation>
+        <translation>影片，MP4</translation>
     </message>
     <message>
         <source>Video, Matroska</source>
-        <translation type="unfinished"></translation>
+        <translation>影片，Matroska</translation>
     </message>
     <message>
         <source>Video, WebM</source>
-        <translation type="unfinished"></translation>
+        <translation>影片，WebM</translation>
     </message>
 </context>
 <context>
     <name>pastoso::view::LookLegend</name>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Wet paint</source>
-        <translation type="unfinished"></translation>
+        <translation>濕顏料</translation>
     </message>
     <message>
         <source>Height of the paint</source>
-        <translation type="unfinished"></translation>
+        <translation>顏料的高度</translation>
     </message>
     <message>
         <source>Slopes of the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>表面的斜度</translation>
     </message>
     <message>
         <source>Flat colour</source>
-        <translation type="unfinished"></translation>
+        <translation>只看顏色</translation>
     </message>
 </context>
 </TS>
