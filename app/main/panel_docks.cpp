@@ -18,6 +18,7 @@
 #include <utility>
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QScrollArea>
@@ -69,7 +70,8 @@ constexpr std::pair<Command, const char*> kButtonWords[] = {
 /// All but the tool's panel, which is made of two.
 void make_panels(Studio& studio, PanelSet& panels) {
     for (const auto& [command, words] : kButtonWords)
-        studio.commands().action(command)->setIconText(QObject::tr(words));
+        studio.commands().action(command)->setIconText(
+            QCoreApplication::translate("pastoso::main", words));
     const auto action = [&](Command command) { return studio.commands().action(command); };
     panels.colours = new panels::ColourPanel({action(Command::PickPaint), action(Command::PickColour)});
     panels.physics = new panels::MediumPanel;
@@ -124,7 +126,8 @@ QDockWidget* add_dock(Studio& studio, PanelSet& panels, const Dock& added) {
     scrolled->setWidget(content);
     scrolled->setMinimumWidth(content->minimumSizeHint().width() +
                               scrolled->verticalScrollBar()->sizeHint().width());
-    auto* dock = new QDockWidget(QObject::tr(added.title), &studio.window());
+    auto* dock =
+        new QDockWidget(QCoreApplication::translate("pastoso::main", added.title), &studio.window());
     dock->setObjectName(QString::fromLatin1(added.name));
     dock->setWidget(scrolled);
     studio.window().addDockWidget(Qt::RightDockWidgetArea, dock);
@@ -170,6 +173,9 @@ void add_docks(Studio& studio, PanelSet& panels) {
          {Command::RecorderPanel, "recorder_panel", QT_TR_NOOP("Recorder"), panels.recorder}});
     layers->raise();
     first->raise();
+    // Opened when they are needed: so many names would not fit beside one another.
+    for (const Command rare : {Command::TracingPanel, Command::RecorderPanel})
+        panels.docks.at(rare)->hide();
     // As narrow as what they hold allows: the canvas gets the rest.
     window.resizeDocks({first}, {1}, Qt::Horizontal);
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QShortcut>
@@ -99,7 +100,7 @@ QWidget* ReplayWindow::controls() {
     speed_->setObjectName(QStringLiteral("replay_speed"));
     speed_->setAccessibleName(tr("Speed"));
     for (const Speed& speed : kSpeeds)
-        speed_->addItem(tr(speed.words));
+        speed_->addItem(QCoreApplication::translate("pastoso::main", speed.words));
     speed_->setCurrentIndex(kFirstSpeed);
     connect(speed_, &QComboBox::currentIndexChanged, this,
             [this](int row_of_speed) { replayer_->set_speed(kSpeeds[row_of_speed].speed); });

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <QButtonGroup>
+#include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -109,11 +110,12 @@ void ColourPicker::use_model(ColourModel model) {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const tools::ChannelText& text = tools::channels_of(model)[i];
         const QSignalBlocker quiet(rows_[i].number);
-        rows_[i].letter->setText(tr(text.letter));
-        rows_[i].letter->setToolTip(tr(text.name));
-        rows_[i].slider->setToolTip(tr(text.name));
-        rows_[i].slider->setAccessibleName(tr(text.name));
-        rows_[i].number->setAccessibleName(tr(text.name));
+        const QString name = QCoreApplication::translate("pastoso::tools", text.name);
+        rows_[i].letter->setText(QString::fromLatin1(text.letter));
+        rows_[i].letter->setToolTip(name);
+        rows_[i].slider->setToolTip(name);
+        rows_[i].slider->setAccessibleName(name);
+        rows_[i].number->setAccessibleName(name);
         rows_[i].number->setDecimals(text.decimals);
         rows_[i].number->setRange(0.0, text.most);
         rows_[i].number->setSingleStep(text.most > 1.0 ? 1.0 : 0.005);

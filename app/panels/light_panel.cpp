@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -110,7 +111,8 @@ QWidget* LightPanel::varnish_section() {
         tr("A clear coat to look through, here and in exports; it changes no paint, and can be taken "
            "off again"));
     for (const FinishWords& finish : kFinishes)
-        finish_->addItem(tr(finish.words), static_cast<int>(finish.finish));
+        finish_->addItem(QCoreApplication::translate("pastoso::panels", finish.words),
+                         static_cast<int>(finish.finish));
     keep_keys_for_canvas(finish_);
     layout->addWidget(finish_);
     auto* values = new QWidget;

@@ -16,6 +16,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QStackedLayout>
 #include <QVBoxLayout>
 
 namespace pastoso::panels {
@@ -62,8 +63,11 @@ PenDialog::PenDialog(tools::PenSettings settings, QWidget* parent)
     auto* column = column_in(curves);
     device_name_ = heading(QString());
     column->addWidget(device_name_);
-    column->addWidget(make_curve_part());
-    column->addWidget(make_mouse_part());
+    // Both are as tall: the sheet below must not move under a pen that chooses its own curve.
+    parts_ = new QStackedLayout;
+    parts_->addWidget(make_mouse_part());
+    parts_->addWidget(make_curve_part());
+    column->addLayout(parts_);
     column->addStretch(1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -156,6 +160,7 @@ QWidget* PenDialog::make_mouse_part() {
     });
     column->addWidget(rows);
     column->addWidget(by_speed_);
+    column->addStretch(1);
     return mouse_part_;
 }
 
@@ -282,8 +287,7 @@ void PenDialog::choose_device(const std::optional<PenDevice>& device) {
 
 void PenDialog::show_chosen() {
     const auto device = chosen_device();
-    curve_part_->setVisible(device.has_value());
-    mouse_part_->setVisible(!device);
+    parts_->setCurrentWidget(device ? curve_part_ : mouse_part_);
     device_name_->setText(device ? tr("Pressure of %1").arg(words_of(*device))
                                  : tr("Pressure of the mouse"));
     if (device) {

@@ -16,6 +16,7 @@ class QGridLayout;
 class QLabel;
 class QListWidget;
 class QPushButton;
+class QStackedLayout;
 
 namespace pastoso::panels {
 
@@ -57,6 +58,7 @@ class PenDialog : public QDialog {
     std::vector<tools::PenDevice> devices_;  ///< in the rows of the list behind the mouse
     QListWidget* list_ = nullptr;
     QLabel* device_name_ = nullptr;
+    QStackedLayout* parts_ = nullptr;
     QWidget* curve_part_ = nullptr;
     QWidget* mouse_part_ = nullptr;
     CurveEditor* editor_ = nullptr;

@@ -1,6 +1,7 @@
 #include "tools/colour_models.hpp"
 
 #include "core/units.hpp"
+#include "tools/marked_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -82,17 +83,19 @@ Srgb8 from_oklch(const Channels& lch) {
     return pigment::encoded(linear_from_oklch(lch));
 }
 
-constexpr std::array<ChannelText, 3> kRgb = {
-    {{"R", "Red", 255.0, 0}, {"G", "Green", 255.0, 0}, {"B", "Blue", 255.0, 0}}};
-constexpr std::array<ChannelText, 3> kHsv = {
-    {{"H", "Hue, degrees", 360.0, 0}, {"S", "Saturation, %", 100.0, 0}, {"V", "Value, %", 100.0, 0}}};
-constexpr std::array<ChannelText, 3> kOklch = {{{"L", "Lightness as it is seen, %", 100.0, 1},
-                                                {"C", "Chroma: how far from grey", 0.4, 3},
-                                                {"H", "Hue, degrees", 360.0, 0}}};
+constexpr ChannelTexts kRgb = {{{"R", PASTOSO_WORDS("Red"), 255.0, 0},
+                                {"G", PASTOSO_WORDS("Green"), 255.0, 0},
+                                {"B", PASTOSO_WORDS("Blue"), 255.0, 0}}};
+constexpr ChannelTexts kHsv = {{{"H", PASTOSO_WORDS("Hue, degrees"), 360.0, 0},
+                                {"S", PASTOSO_WORDS("Saturation, %"), 100.0, 0},
+                                {"V", PASTOSO_WORDS("Value, %"), 100.0, 0}}};
+constexpr ChannelTexts kOklch = {{{"L", PASTOSO_WORDS("Lightness as it is seen, %"), 100.0, 1},
+                                  {"C", PASTOSO_WORDS("Chroma: how far from grey"), 0.4, 3},
+                                  {"H", PASTOSO_WORDS("Hue, degrees"), 360.0, 0}}};
 
 }  // namespace
 
-const std::array<ChannelText, 3>& channels_of(ColourModel model) {
+const ChannelTexts& channels_of(ColourModel model) {
     return model == ColourModel::Rgb ? kRgb : model == ColourModel::Hsv ? kHsv : kOklch;
 }
 

@@ -22,7 +22,9 @@ struct ChannelText {
     int decimals;
 };
 
-const std::array<ChannelText, 3>& channels_of(ColourModel model);
+using ChannelTexts = std::array<ChannelText, 3>;
+
+const ChannelTexts& channels_of(ColourModel model);
 
 /// Greys have hue 0.
 Channels channels_from(ColourModel model, const pigment::Srgb8& colour);

@@ -4368,6 +4368,38 @@ Drag: move the picture
         <source>Video, WebM</source>
         <translation>Video, WebM</translation>
     </message>
+    <message>
+        <source>Red</source>
+        <translation>Red</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Green</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blue</translation>
+    </message>
+    <message>
+        <source>Hue, degrees</source>
+        <translation>Hue, degrees</translation>
+    </message>
+    <message>
+        <source>Saturation, %</source>
+        <translation>Saturation, %</translation>
+    </message>
+    <message>
+        <source>Value, %</source>
+        <translation>Value, %</translation>
+    </message>
+    <message>
+        <source>Lightness as it is seen, %</source>
+        <translation>Lightness as it is seen, %</translation>
+    </message>
+    <message>
+        <source>Chroma: how far from grey</source>
+        <translation>Chroma: how far from grey</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::view::LookLegend</name>

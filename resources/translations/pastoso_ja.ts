@@ -4365,6 +4365,38 @@ Drag: move the picture
         <source>Video, WebM</source>
         <translation>動画、WebM</translation>
     </message>
+    <message>
+        <source>Red</source>
+        <translation>赤</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>緑</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>青</translation>
+    </message>
+    <message>
+        <source>Hue, degrees</source>
+        <translation>色相（度）</translation>
+    </message>
+    <message>
+        <source>Saturation, %</source>
+        <translation>彩度（%）</translation>
+    </message>
+    <message>
+        <source>Value, %</source>
+        <translation>明度（%）</translation>
+    </message>
+    <message>
+        <source>Lightness as it is seen, %</source>
+        <translation>見た目の明るさ（%）</translation>
+    </message>
+    <message>
+        <source>Chroma: how far from grey</source>
+        <translation>クロマ：灰色からの離れ具合</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::view::LookLegend</name>

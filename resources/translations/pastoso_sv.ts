@@ -4368,6 +4368,38 @@ Dra: flytta bilden
         <source>Video, WebM</source>
         <translation>Video, WebM</translation>
     </message>
+    <message>
+        <source>Red</source>
+        <translation>Rött</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grönt</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blått</translation>
+    </message>
+    <message>
+        <source>Hue, degrees</source>
+        <translation>Nyans, grader</translation>
+    </message>
+    <message>
+        <source>Saturation, %</source>
+        <translation>Mättnad, %</translation>
+    </message>
+    <message>
+        <source>Value, %</source>
+        <translation>Valör, %</translation>
+    </message>
+    <message>
+        <source>Lightness as it is seen, %</source>
+        <translation>Upplevd ljushet, %</translation>
+    </message>
+    <message>
+        <source>Chroma: how far from grey</source>
+        <translation>Kroma: hur långt från grått</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::view::LookLegend</name>

@@ -4365,6 +4365,38 @@ Drag: move the picture
         <source>Video, WebM</source>
         <translation>影片，WebM</translation>
     </message>
+    <message>
+        <source>Red</source>
+        <translation>紅</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>綠</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>藍</translation>
+    </message>
+    <message>
+        <source>Hue, degrees</source>
+        <translation>色相（度）</translation>
+    </message>
+    <message>
+        <source>Saturation, %</source>
+        <translation>飽和度（%）</translation>
+    </message>
+    <message>
+        <source>Value, %</source>
+        <translation>明度（%）</translation>
+    </message>
+    <message>
+        <source>Lightness as it is seen, %</source>
+        <translation>視覺明度（%）</translation>
+    </message>
+    <message>
+        <source>Chroma: how far from grey</source>
+        <translation>彩度：與灰色的距離</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::view::LookLegend</name>

@@ -135,6 +135,7 @@ TEST_F(PenWindow, TheSheetShowsTheStrokeAndWhatThePenTells) {
     open_dialog();
     auto& pad = part<panels::PenPad>("pen_pad");
     choose("Mouse");
+    const QPoint place = pad.mapToGlobal(QPoint(0, 0));
     QSignalSpy touched(&pad, &panels::PenPad::touched);
     Pen pen = pressed(0.5);
     pen.tilt_x_deg = 25;
@@ -154,6 +155,8 @@ TEST_F(PenWindow, TheSheetShowsTheStrokeAndWhatThePenTells) {
     scribble(40);
     EXPECT_EQ(touched.count(), 1);
     EXPECT_TRUE(part<QListWidget>("devices").currentItem()->text() == "test stylus");
+    QApplication::processEvents();
+    EXPECT_EQ(pad.mapToGlobal(QPoint(0, 0)), place);  // it stays below the pen
     const QString words = part<QLabel>("pen_readings").text();
     for (const char* word : {"test stylus", "50 % \u2192 50 %", "100 events", "25\u00b0 across",
                              "-40\u00b0 along", "not told", "tip"})

@@ -121,8 +121,15 @@ TEST_F(ProgramWithDisplay, TellsHowLongThePainterWaitedWhereAsked) {
 TEST_F(ProgramWithDisplay, LeavesAReportWhereItFails) {
     const TemporaryFolder folder;
     const std::string state = "XDG_STATE_HOME=" + folder.path().string();
-    const std::string killed = "sh -c 'exec \"" PASTOSO_PROGRAM "\" & sleep 3; kill -SEGV $!; wait $!'";
-    const Outcome outcome = run_command("env " + state + " " + killed);
+    // Its window stands as soon as what is painted can be kept.
+    const std::string kept = (folder.path() / "pastoso").string();
+    const std::string killed = "sh -c '\"" PASTOSO_PROGRAM
+                               "\" & "
+                               "until ls " +
+                               kept +
+                               " | grep -qv crashes; do sleep 0.2; done; "
+                               "kill -SEGV $!; wait $!'";
+    const Outcome outcome = run_command("env " + state + " timeout 100 " + killed);
     EXPECT_NE(outcome.exit_status, 0);
     const auto reports = pastoso::core::files_in(folder.path() / "pastoso" / "crashes", ".txt");
     ASSERT_EQ(reports.size(), 1U) << outcome.output;

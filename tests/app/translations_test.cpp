@@ -18,6 +18,16 @@ struct Message {
     bool finished = true;
 };
 
+void read_translation(QXmlStreamReader& xml, Message& message) {
+    message.finished = !xml.attributes().hasAttribute(QStringLiteral("type"));
+    QString text;
+    while (xml.readNext() != QXmlStreamReader::EndElement) {
+        if (xml.isCharacters()) text += xml.text();
+        if (xml.isStartElement()) message.translations += xml.readElementText();
+    }
+    if (message.translations.isEmpty()) message.translations += text;
+}
+
 std::vector<Message> messages_of(const std::string& language) {
     QFile file(QStringLiteral(PASTOSO_SOURCE_DIR "/resources/translations/pastoso_") +
                QString::fromStdString(language) + QStringLiteral(".ts"));
@@ -28,12 +38,7 @@ std::vector<Message> messages_of(const std::string& language) {
         if (xml.readNext() != QXmlStreamReader::StartElement) continue;
         if (xml.name() == QStringLiteral("message")) messages.emplace_back();
         if (xml.name() == QStringLiteral("source")) messages.back().source = xml.readElementText();
-        if (xml.name() == QStringLiteral("numerusform"))
-            messages.back().translations += xml.readElementText();
-        if (xml.name() != QStringLiteral("translation")) continue;
-        messages.back().finished = !xml.attributes().hasAttribute(QStringLiteral("type"));
-        const QString text = xml.readElementText(QXmlStreamReader::IncludeChildElements);
-        messages.back().translations += text;
+        if (xml.name() == QStringLiteral("translation")) read_translation(xml, messages.back());
     }
     EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
     return messages;
