@@ -174,7 +174,7 @@ void add_docks(Studio& studio, PanelSet& panels) {
     layers->raise();
     first->raise();
     // Opened when they are needed: so many names would not fit beside one another.
-    for (const Command rare : {Command::TracingPanel, Command::RecorderPanel})
+    for (const Command rare : {Command::GuidesPanel, Command::TracingPanel, Command::RecorderPanel})
         panels.docks.at(rare)->hide();
     // As narrow as what they hold allows: the canvas gets the rest.
     window.resizeDocks({first}, {1}, Qt::Horizontal);

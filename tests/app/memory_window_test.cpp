@@ -124,20 +124,20 @@ TEST_F(MemoryWindow, ThePanelsStandAsTheyWereLeftUntilTheyAreReset) {
     ASSERT_TRUE(dock("well_panel").isHidden());
     give(Command::MixingWell);
     window().addDockWidget(Qt::LeftDockWidgetArea, &dock("well_panel"));
-    dock("guides_panel").close();
+    dock("physics_panel").close();
     give(Command::ColourPanel);
     start_again();
     EXPECT_TRUE(dock("well_panel").isVisible());
     EXPECT_TRUE(window().commands().action(Command::MixingWell)->isChecked());
     EXPECT_EQ(window().dockWidgetArea(&dock("well_panel")), Qt::LeftDockWidgetArea);
-    EXPECT_TRUE(dock("guides_panel").isHidden());
+    EXPECT_TRUE(dock("physics_panel").isHidden());
     EXPECT_FALSE(dock("colour_panel").visibleRegion().isEmpty());
     give(Command::ResetPanels);
     QApplication::processEvents();
     EXPECT_TRUE(dock("well_panel").isHidden());
     EXPECT_FALSE(window().commands().action(Command::MixingWell)->isChecked());
-    EXPECT_FALSE(dock("guides_panel").isHidden());
-    EXPECT_EQ(window().dockWidgetArea(&dock("guides_panel")), Qt::RightDockWidgetArea);
+    EXPECT_FALSE(dock("physics_panel").isHidden());
+    EXPECT_EQ(window().dockWidgetArea(&dock("physics_panel")), Qt::RightDockWidgetArea);
     EXPECT_FALSE(dock("tool_panel").visibleRegion().isEmpty());
 }
 

@@ -186,6 +186,7 @@ TEST_F(SettingsWindow, SavesByItselfWhereThereIsAFileAndAChangeButNotWithinAStro
     EXPECT_EQ(timer.interval(), 60000);
     timer.start(20);
     mouse_stroke(line_mm({10, 10}, {30, 20}));
+    wait_for([&] { return window().isWindowModified(); });
     QTest::qWait(100);
     EXPECT_TRUE(window().isWindowModified());
 
@@ -200,8 +201,8 @@ TEST_F(SettingsWindow, SavesByItselfWhereThereIsAFileAndAChangeButNotWithinAStro
 
     press({10, 15});
     move({20, 18});
+    wait_for([&] { return session().status().stroke_in_progress; });
     QTest::qWait(100);
-    EXPECT_TRUE(session().status().stroke_in_progress);
     EXPECT_EQ(std::filesystem::last_write_time(file), first);
     release({20, 18});
     wait_for([&] { return std::filesystem::last_write_time(file) != first; });
