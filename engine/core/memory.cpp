@@ -36,7 +36,7 @@ std::size_t peak_memory_bytes() {
 
 void keep_freed_memory() {
     constexpr int kMiB = 1 << 20;
-    ::mallopt(M_TRIM_THRESHOLD, 512 * kMiB);
+    ::mallopt(M_TRIM_THRESHOLD, 128 * kMiB);
     ::mallopt(M_MMAP_THRESHOLD, 32 * kMiB);
     // What one thread frees another can take.
     ::mallopt(M_ARENA_MAX, 1);
