@@ -9,20 +9,20 @@
 namespace pastoso::document {
 
 void History::set_budget(std::size_t bytes) {
-    set_limits(bytes / 8, bytes - bytes / 8, bytes == 0 ? 0 : kMostMoments);
+    set_limits(bytes, bytes - bytes / 8, bytes == 0 ? 0 : kMostMoments);
 }
 
 void History::keep_steps(std::size_t count) {
-    set_limits(kDefaultBudget_bytes / 8, SIZE_MAX, std::min(count, kMostMoments));
+    set_limits(kDefaultBudget_bytes, SIZE_MAX, std::min(count, kMostMoments));
 }
 
-void History::set_limits(std::size_t unpacked_bytes, std::size_t packed_bytes,
-                         std::size_t most_moments) {
+void History::set_limits(std::size_t budget_bytes, std::size_t packed_bytes, std::size_t most_moments) {
     finish_packing();
     packed_bytes_ = packed_bytes;
+    waiting_bytes_ = budget_bytes / 4;
     most_moments_ = most_moments;
-    past_.set_unpacked_bytes(unpacked_bytes);
-    future_.set_unpacked_bytes(unpacked_bytes);
+    past_.set_unpacked_bytes(budget_bytes / 8);
+    future_.set_unpacked_bytes(budget_bytes / 8);
     if (most_moments == 0) {
         past_.clear();
         future_.clear();
@@ -35,6 +35,7 @@ void History::remember(Moment before, Step step) {
     if (most_moments_ == 0) return;
     before.step = std::move(step);
     past_.push(std::move(before));
+    past_.limit_waiting(waiting_bytes_);
     drop_oldest();
 }
 

@@ -21,7 +21,8 @@ class History {
     History() { set_budget(kDefaultBudget_bytes); }
 
     /// 0 keeps nothing. The moment before the latest change and, after Undo, what Redo returns to come
-    /// on top, and so do steps that wait for being packed.
+    /// on top, and so do steps that wait for being packed: up to a quarter of the budget, what is more
+    /// is packed at once.
     void set_budget(std::size_t bytes);
 
     /// Keeps so many steps, whatever memory they take, packed but for the latest. 0 keeps nothing.
@@ -45,10 +46,11 @@ class History {
     void finish_packing();
 
   private:
-    void set_limits(std::size_t unpacked_bytes, std::size_t packed_bytes, std::size_t most_moments);
+    void set_limits(std::size_t budget_bytes, std::size_t packed_bytes, std::size_t most_moments);
     void drop_oldest();
 
-    std::size_t packed_bytes_ = 0;  ///< that may be kept
+    std::size_t packed_bytes_ = 0;   ///< that may be kept
+    std::size_t waiting_bytes_ = 0;  ///< that may wait for being packed
     std::size_t most_moments_ = kMostMoments;
     core::BackgroundThread packer_;
     MomentStack past_{packer_}, future_{packer_};

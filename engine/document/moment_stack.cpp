@@ -2,6 +2,7 @@
 
 #include "core/check.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace pastoso::document {
@@ -89,6 +90,19 @@ bool MomentStack::is_undecided(std::size_t packed_bytes) const {
         sum += packed.value_or(most_packed_bytes(below_[i].bytes()));
     }
     return !all_packed && sum > packed_bytes;
+}
+
+/// The latest first: the packing thread is at the lowest.
+void MomentStack::limit_waiting(std::size_t bytes) {
+    const std::size_t count = packed_count();
+    std::size_t waiting = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        if (!below_[i].packed_bytes()) waiting += below_[i].bytes();
+    for (std::size_t i = count; i-- > 0 && waiting > bytes;) {
+        if (below_[i].packed_bytes()) continue;
+        waiting -= std::min(waiting, below_[i].bytes());
+        below_[i].pack();
+    }
 }
 
 void MomentStack::finish_packing() {

@@ -35,6 +35,9 @@ class MomentStack {
     /// Whether an answer of drop_lowest() may depend on what is not packed yet.
     bool is_undecided(std::size_t packed_bytes) const;
 
+    /// Packs at once of those that wait for it, until they have at most so many bytes together.
+    void limit_waiting(std::size_t bytes);
+
     /// Packs at once all that is to be packed.
     void finish_packing();
 

@@ -1,10 +1,13 @@
 #include "document/history.hpp"
 
+#include "core/background_thread.hpp"
 #include "core/random.hpp"
 #include "document/layered_canvas.hpp"
+#include "document/moment_stack.hpp"
 #include "document/well.hpp"
 
 #include <algorithm>
+#include <future>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -77,6 +80,36 @@ TEST(History, GoesBackAndForth) {
     }
     EXPECT_FALSE(history.can_redo());
     EXPECT_EQ(hash_of(history.step_back(film.moment())), hashes[2]);
+}
+
+TEST(MomentStack, WhatWaitsForAThreadThatHasNoTimeIsPackedAtOnceBeyondALimit) {
+    NoisyFilm film;
+    std::promise<void> has_time;
+    core::BackgroundThread packer;
+    packer.add([&] { has_time.get_future().wait(); });
+    MomentStack stack(packer);
+    stack.set_unpacked_bytes(2 * kTileBytes);
+    std::vector<std::uint64_t> hashes;
+    const auto unpacked_bytes = [&] {
+        std::size_t sum = 0;
+        for (const KeptStep& step : stack.steps())
+            if (!step.packed) sum += step.bytes;
+        return sum;
+    };
+    for (int i = 0; i < 20; ++i) {
+        hashes.push_back(film.hash());
+        stack.push(film.moment());
+        film.change(i % 16);
+    }
+    EXPECT_GT(unpacked_bytes(), 15 * kTileBytes);
+    stack.limit_waiting(8 * kTileBytes);
+    EXPECT_LE(unpacked_bytes(), 12 * kTileBytes);
+    EXPECT_GE(unpacked_bytes(), 8 * kTileBytes);
+    stack.limit_waiting(0);
+    EXPECT_LE(unpacked_bytes(), 4 * kTileBytes);
+    for (int i = 19; i >= 0; --i)
+        EXPECT_EQ(hash_of(stack.pop()), hashes[static_cast<std::size_t>(i)]);
+    has_time.set_value();
 }
 
 TEST(History, ANewChangeForgetsWhatWasUndone) {
