@@ -1,0 +1,58 @@
+#include "keys_table.hpp"
+
+#include "commands/command_list.hpp"
+#include "commands/command_words.hpp"
+#include "commands/key_sets.hpp"
+
+#include <QKeySequence>
+#include <QStringList>
+
+namespace pastoso::screens {
+namespace {
+
+using commands::CommandText, commands::KeySet;
+
+constexpr const char* kBeginning =
+    "# All commands and their keys\n\n"
+    "In the order of the menus. \"Keys\" in the \"Settings\" menu changes them "
+    "([how](settings.md#keys)). This page is printed by the program; "
+    "`packaging/screens.sh --manual` prints it anew.\n";
+
+/// Backticks that hold any key, also one that Markdown reads otherwise in a table.
+QString key_words(const QKeySequence& key) {
+    QString words = key.toString(QKeySequence::PortableText);
+    return QLatin1Char('`') + words.replace(QLatin1Char('|'), QStringLiteral("\\|")) + QLatin1Char('`');
+}
+
+QString keys_of(KeySet set, commands::Command command) {
+    QStringList words;
+    for (const QKeySequence& key : commands::keys_in(set, command))
+        words.append(key_words(key));
+    return words.join(QStringLiteral(", "));
+}
+
+QString line_of(const CommandText& text) {
+    return QStringLiteral("| %1 | %2 | %3 | %4 |\n")
+        .arg(commands::plain_words(text.words), keys_of(KeySet::Krita, text.command),
+             keys_of(KeySet::Photoshop, text.command), commands::words_of(text.hint));
+}
+
+}  // namespace
+
+std::string keys_page() {
+    QString page = QString::fromUtf8(kBeginning);
+    const char* menu = nullptr;
+    for (const CommandText& text : commands::command_list()) {
+        if (menu != text.menu)
+            page += QStringLiteral(
+                        "\n## %1\n\n"
+                        "| command | like Krita | like Photoshop | does |\n"
+                        "| --- | --- | --- | --- |\n")
+                        .arg(commands::plain_words(text.menu));
+        menu = text.menu;
+        page += line_of(text);
+    }
+    return page.toStdString();
+}
+
+}  // namespace pastoso::screens
