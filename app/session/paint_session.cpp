@@ -87,12 +87,8 @@ void PaintSession::play(const std::vector<document::Event>& events, bool hurried
         replay_undoes_ = std::any_of(events.begin(), events.end(), [](const document::Event& event) {
             return std::holds_alternative<document::Undo>(event.action);
         });
-        const std::int64_t now = status_.tick;
-        for (document::Event event : events) {
-            event.tick += now;
-            replay_.push_back(std::move(event));
-        }
-        status_.replaying = !replay_.empty();
+        coming_replay_.insert(coming_replay_.end(), events.begin(), events.end());
+        status_.replaying = replay_waits();
     }
     work_.notify_all();
 }
@@ -233,7 +229,7 @@ bool PaintSession::may_wait() const {
     constexpr auto kScreenPeriod = std::chrono::milliseconds(16);
     if (!hurries_ || published_count_ != applied_count_) return false;
     const std::lock_guard lock(mutex_);
-    return !paused_ && !replay_.empty() && WallClock::now() - published_at_ < kScreenPeriod;
+    return !paused_ && replay_waits() && WallClock::now() - published_at_ < kScreenPeriod;
 }
 
 /// Sleeps until there is an action, a tick is due or the session ends; false at the end.
@@ -249,7 +245,7 @@ bool PaintSession::wait_for_work() {
         work_.wait_until(lock, clock_.next(), [&] { return ready() || paused_; });
     }
     clock_.hand_moved(hand_moved_);
-    hurries_ = replay_is_hurried_ && !replay_.empty();
+    hurries_ = replay_is_hurried_ && replay_waits();
     needs_no_steps_ = hurries_ && !replay_undoes_;
     clock_.set_hurried(hurries_);
     return !stopping_;
@@ -271,7 +267,23 @@ void PaintSession::apply_posted() {
     } while (WallClock::now() < deadline);
 }
 
+/// The lock is held.
+bool PaintSession::replay_waits() const {
+    return !replay_.empty() || !coming_replay_.empty();
+}
+
+/// Its tick 0 is the painting's present one, whatever was published last.
+void PaintSession::begin_coming_replay() {
+    const std::lock_guard lock(mutex_);
+    for (document::Event& event : coming_replay_) {
+        event.tick += painting_->tick();
+        replay_.push_back(std::move(event));
+    }
+    coming_replay_.clear();
+}
+
 void PaintSession::apply_due_replay() {
+    begin_coming_replay();
     while (true) {
         document::Action action;
         {
@@ -364,7 +376,7 @@ void PaintSession::publish() {
                    .can_undo = painting_->can_undo(),
                    .can_redo = painting_->can_redo(),
                    .stroke_in_progress = painting_->stroke_in_progress(),
-                   .replaying = !replay_.empty()};
+                   .replaying = replay_waits()};
     }
     changed_ = false;
     published_at_ = WallClock::now();

@@ -131,6 +131,8 @@ class PaintSession {
     void run();
     bool wait_for_work();
     void apply_posted();
+    bool replay_waits() const;
+    void begin_coming_replay();
     void apply_due_replay();
     void apply(const document::Action& action);
     bool advance_if_due();
@@ -162,6 +164,7 @@ class PaintSession {
     std::condition_variable work_;
     std::condition_variable published_;
     std::deque<document::Action> posted_;
+    std::vector<document::Event> coming_replay_;  ///< by ticks of its own
     std::deque<document::Event> replay_;
     std::shared_ptr<FrameTimes> times_;
     bool replay_is_hurried_ = false;
