@@ -223,6 +223,8 @@ TEST(PaintSession, AHurriedRecordingPaintsTheSameAndShowsLess) {
     post_stroke(*first, 0.0, 15.0);
     first->wait_until_applied();
     Recording recording = first->recording();
+    for (document::Event& event : recording.events)
+        event.tick = 0;  // a tick may have passed before the pause
     constexpr std::int64_t kLastTick = 400;
     recording.events.push_back({0, TiltCanvas{80.0, 90.0}});
     recording.events.push_back({kLastTick, TiltCanvas{0.0, 90.0}});
