@@ -1,9 +1,9 @@
 #include "main/replay_window.hpp"
 
+#include "main/queued_refresh.hpp"
 #include "panels/recorder_panel.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
 
 #include <QComboBox>
@@ -54,18 +54,8 @@ ReplayWindow::ReplayWindow(document::Recording recording, const view::CanvasView
     resize(960, 680);
     connect(new QShortcut(Qt::Key_Space, this), &QShortcut::activated, play_, &QToolButton::click);
     connect(canvas_, &view::CanvasView::escaped, this, &QDialog::close);
-    // One refresh at a time waits in the event queue, however often the replayer publishes.
-    auto pending = std::make_shared<std::atomic<bool>>(false);
-    replayer_ = std::make_unique<session::Replayer>(std::move(recording), [this, pending] {
-        if (pending->exchange(true)) return;
-        QMetaObject::invokeMethod(
-            this,
-            [this, pending] {
-                pending->store(false);
-                show_published();
-            },
-            Qt::QueuedConnection);
-    });
+    replayer_ = std::make_unique<session::Replayer>(std::move(recording),
+                                                    queued_refresh(this, [this] { show_published(); }));
     replayer_->set_speed(kSpeeds[kFirstSpeed].speed);
     show_published();
 }

@@ -1,6 +1,7 @@
 #include "main/studio.hpp"
 
-#include <atomic>
+#include "main/queued_refresh.hpp"
+
 #include <utility>
 
 #include <QAction>
@@ -24,21 +25,9 @@ void Studio::put_up(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<docu
         Q_EMIT session_ends();
         session_->discard_journal();
     }
-    // One refresh at a time waits in the event queue, however often the session publishes.
-    auto pending = std::make_shared<std::atomic<bool>>(false);
-    auto notify = [this, pending] {
-        if (pending->exchange(true)) return;
-        QMetaObject::invokeMethod(
-            this,
-            [this, pending] {
-                pending->store(false);
-                show_published();
-            },
-            Qt::QueuedConnection);
-    };
     session_ = std::make_unique<session::PaintSession>(
-        std::move(pool), std::move(painting), std::move(notify), std::move(past),
-        commands_.action(commands::Command::Pause)->isChecked(), std::move(journal));
+        std::move(pool), std::move(painting), queued_refresh(this, [this] { show_published(); }),
+        std::move(past), commands_.action(commands::Command::Pause)->isChecked(), std::move(journal));
     session_->measure(times_);
     Q_EMIT session_begun();
 }
