@@ -77,6 +77,23 @@ void SettingsDialog::add_choice(QFormLayout* form, const QString& words, const Q
     form->addRow(words, box);
 }
 
+void SettingsDialog::add_number(QFormLayout* form, const QString& words, const QString& name, int most,
+                                const QString& words_for_none, const QString& unit,
+                                int tools::Preferences::*preference) {
+    auto* box = new QSpinBox;
+    box->setObjectName(name);
+    box->setRange(0, most);
+    box->setSpecialValueText(words_for_none);
+    box->setSuffix(unit);
+    box->setKeyboardTracking(false);
+    box->setValue(preferences_.*preference);
+    connect(box, &QSpinBox::valueChanged, this, [this, preference](int value) {
+        preferences_.*preference = value;
+        Q_EMIT changed(preferences_);
+    });
+    form->addRow(words, box);
+}
+
 QWidget* SettingsDialog::make_appearance() {
     auto* page = new QWidget;
     QFormLayout* form = form_on(page);
@@ -110,18 +127,8 @@ QWidget* SettingsDialog::make_keeping(int undo_memory_MiB) {
     form->addRow(tr("Memory for undo"), memory);
     form->addRow(QString(), note(tr("The steps that you can return to. The oldest are given up when it "
                                     "is full; 500 are kept at most.")));
-    auto* autosave = new QSpinBox;
-    autosave->setObjectName(QStringLiteral("autosave"));
-    autosave->setRange(0, tools::kMostAutosave_min);
-    autosave->setSpecialValueText(tr("Never"));
-    autosave->setSuffix(tr(" minutes"));
-    autosave->setKeyboardTracking(false);
-    autosave->setValue(preferences_.autosave_min);
-    connect(autosave, &QSpinBox::valueChanged, this, [this](int minutes) {
-        preferences_.autosave_min = minutes;
-        Q_EMIT changed(preferences_);
-    });
-    form->addRow(tr("Save by itself every"), autosave);
+    add_number(form, tr("Save by itself every"), QStringLiteral("autosave"), tools::kMostAutosave_min,
+               tr("Never"), tr(" minutes"), &tools::Preferences::autosave_min);
     form->addRow(QString(),
                  note(tr("Into the painting's own file, once it has one. Whatever you choose, "
                          "every stroke is kept aside within a second and offered to you "
@@ -132,17 +139,9 @@ QWidget* SettingsDialog::make_keeping(int undo_memory_MiB) {
 QWidget* SettingsDialog::make_performance() {
     auto* page = new QWidget;
     QFormLayout* form = form_on(page);
-    auto* threads = new QSpinBox;
-    threads->setObjectName(QStringLiteral("threads"));
-    threads->setRange(0, tools::kMostThreads);
-    threads->setSpecialValueText(tr("All of the machine (%1)").arg(core::processor_count()));
-    threads->setKeyboardTracking(false);
-    threads->setValue(preferences_.threads);
-    connect(threads, &QSpinBox::valueChanged, this, [this](int count) {
-        preferences_.threads = count;
-        Q_EMIT changed(preferences_);
-    });
-    form->addRow(tr("Threads"), threads);
+    add_number(form, tr("Threads"), QStringLiteral("threads"), tools::kMostThreads,
+               tr("All of the machine (%1)").arg(core::processor_count()), QString(),
+               &tools::Preferences::threads);
     form->addRow(QString(), note(tr("How many things the program works on at once, from the next "
                                     "painting on. The paint flows the same with any number.")));
     form->addRow(QString(), note(tr("How carefully moving paint is shown follows from how fast this "

@@ -40,6 +40,9 @@ class SettingsDialog : public QDialog {
     void add_choice(QFormLayout* form, const QString& words, const QString& name,
                     const std::vector<std::pair<QString, std::string>>& choices,
                     std::string tools::Preferences::*preference);
+    void add_number(QFormLayout* form, const QString& words, const QString& name, int most,
+                    const QString& words_for_none, const QString& unit,
+                    int tools::Preferences::*preference);
 
     tools::Preferences preferences_;
     QTabWidget* pages_ = nullptr;
