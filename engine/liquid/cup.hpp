@@ -1,0 +1,30 @@
+// The glass that the tea stands in: a cone with a flat floor around an upright axis, in metres, z up.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace pastoso::liquid {
+
+struct Cup {
+    glm::vec2 axis_m{0.05F, 0.05F};  ///< where the axis stands
+    float floor_m = 0.004F;          ///< height of the inner floor
+    float floor_radius_m = 0.033F;   ///< inner radius there
+    float slope = 0.1F;              ///< the inner radius is floor_radius + slope (z - floor)
+    float level_m = 0.088F;          ///< height of the tea's surface
+    float wall_m = 0.0022F;          ///< thickness of the glass, measured level
+    float foot_m = -0.0015F;         ///< height of the glass' underside
+    float rim_m = 0.098F;            ///< height of its rim
+
+    float inner_radius_m(float z_m) const { return floor_radius_m + slope * (z_m - floor_m); }
+    friend bool operator==(const Cup&, const Cup&) = default;
+};
+
+/// The signed distance from the surface of the tea's room, up to the level, negative within; beyond its
+/// edges a lower bound of the distance.
+float tea_distance_m(const Cup& cup, const glm::vec3& point_m);
+
+/// The volume of tea and milk up to the level: a frustum of a cone.
+double tea_volume_m3(const Cup& cup);
+
+}  // namespace pastoso::liquid

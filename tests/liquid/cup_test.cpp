@@ -1,0 +1,38 @@
+#include "liquid/cup.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace pastoso::liquid {
+namespace {
+
+TEST(Cup, DistancesAreNegativeWithinAndZeroOnItsSurfaces) {
+    const Cup cup;
+    EXPECT_LT(tea_distance_m(cup, {0.05F, 0.05F, 0.05F}), -0.03F);
+    EXPECT_NEAR(tea_distance_m(cup, {0.05F, 0.05F, cup.floor_m}), 0.0F, 1e-8F);
+    EXPECT_NEAR(tea_distance_m(cup, {0.05F, 0.05F, cup.level_m}), 0.0F, 1e-8F);
+    EXPECT_NEAR(tea_distance_m(cup, {0.05F + cup.inner_radius_m(0.04F), 0.05F, 0.04F}), 0.0F, 1e-8F);
+    EXPECT_NEAR(tea_distance_m(cup, {0.05F, 0.05F, cup.level_m + 0.002F}), 0.002F, 1e-8F);
+}
+
+TEST(Cup, TheWallsDistanceIsMeasuredAcrossIt) {
+    const Cup cup;
+    const float step = 0.001F, length = std::sqrt(1.0F + cup.slope * cup.slope);
+    const float z = 0.05F, x = 0.05F + cup.inner_radius_m(z);
+    EXPECT_NEAR(tea_distance_m(cup, {x + step / length, 0.05F, z - step * cup.slope / length}), step,
+                1e-7F);
+}
+
+TEST(Cup, AStraightCupHoldsACylinder) {
+    Cup cup;
+    cup.slope = 0.0F;
+    cup.floor_radius_m = 0.03F;
+    // The sizes are floats.
+    const double exact = std::numbers::pi * 0.03 * 0.03 * 0.084;
+    EXPECT_NEAR(tea_volume_m3(cup), exact, 1e-6 * exact);
+}
+
+}  // namespace
+}  // namespace pastoso::liquid
