@@ -70,7 +70,7 @@ std::optional<JsonPlace> JsonPlace::optional_entry(const char* key) const {
     return JsonPlace(*found, *file_, path_.empty() ? key : path_ + "." + key);
 }
 
-void JsonPlace::allow_only(std::initializer_list<std::string_view> keys) const {
+void JsonPlace::allow_only(std::span<const std::string_view> keys) const {
     expect(value_->is_object(), "an object");
     for (const auto& item : value_->items()) {
         if (std::find(keys.begin(), keys.end(), item.key()) == keys.end()) {
@@ -123,6 +123,21 @@ double JsonPlace::number_or(const char* key, double otherwise) const {
 bool JsonPlace::boolean_or(const char* key, bool otherwise) const {
     const auto place = optional_entry(key);
     return place ? place->boolean() : otherwise;
+}
+
+void check_format(const JsonPlace& root, const FileFormat& format) {
+    const bool has_format = root.value().is_object() && root.value().contains("format");
+    const Json* name = has_format ? &root.entry("format").value() : nullptr;
+    if (name == nullptr || !name->is_string() || name->get<std::string>() != format.name) {
+        root.fail(std::string("this is not ") + format.thing + "; it would begin with \"format\": \"" +
+                  format.name + "\".");
+    }
+    const std::int64_t version = root.entry("version").integer(1, INT32_MAX);
+    if (version > format.newest) {
+        root.fail(std::string("this was written by a newer Pastoso (") + format.format + " " +
+                  std::to_string(version) + "; this program reads up to " +
+                  std::to_string(format.newest) + ").");
+    }
 }
 
 }  // namespace pastoso::io

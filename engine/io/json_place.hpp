@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -45,7 +46,10 @@ class JsonPlace {
     JsonPlace entry(const char* key) const;
     std::optional<JsonPlace> optional_entry(const char* key) const;
     /// Fails at the first key that is not in the list.
-    void allow_only(std::initializer_list<std::string_view> keys) const;
+    void allow_only(std::initializer_list<std::string_view> keys) const {
+        allow_only(std::span(keys.begin(), keys.size()));
+    }
+    void allow_only(std::span<const std::string_view> keys) const;
 
     /// An array's length and elements.
     std::size_t size() const;
@@ -67,5 +71,16 @@ class JsonPlace {
     const std::string* file_;
     std::string path_;
 };
+
+/// What a file says of itself: {"format": NAME, "version": 1 to NEWEST, ...}.
+struct FileFormat {
+    const char* name;    ///< "pastoso-scene"
+    const char* thing;   ///< what the file is: "a scene"
+    const char* format;  ///< how errors call its format: "scene format"
+    int newest;          ///< version that this program reads
+};
+
+/// Fails unless the file is of that format, in a version up to the newest.
+void check_format(const JsonPlace& root, const FileFormat& format);
 
 }  // namespace pastoso::io

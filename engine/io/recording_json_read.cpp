@@ -324,27 +324,16 @@ class EventReader {
     brush::PenSample last_sample_;
 };
 
-void check_header(const JsonPlace& root) {
-    const bool has_format = root.value().is_object() && root.value().contains("format");
-    const Json* format = has_format ? &root.entry("format").value() : nullptr;
-    if (format == nullptr || !format->is_string() || format->get<std::string>() != "pastoso-strokes") {
-        root.fail(
-            "this is not a stroke recording; it would begin with \"format\": \"pastoso-strokes\".");
-    }
-    const std::int64_t version = root.entry("version").integer(1, INT32_MAX);
-    if (version > kStrokeFormatVersion) {
-        root.fail("this was written by a newer Pastoso (stroke format " + std::to_string(version) +
-                  "; this program reads up to " + std::to_string(kStrokeFormatVersion) + ").");
-    }
-    root.allow_only({"format", "version", "canvas", "end_tick", "events"});
-}
+constexpr FileFormat kFormat{"pastoso-strokes", "a stroke recording", "stroke format",
+                             kStrokeFormatVersion};
 
 }  // namespace
 
 document::Recording recording_from_json(std::string_view text, const std::string& name, Names names) {
     const Json json = parse_json(text, name);
     const JsonPlace root(json, name);
-    check_header(root);
+    check_format(root, kFormat);
+    root.allow_only({"format", "version", "canvas", "end_tick", "events"});
     document::Recording recording;
     recording.canvas = read_canvas(root.entry("canvas"));
     EventReader reader(names);

@@ -14,17 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxFileBytes = std::size_t{16} << 20;
 
-void check_header(const JsonPlace& root) {
-    const bool has_format = root.value().is_object() && root.value().contains("format");
-    const Json* format = has_format ? &root.entry("format").value() : nullptr;
-    if (format == nullptr || !format->is_string() || format->get<std::string>() != "pastoso-scene")
-        root.fail("this is not a scene; it would begin with \"format\": \"pastoso-scene\".");
-    const std::int64_t version = root.entry("version").integer(1, INT32_MAX);
-    if (version > kSceneFormatVersion) {
-        root.fail("this was written for a newer Pastoso (scene format " + std::to_string(version) +
-                  "; this program reads up to " + std::to_string(kSceneFormatVersion) + ").");
-    }
-}
+constexpr FileFormat kFormat{"pastoso-scene", "a scene", "scene format", kSceneFormatVersion};
 
 /// Names of runs name folders.
 std::string read_run_name(const JsonPlace& place) {
@@ -112,7 +102,7 @@ SceneFile scene_from_json(std::string_view text, const std::string& name, const 
     check_nesting(text, name);
     const Json json = parse_json(text, name);
     const JsonPlace root(json, name);
-    check_header(root);
+    check_format(root, kFormat);
     SceneFile file;
     if (const auto title = root.optional_entry("title")) file.title = title->text();
     file.cell_units = flag_or(root, "cell_units", false);

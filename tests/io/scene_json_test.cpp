@@ -250,7 +250,7 @@ TEST_F(SceneJson, WhatIsNoScene) {
     EXPECT_THAT(text_error("[]"), HasSubstr("a.json: this is not a scene"));
     EXPECT_THAT(text_error(std::string(100000, '[')), HasSubstr("more than 32 deep"));
     EXPECT_THAT(complaint(kSmall, "/version", 2),
-                HasSubstr("written for a newer Pastoso (scene format 2"));
+                HasSubstr("written by a newer Pastoso (scene format 2"));
 }
 
 TEST_F(SceneJson, TooLargeForMemory) {

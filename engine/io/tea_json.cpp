@@ -1,0 +1,113 @@
+#include "io/tea_json.hpp"
+
+#include "core/text_file.hpp"
+#include "io/json_place.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace pastoso::io {
+namespace {
+
+using liquid::Advection;
+using liquid::Cup;
+using liquid::TeaNumber;
+using liquid::TeaSettings;
+
+struct CupNumber {
+    const char* key;
+    float Cup::*value;
+};
+constexpr CupNumber kCupNumbers[] = {
+    {"floor_m", &Cup::floor_m}, {"floor_radius_m", &Cup::floor_radius_m},
+    {"slope", &Cup::slope},     {"level_m", &Cup::level_m},
+    {"wall_m", &Cup::wall_m},   {"foot_m", &Cup::foot_m},
+    {"rim_m", &Cup::rim_m},
+};
+
+struct AdvectionName {
+    const char* name;
+    Advection advection;
+};
+constexpr AdvectionName kAdvections[] = {{"limited-cubic", Advection::LimitedCubic},
+                                         {"reflection", Advection::Reflection}};
+
+constexpr FileFormat kFormat{"pastoso-tea", "a glass of milk tea", "tea format", kTeaFormatVersion};
+
+Cup read_cup(const JsonPlace& place) {
+    std::vector<std::string_view> keys = {"x_m", "y_m"};
+    for (const CupNumber& number : kCupNumbers)
+        keys.emplace_back(number.key);
+    place.allow_only(keys);
+    Cup cup;
+    for (const CupNumber& number : kCupNumbers)
+        if (const auto entry = place.optional_entry(number.key))
+            cup.*number.value = static_cast<float>(entry->number());
+    if (const auto entry = place.optional_entry("x_m"))
+        cup.axis_m.x = static_cast<float>(entry->number());
+    if (const auto entry = place.optional_entry("y_m"))
+        cup.axis_m.y = static_cast<float>(entry->number());
+    return cup;
+}
+
+Advection read_advection(const JsonPlace& place) {
+    const std::string name = place.text();
+    for (const AdvectionName& known : kAdvections)
+        if (name == known.name) return known.advection;
+    place.fail("\"" + name + R"(" is neither "limited-cubic" nor "reflection".)");
+}
+
+void read_whole_numbers(const JsonPlace& place, TeaSettings& settings) {
+    if (const auto entry = place.optional_entry("cells"))
+        settings.cells = static_cast<int>(entry->integer(liquid::kMinTeaCells, liquid::kMaxTeaCells));
+    if (const auto entry = place.optional_entry("parcels"))
+        settings.parcels = static_cast<int>(entry->integer(1, liquid::kMaxParcels));
+    if (const auto entry = place.optional_entry("seed"))
+        settings.seed = static_cast<std::uint32_t>(entry->integer(0, UINT32_MAX));
+    if (const auto entry = place.optional_entry("ball_candidates"))
+        settings.ball_candidates = static_cast<int>(entry->integer(1, 100000));
+}
+
+}  // namespace
+
+liquid::TeaSettings tea_from_json(std::string_view text, const std::string& name) {
+    const Json json = parse_json(text, name);
+    const JsonPlace place(json, name);
+    check_format(place, kFormat);
+    std::vector<std::string_view> keys = {"format",  "version", "cup",       "cells",
+                                          "parcels", "seed",    "advection", "ball_candidates"};
+    for (const TeaNumber& number : liquid::tea_numbers())
+        keys.emplace_back(number.key);
+    place.allow_only(keys);
+
+    TeaSettings settings;
+    if (const auto cup = place.optional_entry("cup")) settings.cup = read_cup(*cup);
+    read_whole_numbers(place, settings);
+    if (const auto entry = place.optional_entry("advection"))
+        settings.advection = read_advection(*entry);
+    for (const TeaNumber& number : liquid::tea_numbers())
+        if (const auto entry = place.optional_entry(number.key))
+            settings.*number.value = entry->number();
+    place.guard([&] { liquid::check_tea(settings); });
+    return settings;
+}
+
+liquid::TeaSettings read_tea(const std::filesystem::path& path) {
+    return tea_from_json(core::read_text_file(path), path.string());
+}
+
+std::string tea_to_json(const liquid::TeaSettings& settings) {
+    Json json = {{"format", kFormat.name},  {"version", kTeaFormatVersion},
+                 {"cells", settings.cells}, {"parcels", settings.parcels},
+                 {"seed", settings.seed},   {"ball_candidates", settings.ball_candidates}};
+    for (const AdvectionName& known : kAdvections)
+        if (known.advection == settings.advection) json["advection"] = known.name;
+    Json& cup = json["cup"] = {{"x_m", settings.cup.axis_m.x}, {"y_m", settings.cup.axis_m.y}};
+    for (const CupNumber& number : kCupNumbers)
+        cup[number.key] = settings.cup.*number.value;
+    for (const TeaNumber& number : liquid::tea_numbers())
+        json[number.key] = settings.*number.value;
+    return json.dump(2) + "\n";
+}
+
+}  // namespace pastoso::io
