@@ -1,0 +1,59 @@
+// What the advection kernels are told: plain numbers and pointers.
+#pragma once
+
+#include <cstddef>
+
+namespace pastoso::liquid {
+
+enum class Interpolation {
+    Linear,        ///< trilinear
+    LimitedCubic,  ///< Catmull-Rom, clamped to the 8 nearest samples
+    Cubic,         ///< Catmull-Rom as it is: overshoots at edges
+};
+
+/// What happens to a point that leaves the box.
+enum class Edges { Walls, Periodic };
+
+/// The faces of a row of cells: x[m] is the face before cell m, y[m] and z[m] those before it, y and z
+/// strides apart.
+struct FaceRows {
+    const float *x, *y, *z;
+    std::ptrdiff_t stride_y, stride_z;
+};
+
+/// Velocity at cells' middles as centre_velocity() leaves it, and the box.
+struct AdvectionView {
+    const float* centres;               ///< sample (0, 0, 0), four floats each
+    std::ptrdiff_t stride_y, stride_z;  ///< in samples; the fields' too
+    float size_cells[3];
+    float step;  ///< time step over cell size, in cells per m/s
+    Edges edges;
+};
+
+struct AdvectedField {
+    const float* from;  ///< sample (0, 0, 0)
+    float* to;          ///< the row's sample 0
+};
+
+inline constexpr int kMaxFieldsTogether = 4;
+
+/// Samples [begin, end) of a row of fields that lie at the same places.
+struct AdvectedRow {
+    int begin, end, j, k;
+    int axis;  ///< samples on the faces across this axis; 3: at cells' middles
+    Interpolation interpolation;
+    int field_count;
+    AdvectedField fields[kMaxFieldsTogether];
+};
+
+/// A velocity on faces, sample (0, 0, 0) of each.
+struct CarryView {
+    const float* faces[3];
+    std::ptrdiff_t stride_y, stride_z;
+    float size_cells[3];
+    float step;
+    Edges edges;
+    Interpolation interpolation;
+};
+
+}  // namespace pastoso::liquid

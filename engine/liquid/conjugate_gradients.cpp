@@ -1,0 +1,200 @@
+#include "liquid/conjugate_gradients.hpp"
+
+#include "core/check.hpp"
+#include "core/error.hpp"
+#include "liquid/slices.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace pastoso::liquid {
+namespace {
+
+/// Levels with fewer cells are worked on by one thread: waking others would cost more.
+constexpr long kLeastCellsForThreads = 8000;
+constexpr int kCoarsestSweeps = 12;
+constexpr int kFirstColour = 0, kLastColour = 1;
+
+}  // namespace
+
+void check(const SolveLimits& limits) {
+    if (!(limits.tolerance >= 1e-7F && limits.tolerance <= 1.0F))
+        throw core::InputError("The pressure's tolerance is " + std::to_string(limits.tolerance) +
+                               "; it may be 1e-7 to 1.");
+    if (limits.max_iterations < 1)
+        throw core::InputError("The pressure is allowed " + std::to_string(limits.max_iterations) +
+                               " iterations; it needs at least 1.");
+}
+
+ConjugateGradients::ConjugateGradients(const CellMatrix& matrix, const Kernels& kernels)
+    : kernels_(&kernels), levels_(multigrid_levels(matrix)), shape_(matrix.shape()) {
+    for (MultigridLevel& level : levels_)
+        views_.push_back(level.view());
+    for (ColourField* vector : {&solution_, &direction_, &image_})
+        *vector = ColourField(levels_.front().extent);
+}
+
+template <class Body>
+void ConjugateGradients::for_level_slices(const MultigridLevel& level, core::ThreadPool& pool, int count,
+                                          const Body& body) const {
+    if (level.cell_count >= kLeastCellsForThreads) return for_slices(pool, 0, count, body);
+    for (int k = 0; k < count; ++k)
+        body(k);
+}
+
+void ConjugateGradients::load(const grid::BoxField& cells, ColourField& out,
+                              core::ThreadPool& pool) const {
+    const ColourPointers pointers = out.data();
+    for_slices(pool, 0, shape_.nz, [&](int k) {
+        for (int j = 0; j < shape_.ny; ++j)
+            kernels_->split_row(views_.front(), cells.row(j, k), pointers, j, k);
+    });
+}
+
+void ConjugateGradients::store(ColourField& values, grid::BoxField& cells,
+                               core::ThreadPool& pool) const {
+    const ColourPointers pointers = values.data();
+    for_slices(pool, 0, shape_.nz, [&](int k) {
+        for (int j = 0; j < shape_.ny; ++j) {
+            std::fill_n(cells.row(j, k), shape_.nx, 0.0F);
+            kernels_->merge_row(views_.front(), pointers, cells.row(j, k), j, k);
+        }
+    });
+}
+
+void ConjugateGradients::remove_means(const MultigridLevel& level, ColourField& values,
+                                      core::ThreadPool& pool) const {
+    const ClosedComponents& closed = level.closed;
+    const LevelExtent& extent = level.extent;
+    if (closed.count == 0) return;
+    const auto count = static_cast<std::size_t>(closed.count) + 1;
+    std::vector<std::vector<double>> sums(static_cast<std::size_t>(extent.nz),
+                                          std::vector<double>(count));
+    const auto for_cells = [&](int k, const auto& body) {
+        const int* component =
+            closed.of_cell.data() + static_cast<std::ptrdiff_t>(k) * extent.ny * extent.nx;
+        for (int j = 0; j < extent.ny; ++j)
+            for (int i = 0; i < extent.nx; ++i, ++component)
+                if (*component != 0) body(values.at(i, j, k), static_cast<std::size_t>(*component));
+    };
+    for_level_slices(level, pool, extent.nz, [&](int k) {
+        for_cells(k,
+                  [&, &slice = sums[static_cast<std::size_t>(k)]](float value, std::size_t component) {
+                      slice[component] += static_cast<double>(value);
+                  });
+    });
+    std::vector<float> means(count);
+    for (std::size_t component = 1; component < count; ++component) {
+        double sum = 0.0;
+        for (const auto& slice : sums)
+            sum += slice[component];
+        means[component] = static_cast<float>(sum / static_cast<double>(closed.sizes[component]));
+    }
+    for_level_slices(level, pool, extent.nz, [&](int k) {
+        for_cells(k, [&](float& value, std::size_t component) { value -= means[component]; });
+    });
+}
+
+SolveResult ConjugateGradients::solve(const grid::BoxField& source, grid::BoxField& solution,
+                                      const SolveLimits& limits, core::ThreadPool& pool) {
+    PASTOSO_CHECK(source.shape() == shape_ && solution.shape() == shape_);
+    check(limits);
+    MultigridLevel& finest = levels_.front();
+    load(source, finest.source, pool);
+    load(solution, solution_, pool);
+    remove_means(finest, finest.source, pool);
+    const double source_norm = std::sqrt(sum_over_slices(
+        pool, shape_.nz, [&](int k) { return kernels_->squared_source(views_.front(), k); }));
+    SolveResult result;
+    if (source_norm > 0.0)
+        result = iterate(source_norm, limits, pool);
+    else
+        solution_.fill(0.0F);
+    remove_means(finest, solution_, pool);
+    store(solution_, solution, pool);
+    return result;
+}
+
+SolveResult ConjugateGradients::iterate(double source_norm, const SolveLimits& limits,
+                                        core::ThreadPool& pool) {
+    const LevelView& level = views_.front();
+    const ConjugateView vectors = {solution_.data(), direction_.data(), image_.data()};
+    const auto sum = [&](const auto& slice) { return sum_over_slices(pool, shape_.nz, slice); };
+    SolveResult result;
+    double residual = std::sqrt(sum([&](int k) { return kernels_->start_residual(level, vectors, k); }));
+    double product = 0.0;
+    for (; residual > static_cast<double>(limits.tolerance) * source_norm &&
+           result.iterations < limits.max_iterations;
+         ++result.iterations) {
+        const double new_product = precondition(pool);
+        const float beta = result.iterations == 0 ? 0.0F : static_cast<float>(new_product / product);
+        product = new_product;
+        if (result.iterations == 0) {
+            direction_.fill(0.0F);
+            image_.fill(0.0F);
+        }
+        const double curvature =
+            sum([&](int k) { return kernels_->turn_direction(level, vectors, beta, k); });
+        // Rounding has used up what there was to gain.
+        if (!(product > 0.0) || !(curvature > 0.0)) break;
+        const float alpha = static_cast<float>(product / curvature);
+        residual = std::sqrt(sum([&](int k) { return kernels_->advance(level, vectors, alpha, k); }));
+    }
+    result.residual = static_cast<float>(residual / source_norm);
+    result.converged = result.residual <= limits.tolerance;
+    return result;
+}
+
+double ConjugateGradients::precondition(core::ThreadPool& pool) {
+    const std::size_t coarsest = levels_.size() - 1;
+    for (std::size_t depth = 0; depth < coarsest; ++depth)
+        cycle_down(depth, pool);
+    solve_coarsest(pool);
+    for (std::size_t depth = coarsest; depth-- > 0;) {
+        const LevelView &fine = views_[depth], &coarse = views_[depth + 1];
+        for_level_slices(levels_[depth], pool, coarse.extent.nz,
+                         [&](int k) { kernels_->add_correction(coarse, fine, k); });
+        for_level_slices(levels_[depth], pool, fine.extent.nz,
+                         [&](int k) { kernels_->relax(fine, kLastColour, k); });
+        if (depth == 0) break;
+        for_level_slices(levels_[depth], pool, fine.extent.nz,
+                         [&](int k) { kernels_->relax(fine, kFirstColour, k); });
+    }
+    return sum_over_slices(pool, shape_.nz,
+                           [&](int k) { return kernels_->relax_and_multiply(views_.front(), k); });
+}
+
+void ConjugateGradients::cycle_down(std::size_t depth, core::ThreadPool& pool) {
+    const LevelView &fine = views_[depth], &coarse = views_[depth + 1];
+    for_level_slices(levels_[depth], pool, fine.extent.nz,
+                     [&](int k) { kernels_->relax_from_zero(fine, k); });
+    for_level_slices(levels_[depth], pool, fine.extent.nz,
+                     [&](int k) { kernels_->relax(fine, kLastColour, k); });
+    for_level_slices(levels_[depth], pool, coarse.extent.nz,
+                     [&](int k) { kernels_->restrict_residual(fine, coarse, k); });
+}
+
+void ConjugateGradients::solve_coarsest(core::ThreadPool& pool) {
+    const LevelView& level = views_.back();
+    // In a closed component the sources have mean zero but for rounding. Each sweep would turn what is
+    // left into a constant, which conjugate gradients then take for a direction.
+    remove_means(levels_.back(), levels_.back().source, pool);
+    const auto relax = [&](int colour) {
+        for (int k = 0; k < level.extent.nz; ++k)
+            kernels_->relax(level, colour, k);
+    };
+    for (int k = 0; k < level.extent.nz; ++k)
+        kernels_->relax_from_zero(level, k);
+    relax(kLastColour);
+    for (int sweep = 0; sweep < kCoarsestSweeps; ++sweep) {
+        relax(kFirstColour);
+        relax(kLastColour);
+    }
+    // Back in the opposite order, which keeps the preconditioner symmetric.
+    for (int sweep = 0; sweep <= kCoarsestSweeps; ++sweep) {
+        relax(kLastColour);
+        relax(kFirstColour);
+    }
+}
+
+}  // namespace pastoso::liquid

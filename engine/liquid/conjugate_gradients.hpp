@@ -1,0 +1,68 @@
+// Conjugate gradients with one V-cycle of multigrid as the preconditioner, for the equations of a
+// CellMatrix.
+//
+// Each V-cycle relaxes in checkerboard order, first colour then last on the way down, the other way
+// round on the way up, so that it is symmetric; coarse corrections are constant over a coarse cell. A
+// V-cycle ends with a relaxation of the first colour, whose cells therefore fulfil A z = r: only the
+// last colour's A z is computed, and the image of the direction follows its own recurrence (Chronopoulos
+// and Gear 1989). Sums are taken slice by slice and added in order: the same bits on any number of
+// threads.
+#pragma once
+
+#include "core/thread_pool.hpp"
+#include "liquid/kernels.hpp"
+#include "liquid/multigrid_level.hpp"
+
+#include <vector>
+
+namespace pastoso::liquid {
+
+struct SolveLimits {
+    float tolerance = 1e-3F;  ///< of the residual against the source, both root-sum-square; 1e-7 to 1
+    int max_iterations = 50;  ///< 1 or more
+};
+/// Throws core::InputError.
+void check(const SolveLimits& limits);
+
+struct SolveResult {
+    int iterations = 0;
+    float residual = 0.0F;  ///< what remains of the source
+    bool converged = true;
+    friend bool operator==(const SolveResult&, const SolveResult&) = default;
+};
+
+class ConjugateGradients {
+  public:
+    /// A kernel table other than the best one is for tests.
+    explicit ConjugateGradients(const CellMatrix& matrix, const Kernels& kernels = liquid::kernels());
+    ConjugateGradients(ConjugateGradients&&) = default;
+    ConjugateGradients& operator=(ConjugateGradients&&) = default;
+
+    /// Solves A solution = source, beginning with the solution given. Where a closed component
+    /// (connected cells without boundary or mass) has a source whose mean is not zero, the mean is left
+    /// out; its solution has mean zero. Cells that take no part get 0.
+    SolveResult solve(const grid::BoxField& source, grid::BoxField& solution, const SolveLimits& limits,
+                      core::ThreadPool& pool);
+
+  private:
+    void load(const grid::BoxField& cells, ColourField& out, core::ThreadPool& pool) const;
+    void store(ColourField& values, grid::BoxField& cells, core::ThreadPool& pool) const;
+    /// Of the level's closed components.
+    void remove_means(const MultigridLevel& level, ColourField& values, core::ThreadPool& pool) const;
+    SolveResult iterate(double source_norm, const SolveLimits& limits, core::ThreadPool& pool);
+    /// Leaves z = M r in the finest level's value; returns the sum of z r.
+    double precondition(core::ThreadPool& pool);
+    void cycle_down(std::size_t depth, core::ThreadPool& pool);
+    void solve_coarsest(core::ThreadPool& pool);
+    template <class Body>
+    void for_level_slices(const MultigridLevel& level, core::ThreadPool& pool, int count,
+                          const Body& body) const;
+
+    const Kernels* kernels_;
+    std::vector<MultigridLevel> levels_;
+    std::vector<LevelView> views_;
+    ColourField solution_, direction_, image_;
+    grid::BoxShape shape_;
+};
+
+}  // namespace pastoso::liquid

@@ -1,0 +1,160 @@
+#include "liquid/diffusion.hpp"
+
+#include "core/error.hpp"
+#include "liquid/slices.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace pastoso::liquid {
+namespace {
+
+void check_rate(float diffusivity_m2_s, float dt_s) {
+    if (!(diffusivity_m2_s >= 0.0F) || !std::isfinite(diffusivity_m2_s))
+        throw core::InputError("The diffusivity or viscosity is " + std::to_string(diffusivity_m2_s) +
+                               " m2/s; it must be 0 or more.");
+    if (!(dt_s >= 0.0F) || !std::isfinite(dt_s))
+        throw core::InputError("The time step is " + std::to_string(dt_s) + " s; it must be 0 or more.");
+}
+
+const grid::BoxField& known_samples(const Walls& walls, Location location) {
+    return location == Location::Cell ? walls.open_cells()
+                                      : walls.open().along(static_cast<int>(location));
+}
+
+struct Steps {
+    std::ptrdiff_t y, z;
+};
+
+/// Cell values: through the open share of each face.
+void diffuse_cells(const VelocityField& open, const float* from, float step, std::ptrdiff_t at,
+                   RowRange range, const Steps& to, float* next) {
+    const float *wx = open.x.values().data() + at, *wy = open.y.values().data() + at,
+                *wz = open.z.values().data() + at, *q = from + at;
+    for (int i = range.begin; i < range.end; ++i) {
+        const float here = q[i];
+        const float gain = ((wx[i] * (q[i - 1] - here) + wx[i + 1] * (q[i + 1] - here)) +
+                            (wy[i] * (q[i - to.y] - here) + wy[i + to.y] * (q[i + to.y] - here))) +
+                           (wz[i] * (q[i - to.z] - here) + wz[i + to.z] * (q[i + to.z] - here));
+        next[i] = here + step * gain;
+    }
+}
+
+/// Face values: to open faces wholly, to shut ones as to fluid at rest or not at all.
+void diffuse_faces(const grid::BoxField& open, const float* from, float step, bool sticks,
+                   std::ptrdiff_t at, RowRange range, const Steps& to, float* next) {
+    const float *w = open.values().data() + at, *q = from + at;
+    for (int i = range.begin; i < range.end; ++i) {
+        const float here = q[i], beyond_wall = sticks ? 0.0F : here;
+        const auto beside = [&](std::ptrdiff_t n) { return w[n] > 0.0F ? q[n] : beyond_wall; };
+        const float sum = ((beside(i - 1) + beside(i + 1)) + (beside(i - to.y) + beside(i + to.y))) +
+                          (beside(i - to.z) + beside(i + to.z));
+        next[i] = w[i] > 0.0F ? here + step * (sum - 6.0F * here) : here;
+    }
+}
+
+}  // namespace
+
+Diffusion::Diffusion(const Walls& walls, Location location, WallFriction friction)
+    : location_(location), friction_(friction), next_(walls.shape()) {}
+
+SolveResult Diffusion::diffuse(const Walls& walls, grid::BoxField& field, float diffusivity_m2_s,
+                               float dt_s, const SolveLimits& limits, core::ThreadPool& pool) {
+    check_rate(diffusivity_m2_s, dt_s);
+    const float cell = walls.shape().cell_m, step = diffusivity_m2_s * dt_s / (cell * cell);
+    if (!std::isfinite(step))
+        throw core::InputError("A diffusivity or viscosity of " + std::to_string(diffusivity_m2_s) +
+                               " m2/s is too large for a step of " + std::to_string(dt_s) + " s.");
+    if (step == 0.0F) return {};
+    const float sub_steps = std::ceil(step / kLongestExplicitStep);
+    if (sub_steps > static_cast<float>(kMaxExplicitSteps))
+        return implicit_step(walls, field, step, limits, pool);
+    for (int n = 0; n < static_cast<int>(sub_steps); ++n)
+        explicit_step(walls, field, step / sub_steps, pool);
+    return {};
+}
+
+void Diffusion::explicit_step(const Walls& walls, grid::BoxField& field, float step,
+                              core::ThreadPool& pool) {
+    const grid::BoxShape& shape = walls.shape();
+    const RowRanges& rows = walls.rows(location_);
+    const Steps steps = {shape.stride_y(), shape.stride_z()};
+    const float* from = field.values().data();
+    for_slices(pool, 0, shape.nz, [&](int k) {
+        for (int j = 0; j < shape.ny; ++j) {
+            const RowRange range = rows.at(j, k);
+            if (range.empty()) continue;
+            const std::ptrdiff_t at = shape.index(0, j, k);
+            if (location_ == Location::Cell)
+                diffuse_cells(walls.open(), from, step, at, range, steps, next_.row(j, k));
+            else
+                diffuse_faces(known_samples(walls, location_), from, step,
+                              friction_ == WallFriction::Sticks, at, range, steps, next_.row(j, k));
+        }
+    });
+    for_slices(pool, 0, shape.nz, [&](int k) {
+        for (int j = 0; j < shape.ny; ++j) {
+            const RowRange range = rows.at(j, k);
+            if (range.empty()) continue;
+            std::copy(next_.row(j, k) + range.begin, next_.row(j, k) + range.end,
+                      field.row(j, k) + range.begin);
+        }
+    });
+}
+
+float Diffusion::passage(const Walls& walls, int axis, std::ptrdiff_t index) const {
+    if (location_ == Location::Cell)
+        return walls.open().along(axis).values()[static_cast<std::size_t>(index)];
+    const auto& known = known_samples(walls, location_).values();
+    const auto before = static_cast<std::size_t>(index - stride(walls.shape(), axis));
+    return known[static_cast<std::size_t>(index)] > 0.0F && known[before] > 0.0F ? 1.0F : 0.0F;
+}
+
+float Diffusion::wall_passages(const Walls& walls, std::ptrdiff_t index) const {
+    if (location_ == Location::Cell || friction_ == WallFriction::Slips) return 0.0F;
+    const auto& known = known_samples(walls, location_).values();
+    float count = 0.0F;
+    for (const int axis : kAxes)
+        for (const std::ptrdiff_t step : {-stride(walls.shape(), axis), stride(walls.shape(), axis)})
+            if (!(known[static_cast<std::size_t>(index + step)] > 0.0F)) count += 1.0F;
+    return count;
+}
+
+CellMatrix Diffusion::implicit_matrix(const Walls& walls, float step) const {
+    const grid::BoxShape& shape = walls.shape();
+    const grid::BoxField& known = known_samples(walls, location_);
+    CellMatrix matrix(shape);
+    for (int k = 0; k < shape.nz; ++k)
+        for (int j = 0; j < shape.ny; ++j)
+            for (int i = 0; i < shape.nx; ++i) {
+                if (!(known.at(i, j, k) > 0.0F)) continue;
+                const std::ptrdiff_t index = shape.index(i, j, k);
+                for (const int axis : kAxes)
+                    matrix.faces.along(axis).at(i, j, k) = step * passage(walls, axis, index);
+                matrix.boundary.at(i, j, k) = step * wall_passages(walls, index);
+                matrix.mass.at(i, j, k) = 1.0F;
+            }
+    return matrix;
+}
+
+SolveResult Diffusion::implicit_step(const Walls& walls, grid::BoxField& field, float step,
+                                     const SolveLimits& limits, core::ThreadPool& pool) {
+    if (solver_ == nullptr || solver_step_ != step) {
+        solver_ = std::make_unique<ConjugateGradients>(implicit_matrix(walls, step));
+        solver_step_ = step;
+    }
+    const grid::BoxShape& shape = walls.shape();
+    const grid::BoxField& known = known_samples(walls, location_);
+    next_ = field;
+    const SolveResult result = solver_->solve(field, next_, limits, pool);
+    for_slices(pool, 0, shape.nz, [&](int k) {
+        for (int j = 0; j < shape.ny; ++j) {
+            const RowRange range = walls.rows(location_).at(j, k);
+            for (int i = range.begin; i < range.end; ++i)
+                if (known.at(i, j, k) > 0.0F) field.at(i, j, k) = next_.at(i, j, k);
+        }
+    });
+    return result;
+}
+
+}  // namespace pastoso::liquid

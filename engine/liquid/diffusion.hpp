@@ -1,0 +1,52 @@
+// Viscosity of a velocity and diffusion of cell values in a walled vessel,
+//     dq/dt = kappa laplace q.
+// Cell values pass through the open share of faces and their sum is conserved; the components of a
+// velocity meet the walls as WallFriction says. Short steps are explicit sub-steps of the 7-point
+// formula, long ones implicit (backward Euler), by the pressure's multigrid.
+#pragma once
+
+#include "liquid/conjugate_gradients.hpp"
+#include "liquid/walls.hpp"
+
+#include <memory>
+
+namespace pastoso::liquid {
+
+enum class WallFriction {
+    Slips,   ///< nothing rubs: no gradient at the wall
+    Sticks,  ///< the fluid rests at the wall
+};
+
+/// The longest explicit sub-step, as kappa dt / cell^2 (1/6 is the limit of stability), and how many are
+/// taken before the implicit solution is cheaper.
+inline constexpr float kLongestExplicitStep = 0.15F;
+inline constexpr int kMaxExplicitSteps = 4;
+
+class Diffusion {
+  public:
+    /// Of the samples of a location; friction matters to faces alone.
+    Diffusion(const Walls& walls, Location location, WallFriction friction);
+
+    /// diffusivity_m2_s >= 0 and dt_s >= 0, both finite, else core::InputError.
+    SolveResult diffuse(const Walls& walls, grid::BoxField& field, float diffusivity_m2_s, float dt_s,
+                        const SolveLimits& limits, core::ThreadPool& pool);
+
+    /// (1 + `step` times minus the Laplacian), the implicit step's matrix.
+    CellMatrix implicit_matrix(const Walls& walls, float step) const;
+
+  private:
+    void explicit_step(const Walls& walls, grid::BoxField& field, float step, core::ThreadPool& pool);
+    SolveResult implicit_step(const Walls& walls, grid::BoxField& field, float step,
+                              const SolveLimits& limits, core::ThreadPool& pool);
+    /// How much passes between a sample of the location and the one before it along an axis.
+    float passage(const Walls& walls, int axis, std::ptrdiff_t index) const;
+    float wall_passages(const Walls& walls, std::ptrdiff_t index) const;
+
+    Location location_;
+    WallFriction friction_;
+    grid::BoxField next_;
+    std::unique_ptr<ConjugateGradients> solver_;  ///< for `solver_step_`
+    float solver_step_ = 0.0F;
+};
+
+}  // namespace pastoso::liquid

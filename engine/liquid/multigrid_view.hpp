@@ -1,0 +1,49 @@
+// A multigrid level as the kernels see it: plain numbers and pointers.
+#pragma once
+
+#include <cstddef>
+
+namespace pastoso::liquid {
+
+/// Rows are cut into groups of this many cells of a colour: a register, or half of one.
+inline constexpr int kGroup = 8;
+
+/// Cells along each axis, and where a row's half of one colour stands. There is room for a group before
+/// each row, and for a row and a slice all around; what lies there is 0.
+struct LevelExtent {
+    int nx = 0, ny = 0, nz = 0;
+
+    int half() const { return (nx + 1) / 2; }
+    std::ptrdiff_t stride_y() const { return (half() + kGroup - 1) / kGroup * kGroup + kGroup; }
+    std::ptrdiff_t stride_z() const { return stride_y() * (ny + 2); }
+    std::size_t sample_count() const { return static_cast<std::size_t>(stride_z() * (nz + 2) + kGroup); }
+    std::ptrdiff_t index(int m, int j, int k) const {
+        return kGroup + m + (j + 1) * stride_y() + (k + 1) * stride_z();
+    }
+    friend bool operator==(const LevelExtent&, const LevelExtent&) = default;
+};
+
+/// Whole groups: begin and end are multiples of kGroup.
+struct GroupRange {
+    int begin, end;
+};
+
+struct ColourPointers {
+    float* colour[2];
+};
+
+struct LevelView {
+    LevelExtent extent;
+    std::ptrdiff_t stride_y, stride_z;
+    ColourPointers west, south, below, diagonal, inverse, value, source;
+    const GroupRange* rows;  ///< of row (j, k) at k ny + j
+};
+
+/// The vectors of conjugate gradients besides a level's value z (the preconditioned residual) and source
+/// r (the residual).
+struct ConjugateView {
+    ColourPointers solution, direction;
+    ColourPointers image;  ///< the matrix times the direction
+};
+
+}  // namespace pastoso::liquid
