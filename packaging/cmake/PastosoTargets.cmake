@@ -62,7 +62,7 @@ endfunction()
 # Compiles each SOURCE once per instruction set and links all of them into TARGET; the source puts its code
 # into namespace PASTOSO_ISA, and the caller chooses at run time (core/isa.hpp). Sanitised and unoptimised
 # builds hold the baseline alone: there an inline function of the standard library may be emitted out of
-# line, and the linker could keep the copy that needs the newest processor.
+# line, and the linker could keep the copy that needs the newest processor. May be called again for more sources.
 function(pastoso_add_kernels target)
     set(variants baseline)
     if(NOT PASTOSO_SANITIZERS AND NOT CMAKE_BUILD_TYPE STREQUAL "Debug"
@@ -84,6 +84,10 @@ function(pastoso_add_kernels target)
     set(flags_avx512 -march=x86-64-v4 -mprefer-vector-width=512 -Wno-uninitialized -Wno-maybe-uninitialized)
     foreach(variant IN LISTS variants)
         set(object ${target}_${variant})
+        if(TARGET ${object})
+            target_sources(${object} PRIVATE ${ARGN})
+            continue()
+        endif()
         add_library(${object} OBJECT ${ARGN})
         target_compile_definitions(${object} PRIVATE PASTOSO_ISA=${variant})
         target_compile_options(${object} PRIVATE ${flags_${variant}} ${optimisation})

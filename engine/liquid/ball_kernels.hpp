@@ -1,0 +1,43 @@
+// Adding balls to layers of samples, compiled for every instruction set (pastoso_add_kernels). Lengths
+// are in spacings of the lattice, from its first sample.
+#pragma once
+
+#include "core/isa.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace pastoso::liquid {
+
+/// One ball of a sum; the kernels say what its strength is.
+struct Ball {
+    float x, y, z;
+    float reach;  ///< it adds nothing at this distance and beyond
+    float strength;
+};
+
+/// Layers [first, end) of a lattice. Rows have room for seven more samples than nx.
+struct BallSlab {
+    float* values;  ///< of sample (0, 0, 0)
+    std::ptrdiff_t stride_y, stride_z;
+    int nx, ny, first, end;
+    float least_square;  ///< squared distances are at least this
+};
+
+/// Adds balls[order[0]], balls[order[1]], ...
+using AddBalls = void (*)(const BallSlab& slab, const Ball* balls, const std::uint32_t* order,
+                          std::size_t count);
+
+struct BallKernels {
+    AddBalls compact;  ///< strength (1 - r^2/reach^2)^3
+    AddBalls cut_off;  ///< CutOffBalls with a = strength, b = reach
+    /// strength (1/q - P(q)) and strength (q^(-1/2) - P(q)), q = r^2; P is the cubic Taylor polynomial
+    /// at q = reach^2 (far_field.hpp).
+    AddBalls near_inverse_square, near_inverse;
+};
+
+/// The kernels of an instruction set, which the processor must have; the baseline's where the build
+/// holds no others.
+const BallKernels& ball_kernels(core::Isa isa);
+
+}  // namespace pastoso::liquid
