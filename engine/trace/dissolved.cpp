@@ -1,0 +1,143 @@
+#include "trace/dissolved.hpp"
+
+#include "trace/numbers.hpp"
+
+#include <array>
+
+#include <glm/common.hpp>
+
+namespace pastoso::trace {
+namespace {
+
+constexpr int kBlockCells = 4;
+constexpr int kMostShadowSamples = 48;
+/// Shadows look at the milk once in so many cells.
+constexpr float kShadowSpacingCells = 1.4F;
+
+float mixed(float a, float b, float share) {
+    return a + (b - a) * share;
+}
+
+}  // namespace
+
+DissolvedMilk::DissolvedMilk(const grid::BoxField& fraction, float scattering_per_m)
+    : scattering_per_m_(scattering_per_m) {
+    const grid::BoxShape& shape = fraction.shape();
+    if (shape.nx == 0 || shape.ny == 0 || shape.nz == 0) return;
+    cells_ = {shape.nx, shape.ny, shape.nz};
+    blocks_ = (cells_ + (kBlockCells - 1)) / kBlockCells;
+    per_cell_ = 1.0F / shape.cell_m;
+    block_m_ = shape.cell_m * kBlockCells;
+    spacing_m_ = shape.cell_m * kShadowSpacingCells;
+    bound_per_m_.assign(static_cast<std::size_t>(blocks_.x) * blocks_.y * blocks_.z, 0.0F);
+    values_.reserve(static_cast<std::size_t>(cells_.x) * cells_.y * cells_.z);
+    float most = 0.0F;
+    for (int k = 0; k < cells_.z; ++k)
+        for (int j = 0; j < cells_.y; ++j)
+            for (int i = 0; i < cells_.x; ++i) {
+                const float value = std::clamp(fraction.at(i, j, k), 0.0F, 1.0F);
+                values_.push_back(value);
+                most = std::max(most, value);
+                // A cell is felt up to the next cells' centres.
+                const glm::ivec3 cell(i, j, k);
+                const glm::ivec3 low = glm::max(cell - 1, glm::ivec3(0)) / kBlockCells;
+                const glm::ivec3 high = glm::min(cell + 1, cells_ - 1) / kBlockCells;
+                for (int c = low.z; c <= high.z; ++c)
+                    for (int b = low.y; b <= high.y; ++b)
+                        for (int a = low.x; a <= high.x; ++a) {
+                            float& bound = bound_per_m_[a + blocks_.x * (b + blocks_.y * c)];
+                            bound = std::max(bound, value * scattering_per_m);
+                        }
+            }
+    if (most <= 0.0F) *this = {};
+}
+
+float DissolvedMilk::fraction(const glm::vec3& point_m) const {
+    const glm::vec3 place =
+        glm::clamp(point_m * per_cell_ - 0.5F, glm::vec3(0.0F), glm::vec3(cells_) - 1.0F);
+    const glm::ivec3 low = glm::min(glm::ivec3(place), glm::max(cells_ - 2, glm::ivec3(0)));
+    const glm::vec3 share = place - glm::vec3(low);
+    const int step_x = cells_.x > 1 ? 1 : 0, step_y = cells_.y > 1 ? cells_.x : 0;
+    const int step_z = cells_.z > 1 ? cells_.x * cells_.y : 0;
+    const float* v = values_.data() + low.x + cells_.x * (low.y + cells_.y * low.z);
+    const auto row = [&](const float* a) { return mixed(a[0], a[step_x], share.x); };
+    const float lower = mixed(row(v), row(v + step_y), share.y);
+    const float upper = mixed(row(v + step_z), row(v + step_z + step_y), share.y);
+    return mixed(lower, upper, share.z);
+}
+
+int DissolvedMilk::block_index(const glm::vec3& point_m) const {
+    const glm::ivec3 block =
+        glm::clamp(glm::ivec3(point_m * (per_cell_ / kBlockCells)), glm::ivec3(0), blocks_ - 1);
+    return block.x + blocks_.x * (block.y + blocks_.y * block.z);
+}
+
+/// From block to block along a ray (Amanatides and Woo 1987); those at the border reach on beyond it.
+struct DissolvedMilk::Walk {
+    Walk(const DissolvedMilk& milk, const glm::vec3& origin, const glm::vec3& direction) {
+        const std::array<int, 3> strides = {1, milk.blocks_.x, milk.blocks_.x * milk.blocks_.y};
+        for (int axis = 0; axis < 3; ++axis) {
+            const float place = origin[axis] / milk.block_m_;
+            const int last = milk.blocks_[axis] - 1;
+            const int block = std::clamp(static_cast<int>(place), 0, last);
+            index += block * strides[axis];
+            const bool up = direction[axis] > 0.0F;
+            left[axis] = up ? last - block : block;
+            stride[axis] = up ? strides[axis] : -strides[axis];
+            const bool still = std::abs(direction[axis]) < 1e-9F;
+            step_m[axis] = still ? kFar : milk.block_m_ / std::abs(direction[axis]);
+            const float border = static_cast<float>(up ? block + 1 : block) * milk.block_m_;
+            exit_m[axis] = still || left[axis] == 0 ? kFar : (border - origin[axis]) / direction[axis];
+        }
+    }
+
+    int axis_of_exit() const {
+        if (exit_m[0] < exit_m[1]) return exit_m[0] < exit_m[2] ? 0 : 2;
+        return exit_m[1] < exit_m[2] ? 1 : 2;
+    }
+
+    void leave(int axis) {
+        index += stride[axis];
+        exit_m[axis] = --left[axis] == 0 ? kFar : exit_m[axis] + step_m[axis];
+    }
+
+    int index = 0;
+    std::array<int, 3> left{}, stride{};
+    std::array<float, 3> exit_m{}, step_m{};
+};
+
+float DissolvedMilk::free_path_m(const glm::vec3& origin_m, const glm::vec3& direction, float limit_m,
+                                 Sampler& sampler) const {
+    Walk walk(*this, origin_m, direction);
+    // Optical depth up to the next event, spent block by block.
+    float depth = -fast_log(1.0F - sampler.next());
+    for (float at = 0.0F;;) {
+        const int axis = walk.axis_of_exit();
+        const float end = std::min(walk.exit_m[axis], limit_m);
+        const float bound = bound_per_m_[walk.index];
+        while (depth < bound * (end - at)) {
+            at += depth / bound;
+            const float scattering = fraction(origin_m + direction * at) * scattering_per_m_;
+            if (sampler.next() * bound < scattering) return std::min(at, limit_m);
+            depth = -fast_log(1.0F - sampler.next());
+        }
+        if (!(end < limit_m)) return limit_m;
+        depth -= bound * std::max(0.0F, end - at);
+        at = std::max(at, end);
+        walk.leave(axis);
+    }
+}
+
+float DissolvedMilk::transmittance(const glm::vec3& origin_m, const glm::vec3& direction, float length_m,
+                                   Sampler& sampler) const {
+    const int count = std::clamp(static_cast<int>(length_m / spacing_m_) + 1, 1, kMostShadowSamples);
+    const float spacing = length_m / static_cast<float>(count), start = sampler.next();
+    float sum = 0.0F;
+    for (int i = 0; i < count; ++i) {
+        const glm::vec3 point = origin_m + direction * ((static_cast<float>(i) + start) * spacing);
+        if (bound_per_m_[block_index(point)] > 0.0F) sum += fraction(point);
+    }
+    return fast_exp(-scattering_per_m_ * sum * spacing);
+}
+
+}  // namespace pastoso::trace

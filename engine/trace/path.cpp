@@ -1,0 +1,193 @@
+#include "trace/path.hpp"
+
+#include "trace/optics.hpp"
+
+namespace pastoso::trace {
+namespace {
+
+/// At the first clear surfaces from the camera, both the reflected and the refracted path are followed:
+/// the glass' edges and highlights are what one sees most of it.
+constexpr int kSplits = 2;
+/// A share smaller than this is not worth a path of its own.
+constexpr float kLeastSplit = 0.002F;
+/// Events before paths are ended by chance.
+constexpr int kSureEvents = 6;
+/// Moved off a surface by so much, so that it is not met again.
+constexpr float kLift_m = 1e-6F;
+
+struct Strand {
+    Ray ray;
+    glm::vec3 weight{1.0F};
+    unsigned here = kAir;
+    int events = 0;
+    int scatterings = 0;
+    int splits_left = kSplits;
+    bool meets_lamp = true;  ///< otherwise it has been sought where the strand scattered last
+    bool describes = true;   ///< features are still missing
+};
+
+class Follower {
+  public:
+    Follower(const World& world, const TraceSettings& settings, Sampler& sampler, std::uint64_t& rays)
+        : world_(world), settings_(settings), sampler_(sampler), rays_(rays) {}
+
+    PathResult follow(const Ray& ray) {
+        Strand strand;
+        strand.ray = ray;
+        run(strand);
+        while (waiting_ > 0)
+            run(waiting_strands_[--waiting_]);
+        return result_;
+    }
+
+  private:
+    void run(Strand strand) {
+        while (strand.events < settings_.most_events && step(strand)) {
+            ++strand.events;
+            if (strand.events <= kSureEvents) continue;
+            const float stays = std::min(1.0F, largest(strand.weight));
+            if (sampler_.next() >= stays) return;
+            strand.weight /= stays;
+        }
+    }
+
+    /// One straight segment and what happens at its end; false when the strand ends.
+    bool step(Strand& strand) {
+        ++rays_;
+        const SurfaceHit hit = world_.nearest_hit(strand.ray, strand.here);
+        const float free = world_.free_path_m(strand.ray, strand.here, hit.distance, sampler_);
+        const bool scatters = free < hit.distance;
+        if (!scatters && hit.kind == SurfaceKind::None) {
+            arrive(strand);
+            return false;
+        }
+        strand.weight *= world_.absorbed(strand.here, free);
+        strand.ray.origin += strand.ray.direction * free;
+        if (scatters) {
+            scatter_in_milk(strand);
+        } else {
+            if (strand.events == 0) describe_normal(hit);
+            if (hit.kind == SurfaceKind::Clear)
+                cross(strand, hit);
+            else
+                scatter_on(strand, hit);
+        }
+        return largest(strand.weight) > 0.0F;
+    }
+
+    void arrive(const Strand& strand) {
+        const glm::vec3 light =
+            world_.light().from(strand.ray.direction, strand.meets_lamp || !settings_.seeks_lamp);
+        if (strand.describes) describe_colour(glm::min(light, glm::vec3(1.0F)));
+        result_.radiance += strand.weight * light;
+    }
+
+    void describe_normal(const SurfaceHit& hit) {
+        for (int axis = 0; axis < 3; ++axis)
+            result_.features[3 + axis] = hit.shading[axis];
+    }
+
+    void describe_colour(const glm::vec3& colour) {
+        for (int channel = 0; channel < 3; ++channel)
+            result_.features[channel] = colour[channel];
+    }
+
+    /// What scatters is dull: from here on the strand looks for the lamp, and splits no more.
+    void become_dull(Strand& strand, const glm::vec3& colour) {
+        if (strand.describes) describe_colour(colour);
+        strand.describes = false;
+        strand.meets_lamp = false;
+        strand.splits_left = 0;
+        ++strand.scatterings;
+    }
+
+    void add_lamp(const Strand& strand, const glm::vec3& origin, const glm::vec3& towards, float share) {
+        const glm::vec3 arrives =
+            world_.straight_transmittance({origin, towards}, strand.here, sampler_, rays_);
+        result_.radiance += strand.weight * arrives * world_.light().lamp_radiance() *
+                            (world_.light().lamp_solid_angle() * share);
+    }
+
+    bool seeks_lamp() const { return settings_.seeks_lamp && world_.light().has_lamp(); }
+
+    void scatter_in_milk(Strand& strand) {
+        strand.weight *= world_.optics().milk_albedo;
+        become_dull(strand, {0.8F, 0.75F, 0.6F});
+        if (seeks_lamp())
+            add_lamp(strand, strand.ray.origin, world_.light().towards_lamp(sampler_.pair()),
+                     1.0F / (4.0F * kPi));
+        const glm::vec2 random = sampler_.pair();
+        const float z = 1.0F - 2.0F * random.x;
+        const glm::vec2 turn = cos_sin_of_turns(random.y) * std::sqrt(std::max(0.0F, 1.0F - z * z));
+        strand.ray.direction = glm::normalize(glm::vec3(turn, z));
+    }
+
+    void scatter_on(Strand& strand, const SurfaceHit& hit) {
+        const glm::vec3& before = strand.ray.direction;
+        const glm::vec3 normal = glm::dot(hit.shading, before) > 0.0F ? -hit.shading : hit.shading;
+        const glm::vec3 colour = world_.reflectance(hit.kind, strand.ray.origin);
+        strand.weight *= colour;
+        become_dull(strand, colour);
+        strand.ray.origin += normal * (2.0F * kLift_m);
+        if (seeks_lamp()) {
+            const glm::vec3 towards = world_.light().towards_lamp(sampler_.pair());
+            const float cosine = glm::dot(towards, normal);
+            if (cosine > 0.0F) add_lamp(strand, strand.ray.origin, towards, cosine / kPi);
+        }
+        const glm::vec2 random = sampler_.pair();
+        const Frame frame(normal);
+        const glm::vec2 turn = cos_sin_of_turns(random.y) * std::sqrt(random.x);
+        strand.ray.direction =
+            glm::normalize(frame.u * turn.x + frame.v * turn.y + normal * std::sqrt(1.0F - random.x));
+    }
+
+    void cross(Strand& strand, const SurfaceHit& hit) {
+        const glm::vec3 before = strand.ray.direction;
+        const unsigned beyond = hit.beyond(strand.here, before);
+        const float from = world_.refractive_index(strand.here), to = world_.refractive_index(beyond);
+        const glm::vec3 off = glm::dot(hit.normal, before) > 0.0F ? -hit.normal : hit.normal;
+        if (from == to) {
+            strand.ray.origin -= off * kLift_m;
+            strand.here = beyond;
+            return;
+        }
+        const glm::vec3 facing = glm::dot(hit.shading, before) > 0.0F ? -hit.shading : hit.shading;
+        const float share = fresnel_reflectance(-glm::dot(before, facing), from, to);
+        Strand bounced = strand;
+        bounced.ray = {strand.ray.origin + off * kLift_m, reflected(before, facing)};
+        const bool splits =
+            strand.splits_left > 0 && share < 1.0F && share * largest(strand.weight) > kLeastSplit;
+        if (!splits && (share >= 1.0F || sampler_.pair().x < share)) {
+            strand = bounced;
+            return;
+        }
+        if (splits) {
+            --strand.splits_left;
+            bounced.splits_left = strand.splits_left;
+            bounced.weight *= share;
+            bounced.describes = false;
+            ++bounced.events;
+            waiting_strands_[waiting_++] = bounced;
+            strand.weight *= 1.0F - share;
+        }
+        strand.ray = {strand.ray.origin - off * kLift_m, refracted(before, facing, from / to)};
+        strand.here = beyond;
+    }
+
+    const World& world_;
+    const TraceSettings& settings_;
+    Sampler& sampler_;
+    std::uint64_t& rays_;
+    PathResult result_;
+    std::array<Strand, 1 << kSplits> waiting_strands_;
+    int waiting_ = 0;
+};
+
+}  // namespace
+
+PathResult follow_path(const World& world, const TraceSettings& settings, const Ray& ray,
+                       Sampler& sampler, std::uint64_t& rays) {
+    return Follower(world, settings, sampler, rays).follow(ray);
+}
+
+}  // namespace pastoso::trace

@@ -1,0 +1,183 @@
+#include "trace/tracer.hpp"
+
+#include "core/check.hpp"
+#include "core/error.hpp"
+#include "trace/camera_rays.hpp"
+#include "trace/denoise.hpp"
+#include "trace/path.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <string>
+#include <vector>
+
+namespace pastoso::trace {
+namespace {
+
+constexpr int kTile = 16;
+constexpr int kLongestSide = 16384;
+
+/// What is summed for a pixel, over its samples of even or of odd number: linear colour and features.
+constexpr int kSums = 3 + kFeatures;
+
+void check_settings(const TraceSettings& settings) {
+    const auto refuse = [](const char* name, const std::string& value, const char* range) {
+        throw core::InputError(std::string("trace settings: ") + name + " is " + value +
+                               ", but must be " + range + ".");
+    };
+    for (const int side : {settings.width, settings.height})
+        if (side < 1 || side > kLongestSide)
+            refuse("a side of the picture", std::to_string(side), "from 1 to 16384 pixels");
+    if (!(settings.brightest > 0.0F && settings.brightest < 1e30F))
+        refuse("brightest", std::to_string(settings.brightest), "above 0 and finite");
+    if (settings.most_events < 1)
+        refuse("most_events", std::to_string(settings.most_events), "at least 1");
+}
+
+const Scene& checked(const Scene& scene, const TraceSettings& settings) {
+    check_scene(scene);
+    check_settings(settings);
+    return scene;
+}
+
+}  // namespace
+
+struct TeaTracer::State {
+    State(const Scene& scene, const TraceSettings& trace_settings, core::ThreadPool& threads)
+        : settings(trace_settings),
+          pool(threads),
+          world(checked(scene, trace_settings)),
+          camera(scene.camera, settings.width, settings.height),
+          tiles_across((settings.width + kTile - 1) / kTile),
+          tile_samples(static_cast<std::size_t>(tiles_across) *
+                           static_cast<std::size_t>((settings.height + kTile - 1) / kTile),
+                       0),
+          tile_rays(tile_samples.size(), 0) {
+        const std::size_t pixels =
+            static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
+        for (auto& half : sums)
+            half.assign(pixels * kSums, 0.0F);
+    }
+
+    std::size_t pixel_index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(settings.width) +
+               static_cast<std::size_t>(x);
+    }
+    int samples_at(int x, int y) const { return tile_samples[x / kTile + y / kTile * tiles_across]; }
+
+    template <class Body>
+    void for_each_pixel(const Body& body) const {
+        for (int y = 0; y < settings.height; ++y)
+            for (int x = 0; x < settings.width; ++x)
+                body(x, y);
+    }
+
+    void add_sample(int x, int y, int sample, std::uint64_t& rays) {
+        const std::size_t pixel = pixel_index(x, y);
+        Sampler sampler(settings.seed, static_cast<std::uint32_t>(pixel),
+                        static_cast<std::uint32_t>(sample));
+        const Ray ray = camera.through(x, y, sampler);
+        PathResult path = follow_path(world, settings, ray, sampler, rays);
+        const float brightness = largest(path.radiance);
+        if (brightness > settings.brightest) path.radiance *= settings.brightest / brightness;
+        float* sum = sums[sample & 1].data() + pixel * kSums;
+        for (int channel = 0; channel < 3; ++channel)
+            sum[channel] += path.radiance[channel];
+        for (int feature = 0; feature < kFeatures; ++feature)
+            sum[3 + feature] += path.features[feature];
+    }
+
+    /// Brings a tile to `wanted` samples; each pixel's are added in the order of their numbers.
+    void bring_tile(std::size_t tile, int wanted) {
+        const int left = static_cast<int>(tile) % tiles_across * kTile;
+        const int top = static_cast<int>(tile) / tiles_across * kTile;
+        std::uint64_t rays = 0;
+        for (int y = top; y < std::min(top + kTile, settings.height); ++y)
+            for (int x = left; x < std::min(left + kTile, settings.width); ++x)
+                for (int sample = tile_samples[tile]; sample < wanted; ++sample)
+                    add_sample(x, y, sample, rays);
+        tile_samples[tile] = std::max(tile_samples[tile], wanted);
+        tile_rays[tile] += rays;
+    }
+
+    /// The mean over the even or the odd samples; with one sample alone, both are that one.
+    void mean_half(int half, Picture& picture, std::vector<float>& features) const {
+        picture = Picture(settings.width, settings.height);
+        features.resize(picture.rgb.size() / 3 * kFeatures);
+        for_each_pixel([&](int x, int y) {
+            const int samples = samples_at(x, y);
+            const int used = samples == 1 ? 0 : half;
+            const int count = (samples + 1 - used) / 2;
+            const std::size_t pixel = pixel_index(x, y);
+            const float* sum = sums[used].data() + pixel * kSums;
+            const float share = count > 0 ? 1.0F / static_cast<float>(count) : 0.0F;
+            for (int channel = 0; channel < 3; ++channel)
+                picture.rgb[3 * pixel + channel] = sum[channel] * share;
+            for (int feature = 0; feature < kFeatures; ++feature)
+                features[kFeatures * pixel + feature] = sum[3 + feature] * share;
+        });
+    }
+
+    TraceSettings settings;
+    core::ThreadPool& pool;
+    World world;
+    CameraRays camera;
+    int tiles_across;
+    std::vector<int> tile_samples;
+    std::vector<std::uint64_t> tile_rays;
+    std::vector<float> sums[2];
+};
+
+TeaTracer::TeaTracer(const Scene& scene, const TraceSettings& settings, core::ThreadPool& pool)
+    : state_(std::make_unique<State>(scene, settings, pool)) {}
+TeaTracer::~TeaTracer() = default;
+TeaTracer::TeaTracer(TeaTracer&&) noexcept = default;
+TeaTracer& TeaTracer::operator=(TeaTracer&&) noexcept = default;
+
+bool TeaTracer::add_samples(int count, const std::function<bool()>& stop) {
+    PASTOSO_CHECK_OP(count, >=, 0);
+    const int wanted = samples() + count;
+    std::atomic<bool> stopped = false;
+    state_->pool.run(state_->tile_samples.size(), [&](std::size_t tile, int) {
+        if (stopped || (stop && stop())) {
+            stopped = true;
+            return;
+        }
+        state_->bring_tile(tile, wanted);
+    });
+    return !stopped;
+}
+
+int TeaTracer::samples() const {
+    return *std::min_element(state_->tile_samples.begin(), state_->tile_samples.end());
+}
+
+std::uint64_t TeaTracer::rays() const {
+    std::uint64_t sum = 0;
+    for (const std::uint64_t rays : state_->tile_rays)
+        sum += rays;
+    return sum;
+}
+
+Picture TeaTracer::radiance() const {
+    Picture picture(state_->settings.width, state_->settings.height);
+    state_->for_each_pixel([&](int x, int y) {
+        const int samples = state_->samples_at(x, y);
+        const float share = samples > 0 ? 1.0F / static_cast<float>(samples) : 0.0F;
+        const std::size_t pixel = state_->pixel_index(x, y);
+        for (int channel = 0; channel < 3; ++channel)
+            picture.rgb[3 * pixel + channel] =
+                (state_->sums[0][pixel * kSums + channel] + state_->sums[1][pixel * kSums + channel]) *
+                share;
+    });
+    return picture;
+}
+
+Picture TeaTracer::denoised() const {
+    NoisyPicture noisy;
+    state_->mean_half(0, noisy.even, noisy.even_features);
+    state_->mean_half(1, noisy.odd, noisy.odd_features);
+    return denoise(noisy, state_->pool);
+}
+
+}  // namespace pastoso::trace

@@ -1,0 +1,59 @@
+// Path tracing of a scene: every sample of a pixel follows light backwards through glass and liquid to a
+// lamp or the sky (Kajiya 1986). Samples come in passes, so that a picture can be shown while it gets
+// finer; the same bits come out on any number of threads, in any passes, and on every processor.
+#pragma once
+
+#include "core/thread_pool.hpp"
+#include "trace/picture.hpp"
+#include "trace/scene.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace pastoso::trace {
+
+struct TraceSettings {
+    int width = 800, height = 800;  ///< 1 to 16384
+    std::uint32_t seed = 1;
+    /// Looks for the lamp from every point that scatters, straight through glass and liquid as if they
+    /// did not bend light. Without it the lamp is met by chance alone: very noisy, but true where glass
+    /// gathers light (the reference).
+    bool seeks_lamp = true;
+    /// A sample's largest channel is clipped here, so that rare bright paths leave no dots; > 0.
+    float brightest = 20.0F;
+    int most_events = 400;  ///< on one path; what is left of its light then is lost. At least 1.
+};
+
+class TeaTracer {
+  public:
+    /// Takes what it needs out of the scene; `pool` outlives the tracer. Throws InputError like
+    /// check_scene(), and for settings out of their range.
+    TeaTracer(const Scene& scene, const TraceSettings& settings, core::ThreadPool& pool);
+    ~TeaTracer();
+    TeaTracer(TeaTracer&&) noexcept;
+    TeaTracer& operator=(TeaTracer&&) noexcept;
+
+    /// Adds samples to every pixel. Between tiles asks `stop`, if there is one, on any thread of the
+    /// pool; after a true answer returns false with some tiles ahead of others. The next call brings all
+    /// to samples() + count, as if there had been no stop.
+    bool add_samples(int count, const std::function<bool()>& stop = {});
+
+    /// Of the pixel that has fewest.
+    int samples() const;
+
+    /// Segments of paths and shadow rays followed so far.
+    std::uint64_t rays() const;
+
+    /// The mean radiance of each pixel as it stands; 0 before the first sample.
+    Picture radiance() const;
+
+    /// The same with the noise taken out (denoise.hpp).
+    Picture denoised() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace pastoso::trace

@@ -1,0 +1,127 @@
+#include "trace/vessel.hpp"
+
+namespace pastoso::trace {
+
+/// The wall is r = R + slope (z - floor); along the ray that is a t^2 + 2 b t + c = 0. In double
+/// precision, as grazing rays at the glass' edge lose most of the digits.
+void CupSurfaces::meet_wall(const Ray& ray, bool inner, SurfaceHit& hit) const {
+    const double slope = cup_.slope, bottom = inner ? cup_.floor_m : cup_.foot_m;
+    const double radius0 =
+        static_cast<double>(cup_.floor_radius_m) + (inner ? 0.0 : static_cast<double>(cup_.wall_m));
+    const double ox = static_cast<double>(ray.origin.x) - cup_.axis_m.x;
+    const double oy = static_cast<double>(ray.origin.y) - cup_.axis_m.y;
+    const double dx = ray.direction.x, dy = ray.direction.y, dz = ray.direction.z, oz = ray.origin.z;
+    const double radius = radius0 + slope * (oz - cup_.floor_m);
+    const double a = dx * dx + dy * dy - slope * slope * dz * dz;
+    const double b = ox * dx + oy * dy - slope * radius * dz;
+    const double c = ox * ox + oy * oy - radius * radius;
+    const double inside_root = b * b - a * c;
+    if (inside_root < 0.0) return;
+    const double root = std::sqrt(inside_root);
+    // Without a cancelling difference; a = 0 gives an infinity, which is no hit.
+    const double q = -b - std::copysign(root, b);
+    const double first = std::min(q / a, c / q), second = std::max(q / a, c / q);
+    for (const double t : {first, second}) {
+        if (!(t > kNearest_m && t < hit.distance)) continue;
+        const double z = oz + t * dz, there = radius0 + slope * (z - cup_.floor_m);
+        if (z < bottom || z > cup_.rim_m || there <= 0.0) continue;
+        const double scale = 1.0 / (there * std::sqrt(1.0 + slope * slope));
+        const glm::vec3 out((ox + t * dx) * scale, (oy + t * dy) * scale, -slope * there * scale);
+        hit.distance = static_cast<float>(t);
+        hit.kind = SurfaceKind::Clear;
+        hit.decided = kGlass | kLiquid;
+        hit.normal = hit.shading = inner ? -out : out;
+        hit.inner = kGlass;
+        hit.outer = inner && z < cup_.level_m ? kLiquid : kAir;
+        return;
+    }
+}
+
+void CupSurfaces::meet_disc(const Ray& ray, float height_m, float from_m, float to_m, unsigned below,
+                            unsigned above, SurfaceHit& hit) const {
+    const float t = (height_m - ray.origin.z) / ray.direction.z;
+    if (!(t > kNearest_m && t < hit.distance)) return;
+    const glm::vec2 place = glm::vec2(ray.origin) + glm::vec2(ray.direction) * t - cup_.axis_m;
+    const float r2 = glm::dot(place, place);
+    if (r2 < from_m * from_m || r2 > to_m * to_m) return;
+    hit.distance = t;
+    hit.kind = SurfaceKind::Clear;
+    hit.decided = kGlass | kLiquid;
+    hit.normal = hit.shading = {0.0F, 0.0F, 1.0F};
+    hit.inner = below;
+    hit.outer = above;
+}
+
+bool CupSurfaces::passes_by(const Ray& ray) const {
+    const float widest =
+        std::max(cup_.inner_radius_m(cup_.rim_m), cup_.inner_radius_m(cup_.foot_m)) + cup_.wall_m;
+    const float half = 0.5F * (cup_.rim_m - cup_.foot_m);
+    const glm::vec3 middle(cup_.axis_m, cup_.foot_m + half);
+    const glm::vec3 way = middle - ray.origin;
+    const float along = glm::dot(way, ray.direction);
+    const float radius2 = 1.0001F * (widest * widest + half * half);
+    return glm::dot(way, way) > radius2 &&
+           (along < 0.0F || glm::dot(way, way) - along * along > radius2);
+}
+
+void CupSurfaces::meet(const Ray& ray, unsigned here, SurfaceHit& hit) const {
+    const bool in_tea = (here & kLiquid) != 0 && (here & kGlass) == 0;
+    if (!in_tea && passes_by(ray)) return;
+    const float level_radius = cup_.inner_radius_m(cup_.level_m);
+    const float rim_radius = cup_.inner_radius_m(cup_.rim_m);
+    const float foot_radius = cup_.inner_radius_m(cup_.foot_m) + cup_.wall_m;
+    // What is round about the tea is found from within it by these three alone.
+    meet_wall(ray, true, hit);
+    meet_disc(ray, cup_.floor_m, 0.0F, cup_.floor_radius_m, kGlass, kLiquid, hit);
+    if ((here & kGlass) == 0) meet_disc(ray, cup_.level_m, 0.0F, level_radius, kLiquid, kAir, hit);
+    if (in_tea) return;
+    meet_wall(ray, false, hit);
+    meet_disc(ray, cup_.rim_m, rim_radius, rim_radius + cup_.wall_m, kGlass, kAir, hit);
+    const float before = hit.distance;
+    meet_disc(ray, cup_.foot_m, 0.0F, foot_radius, kGlass, kAir, hit);
+    if (hit.distance < before) {  // the underside looks down
+        hit.normal = hit.shading = {0.0F, 0.0F, -1.0F};
+    }
+}
+
+TankSurfaces::TankSurfaces(const Tank& tank) : tank_(tank) {
+    const glm::vec3 low = tank.inner_low_m, high = tank.inner_high_m;
+    const glm::vec3 outer_low = low - tank.wall_m;
+    const glm::vec3 outer_high(high.x + tank.wall_m, high.y + tank.wall_m, high.z);
+    std::size_t count = 0;
+    for (const int axis : {0, 1}) {
+        faces_[count++] = {axis, outer_low[axis], -1.0F, outer_low, outer_high, false};
+        faces_[count++] = {axis, outer_high[axis], 1.0F, outer_low, outer_high, false};
+        faces_[count++] = {axis, low[axis], 1.0F, low, high, false};
+        faces_[count++] = {axis, high[axis], -1.0F, low, high, false};
+    }
+    faces_[count++] = {2, outer_low.z, -1.0F, outer_low, outer_high, false};
+    faces_[count++] = {2, low.z, 1.0F, low, high, false};
+    faces_[count++] = {2, high.z, 1.0F, outer_low, outer_high, true};
+}
+
+void TankSurfaces::meet(const Ray& ray, SurfaceHit& hit) const {
+    for (const Face& face : faces_) {
+        const float t = (face.place_m - ray.origin[face.axis]) / ray.direction[face.axis];
+        if (!(t > kNearest_m && t < hit.distance)) continue;
+        const glm::vec3 place = ray.origin + ray.direction * t;
+        bool within = true, in_hole = face.has_hole;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (axis == face.axis) continue;
+            within = within && place[axis] >= face.low_m[axis] && place[axis] <= face.high_m[axis];
+            in_hole = in_hole && place[axis] > tank_.inner_low_m[axis] &&
+                      place[axis] < tank_.inner_high_m[axis];
+        }
+        if (!within || in_hole) continue;
+        hit.distance = t;
+        hit.kind = SurfaceKind::Clear;
+        hit.decided = kGlass;
+        hit.normal = glm::vec3(0.0F);
+        hit.normal[face.axis] = face.outward;
+        hit.shading = hit.normal;
+        hit.inner = kGlass;
+        hit.outer = kAir;
+    }
+}
+
+}  // namespace pastoso::trace

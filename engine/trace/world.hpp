@@ -1,0 +1,63 @@
+// A scene made ready for rays: surfaces, media and light.
+#pragma once
+
+#include "trace/bvh.hpp"
+#include "trace/dissolved.hpp"
+#include "trace/light.hpp"
+#include "trace/vessel.hpp"
+
+namespace pastoso::trace {
+
+class World {
+  public:
+    /// The scene must have passed check_scene().
+    explicit World(const Scene& scene);
+
+    const Light& light() const { return light_; }
+    const Optics& optics() const { return optics_; }
+
+    SurfaceHit nearest_hit(const Ray& ray, unsigned here) const;
+
+    /// Of undissolved milk or the table.
+    glm::vec3 reflectance(SurfaceKind kind, const glm::vec3& point) const;
+
+    float refractive_index(unsigned here) const {
+        if ((here & kGlass) != 0) return optics_.glass_ior;
+        return (here & kLiquid) != 0 ? optics_.liquid_ior : 1.0F;
+    }
+
+    /// By Beer's law; undiluted milk absorbs where it scatters.
+    glm::vec3 absorbed(unsigned here, float length_m) const;
+
+    /// How far light gets until it is scattered, or `limit_m`.
+    float free_path_m(const Ray& ray, unsigned here, float limit_m, Sampler& sampler) const;
+
+    /// The share of the lamp's light that arrives at a point from `direction`, on a straight way through
+    /// all that is clear; adds to `rays` what it took.
+    glm::vec3 straight_transmittance(Ray ray, unsigned here, Sampler& sampler,
+                                     std::uint64_t& rays) const;
+
+  private:
+    struct Triangles {
+        liquid::TriangleMesh mesh;
+        Bvh bvh;
+    };
+    static Triangles triangles(const liquid::TriangleMesh& mesh) { return {mesh, Bvh(mesh)}; }
+    void meet_table(const Ray& ray, SurfaceHit& hit) const;
+    bool meet_mesh(const Triangles& triangles, const Ray& ray, SurfaceHit& hit) const;
+    bool milk_in_the_way(const Ray& ray, unsigned here, float length_m) const;
+    SurfaceHit nearest_clear_hit(const Ray& ray, unsigned here) const;
+
+    Optics optics_;
+    std::optional<CupSurfaces> cup_;
+    std::optional<TankSurfaces> tank_;
+    std::optional<Table> table_;
+    glm::vec2 middle_m_{0.0F};
+    Triangles milk_, clear_liquid_;
+    MilkBody milk_body_;
+    DissolvedMilk dissolved_;
+    Light light_;
+    const BvhKernels& kernels_;
+};
+
+}  // namespace pastoso::trace
