@@ -9,10 +9,10 @@
 namespace pastoso::io {
 namespace {
 
-using liquid::Advection;
 using liquid::Cup;
 using liquid::TeaNumber;
 using liquid::TeaSettings;
+using liquid::VelocityAdvection;
 
 struct CupNumber {
     const char* key;
@@ -27,10 +27,10 @@ constexpr CupNumber kCupNumbers[] = {
 
 struct AdvectionName {
     const char* name;
-    Advection advection;
+    VelocityAdvection advection;
 };
-constexpr AdvectionName kAdvections[] = {{"limited-cubic", Advection::LimitedCubic},
-                                         {"reflection", Advection::Reflection}};
+constexpr AdvectionName kAdvections[] = {{"once", VelocityAdvection::Once},
+                                         {"reflected", VelocityAdvection::Reflected}};
 
 constexpr FileFormat kFormat{"pastoso-tea", "a glass of milk tea", "tea format", kTeaFormatVersion};
 
@@ -50,11 +50,11 @@ Cup read_cup(const JsonPlace& place) {
     return cup;
 }
 
-Advection read_advection(const JsonPlace& place) {
+VelocityAdvection read_advection(const JsonPlace& place) {
     const std::string name = place.text();
     for (const AdvectionName& known : kAdvections)
         if (name == known.name) return known.advection;
-    place.fail("\"" + name + R"(" is neither "limited-cubic" nor "reflection".)");
+    place.fail("\"" + name + R"(" is neither "once" nor "reflected".)");
 }
 
 void read_whole_numbers(const JsonPlace& place, TeaSettings& settings) {

@@ -35,6 +35,7 @@ constexpr TeaNumber kNumbers[] = {
     {"ball_radius_spread", "", &S::ball_radius_spread, 0.0, 0.9, "How much balls differ in size"},
     {"cohesion_s", "s", &S::cohesion_s, 1e-3, 1e6, "Time in which a ball draws its milk back"},
     {"cohesion_reach", "", &S::cohesion_reach, 1.0, 10.0, "How far it lets it, in its radii"},
+    {"cohesion_limit_m", "m", &S::cohesion_limit_m, 1e-3, 10.0, "Distance at which milk is torn off"},
     {"burst_depth_m", "m", &S::burst_depth_m, 0.0, 1.0, "Depth at which a ball bursts"},
     {"dissolving_s", "s", &S::dissolving_s, 1e-2, 1e9, "Time in which a warm ball dissolves"},
     {"dissolving_on_top_s", "s", &S::dissolving_on_top_s, 1e-2, 1e9, "The same under the surface"},

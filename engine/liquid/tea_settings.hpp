@@ -3,17 +3,12 @@
 #pragma once
 
 #include "liquid/cup.hpp"
+#include "liquid/flow.hpp"
 
 #include <cstdint>
 #include <span>
 
 namespace pastoso::liquid {
-
-/// How the velocity is carried along by itself.
-enum class Advection {
-    LimitedCubic,  ///< once a step
-    Reflection,    ///< with a reflection in the middle of the step: second order, twice the work
-};
 
 /// Milk is poured cold, and cold milk sinks: its buoyancy is fat_m_s2 m - cold_m_s2 T - dissolved_m_s2
 /// c, where m is the share of milk in a cell, T its coldness and c the share of dissolved milk. Heat
@@ -23,7 +18,7 @@ struct TeaSettings {
     int cells = 64;       ///< along each side of the box
     int parcels = 12000;  ///< of milk
     std::uint32_t seed = 7;
-    Advection advection = Advection::LimitedCubic;
+    VelocityAdvection advection = VelocityAdvection::Once;
 
     double box_m = 0.1;          ///< side of the cube that is simulated
     double step_s = 1.0 / 30.0;  ///< of time
@@ -52,9 +47,10 @@ struct TeaSettings {
     double ball_radius_spread = 0.3;
     int ball_candidates = 40;  ///< parcels the highest of which becomes a ball's middle
 
-    double cohesion_s = 0.18;      ///< time in which a ball draws a parcel back
-    double cohesion_reach = 1.12;  ///< how far it lets them, in radii of a ball of that volume
-    double burst_depth_m = 0.011;  ///< below the level, where a ball lets its parcels go
+    double cohesion_s = 0.18;        ///< time in which a ball draws a parcel back
+    double cohesion_reach = 1.12;    ///< how far it lets them, in radii of a ball of that volume
+    double cohesion_limit_m = 0.03;  ///< further from the middle it is torn off
+    double burst_depth_m = 0.011;    ///< below the level, where a ball lets its parcels go
 
     double dissolving_s = 14.0;           ///< time constant of warm balls, and of all milk later
     double dissolving_on_top_s = 5.0;     ///< of balls that spread under the surface
@@ -65,7 +61,7 @@ struct TeaSettings {
 
     double swirl_rad_s2 = 0.0;  ///< the painter's force: an acceleration around an upright axis, per
                                 ///< metre from it
-    double push_m_s2 = 0.0;                     ///< the same, downwards
+    double push_m_s2 = 0.0;     ///< the same, downwards
     double swirl_x_m = 0.05, swirl_y_m = 0.05;  ///< where that axis stands
 
     friend bool operator==(const TeaSettings&, const TeaSettings&) = default;

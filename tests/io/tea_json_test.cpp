@@ -31,7 +31,7 @@ TEST(TeaJson, EverySettingComesBackAsItWasWritten) {
     settings.parcels = 777;
     settings.seed = 4'000'000'000U;
     settings.ball_candidates = 11;
-    settings.advection = liquid::Advection::Reflection;
+    settings.advection = liquid::VelocityAdvection::Reflected;
     settings.cup.floor_m = 0.0051F;
     settings.cup.axis_m = {0.049F, 0.051F};
     // A little beside what is usual, so that every number counts.

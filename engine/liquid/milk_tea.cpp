@@ -1,0 +1,320 @@
+#include "liquid/milk_tea.hpp"
+
+#include "core/elementary.hpp"
+#include "core/error.hpp"
+#include "core/random.hpp"
+#include "liquid/slices.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace pastoso::liquid {
+namespace {
+
+/// More milk than a cell holds (parcels overlap) sinks no faster than this.
+constexpr float kMostMilk = 1.2F;
+/// A parcel that is left with less of its milk gives away the rest.
+constexpr float kLeastParcel = 0.004F;
+/// How close to the wall parcels come, in cells.
+constexpr float kWallMargin = 0.3F;
+constexpr double kMostMilkInCup = 0.5;
+constexpr float kStreamDepth_m = 0.008F, kStreamStart_m = 0.0015F;
+constexpr double kStreamRise_per_s = 8.0;
+constexpr std::uint32_t kPourStream = 0x3071U;
+
+grid::BoxShape box_of(const TeaSettings& settings) {
+    check_tea(settings);
+    const int cells = settings.cells;
+    return {cells, cells, cells, static_cast<float>(settings.box_m / cells)};
+}
+
+FlowParameters flow_of(const TeaSettings& settings) {
+    FlowParameters parameters;
+    parameters.viscosity_m2_s = static_cast<float>(settings.viscosity_m2_s);
+    parameters.confinement = static_cast<float>(settings.confinement);
+    parameters.velocity_advection = settings.advection;
+    parameters.pressure.tolerance = static_cast<float>(settings.tolerance);
+    return parameters;
+}
+
+SignedDistance distance_in(const Cup& cup) {
+    return [cup](const glm::vec3& point_m) { return tea_distance_m(cup, point_m); };
+}
+
+/// 1 - e^(-dt / time).
+float share_passed(double dt_s, double time_s) {
+    return static_cast<float>(1.0 - core::exponential(-dt_s / time_s));
+}
+
+/// Pushed along the wall's normal until it is `margin_m` within.
+glm::vec3 brought_within(const Cup& cup, glm::vec3 point_m, float margin_m) {
+    constexpr int kPushes = 3;  // one for wall, floor and level each
+    const float step_m = 0.5F * margin_m;
+    const auto distance = [&](const glm::vec3& at_m) { return tea_distance_m(cup, at_m) + margin_m; };
+    for (int push = 0; push < kPushes && distance(point_m) > 0.0F; ++push) {
+        glm::vec3 normal;
+        for (const int axis : kAxes) {
+            glm::vec3 aside(0.0F);
+            aside[axis] = step_m;
+            normal[axis] = distance(point_m + aside) - distance(point_m - aside);
+        }
+        const float length = glm::length(normal);
+        if (length > 0.0F) point_m -= normal * (distance(point_m) / length);
+    }
+    return point_m;
+}
+
+bool is_worse(const SolveResult& a, const SolveResult& b) {
+    return a.residual > b.residual;
+}
+
+}  // namespace
+
+MilkTea::MilkTea(const TeaSettings& settings)
+    : settings_(settings),
+      flow_(box_of(settings), distance_in(settings.cup), flow_of(settings)),
+      dissolved_(flow_.shape()),
+      coldness_(flow_.shape()),
+      balls_(settings),
+      parcel_milk_(flow_.shape()),
+      total_coldness_(flow_.shape()) {}
+
+void MilkTea::set_settings(const TeaSettings& settings) {
+    check_tea(settings);
+    const auto fixed = [](const TeaSettings& tea) {
+        return std::tuple(tea.cup, tea.cells, tea.box_m, tea.step_s, tea.parcels, tea.milk_m3, tea.seed);
+    };
+    if (fixed(settings) != fixed(settings_)) {
+        throw core::InputError(
+            "Cup, box, cells, time step, seed and the recipe's milk cannot change while the tea runs.");
+    }
+    settings_ = settings;
+    flow_.set_parameters(flow_of(settings));
+}
+
+TeaStep MilkTea::step(core::ThreadPool& pool) {
+    const auto dt_s = static_cast<float>(settings_.step_s);
+    pour();
+    add_forces(pool);
+    TeaStep result;
+    result.diffusion = diffuse(pool);
+    result.pressure = flow_.project(pool);
+    carry(pool);
+    const SolveResult between = flow_.advect_velocity(dt_s, pool);
+    if (is_worse(between, result.pressure)) result.pressure = between;
+    exchange(pool);
+    erase_dissolved();
+    ++steps_;
+    return result;
+}
+
+double MilkTea::milk_m3(core::ThreadPool& pool) const {
+    double sum = flow_.sum_over_cells(dissolved_, pool) * flow_.shape().cell_volume_m3();
+    for (const Parcel& parcel : parcels_)
+        sum += static_cast<double>(parcel.volume_m3);
+    return sum;
+}
+
+float MilkTea::drawn() {
+    return core::uniform_noise(draws_++, kPourStream ^ core::scramble(settings_.seed));
+}
+
+void MilkTea::pour() {
+    if (settings_.milk_m3 <= 0.0) return;
+    if (recipe_.seconds < settings_.pour_s) pour_from(recipe_, settings_.cup.axis_m, settings_.parcels);
+    if (hand_m_)
+        pour_from(hand_, *hand_m_, kMaxParcels);
+    else
+        hand_ = {};
+}
+
+/// The stream gains speed; at most so many parcels come of it.
+void MilkTea::pour_from(Stream& stream, const glm::vec2& at_m, int most) {
+    stream.seconds += settings_.step_s;
+    const double due = settings_.parcels * (stream.seconds / settings_.pour_s);
+    const int count = std::min(most, static_cast<int>(due)) - stream.parcels;
+    stream.parcels += count;
+    pour_parcels(count, at_m);
+    const double speed_m_s =
+        settings_.pour_speed_m_s * (1.0 - core::exponential(-kStreamRise_per_s * stream.seconds));
+    push_stream(at_m, static_cast<float>(speed_m_s));
+}
+
+/// Onto a disc below the surface, as far down as the stream comes within the step.
+void MilkTea::pour_parcels(int count, const glm::vec2& at_m) {
+    const double room_m3 = kMostMilkInCup * tea_volume_m3(settings_.cup) - poured_m3_;
+    const float volume_m3 = milk_per_parcel_m3();
+    const auto fitting = static_cast<int>(room_m3 / static_cast<double>(volume_m3));
+    count = std::min({count, fitting, kMaxParcels - static_cast<int>(parcels_.size())});
+    const auto radius_m = static_cast<float>(settings_.pour_radius_m);
+    const auto way_m = static_cast<float>(settings_.pour_speed_m_s * settings_.step_s);
+    const float margin_m = kWallMargin * flow_.shape().cell_m;
+    for (int i = 0; i < count; ++i) {
+        glm::vec2 on_disc;
+        do
+            on_disc = {2.0F * drawn() - 1.0F, 2.0F * drawn() - 1.0F};
+        while (glm::dot(on_disc, on_disc) > 1.0F);
+        const glm::vec2 across_m = at_m + radius_m * on_disc;
+        const float z_m = settings_.cup.level_m - kStreamStart_m - way_m * drawn();
+        parcels_.push_back(
+            {brought_within(settings_.cup, {across_m, z_m}, margin_m), volume_m3, 1.0F, -1});
+        poured_m3_ += static_cast<double>(volume_m3);
+    }
+}
+
+void MilkTea::push_stream(const glm::vec2& at_m, float speed_m_s) {
+    const grid::BoxShape& shape = flow_.shape();
+    const float radius_m = static_cast<float>(settings_.pour_radius_m), cell_m = shape.cell_m;
+    for (int k = 1; k < shape.nz; ++k) {
+        if (static_cast<float>(k) * cell_m <= settings_.cup.level_m - kStreamDepth_m) continue;
+        for (int j = 0; j < shape.ny; ++j)
+            for (int i = 0; i < shape.nx; ++i) {
+                const glm::vec2 middle_m =
+                    cell_m * glm::vec2(static_cast<float>(i) + 0.5F, static_cast<float>(j) + 0.5F);
+                if (glm::distance(middle_m, at_m) < radius_m)
+                    flow_.velocity().z.at(i, j, k) = -speed_m_s;
+            }
+    }
+}
+
+void MilkTea::add_forces(core::ThreadPool& pool) {
+    const grid::BoxShape& shape = flow_.shape();
+    const auto per_m3 = static_cast<float>(1.0 / shape.cell_volume_m3());
+    find_shares(parcels_, flow_.walls().open_cells(), pool, shares_);
+    amounts_.resize(parcels_.size());
+    cold_amounts_.resize(parcels_.size());
+    for (std::size_t i = 0; i < parcels_.size(); ++i) {
+        amounts_[i] = parcels_[i].volume_m3 * per_m3;
+        cold_amounts_[i] = amounts_[i] * parcels_[i].coldness;
+    }
+    std::fill(parcel_milk_.values().begin(), parcel_milk_.values().end(), 0.0F);
+    total_coldness_ = coldness_;
+    scatter(shares_, amounts_, parcel_milk_);
+    scatter(shares_, cold_amounts_, total_coldness_);
+
+    const auto dt_s = static_cast<float>(settings_.step_s);
+    const float fat = 0.5F * dt_s * static_cast<float>(settings_.fat_m_s2),
+                cold = dt_s * static_cast<float>(settings_.cold_m_s2),
+                heavy = 0.5F * dt_s * static_cast<float>(settings_.dissolved_m_s2);
+    for_slices(pool, 1, shape.nz, [&](int k) {
+        for (int j = 0; j < shape.ny; ++j) {
+            const RowRange range = flow_.walls().rows(Location::FaceZ).at(j, k);
+            float* w = flow_.velocity().z.row(j, k);
+            const float *milk = parcel_milk_.row(j, k), *milk_below = parcel_milk_.row(j, k - 1),
+                        *chill = total_coldness_.row(j, k), *chill_below = total_coldness_.row(j, k - 1),
+                        *mixed = dissolved_.row(j, k), *mixed_below = dissolved_.row(j, k - 1);
+            for (int i = range.begin; i < range.end; ++i) {
+                const float share = std::min(milk[i], kMostMilk) + std::min(milk_below[i], kMostMilk);
+                const float coldness = std::min(0.5F * (chill[i] + chill_below[i]), kMostMilk);
+                w[i] += fat * share - cold * coldness - heavy * (mixed[i] + mixed_below[i]);
+            }
+        }
+    });
+    add_painters_force(pool);
+    flow_.confine_vorticity(dt_s, pool);
+}
+
+/// An acceleration swirl e_z x (x - axis) - push e_z.
+void MilkTea::add_painters_force(core::ThreadPool& pool) {
+    if (settings_.swirl_rad_s2 == 0.0 && settings_.push_m_s2 == 0.0) return;
+    const grid::BoxShape& shape = flow_.shape();
+    const auto dt_s = static_cast<float>(settings_.step_s);
+    const float swirl = dt_s * static_cast<float>(settings_.swirl_rad_s2),
+                push = dt_s * static_cast<float>(settings_.push_m_s2);
+    const glm::vec2 axis_m(settings_.swirl_x_m, settings_.swirl_y_m);
+    VelocityField& velocity = flow_.velocity();
+    for_slices(pool, 0, shape.nz, [&](int k) {
+        for (int j = 0; j < shape.ny; ++j) {
+            const float y_m = (static_cast<float>(j) + 0.5F) * shape.cell_m - axis_m.y;
+            for (int i = 0; i < shape.nx; ++i) {
+                const float x_m = (static_cast<float>(i) + 0.5F) * shape.cell_m - axis_m.x;
+                velocity.x.at(i, j, k) -= swirl * y_m;
+                velocity.y.at(i, j, k) += swirl * x_m;
+                velocity.z.at(i, j, k) -= push;
+            }
+        }
+    });
+}
+
+SolveResult MilkTea::diffuse(core::ThreadPool& pool) {
+    const auto dt_s = static_cast<float>(settings_.step_s);
+    SolveResult worst = flow_.diffuse_velocity(dt_s, pool);
+    const auto spread = [&](grid::BoxField& field, double diffusivity_m2_s) {
+        const SolveResult result =
+            flow_.diffuse_cells(field, static_cast<float>(diffusivity_m2_s), dt_s, pool);
+        if (is_worse(result, worst)) worst = result;
+    };
+    spread(coldness_, settings_.heat_diffusion_m2_s);
+    spread(dissolved_, settings_.milk_diffusion_m2_s);
+    return worst;
+}
+
+void MilkTea::carry(core::ThreadPool& pool) {
+    const auto dt_s = static_cast<float>(settings_.step_s);
+    const std::array<grid::BoxField*, 2> fields = {&dissolved_, &coldness_};
+    flow_.advect_cells(fields, dt_s, KeepSum::Yes, pool);
+
+    balls_.nucleate(time_s(), settings_, parcels_);
+    const std::vector<BallMass> balls = balls_.masses(parcels_);
+    positions_m_.resize(parcels_.size());
+    for (std::size_t i = 0; i < parcels_.size(); ++i)
+        positions_m_[i] = parcels_[i].position_m;
+    flow_.carry(positions_m_, dt_s, pool);
+    const float margin_m = kWallMargin * flow_.shape().cell_m;
+    constexpr std::size_t kAtOnce = 256;
+    pool.run((parcels_.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t batch, int) {
+        for (std::size_t i = batch * kAtOnce; i < std::min(parcels_.size(), (batch + 1) * kAtOnce);
+             ++i) {
+            Parcel& parcel = parcels_[i];
+            glm::vec3 at_m = positions_m_[i];
+            if (parcel.ball >= 0)
+                at_m = drawn_back(at_m, balls[static_cast<std::size_t>(parcel.ball)], settings_,
+                                  settings_.step_s);
+            parcel.position_m = brought_within(settings_.cup, at_m, margin_m);
+        }
+    });
+}
+
+void MilkTea::exchange(core::ThreadPool& pool) {
+    const double dt_s = settings_.step_s;
+    const float warming_slowly = share_passed(dt_s, settings_.slow_warming_s),
+                warming_fast = share_passed(dt_s, settings_.fast_warming_s),
+                dissolving = share_passed(dt_s, settings_.dissolving_s),
+                dissolving_on_top = share_passed(dt_s, settings_.dissolving_on_top_s),
+                dissolving_at_rest = share_passed(dt_s, settings_.dissolving_at_rest_s);
+    const auto top_m =
+        static_cast<float>(static_cast<double>(settings_.cup.level_m) - settings_.top_depth_m);
+    const bool rests = time_s() < settings_.rest_ends_s;
+    const auto share_dissolved = [&](const Parcel& parcel) {
+        if (parcel.ball >= 0 && static_cast<double>(parcel.coldness) < settings_.warm_below)
+            return parcel.position_m.z > top_m ? dissolving_on_top : dissolving;
+        return rests ? dissolving_at_rest : dissolving;
+    };
+
+    find_shares(parcels_, flow_.walls().open_cells(), pool, shares_);
+    const auto per_m3 = static_cast<float>(1.0 / flow_.shape().cell_volume_m3());
+    const float least_m3 = kLeastParcel * milk_per_parcel_m3();
+    for (std::size_t i = 0; i < parcels_.size(); ++i) {
+        Parcel& parcel = parcels_[i];
+        amounts_[i] = cold_amounts_[i] = 0.0F;
+        if (!shares_[i].any()) continue;
+        const float warmed = parcel.coldness * (parcel.ball >= 0 ? warming_fast : warming_slowly);
+        cold_amounts_[i] =
+            static_cast<float>(settings_.chill_share) * parcel.volume_m3 * per_m3 * warmed;
+        parcel.coldness -= warmed;
+        float given_m3 = parcel.volume_m3 * share_dissolved(parcel);
+        if (parcel.volume_m3 - given_m3 < least_m3) given_m3 = parcel.volume_m3;
+        parcel.volume_m3 -= given_m3;
+        amounts_[i] = given_m3 * per_m3;
+    }
+    scatter(shares_, cold_amounts_, coldness_);
+    scatter(shares_, amounts_, dissolved_);
+}
+
+void MilkTea::erase_dissolved() {
+    std::erase_if(parcels_, [](const Parcel& parcel) { return parcel.volume_m3 <= 0.0F; });
+}
+
+}  // namespace pastoso::liquid

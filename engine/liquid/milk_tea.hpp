@@ -1,0 +1,96 @@
+// Milk poured into a glass of tea: it sinks because it is cold, comes back up ball by ball as it warms,
+// bursts under the surface, spreads and dissolves.
+//
+// Milk is either in parcels, which the tea carries along, or dissolved, a share c of each cell. Both
+// together are what has been poured, to rounding. One step of time dt:
+//     pour; u += dt (buoyancy + the painter's force); viscosity, diffusion; make u free of divergence;
+//     carry c, the tea's coldness T and the parcels along u; balls; carry u along u;
+//     parcels warm (giving a share of their cold to T) and dissolve (giving volume to c).
+#pragma once
+
+#include "liquid/flow.hpp"
+#include "liquid/milk_balls.hpp"
+#include "liquid/parcel_cells.hpp"
+#include "liquid/tea_settings.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace pastoso::liquid {
+
+/// How the equations of a step were solved, worst first.
+struct TeaStep {
+    SolveResult pressure, diffusion;
+};
+
+class MilkTea {
+  public:
+    /// Tea at rest, without milk. Throws InputError like check_tea().
+    explicit MilkTea(const TeaSettings& settings);
+
+    const TeaSettings& settings() const { return settings_; }
+    /// Forces, times and diffusion may change while it runs; cup, box, cells and the milk of the recipe
+    /// stay as they are. Throws InputError like check_tea(), and when one of those would change.
+    void set_settings(const TeaSettings& settings);
+
+    TeaStep step(core::ThreadPool& pool);
+
+    int steps() const { return steps_; }
+    double time_s() const { return steps_ * settings_.step_s; }
+    const std::vector<Parcel>& parcels() const { return parcels_; }
+    const grid::BoxField& dissolved() const { return dissolved_; }  ///< share of milk in open cells
+    const grid::BoxField& coldness() const { return coldness_; }    ///< of the tea, 0 warm, 1 as milk
+    const VesselFlow& flow() const { return flow_; }
+    int ball_count() const { return balls_.count(); }
+
+    double poured_m3() const { return poured_m3_; }
+    /// In parcels and dissolved.
+    double milk_m3(core::ThreadPool& pool) const;
+
+    /// The painter pours more milk at a place, as fast as the recipe pours its own, until told nullopt.
+    /// A place outside the cup is taken to the wall. None is poured once the tea is half milk or there
+    /// are kMaxParcels.
+    void pour_by_hand(std::optional<glm::vec2> at_m) { hand_m_ = at_m; }
+
+  private:
+    /// Milk on its way out of the jug.
+    struct Stream {
+        double seconds = 0.0;  ///< since it began
+        int parcels = 0;       ///< that have come of it
+    };
+
+    void pour();
+    void pour_from(Stream& stream, const glm::vec2& at_m, int most);
+    void pour_parcels(int count, const glm::vec2& at_m);
+    void push_stream(const glm::vec2& at_m, float speed_m_s);
+    void add_forces(core::ThreadPool& pool);
+    void add_painters_force(core::ThreadPool& pool);
+    SolveResult diffuse(core::ThreadPool& pool);
+    void carry(core::ThreadPool& pool);
+    void exchange(core::ThreadPool& pool);
+    void erase_dissolved();
+    float drawn();
+    float milk_per_parcel_m3() const {
+        return static_cast<float>(settings_.milk_m3 / settings_.parcels);
+    }
+
+    TeaSettings settings_;
+    VesselFlow flow_;
+    grid::BoxField dissolved_, coldness_;
+    std::vector<Parcel> parcels_;
+    MilkBalls balls_;
+    std::optional<glm::vec2> hand_m_;
+    Stream recipe_, hand_;
+    double poured_m3_ = 0.0;
+    std::uint32_t draws_ = 0;
+    int steps_ = 0;
+
+    // What a step works with.
+    grid::BoxField parcel_milk_, total_coldness_;
+    std::vector<ParcelShares> shares_;
+    std::vector<float> amounts_, cold_amounts_;
+    std::vector<glm::vec3> positions_m_;
+};
+
+}  // namespace pastoso::liquid

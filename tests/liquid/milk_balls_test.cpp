@@ -1,0 +1,89 @@
+#include "liquid/milk_balls.hpp"
+
+#include <numbers>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace pastoso::liquid {
+namespace {
+
+/// A column of parcels, a millimetre apart.
+std::vector<Parcel> column() {
+    std::vector<Parcel> parcels;
+    for (int i = 0; i < 30; ++i)
+        parcels.push_back({{0.05F, 0.05F, 0.005F + 0.001F * static_cast<float>(i)}, 1e-9F, 1.0F, -1});
+    return parcels;
+}
+
+TEST(MilkBalls, ABallFormsAtTheTopWhenItIsTime) {
+    TeaSettings settings;
+    settings.ball_candidates = 10000;  // the highest of all
+    settings.ball_radius_spread = 0.0;
+    std::vector<Parcel> parcels = column();
+    MilkBalls balls(settings);
+    balls.nucleate(settings.first_ball_s, settings, parcels);
+    EXPECT_EQ(balls.count(), 0);
+    balls.nucleate(settings.first_ball_s + 0.01, settings, parcels);
+    ASSERT_EQ(balls.count(), 1);
+    // 6.6 mm around the highest hold it and six below.
+    for (int i = 0; i < 30; ++i)
+        EXPECT_EQ(parcels[static_cast<std::size_t>(i)].ball, i >= 23 ? 0 : -1) << i;
+}
+
+TEST(MilkBalls, BallsComeAsOftenAsTheSettingsSay) {
+    TeaSettings settings;
+    settings.first_ball_s = 0.0;
+    settings.ball_interval_s = 0.5;
+    settings.ball_radius_m = 1e-4;
+    std::vector<Parcel> parcels(4000, {{0.05F, 0.05F, 0.05F}, 1e-9F, 1.0F, -1});
+    for (std::size_t i = 0; i < parcels.size(); ++i)
+        parcels[i].position_m.x += 1e-3F * static_cast<float>(i);
+    MilkBalls balls(settings);
+    for (int tick = 1; tick <= 30 * 400; ++tick)
+        balls.nucleate(tick / 30.0, settings, parcels);
+    // 800 are expected; the standard deviation of the intervals' sum is 0.6 * sqrt(800) = 17 of them.
+    EXPECT_NEAR(balls.count(), 800, 60);
+}
+
+TEST(MilkBalls, AMassIsTheSumOfItsParcels) {
+    std::vector<Parcel> parcels = {{{0.0F, 0.0F, 0.01F}, 1e-9F, 1.0F, 0},
+                                   {{0.0F, 0.0F, 0.04F}, 2e-9F, 1.0F, 0},
+                                   {{0.0F, 0.0F, 0.09F}, 5e-9F, 1.0F, -1}};
+    TeaSettings settings;
+    settings.first_ball_s = 0.0;
+    MilkBalls balls(settings);
+    balls.nucleate(1.0, settings, std::span(parcels).last(1));  // so that there is a ball 0
+    parcels[2].ball = -1;
+    const std::vector<BallMass> masses = balls.masses(parcels);
+    ASSERT_EQ(masses.size(), 1U);
+    EXPECT_NEAR(masses[0].volume_m3, 3e-9, 1e-15);
+    EXPECT_NEAR(masses[0].middle_m.z, 0.03, 1e-8);
+}
+
+TEST(MilkBalls, ParcelsBeyondTheReachComeBackInTime) {
+    TeaSettings settings;
+    const double radius_m = 0.005;
+    const BallMass ball{{0.05, 0.05, 0.03},
+                        4.0 / 3.0 * std::numbers::pi * radius_m * radius_m * radius_m};
+    const double reach_m = settings.cohesion_reach * radius_m;
+    glm::vec3 at_m(0.05F + 0.012F, 0.05F, 0.03F);
+    const double before = 0.012 - reach_m;
+    for (int i = 0; i < 180; ++i)
+        at_m = drawn_back(at_m, ball, settings, 1e-3);
+    // After one time constant a share 1/e of the way is left.
+    EXPECT_NEAR(static_cast<double>(at_m.x) - 0.05 - reach_m, before / std::numbers::e, 1e-3 * before);
+    const glm::vec3 within(0.05F + 0.004F, 0.05F, 0.03F), torn_off(0.05F + 0.031F, 0.05F, 0.03F);
+    EXPECT_EQ(drawn_back(within, ball, settings, 1.0), within);
+    EXPECT_EQ(drawn_back(torn_off, ball, settings, 1.0), torn_off);
+}
+
+TEST(MilkBalls, UnderTheSurfaceABallLetsGo) {
+    const TeaSettings settings;
+    const glm::vec3 at_m(0.062F, 0.05F, 0.08F);
+    EXPECT_EQ(drawn_back(at_m, {{0.05, 0.05, 0.078}, 5e-7}, settings, 1.0), at_m);
+    EXPECT_NE(drawn_back(at_m, {{0.05, 0.05, 0.076}, 5e-7}, settings, 1.0), at_m);
+}
+
+}  // namespace
+}  // namespace pastoso::liquid
