@@ -70,6 +70,7 @@ TEST(MilkTea, ItSinksBallsFormAndItBecomesEven) {
     core::ThreadPool pool(2);
     TeaSettings settings = small_tea();
     settings.first_ball_s = 3.0;
+    settings.rest_ends_s = 8.0;
     MilkTea tea(settings);
     run(tea, 0.6, pool);
     const double poured_mm = middle_mm(tea);
@@ -79,11 +80,11 @@ TEST(MilkTea, ItSinksBallsFormAndItBecomesEven) {
     run(tea, 6.0, pool);
     const int early = tea.ball_count();
     EXPECT_GT(early, 0);
-    run(tea, 15.0, pool);
+    run(tea, 12.0, pool);
     EXPECT_GT(tea.ball_count(), 2 * early);
     const double before = unevenness(tea);
-    run(tea, 45.0, pool);
-    EXPECT_LT(unevenness(tea), 0.6 * before);
+    run(tea, 40.0, pool);
+    EXPECT_LT(unevenness(tea), 0.5 * before);
 }
 
 TEST(MilkTea, TheSameBitsOnAnyNumberOfThreads) {
