@@ -3,6 +3,7 @@
 
 #include "io/export_bands.hpp"
 #include "io/relief_mesh.hpp"
+#include "io/triangle_file.hpp"
 
 #include <filesystem>
 

@@ -5,6 +5,7 @@
 #include "core/thread_pool.hpp"
 #include "film/state.hpp"
 #include "io/export_bands.hpp"
+#include "io/triangle_file.hpp"
 
 #include <array>
 #include <cstdint>
@@ -60,8 +61,6 @@ std::optional<Relief> relief_of(const film::FilmState& film, const ReliefOptions
 
 /// The same to the end.
 Relief relief_of(const film::FilmState& film, const ReliefOptions& options, core::ThreadPool& pool);
-
-using Triangle = std::array<std::uint32_t, 3>;
 
 /// Calls use(triangle) for the triangles of the solid, seen from outside counter-clockwise: two for each
 /// square of the grid, the walls, and a fan around the middle of the back. Every edge belongs to two.

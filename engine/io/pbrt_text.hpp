@@ -1,0 +1,19 @@
+// What PBRT's files consist of, in its three languages.
+#pragma once
+
+#include "io/mesh_export.hpp"
+#include "io/piece_writer.hpp"
+
+#include <initializer_list>
+#include <string>
+
+namespace pastoso::io {
+
+/// "1 2.5 3": numbers that read as the same floats.
+std::string pbrt_numbers(std::initializer_list<float> numbers);
+
+/// Writes a mesh as the shape "trianglemesh", aside. The mesh is sound (mesh_export.hpp).
+ExportStatus write_pbrt_shape(const std::filesystem::path& path, const liquid::TriangleMesh& mesh,
+                              const std::string& what, PbrtSyntax syntax, const KeepGoing& keep_going);
+
+}  // namespace pastoso::io

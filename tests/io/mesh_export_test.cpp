@@ -1,0 +1,217 @@
+#include "io/mesh_export.hpp"
+
+#include "core/text_file.hpp"
+#include "document/error_of.hpp"
+#include "io/temporary_folder.hpp"
+
+#include <cstring>
+#include <limits>
+#include <sstream>
+
+#include <gmock/gmock.h>
+
+namespace pastoso::io {
+namespace {
+
+using document::error_of;
+using liquid::TriangleMesh;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using Path = std::filesystem::path;
+
+const KeepGoing kToTheEnd = [](double) { return true; };
+
+/// A tetrahedron of 1/6 x 2 x 3 x 4 m3; its normals are no more than directions from its corner.
+TriangleMesh tetrahedron() {
+    return {{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 4}},
+            {{0, 0, -1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+            {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+}
+
+TriangleMesh without_normals(TriangleMesh mesh) {
+    mesh.normals.clear();
+    return mesh;
+}
+
+template <class Value>
+Value take(const char*& place) {
+    Value value;
+    std::memcpy(&value, place, sizeof value);
+    place += sizeof value;
+    return value;
+}
+
+glm::vec3 take_vector(const char*& place) {
+    const auto x = take<float>(place), y = take<float>(place), z = take<float>(place);
+    return {x, y, z};
+}
+
+TriangleMesh read_ply(const std::string& file) {
+    std::istringstream header(file.substr(0, file.find("end_header")));
+    std::size_t counts[2] = {}, next = 0;
+    for (std::string word; header >> word;)
+        if (word == "element") header >> word >> counts[next++];
+    const bool normals = header.str().find("property float nx") != std::string::npos;
+    const char* place = file.data() + file.find("end_header\n") + 11;
+    TriangleMesh mesh;
+    for (std::size_t i = 0; i < counts[0]; ++i) {
+        mesh.positions_m.push_back(take_vector(place));
+        if (normals) mesh.normals.push_back(take_vector(place));
+    }
+    for (std::size_t i = 0; i < counts[1]; ++i) {
+        EXPECT_EQ(take<std::uint8_t>(place), 3);
+        mesh.triangles.push_back(take<std::array<std::uint32_t, 3>>(place));
+    }
+    EXPECT_EQ(place, file.data() + file.size());
+    return mesh;
+}
+
+TriangleMesh read_stl(const std::string& file) {
+    const char* place = file.data() + 80;
+    const auto count = take<std::uint32_t>(place);
+    EXPECT_EQ(file.size(), 84 + 50 * std::size_t{count});
+    TriangleMesh mesh;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        take_vector(place);
+        for (int c = 0; c < 3; ++c)
+            mesh.positions_m.push_back(take_vector(place));
+        mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        place += 2;
+    }
+    return mesh;
+}
+
+TriangleMesh read_obj(const std::string& file) {
+    std::istringstream lines(file);
+    TriangleMesh mesh;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string kind;
+        words >> kind;
+        if (kind == "v" || kind == "vn") {
+            glm::vec3 vector;
+            words >> vector.x >> vector.y >> vector.z;
+            (kind == "v" ? mesh.positions_m : mesh.normals).push_back(vector);
+        }
+        if (kind != "f") continue;
+        std::array<std::uint32_t, 3> triangle;
+        for (std::uint32_t& vertex : triangle) {
+            words >> vertex;
+            --vertex;
+            if (words.peek() == '/') {
+                std::uint32_t normal = 0;
+                words.ignore(2) >> normal;
+                EXPECT_EQ(normal, vertex + 1);
+            }
+        }
+        mesh.triangles.push_back(triangle);
+    }
+    return mesh;
+}
+
+class MeshExportTest : public TemporaryFolder {
+  protected:
+    std::string written(const char* name, const TriangleMesh& mesh,
+                        const MeshExportOptions& options = {}) {
+        EXPECT_EQ(export_mesh(folder / name, mesh, options, kToTheEnd), ExportStatus::Written);
+        return core::read_text_file(folder / name);
+    }
+};
+
+TEST_F(MeshExportTest, EveryFormatHoldsTheMeshTheRightWayOut) {
+    const TriangleMesh mesh = tetrahedron();
+    const TriangleMesh ply = read_ply(written("a.ply", mesh));
+    EXPECT_EQ(ply.positions_m, mesh.positions_m);
+    EXPECT_EQ(ply.normals, mesh.normals);
+    EXPECT_EQ(ply.triangles, mesh.triangles);
+    EXPECT_DOUBLE_EQ(liquid::volume_m3(ply), 4.0);
+    EXPECT_DOUBLE_EQ(liquid::volume_m3(read_stl(written("a.stl", mesh))), 4.0);
+    // Turned to y up, not mirrored: the volume stays positive.
+    const TriangleMesh obj = read_obj(written("a.OBJ", mesh));
+    EXPECT_EQ(obj.positions_m[2], glm::vec3(0, 0, -3));
+    EXPECT_EQ(obj.positions_m[3], glm::vec3(0, 4, 0));
+    EXPECT_EQ(obj.normals[3], glm::vec3(0, 1, 0));
+    EXPECT_EQ(obj.triangles, mesh.triangles);
+    EXPECT_DOUBLE_EQ(liquid::volume_m3(obj), 4.0);
+}
+
+TEST_F(MeshExportTest, ATinyMeshHasTheseBytes) {
+    const TriangleMesh mesh{
+        {{0, 0, 0}, {0.5F, 0, 0}, {0, 0.25F, 2}}, {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}, {{0, 1, 2}}};
+    EXPECT_EQ(written("a.obj", mesh),
+              "# Pastoso milk, metres\n"
+              "v 0 0 -0\nvn 0 1 -0\nv 0.5 0 -0\nvn 0 0 -1\nv 0 2 -0.25\nvn 1 0 -0\n"
+              "f 1//1 2//2 3//3\n");
+    EXPECT_THAT(written("b.obj", without_normals(mesh)), HasSubstr("\nf 1 2 3\n"));
+    const std::string ply = written("a.ply", mesh, {"glass", PbrtSyntax::V4});
+    const std::string header =
+        "ply\nformat binary_little_endian 1.0\ncomment Pastoso glass, metres\nelement vertex 3\n"
+        "property float x\nproperty float y\nproperty float z\n"
+        "property float nx\nproperty float ny\nproperty float nz\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    EXPECT_EQ(ply.substr(0, header.size()), header);
+    EXPECT_EQ(ply.size(), header.size() + 3 * 24 + 13);
+    EXPECT_EQ(ply.substr(ply.size() - 13), std::string("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13));
+    EXPECT_THAT(written("a.stl", mesh), testing::StartsWith("Pastoso milk, binary STL, metres  "));
+}
+
+TEST_F(MeshExportTest, PbrtShapesAreWrittenInEachSyntax) {
+    const TriangleMesh mesh{
+        {{0, 0, 0}, {0.5F, 0, 0}, {0, 0.1F, 2}}, {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}, {{0, 1, 2}}};
+    for (const PbrtSyntax syntax : {PbrtSyntax::V4, PbrtSyntax::V3, PbrtSyntax::V2}) {
+        std::istringstream text(written("a.pbrt", mesh, {"milk", syntax}));
+        std::string line;
+        std::getline(text, line);
+        EXPECT_EQ(line, "# Pastoso milk, metres, z up");
+        std::vector<std::string> tokens;
+        for (std::string word; text >> word;)
+            tokens.push_back(word);
+        EXPECT_THAT(
+            tokens,
+            ElementsAre("Shape", "\"trianglemesh\"",                                               //
+                        syntax == PbrtSyntax::V4 ? "\"point3" : "\"point", "P\"", "[",             //
+                        "0", "0", "0", "0.5", "0", "0", "0", "0.100000001", "2", "]",              //
+                        "\"normal", "N\"", "[", "0", "0", "1", "0", "1", "0", "1", "0", "0", "]",  //
+                        "\"integer", "indices\"", "[", "0", "1", "2", "]"));
+    }
+    EXPECT_THAT(written("b.pbrt", without_normals(mesh)), testing::Not(HasSubstr("normal")));
+}
+
+TEST_F(MeshExportTest, AnEmptyMeshMakesAValidFile) {
+    EXPECT_TRUE(read_ply(written("a.ply", {})).empty());
+    EXPECT_TRUE(read_stl(written("a.stl", {})).empty());
+    EXPECT_EQ(written("a.obj", {}), "# Pastoso milk, metres\n");
+    EXPECT_EQ(written("a.pbrt", {}), "# Pastoso milk, metres, z up\n");
+}
+
+TEST_F(MeshExportTest, RefusesWhatIsNotFiniteAndLeavesTheOldFile) {
+    core::write_text_file(folder / "a.obj", "old");
+    TriangleMesh mesh = tetrahedron();
+    mesh.positions_m[2].y = std::numeric_limits<float>::infinity();
+    const auto refusal = [&](const char* name) {
+        return error_of([&] { export_mesh(folder / name, mesh, {}, kToTheEnd); });
+    };
+    EXPECT_THAT(refusal("a.obj"), HasSubstr("a.obj: the position of vertex 2 is not finite"));
+    mesh = tetrahedron();
+    mesh.normals[3].x = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_THAT(refusal("a.obj"), HasSubstr("a.obj: the normal of vertex 3 is not finite"));
+    EXPECT_THAT(refusal("a.3ds"), HasSubstr("a.3ds: a surface is saved as .obj, .ply, .stl or .pbrt"));
+    EXPECT_EQ(core::read_text_file(folder / "a.obj"), "old");
+    EXPECT_EQ(files_in_folder(), 1U);
+}
+
+TEST_F(MeshExportTest, AStoppedExportLeavesTheOldFile) {
+    TriangleMesh mesh;
+    mesh.positions_m.assign(100'000, {0.1F, 0.2F, 0.3F});
+    for (const char* name : {"a.obj", "a.ply", "a.pbrt"}) {
+        core::write_text_file(folder / name, "old");
+        mesh.triangles.assign(100'000, {0, 1, 2});
+        EXPECT_EQ(export_mesh(folder / name, mesh, {}, [](double) { return false; }),
+                  ExportStatus::Stopped);
+        EXPECT_EQ(core::read_text_file(folder / name), "old");
+    }
+    EXPECT_EQ(files_in_folder(), 3U);
+}
+
+}  // namespace
+}  // namespace pastoso::io
