@@ -1,5 +1,6 @@
 #include "io/pbrt_text.hpp"
 
+#include <charconv>
 #include <cstdio>
 #include <vector>
 
@@ -32,8 +33,9 @@ std::string pbrt_numbers(std::initializer_list<float> numbers) {
     std::string text;
     for (const float number : numbers) {
         char word[32];
-        std::snprintf(word, sizeof word, "%s%.9g", text.empty() ? "" : " ", static_cast<double>(number));
-        text += word;
+        const auto end = std::to_chars(word, word + sizeof word, number).ptr;
+        if (!text.empty()) text += ' ';
+        text.append(word, end);
     }
     return text;
 }

@@ -9,7 +9,7 @@
 
 namespace pastoso::io {
 
-/// "1 2.5 3": numbers that read as the same floats.
+/// "1 2.5 3": the shortest numbers that read as the same floats.
 std::string pbrt_numbers(std::initializer_list<float> numbers);
 
 /// Writes a mesh as the shape "trianglemesh", aside. The mesh is sound (mesh_export.hpp).

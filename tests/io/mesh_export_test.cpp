@@ -170,7 +170,7 @@ TEST_F(MeshExportTest, PbrtShapesAreWrittenInEachSyntax) {
             tokens,
             ElementsAre("Shape", "\"trianglemesh\"",                                               //
                         syntax == PbrtSyntax::V4 ? "\"point3" : "\"point", "P\"", "[",             //
-                        "0", "0", "0", "0.5", "0", "0", "0", "0.100000001", "2", "]",              //
+                        "0", "0", "0", "0.5", "0", "0", "0", "0.1", "2", "]",                      //
                         "\"normal", "N\"", "[", "0", "0", "1", "0", "1", "0", "1", "0", "0", "]",  //
                         "\"integer", "indices\"", "[", "0", "1", "2", "]"));
     }
