@@ -3,11 +3,70 @@
 // become vector instructions.
 #include "trace/bvh.hpp"
 
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
 namespace pastoso::trace::PASTOSO_ISA {
 namespace {
 
-constexpr float kNone = 3e38F;
 constexpr float kBoxMargin = 1.0000004F;
+
+using Lanes = float __attribute__((vector_size(4 * kBvhWidth)));
+
+[[gnu::always_inline]] inline const Lanes& lanes_at(const float* values) {
+    return *reinterpret_cast<const Lanes*>(values);
+}
+
+// GCC takes comparisons of vectors that are wider than the processor's apart into single floats, so that
+// these are spelled out: x > y ? x : y, x < y ? x : y, and one bit for each lane where x <= y. Results
+// go through references, as registers of that width are not passed alike on every processor.
+#if defined(__AVX__)
+[[gnu::always_inline]] inline const __m256& whole(const Lanes& lanes) {
+    return reinterpret_cast<const __m256&>(lanes);
+}
+[[gnu::always_inline]] inline void larger(const Lanes& x, const Lanes& y, Lanes& out) {
+    reinterpret_cast<__m256&>(out) = _mm256_max_ps(whole(x), whole(y));
+}
+[[gnu::always_inline]] inline void smaller(const Lanes& x, const Lanes& y, Lanes& out) {
+    reinterpret_cast<__m256&>(out) = _mm256_min_ps(whole(x), whole(y));
+}
+[[gnu::always_inline]] inline unsigned where_not_above(const Lanes& x, const Lanes& y) {
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(whole(x), whole(y), _CMP_LE_OQ)));
+}
+#elif defined(__SSE__)
+[[gnu::always_inline]] inline const __m128& half(const Lanes& lanes, int which) {
+    return reinterpret_cast<const __m128*>(&lanes)[which];
+}
+[[gnu::always_inline]] inline void larger(const Lanes& x, const Lanes& y, Lanes& out) {
+    auto* const halves = reinterpret_cast<__m128*>(&out);
+    halves[0] = _mm_max_ps(half(x, 0), half(y, 0));
+    halves[1] = _mm_max_ps(half(x, 1), half(y, 1));
+}
+[[gnu::always_inline]] inline void smaller(const Lanes& x, const Lanes& y, Lanes& out) {
+    auto* const halves = reinterpret_cast<__m128*>(&out);
+    halves[0] = _mm_min_ps(half(x, 0), half(y, 0));
+    halves[1] = _mm_min_ps(half(x, 1), half(y, 1));
+}
+[[gnu::always_inline]] inline unsigned where_not_above(const Lanes& x, const Lanes& y) {
+    const int low = _mm_movemask_ps(_mm_cmple_ps(half(x, 0), half(y, 0)));
+    const int high = _mm_movemask_ps(_mm_cmple_ps(half(x, 1), half(y, 1)));
+    return static_cast<unsigned>(low | (high << 4));
+}
+#else
+inline void larger(const Lanes& x, const Lanes& y, Lanes& out) {
+    out = x > y ? x : y;
+}
+inline void smaller(const Lanes& x, const Lanes& y, Lanes& out) {
+    out = x < y ? x : y;
+}
+inline unsigned where_not_above(const Lanes& x, const Lanes& y) {
+    unsigned bits = 0;
+    for (int lane = 0; lane < kBvhWidth; ++lane)
+        bits |= (x[lane] <= y[lane] ? 1U : 0U) << lane;
+    return bits;
+}
+#endif
 
 /// The ray as boxes and triangles need it.
 struct Prepared {
@@ -45,75 +104,84 @@ Prepared prepared(const MeshRay& ray) {
     return p;
 }
 
-/// Where the ray enters each child's box before `farthest`, or kNone.
-[[gnu::always_inline]] inline void enter_boxes(const BvhNode& node, const Prepared& ray, float farthest,
-                                               float* out) {
-    const float* near_plane[3];
-    const float* far_plane[3];
+/// Which children's boxes the ray enters before `farthest`, and where.
+[[gnu::always_inline]] inline unsigned enter_boxes(const BvhNode& node, const Prepared& ray,
+                                                   float farthest, Lanes& enter) {
+    Lanes near_place[3], far_place[3];
     for (int axis = 0; axis < 3; ++axis) {
         const bool up = ray.inverse[axis] >= 0.0F;
-        near_plane[axis] = up ? node.low[axis] : node.high[axis];
-        far_plane[axis] = up ? node.high[axis] : node.low[axis];
+        const Lanes& near_plane = lanes_at(up ? node.low[axis] : node.high[axis]);
+        const Lanes& far_plane = lanes_at(up ? node.high[axis] : node.low[axis]);
+        near_place[axis] = (near_plane - ray.origin[axis]) * ray.inverse[axis];
+        far_place[axis] = (far_plane - ray.origin[axis]) * ray.inverse[axis];
     }
-    const float ox = ray.origin[0], oy = ray.origin[1], oz = ray.origin[2];
-    const float ix = ray.inverse[0], iy = ray.inverse[1], iz = ray.inverse[2];
-    const float nearest = ray.nearest;
-    for (int lane = 0; lane < kBvhWidth; ++lane) {
-        const float x0 = (near_plane[0][lane] - ox) * ix, x1 = (far_plane[0][lane] - ox) * ix;
-        const float y0 = (near_plane[1][lane] - oy) * iy, y1 = (far_plane[1][lane] - oy) * iy;
-        const float z0 = (near_plane[2][lane] - oz) * iz, z1 = (far_plane[2][lane] - oz) * iz;
-        const float xy0 = x0 > y0 ? x0 : y0, xy1 = x1 < y1 ? x1 : y1;
-        const float z0n = z0 > nearest ? z0 : nearest, z1f = z1 < farthest ? z1 : farthest;
-        const float enter = xy0 > z0n ? xy0 : z0n, leave = xy1 < z1f ? xy1 : z1f;
-        out[lane] = enter <= leave * kBoxMargin ? enter : kNone;
-    }
+    const Lanes nearest = ray.nearest - Lanes{}, last = farthest - Lanes{};
+    Lanes enter_z, leave, leave_z;
+    larger(near_place[0], near_place[1], enter);
+    larger(near_place[2], nearest, enter_z);
+    larger(enter, enter_z, enter);
+    smaller(far_place[0], far_place[1], leave);
+    smaller(far_place[2], last, leave_z);
+    smaller(leave, leave_z, leave);
+    return where_not_above(enter, leave * kBoxMargin);
 }
 
-/// Where the ray meets each triangle, or kNone; u and v are not yet divided by `sum`.
+/// Where the ray meets each triangle; second and third are not yet divided by `sum`.
 struct LeafHits {
-    alignas(64) float distance[kBvhWidth], u[kBvhWidth], v[kBvhWidth], sum[kBvhWidth];
+    Lanes distance, second, third, sum;
 };
 
-[[gnu::always_inline]] inline void meet_triangles(const BvhLeaf& leaf, const Prepared& ray,
-                                                  LeafHits& out) {
-    const float os = ray.origin[ray.side], oo = ray.origin[ray.other], oa = ray.origin[ray.ahead];
-    const float ss = ray.shear_side, so = ray.shear_other, scale = ray.scale, nearest = ray.nearest;
-    const auto& a = leaf.corner[0];
-    const auto& b = leaf.corner[1];
-    const auto& c = leaf.corner[2];
-    const float *as = a[ray.side], *ao = a[ray.other], *aa = a[ray.ahead];
-    const float *bs = b[ray.side], *bo = b[ray.other], *ba = b[ray.ahead];
-    const float *cs = c[ray.side], *co = c[ray.other], *ca = c[ray.ahead];
-    for (int lane = 0; lane < kBvhWidth; ++lane) {
-        const float az = aa[lane] - oa, bz = ba[lane] - oa, cz = ca[lane] - oa;
-        const float ax = (as[lane] - os) - ss * az, ay = (ao[lane] - oo) - so * az;
-        const float bx = (bs[lane] - os) - ss * bz, by = (bo[lane] - oo) - so * bz;
-        const float cx = (cs[lane] - os) - ss * cz, cy = (co[lane] - oo) - so * cz;
-        const float u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
-        const float uv0 = u < v ? u : v, uv1 = u > v ? u : v;
-        const float least = uv0 < w ? uv0 : w, most = uv1 > w ? uv1 : w;
-        const float sum = u + v + w;
-        const float distance = (u * az + v * bz + w * cz) * scale / sum;
-        // All of one sign (or zero): within. NaN from an empty triangle fails every comparison.
-        const float beyond = least < 0.0F ? most : 0.0F;
-        const float within = beyond > 0.0F ? kNone : distance;
-        out.distance[lane] = within > nearest ? within : kNone;
-        out.u[lane] = v;
-        out.v[lane] = w;
-        out.sum[lane] = sum;
-    }
+/// A triangle's corners as seen along the ray: how far to the side, to the other side, and ahead.
+struct Seen {
+    Lanes side, other, ahead;
+};
+
+[[gnu::always_inline]] inline void see_corner(const float (&corner)[3][kBvhWidth], const Prepared& ray,
+                                              Seen& seen) {
+    seen.ahead = lanes_at(corner[ray.ahead]) - ray.origin[ray.ahead];
+    seen.side = (lanes_at(corner[ray.side]) - ray.origin[ray.side]) - ray.shear_side * seen.ahead;
+    seen.other = (lanes_at(corner[ray.other]) - ray.origin[ray.other]) - ray.shear_other * seen.ahead;
+}
+
+/// Which triangles the ray meets beyond ray.nearest and before `farthest`.
+[[gnu::always_inline]] inline unsigned meet_triangles(const BvhLeaf& leaf, const Prepared& ray,
+                                                      float farthest, LeafHits& out) {
+    Seen a, b, c;
+    see_corner(leaf.corner[0], ray, a);
+    see_corner(leaf.corner[1], ray, b);
+    see_corner(leaf.corner[2], ray, c);
+    const Lanes u = c.side * b.other - c.other * b.side;
+    const Lanes v = a.side * c.other - a.other * c.side;
+    const Lanes w = b.side * a.other - b.other * a.side;
+    const Lanes zero{};
+    // All of one sign or zero: within.
+    Lanes least, most;
+    smaller(v, w, least);
+    smaller(u, least, least);
+    larger(v, w, most);
+    larger(u, most, most);
+    const unsigned within = where_not_above(zero, least) | where_not_above(most, zero);
+    if (within == 0) return 0;
+    out.sum = u + v + w;
+    out.second = v;
+    out.third = w;
+    out.distance = (u * a.ahead + v * b.ahead + w * c.ahead) * ray.scale / out.sum;
+    // The distance to an empty triangle is NaN, which is in no range.
+    return within & where_not_above(ray.nearest - zero, out.distance) &
+           where_not_above(out.distance, farthest - zero);
 }
 
 /// Puts the children that the ray enters on the stack, the nearest on top.
-[[gnu::always_inline]] inline int push_children(const BvhNode& node, const float* enter, Waiting* stack,
-                                                int top) {
+[[gnu::always_inline]] inline int push_children(const BvhNode& node, unsigned entered,
+                                                const Lanes& enter, Waiting* stack, int top) {
     const int base = top;
-    for (int lane = 0; lane < kBvhWidth; ++lane) {
-        if (!(enter[lane] < kNone)) continue;
+    for (; entered != 0; entered &= entered - 1) {
+        const int lane = __builtin_ctz(entered);
+        const float distance = enter[lane];
         int place = top++;
-        for (; place > base && stack[place - 1].distance < enter[lane]; --place)
+        for (; place > base && stack[place - 1].distance < distance; --place)
             stack[place] = stack[place - 1];
-        stack[place] = {enter[lane], node.child[lane]};
+        stack[place] = {distance, node.child[lane]};
     }
     return top;
 }
@@ -122,7 +190,7 @@ template <bool any>
 bool traverse(const BvhView& bvh, const MeshRay& mesh_ray, MeshHit& hit) {
     const Prepared ray = prepared(mesh_ray);
     Waiting stack[kBvhStack];
-    alignas(64) float enter[kBvhWidth];
+    Lanes enter;
     LeafHits hits;
     stack[0] = {ray.nearest, 0};
     for (int top = 1; top > 0;) {
@@ -130,17 +198,19 @@ bool traverse(const BvhView& bvh, const MeshRay& mesh_ray, MeshHit& hit) {
         if (next.distance > hit.distance) continue;
         if ((next.child & kBvhLeaf) == 0) {
             const BvhNode& node = bvh.nodes[next.child];
-            enter_boxes(node, ray, hit.distance, enter);
-            top = push_children(node, enter, stack, top);
+            const unsigned entered = enter_boxes(node, ray, hit.distance, enter);
+            top = push_children(node, entered, enter, stack, top);
             continue;
         }
         const BvhLeaf& leaf = bvh.leaves[next.child & ~kBvhLeaf];
-        meet_triangles(leaf, ray, hits);
-        for (int lane = 0; lane < kBvhWidth; ++lane) {
+        unsigned met = meet_triangles(leaf, ray, hit.distance, hits);
+        if (any && met != 0) return true;
+        for (; met != 0; met &= met - 1) {
+            const int lane = __builtin_ctz(met);
             if (!(hits.distance[lane] < hit.distance)) continue;
-            if constexpr (any) return true;
             const float share = 1.0F / hits.sum[lane];
-            hit = {hits.distance[lane], hits.u[lane] * share, hits.v[lane] * share, leaf.triangle[lane]};
+            hit = {hits.distance[lane], hits.second[lane] * share, hits.third[lane] * share,
+                   leaf.triangle[lane]};
         }
     }
     return false;

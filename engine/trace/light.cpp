@@ -35,7 +35,9 @@ glm::vec3 Light::towards_lamp(const glm::vec2& uniform) const {
 }
 
 glm::vec3 Light::from(const glm::vec3& direction, bool with_lamp) const {
-    if (with_lamp && glm::dot(direction, lamp_axis_) > lamp_cosine_) return lamp_radiance_;
+    // The lamp hides the sky behind it.
+    if (glm::dot(direction, lamp_axis_) > lamp_cosine_)
+        return with_lamp ? lamp_radiance_ : glm::vec3(0.0F);
     const float height = 0.5F * (direction.z + 1.0F);
     const float in_window = std::clamp(
         (glm::dot(direction, window_axis_) - window_cosine_) / (window_full_cosine_ - window_cosine_),

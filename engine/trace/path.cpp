@@ -9,15 +9,19 @@ namespace {
 /// the glass' edges and highlights are what one sees most of it.
 constexpr int kSplits = 2;
 /// A share smaller than this is not worth a path of its own.
-constexpr float kLeastSplit = 0.002F;
+constexpr float kLeastSplit = 0.01F;
 /// Events before paths are ended by chance.
 constexpr int kSureEvents = 6;
+/// Scatterings at which the lamp is looked for in any case, and the chance at those after them.
+constexpr int kSureLamps = 2;
+constexpr float kRareLamps = 0.35F;
 /// Moved off a surface by so much, so that it is not met again.
 constexpr float kLift_m = 1e-6F;
 
 struct Strand {
     Ray ray;
     glm::vec3 weight{1.0F};
+    float share = 1.0F;  ///< of the weight that splitting alone has left
     unsigned here = kAir;
     int events = 0;
     int scatterings = 0;
@@ -45,7 +49,7 @@ class Follower {
         while (strand.events < settings_.most_events && step(strand)) {
             ++strand.events;
             if (strand.events <= kSureEvents) continue;
-            const float stays = std::min(1.0F, largest(strand.weight));
+            const float stays = std::min(1.0F, largest(strand.weight) / strand.share);
             if (sampler_.next() >= stays) return;
             strand.weight /= stays;
         }
@@ -54,16 +58,15 @@ class Follower {
     /// One straight segment and what happens at its end; false when the strand ends.
     bool step(Strand& strand) {
         ++rays_;
-        const SurfaceHit hit = world_.nearest_hit(strand.ray, strand.here);
-        const float free = world_.free_path_m(strand.ray, strand.here, hit.distance, sampler_);
-        const bool scatters = free < hit.distance;
-        if (!scatters && hit.kind == SurfaceKind::None) {
+        const World::Event event = world_.next_event(strand.ray, strand.here, sampler_);
+        const SurfaceHit& hit = event.hit;
+        if (!event.is_scattering && hit.kind == SurfaceKind::None) {
             arrive(strand);
             return false;
         }
-        strand.weight *= world_.absorbed(strand.here, free);
-        strand.ray.origin += strand.ray.direction * free;
-        if (scatters) {
+        strand.weight *= world_.absorbed(strand.here, event.distance);
+        strand.ray.origin += strand.ray.direction * event.distance;
+        if (event.is_scattering) {
             scatter_in_milk(strand);
         } else {
             if (strand.events == 0) describe_normal(hit);
@@ -110,12 +113,19 @@ class Follower {
 
     bool seeks_lamp() const { return settings_.seeks_lamp && world_.light().has_lamp(); }
 
+    /// Light that has been scattered often comes from everywhere alike: then the lamp is looked for now
+    /// and then only, and counts the more.
+    float chance_to_seek_lamp(const Strand& strand) const {
+        return strand.scatterings <= kSureLamps ? 1.0F : kRareLamps;
+    }
+
     void scatter_in_milk(Strand& strand) {
         strand.weight *= world_.optics().milk_albedo;
         become_dull(strand, {0.8F, 0.75F, 0.6F});
-        if (seeks_lamp())
+        const float chance = seeks_lamp() ? chance_to_seek_lamp(strand) : 0.0F;
+        if (chance >= 1.0F || (chance > 0.0F && sampler_.next() < chance))
             add_lamp(strand, strand.ray.origin, world_.light().towards_lamp(sampler_.pair()),
-                     1.0F / (4.0F * kPi));
+                     1.0F / (4.0F * kPi * chance));
         const glm::vec2 random = sampler_.pair();
         const float z = 1.0F - 2.0F * random.x;
         const glm::vec2 turn = cos_sin_of_turns(random.y) * std::sqrt(std::max(0.0F, 1.0F - z * z));
@@ -165,10 +175,12 @@ class Follower {
             --strand.splits_left;
             bounced.splits_left = strand.splits_left;
             bounced.weight *= share;
+            bounced.share *= share;
             bounced.describes = false;
             ++bounced.events;
             waiting_strands_[waiting_++] = bounced;
             strand.weight *= 1.0F - share;
+            strand.share *= 1.0F - share;
         }
         strand.ray = {strand.ray.origin - off * kLift_m, refracted(before, facing, from / to)};
         strand.here = beyond;

@@ -79,16 +79,26 @@ SurfaceHit World::nearest_clear_hit(const Ray& ray, unsigned here) const {
     return hit;
 }
 
-SurfaceHit World::nearest_hit(const Ray& ray, unsigned here) const {
+void World::meet_milk(const Ray& ray, unsigned here, SurfaceHit& hit) const {
+    if ((here & kGlass) != 0 || milk_.bvh.empty() || !meet_mesh(milk_, ray, hit)) return;
+    hit.kind = milk_body_ == MilkBody::Volume ? SurfaceKind::Clear : SurfaceKind::Milk;
+    hit.decided = hit.inner = kMilk;
+    hit.outer = kAir;
+}
+
+/// In cloudy tea light does not get far, and the milk's many triangles are asked for that way alone.
+World::Event World::next_event(const Ray& ray, unsigned here, Sampler& sampler) const {
     SurfaceHit hit = nearest_clear_hit(ray, here);
     if (table_) meet_table(ray, hit);
-    if ((here & kGlass) == 0 && !milk_.bvh.empty() && meet_mesh(milk_, ray, hit)) {
-        const bool as_volume = milk_body_ == MilkBody::Volume;
-        hit.kind = as_volume ? SurfaceKind::Clear : SurfaceKind::Milk;
-        hit.decided = hit.inner = kMilk;
-        hit.outer = kAir;
+    const float free = free_path_m(ray, here, hit.distance, sampler);
+    if (free < hit.distance) {
+        SurfaceHit nearer;
+        nearer.distance = free;
+        meet_milk(ray, here, nearer);
+        return {nearer.distance, nearer.kind == SurfaceKind::None, nearer};
     }
-    return hit;
+    meet_milk(ray, here, hit);
+    return {hit.distance, false, hit};
 }
 
 glm::vec3 World::reflectance(SurfaceKind kind, const glm::vec3& point) const {
@@ -122,9 +132,9 @@ glm::vec3 World::straight_transmittance(Ray ray, unsigned here, Sampler& sampler
     glm::vec3 share(1.0F);
     for (int crossing = 0; crossing < kMostCrossings; ++crossing) {
         ++rays;
-        const bool through_milk = milk_body_ == MilkBody::Volume;
-        SurfaceHit hit = through_milk ? nearest_hit(ray, here) : nearest_clear_hit(ray, here);
+        SurfaceHit hit = nearest_clear_hit(ray, here);
         if (table_) meet_table(ray, hit);
+        if (milk_body_ == MilkBody::Volume) meet_milk(ray, here, hit);
         if (hit.kind == SurfaceKind::Table || milk_in_the_way(ray, here, hit.distance))
             return glm::vec3(0.0F);
         if (hit.kind == SurfaceKind::None) return share;

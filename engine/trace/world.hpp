@@ -16,7 +16,13 @@ class World {
     const Light& light() const { return light_; }
     const Optics& optics() const { return optics_; }
 
-    SurfaceHit nearest_hit(const Ray& ray, unsigned here) const;
+    /// Where a ray that starts `here` is scattered by milk, or else what it meets.
+    struct Event {
+        float distance;
+        bool is_scattering;
+        SurfaceHit hit;
+    };
+    Event next_event(const Ray& ray, unsigned here, Sampler& sampler) const;
 
     /// Of undissolved milk or the table.
     glm::vec3 reflectance(SurfaceKind kind, const glm::vec3& point) const;
@@ -28,9 +34,6 @@ class World {
 
     /// By Beer's law; undiluted milk absorbs where it scatters.
     glm::vec3 absorbed(unsigned here, float length_m) const;
-
-    /// How far light gets until it is scattered, or `limit_m`.
-    float free_path_m(const Ray& ray, unsigned here, float limit_m, Sampler& sampler) const;
 
     /// The share of the lamp's light that arrives at a point from `direction`, on a straight way through
     /// all that is clear; adds to `rays` what it took.
@@ -46,6 +49,8 @@ class World {
     void meet_table(const Ray& ray, SurfaceHit& hit) const;
     bool meet_mesh(const Triangles& triangles, const Ray& ray, SurfaceHit& hit) const;
     bool milk_in_the_way(const Ray& ray, unsigned here, float length_m) const;
+    float free_path_m(const Ray& ray, unsigned here, float limit_m, Sampler& sampler) const;
+    void meet_milk(const Ray& ray, unsigned here, SurfaceHit& hit) const;
     SurfaceHit nearest_clear_hit(const Ray& ray, unsigned here) const;
 
     Optics optics_;

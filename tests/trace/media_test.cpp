@@ -1,0 +1,105 @@
+#include "trace/dissolved.hpp"
+#include "trace/numbers.hpp"
+#include "trace/scenes.hpp"
+#include "trace/world.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace pastoso::trace {
+namespace {
+
+constexpr int kRays = 20000;
+
+/// The share of rays that get through, and five standard errors of it.
+double share_through(const DissolvedMilk& milk, const glm::vec3& origin, const glm::vec3& direction,
+                     float length) {
+    int through = 0;
+    for (std::uint32_t i = 0; i < kRays; ++i) {
+        Sampler sampler(11, i, 0);
+        if (milk.free_path_m(origin, direction, length, sampler) >= length) ++through;
+    }
+    return static_cast<double>(through) / kRays;
+}
+double five_errors(double share) {
+    return 5.0 * std::sqrt(share * (1.0 - share) / kRays);
+}
+
+TEST(DissolvedMilk, EvenMilkLetsThroughWhatBeersLawSays) {
+    const DissolvedMilk milk(tests::even_milk(0.01F), 3000.0F);
+    const glm::vec3 direction = glm::normalize(glm::vec3(0.5F, 0.3F, 0.7F));
+    for (const float length : {0.005F, 0.03F, 0.08F}) {
+        const double exact = std::exp(-30.0 * static_cast<double>(length));
+        EXPECT_NEAR(share_through(milk, {0.02F, 0.03F, 0.01F}, direction, length), exact,
+                    five_errors(exact));
+        Sampler sampler(1, 2, 3);
+        // Even milk leaves the samples of a shadow nothing to vary over: rounding alone.
+        EXPECT_NEAR(milk.transmittance({0.02F, 0.03F, 0.01F}, direction, length, sampler), exact, 1e-5);
+    }
+}
+
+TEST(DissolvedMilk, VaryingMilkLetsThroughTheExponentialOfItsIntegral) {
+    grid::BoxField field = tests::even_milk(0.0F, 32);
+    for (int k = 0; k < 32; ++k)
+        for (int j = 0; j < 32; ++j)
+            for (int i = 0; i < 32; ++i)
+                field.at(i, j, k) = i < 16 ? 0.0F : 0.0005F * static_cast<float>(i);
+    const DissolvedMilk milk(field, 3000.0F);
+    const glm::vec3 origin(0.001F, 0.047F, 0.052F), direction(1.0F, 0.0F, 0.0F);
+    const float length = 0.097F;
+    double depth = 0.0;
+    for (int step = 0; step < 10000; ++step) {
+        const float at = (static_cast<float>(step) + 0.5F) / 10000.0F * length;
+        depth += 3000.0 * static_cast<double>(milk.fraction(origin + direction * at)) *
+                 static_cast<double>(length) / 10000.0;
+    }
+    const double exact = std::exp(-depth);
+    EXPECT_NEAR(share_through(milk, origin, direction, length), exact, five_errors(exact));
+}
+
+TEST(DissolvedMilk, FractionsAreLinearBetweenCentresAndEvenBeyondThem) {
+    grid::BoxField field = tests::even_milk(0.0F, 4);
+    field.at(1, 2, 3) = 0.4F;
+    field.at(2, 2, 3) = 0.2F;
+    const DissolvedMilk milk(field, 3000.0F);
+    const float h = 0.025F;
+    EXPECT_NEAR(milk.fraction({1.5F * h, 2.5F * h, 3.5F * h}), 0.4F, 1e-6F);
+    EXPECT_NEAR(milk.fraction({2.0F * h, 2.5F * h, 3.5F * h}), 0.3F, 1e-6F);
+    EXPECT_NEAR(milk.fraction({1.5F * h, 2.5F * h, 9.0F * h}), 0.4F, 1e-6F);
+}
+
+TEST(DissolvedMilk, TeaWithoutMilkIsEmpty) {
+    EXPECT_TRUE(DissolvedMilk(tests::even_milk(0.0F), 3000.0F).empty());
+    EXPECT_TRUE(DissolvedMilk(grid::BoxField(), 3000.0F).empty());
+}
+
+TEST(World, TeaAbsorbsByBeersLaw) {
+    const World world((Scene()));
+    const glm::vec3 share = world.absorbed(kLiquid, 0.05F);
+    EXPECT_NEAR(share.r, std::exp(-4.5 * 0.05), 1e-6);
+    EXPECT_NEAR(share.g, std::exp(-17.0 * 0.05), 1e-6);
+    EXPECT_NEAR(share.b, std::exp(-48.0 * 0.05), 1e-6);
+    EXPECT_EQ(world.absorbed(kAir, 1.0F), glm::vec3(1.0F));
+    // Where a liquid reaches into glass there is glass.
+    EXPECT_EQ(world.absorbed(kLiquid | kGlass, 0.01F), world.absorbed(kGlass, 0.01F));
+}
+
+TEST(World, AShadowRayThroughTeaLosesWhatSurfacesAndTeaTake) {
+    Scene scene;
+    const World world(scene);
+    Sampler sampler(1, 1, 1);
+    std::uint64_t rays = 0;
+    // Straight up from the axis, through the level alone.
+    const glm::vec3 share =
+        world.straight_transmittance({{0.05F, 0.05F, 0.048F}, {0, 0, 1}}, kLiquid, sampler, rays);
+    const double surface = 1.0 - std::pow(0.335 / 2.335, 2);
+    EXPECT_NEAR(share.g, surface * std::exp(-17.0 * 0.04), 1e-5);
+    EXPECT_EQ(rays, 2U);
+    // Straight down is the table.
+    EXPECT_EQ(world.straight_transmittance({{0.05F, 0.05F, 0.048F}, {0, 0, -1}}, kLiquid, sampler, rays),
+              glm::vec3(0.0F));
+}
+
+}  // namespace
+}  // namespace pastoso::trace

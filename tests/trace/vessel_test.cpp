@@ -1,0 +1,135 @@
+#include "trace/vessel.hpp"
+
+#include "core/random.hpp"
+#include "trace/optics.hpp"
+#include "trace/scenes.hpp"
+#include "trace/world.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pastoso::trace {
+namespace {
+
+glm::vec3 random_direction(std::uint32_t index) {
+    const float z = 1.0F - 2.0F * core::uniform_noise(index, 1);
+    const glm::vec2 turn = cos_sin_of_turns(core::uniform_noise(index, 2)) * std::sqrt(1.0F - z * z);
+    return {turn, z};
+}
+
+TEST(CupSurfaces, RaysOutOfTheTeaEndWhereItsDistanceIsZero) {
+    const liquid::Cup cup;
+    const CupSurfaces surfaces(cup);
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+        const Ray ray{{0.06F, 0.045F, 0.03F}, random_direction(i)};
+        SurfaceHit hit;
+        surfaces.meet(ray, kLiquid, hit);
+        ASSERT_EQ(hit.kind, SurfaceKind::Clear);
+        // Rounding of coordinates of 0.1 m.
+        EXPECT_NEAR(liquid::tea_distance_m(cup, ray.origin + ray.direction * hit.distance), 0.0F, 1e-7F);
+        EXPECT_NEAR(glm::length(hit.normal), 1.0F, 1e-6F);
+        const bool through_level = hit.normal.z > 0.5F && ray.direction.z > 0.0F;
+        EXPECT_EQ(hit.beyond(kLiquid, ray.direction), through_level ? kAir : kGlass);
+    }
+}
+
+TEST(CupSurfaces, RaysThatCrossTheWholeGlassEndInAir) {
+    const CupSurfaces surfaces{liquid::Cup()};
+    int crossed = 0;
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+        Ray ray{glm::vec3(0.05F, 0.05F, 0.04F) - 0.4F * random_direction(i), random_direction(i)};
+        ray.origin += 0.04F * random_direction(i + 5000);
+        unsigned here = kAir;
+        for (int crossing = 0; crossing < 20; ++crossing) {
+            SurfaceHit hit;
+            surfaces.meet(ray, here, hit);
+            if (hit.kind == SurfaceKind::None) break;
+            ++crossed;
+            here = hit.beyond(here, ray.direction);
+            ray.origin += ray.direction * hit.distance;
+        }
+        EXPECT_EQ(here, kAir) << i;
+    }
+    EXPECT_GT(crossed, 2000);
+}
+
+/// Bends a ray at every clear surface until it is out.
+Ray sent_through(const World& world, Ray ray) {
+    unsigned here = kAir;
+    Sampler sampler(1, 1, 1);
+    for (;;) {
+        const World::Event event = world.next_event(ray, here, sampler);
+        if (event.hit.kind != SurfaceKind::Clear) return ray;
+        const unsigned beyond = event.hit.beyond(here, ray.direction);
+        const glm::vec3& n = event.hit.normal;
+        const glm::vec3 facing = glm::dot(n, ray.direction) > 0.0F ? -n : n;
+        ray.origin += ray.direction * event.distance - facing * 1e-6F;
+        ray.direction = refracted(ray.direction, facing,
+                                  world.refractive_index(here) / world.refractive_index(beyond));
+        here = beyond;
+    }
+}
+
+TEST(TankSurfaces, RaysLeaveAnEmptyTankOfPlatesAsTheyCame) {
+    Scene scene;
+    scene.cup.reset();
+    scene.table.reset();
+    scene.tank = Tank{};
+    const World world(scene);
+    for (std::uint32_t i = 0; i < 200; ++i) {
+        // Level enough to pass through two opposite walls.
+        const glm::vec3 direction = glm::normalize(glm::vec3(
+            1.0F, 0.5F * core::uniform_noise(i, 3) - 0.25F, 0.5F * core::uniform_noise(i, 4) - 0.25F));
+        const Ray out = sent_through(world, {glm::vec3(0.05F) - direction * 0.3F, direction});
+        EXPECT_GT(out.origin.x, 0.101F);
+        EXPECT_NEAR(glm::distance(out.direction, direction), 0.0F, 2e-6F);
+    }
+}
+
+TEST(TankSurfaces, APlateShiftsARayByWhatGeometrySays) {
+    Scene scene;
+    scene.cup.reset();
+    scene.table.reset();
+    scene.tank = Tank{};
+    const World world(scene);
+    const float sine = 0.5F;
+    const glm::vec3 direction(std::sqrt(1.0F - sine * sine), sine, 0.0F);
+    const Ray out = sent_through(world, {{-0.05F, 0.005F, 0.05F}, direction});
+    // Each of two plates d thick moves it aside by d (tan a - tan b).
+    const float inner_sine = sine / 1.5F;
+    const float tangent = sine / std::sqrt(1.0F - sine * sine);
+    const float inner_tangent = inner_sine / std::sqrt(1.0F - inner_sine * inner_sine);
+    const float straight = 0.005F + tangent * (out.origin.x + 0.05F);
+    EXPECT_NEAR(straight - out.origin.y, 2.0F * 0.002F * (tangent - inner_tangent), 1e-5F);
+}
+
+TEST(TankSurfaces, ALiquidThatReachesIntoTheGlassIsGlassThere) {
+    Scene scene;
+    scene.cup.reset();
+    scene.table.reset();
+    scene.tank = Tank{};
+    // A box of liquid that ends in the middle of the plates.
+    const float low = -0.001F, high = 0.101F, top = 0.06F;
+    auto& mesh = scene.clear_liquid;
+    for (const float z : {low, top})
+        for (const float y : {low, high})
+            for (const float x : {low, high})
+                mesh.positions_m.push_back({x, y, z});
+    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    const World world(scene);
+    Sampler sampler(1, 1, 1);
+    Ray ray{{-0.05F, 0.05F, 0.03F}, {1, 0, 0}};
+    unsigned here = kAir;
+    std::vector<float> indices;
+    for (int crossing = 0; crossing < 6; ++crossing) {
+        const World::Event event = world.next_event(ray, here, sampler);
+        ASSERT_EQ(event.hit.kind, SurfaceKind::Clear);
+        here = event.hit.beyond(here, ray.direction);
+        ray.origin += ray.direction * event.distance;
+        indices.push_back(world.refractive_index(here));
+    }
+    EXPECT_EQ(indices, (std::vector<float>{1.5F, 1.5F, 1.335F, 1.5F, 1.5F, 1.0F}));
+}
+
+}  // namespace
+}  // namespace pastoso::trace
