@@ -8,6 +8,7 @@
 #include "cli/recover.hpp"
 #include "cli/replay.hpp"
 #include "cli/simulate.hpp"
+#include "cli/tea.hpp"
 #include "cli/timelapse.hpp"
 #include "cli/usage_error.hpp"
 #include "core/error.hpp"
@@ -32,6 +33,8 @@ int run(int argc, char** argv) {
     TimelapseOptions timelapse;
     RecoverOptions recover;
     SimulateOptions simulate;
+    TeaOptions tea;
+    TeaRenderOptions tea_render;
     InfoOptions info;
     CLI::App app("Paints with thick wet paint, without a screen.", "pastoso-cli");
     app.set_version_flag("--version", "pastoso-cli " PASTOSO_VERSION);
@@ -44,12 +47,13 @@ int run(int argc, char** argv) {
     add_timelapse(app, timelapse);
     add_recover(app, recover);
     add_simulate(app, simulate);
+    add_tea(app, tea, tea_render);
     add_info(app, info);
     const std::string first = argc > 1 ? argv[1] : "-";
     const auto is_named = [&](const CLI::App* command) { return command->check_name(first); };
     if (!first.starts_with('-') && app.get_subcommands(is_named).empty()) {
         throw UsageError("there is no subcommand \"" + first +
-                         "\", only replay, sheet, export, timelapse, recover, simulate and info.");
+                         "\", only replay, sheet, export, timelapse, recover, simulate, tea and info.");
     }
     try {
         app.parse(argc, argv);
@@ -72,6 +76,8 @@ int run(int argc, char** argv) {
         run_recover(recover);
     else if (app.got_subcommand("simulate"))
         run_simulate(simulate);
+    else if (app.got_subcommand("tea"))
+        app.get_subcommand("tea")->got_subcommand("render") ? run_tea_render(tea_render) : run_tea(tea);
     else
         run_info(info);
     return kDone;

@@ -3,6 +3,7 @@
 
 #include "io/picture_style.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -100,6 +101,39 @@ struct SimulateOptions {
     std::optional<int> threads;
     std::string stats;
     io::PictureOptions picture;
+    bool quiet = false;
+};
+
+/// How frames of tea become files.
+struct TeaPictureOptions {
+    std::string format = "png";  ///< the files' ending
+    std::string size = "800x800";
+    int samples = 48;     ///< a pixel
+    int pbrt_syntax = 4;  ///< version of PBRT: 4, 3 or 2
+    int every = 1;        ///< a file for every so many frames
+};
+
+struct TeaOptions {
+    std::string scene;  ///< a file; empty: the usual tea
+    double seconds = 45.0;
+    double fps = 30.0;
+    std::optional<int> cells;
+    std::optional<std::uint32_t> seed;
+    std::string frames;  ///< folder for files, empty: none
+    std::string cache;   ///< folder for frames to be drawn later, empty: none
+    TeaPictureOptions picture;
+    std::string stats;
+    int threads = 0;
+    bool quiet = false;
+};
+
+struct TeaRenderOptions {
+    std::string cache;
+    std::string range;   ///< "FIRST-LAST"; empty: all
+    std::string frames;  ///< folder
+    TeaPictureOptions picture;
+    std::string stats;
+    int threads = 0;
     bool quiet = false;
 };
 

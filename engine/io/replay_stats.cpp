@@ -6,17 +6,13 @@
 #include <nlohmann/json.hpp>
 
 namespace pastoso::io {
-namespace {
-
-std::string hex(std::uint64_t value) {
+std::string hex_text(std::uint64_t value) {
     static constexpr char kDigits[] = "0123456789abcdef";
     std::string text(16, '0');
     for (int i = 0; i < 16; ++i)
         text[15 - i] = kDigits[(value >> (4 * i)) & 15U];
     return text;
 }
-
-}  // namespace
 
 double peak_rss_mib() {
     return static_cast<double>(core::peak_memory_bytes()) / (1 << 20);
@@ -42,8 +38,8 @@ std::string stats_json(const ReplayStats& stats) {
         {"volume_error_rel", account.volume_error_rel()},
         {"pigment_error_rel", account.pigment_error_rel()},
         {"clamped_faces", stats.film.clamped_faces},
-        {"state_hash", hex(stats.state_hash)},
-        {"image_hash", hex(stats.image_hash)},
+        {"state_hash", hex_text(stats.state_hash)},
+        {"image_hash", hex_text(stats.image_hash)},
         {"peak_rss_mib", peak_rss_mib()},
         {"threads", stats.threads},
         {"version", stats.version},

@@ -27,6 +27,9 @@ struct ReplayStats {
 /// The largest resident memory of this process so far, in MiB.
 double peak_rss_mib();
 
+/// Sixteen hexadecimal digits.
+std::string hex_text(std::uint64_t value);
+
 /// One flat JSON object of numbers and texts; the hashes as 16 hexadecimal digits.
 std::string stats_json(const ReplayStats& stats);
 

@@ -78,7 +78,7 @@ std::filesystem::path tea_frame_path(const std::filesystem::path& folder, int fr
 
 std::vector<bool> whole_tea_frames(const std::filesystem::path& folder, const TeaCacheIndex& index) {
     std::vector<bool> whole;
-    for (int frame = 0; frame < index.count; ++frame)
+    for (int frame = 1; frame <= index.count; ++frame)
         whole.push_back(is_whole_tea_frame(tea_frame_path(folder, frame), index.scene_hash));
     return whole;
 }

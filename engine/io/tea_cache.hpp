@@ -25,11 +25,11 @@ void write_tea_index(const std::filesystem::path& folder, const TeaCacheIndex& i
 /// Throws InputError when it cannot be read or is not sound.
 TeaCacheIndex read_tea_index(const std::filesystem::path& folder);
 
-/// "FOLDER/frame_000123.tea".
+/// "FOLDER/frame_000123.tea". Frames are counted from 1: frame n is the tea at n / fps seconds.
 std::filesystem::path tea_frame_path(const std::filesystem::path& folder, int frame);
 
-/// Which frames are whole and belong to the scene; every file is read. A run that was stopped goes on
-/// with the others.
+/// Which frames, from 1 on, are whole and belong to the scene; every file is read. A run that was
+/// stopped goes on with the others.
 std::vector<bool> whole_tea_frames(const std::filesystem::path& folder, const TeaCacheIndex& index);
 
 }  // namespace pastoso::io

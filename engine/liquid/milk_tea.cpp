@@ -94,13 +94,15 @@ void MilkTea::set_settings(const TeaSettings& settings) {
     flow_.set_parameters(flow_of(settings));
 }
 
-TeaStep MilkTea::step(core::ThreadPool& pool) {
+TeaStep MilkTea::step(core::ThreadPool& pool, MeasureDivergence measure) {
     const auto dt_s = static_cast<float>(settings_.step_s);
     pour();
     add_forces(pool);
     TeaStep result;
     result.diffusion = diffuse(pool);
     result.pressure = flow_.project(pool);
+    if (measure == MeasureDivergence::Yes)
+        result.divergence_per_s = largest_divergence(flow_.walls(), flow_.velocity());
     carry(pool);
     const SolveResult between = flow_.advect_velocity(dt_s, pool);
     if (is_worse(between, result.pressure)) result.pressure = between;
@@ -108,6 +110,10 @@ TeaStep MilkTea::step(core::ThreadPool& pool) {
     erase_dissolved();
     ++steps_;
     return result;
+}
+
+TeaFrame MilkTea::frame() const {
+    return {time_s(), steps_, parcels_, dissolved_, coldness_};
 }
 
 double MilkTea::milk_m3(core::ThreadPool& pool) const {

@@ -11,6 +11,7 @@
 #include "liquid/flow.hpp"
 #include "liquid/milk_balls.hpp"
 #include "liquid/parcel_cells.hpp"
+#include "liquid/tea_frame.hpp"
 #include "liquid/tea_settings.hpp"
 
 #include <cstdint>
@@ -19,10 +20,13 @@
 
 namespace pastoso::liquid {
 
-/// How the equations of a step were solved, worst first.
+/// How the equations of a step were solved: of several solutions the worst.
 struct TeaStep {
     SolveResult pressure, diffusion;
+    float divergence_per_s = 0.0F;  ///< the largest that pressure left in a cell, where it is measured
 };
+
+enum class MeasureDivergence { No, Yes };
 
 class MilkTea {
   public:
@@ -34,7 +38,7 @@ class MilkTea {
     /// stay as they are. Throws InputError like check_tea(), and when one of those would change.
     void set_settings(const TeaSettings& settings);
 
-    TeaStep step(core::ThreadPool& pool);
+    TeaStep step(core::ThreadPool& pool, MeasureDivergence measure = MeasureDivergence::No);
 
     int steps() const { return steps_; }
     double time_s() const { return steps_ * settings_.step_s; }
@@ -43,6 +47,7 @@ class MilkTea {
     const grid::BoxField& coldness() const { return coldness_; }    ///< of the tea, 0 warm, 1 as milk
     const VesselFlow& flow() const { return flow_; }
     int ball_count() const { return balls_.count(); }
+    TeaFrame frame() const;
 
     double poured_m3() const { return poured_m3_; }
     /// In parcels and dissolved.

@@ -30,7 +30,7 @@ const Rules& engine_rules() {
         {"document", {"core", "grid", "packing", "pigment", "film", "brush", "layers", "shade"}},
         {"io",
          {"core", "grid", "packing", "pigment", "film", "brush", "layers", "shade", "document",
-          "liquid"}},
+          "liquid", "trace"}},
         {"project",
          {"core", "grid", "packing", "pigment", "film", "brush", "layers", "shade", "document", "io"}},
         {"journal",

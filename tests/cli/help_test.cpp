@@ -15,6 +15,7 @@ TEST(CliHelp, EverySubcommandHasHelpWithAnExample) {
                                                       {"export", "--help"},
                                                       {"timelapse", "--help"},
                                                       {"simulate", "--help"},
+                                                      {"tea", "--help"},
                                                       {"info", "--help"}}) {
         const RunResult run = run_cli(arguments);
         EXPECT_EQ(run.status, 0);

@@ -140,10 +140,10 @@ TEST_F(TeaCacheTest, TheIndexTellsWhichFramesAreMissing) {
     EXPECT_EQ(read_tea_index(cache), index);
     EXPECT_EQ(tea_frame_path(cache, 123), cache / "frame_000123.tea");
     const TeaFrame frame = frame_of(2, {3, 3, 3, 0.01F}, false);
-    for (const int number : {0, 1, 2})
-        write_tea_frame(tea_frame_path(cache, number), frame, number == 2 ? 1 : kScene);
-    const std::string first = core::read_text_file(tea_frame_path(cache, 0));
-    core::write_text_file(tea_frame_path(cache, 0), first.substr(0, first.size() - 1));
+    for (const int number : {1, 2, 3})
+        write_tea_frame(tea_frame_path(cache, number), frame, number == 3 ? 1 : kScene);
+    const std::string first = core::read_text_file(tea_frame_path(cache, 1));
+    core::write_text_file(tea_frame_path(cache, 1), first.substr(0, first.size() - 1));
     EXPECT_EQ(whole_tea_frames(cache, index), (std::vector<bool>{false, true, false, false}));
 }
 

@@ -1,0 +1,225 @@
+#include "cli/tea.hpp"
+
+#include "cli/interrupt.hpp"
+#include "cli/progress.hpp"
+#include "cli/stopwatch.hpp"
+#include "cli/tea_files.hpp"
+#include "cli/usage_error.hpp"
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "io/tea_cache.hpp"
+#include "io/tea_json.hpp"
+#include "liquid/milk_tea.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+namespace pastoso::cli {
+namespace {
+
+using io::TeaStats;
+using liquid::MilkTea;
+using liquid::TeaSettings;
+
+/// Steps are at most as long as the scene says, and a whole number of them makes a frame.
+int steps_per_frame(const TeaSettings& settings, double fps) {
+    return std::max(1, static_cast<int>(std::ceil(1.0 / (fps * settings.step_s) - 1e-6)));
+}
+
+TeaSettings settings_of(const TeaOptions& options) {
+    TeaSettings settings = options.scene.empty() ? TeaSettings{} : io::read_tea(options.scene);
+    if (options.cells) settings.cells = *options.cells;
+    if (options.seed) settings.seed = *options.seed;
+    settings.step_s = 1.0 / (options.fps * steps_per_frame(settings, options.fps));
+    liquid::check_tea(settings);
+    return settings;
+}
+
+std::uint64_t hash_of(const std::string& text) {
+    core::Hash64 hash;
+    hash.add(std::as_bytes(std::span(text)));
+    return hash.value();
+}
+
+std::uint64_t hash_of(const MilkTea& tea) {
+    core::Hash64 hash;
+    hash.add(std::span<const liquid::Parcel>(tea.parcels()));
+    hash.add(std::span<const float>(tea.dissolved().values()));
+    hash.add(std::span<const float>(tea.coldness().values()));
+    return hash.value();
+}
+
+/// The folder that keeps frames, and which of them are there already.
+class Cache {
+  public:
+    /// Throws InputError when the folder keeps other tea.
+    Cache(std::filesystem::path folder, io::TeaCacheIndex index)
+        : folder_(std::move(folder)), index_(std::move(index)) {
+        if (std::filesystem::exists(folder_ / "tea.json")) {
+            const io::TeaCacheIndex there = io::read_tea_index(folder_);
+            if (there.scene_hash != index_.scene_hash || there.fps != index_.fps)
+                throw core::InputError(folder_.string() +
+                                       ": keeps frames of other tea; choose another folder.");
+            index_.count = std::max(index_.count, there.count);
+        }
+        io::write_tea_index(folder_, index_);
+        whole_ = io::whole_tea_frames(folder_, index_);
+    }
+
+    bool has(int frame) const { return whole_.at(static_cast<std::size_t>(frame) - 1); }
+    bool is_complete(int count) const {
+        return std::all_of(whole_.begin(), whole_.begin() + count, [](bool whole) { return whole; });
+    }
+    void write(int frame, const liquid::TeaFrame& content) const {
+        io::write_tea_frame(io::tea_frame_path(folder_, frame), content, index_.scene_hash);
+    }
+    liquid::TeaFrame read(int frame) const {
+        return io::read_tea_frame(io::tea_frame_path(folder_, frame), index_.scene_hash);
+    }
+
+  private:
+    std::filesystem::path folder_;
+    io::TeaCacheIndex index_;
+    std::vector<bool> whole_;
+};
+
+/// Where frames go, and what they cost.
+struct Outputs {
+    std::optional<TeaFiles> files;
+    std::optional<Cache> cache;
+    TeaStats stats;
+
+    bool wants(int frame) const {
+        return (cache && !cache->has(frame)) || (files && files->is_wanted(frame));
+    }
+    void put(int number, const liquid::TeaFrame& frame) {
+        if (cache && !cache->has(number)) stats.io_s += seconds_of([&] { cache->write(number, frame); });
+        if (files && files->is_wanted(number)) files->write(number, frame);
+    }
+};
+
+void add_files(const TeaFiles& files, TeaStats& stats) {
+    stats.surface_s += files.stats().surface_s;
+    stats.trace_s += files.stats().trace_s;
+    stats.denoise_s += files.stats().denoise_s;
+    stats.io_s += files.stats().io_s;
+    stats.frames = files.stats().frames;
+    stats.triangles = files.stats().triangles;
+    stats.surface_error_rel = files.stats().surface_error_rel;
+}
+
+void note_step(const liquid::TeaStep& step, TeaStats& stats) {
+    ++stats.steps;
+    stats.pcg_iterations_max = std::max(stats.pcg_iterations_max, step.pressure.iterations);
+    stats.divergence_max = std::max(stats.divergence_max, static_cast<double>(step.divergence_per_s));
+    stats.not_converged += step.pressure.converged ? 0 : 1;
+}
+
+void simulate(const TeaSettings& settings, const TeaOptions& options, int frame_count,
+              core::ThreadPool& pool, Outputs& outputs) {
+    TeaStats& stats = outputs.stats;
+    const auto measure =
+        options.stats.empty() ? liquid::MeasureDivergence::No : liquid::MeasureDivergence::Yes;
+    MilkTea tea(settings);
+    Progress progress("pouring", Progress::style_for_stderr(options.quiet));
+    for (int frame = 1; frame <= frame_count; ++frame) {
+        stats.simulate_s += seconds_of([&] {
+            for (int i = 0; i < steps_per_frame(settings, options.fps); ++i)
+                note_step(tea.step(pool, measure), stats);
+        });
+        if (outputs.wants(frame)) outputs.put(frame, tea.frame());
+        stop_if_interrupted();
+        progress.update(static_cast<double>(frame) / frame_count);
+    }
+    stats.parcels = static_cast<std::int64_t>(tea.parcels().size());
+    stats.balls = tea.ball_count();
+    if (tea.poured_m3() > 0.0)
+        stats.milk_error_rel = std::abs(tea.milk_m3(pool) / tea.poured_m3() - 1.0);
+    stats.state_hash = hash_of(tea);
+}
+
+void draw_kept(int frame_count, const TeaOptions& options, Outputs& outputs) {
+    Progress progress("drawing", Progress::style_for_stderr(options.quiet));
+    for (int frame = 1; frame <= frame_count; ++frame) {
+        if (outputs.files->is_wanted(frame)) outputs.put(frame, outputs.cache->read(frame));
+        stop_if_interrupted();
+        progress.update(static_cast<double>(frame) / frame_count);
+    }
+}
+
+/// "FIRST-LAST" or "FRAME", from 1 to `count`.
+std::pair<int, int> parse_range(const std::string& text, int count) {
+    if (text.empty()) return {1, count};
+    int first = 0, last = 0, read = 0;
+    const bool two = std::sscanf(text.c_str(), "%9d-%9d%n", &first, &last, &read) == 2;
+    if (!two && std::sscanf(text.c_str(), "%9d%n", &first, &read) == 1) last = first;
+    if (static_cast<std::size_t>(read) != text.size() || first < 1 || last < first || last > count) {
+        throw UsageError("--range: \"" + text + "\" is not FIRST-LAST, of frames 1 to " +
+                         std::to_string(count) + ".");
+    }
+    return {first, last};
+}
+
+void finish(TeaStats& stats, const Stopwatch& watch, int threads, const std::string& path) {
+    stats.wall_s = watch.seconds();
+    stats.threads = threads;
+    stats.version = PASTOSO_VERSION;
+    if (!path.empty()) io::write_stats(path, stats);
+}
+
+}  // namespace
+
+void run_tea(const TeaOptions& options) {
+    const Stopwatch watch;
+    watch_for_interrupts();
+    if (options.frames.empty() && options.cache.empty() && options.stats.empty())
+        throw UsageError("tea: nothing would be kept; give --frames, --cache or --stats.");
+    const TeaSettings settings = settings_of(options);
+    const int frame_count = static_cast<int>(std::lround(options.seconds * options.fps));
+    if (frame_count < 1) throw UsageError("--seconds: less than one frame.");
+    core::ThreadPool pool(options.threads);
+    Outputs outputs;
+    if (!options.frames.empty())
+        outputs.files.emplace(options.frames, options.picture, settings.cup, pool);
+    if (!options.cache.empty()) {
+        const std::string scene = io::tea_to_json(settings);
+        outputs.cache.emplace(options.cache,
+                              io::TeaCacheIndex{scene, hash_of(scene), options.fps, frame_count});
+    }
+    if (outputs.cache && outputs.files && outputs.cache->is_complete(frame_count))
+        draw_kept(frame_count, options, outputs);
+    else
+        simulate(settings, options, frame_count, pool, outputs);
+    if (outputs.files) add_files(*outputs.files, outputs.stats);
+    finish(outputs.stats, watch, pool.thread_count(), options.stats);
+}
+
+void run_tea_render(const TeaRenderOptions& options) {
+    const Stopwatch watch;
+    watch_for_interrupts();
+    const io::TeaCacheIndex index = io::read_tea_index(options.cache);
+    const TeaSettings settings = io::tea_from_json(index.scene, options.cache + "/tea.json");
+    const auto [first, last] = parse_range(options.range, index.count);
+    core::ThreadPool pool(options.threads);
+    TeaFiles files(options.frames, options.picture, settings.cup, pool);
+    TeaStats stats;
+    Progress progress("drawing", Progress::style_for_stderr(options.quiet));
+    for (int frame = first; frame <= last; ++frame) {
+        if (files.is_wanted(frame)) {
+            liquid::TeaFrame content;
+            stats.io_s += seconds_of([&] {
+                content = io::read_tea_frame(io::tea_frame_path(options.cache, frame), index.scene_hash);
+            });
+            files.write(frame, content);
+        }
+        stop_if_interrupted();
+        progress.update(static_cast<double>(frame - first + 1) / (last - first + 1));
+    }
+    add_files(files, stats);
+    finish(stats, watch, pool.thread_count(), options.stats);
+}
+
+}  // namespace pastoso::cli

@@ -1,0 +1,91 @@
+#include "cli/arguments.hpp"
+#include "cli/shared_arguments.hpp"
+#include "liquid/tea_settings.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace pastoso::cli {
+namespace {
+
+void add_tea_picture_options(CLI::App& command, TeaPictureOptions& options) {
+    command
+        .add_option("--format", options.format,
+                    "Pictures: png, exr, jpg, tif, webp; the milk's surface: obj, ply, stl, pbrt; or a "
+                    "whole scene for PBRT: pbrt-scene")
+        ->type_name("NAME")
+        ->capture_default_str()
+        ->check(CLI::IsMember(
+            {"png", "exr", "jpg", "tif", "webp", "obj", "ply", "stl", "pbrt", "pbrt-scene"}));
+    command.add_option("--size", options.size, "Pixels of a picture")
+        ->type_name("WxH")
+        ->capture_default_str();
+    command.add_option("--samples", options.samples, "Ways of light followed for a pixel")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1 << 20));
+    command
+        .add_option("--pbrt", options.pbrt_syntax, "PBRT's version that .pbrt files are for: 4, 3, 2")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(2, 4));
+    command.add_option("--every", options.every, "Make a file of every so many frames")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000000));
+}
+
+void add_stats_option(CLI::App& command, std::string& path) {
+    command.add_option("--stats", path, "Write times and counts as one JSON object")->type_name("FILE");
+}
+
+void add_render(CLI::App& tea, TeaRenderOptions& options) {
+    CLI::App& command = *tea.add_subcommand("render", "Draw frames that were kept, or any part of them");
+    command.add_option("CACHE", options.cache, "The folder that \"tea --cache\" filled")->required();
+    command.add_option("--range", options.range, "Frames to draw, for example 1-1350; all otherwise")
+        ->type_name("A-B");
+    command
+        .add_option("--frames", options.frames,
+                    "Folder for milk_0001.png and so on; what is there already is kept")
+        ->type_name("DIR")
+        ->required();
+    add_tea_picture_options(command, options.picture);
+    add_threads_option(command, options.threads);
+    add_stats_option(command, options.stats);
+    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+}
+
+}  // namespace
+
+void add_tea(CLI::App& program, TeaOptions& options, TeaRenderOptions& render) {
+    CLI::App& command =
+        *program.add_subcommand("tea", "Pour milk into a glass of tea, and draw what becomes of it");
+    command.add_option("SCENE", options.scene, "A scene file (.json); otherwise the usual glass");
+    command.add_option("--seconds", options.seconds, "How long to watch")
+        ->type_name("S")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 1e5));
+    command.add_option("--fps", options.fps, "Frames a second")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 1000.0));
+    command.add_option("--grid", options.cells, "Cells along each side of the box")
+        ->type_name("N")
+        ->check(CLI::Range(liquid::kMinTeaCells, liquid::kMaxTeaCells));
+    command.add_option("--seed", options.seed, "Another number, another glass")->type_name("N");
+    command
+        .add_option("--frames", options.frames,
+                    "Folder for milk_0001.png and so on; what is there already is kept")
+        ->type_name("DIR");
+    command.add_option("--cache", options.cache, "Folder to keep frames in, for \"tea render\"")
+        ->type_name("DIR");
+    add_tea_picture_options(command, options.picture);
+    add_threads_option(command, options.threads);
+    add_stats_option(command, options.stats);
+    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+    add_render(command, render);
+    command.footer(
+        "Example:\n  pastoso-cli tea --frames tea --every 30\n"
+        "  pastoso-cli tea --cache kept\n  pastoso-cli tea render kept --range 1-450 --frames tea");
+}
+
+}  // namespace pastoso::cli

@@ -1,0 +1,131 @@
+#include "cli/tea_files.hpp"
+
+#include "cli/interrupt.hpp"
+#include "cli/stopwatch.hpp"
+#include "cli/usage_error.hpp"
+#include "core/error.hpp"
+#include "io/pbrt_scene.hpp"
+#include "io/traced_picture.hpp"
+#include "trace/tea_scene.hpp"
+#include "trace/tracer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace pastoso::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSceneFormat = "pbrt-scene";
+constexpr int kMostPixels = 16384;  ///< a side, as the tracer has it
+
+struct Size {
+    int width_px = 0, height_px = 0;
+};
+
+Size parse_size(const std::string& text) {
+    Size size;
+    int read = 0;
+    const bool two_numbers =
+        std::sscanf(text.c_str(), "%5dx%5d%n", &size.width_px, &size.height_px, &read) == 2 &&
+        static_cast<std::size_t>(read) == text.size();
+    const auto fits = [](int side) { return side >= 1 && side <= kMostPixels; };
+    if (!two_numbers || !fits(size.width_px) || !fits(size.height_px)) {
+        throw UsageError("--size: \"" + text + "\" is not a size such as 800x800, of 1 to " +
+                         std::to_string(kMostPixels) + " pixels a side.");
+    }
+    return size;
+}
+
+bool go_on(double) {
+    return !is_interrupted();
+}
+
+io::PbrtSyntax syntax_of(int version) {
+    if (version == 4) return io::PbrtSyntax::V4;
+    return version == 3 ? io::PbrtSyntax::V3 : io::PbrtSyntax::V2;
+}
+
+}  // namespace
+
+TeaFiles::TeaFiles(fs::path folder, const TeaPictureOptions& options, const liquid::Cup& cup,
+                   core::ThreadPool& pool)
+    : folder_(std::move(folder)),
+      options_(options),
+      cup_(cup),
+      pool_(pool),
+      surfaces_(pool),
+      kind_(options.format == kSceneFormat               ? Kind::Scene
+            : io::is_mesh_path("milk." + options.format) ? Kind::Mesh
+                                                         : Kind::Picture) {
+    const Size size = parse_size(options.size);
+    width_px_ = size.width_px;
+    height_px_ = size.height_px;
+    mesh_.syntax = syntax_of(options.pbrt_syntax);
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error) throw core::InputError(folder_.string() + ": cannot be made (" + error.message() + ").");
+    if (kind_ == Kind::Picture) io::check_traced_path(path_of(1));
+}
+
+bool TeaFiles::is_wanted(int frame) const {
+    std::error_code ignored;
+    return frame % options_.every == 0 && !fs::exists(path_of(frame), ignored);
+}
+
+fs::path TeaFiles::path_of(int frame) const {
+    char digits[16];
+    std::snprintf(digits, sizeof digits, "%04d", frame);
+    if (kind_ == Kind::Scene) return folder_ / ("scene_" + std::string(digits) + ".pbrt");
+    return folder_ / ("milk_" + std::string(digits) + "." + options_.format);
+}
+
+void TeaFiles::write(int number, const liquid::TeaFrame& frame) {
+    liquid::MilkSurface surface;
+    stats_.surface_s +=
+        seconds_of([&] { surface = surfaces_.make(frame.parcels, cup_, frame.dissolved.shape()); });
+    stats_.triangles = static_cast<std::int64_t>(surface.mesh.triangles.size());
+    stats_.surface_error_rel = std::max(stats_.surface_error_rel, std::abs(surface.volume_error()));
+    const fs::path path = path_of(number);
+    if (kind_ == Kind::Picture) {
+        write_picture(path, frame, std::move(surface.mesh));
+    } else {
+        stats_.io_s += seconds_of([&] {
+            const io::ExportStatus status = kind_ == Kind::Scene
+                                                ? write_scene(path, frame, surface.mesh)
+                                                : io::export_mesh(path, surface.mesh, mesh_, go_on);
+            if (status == io::ExportStatus::Stopped) throw Interrupted{};
+        });
+    }
+    ++stats_.frames;
+}
+
+io::ExportStatus TeaFiles::write_scene(const fs::path& path, const liquid::TeaFrame& frame,
+                                       const liquid::TriangleMesh& milk) const {
+    io::PbrtScene scene{.cup = cup_, .milk = milk};
+    if (mesh_.syntax == io::PbrtSyntax::V4) scene.dissolved = &frame.dissolved;
+    scene.syntax = mesh_.syntax;
+    scene.width = width_px_;
+    scene.height = height_px_;
+    scene.samples = options_.samples;
+    return io::export_pbrt_scene(path, scene, go_on);
+}
+
+void TeaFiles::write_picture(const fs::path& path, const liquid::TeaFrame& frame,
+                             liquid::TriangleMesh milk) {
+    trace::TraceSettings settings;
+    settings.width = width_px_;
+    settings.height = height_px_;
+    trace::TeaTracer tracer(trace::tea_scene(cup_, frame, std::move(milk)), settings, pool_);
+    stats_.trace_s += seconds_of([&] {
+        if (!tracer.add_samples(options_.samples, [] { return is_interrupted(); })) throw Interrupted{};
+    });
+    trace::Picture picture;
+    stats_.denoise_s += seconds_of([&] { picture = tracer.denoised(); });
+    stats_.io_s += seconds_of([&] { io::write_traced_picture(path, picture); });
+}
+
+}  // namespace pastoso::cli

@@ -1,0 +1,53 @@
+// Frames of tea as numbered files: path-traced pictures, meshes of the milk, or scenes for PBRT.
+#pragma once
+
+#include "cli/options.hpp"
+#include "core/thread_pool.hpp"
+#include "io/mesh_export.hpp"
+#include "io/tea_stats.hpp"
+#include "liquid/cup.hpp"
+#include "liquid/milk_surface.hpp"
+#include "liquid/tea_frame.hpp"
+
+#include <filesystem>
+
+namespace pastoso::cli {
+
+class TeaFiles {
+  public:
+    /// Throws UsageError for a size that is none, and InputError for a format that is none, before
+    /// anything is made.
+    TeaFiles(std::filesystem::path folder, const TeaPictureOptions& options, const liquid::Cup& cup,
+             core::ThreadPool& pool);
+
+    /// Whether a file is to be made of this frame, from 1: it is one of every so many, and is not there.
+    bool is_wanted(int frame) const;
+
+    /// "FOLDER/milk_0001.png". Frames are told apart by their number alone.
+    std::filesystem::path path_of(int frame) const;
+
+    /// Writes the file aside. Throws Interrupted when the user stops it, and InputError when it cannot
+    /// be written.
+    void write(int number, const liquid::TeaFrame& frame);
+
+    /// Files and seconds so far.
+    const io::TeaStats& stats() const { return stats_; }
+
+  private:
+    io::ExportStatus write_scene(const std::filesystem::path& path, const liquid::TeaFrame& frame,
+                                 const liquid::TriangleMesh& milk) const;
+    void write_picture(const std::filesystem::path& path, const liquid::TeaFrame& frame,
+                       liquid::TriangleMesh milk);
+
+    std::filesystem::path folder_;
+    TeaPictureOptions options_;
+    liquid::Cup cup_;
+    core::ThreadPool& pool_;
+    liquid::MilkSurfaces surfaces_;
+    enum class Kind { Picture, Mesh, Scene } kind_;
+    io::MeshExportOptions mesh_;
+    int width_px_ = 0, height_px_ = 0;
+    io::TeaStats stats_;
+};
+
+}  // namespace pastoso::cli

@@ -1,0 +1,148 @@
+#include "cli/run_program.hpp"
+#include "core/text_file.hpp"
+#include "io/image.hpp"
+#include "io/json_place.hpp"
+
+#include <cmath>
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+namespace pastoso::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class CliTea : public CliTest {
+  protected:
+    /// Half a second of tea on a coarse grid.
+    RunResult tea(const std::vector<std::string>& more) const {
+        std::vector<std::string> all = {"tea", "--grid", "16", "--seconds", "0.5", "-q"};
+        all.insert(all.end(), more.begin(), more.end());
+        return run_cli(all);
+    }
+    std::vector<std::string> files_in(const std::string& name) const {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::directory_iterator(path(name)))
+            names.push_back(entry.path().filename().string());
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+    io::Json json(const std::string& name) const {
+        return io::parse_json(core::read_text_file(path(name)), name);
+    }
+    std::string bytes(const std::string& name) const { return core::read_text_file(path(name)); }
+};
+
+TEST_F(CliTea, PicturesAreNumberedByFramesAndSized) {
+    const RunResult run =
+        tea({"--frames", path("out"), "--every", "5", "--size", "40x30", "--samples", "2"});
+    ASSERT_EQ(run.status, 0) << run.errors;
+    EXPECT_THAT(files_in("out"),
+                testing::ElementsAre("milk_0005.png", "milk_0010.png", "milk_0015.png"));
+    const io::GreyImage picture = io::read_grey_image(path("out/milk_0010.png"));
+    EXPECT_EQ(picture.width, 40);
+    EXPECT_EQ(picture.height, 30);
+}
+
+TEST_F(CliTea, StatsTellWhatHappened) {
+    ASSERT_EQ(tea({"--stats", path("stats.json"), "--threads", "1"}).status, 0);
+    const io::Json stats = json("stats.json");
+    EXPECT_EQ(stats.at("steps"), 15);
+    EXPECT_EQ(stats.at("frames"), 0);
+    EXPECT_EQ(stats.at("threads"), 1);
+    // The recipe pours for 1.6 s.
+    EXPECT_NEAR(stats.at("parcels").get<double>(), 12000 * 0.5 / 1.6, 1.0);
+    EXPECT_LT(stats.at("milk_error_rel").get<double>(), 1e-6);
+    EXPECT_GT(stats.at("pcg_iterations_max").get<int>(), 0);
+    EXPECT_GT(stats.at("divergence_max").get<double>(), 0.0);
+    EXPECT_EQ(stats.at("not_converged"), 0);
+    EXPECT_GT(stats.at("steps_per_s").get<double>(), 0.0);
+}
+
+TEST_F(CliTea, ThreadsDoNotMatter) {
+    ASSERT_EQ(tea({"--stats", path("one.json"), "--threads", "1"}).status, 0);
+    ASSERT_EQ(tea({"--stats", path("three.json"), "--threads", "3"}).status, 0);
+    EXPECT_EQ(json("one.json").at("state_hash"), json("three.json").at("state_hash"));
+}
+
+TEST_F(CliTea, EveryFormatOfSurfacesIsWritten) {
+    for (const std::string format : {"obj", "ply", "stl", "pbrt"}) {
+        ASSERT_EQ(tea({"--frames", path(format), "--every", "15", "--format", format}).status, 0)
+            << format;
+        EXPECT_THAT(files_in(format), testing::ElementsAre("milk_0015." + format));
+        EXPECT_GT(fs::file_size(path(format + "/milk_0015." + format)), 1000U);
+    }
+    ASSERT_EQ(tea({"--frames", path("scene"), "--every", "15", "--format", "pbrt-scene"}).status, 0);
+    EXPECT_THAT(bytes("scene/scene_0015.pbrt"), AllOf(HasSubstr("WorldBegin"), HasSubstr("Include")));
+}
+
+TEST_F(CliTea, FramesThatAreKeptAreDrawnLikeThoseDrawnAtOnce) {
+    const std::vector<std::string> small = {"--size", "24x24", "--samples", "2", "--every", "5"};
+    const auto with = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), small.begin(), small.end());
+        return arguments;
+    };
+    ASSERT_EQ(tea(with({"--frames", path("at-once")})).status, 0);
+    ASSERT_EQ(tea({"--cache", path("kept")}).status, 0);
+    ASSERT_EQ(run_cli(with({"tea", "render", path("kept"), "--range", "6-15", "--frames", path("later"),
+                            "-q"}))
+                  .status,
+              0);
+    EXPECT_THAT(files_in("later"), testing::ElementsAre("milk_0010.png", "milk_0015.png"));
+    EXPECT_EQ(bytes("later/milk_0010.png"), bytes("at-once/milk_0010.png"));
+    EXPECT_EQ(bytes("later/milk_0015.png"), bytes("at-once/milk_0015.png"));
+}
+
+TEST_F(CliTea, ASequenceGoesOnWithWhatIsMissing) {
+    ASSERT_EQ(tea({"--cache", path("kept")}).status, 0);
+    fs::remove(path("kept/frame_000007.tea"));
+    std::ofstream(path("kept/frame_000009.tea"), std::ios::binary) << "half";
+    const fs::file_time_type before = fs::last_write_time(path("kept/frame_000008.tea"));
+    ASSERT_EQ(tea({"--cache", path("kept")}).status, 0);
+    EXPECT_TRUE(fs::exists(path("kept/frame_000007.tea")));
+    EXPECT_GT(fs::file_size(path("kept/frame_000009.tea")), 1000U);
+    EXPECT_EQ(fs::last_write_time(path("kept/frame_000008.tea")), before);
+}
+
+TEST_F(CliTea, AnotherTeaNeedsAnotherFolder) {
+    ASSERT_EQ(tea({"--cache", path("kept")}).status, 0);
+    const RunResult other = tea({"--cache", path("kept"), "--seed", "8"});
+    EXPECT_EQ(other.status, 1);
+    EXPECT_THAT(other.errors, HasSubstr("keeps frames of other tea"));
+}
+
+TEST_F(CliTea, AnInterruptedSequenceKeepsWholeFiles) {
+    const RunResult run = interrupt_program(
+        "pastoso-cli", {"tea", "--grid", "16", "--seconds", "1000", "-q", "--cache", path("kept")},
+        path("kept/frame_000005.tea"));
+    EXPECT_EQ(run.status, 130);
+    EXPECT_TRUE(fs::exists(path("kept/frame_000005.tea")));
+    for (const std::string& name : files_in("kept"))
+        EXPECT_TRUE(name == "tea.json" || (name.starts_with("frame_") && name.ends_with(".tea")))
+            << name;
+}
+
+TEST_F(CliTea, BadInputIsRefusedInOneSentence) {
+    expect_refusal({"tea"}, 2, "give --frames, --cache or --stats");
+    expect_refusal({"tea", "--grid", "0", "--frames", path("out")}, 2, "--grid");
+    expect_refusal({"tea", "--grid", "4096", "--frames", path("out")}, 2, "--grid");
+    expect_refusal({"tea", "--size", "0x5", "--frames", path("out")}, 2, "--size: \"0x5\"");
+    expect_refusal({"tea", "--format", "gif", "--frames", path("out")}, 2, "--format");
+    expect_refusal({"tea", path("none.json"), "--frames", path("out")}, 1, "none.json");
+    expect_refusal({"tea", "render", path("none"), "--frames", path("out")}, 1, "none");
+}
+
+TEST_F(CliTea, SceneFilesAreChecked) {
+    const std::string scene =
+        write("bad.json", R"({"format": "pastoso-tea", "version": 1, "viscosity_m2_s": -1})");
+    const RunResult run = run_cli({"tea", scene, "--frames", path("out")});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_THAT(run.errors, AllOf(HasSubstr("bad.json"), HasSubstr("viscosity_m2_s is -1")));
+    EXPECT_FALSE(fs::exists(path("out")));
+}
+
+}  // namespace
+}  // namespace pastoso::cli
