@@ -12,7 +12,7 @@ namespace {
 constexpr int kBlockCells = 4;
 constexpr int kMostShadowSamples = 48;
 /// Shadows look at the milk once in so many cells.
-constexpr float kShadowSpacingCells = 1.4F;
+constexpr float kShadowSpacingCells = 2.2F;
 
 float mixed(float a, float b, float share) {
     return a + (b - a) * share;

@@ -12,9 +12,11 @@ constexpr int kSplits = 2;
 constexpr float kLeastSplit = 0.01F;
 /// Events before paths are ended by chance.
 constexpr int kSureEvents = 6;
+/// What red, green and blue count for when paths are ended by chance: deep in tea red alone is left.
+const glm::vec3 kEyeWeights(0.3F, 0.5F, 0.2F);
 /// Scatterings at which the lamp is looked for in any case, and the chance at those after them.
-constexpr int kSureLamps = 2;
-constexpr float kRareLamps = 0.35F;
+constexpr int kSureLamps = 1;
+constexpr float kRareLamps = 0.25F;
 /// Moved off a surface by so much, so that it is not met again.
 constexpr float kLift_m = 1e-6F;
 
@@ -49,7 +51,7 @@ class Follower {
         while (strand.events < settings_.most_events && step(strand)) {
             ++strand.events;
             if (strand.events <= kSureEvents) continue;
-            const float stays = std::min(1.0F, largest(strand.weight) / strand.share);
+            const float stays = std::min(1.0F, glm::dot(strand.weight, kEyeWeights) / strand.share);
             if (sampler_.next() >= stays) return;
             strand.weight /= stays;
         }
