@@ -58,7 +58,11 @@ bool World::meet_mesh(const Triangles& triangles, const Ray& ray, SurfaceHit& hi
     const auto& [a, b, c] = mesh.triangles[met.triangle];
     const glm::vec3 &pa = mesh.positions_m[a], &pb = mesh.positions_m[b], &pc = mesh.positions_m[c];
     hit.distance = met.distance;
-    hit.normal = hit.shading = glm::normalize(glm::cross(pb - pa, pc - pa));
+    // A sliver may have no area that can be computed; any side of it will do.
+    const glm::vec3 across = glm::cross(pb - pa, pc - pa);
+    const float across2 = glm::dot(across, across);
+    hit.normal = across2 > 1e-36F ? across / std::sqrt(across2) : -ray.direction;
+    hit.shading = hit.normal;
     if (mesh.normals.empty()) return true;
     const glm::vec3 smooth = mesh.normals[a] * (1.0F - met.second - met.third) +
                              mesh.normals[b] * met.second + mesh.normals[c] * met.third;
