@@ -14,6 +14,8 @@ namespace {
 constexpr long kLeastCellsForThreads = 8000;
 constexpr int kCoarsestSweeps = 12;
 constexpr int kFirstColour = 0, kLastColour = 1;
+/// When conjugate gradients count as stalled; until then the residual may rise for a while.
+constexpr double kSmallResidual = 1e-4, kGrownTooFar = 4.0;
 
 }  // namespace
 
@@ -106,39 +108,64 @@ SolveResult ConjugateGradients::solve(const grid::BoxField& source, grid::BoxFie
     const double source_norm = std::sqrt(sum_over_slices(
         pool, shape_.nz, [&](int k) { return kernels_->squared_source(views_.front(), k); }));
     SolveResult result;
-    if (source_norm > 0.0)
-        result = iterate(source_norm, limits, pool);
-    else
+    if (source_norm > 0.0) {
+        double residual = start_residual(pool);
+        if (residual > source_norm) {
+            // The solution given is worse than none.
+            solution_.fill(0.0F);
+            load(source, finest.source, pool);
+            remove_means(finest, finest.source, pool);
+            residual = source_norm;
+        }
+        result = iterate(source_norm, residual, limits, pool);
+    } else {
         solution_.fill(0.0F);
+    }
     remove_means(finest, solution_, pool);
     store(solution_, solution, pool);
     return result;
 }
 
-SolveResult ConjugateGradients::iterate(double source_norm, const SolveLimits& limits,
+double ConjugateGradients::start_residual(core::ThreadPool& pool) {
+    const ConjugateView vectors = {solution_.data(), direction_.data(), image_.data()};
+    return std::sqrt(sum_over_slices(
+        pool, shape_.nz, [&](int k) { return kernels_->start_residual(views_.front(), vectors, k); }));
+}
+
+SolveResult ConjugateGradients::iterate(double source_norm, double residual, const SolveLimits& limits,
                                         core::ThreadPool& pool) {
     const LevelView& level = views_.front();
     const ConjugateView vectors = {solution_.data(), direction_.data(), image_.data()};
+    const ClosedComponents& closed = levels_.front().closed;
+    const bool all_closed = closed.count == 1 && closed.sizes[1] == levels_.front().cell_count;
     const auto sum = [&](const auto& slice) { return sum_over_slices(pool, shape_.nz, slice); };
     SolveResult result;
-    double residual = std::sqrt(sum([&](int k) { return kernels_->start_residual(level, vectors, k); }));
-    double product = 0.0;
-    for (; residual > static_cast<double>(limits.tolerance) * source_norm &&
-           result.iterations < limits.max_iterations;
-         ++result.iterations) {
+    double product = 0.0, least_residual = residual;
+    direction_.fill(0.0F);
+    image_.fill(0.0F);
+    // Below the precision of the solution's own gradient nothing is gained: then the residual grows
+    // again.
+    const auto stalls = [&] {
+        return least_residual < kSmallResidual * source_norm && residual > kGrownTooFar * least_residual;
+    };
+    while (residual > static_cast<double>(limits.tolerance) * source_norm &&
+           result.iterations < limits.max_iterations && !stalls()) {
         const double new_product = precondition(pool);
         const float beta = result.iterations == 0 ? 0.0F : static_cast<float>(new_product / product);
         product = new_product;
-        if (result.iterations == 0) {
-            direction_.fill(0.0F);
-            image_.fill(0.0F);
-        }
-        const double curvature =
+        const DirectionSums turned =
             sum([&](int k) { return kernels_->turn_direction(level, vectors, beta, k); });
-        // Rounding has used up what there was to gain.
-        if (!(product > 0.0) || !(curvature > 0.0)) break;
-        const float alpha = static_cast<float>(product / curvature);
-        residual = std::sqrt(sum([&](int k) { return kernels_->advance(level, vectors, alpha, k); }));
+        if (!(product > 0.0) || !(turned.product > 0.0)) break;
+        const float alpha = static_cast<float>(product / turned.product);
+        // The image of a closed system has mean zero but for rounding, which must not gather in the
+        // residual.
+        const float mean =
+            all_closed ? static_cast<float>(turned.image / static_cast<double>(closed.sizes[1])) : 0.0F;
+        residual =
+            std::sqrt(sum([&](int k) { return kernels_->advance(level, vectors, alpha, mean, k); }));
+        if (!all_closed) remove_means(levels_.front(), levels_.front().source, pool);
+        least_residual = std::min(least_residual, residual);
+        ++result.iterations;
     }
     result.residual = static_cast<float>(residual / source_norm);
     result.converged = result.residual <= limits.tolerance;

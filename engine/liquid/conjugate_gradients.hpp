@@ -38,9 +38,9 @@ class ConjugateGradients {
     ConjugateGradients(ConjugateGradients&&) = default;
     ConjugateGradients& operator=(ConjugateGradients&&) = default;
 
-    /// Solves A solution = source, beginning with the solution given. Where a closed component
-    /// (connected cells without boundary or mass) has a source whose mean is not zero, the mean is left
-    /// out; its solution has mean zero. Cells that take no part get 0.
+    /// Solves A solution = source, beginning with the solution given where that is better than 0. Where
+    /// a closed component (connected cells without boundary or mass) has a source whose mean is not
+    /// zero, the mean is left out; its solution has mean zero. Cells that take no part get 0.
     SolveResult solve(const grid::BoxField& source, grid::BoxField& solution, const SolveLimits& limits,
                       core::ThreadPool& pool);
 
@@ -49,7 +49,9 @@ class ConjugateGradients {
     void store(ColourField& values, grid::BoxField& cells, core::ThreadPool& pool) const;
     /// Of the level's closed components.
     void remove_means(const MultigridLevel& level, ColourField& values, core::ThreadPool& pool) const;
-    SolveResult iterate(double source_norm, const SolveLimits& limits, core::ThreadPool& pool);
+    double start_residual(core::ThreadPool& pool);
+    SolveResult iterate(double source_norm, double residual, const SolveLimits& limits,
+                        core::ThreadPool& pool);
     /// Leaves z = M r in the finest level's value; returns the sum of z r.
     double precondition(core::ThreadPool& pool);
     void cycle_down(std::size_t depth, core::ThreadPool& pool);

@@ -27,7 +27,7 @@ struct FlowParameters {
     float confinement = 0.0F;  ///< vorticity confinement, 0 to 0.3, without unit
     VelocityAdvection velocity_advection = VelocityAdvection::Once;
     Interpolation interpolation = Interpolation::LimitedCubic;
-    SolveLimits pressure;                 ///< 1e-3 live, 1e-5 for an export
+    SolveLimits pressure = {};            ///< 1e-3 live, 1e-5 for an export
     SolveLimits diffusion = {1e-5F, 50};  ///< of long steps of viscosity and diffusion
     friend bool operator==(const FlowParameters& a, const FlowParameters& b) = default;
 };

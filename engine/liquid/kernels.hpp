@@ -27,10 +27,14 @@ struct Kernels {
 
     /// source -= A solution; the sum of source^2.
     double (*start_residual)(const LevelView& level, const ConjugateView& vectors, int k);
-    /// direction = z + beta direction and image = A z + beta image; the sum of their product.
-    double (*turn_direction)(const LevelView& level, const ConjugateView& vectors, float beta, int k);
-    /// solution += alpha direction and source -= alpha image; the sum of source^2.
-    double (*advance)(const LevelView& level, const ConjugateView& vectors, float alpha, int k);
+    /// direction = z + beta direction and image = A z + beta image; the sum of their product,
+    /// and of the image.
+    DirectionSums (*turn_direction)(const LevelView& level, const ConjugateView& vectors, float beta,
+                                    int k);
+    /// solution += alpha direction and source -= alpha (image - mean) where there are equations; the sum
+    /// of source^2.
+    double (*advance)(const LevelView& level, const ConjugateView& vectors, float alpha, float mean,
+                      int k);
     double (*squared_source)(const LevelView& level, int k);
 
     /// From and to a row that is given cell by cell; cells that take no part become 0.

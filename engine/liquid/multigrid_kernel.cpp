@@ -68,6 +68,14 @@ struct LaneSum {
     return sum.total();
 }
 
+[[gnu::always_inline]] inline double total(const float* a, int begin, int end) {
+    LaneSum sum;
+    for (int group = begin; group < end; group += kGroup)
+        for (int lane = 0; lane < kGroup; ++lane)
+            sum.lane[lane] += a[group + lane];
+    return sum.total();
+}
+
 [[gnu::always_inline]] inline void relax_row(const LevelView& level, const Row& row, int colour) {
     const Equations cell(level, row, colour, level.value);
     float* __restrict x = level.value.colour[colour] + row.at;
@@ -173,8 +181,8 @@ double start_residual(const LevelView& level, const ConjugateView& vectors, int 
     return sum;
 }
 
-double turn_direction(const LevelView& level, const ConjugateView& vectors, float beta, int k) {
-    double sum = 0.0;
+DirectionSums turn_direction(const LevelView& level, const ConjugateView& vectors, float beta, int k) {
+    DirectionSums sum;
     for (int j = 0; j < level.extent.ny; ++j)
         for (int colour = kFirstColour; colour <= kLastColour; ++colour) {
             const Row row = row_of(level, colour, j, k);
@@ -195,12 +203,13 @@ double turn_direction(const LevelView& level, const ConjugateView& vectors, floa
                     image[m] = (diagonal[m] * z[m] - cell.inflow(m)) + beta * image[m];
                 }
             }
-            sum += product(direction, image, row.begin, row.end);
+            sum.product += product(direction, image, row.begin, row.end);
+            sum.image += total(image, row.begin, row.end);
         }
     return sum;
 }
 
-double advance(const LevelView& level, const ConjugateView& vectors, float alpha, int k) {
+double advance(const LevelView& level, const ConjugateView& vectors, float alpha, float mean, int k) {
     double sum = 0.0;
     for (int j = 0; j < level.extent.ny; ++j)
         for (int colour = 0; colour < 2; ++colour) {
@@ -209,9 +218,10 @@ double advance(const LevelView& level, const ConjugateView& vectors, float alpha
             float* __restrict r = level.source.colour[colour] + row.at;
             const float* direction = vectors.direction.colour[colour] + row.at;
             const float* image = vectors.image.colour[colour] + row.at;
+            const float* inverse = level.inverse.colour[colour] + row.at;
             for (int m = row.begin; m < row.end; ++m) {
                 x[m] += alpha * direction[m];
-                r[m] -= alpha * image[m];
+                r[m] -= alpha * (inverse[m] > 0.0F ? image[m] - mean : 0.0F);
             }
             sum += product(r, r, row.begin, row.end);
         }

@@ -46,4 +46,15 @@ struct ConjugateView {
     ColourPointers image;  ///< the matrix times the direction
 };
 
+/// What turning the direction of conjugate gradients sums up.
+struct DirectionSums {
+    double product = 0.0;  ///< direction times image
+    double image = 0.0;
+    DirectionSums& operator+=(const DirectionSums& other) {
+        product += other.product;
+        image += other.image;
+        return *this;
+    }
+};
+
 }  // namespace pastoso::liquid

@@ -25,13 +25,13 @@ void for_slices(core::ThreadPool& pool, int begin, int end, const Body& body) {
     });
 }
 
-/// The sum of value(k) over [0, count), added in index order.
+/// The sum of value(k) over [0, count), added in index order. Anything that begins as {} and has +=.
 template <class Value>
-double sum_over_slices(core::ThreadPool& pool, int count, const Value& value) {
-    std::vector<double> parts(static_cast<std::size_t>(std::max(count, 0)));
+auto sum_over_slices(core::ThreadPool& pool, int count, const Value& value) {
+    std::vector<decltype(value(0))> parts(static_cast<std::size_t>(std::max(count, 0)));
     for_slices(pool, 0, count, [&](int k) { parts[static_cast<std::size_t>(k)] = value(k); });
-    double sum = 0.0;
-    for (const double part : parts)
+    decltype(value(0)) sum{};
+    for (const auto& part : parts)
         sum += part;
     return sum;
 }
