@@ -96,7 +96,8 @@ void add_near_inverse_square(const BallSlab& slab, const Ball* balls, const std:
         return [=](float square) {
             const float q = larger(square, least);
             const float e = q * inverse - 1.0F;
-            const float smooth = inverse * (1.0F - e * (1.0F - e * (1.0F - e)));
+            const float smooth =
+                inverse * (1.0F - e * (1.0F - e * (1.0F - e * (1.0F - e * (1.0F - e)))));
             return q < end ? strength * (1.0F / q - smooth) : 0.0F;
         };
     });
@@ -110,7 +111,9 @@ void add_near_inverse(const BallSlab& slab, const Ball* balls, const std::uint32
         return [=](float square) {
             const float q = larger(square, least);
             const float e = q * inverse - 1.0F;
-            const float smooth = root * (1.0F - e * (0.5F - e * (0.375F - e * 0.3125F)));
+            const float smooth =
+                root *
+                (1.0F - e * (0.5F - e * (0.375F - e * (0.3125F - e * (0.2734375F - e * 0.24609375F)))));
             return q < end ? strength * (1.0F / __builtin_sqrtf(q) - smooth) : 0.0F;
         };
     });

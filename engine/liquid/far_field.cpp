@@ -11,7 +11,9 @@
 namespace pastoso::liquid {
 namespace {
 
-constexpr int kColumns = 16;  ///< transformed along z at a time
+constexpr int kColumns = 16;      ///< transformed along z at a time
+constexpr int kSplinePoints = 6;  ///< along each axis
+constexpr int kMargin = 2;        ///< slots before the first sample
 
 /// The least even number that is large enough and a product of the primes that FFTW is quick with.
 int period_for(int least) {
@@ -30,23 +32,30 @@ double smooth_part(double q, FarKernel kernel) {
     const bool square = kernel == FarKernel::InverseSquare;
     if (q >= kEnd) return square ? 1.0 / q : 1.0 / std::sqrt(q);
     const double e = q / kEnd - 1.0;
-    if (square) return (1.0 - e * (1.0 - e * (1.0 - e))) / kEnd;
-    return (1.0 - e * (0.5 - e * (0.375 - e * 0.3125))) / static_cast<double>(kNearReach);
+    if (square) return (1.0 - e * (1.0 - e * (1.0 - e * (1.0 - e * (1.0 - e))))) / kEnd;
+    return (1.0 - e * (0.5 - e * (0.375 - e * (0.3125 - e * (0.2734375 - e * 0.24609375))))) /
+           static_cast<double>(kNearReach);
 }
 
-/// What spreading by cubic B-splines multiplies a frequency by: their transform at the samples.
+/// What spreading by quintic B-splines multiplies a frequency by: their transform at the samples.
 double spline_symbol(int frequency, int period) {
-    return (2.0 + std::cos(2.0 * std::numbers::pi * frequency / period)) / 3.0;
+    const double angle = 2.0 * std::numbers::pi * frequency / period;
+    return (66.0 + 52.0 * std::cos(angle) + 2.0 * std::cos(2.0 * angle)) / 120.0;
 }
 
-/// Cubic B-spline weights of the samples from the one before the place on, `t` in [0, 1) behind the
-/// second.
+/// Quintic B-spline weights of the samples from two before the place on, `t` in [0, 1) behind the third.
 void spline_weights(float t, float* weights) {
-    const float u = 1.0F - t;
-    weights[0] = u * u * u / 6.0F;
-    weights[1] = (3.0F * t * t * t - 6.0F * t * t + 4.0F) / 6.0F;
-    weights[2] = (3.0F * u * u * u - 6.0F * u * u + 4.0F) / 6.0F;
-    weights[3] = t * t * t / 6.0F;
+    const auto power = [](float x) { return x * x * x * x * x; };
+    for (int n = 0; n < kSplinePoints; ++n) {
+        // The sum over the spline's knots, from the nearer end.
+        const bool from_left = n >= kSplinePoints / 2;
+        const float x =
+            from_left ? static_cast<float>(kSplinePoints - 1 - n) + t : static_cast<float>(n + 1) - t;
+        float sum = power(x);
+        if (x > 1.0F) sum -= 6.0F * power(x - 1.0F);
+        if (x > 2.0F) sum += 15.0F * power(x - 2.0F);
+        weights[n] = sum / 120.0F;
+    }
 }
 
 std::size_t product(std::ptrdiff_t a, std::ptrdiff_t b, std::ptrdiff_t c) {
@@ -61,7 +70,8 @@ Memory owned(Pointer memory) {
 
 }  // namespace
 
-FarField::Axis::Axis(int count) : samples(count), slots(count + 3), period(period_for(2 * count + 2)) {}
+FarField::Axis::Axis(int count)
+    : samples(count), slots(count + kSplinePoints - 1), period(period_for(2 * (count + kMargin))) {}
 
 FarField::FarField(int nx, int ny, int nz, FarKernel kernel)
     : x_(nx), y_(ny), z_(nz), kernel_(kernel), row_stride_((x_.frequencies() + 7) / 8 * 8) {
@@ -153,15 +163,15 @@ void FarField::spread(const std::vector<Ball>& balls) {
     for (const Ball& ball : balls) {
         const int i = static_cast<int>(ball.x), j = static_cast<int>(ball.y),
                   k = static_cast<int>(ball.z);
-        float along_x[4], along_y[4], along_z[4];
+        float along_x[kSplinePoints], along_y[kSplinePoints], along_z[kSplinePoints];
         spline_weights(ball.x - static_cast<float>(i), along_x);
         spline_weights(ball.y - static_cast<float>(j), along_y);
         spline_weights(ball.z - static_cast<float>(k), along_z);
-        for (int c = 0; c < 4; ++c) {
-            for (int b = 0; b < 4; ++b) {
+        for (int c = 0; c < kSplinePoints; ++c) {
+            for (int b = 0; b < kSplinePoints; ++b) {
                 const float weight = ball.strength * (along_z[c] * along_y[b]);
                 float* out = real_row(j + b, k + c) + i;
-                for (int a = 0; a < 4; ++a)
+                for (int a = 0; a < kSplinePoints; ++a)
                     out[a] += weight * along_x[a];
             }
         }
@@ -195,7 +205,7 @@ void FarField::filter_columns(int y, fftwf_complex* columns) const {
             }
         }
         fftwf_execute_dft(z_back_.get(), columns, columns);
-        for (int z = 1; z <= z_.samples; ++z)
+        for (int z = kMargin; z < kMargin + z_.samples; ++z)
             std::memcpy(row(y, z) + first, columns + z * kColumns,
                         sizeof(fftwf_complex) * static_cast<std::size_t>(count));
     }
@@ -217,10 +227,10 @@ void FarField::multiply(core::ThreadPool& pool) {
 void FarField::to_samples(SampledField& field, core::ThreadPool& pool) {
     pool.run(static_cast<std::size_t>(z_.samples), [&](std::size_t layer, int) {
         const int k = static_cast<int>(layer);
-        fftwf_execute_dft(y_back_.get(), row(0, k + 1), row(0, k + 1));
-        fftwf_execute_dft_c2r(x_back_.get(), row(1, k + 1), real_row(1, k + 1));
+        fftwf_execute_dft(y_back_.get(), row(0, k + kMargin), row(0, k + kMargin));
+        fftwf_execute_dft_c2r(x_back_.get(), row(kMargin, k + kMargin), real_row(kMargin, k + kMargin));
         for (int j = 0; j < y_.samples; ++j) {
-            const float* from = real_row(j + 1, k + 1) + 1;
+            const float* from = real_row(j + kMargin, k + kMargin) + kMargin;
             float* out = field.row(j, k);
             for (int i = 0; i < x_.samples; ++i)
                 out[i] += from[i];

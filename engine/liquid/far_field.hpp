@@ -1,9 +1,9 @@
 // The smooth part of balls that never end, summed over a lattice by Fourier transform.
 //
-// phi(q) = q^-1 or q^(-1/2), q = r^2, is P(q) below Q = kNearReach^2, its cubic Taylor polynomial at Q,
-// and itself beyond: three times continuously differentiable, and so smooth on the scale of the lattice
-// that it may be spread by cubic B-splines. The lattice is continued by zeros to twice its size; what
-// repeats with that period does not reach back.
+// phi(q) = q^-1 or q^(-1/2), q = r^2, is P(q) below Q = kNearReach^2, its Taylor polynomial of the fifth
+// degree at Q, and itself beyond: five times continuously differentiable, and so smooth on the scale of
+// the lattice that it may be spread by quintic B-splines. The lattice is continued by zeros to twice its
+// size; what repeats with that period does not reach back.
 #pragma once
 
 #include "core/thread_pool.hpp"
@@ -35,7 +35,7 @@ class FarField {
   private:
     struct Axis {
         int samples;  ///< of the lattice
-        int slots;    ///< that balls may be spread to; slot s is sample s - 1
+        int slots;    ///< that balls may be spread to; slot s is sample s - 2
         int period;   ///< even, and a product of small primes
         explicit Axis(int samples);
         int frequencies() const { return period / 2 + 1; }

@@ -58,7 +58,7 @@ double metaball_sum(std::span<const Parcel> parcels, const Metaballs& balls, con
 /// Kernels that end are added ball by ball where they are; in every point in the order of the parcels.
 /// The two that never end cannot be cut: in a cloud the far balls make up most of the sum. Each is the
 /// sum of a near part that ends after eight spacings and of a smooth one, which is spread to the lattice
-/// by cubic B-splines and summed by a Fourier transform over twice the lattice, so that nothing comes
+/// by quintic B-splines and summed by a Fourier transform over twice the lattice, so that nothing comes
 /// back around (after the particle-mesh Ewald method, U. Essmann et al., J. Chem. Phys. 103, 1995).
 /// Relative error below 2e-5.
 class MetaballField {
