@@ -13,8 +13,8 @@ namespace {
 constexpr int kNoiseReach = 5;
 /// What of the noise is left in the colours that guide the second pass.
 constexpr float kNoiseLeft = 0.1F;
-constexpr float kFirstColourScale = 1.3F, kSecondColourScale = 1.0F;
-constexpr float kFeatureScale = 2.0F;
+constexpr float kFirstColourScale = 0.6F, kSecondColourScale = 0.6F;
+constexpr float kFeatureScale = 0.8F;
 constexpr float kGuideFloor = 2e-6F;
 
 /// A plane of floats with a margin on all sides.
