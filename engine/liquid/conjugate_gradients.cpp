@@ -5,6 +5,7 @@
 #include "liquid/slices.hpp"
 
 #include <cmath>
+#include <numeric>
 #include <string>
 
 namespace pastoso::liquid {
@@ -16,6 +17,11 @@ constexpr int kCoarsestSweeps = 12;
 constexpr int kFirstColour = 0, kLastColour = 1;
 /// When conjugate gradients count as stalled; until then the residual may rise for a while.
 constexpr double kSmallResidual = 1e-4, kGrownTooFar = 4.0;
+
+/// Whether one closed component is all there is, as in a vessel without free surface.
+bool all_closed(const MultigridLevel& level) {
+    return level.closed.count == 1 && level.closed.sizes[1] == level.cell_count;
+}
 
 }  // namespace
 
@@ -69,6 +75,19 @@ void ConjugateGradients::remove_means(const MultigridLevel& level, ColourField& 
     const ClosedComponents& closed = level.closed;
     const LevelExtent& extent = level.extent;
     if (closed.count == 0) return;
+    if (all_closed(level)) {
+        const LevelView& view = views_[static_cast<std::size_t>(&level - levels_.data())];
+        const ColourPointers pointers = values.data();
+        std::vector<double> sums(static_cast<std::size_t>(extent.nz));
+        for_level_slices(level, pool, extent.nz, [&](int k) {
+            sums[static_cast<std::size_t>(k)] = kernels_->total(view, pointers, k);
+        });
+        const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
+        const float mean = static_cast<float>(sum / static_cast<double>(level.cell_count));
+        for_level_slices(level, pool, extent.nz,
+                         [&](int k) { kernels_->subtract(view, pointers, mean, k); });
+        return;
+    }
     const auto count = static_cast<std::size_t>(closed.count) + 1;
     std::vector<std::vector<double>> sums(static_cast<std::size_t>(extent.nz),
                                           std::vector<double>(count));
@@ -136,8 +155,7 @@ SolveResult ConjugateGradients::iterate(double source_norm, double residual, con
                                         core::ThreadPool& pool) {
     const LevelView& level = views_.front();
     const ConjugateView vectors = {solution_.data(), direction_.data(), image_.data()};
-    const ClosedComponents& closed = levels_.front().closed;
-    const bool all_closed = closed.count == 1 && closed.sizes[1] == levels_.front().cell_count;
+    const bool closed = all_closed(levels_.front());
     const auto sum = [&](const auto& slice) { return sum_over_slices(pool, shape_.nz, slice); };
     SolveResult result;
     double product = 0.0, least_residual = residual;
@@ -160,10 +178,11 @@ SolveResult ConjugateGradients::iterate(double source_norm, double residual, con
         // The image of a closed system has mean zero but for rounding, which must not gather in the
         // residual.
         const float mean =
-            all_closed ? static_cast<float>(turned.image / static_cast<double>(closed.sizes[1])) : 0.0F;
+            closed ? static_cast<float>(turned.image / static_cast<double>(levels_.front().cell_count))
+                   : 0.0F;
         residual =
             std::sqrt(sum([&](int k) { return kernels_->advance(level, vectors, alpha, mean, k); }));
-        if (!all_closed) remove_means(levels_.front(), levels_.front().source, pool);
+        if (!closed) remove_means(levels_.front(), levels_.front().source, pool);
         least_residual = std::min(least_residual, residual);
         ++result.iterations;
     }

@@ -13,17 +13,19 @@
     double advance(const LevelView& level, const ConjugateView& vectors, float alpha, float mean,  \
                    int k);                                                                         \
     double squared_source(const LevelView& level, int k);                                          \
+    double total(const LevelView& level, const ColourPointers& values, int k);                     \
+    void subtract(const LevelView& level, const ColourPointers& values, float mean, int k);        \
     void split_row(const LevelView& level, const float* cells, const ColourPointers& out, int j,   \
                    int k);                                                                         \
     void merge_row(const LevelView& level, const ColourPointers& in, float* cells, int j, int k);  \
     void centre_velocity(const FaceRows& faces, int count, float* out);                            \
     void advect_row(const AdvectionView& flow, const AdvectedRow& row);                            \
     void carry_points(const CarryView& flow, float* points, int count);                            \
-    inline constexpr Kernels kKernels = {relax_from_zero,   relax,          relax_and_multiply,    \
-                                         restrict_residual, add_correction, start_residual,        \
-                                         turn_direction,    advance,        squared_source,        \
-                                         split_row,         merge_row,      centre_velocity,       \
-                                         advect_row,        carry_points};                         \
+    inline constexpr Kernels kKernels = {                                                          \
+        relax_from_zero, relax,           relax_and_multiply, restrict_residual,                   \
+        add_correction,  start_residual,  turn_direction,     advance,                             \
+        squared_source,  total,           subtract,           split_row,                           \
+        merge_row,       centre_velocity, advect_row,         carry_points};                       \
     }
 
 namespace pastoso::liquid {

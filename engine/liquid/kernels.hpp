@@ -37,6 +37,10 @@ struct Kernels {
                       int k);
     double (*squared_source)(const LevelView& level, int k);
 
+    /// The sum of a vector whose cells that take no part are 0, and the same number less in all others.
+    double (*total)(const LevelView& level, const ColourPointers& values, int k);
+    void (*subtract)(const LevelView& level, const ColourPointers& values, float mean, int k);
+
     /// From and to a row that is given cell by cell; cells that take no part become 0.
     void (*split_row)(const LevelView& level, const float* cells, const ColourPointers& out, int j,
                       int k);

@@ -239,6 +239,27 @@ double squared_source(const LevelView& level, int k) {
     return sum;
 }
 
+double total(const LevelView& level, const ColourPointers& values, int k) {
+    double sum = 0.0;
+    for (int j = 0; j < level.extent.ny; ++j)
+        for (int colour = 0; colour < 2; ++colour) {
+            const Row row = row_of(level, colour, j, k);
+            sum += total(values.colour[colour] + row.at, row.begin, row.end);
+        }
+    return sum;
+}
+
+void subtract(const LevelView& level, const ColourPointers& values, float mean, int k) {
+    for (int j = 0; j < level.extent.ny; ++j)
+        for (int colour = 0; colour < 2; ++colour) {
+            const Row row = row_of(level, colour, j, k);
+            float* __restrict x = values.colour[colour] + row.at;
+            const float* inverse = level.inverse.colour[colour] + row.at;
+            for (int m = row.begin; m < row.end; ++m)
+                x[m] -= inverse[m] > 0.0F ? mean : 0.0F;
+        }
+}
+
 void split_row(const LevelView& level, const float* cells, const ColourPointers& out, int j, int k) {
     for (int colour = 0; colour < 2; ++colour) {
         const Row row = row_of(level, colour, j, k);

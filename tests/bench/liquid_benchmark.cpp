@@ -1,6 +1,8 @@
 // Cost of the stages of a step of the liquid, in the cup and in a box.
+#include "liquid/cosine_pressure.hpp"
 #include "liquid/cup.hpp"
 #include "liquid/flow.hpp"
+#include "liquid/periodic.hpp"
 
 #include <cmath>
 
@@ -61,7 +63,6 @@ void advect_velocity(benchmark::State& run) {
     VesselFlow flow(box(run), cup);
     stir(flow.velocity());
     flow.project(pool);
-    const VelocityField kept = flow.velocity();
     for (auto _ : run)
         flow.advect_velocity(0.01F, pool);
 }
@@ -81,6 +82,33 @@ void advect_two_scalars(benchmark::State& run) {
         flow.advect_cells(std::array{&milk, &coldness}, 0.01F, KeepSum::Yes, pool);
 }
 BENCHMARK(advect_two_scalars)
+    ->ArgNames({"cells", "threads"})
+    ->ArgsProduct({{64, 128}, {1, 2}})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+void cosine_pressure(benchmark::State& run) {
+    core::ThreadPool pool(static_cast<int>(run.range(1)));
+    CosinePressure direct(box(run));
+    VelocityField velocity(box(run));
+    stir(velocity);
+    for (auto _ : run)
+        direct.project(velocity, pool);
+}
+BENCHMARK(cosine_pressure)
+    ->ArgNames({"cells", "threads"})
+    ->ArgsProduct({{64, 128}, {1, 2}})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+void periodic_projection(benchmark::State& run) {
+    core::ThreadPool pool(static_cast<int>(run.range(1)));
+    PeriodicFlow flow(box(run));
+    stir(flow.velocity());
+    for (auto _ : run)
+        flow.diffuse_and_project(0.01F, pool);
+}
+BENCHMARK(periodic_projection)
     ->ArgNames({"cells", "threads"})
     ->ArgsProduct({{64, 128}, {1, 2}})
     ->UseRealTime()
