@@ -30,33 +30,49 @@ struct Tracer {
           first(location_of(samples.axis) +
                 Four{0.0F, static_cast<float>(samples.j), static_cast<float>(samples.k), 0.0F}) {}
 
-    /// Where sample i came from, in cell units.
-    [[gnu::always_inline]] Four origin(int i) const {
-        const Four here = first + Four{static_cast<float>(i), 0.0F, 0.0F, 0.0F};
+    [[gnu::always_inline]] Four here(int i) const {
+        return first + Four{static_cast<float>(i), 0.0F, 0.0F, 0.0F};
+    }
+    /// Where sample i was half a step ago, among the centres.
+    [[gnu::always_inline]] Place halfway(int i) const {
         const float* centre = row + 4 * static_cast<std::ptrdiff_t>(i);
         const Four velocity = all(0.5F) * (load(centre) + load(centre - to_previous));
-        const Four middle = in_box<kPeriodic>(here - all(0.5F * flow.step) * velocity, size);
-        const Place place = place_of(middle - location_of(3), flow.stride_y, flow.stride_z);
-        const Four there = linear_of_four(flow.centres, place, flow.stride_y, flow.stride_z);
-        return in_box<kPeriodic>(here - all(flow.step) * there, size);
+        const Four middle = in_box<kPeriodic>(here(i) - all(0.5F * flow.step) * velocity, size);
+        return place_of(middle - location_of(3), flow.stride_y, flow.stride_z);
+    }
+    /// Where it came from, in cell units.
+    [[gnu::always_inline]] Four origin(int i, const Place& halfway) const {
+        const Four velocity = linear_of_four(flow.centres, halfway, flow.stride_y, flow.stride_z);
+        return in_box<kPeriodic>(here(i) - all(flow.step) * velocity, size);
     }
 };
+
+/// Samples whose ways back are found before any value is: each is a long chain, and the processor
+/// follows several at once as long as nothing else comes between.
+constexpr int kBlock = 32;
 
 template <bool kPeriodic, Interpolation kInterpolation>
 [[gnu::always_inline]] inline void advect(const AdvectionView& flow, const AdvectedRow& row) {
     const Tracer<kPeriodic> tracer(flow, row);
     const Four location = location_of(row.axis);
     const std::ptrdiff_t y = flow.stride_y, z = flow.stride_z;
-    for (int i = row.begin; i < row.end; ++i) {
-        const Place place = place_of(tracer.origin(i) - location, y, z);
-        if constexpr (kInterpolation == Interpolation::Linear) {
-            for (int f = 0; f < row.field_count; ++f)
-                row.fields[f].to[i] = linear(row.fields[f].from, place, y, z);
-        } else {
-            const CubicWeights weights = cubic_weights_at(place.share);
-            for (int f = 0; f < row.field_count; ++f)
-                row.fields[f].to[i] = cubic<kInterpolation == Interpolation::LimitedCubic>(
-                    row.fields[f].from, place, weights, y, z);
+    Place places[kBlock];
+    for (int begin = row.begin; begin < row.end; begin += kBlock) {
+        const int count = row.end - begin < kBlock ? row.end - begin : kBlock;
+        for (int i = 0; i < count; ++i)
+            places[i] = tracer.halfway(begin + i);
+        for (int i = 0; i < count; ++i)
+            places[i] = place_of(tracer.origin(begin + i, places[i]) - location, y, z);
+        for (int i = 0; i < count; ++i) {
+            if constexpr (kInterpolation == Interpolation::Linear) {
+                for (int f = 0; f < row.field_count; ++f)
+                    row.fields[f].to[begin + i] = linear(row.fields[f].from, places[i], y, z);
+            } else {
+                const CubicWeights weights = cubic_weights_at(places[i].share);
+                for (int f = 0; f < row.field_count; ++f)
+                    row.fields[f].to[begin + i] = cubic<kInterpolation == Interpolation::LimitedCubic>(
+                        row.fields[f].from, places[i], weights, y, z);
+            }
         }
     }
 }
