@@ -1,5 +1,6 @@
 #include "main/brush_jar.hpp"
 
+#include "appearance/shown_names.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "core/user_data.hpp"
@@ -164,7 +165,7 @@ void BrushJar::reread() {
     if (tools::preset_in_hand(studio_.easel().hand()) == before && !(now == before)) {
         studio_.easel().change_brush(now);
         studio_.report(tr("%1 was read again; the next stroke is painted with it.")
-                           .arg(QString::fromStdString(now.name)));
+                           .arg(appearance::shown_name(now.name)));
     }
     studio_.show_hand();
 }
@@ -212,7 +213,7 @@ bool BrushJar::confirmed(const QString& question, const QString& action) {
 void BrushJar::save_brush() {
     const tools::Hand& hand = studio_.easel().hand();
     const QString old_name = QString::fromStdString(hand.brush);
-    QString name = own_brush_in_hand() ? old_name : tr("My %1").arg(old_name);
+    QString name = own_brush_in_hand() ? old_name : tr("My %1").arg(appearance::shown_name(old_name));
     if (!ask_name(tr("Save as my own"), name)) return;
     brush::Preset preset = brush::resized(tools::preset_in_hand(hand), hand.brush_width_mm);
     preset.name = name.toStdString();

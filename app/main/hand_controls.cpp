@@ -75,7 +75,7 @@ void HandControls::connect_panels() {
         panels_.load->show_hand(studio_.easel().hand());
     });
     connect(panels_.medium, &QComboBox::activated, this,
-            [this] { use_medium(panels_.medium->currentText()); });
+            [this] { use_medium(panels_.medium->currentData().toString()); });
     connect(panels_.physics, &panels::MediumPanel::medium_chosen, this, &HandControls::use_medium);
     connect(panels_.physics, &panels::MediumPanel::medium_changed, this,
             [this](const film::Medium& medium) {
@@ -114,7 +114,7 @@ void HandControls::show(const tools::Hand& hand) {
     panels_.stand->show_tilt(hand.tilt.tilt_deg, hand.tilt.direction_deg);
     panels_.stand->show_drying(hand.air.speed);
     panels_.load->show_hand(hand);
-    panels_.medium->setCurrentText(QString::fromStdString(hand.medium.name));
+    panels_.medium->setCurrentIndex(panels_.medium->findData(QString::fromStdString(hand.medium.name)));
     panels_.physics->show_medium(document::medium_of(hand.medium));
     const commands::CommandRegistry& commands = studio_.commands();
     commands.action(Command::ReloadEachStroke)->setChecked(hand.reload_each_stroke);

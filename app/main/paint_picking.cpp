@@ -1,6 +1,7 @@
 #include "main/paint_picking.hpp"
 
 #include "document/well.hpp"
+#include "panels/paint_words.hpp"
 #include "tools/canvas_colour.hpp"
 #include "tools/colour_paint.hpp"
 
@@ -60,7 +61,7 @@ void PaintPicking::pick_paint(const tools::PickedPaint& paint) {
     studio_.choose_paint(paint.recipe);
     const QString words = paint.layer == film::PaintLayer::Wet ? tr("Picked up wet paint: %1")
                                                                : tr("Picked up dry paint: %1");
-    studio_.report(words.arg(QString::fromStdString(tools::pigment_shares(paint.recipe))));
+    studio_.report(words.arg(panels::share_words(paint.recipe)));
 }
 
 void PaintPicking::pick_colour(const document::Snapshot& there, const QPointF& place_mm) {

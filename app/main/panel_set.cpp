@@ -1,5 +1,6 @@
 #include "main/panel_set.hpp"
 
+#include "appearance/shown_names.hpp"
 #include "brush/preset.hpp"
 #include "film/medium.hpp"
 #include "main/studio.hpp"
@@ -45,7 +46,7 @@ std::vector<panels::PaintEntry> paint_entries() {
                                            [&](const auto& entry) { return entry.pigment == ci_name; });
             if (known) continue;
             const tools::Swatch swatch = tools::swatch(paint.coefficients);
-            entries.push_back({ci_name, QString::fromStdString(paint.name), colour(swatch.masstone),
+            entries.push_back({ci_name, appearance::shown_name(paint.name), colour(swatch.masstone),
                                colour(swatch.tint)});
         }
     };
@@ -61,8 +62,8 @@ QComboBox* make_medium_box() {
     box->setFocusPolicy(Qt::TabFocus);
     box->setToolTip(QObject::tr("How the next paint flows; what lies on the canvas keeps its own way"));
     for (const film::Medium& medium : film::bundled_media()) {
-        box->addItem(QString::fromStdString(medium.name));
-        box->setItemData(box->count() - 1, QString::fromStdString(medium.description), Qt::ToolTipRole);
+        box->addItem(appearance::shown_name(medium.name), QString::fromStdString(medium.name));
+        box->setItemData(box->count() - 1, appearance::shown_name(medium.description), Qt::ToolTipRole);
     }
     return box;
 }

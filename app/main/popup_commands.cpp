@@ -4,6 +4,7 @@
 #include "core/user_data.hpp"
 #include "main/brush_jar.hpp"
 #include "panels/colour_panel.hpp"
+#include "panels/paint_words.hpp"
 #include "panels/popup_palette.hpp"
 #include "pigment/box.hpp"
 #include "tools/colour_paint.hpp"
@@ -28,8 +29,7 @@ std::filesystem::path slots_file() {
 
 panels::SwatchGrid::Patch patch_of(const document::PaintRecipe& paint) {
     const pigment::Srgb8 colour = tools::screen_colour(paint);
-    return {QColor(colour[0], colour[1], colour[2]),
-            QString::fromStdString(tools::painters_recipe(paint))};
+    return {QColor(colour[0], colour[1], colour[2]), panels::recipe_words(paint)};
 }
 
 /// Some of those that the painter keeps, then the latest, then tubes of the box: each once.

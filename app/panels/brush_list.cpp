@@ -1,12 +1,14 @@
 #include "panels/brush_list.hpp"
 
+#include "appearance/shown_names.hpp"
+
 #include <QPixmap>
 #include <QScrollBar>
 
 namespace pastoso::panels {
 namespace {
 
-constexpr int kEntryRole = Qt::UserRole;
+constexpr int kEntryRole = Qt::UserRole, kNameRole = kEntryRole + 1;
 constexpr int kNoEntry = -1;
 
 int entry_of(const QListWidgetItem* item) {
@@ -42,11 +44,13 @@ void BrushList::show_entries(const std::vector<BrushEntry>& entries) {
 }
 
 void BrushList::add_entry(const BrushEntry& entry) {
-    auto* item = new QListWidgetItem(entry.name, this);
+    const QString shown = entry.own ? entry.name : appearance::shown_name(entry.name);
+    auto* item = new QListWidgetItem(shown, this);
     item->setData(kEntryRole, static_cast<int>(items_.size()));
+    item->setData(kNameRole, entry.name);
     item->setToolTip(!entry.fault.isEmpty() ? entry.fault
-                     : entry.own            ? tr("%1, your own").arg(entry.name)
-                                            : entry.name);
+                     : entry.own            ? tr("%1, your own").arg(shown)
+                                            : shown);
     QFont font = item->font();
     font.setItalic(entry.own);
     item->setFont(font);
@@ -78,7 +82,7 @@ int BrushList::current_entry() const {
 
 void BrushList::set_thumbnail(const QString& name, const QImage& image) {
     for (QListWidgetItem* item : items_) {
-        if (item->text() == name) item->setIcon(QIcon(QPixmap::fromImage(image)));
+        if (item->data(kNameRole) == name) item->setIcon(QIcon(QPixmap::fromImage(image)));
     }
 }
 

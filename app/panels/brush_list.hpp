@@ -9,7 +9,7 @@
 namespace pastoso::panels {
 
 struct BrushEntry {
-    QString name;
+    QString name;            ///< as it is kept in its file
     QString family;          ///< its heading; entries of one family follow each other
     double width_mm = 10.0;  ///< the tool's own
     bool own = false;        ///< the painter's

@@ -2,6 +2,7 @@
 
 #include "panels/colour_picker.hpp"
 #include "panels/paint_swatch.hpp"
+#include "panels/paint_words.hpp"
 #include "panels/section.hpp"
 #include "panels/swatch_grid.hpp"
 #include "pigment/paint_name.hpp"
@@ -38,11 +39,11 @@ QString recipe_lines(const document::PaintRecipe& paint) {
     QStringList lines;
     for (const document::Ingredient& part : paint.ingredients) {
         const document::PaintRecipe tube{{{part.pigment, 1.0}}, 1.0};
-        const QString name = QString::fromStdString(tools::painters_recipe(tube));
+        const QString name = recipe_words(tube);
         const QString parts = QString::number(part.parts);
         lines += paint.ingredients.size() > 1 ? QStringLiteral("%1 \u00d7 %2").arg(parts, name) : name;
     }
-    if (paint.ingredients.size() > 1) lines += QString::fromStdString(tools::pigment_shares(paint));
+    if (paint.ingredients.size() > 1) lines += share_words(paint);
     return lines.join('\n');
 }
 
@@ -50,8 +51,7 @@ std::vector<SwatchGrid::Patch> patches_of(const std::vector<document::PaintRecip
                                           const QString& words) {
     std::vector<SwatchGrid::Patch> patches;
     for (const document::PaintRecipe& paint : paints)
-        patches.push_back({qcolor(tools::screen_colour(paint)),
-                           words.arg(QString::fromStdString(tools::painters_recipe(paint)))});
+        patches.push_back({qcolor(tools::screen_colour(paint)), words.arg(recipe_words(paint))});
     return patches;
 }
 
@@ -177,8 +177,7 @@ void ColourPanel::show_colour(const pigment::Srgb8& colour) {
 
 void ColourPanel::show_nearest(const document::PaintRecipe& paint, double difference) {
     nearest_paint_ = paint;
-    nearest_->show_paint(qcolor(tools::screen_colour(paint)),
-                         QString::fromStdString(tools::painters_recipe(paint)));
+    nearest_->show_paint(qcolor(tools::screen_colour(paint)), recipe_words(paint));
     words_->setText(tr("%1\nΔE %2, %3")
                         .arg(recipe_lines(paint), QString::number(difference, 'f', 1),
                              difference_words(difference)));

@@ -1,6 +1,7 @@
 #include "panels/layer_delegate.hpp"
 
 #include "appearance/icon.hpp"
+#include "appearance/shown_names.hpp"
 #include "appearance/theme.hpp"
 
 #include <QAbstractItemView>
@@ -139,7 +140,7 @@ void LayerDelegate::paint_name(QPainter* painter, const QStyleOptionViewItem& op
     painter->setFont(font);
     painter->setPen(appearance::colours().text);
     const QString second = remarks(item);
-    const QString name = QFontMetrics(font).elidedText(QString::fromStdString(item.look.name),
+    const QString name = QFontMetrics(font).elidedText(appearance::shown_name(item.look.name),
                                                        Qt::ElideRight, text.width());
     if (second.isEmpty()) {
         painter->drawText(text, Qt::AlignVCenter | Qt::AlignLeft, name);

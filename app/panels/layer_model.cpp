@@ -1,5 +1,7 @@
 #include "panels/layer_model.hpp"
 
+#include "appearance/shown_names.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -120,7 +122,7 @@ QString LayerModel::words(const Item& item) const {
 QVariant LayerModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.column() != kName) return {};
     const Item shown = item(index);
-    const QString name = QString::fromStdString(shown.look.name);
+    const QString name = appearance::shown_name(shown.look.name);
     switch (role) {
         case Qt::DisplayRole:
         case Qt::EditRole:
@@ -136,7 +138,7 @@ bool LayerModel::setData(const QModelIndex& index, const QVariant& value, int ro
     const QString name = value.toString().trimmed();
     const bool fits =
         !name.isEmpty() && static_cast<std::size_t>(name.toUtf8().size()) <= document::kMostLayerName;
-    if (role != Qt::EditRole || !index.isValid() || !fits) return false;
+    if (role != Qt::EditRole || !index.isValid() || !fits || name == index.data(role)) return false;
     Q_EMIT renamed(row_at(index), name);
     return true;
 }

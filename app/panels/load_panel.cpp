@@ -2,6 +2,7 @@
 
 #include "panels/load_bar.hpp"
 #include "panels/paint_swatch.hpp"
+#include "panels/paint_words.hpp"
 #include "panels/section.hpp"
 #include "panels/value_row.hpp"
 #include "tools/colour_paint.hpp"
@@ -25,8 +26,7 @@ using Way = tools::Dip::Way;
 
 void show_paint(PaintSwatch* swatch, const QString& words, const document::PaintRecipe& paint) {
     const pigment::Srgb8 rgb = tools::paint_colour(paint);
-    swatch->show_paint({rgb[0], rgb[1], rgb[2]},
-                       words.arg(QString::fromStdString(tools::painters_recipe(paint))));
+    swatch->show_paint({rgb[0], rgb[1], rgb[2]}, words.arg(recipe_words(paint)));
 }
 
 bool takes_two(Way way) {

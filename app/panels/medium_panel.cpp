@@ -1,5 +1,6 @@
 #include "panels/medium_panel.hpp"
 
+#include "appearance/shown_names.hpp"
 #include "panels/medium_rows.hpp"
 #include "panels/section.hpp"
 #include "panels/value_row.hpp"
@@ -54,7 +55,7 @@ QWidget* MediumPanel::medium_section() {
     media_->setObjectName(QStringLiteral("kind_of_paint"));
     media_->setToolTip(tr("The brush is cleaned, and dipped in paint of this kind"));
     for (const film::Medium& medium : film::bundled_media())
-        media_->addItem(QString::fromStdString(medium.name));
+        media_->addItem(appearance::shown_name(medium.name), QString::fromStdString(medium.name));
     keep_keys_for_canvas(media_);
     description_->setObjectName(QStringLiteral("reading"));
     description_->setWordWrap(true);
@@ -64,7 +65,7 @@ QWidget* MediumPanel::medium_section() {
     column->addWidget(media_);
     column->addWidget(description_);
     column->addWidget(reset_);
-    connect(media_, &QComboBox::activated, this, [this] { choose(media_->currentText()); });
+    connect(media_, &QComboBox::activated, this, [this] { choose(media_->currentData().toString()); });
     connect(reset_, &QPushButton::clicked, this,
             [this] { choose(QString::fromStdString(medium_.name)); });
     return widget;
@@ -111,8 +112,8 @@ void MediumPanel::show_medium(const film::Medium& medium) {
 
 void MediumPanel::show_numbers(const film::Medium& medium) {
     medium_ = medium;
-    media_->setCurrentText(QString::fromStdString(medium.name));
-    description_->setText(QString::fromStdString(medium.description));
+    media_->setCurrentIndex(media_->findData(QString::fromStdString(medium.name)));
+    description_->setText(appearance::shown_name(medium.description));
     reset_->setEnabled(medium != film::find_medium(medium.name));
     for (const Shown& shown : shown_)
         shown.row->show_value(shown.number->scale * medium.*shown.number->member);

@@ -1,5 +1,6 @@
 #include "panels/pen_dialog.hpp"
 
+#include "appearance/shown_names.hpp"
 #include "panels/curve_editor.hpp"
 #include "panels/pen_words.hpp"
 #include "panels/section.hpp"
@@ -235,7 +236,7 @@ QComboBox* PenDialog::eraser_choice() {
     box->setObjectName(QStringLiteral("eraser_tool"));
     for (const std::string& tool : tools::eraser_tools()) {
         const QString name = QString::fromStdString(tool);
-        box->addItem(tr("takes %1").arg(name), name);
+        box->addItem(tr("takes %1").arg(appearance::shown_name(name)), name);
     }
     box->addItem(tr("paints like the tip"), QString());
     box->setCurrentIndex(box->findData(QString::fromStdString(settings_.eraser_tool)));

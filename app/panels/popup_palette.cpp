@@ -1,5 +1,6 @@
 #include "panels/popup_palette.hpp"
 
+#include "appearance/shown_names.hpp"
 #include "panels/ring_places.hpp"
 #include "panels/round_button.hpp"
 
@@ -133,8 +134,9 @@ void PopupPalette::show_content(const Content& content) {
         const bool used = i < names_.size();
         tools_[i]->setVisible(used);
         if (!used) continue;
-        if (tools_[i]->toolTip() != names_[i]) tools_[i]->show_picture({});
-        tools_[i]->show_words(names_[i]);
+        const QString words = appearance::shown_name(names_[i]);
+        if (tools_[i]->toolTip() != words) tools_[i]->show_picture({});
+        tools_[i]->show_words(words);
         tools_[i]->setChecked(names_[i] == content.tool_in_hand);
     }
     for (std::size_t i = 0; i < paints_.size(); ++i) {

@@ -1,5 +1,7 @@
 #include "panels/step_words.hpp"
 
+#include "appearance/shown_names.hpp"
+
 #include <QObject>
 
 namespace pastoso::panels {
@@ -59,7 +61,7 @@ QString step_words(const document::Step& step) {
 }
 
 QString step_detail(const document::Step& step) {
-    return QString::fromStdString(step.brush.empty() ? step.layer : step.brush);
+    return appearance::shown_name(step.brush.empty() ? step.layer : step.brush);
 }
 
 }  // namespace pastoso::panels

@@ -1,9 +1,7 @@
 #include "tools/colour_paint.hpp"
 
-#include "document/number_text.hpp"
 #include "pigment/appearance.hpp"
 #include "pigment/box.hpp"
-#include "pigment/paint_name.hpp"
 #include "pigment/user_pigments.hpp"
 
 namespace pastoso::tools {
@@ -32,21 +30,6 @@ document::PaintRecipe recipe_paint(const pigment::Recipe& recipe) {
     for (const pigment::RecipePart& part : recipe.ingredients)
         paint.ingredients.push_back({part.ci_name, static_cast<double>(part.parts)});
     return paint;
-}
-
-std::string painters_recipe(const document::PaintRecipe& paint) {
-    if (paint.ingredients.empty()) return "Clear medium";
-    std::string text;
-    for (const document::Ingredient& part : paint.ingredients) {
-        text += text.empty() ? "" : " + ";
-        if (paint.ingredients.size() > 1) text += document::number_text(part.parts) + " ";
-        text += pigment::painters_name(part.pigment);
-    }
-    return text;
-}
-
-std::string painters_recipe(const pigment::Recipe& recipe) {
-    return painters_recipe(recipe_paint(recipe));
 }
 
 }  // namespace pastoso::tools

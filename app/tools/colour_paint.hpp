@@ -16,8 +16,4 @@ pigment::Recipe closest_in_box(const pigment::Srgb8& colour);
 /// The same mixture as the brush is dipped in.
 document::PaintRecipe recipe_paint(const pigment::Recipe& recipe);
 
-/// "8 Titanium white + 1 Ultramarine blue"
-std::string painters_recipe(const document::PaintRecipe& paint);
-std::string painters_recipe(const pigment::Recipe& recipe);
-
 }  // namespace pastoso::tools

@@ -26,7 +26,4 @@ struct PickedPaint {
 std::optional<PickedPaint> paint_at(const film::FilmState& film, std::span<const std::string> names,
                                     double x_mm, double y_mm);
 
-/// "PB29 62 %, PW6 38 %", "PB29" alone, and ", thinned to 40 %" behind it where there is medium in it.
-std::string pigment_shares(const document::PaintRecipe& paint);
-
 }  // namespace pastoso::tools

@@ -473,6 +473,14 @@
         <source>Buttons: %1</source>
         <translation>Buttons: %1</translation>
     </message>
+    <message>
+        <source>clear medium</source>
+        <translation>clear medium</translation>
+    </message>
+    <message>
+        <source>thinned to %1</source>
+        <translation>thinned to %1</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -535,6 +543,321 @@
     <message>
         <source>Abort</source>
         <translation>Abort</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::appearance</name>
+    <message>
+        <source>Air blower 40</source>
+        <translation>Air blower 40</translation>
+    </message>
+    <message>
+        <source>Airbrush 7</source>
+        <translation>Airbrush 7</translation>
+    </message>
+    <message>
+        <source>Blender 28</source>
+        <translation>Blender 28</translation>
+    </message>
+    <message>
+        <source>Blotting pad 40</source>
+        <translation>Blotting pad 40</translation>
+    </message>
+    <message>
+        <source>Bright 12</source>
+        <translation>Bright 12</translation>
+    </message>
+    <message>
+        <source>Comb 25</source>
+        <translation>Comb 25</translation>
+    </message>
+    <message>
+        <source>Cotton bud 6</source>
+        <translation>Cotton bud 6</translation>
+    </message>
+    <message>
+        <source>Detail round 3</source>
+        <translation>Detail round 3</translation>
+    </message>
+    <message>
+        <source>Diamond knife 9</source>
+        <translation>Diamond knife 9</translation>
+    </message>
+    <message>
+        <source>Dropper</source>
+        <translation>Dropper</translation>
+    </message>
+    <message>
+        <source>Dry scumbler 22</source>
+        <translation>Dry scumbler 22</translation>
+    </message>
+    <message>
+        <source>Eraser 15</source>
+        <translation>Eraser 15</translation>
+    </message>
+    <message>
+        <source>Fan 26</source>
+        <translation>Fan 26</translation>
+    </message>
+    <message>
+        <source>Filbert 14</source>
+        <translation>Filbert 14</translation>
+    </message>
+    <message>
+        <source>Fine comb 18</source>
+        <translation>Fine comb 18</translation>
+    </message>
+    <message>
+        <source>Fingertip 12</source>
+        <translation>Fingertip 12</translation>
+    </message>
+    <message>
+        <source>Flat bristle 20</source>
+        <translation>Flat bristle 20</translation>
+    </message>
+    <message>
+        <source>Impasto flat 18</source>
+        <translation>Impasto flat 18</translation>
+    </message>
+    <message>
+        <source>Large filbert 26</source>
+        <translation>Large filbert 26</translation>
+    </message>
+    <message>
+        <source>Large flat 40</source>
+        <translation>Large flat 40</translation>
+    </message>
+    <message>
+        <source>Lifting knife 14</source>
+        <translation>Lifting knife 14</translation>
+    </message>
+    <message>
+        <source>Mop 30</source>
+        <translation>Mop 30</translation>
+    </message>
+    <message>
+        <source>Palette knife 17</source>
+        <translation>Palette knife 17</translation>
+    </message>
+    <message>
+        <source>Pouring bottle</source>
+        <translation>Pouring bottle</translation>
+    </message>
+    <message>
+        <source>Rag 35</source>
+        <translation>Rag 35</translation>
+    </message>
+    <message>
+        <source>Rigger 2</source>
+        <translation>Rigger 2</translation>
+    </message>
+    <message>
+        <source>Round bristle 12</source>
+        <translation>Round bristle 12</translation>
+    </message>
+    <message>
+        <source>Round sable 9</source>
+        <translation>Round sable 9</translation>
+    </message>
+    <message>
+        <source>Scraper 30</source>
+        <translation>Scraper 30</translation>
+    </message>
+    <message>
+        <source>Soft glazing flat 16</source>
+        <translation>Soft glazing flat 16</translation>
+    </message>
+    <message>
+        <source>Spatter 45</source>
+        <translation>Spatter 45</translation>
+    </message>
+    <message>
+        <source>Spray can 35</source>
+        <translation>Spray can 35</translation>
+    </message>
+    <message>
+        <source>Spreading knife 40</source>
+        <translation>Spreading knife 40</translation>
+    </message>
+    <message>
+        <source>Stippler 15</source>
+        <translation>Stippler 15</translation>
+    </message>
+    <message>
+        <source>Straw 8</source>
+        <translation>Straw 8</translation>
+    </message>
+    <message>
+        <source>Thinner brush 16</source>
+        <translation>Thinner brush 16</translation>
+    </message>
+    <message>
+        <source>Titanium white</source>
+        <translation>Titanium white</translation>
+    </message>
+    <message>
+        <source>Zinc white</source>
+        <translation>Zinc white</translation>
+    </message>
+    <message>
+        <source>Cadmium yellow</source>
+        <translation>Cadmium yellow</translation>
+    </message>
+    <message>
+        <source>Hansa yellow medium</source>
+        <translation>Hansa yellow medium</translation>
+    </message>
+    <message>
+        <source>Diarylide (Indian) yellow</source>
+        <translation>Diarylide (Indian) yellow</translation>
+    </message>
+    <message>
+        <source>Yellow ochre</source>
+        <translation>Yellow ochre</translation>
+    </message>
+    <message>
+        <source>Cadmium orange</source>
+        <translation>Cadmium orange</translation>
+    </message>
+    <message>
+        <source>Pyrrole orange</source>
+        <translation>Pyrrole orange</translation>
+    </message>
+    <message>
+        <source>Cadmium red light</source>
+        <translation>Cadmium red light</translation>
+    </message>
+    <message>
+        <source>Pyrrole red</source>
+        <translation>Pyrrole red</translation>
+    </message>
+    <message>
+        <source>Red oxide (Venetian red)</source>
+        <translation>Red oxide (Venetian red)</translation>
+    </message>
+    <message>
+        <source>Alizarin crimson</source>
+        <translation>Alizarin crimson</translation>
+    </message>
+    <message>
+        <source>Quinacridone rose</source>
+        <translation>Quinacridone rose</translation>
+    </message>
+    <message>
+        <source>Quinacridone magenta</source>
+        <translation>Quinacridone magenta</translation>
+    </message>
+    <message>
+        <source>Dioxazine violet</source>
+        <translation>Dioxazine violet</translation>
+    </message>
+    <message>
+        <source>Ultramarine blue</source>
+        <translation>Ultramarine blue</translation>
+    </message>
+    <message>
+        <source>Cobalt blue</source>
+        <translation>Cobalt blue</translation>
+    </message>
+    <message>
+        <source>Cerulean blue</source>
+        <translation>Cerulean blue</translation>
+    </message>
+    <message>
+        <source>Phthalo blue GS</source>
+        <translation>Phthalo blue GS</translation>
+    </message>
+    <message>
+        <source>Prussian blue</source>
+        <translation>Prussian blue</translation>
+    </message>
+    <message>
+        <source>Phthalo green BS</source>
+        <translation>Phthalo green BS</translation>
+    </message>
+    <message>
+        <source>Phthalo green YS</source>
+        <translation>Phthalo green YS</translation>
+    </message>
+    <message>
+        <source>Viridian</source>
+        <translation>Viridian</translation>
+    </message>
+    <message>
+        <source>Chromium oxide green</source>
+        <translation>Chromium oxide green</translation>
+    </message>
+    <message>
+        <source>Burnt sienna</source>
+        <translation>Burnt sienna</translation>
+    </message>
+    <message>
+        <source>Raw umber</source>
+        <translation>Raw umber</translation>
+    </message>
+    <message>
+        <source>Burnt umber</source>
+        <translation>Burnt umber</translation>
+    </message>
+    <message>
+        <source>Ivory (bone) black</source>
+        <translation>Ivory (bone) black</translation>
+    </message>
+    <message>
+        <source>Carbon black</source>
+        <translation>Carbon black</translation>
+    </message>
+    <message>
+        <source>heavy-body oil</source>
+        <translation>heavy-body oil</translation>
+    </message>
+    <message>
+        <source>Stiff, buttery oil straight from the tube: every bristle mark and every peak stays where you put it.</source>
+        <translation>Stiff, buttery oil straight from the tube: every bristle mark and every peak stays where you put it.</translation>
+    </message>
+    <message>
+        <source>soft-body acrylic</source>
+        <translation>soft-body acrylic</translation>
+    </message>
+    <message>
+        <source>Creamy paint that keeps soft brush marks, and slumps slowly where you lay it on thick.</source>
+        <translation>Creamy paint that keeps soft brush marks, and slumps slowly where you lay it on thick.</translation>
+    </message>
+    <message>
+        <source>fluid acrylic</source>
+        <translation>fluid acrylic</translation>
+    </message>
+    <message>
+        <source>Pours like cream: brush marks level out, and thick passages sag and run on a tilted canvas.</source>
+        <translation>Pours like cream: brush marks level out, and thick passages sag and run on a tilted canvas.</translation>
+    </message>
+    <message>
+        <source>house paint</source>
+        <translation>house paint</translation>
+    </message>
+    <message>
+        <source>Glossy enamel from the tin: it levels at once, drips freely and leaves long rounded tears.</source>
+        <translation>Glossy enamel from the tin: it levels at once, drips freely and leaves long rounded tears.</translation>
+    </message>
+    <message>
+        <source>ink glaze</source>
+        <translation>ink glaze</translation>
+    </message>
+    <message>
+        <source>Thin as ink: a transparent film that settles into the weave and runs wherever the canvas leans.</source>
+        <translation>Thin as ink: a transparent film that settles into the weave and runs wherever the canvas leans.</translation>
+    </message>
+    <message>
+        <source>thinner</source>
+        <translation>thinner</translation>
+    </message>
+    <message>
+        <source>Clear thinner: loosens wet paint that it meets, lifts dried ink, and leaves nothing behind.</source>
+        <translation>Clear thinner: loosens wet paint that it meets, lifts dried ink, and leaves nothing behind.</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Paint</translation>
     </message>
 </context>
 <context>

@@ -473,6 +473,14 @@
         <source>Buttons: %1</source>
         <translation>ボタン: %1</translation>
     </message>
+    <message>
+        <source>clear medium</source>
+        <translation>透明メディウム</translation>
+    </message>
+    <message>
+        <source>thinned to %1</source>
+        <translation>%1 に希釈</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -535,6 +543,321 @@
     <message>
         <source>Abort</source>
         <translation>中止</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::appearance</name>
+    <message>
+        <source>Air blower 40</source>
+        <translation>エアブロワー 40</translation>
+    </message>
+    <message>
+        <source>Airbrush 7</source>
+        <translation>エアブラシ 7</translation>
+    </message>
+    <message>
+        <source>Blender 28</source>
+        <translation>ぼかし筆 28</translation>
+    </message>
+    <message>
+        <source>Blotting pad 40</source>
+        <translation>吸い取りパッド 40</translation>
+    </message>
+    <message>
+        <source>Bright 12</source>
+        <translation>ブライト 12</translation>
+    </message>
+    <message>
+        <source>Comb 25</source>
+        <translation>コーム 25</translation>
+    </message>
+    <message>
+        <source>Cotton bud 6</source>
+        <translation>綿棒 6</translation>
+    </message>
+    <message>
+        <source>Detail round 3</source>
+        <translation>細部用ラウンド 3</translation>
+    </message>
+    <message>
+        <source>Diamond knife 9</source>
+        <translation>ダイヤ型ナイフ 9</translation>
+    </message>
+    <message>
+        <source>Dropper</source>
+        <translation>スポイト</translation>
+    </message>
+    <message>
+        <source>Dry scumbler 22</source>
+        <translation>スカンブル用の乾いた筆 22</translation>
+    </message>
+    <message>
+        <source>Eraser 15</source>
+        <translation>消しゴム 15</translation>
+    </message>
+    <message>
+        <source>Fan 26</source>
+        <translation>ファン 26</translation>
+    </message>
+    <message>
+        <source>Filbert 14</source>
+        <translation>フィルバート 14</translation>
+    </message>
+    <message>
+        <source>Fine comb 18</source>
+        <translation>細目コーム 18</translation>
+    </message>
+    <message>
+        <source>Fingertip 12</source>
+        <translation>指先 12</translation>
+    </message>
+    <message>
+        <source>Flat bristle 20</source>
+        <translation>豚毛フラット 20</translation>
+    </message>
+    <message>
+        <source>Impasto flat 18</source>
+        <translation>インパスト用フラット 18</translation>
+    </message>
+    <message>
+        <source>Large filbert 26</source>
+        <translation>大きなフィルバート 26</translation>
+    </message>
+    <message>
+        <source>Large flat 40</source>
+        <translation>大きなフラット 40</translation>
+    </message>
+    <message>
+        <source>Lifting knife 14</source>
+        <translation>すくい取りナイフ 14</translation>
+    </message>
+    <message>
+        <source>Mop 30</source>
+        <translation>モップ 30</translation>
+    </message>
+    <message>
+        <source>Palette knife 17</source>
+        <translation>パレットナイフ 17</translation>
+    </message>
+    <message>
+        <source>Pouring bottle</source>
+        <translation>ポーリングボトル</translation>
+    </message>
+    <message>
+        <source>Rag 35</source>
+        <translation>ウエス 35</translation>
+    </message>
+    <message>
+        <source>Rigger 2</source>
+        <translation>リガー 2</translation>
+    </message>
+    <message>
+        <source>Round bristle 12</source>
+        <translation>豚毛ラウンド 12</translation>
+    </message>
+    <message>
+        <source>Round sable 9</source>
+        <translation>セーブルラウンド 9</translation>
+    </message>
+    <message>
+        <source>Scraper 30</source>
+        <translation>スクレーパー 30</translation>
+    </message>
+    <message>
+        <source>Soft glazing flat 16</source>
+        <translation>グレーズ用軟毛フラット 16</translation>
+    </message>
+    <message>
+        <source>Spatter 45</source>
+        <translation>スパッタリング 45</translation>
+    </message>
+    <message>
+        <source>Spray can 35</source>
+        <translation>スプレー缶 35</translation>
+    </message>
+    <message>
+        <source>Spreading knife 40</source>
+        <translation>塗り広げナイフ 40</translation>
+    </message>
+    <message>
+        <source>Stippler 15</source>
+        <translation>スティップル筆 15</translation>
+    </message>
+    <message>
+        <source>Straw 8</source>
+        <translation>ストロー 8</translation>
+    </message>
+    <message>
+        <source>Thinner brush 16</source>
+        <translation>うすめ液の筆 16</translation>
+    </message>
+    <message>
+        <source>Titanium white</source>
+        <translation>チタニウムホワイト</translation>
+    </message>
+    <message>
+        <source>Zinc white</source>
+        <translation>ジンクホワイト</translation>
+    </message>
+    <message>
+        <source>Cadmium yellow</source>
+        <translation>カドミウムイエロー</translation>
+    </message>
+    <message>
+        <source>Hansa yellow medium</source>
+        <translation>ハンザイエローミディアム</translation>
+    </message>
+    <message>
+        <source>Diarylide (Indian) yellow</source>
+        <translation>ジアリライド（インディアン）イエロー</translation>
+    </message>
+    <message>
+        <source>Yellow ochre</source>
+        <translation>イエローオーカー</translation>
+    </message>
+    <message>
+        <source>Cadmium orange</source>
+        <translation>カドミウムオレンジ</translation>
+    </message>
+    <message>
+        <source>Pyrrole orange</source>
+        <translation>ピロールオレンジ</translation>
+    </message>
+    <message>
+        <source>Cadmium red light</source>
+        <translation>カドミウムレッドライト</translation>
+    </message>
+    <message>
+        <source>Pyrrole red</source>
+        <translation>ピロールレッド</translation>
+    </message>
+    <message>
+        <source>Red oxide (Venetian red)</source>
+        <translation>レッドオキサイド（ベネチアンレッド）</translation>
+    </message>
+    <message>
+        <source>Alizarin crimson</source>
+        <translation>アリザリンクリムソン</translation>
+    </message>
+    <message>
+        <source>Quinacridone rose</source>
+        <translation>キナクリドンローズ</translation>
+    </message>
+    <message>
+        <source>Quinacridone magenta</source>
+        <translation>キナクリドンマゼンタ</translation>
+    </message>
+    <message>
+        <source>Dioxazine violet</source>
+        <translation>ジオキサジンバイオレット</translation>
+    </message>
+    <message>
+        <source>Ultramarine blue</source>
+        <translation>ウルトラマリンブルー</translation>
+    </message>
+    <message>
+        <source>Cobalt blue</source>
+        <translation>コバルトブルー</translation>
+    </message>
+    <message>
+        <source>Cerulean blue</source>
+        <translation>セルリアンブルー</translation>
+    </message>
+    <message>
+        <source>Phthalo blue GS</source>
+        <translation>フタロブルー GS</translation>
+    </message>
+    <message>
+        <source>Prussian blue</source>
+        <translation>プルシャンブルー</translation>
+    </message>
+    <message>
+        <source>Phthalo green BS</source>
+        <translation>フタログリーン BS</translation>
+    </message>
+    <message>
+        <source>Phthalo green YS</source>
+        <translation>フタログリーン YS</translation>
+    </message>
+    <message>
+        <source>Viridian</source>
+        <translation>ビリジャン</translation>
+    </message>
+    <message>
+        <source>Chromium oxide green</source>
+        <translation>クロムオキサイドグリーン</translation>
+    </message>
+    <message>
+        <source>Burnt sienna</source>
+        <translation>バーントシェンナ</translation>
+    </message>
+    <message>
+        <source>Raw umber</source>
+        <translation>ローアンバー</translation>
+    </message>
+    <message>
+        <source>Burnt umber</source>
+        <translation>バーントアンバー</translation>
+    </message>
+    <message>
+        <source>Ivory (bone) black</source>
+        <translation>アイボリー（ボーン）ブラック</translation>
+    </message>
+    <message>
+        <source>Carbon black</source>
+        <translation>カーボンブラック</translation>
+    </message>
+    <message>
+        <source>heavy-body oil</source>
+        <translation>硬練り油絵の具</translation>
+    </message>
+    <message>
+        <source>Stiff, buttery oil straight from the tube: every bristle mark and every peak stays where you put it.</source>
+        <translation>チューブから出したままの、バターのように硬い油絵の具。筆跡も盛り上がりも、置いたまま残ります。</translation>
+    </message>
+    <message>
+        <source>soft-body acrylic</source>
+        <translation>ソフトボディのアクリル</translation>
+    </message>
+    <message>
+        <source>Creamy paint that keeps soft brush marks, and slumps slowly where you lay it on thick.</source>
+        <translation>クリーム状の絵の具。柔らかな筆跡が残り、厚く置いたところはゆっくり崩れます。</translation>
+    </message>
+    <message>
+        <source>fluid acrylic</source>
+        <translation>フルイドアクリル</translation>
+    </message>
+    <message>
+        <source>Pours like cream: brush marks level out, and thick passages sag and run on a tilted canvas.</source>
+        <translation>生クリームのように流れる絵の具。筆跡はならされ、厚いところは傾けたキャンバスの上で垂れて流れます。</translation>
+    </message>
+    <message>
+        <source>house paint</source>
+        <translation>ペンキ</translation>
+    </message>
+    <message>
+        <source>Glossy enamel from the tin: it levels at once, drips freely and leaves long rounded tears.</source>
+        <translation>缶入りの艶のあるエナメル。すぐに平らになり、よく滴って、丸く長い垂れを残します。</translation>
+    </message>
+    <message>
+        <source>ink glaze</source>
+        <translation>インクのグレーズ</translation>
+    </message>
+    <message>
+        <source>Thin as ink: a transparent film that settles into the weave and runs wherever the canvas leans.</source>
+        <translation>インクのように薄い透明な膜。布目に沈み、キャンバスの傾くほうへ流れます。</translation>
+    </message>
+    <message>
+        <source>thinner</source>
+        <translation>うすめ液</translation>
+    </message>
+    <message>
+        <source>Clear thinner: loosens wet paint that it meets, lifts dried ink, and leaves nothing behind.</source>
+        <translation>透明なうすめ液。触れた濡れた絵の具をゆるめ、乾いたインクを浮かせ、あとには何も残しません。</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>絵の具</translation>
     </message>
 </context>
 <context>

@@ -473,6 +473,14 @@
         <source>Buttons: %1</source>
         <translation>Knappar: %1</translation>
     </message>
+    <message>
+        <source>clear medium</source>
+        <translation>klart medium</translation>
+    </message>
+    <message>
+        <source>thinned to %1</source>
+        <translation>förtunnad till %1</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -535,6 +543,321 @@
     <message>
         <source>Abort</source>
         <translation>Avbryt</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::appearance</name>
+    <message>
+        <source>Air blower 40</source>
+        <translation>Luftblåsare 40</translation>
+    </message>
+    <message>
+        <source>Airbrush 7</source>
+        <translation>Airbrush 7</translation>
+    </message>
+    <message>
+        <source>Blender 28</source>
+        <translation>Fördrivare 28</translation>
+    </message>
+    <message>
+        <source>Blotting pad 40</source>
+        <translation>Läskdyna 40</translation>
+    </message>
+    <message>
+        <source>Bright 12</source>
+        <translation>Kort flatpensel 12</translation>
+    </message>
+    <message>
+        <source>Comb 25</source>
+        <translation>Kam 25</translation>
+    </message>
+    <message>
+        <source>Cotton bud 6</source>
+        <translation>Bomullspinne 6</translation>
+    </message>
+    <message>
+        <source>Detail round 3</source>
+        <translation>Fin rundpensel 3</translation>
+    </message>
+    <message>
+        <source>Diamond knife 9</source>
+        <translation>Rombisk målarkniv 9</translation>
+    </message>
+    <message>
+        <source>Dropper</source>
+        <translation>Pipett</translation>
+    </message>
+    <message>
+        <source>Dry scumbler 22</source>
+        <translation>Torrpensel 22</translation>
+    </message>
+    <message>
+        <source>Eraser 15</source>
+        <translation>Suddgummi 15</translation>
+    </message>
+    <message>
+        <source>Fan 26</source>
+        <translation>Solfjäderpensel 26</translation>
+    </message>
+    <message>
+        <source>Filbert 14</source>
+        <translation>Filbert 14</translation>
+    </message>
+    <message>
+        <source>Fine comb 18</source>
+        <translation>Fin kam 18</translation>
+    </message>
+    <message>
+        <source>Fingertip 12</source>
+        <translation>Fingertopp 12</translation>
+    </message>
+    <message>
+        <source>Flat bristle 20</source>
+        <translation>Flat svinborst 20</translation>
+    </message>
+    <message>
+        <source>Impasto flat 18</source>
+        <translation>Flat impastopensel 18</translation>
+    </message>
+    <message>
+        <source>Large filbert 26</source>
+        <translation>Stor filbert 26</translation>
+    </message>
+    <message>
+        <source>Large flat 40</source>
+        <translation>Stor flatpensel 40</translation>
+    </message>
+    <message>
+        <source>Lifting knife 14</source>
+        <translation>Lyftkniv 14</translation>
+    </message>
+    <message>
+        <source>Mop 30</source>
+        <translation>Mopp 30</translation>
+    </message>
+    <message>
+        <source>Palette knife 17</source>
+        <translation>Palettkniv 17</translation>
+    </message>
+    <message>
+        <source>Pouring bottle</source>
+        <translation>Hällflaska</translation>
+    </message>
+    <message>
+        <source>Rag 35</source>
+        <translation>Trasa 35</translation>
+    </message>
+    <message>
+        <source>Rigger 2</source>
+        <translation>Släpare 2</translation>
+    </message>
+    <message>
+        <source>Round bristle 12</source>
+        <translation>Rund svinborst 12</translation>
+    </message>
+    <message>
+        <source>Round sable 9</source>
+        <translation>Rund mårdhårspensel 9</translation>
+    </message>
+    <message>
+        <source>Scraper 30</source>
+        <translation>Skrapa 30</translation>
+    </message>
+    <message>
+        <source>Soft glazing flat 16</source>
+        <translation>Mjuk flat lasyrpensel 16</translation>
+    </message>
+    <message>
+        <source>Spatter 45</source>
+        <translation>Stänk 45</translation>
+    </message>
+    <message>
+        <source>Spray can 35</source>
+        <translation>Sprejburk 35</translation>
+    </message>
+    <message>
+        <source>Spreading knife 40</source>
+        <translation>Bredspackel 40</translation>
+    </message>
+    <message>
+        <source>Stippler 15</source>
+        <translation>Stöppelpensel 15</translation>
+    </message>
+    <message>
+        <source>Straw 8</source>
+        <translation>Sugrör 8</translation>
+    </message>
+    <message>
+        <source>Thinner brush 16</source>
+        <translation>Förtunningspensel 16</translation>
+    </message>
+    <message>
+        <source>Titanium white</source>
+        <translation>Titanvitt</translation>
+    </message>
+    <message>
+        <source>Zinc white</source>
+        <translation>Zinkvitt</translation>
+    </message>
+    <message>
+        <source>Cadmium yellow</source>
+        <translation>Kadmiumgult</translation>
+    </message>
+    <message>
+        <source>Hansa yellow medium</source>
+        <translation>Hansagult, mellan</translation>
+    </message>
+    <message>
+        <source>Diarylide (Indian) yellow</source>
+        <translation>Diarylidgult (indiskt gult)</translation>
+    </message>
+    <message>
+        <source>Yellow ochre</source>
+        <translation>Gul ockra</translation>
+    </message>
+    <message>
+        <source>Cadmium orange</source>
+        <translation>Kadmiumorange</translation>
+    </message>
+    <message>
+        <source>Pyrrole orange</source>
+        <translation>Pyrrolorange</translation>
+    </message>
+    <message>
+        <source>Cadmium red light</source>
+        <translation>Kadmiumrött, ljust</translation>
+    </message>
+    <message>
+        <source>Pyrrole red</source>
+        <translation>Pyrrolrött</translation>
+    </message>
+    <message>
+        <source>Red oxide (Venetian red)</source>
+        <translation>Järnoxidrött (venetianskt rött)</translation>
+    </message>
+    <message>
+        <source>Alizarin crimson</source>
+        <translation>Alizarinkarmosin</translation>
+    </message>
+    <message>
+        <source>Quinacridone rose</source>
+        <translation>Kinakridonrosa</translation>
+    </message>
+    <message>
+        <source>Quinacridone magenta</source>
+        <translation>Kinakridonmagenta</translation>
+    </message>
+    <message>
+        <source>Dioxazine violet</source>
+        <translation>Dioxazinviolett</translation>
+    </message>
+    <message>
+        <source>Ultramarine blue</source>
+        <translation>Ultramarinblått</translation>
+    </message>
+    <message>
+        <source>Cobalt blue</source>
+        <translation>Koboltblått</translation>
+    </message>
+    <message>
+        <source>Cerulean blue</source>
+        <translation>Coelinblått</translation>
+    </message>
+    <message>
+        <source>Phthalo blue GS</source>
+        <translation>Ftaloblått GS</translation>
+    </message>
+    <message>
+        <source>Prussian blue</source>
+        <translation>Preussiskt blått</translation>
+    </message>
+    <message>
+        <source>Phthalo green BS</source>
+        <translation>Ftalogrönt BS</translation>
+    </message>
+    <message>
+        <source>Phthalo green YS</source>
+        <translation>Ftalogrönt YS</translation>
+    </message>
+    <message>
+        <source>Viridian</source>
+        <translation>Viridian</translation>
+    </message>
+    <message>
+        <source>Chromium oxide green</source>
+        <translation>Kromoxidgrönt</translation>
+    </message>
+    <message>
+        <source>Burnt sienna</source>
+        <translation>Bränd sienna</translation>
+    </message>
+    <message>
+        <source>Raw umber</source>
+        <translation>Obränd umbra</translation>
+    </message>
+    <message>
+        <source>Burnt umber</source>
+        <translation>Bränd umbra</translation>
+    </message>
+    <message>
+        <source>Ivory (bone) black</source>
+        <translation>Elfenbenssvart (bensvart)</translation>
+    </message>
+    <message>
+        <source>Carbon black</source>
+        <translation>Kolsvart</translation>
+    </message>
+    <message>
+        <source>heavy-body oil</source>
+        <translation>tjock oljefärg</translation>
+    </message>
+    <message>
+        <source>Stiff, buttery oil straight from the tube: every bristle mark and every peak stays where you put it.</source>
+        <translation>Styv, smörig oljefärg direkt ur tuben: varje borstspår och varje topp stannar där du lägger dem.</translation>
+    </message>
+    <message>
+        <source>soft-body acrylic</source>
+        <translation>mjuk akrylfärg</translation>
+    </message>
+    <message>
+        <source>Creamy paint that keeps soft brush marks, and slumps slowly where you lay it on thick.</source>
+        <translation>Krämig färg som behåller mjuka penselspår och långsamt sjunker ihop där du lägger på tjockt.</translation>
+    </message>
+    <message>
+        <source>fluid acrylic</source>
+        <translation>flytande akrylfärg</translation>
+    </message>
+    <message>
+        <source>Pours like cream: brush marks level out, and thick passages sag and run on a tilted canvas.</source>
+        <translation>Rinner som grädde: penselspår jämnas ut, och tjocka partier sjunker och rinner på en lutad duk.</translation>
+    </message>
+    <message>
+        <source>house paint</source>
+        <translation>lackfärg</translation>
+    </message>
+    <message>
+        <source>Glossy enamel from the tin: it levels at once, drips freely and leaves long rounded tears.</source>
+        <translation>Blank emaljfärg ur burken: den flyter genast ut, droppar fritt och lämnar långa rundade rinnor.</translation>
+    </message>
+    <message>
+        <source>ink glaze</source>
+        <translation>bläcklasyr</translation>
+    </message>
+    <message>
+        <source>Thin as ink: a transparent film that settles into the weave and runs wherever the canvas leans.</source>
+        <translation>Tunn som bläck: en genomskinlig hinna som sjunker in i väven och rinner dit duken lutar.</translation>
+    </message>
+    <message>
+        <source>thinner</source>
+        <translation>förtunning</translation>
+    </message>
+    <message>
+        <source>Clear thinner: loosens wet paint that it meets, lifts dried ink, and leaves nothing behind.</source>
+        <translation>Klar förtunning: löser upp våt färg som den möter, lyfter torkat bläck och lämnar inget efter sig.</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Färg</translation>
     </message>
 </context>
 <context>

@@ -473,6 +473,14 @@
         <source>Buttons: %1</source>
         <translation>按鈕：%1</translation>
     </message>
+    <message>
+        <source>clear medium</source>
+        <translation>透明媒介劑</translation>
+    </message>
+    <message>
+        <source>thinned to %1</source>
+        <translation>稀釋至 %1</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -535,6 +543,321 @@
     <message>
         <source>Abort</source>
         <translation>中止</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::appearance</name>
+    <message>
+        <source>Air blower 40</source>
+        <translation>吹氣球 40</translation>
+    </message>
+    <message>
+        <source>Airbrush 7</source>
+        <translation>噴筆 7</translation>
+    </message>
+    <message>
+        <source>Blender 28</source>
+        <translation>暈染筆 28</translation>
+    </message>
+    <message>
+        <source>Blotting pad 40</source>
+        <translation>吸色墊 40</translation>
+    </message>
+    <message>
+        <source>Bright 12</source>
+        <translation>短平筆 12</translation>
+    </message>
+    <message>
+        <source>Comb 25</source>
+        <translation>梳形刮刀 25</translation>
+    </message>
+    <message>
+        <source>Cotton bud 6</source>
+        <translation>棉花棒 6</translation>
+    </message>
+    <message>
+        <source>Detail round 3</source>
+        <translation>細部圓筆 3</translation>
+    </message>
+    <message>
+        <source>Diamond knife 9</source>
+        <translation>菱形畫刀 9</translation>
+    </message>
+    <message>
+        <source>Dropper</source>
+        <translation>滴管</translation>
+    </message>
+    <message>
+        <source>Dry scumbler 22</source>
+        <translation>乾擦筆 22</translation>
+    </message>
+    <message>
+        <source>Eraser 15</source>
+        <translation>橡皮擦 15</translation>
+    </message>
+    <message>
+        <source>Fan 26</source>
+        <translation>扇形筆 26</translation>
+    </message>
+    <message>
+        <source>Filbert 14</source>
+        <translation>榛形筆 14</translation>
+    </message>
+    <message>
+        <source>Fine comb 18</source>
+        <translation>細齒梳形刮刀 18</translation>
+    </message>
+    <message>
+        <source>Fingertip 12</source>
+        <translation>指尖 12</translation>
+    </message>
+    <message>
+        <source>Flat bristle 20</source>
+        <translation>豬鬃平筆 20</translation>
+    </message>
+    <message>
+        <source>Impasto flat 18</source>
+        <translation>厚塗平筆 18</translation>
+    </message>
+    <message>
+        <source>Large filbert 26</source>
+        <translation>大榛形筆 26</translation>
+    </message>
+    <message>
+        <source>Large flat 40</source>
+        <translation>大平筆 40</translation>
+    </message>
+    <message>
+        <source>Lifting knife 14</source>
+        <translation>挑色刀 14</translation>
+    </message>
+    <message>
+        <source>Mop 30</source>
+        <translation>拖把筆 30</translation>
+    </message>
+    <message>
+        <source>Palette knife 17</source>
+        <translation>調色刀 17</translation>
+    </message>
+    <message>
+        <source>Pouring bottle</source>
+        <translation>倒色瓶</translation>
+    </message>
+    <message>
+        <source>Rag 35</source>
+        <translation>抹布 35</translation>
+    </message>
+    <message>
+        <source>Rigger 2</source>
+        <translation>拉線筆 2</translation>
+    </message>
+    <message>
+        <source>Round bristle 12</source>
+        <translation>豬鬃圓筆 12</translation>
+    </message>
+    <message>
+        <source>Round sable 9</source>
+        <translation>貂毛圓筆 9</translation>
+    </message>
+    <message>
+        <source>Scraper 30</source>
+        <translation>刮板 30</translation>
+    </message>
+    <message>
+        <source>Soft glazing flat 16</source>
+        <translation>軟毛罩染平筆 16</translation>
+    </message>
+    <message>
+        <source>Spatter 45</source>
+        <translation>噴濺 45</translation>
+    </message>
+    <message>
+        <source>Spray can 35</source>
+        <translation>噴漆罐 35</translation>
+    </message>
+    <message>
+        <source>Spreading knife 40</source>
+        <translation>抹刀 40</translation>
+    </message>
+    <message>
+        <source>Stippler 15</source>
+        <translation>點畫筆 15</translation>
+    </message>
+    <message>
+        <source>Straw 8</source>
+        <translation>吸管 8</translation>
+    </message>
+    <message>
+        <source>Thinner brush 16</source>
+        <translation>稀釋劑筆 16</translation>
+    </message>
+    <message>
+        <source>Titanium white</source>
+        <translation>鈦白</translation>
+    </message>
+    <message>
+        <source>Zinc white</source>
+        <translation>鋅白</translation>
+    </message>
+    <message>
+        <source>Cadmium yellow</source>
+        <translation>鎘黃</translation>
+    </message>
+    <message>
+        <source>Hansa yellow medium</source>
+        <translation>中漢莎黃</translation>
+    </message>
+    <message>
+        <source>Diarylide (Indian) yellow</source>
+        <translation>二芳基黃（印度黃）</translation>
+    </message>
+    <message>
+        <source>Yellow ochre</source>
+        <translation>土黃</translation>
+    </message>
+    <message>
+        <source>Cadmium orange</source>
+        <translation>鎘橙</translation>
+    </message>
+    <message>
+        <source>Pyrrole orange</source>
+        <translation>吡咯橙</translation>
+    </message>
+    <message>
+        <source>Cadmium red light</source>
+        <translation>淺鎘紅</translation>
+    </message>
+    <message>
+        <source>Pyrrole red</source>
+        <translation>吡咯紅</translation>
+    </message>
+    <message>
+        <source>Red oxide (Venetian red)</source>
+        <translation>氧化鐵紅（威尼斯紅）</translation>
+    </message>
+    <message>
+        <source>Alizarin crimson</source>
+        <translation>茜素深紅</translation>
+    </message>
+    <message>
+        <source>Quinacridone rose</source>
+        <translation>喹吖啶酮玫瑰紅</translation>
+    </message>
+    <message>
+        <source>Quinacridone magenta</source>
+        <translation>喹吖啶酮洋紅</translation>
+    </message>
+    <message>
+        <source>Dioxazine violet</source>
+        <translation>二噁嗪紫</translation>
+    </message>
+    <message>
+        <source>Ultramarine blue</source>
+        <translation>群青</translation>
+    </message>
+    <message>
+        <source>Cobalt blue</source>
+        <translation>鈷藍</translation>
+    </message>
+    <message>
+        <source>Cerulean blue</source>
+        <translation>天藍</translation>
+    </message>
+    <message>
+        <source>Phthalo blue GS</source>
+        <translation>酞菁藍 GS</translation>
+    </message>
+    <message>
+        <source>Prussian blue</source>
+        <translation>普魯士藍</translation>
+    </message>
+    <message>
+        <source>Phthalo green BS</source>
+        <translation>酞菁綠 BS</translation>
+    </message>
+    <message>
+        <source>Phthalo green YS</source>
+        <translation>酞菁綠 YS</translation>
+    </message>
+    <message>
+        <source>Viridian</source>
+        <translation>翠綠</translation>
+    </message>
+    <message>
+        <source>Chromium oxide green</source>
+        <translation>氧化鉻綠</translation>
+    </message>
+    <message>
+        <source>Burnt sienna</source>
+        <translation>岱赭</translation>
+    </message>
+    <message>
+        <source>Raw umber</source>
+        <translation>生褐</translation>
+    </message>
+    <message>
+        <source>Burnt umber</source>
+        <translation>焦褐</translation>
+    </message>
+    <message>
+        <source>Ivory (bone) black</source>
+        <translation>象牙黑（骨黑）</translation>
+    </message>
+    <message>
+        <source>Carbon black</source>
+        <translation>碳黑</translation>
+    </message>
+    <message>
+        <source>heavy-body oil</source>
+        <translation>厚質油畫顏料</translation>
+    </message>
+    <message>
+        <source>Stiff, buttery oil straight from the tube: every bristle mark and every peak stays where you put it.</source>
+        <translation>直接從管中擠出、質地硬而滑順的油畫顏料：每道筆痕、每個尖峰都留在你放下的地方。</translation>
+    </message>
+    <message>
+        <source>soft-body acrylic</source>
+        <translation>軟質壓克力顏料</translation>
+    </message>
+    <message>
+        <source>Creamy paint that keeps soft brush marks, and slumps slowly where you lay it on thick.</source>
+        <translation>乳霜般的顏料，保留柔和的筆痕，塗得厚的地方會慢慢塌陷。</translation>
+    </message>
+    <message>
+        <source>fluid acrylic</source>
+        <translation>流體壓克力顏料</translation>
+    </message>
+    <message>
+        <source>Pours like cream: brush marks level out, and thick passages sag and run on a tilted canvas.</source>
+        <translation>像鮮奶油一樣流動：筆痕會攤平，厚的地方在傾斜的畫布上會垂流。</translation>
+    </message>
+    <message>
+        <source>house paint</source>
+        <translation>油漆</translation>
+    </message>
+    <message>
+        <source>Glossy enamel from the tin: it levels at once, drips freely and leaves long rounded tears.</source>
+        <translation>罐裝的亮光瓷漆：立刻攤平，容易滴落，留下圓而長的淚痕。</translation>
+    </message>
+    <message>
+        <source>ink glaze</source>
+        <translation>墨水罩染</translation>
+    </message>
+    <message>
+        <source>Thin as ink: a transparent film that settles into the weave and runs wherever the canvas leans.</source>
+        <translation>稀薄如墨的透明薄層，沉入布紋，並往畫布傾斜的方向流去。</translation>
+    </message>
+    <message>
+        <source>thinner</source>
+        <translation>稀釋劑</translation>
+    </message>
+    <message>
+        <source>Clear thinner: loosens wet paint that it meets, lifts dried ink, and leaves nothing behind.</source>
+        <translation>透明的稀釋劑：使碰到的濕顏料變鬆，溶起乾掉的墨水，不留任何痕跡。</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>顏料</translation>
     </message>
 </context>
 <context>

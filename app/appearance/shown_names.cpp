@@ -1,0 +1,116 @@
+#include "appearance/shown_names.hpp"
+
+#include <QCoreApplication>
+
+namespace pastoso::appearance {
+namespace {
+
+constexpr const char* kNames[] = {
+    // resources/brushes; the number is the width in mm
+    QT_TR_NOOP("Air blower 40"),
+    QT_TR_NOOP("Airbrush 7"),
+    QT_TR_NOOP("Blender 28"),
+    QT_TR_NOOP("Blotting pad 40"),
+    QT_TR_NOOP("Bright 12"),
+    QT_TR_NOOP("Comb 25"),
+    QT_TR_NOOP("Cotton bud 6"),
+    QT_TR_NOOP("Detail round 3"),
+    QT_TR_NOOP("Diamond knife 9"),
+    QT_TR_NOOP("Dropper"),
+    QT_TR_NOOP("Dry scumbler 22"),
+    QT_TR_NOOP("Eraser 15"),
+    QT_TR_NOOP("Fan 26"),
+    QT_TR_NOOP("Filbert 14"),
+    QT_TR_NOOP("Fine comb 18"),
+    QT_TR_NOOP("Fingertip 12"),
+    QT_TR_NOOP("Flat bristle 20"),
+    QT_TR_NOOP("Impasto flat 18"),
+    QT_TR_NOOP("Large filbert 26"),
+    QT_TR_NOOP("Large flat 40"),
+    QT_TR_NOOP("Lifting knife 14"),
+    QT_TR_NOOP("Mop 30"),
+    QT_TR_NOOP("Palette knife 17"),
+    QT_TR_NOOP("Pouring bottle"),
+    QT_TR_NOOP("Rag 35"),
+    QT_TR_NOOP("Rigger 2"),
+    QT_TR_NOOP("Round bristle 12"),
+    QT_TR_NOOP("Round sable 9"),
+    QT_TR_NOOP("Scraper 30"),
+    QT_TR_NOOP("Soft glazing flat 16"),
+    QT_TR_NOOP("Spatter 45"),
+    QT_TR_NOOP("Spray can 35"),
+    QT_TR_NOOP("Spreading knife 40"),
+    QT_TR_NOOP("Stippler 15"),
+    QT_TR_NOOP("Straw 8"),
+    QT_TR_NOOP("Thinner brush 16"),
+
+    // resources/pigments
+    QT_TR_NOOP("Titanium white"),
+    QT_TR_NOOP("Zinc white"),
+    QT_TR_NOOP("Cadmium yellow"),
+    QT_TR_NOOP("Hansa yellow medium"),
+    QT_TR_NOOP("Diarylide (Indian) yellow"),
+    QT_TR_NOOP("Yellow ochre"),
+    QT_TR_NOOP("Cadmium orange"),
+    QT_TR_NOOP("Pyrrole orange"),
+    QT_TR_NOOP("Cadmium red light"),
+    QT_TR_NOOP("Pyrrole red"),
+    QT_TR_NOOP("Red oxide (Venetian red)"),
+    QT_TR_NOOP("Alizarin crimson"),
+    QT_TR_NOOP("Quinacridone rose"),
+    QT_TR_NOOP("Quinacridone magenta"),
+    QT_TR_NOOP("Dioxazine violet"),
+    QT_TR_NOOP("Ultramarine blue"),
+    QT_TR_NOOP("Cobalt blue"),
+    QT_TR_NOOP("Cerulean blue"),
+    QT_TR_NOOP("Phthalo blue GS"),
+    QT_TR_NOOP("Prussian blue"),
+    QT_TR_NOOP("Phthalo green BS"),
+    QT_TR_NOOP("Phthalo green YS"),
+    QT_TR_NOOP("Viridian"),
+    QT_TR_NOOP("Chromium oxide green"),
+    QT_TR_NOOP("Burnt sienna"),
+    QT_TR_NOOP("Raw umber"),
+    QT_TR_NOOP("Burnt umber"),
+    QT_TR_NOOP("Ivory (bone) black"),
+    QT_TR_NOOP("Carbon black"),
+
+    // resources/media.json
+    QT_TR_NOOP("heavy-body oil"),
+    QT_TR_NOOP("Stiff, buttery oil straight from the tube: every bristle mark and every peak stays "
+               "where you put it."),
+    QT_TR_NOOP("soft-body acrylic"),
+    QT_TR_NOOP("Creamy paint that keeps soft brush marks, and slumps slowly where you lay it on thick."),
+    QT_TR_NOOP("fluid acrylic"),
+    QT_TR_NOOP(
+        "Pours like cream: brush marks level out, and thick passages sag and run on a tilted canvas."),
+    QT_TR_NOOP("house paint"),
+    QT_TR_NOOP(
+        "Glossy enamel from the tin: it levels at once, drips freely and leaves long rounded tears."),
+    QT_TR_NOOP("ink glaze"),
+    QT_TR_NOOP("Thin as ink: a transparent film that settles into the weave and runs wherever the "
+               "canvas leans."),
+    QT_TR_NOOP("thinner"),
+    QT_TR_NOOP(
+        "Clear thinner: loosens wet paint that it meets, lifts dried ink, and leaves nothing behind."),
+
+    // the layer that a new painting begins with
+    QT_TR_NOOP("Paint"),
+};
+
+}  // namespace
+
+/// Qt gives back what it has no translation for.
+QString shown_name(std::string_view name) {
+    return shown_name(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
+}
+
+QString shown_name(const QString& name) {
+    return QCoreApplication::translate("pastoso::appearance", name.toUtf8().constData());
+}
+
+std::span<const char* const> translated_names() {
+    return kNames;
+}
+
+}  // namespace pastoso::appearance
