@@ -25,7 +25,8 @@ ThemeColours dark_colours() {
             .chosen_text = {255, 255, 255},
             .warning = {224, 196, 138},
             .bare_light = {92, 92, 96},
-            .bare_dark = {78, 78, 82}};
+            .bare_dark = {78, 78, 82},
+            .ground = {57, 57, 57}};
 }
 
 ThemeColours light_colours() {
@@ -44,7 +45,9 @@ ThemeColours light_colours() {
             .chosen_text = {12, 20, 28},
             .warning = {128, 76, 0},
             .bare_light = {206, 206, 208},
-            .bare_dark = {188, 188, 190}};
+            .bare_dark = {188, 188, 190},
+            // A quarter of the light of white (ISO 3664 allows a tenth to six tenths around a print).
+            .ground = {140, 140, 140}};
 }
 
 struct Used {

@@ -32,6 +32,7 @@ struct ThemeColours {
     QColor chosen_text;
     QColor warning;                ///< a sentence that should be seen
     QColor bare_light, bare_dark;  ///< squares behind what no paint covers
+    QColor ground;                 ///< around the canvas: without any hue, neither white nor black
 };
 
 /// The theme that was applied last; none before the first.

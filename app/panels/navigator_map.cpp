@@ -1,5 +1,6 @@
 #include "panels/navigator_map.hpp"
 
+#include "appearance/theme.hpp"
 #include "panels/section.hpp"
 
 #include <QApplication>
@@ -71,7 +72,7 @@ void NavigatorMap::show_frame(const QSizeF& canvas, const QPolygonF& corners) {
 
 void NavigatorMap::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.fillRect(rect(), palette().window().color().darker(115));
+    painter.fillRect(rect(), appearance::colours().ground);
     const QRectF place = canvas_place();
     if (!shown_.isNull()) painter.drawPixmap(place.topLeft(), shown_);
     if (frame_.size() == 4) {

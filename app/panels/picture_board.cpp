@@ -1,5 +1,6 @@
 #include "panels/picture_board.hpp"
 
+#include "appearance/theme.hpp"
 #include "panels/section.hpp"
 
 #include <algorithm>
@@ -75,9 +76,9 @@ QColor PictureBoard::colour_at(const QPointF& position) const {
 
 void PictureBoard::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.fillRect(rect(), palette().window().color().darker(115));
+    painter.fillRect(rect(), appearance::colours().ground);
     if (picture_.isNull()) {
-        painter.setPen(palette().placeholderText().color());
+        painter.setPen(palette().text().color());
         painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,
                          tr("No picture to trace"));
         return;

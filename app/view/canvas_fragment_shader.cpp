@@ -27,6 +27,7 @@ uniform float dry_roughness;
 uniform float wet_roughness;
 uniform float inverse_softness_per_mm;
 uniform vec3 luminance_weights;        // of the working space
+uniform vec3 ground;                   // around the canvas, as the screen takes it
 
 out vec4 screen_colour;
 
@@ -182,11 +183,11 @@ vec3 sample_at(vec2 cell) {
 vec3 on_screen(vec3 mean) { return mean; }
 #endif
 
-// A neutral desk with the soft shadow of the canvas's edge.
-vec3 desk(vec2 cell) {
+// The ground with the soft shadow of the canvas's edge.
+vec3 ground_at(vec2 cell) {
     vec2 outside_px = max(max(-cell, cell - canvas_cells), 0.0) * px_per_cell;
     float shadow = exp(-length(outside_px) / 9.0);
-    return vec3(0.225) * (1.0 - 0.45 * shadow);
+    return ground * (1.0 - 0.45 * shadow);
 }
 
 void main() {
@@ -203,7 +204,7 @@ void main() {
             covered += 1.0;
         }
     }
-    vec3 around = desk(corner_cell + canvas_from_screen * vec2(0.5 * pixel_size / px_per_cell));
+    vec3 around = ground_at(corner_cell + canvas_from_screen * vec2(0.5 * pixel_size / px_per_cell));
     float share = covered / float(samples_per_side * samples_per_side);
     vec3 mean = sum / max(covered, 1.0);
     vec3 canvas = on_screen(mean);

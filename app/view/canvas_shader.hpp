@@ -11,7 +11,7 @@ namespace pastoso::view {
 /// One triangle that covers the viewport.
 extern const char* const kCanvasVertexShader;
 
-/// A pixel of the window: the canvas, or the desk around it. Every look has a program of its own: on a
+/// A pixel of the window: the canvas, or the ground around it. Every look has a program of its own: on a
 /// processor one with branches computes all of them.
 std::string canvas_fragment_shader(Look look);
 

@@ -30,6 +30,9 @@ bool CanvasView::event(QEvent* event) {
         case QEvent::TouchEnd:
         case QEvent::TouchCancel:
             return touch(*static_cast<QTouchEvent*>(event));
+        case QEvent::PaletteChange:  // another theme has another ground
+            damage_all();
+            return QOpenGLWidget::event(event);
         default:
             return QOpenGLWidget::event(event);
     }

@@ -1,5 +1,6 @@
 #include "view/canvas_view.hpp"
 
+#include "appearance/theme.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "view/damaged_pixels.hpp"
@@ -35,6 +36,12 @@ constexpr QSize kWellSize(360, 272);
 
 QRect qt_rect(const grid::Rect& cells) {
     return {cells.x0, cells.y0, cells.width(), cells.height()};
+}
+
+Rgb ground_colour() {
+    const QColor& ground = appearance::colours().ground;
+    return {static_cast<float>(ground.redF()), static_cast<float>(ground.greenF()),
+            static_cast<float>(ground.blueF())};
 }
 
 }  // namespace
@@ -281,8 +288,8 @@ QRegion CanvasView::damaged_region(const LayerChanges& changes) const {
 }
 
 double CanvasView::shade_job(const ShadingPlan::Job& job) {
-    const Scene scene{&textures_, shown_->film.cell_mm, view_,         lighting_,
-                      look_,      scale_top_mm_,        viewing_.space};
+    const Scene scene{&textures_, shown_->film.cell_mm, view_,          lighting_,
+                      look_,      scale_top_mm_,        viewing_.space, ground_colour()};
     double seconds = 0.0;
     for (const QRect& part : job.region)
         seconds += picture_.shade(part, job.quality, scene);

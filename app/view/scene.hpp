@@ -15,6 +15,7 @@ struct Scene {
     Look look = Look::Lit;
     double scale_top_mm = 1.0;  ///< of Look::Height
     pigment::WorkingSpace space = pigment::WorkingSpace::Srgb;
+    Rgb ground{};  ///< around the canvas, as the screen takes it
 };
 
 }  // namespace pastoso::view

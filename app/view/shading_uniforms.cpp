@@ -54,6 +54,7 @@ void set_shading_uniforms(QOpenGLShaderProgram& program, const Scene& scene, con
     program.setUniformValue("colour_sharpness", shade::colour_sharpness(scene.view.zoom));
     const std::array<float, 3> weights = pigment::luminance_weights(scene.space);
     program.setUniformValue("luminance_weights", QVector3D(weights[0], weights[1], weights[2]));
+    program.setUniformValue("ground", colour(scene.ground));
     set_look(program, scene);
     set_light(program, shade::shading_constants(scene.lighting));
 }

@@ -102,6 +102,20 @@ TEST_F(SettingsWindow, GreysOfBothThemesAreNeutralAndTextStandsOut) {
     }
 }
 
+TEST_F(SettingsWindow, TheCanvasLiesOnTheGroundOfTheTheme) {
+    action(Command::Pause)->trigger();
+    canvas().zoom_about_centre(0.2);  // its shadow does not reach the corner
+    for (const char* theme : {"light", "dark"}) {
+        tools::Preferences preferences;
+        preferences.theme = theme;
+        main::apply_preferences(preferences);
+        const QColor seen = picture().pixelColor(3, 3);
+        EXPECT_EQ(seen.name(), appearance::colours().ground.name()) << theme;
+        EXPECT_EQ(seen.red(), seen.green()) << "no hue beside the paint";
+        EXPECT_EQ(seen.red(), seen.blue()) << "no hue beside the paint";
+    }
+}
+
 TEST_F(SettingsWindow, EveryCommandHasAnIconInTheColourOfTheTheme) {
     for (const commands::CommandText& text : commands::command_list()) {
         const QImage picture = action(text.command)->icon().pixmap(16, 16).toImage();
