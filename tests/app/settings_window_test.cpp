@@ -20,6 +20,8 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMenuBar>
+#include <QPainter>
+#include <QPixmapCache>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTabWidget>
@@ -136,6 +138,33 @@ TEST_F(SettingsWindow, EveryCommandHasAnIconInTheColourOfTheTheme) {
     light.theme = "light";
     main::apply_preferences(light);
     EXPECT_LT(darkest(), 60);
+}
+
+TEST_F(SettingsWindow, AnIconIsDrawnOnceForEachSizeScaleAndColour) {
+    const QIcon icon = action(Command::DryNow)->icon();
+    const auto drawn = [&icon](int side, double scale = 1.0) {
+        return icon.pixmap(QSize(side, side), scale).toImage();
+    };
+    const qint64 first = icon.pixmap(20, 20).cacheKey();
+    EXPECT_EQ(icon.pixmap(20, 20).cacheKey(), first);
+    EXPECT_EQ(drawn(24).size(), QSize(24, 24));
+    EXPECT_EQ(drawn(20, 2.0).size(), QSize(40, 40));
+    EXPECT_NE(icon.pixmap(QSize(20, 20), QIcon::Disabled).toImage(), drawn(20));
+    // Painted at once or from what was drawn before: the same.
+    QImage fresh(40, 40, QImage::Format_ARGB32_Premultiplied);
+    QImage again = fresh;
+    for (QImage* image : {&fresh, &again}) {
+        if (image == &fresh) QPixmapCache::clear();
+        image->fill(Qt::transparent);
+        image->setDevicePixelRatio(2.0);
+        QPainter painter(image);
+        icon.paint(&painter, QRect(0, 0, 20, 20));
+    }
+    EXPECT_EQ(fresh, again);
+    tools::Preferences light;
+    light.theme = "light";
+    main::apply_preferences(light);
+    EXPECT_NE(icon.pixmap(20, 20).cacheKey(), first);
 }
 
 TEST_F(SettingsWindow, TheMemoryForUndoIsChosenAndThereAgain) {
