@@ -106,6 +106,10 @@ void catch_signals() {
 
 }  // namespace
 
+void note_facts(const std::string& facts) {
+    keep(facts_text, facts.c_str());
+}
+
 void guard(const std::filesystem::path& folder, const std::string& facts) {
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);
@@ -117,7 +121,7 @@ void guard(const std::filesystem::path& folder, const std::string& facts) {
     std::strftime(name.data(), name.size(), "%Y-%m-%d-%H%M%S-", &date);
     const auto path = folder / (name.data() + std::to_string(::getpid()) + ".txt");
     keep(report_path, path.c_str());
-    keep(facts_text, facts.c_str());
+    note_facts(facts);
     std::array<void*, 1> first{};
     ::backtrace(first.data(), 1);  // loads what it needs now
     std::set_terminate(on_terminate);

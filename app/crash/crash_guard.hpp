@@ -12,4 +12,7 @@ namespace pastoso::crash {
 /// none; nothing is guarded where that cannot be. Once in a program.
 void guard(const std::filesystem::path& folder, const std::string& facts);
 
+/// More is known by now: the report has these facts instead.
+void note_facts(const std::string& facts);
+
 }  // namespace pastoso::crash

@@ -6,16 +6,14 @@
 
 #include <QCoreApplication>
 #include <QGuiApplication>
-#include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <QOpenGLWidget>
 #include <QScreen>
 #include <QSysInfo>
 
 namespace pastoso::main {
 namespace {
-
-using Facts = std::vector<std::pair<QString, QString>>;
 
 QString tr(const char* words) {
     return QCoreApplication::translate("pastoso::main", words);
@@ -32,15 +30,13 @@ bool draws_by_processor(const QString& renderer) {
     return false;
 }
 
-void add_opengl(Facts& facts) {
-    QOffscreenSurface surface;
-    surface.create();
-    QOpenGLContext context;
-    if (!context.create() || !context.makeCurrent(&surface)) {
+void add_opengl(QOpenGLWidget& canvas, Facts& facts) {
+    if (canvas.context() == nullptr) {
         facts.emplace_back(tr("OpenGL"), tr("none"));
         return;
     }
-    QOpenGLFunctions& gl = *context.functions();
+    canvas.makeCurrent();
+    QOpenGLFunctions& gl = *canvas.context()->functions();
     const QString renderer = gl_text(gl, GL_RENDERER);
     GLint largest = 0;
     gl.glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
@@ -52,7 +48,7 @@ void add_opengl(Facts& facts) {
     facts.emplace_back(tr("OpenGL"), gl_text(gl, GL_VERSION));
     facts.emplace_back(tr("Shading language"), gl_text(gl, GL_SHADING_LANGUAGE_VERSION));
     facts.emplace_back(tr("Largest texture"), tr("%1 pixels a side").arg(largest));
-    context.doneCurrent();
+    canvas.doneCurrent();
 }
 
 QString screen_words() {
@@ -85,8 +81,20 @@ Facts machine_facts() {
         tr("%1 GiB").arg(static_cast<double>(core::available_memory_bytes()) / kGiB, 0, 'f', 1));
     facts.emplace_back(tr("Windows by"), QGuiApplication::platformName());
     facts.emplace_back(tr("Screen"), screen_words());
-    add_opengl(facts);
     return facts;
+}
+
+Facts machine_facts(QOpenGLWidget& canvas) {
+    Facts facts = machine_facts();
+    add_opengl(canvas, facts);
+    return facts;
+}
+
+QString words_of(const Facts& facts) {
+    QString words;
+    for (const auto& [what, how] : facts)
+        words += QStringLiteral("%1: %2\n").arg(what, how);
+    return words;
 }
 
 }  // namespace pastoso::main

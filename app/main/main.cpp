@@ -83,10 +83,18 @@ void use_preferences() {
 void guard_against_crashes() {
     const std::filesystem::path folder = pastoso::crash::reports_folder();
     if (folder.empty()) return;
-    QString facts;
-    for (const auto& [what, how] : pastoso::main::machine_facts())
-        facts += QStringLiteral("%1: %2\n").arg(what, how);
-    pastoso::crash::guard(folder, facts.toStdString());
+    pastoso::crash::guard(folder, pastoso::main::words_of(pastoso::main::machine_facts()).toStdString());
+}
+
+/// As soon as the canvas has its context: one made for a few words alone would cost every start.
+void note_graphics(MainWindow& window) {
+    QObject::connect(
+        &window.canvas(), &QOpenGLWidget::aboutToResize, &window,
+        [&window] {
+            const auto facts = pastoso::main::machine_facts(window.canvas());
+            pastoso::crash::note_facts(pastoso::main::words_of(facts).toStdString());
+        },
+        Qt::SingleShotConnection);
 }
 
 int run(QApplication& application, const Arguments& arguments) {
@@ -100,6 +108,7 @@ int run(QApplication& application, const Arguments& arguments) {
         &window.canvas(), &pastoso::view::CanvasView::failed, &application,
         [](const QString& sentence) { QApplication::exit(fail(sentence.toStdString())); },
         Qt::QueuedConnection);
+    note_graphics(window);
     window.show();
     if (arguments.screenshot)
         take_screenshot_later(window, arguments);

@@ -52,7 +52,8 @@ void PreferenceCommands::recall() {
 }
 
 void PreferenceCommands::ask(Page page) {
-    dialogs::SettingsDialog dialog(preferences_, undo_.memory_MiB(), machine_facts(), &studio_.window());
+    dialogs::SettingsDialog dialog(preferences_, undo_.memory_MiB(), machine_facts(studio_.canvas()),
+                                   &studio_.window());
     connect(&dialog, &dialogs::SettingsDialog::changed, this, &PreferenceCommands::use);
     connect(&dialog, &dialogs::SettingsDialog::undo_memory_changed, &undo_, &UndoCommands::set_memory);
     dialog.show_page(page);

@@ -56,6 +56,16 @@ TEST_F(CrashTest, ASignalLeavesAReportAndStillEndsTheProgram) {
     EXPECT_THAT(text, Not(HasSubstr("Reason: ")));
 }
 
+TEST_F(CrashTest, TheReportHasTheFactsThatWereNotedLast) {
+    ended_by([] {
+        note_facts("Graphics: under test\n");
+        ::raise(SIGSEGV);
+    });
+    const std::string text = report();
+    EXPECT_THAT(text, HasSubstr("Graphics: under test\n"));
+    EXPECT_THAT(text, Not(HasSubstr("Program: under test")));
+}
+
 TEST_F(CrashTest, ABrokenInvariantIsTheReason) {
     EXPECT_EQ(ended_by([] {
                   const int cells = 3;
