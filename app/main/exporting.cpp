@@ -28,10 +28,6 @@ namespace {
 using commands::Command;
 using tools::ExportForm;
 
-std::filesystem::path settings_file() {
-    return core::user_config_path("export.json");
-}
-
 QString text_of(const std::filesystem::path& path) {
     return QString::fromStdString(path.string());
 }
@@ -95,7 +91,10 @@ std::filesystem::path first_folder() {
 }  // namespace
 
 Exporting::Exporting(Studio& studio, const ProjectFiles& files, const LightChoice& light)
-    : studio_(studio), files_(files), light_(light) {
+    : studio_(studio),
+      files_(files),
+      light_(light),
+      file_(studio, core::user_config_path("export.json")) {
     studio_.commands().on(Command::Export, [this](bool) { ask(settings_); });
     studio_.commands().on(Command::MakeTimelapse, [this](bool) {
         tools::ExportSettings film = settings_;
@@ -125,21 +124,11 @@ void Exporting::show_commands() {
 
 /// A file that cannot be read is told, and left as it is.
 void Exporting::recall() {
-    try {
-        settings_ = tools::read_export_settings(settings_file());
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-        settings_usable_ = false;
-    }
+    file_.recall([this](const auto& file) { settings_ = tools::read_export_settings(file); });
 }
 
 void Exporting::remember() {
-    if (!settings_usable_ || settings_file().empty()) return;
-    try {
-        tools::write_export_settings(settings_, settings_file());
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-    }
+    file_.remember([this](const auto& file) { tools::write_export_settings(settings_, file); });
 }
 
 /// Beside the painting, or where the last export went.

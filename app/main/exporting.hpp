@@ -2,6 +2,7 @@
 #pragma once
 
 #include "commands/exporter.hpp"
+#include "main/remembered_file.hpp"
 #include "main/studio.hpp"
 #include "tools/export_settings.hpp"
 
@@ -52,7 +53,7 @@ class Exporting : public QObject {
     commands::Exporter exporter_;
     panels::WorkProgress* progress_ = nullptr;
     tools::ExportSettings settings_;
-    bool settings_usable_ = true;  ///< their file is none that cannot be read, which is left alone
+    RememberedFile file_;
     bool closes_after_ = false;
     struct Exported {
         tools::ExportSettings settings;

@@ -18,10 +18,6 @@ namespace {
 using commands::Command;
 using commands::KeyBindings;
 
-std::filesystem::path keys_file() {
-    return core::user_config_path("keys.json");
-}
-
 std::optional<commands::KeySet> set_named(const std::string& name) {
     for (const commands::KeySetText& set : commands::key_sets())
         if (set.name == name) return set.set;
@@ -71,22 +67,21 @@ KeyBindings bindings_of(const tools::KeySettings& settings) {
 }  // namespace
 
 KeyCommands::KeyCommands(Studio& studio)
-    : studio_(studio), palette_(new dialogs::CommandPalette(studio.commands(), &studio.window())) {
+    : studio_(studio),
+      palette_(new dialogs::CommandPalette(studio.commands(), &studio.window())),
+      file_(studio, core::user_config_path("keys.json")) {
     studio_.commands().on(Command::FindCommand, [this](bool) { palette_->open_over(studio_.canvas()); });
     studio_.commands().on(Command::EditKeys, [this](bool) { edit(); });
 }
 
 void KeyCommands::recall() {
-    try {
+    file_.recall([this](const auto& file) {
         const tools::KeySettings settings =
-            tools::read_key_settings(keys_file(), {.set = check_set, .key = check_key});
+            tools::read_key_settings(file, {.set = check_set, .key = check_key});
         studio_.commands().use_keys(bindings_of(settings));
         unknown_ = settings.own;
         std::erase_if(unknown_, [](const auto& own) { return commands::command_named(own.first); });
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-        usable_ = false;
-    }
+    });
 }
 
 void KeyCommands::edit() {
@@ -112,14 +107,9 @@ void KeyCommands::add_unknown(tools::KeySettings& settings) const {
 }
 
 void KeyCommands::remember() {
-    if (!usable_ || keys_file().empty()) return;
     tools::KeySettings settings = settings_of(studio_.commands().keys());
     add_unknown(settings);
-    try {
-        tools::write_key_settings(settings, keys_file());
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-    }
+    file_.remember([&settings](const auto& file) { tools::write_key_settings(settings, file); });
 }
 
 }  // namespace pastoso::main

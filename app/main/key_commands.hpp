@@ -1,6 +1,7 @@
 // The keys of all commands: found by typing, changed by the painter, found again at the next start.
 #pragma once
 
+#include "main/remembered_file.hpp"
 #include "main/studio.hpp"
 
 #include <map>
@@ -37,7 +38,7 @@ class KeyCommands : public QObject {
     dialogs::CommandPalette* palette_;
     /// By the names of commands that this program does not have, as a later one may.
     std::map<std::string, std::vector<std::string>> unknown_;
-    bool usable_ = true;  ///< the file is none that cannot be read
+    RememberedFile file_;
 };
 
 }  // namespace pastoso::main

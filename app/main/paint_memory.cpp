@@ -15,14 +15,10 @@ namespace {
 
 constexpr int kSettling_ms = 1000;
 
-std::filesystem::path shelf_file() {
-    return core::user_data_path("paints.json");
-}
-
 }  // namespace
 
 PaintMemory::PaintMemory(Studio& studio, panels::ColourPanel* colours)
-    : studio_(studio), colours_(colours) {
+    : studio_(studio), colours_(colours), file_(studio, core::user_data_path("paints.json")) {
     changed_.setSingleShot(true);
     changed_.setInterval(kSettling_ms);
     connect(&changed_, &QTimer::timeout, this, &PaintMemory::remember);
@@ -31,23 +27,13 @@ PaintMemory::PaintMemory(Studio& studio, panels::ColourPanel* colours)
 }
 
 void PaintMemory::recall() {
-    try {
-        colours_->show_shelf(tools::read_shelf(shelf_file()));
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-        usable_ = false;
-    }
+    file_.recall([this](const auto& file) { colours_->show_shelf(tools::read_shelf(file)); });
     connect(colours_, &panels::ColourPanel::shelf_changed, &changed_, qOverload<>(&QTimer::start));
 }
 
 void PaintMemory::remember() {
     changed_.stop();
-    if (!usable_ || shelf_file().empty()) return;
-    try {
-        tools::write_shelf(colours_->shelf(), shelf_file());
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-    }
+    file_.remember([this](const auto& file) { tools::write_shelf(colours_->shelf(), file); });
 }
 
 void PaintMemory::ask_palette() {

@@ -1,6 +1,7 @@
 // The painter's own paints, found again at the next start, and palettes to choose from.
 #pragma once
 
+#include "main/remembered_file.hpp"
 #include "main/studio.hpp"
 
 #include <QObject>
@@ -29,8 +30,8 @@ class PaintMemory : public QObject {
 
     Studio& studio_;
     panels::ColourPanel* colours_;
-    QTimer changed_;      ///< soon after the last of several changes
-    bool usable_ = true;  ///< the file is none that cannot be read
+    QTimer changed_;  ///< soon after the last of several changes
+    RememberedFile file_;
 };
 
 }  // namespace pastoso::main

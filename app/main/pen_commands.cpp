@@ -1,6 +1,5 @@
 #include "main/pen_commands.hpp"
 
-#include "core/error.hpp"
 #include "core/user_data.hpp"
 #include "panels/pen_dialog.hpp"
 #include "tools/pen_device_of.hpp"
@@ -10,10 +9,6 @@
 
 namespace pastoso::main {
 namespace {
-
-std::filesystem::path pen_file() {
-    return core::user_config_path("pen.json");
-}
 
 /// Those that the windowing system knows of now.
 std::vector<tools::PenDevice> present_pens() {
@@ -29,19 +24,15 @@ std::vector<tools::PenDevice> present_pens() {
 
 }  // namespace
 
-PenCommands::PenCommands(Studio& studio) : studio_(studio) {
+PenCommands::PenCommands(Studio& studio)
+    : studio_(studio), file_(studio, core::user_config_path("pen.json")) {
     studio_.commands().on(commands::Command::PenSettings, [this](bool) { show_dialog(); });
     for (view::CanvasView* view : studio_.views())
         connect(view, &view::CanvasView::pen_used, this, &PenCommands::turn_pen);
 }
 
 void PenCommands::recall() {
-    try {
-        settings_ = tools::read_pen_settings(pen_file());
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-        usable_ = false;
-    }
+    file_.recall([this](const auto& file) { settings_ = tools::read_pen_settings(file); });
     for (view::CanvasView* view : studio_.views())
         view->set_pen(settings_);
 }
@@ -66,12 +57,7 @@ void PenCommands::use(const tools::PenSettings& settings) {
 }
 
 void PenCommands::remember() {
-    if (!usable_ || pen_file().empty()) return;
-    try {
-        tools::write_pen_settings(settings_, pen_file());
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-    }
+    file_.remember([this](const auto& file) { tools::write_pen_settings(settings_, file); });
 }
 
 void PenCommands::turn_pen(bool eraser_end) {

@@ -2,6 +2,7 @@
 // start.
 #pragma once
 
+#include "main/remembered_file.hpp"
 #include "main/studio.hpp"
 #include "tools/eraser_end.hpp"
 #include "tools/pen_settings.hpp"
@@ -32,7 +33,7 @@ class PenCommands : public QObject {
     tools::PenSettings settings_;
     tools::EraserEnd eraser_;
     panels::PenDialog* dialog_ = nullptr;
-    bool usable_ = true;  ///< the file is none that cannot be read
+    RememberedFile file_;
 };
 
 }  // namespace pastoso::main

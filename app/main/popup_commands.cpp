@@ -1,6 +1,5 @@
 #include "main/popup_commands.hpp"
 
-#include "core/error.hpp"
 #include "core/user_data.hpp"
 #include "main/brush_jar.hpp"
 #include "panels/colour_panel.hpp"
@@ -22,10 +21,6 @@ namespace {
 using commands::Command;
 
 constexpr std::size_t kPaints = 16, kMostKept = 8;
-
-std::filesystem::path slots_file() {
-    return core::user_data_path("popup.json");
-}
 
 panels::SwatchGrid::Patch patch_of(const document::PaintRecipe& paint) {
     const pigment::Srgb8 colour = tools::screen_colour(paint);
@@ -51,7 +46,10 @@ std::vector<document::PaintRecipe> paints_at_hand(const tools::PaintShelf& shelf
 }  // namespace
 
 PopupCommands::PopupCommands(Studio& studio, BrushJar& brushes, const panels::ColourPanel* colours)
-    : studio_(studio), brushes_(brushes), colours_(colours) {
+    : studio_(studio),
+      brushes_(brushes),
+      colours_(colours),
+      file_(studio, core::user_data_path("popup.json")) {
     studio_.commands().on(Command::PopupPalette, [this](bool) { open_at_pointer(); });
     for (view::CanvasView* view : studio_.views())
         connect(view, &view::CanvasView::palette_wanted, this, &PopupCommands::open);
@@ -60,21 +58,11 @@ PopupCommands::PopupCommands(Studio& studio, BrushJar& brushes, const panels::Co
 }
 
 void PopupCommands::recall() {
-    try {
-        slots_ = tools::read_tool_slots(slots_file());
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-        usable_ = false;
-    }
+    file_.recall([this](const auto& file) { slots_ = tools::read_tool_slots(file); });
 }
 
 void PopupCommands::remember() {
-    if (!usable_ || slots_file().empty()) return;
-    try {
-        tools::write_tool_slots(slots_, slots_file());
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-    }
+    file_.remember([this](const auto& file) { tools::write_tool_slots(slots_, file); });
 }
 
 void PopupCommands::make_palette() {

@@ -1,6 +1,7 @@
 // The pop-up palette: which tools and paints lie in it, and what choosing there does.
 #pragma once
 
+#include "main/remembered_file.hpp"
 #include "main/studio.hpp"
 #include "session/thumbnail_painter.hpp"
 #include "tools/tool_slots.hpp"
@@ -45,7 +46,7 @@ class PopupCommands : public QObject {
     tools::ToolSlots slots_ = tools::first_tool_slots();
     std::set<std::string> shown_;                ///< tools whose thumbnails were asked for
     std::vector<document::PaintRecipe> paints_;  ///< as they lie in the palette
-    bool usable_ = true;                         ///< the file is none that cannot be read
+    RememberedFile file_;
 };
 
 }  // namespace pastoso::main

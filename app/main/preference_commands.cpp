@@ -1,7 +1,6 @@
 #include "main/preference_commands.hpp"
 
 #include "appearance/theme.hpp"
-#include "core/error.hpp"
 #include "core/thread_count.hpp"
 #include "core/user_data.hpp"
 #include "main/machine_facts.hpp"
@@ -33,7 +32,7 @@ void apply_preferences(const tools::Preferences& preferences) {
 }
 
 PreferenceCommands::PreferenceCommands(Studio& studio, UndoCommands& undo)
-    : studio_(studio), undo_(undo) {
+    : studio_(studio), undo_(undo), file_(studio, preferences_file()) {
     studio_.commands().on(Command::EditSettings, [this](bool) { ask(Page::Appearance); });
     studio_.commands().on(Command::UndoMemory, [this](bool) { ask(Page::Keeping); });
     autosave_ = new QTimer(&studio_.window());
@@ -42,12 +41,7 @@ PreferenceCommands::PreferenceCommands(Studio& studio, UndoCommands& undo)
 }
 
 void PreferenceCommands::recall() {
-    try {
-        preferences_ = tools::read_preferences(preferences_file());
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-        usable_ = false;
-    }
+    file_.recall([this](const auto& file) { preferences_ = tools::read_preferences(file); });
     start_autosave();
 }
 
@@ -73,12 +67,7 @@ void PreferenceCommands::start_autosave() {
 }
 
 void PreferenceCommands::remember() {
-    if (!usable_ || preferences_file().empty()) return;
-    try {
-        tools::write_preferences(preferences_, preferences_file());
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-    }
+    file_.remember([this](const auto& file) { tools::write_preferences(preferences_, file); });
 }
 
 }  // namespace pastoso::main

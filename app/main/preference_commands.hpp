@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dialogs/settings_dialog.hpp"
+#include "main/remembered_file.hpp"
 #include "main/studio.hpp"
 #include "main/undo_commands.hpp"
 #include "tools/preferences.hpp"
@@ -39,7 +40,7 @@ class PreferenceCommands : public QObject {
     Studio& studio_;
     UndoCommands& undo_;
     tools::Preferences preferences_;
-    bool usable_ = true;
+    RememberedFile file_;
     QTimer* autosave_;  ///< the window's
 };
 

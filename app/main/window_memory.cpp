@@ -1,7 +1,6 @@
 #include "main/window_memory.hpp"
 
 #include "commands/command_names.hpp"
-#include "core/error.hpp"
 #include "core/user_data.hpp"
 #include "main/light_choice.hpp"
 #include "main/start_commands.hpp"
@@ -20,10 +19,6 @@ namespace {
 
 /// Of the panels' names: what was remembered of others is not used.
 constexpr int kPanelsVersion = 3;
-
-std::filesystem::path settings_file() {
-    return core::user_config_path("settings.json");
-}
 
 QByteArray from_text(const std::string& text) {
     return QByteArray::fromBase64(QByteArray::fromStdString(text));
@@ -54,7 +49,13 @@ std::vector<std::string> recent_names(const commands::CommandRegistry& commands)
 
 WindowMemory::WindowMemory(Studio& studio, const PanelSet& panels, LightChoice& light,
                            UndoCommands& undo, WellCommands& well, StartCommands& start)
-    : studio_(studio), panels_(panels), light_(light), undo_(undo), well_(well), start_(start) {
+    : studio_(studio),
+      panels_(panels),
+      light_(light),
+      undo_(undo),
+      well_(well),
+      start_(start),
+      file_(studio, core::user_config_path("settings.json")) {
     studio_.commands().on(commands::Command::ResetPanels, [this](bool) { reset_panels(); });
 }
 
@@ -62,12 +63,7 @@ void WindowMemory::recall() {
     QMainWindow& window = studio_.window();
     first_panels_ = window.saveState(kPanelsVersion);
     tools::Settings settings;
-    try {
-        settings = tools::read_settings(settings_file());
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-        usable_ = false;
-    }
+    file_.recall([&settings](const auto& file) { settings = tools::read_settings(file); });
     start_.set_shown_at_start(settings.show_start_page);
     undo_.set_memory(settings.undo_memory_MiB);
     light_.use_lamp({.azimuth_deg = settings.light_azimuth_deg,
@@ -86,7 +82,6 @@ void WindowMemory::recall() {
 }
 
 void WindowMemory::remember() {
-    if (!usable_ || settings_file().empty()) return;
     const tools::Hand& hand = studio_.easel().hand();
     tools::Settings settings;
     settings.steadying = panels_.brushes->steadying();
@@ -101,11 +96,7 @@ void WindowMemory::remember() {
     settings.recent_commands = recent_names(studio_.commands());
     settings.window_place = to_text(studio_.window().saveGeometry());
     settings.panels = to_text(studio_.window().saveState(kPanelsVersion));
-    try {
-        tools::write_settings(settings, settings_file());
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-    }
+    file_.remember([&settings](const auto& file) { tools::write_settings(settings, file); });
 }
 
 void WindowMemory::reset_panels() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "main/panel_set.hpp"
+#include "main/remembered_file.hpp"
 #include "main/studio.hpp"
 
 #include <QByteArray>
@@ -34,7 +35,7 @@ class WindowMemory : public QObject {
     WellCommands& well_;
     StartCommands& start_;
     QByteArray first_panels_;  ///< how the panels stand unless the painter moves them
-    bool usable_ = true;       ///< the file is none that cannot be read
+    RememberedFile file_;
 };
 
 }  // namespace pastoso::main
