@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "view/canvas_view.hpp"
+#include "view/frame_device.hpp"
 #include "view/light_handle.hpp"
 #include "view/look_legend.hpp"
 
@@ -118,7 +119,8 @@ void CanvasView::draw_light_handle() {
     const LightDial dial = light_dial();
     const QPointF centre = point(dial.centre_px);
     const QPointF lamp = point(light_handle_px(dial, view_, direction_of(lighting_)));
-    QPainter painter(this);
+    FrameDevice frame(*this);
+    QPainter painter(&frame);
     painter.setRenderHint(QPainter::Antialiasing);
     const auto twice = [&](const auto& draw) {
         painter.setPen(QPen(QColor(0, 0, 0, 110), 3.0));

@@ -2,6 +2,7 @@
 
 #include "core/units.hpp"
 #include "view/canvas_view.hpp"
+#include "view/frame_device.hpp"
 
 #include <cmath>
 #include <utility>
@@ -170,7 +171,8 @@ void CanvasView::draw_in(const tools::TransformFrame& frame, const QImage& pictu
     const QPointF origin = widget_point({-1, -1});
     const QPointF across = (widget_point({1, -1}) - origin) / picture.width();
     const QPointF down = (widget_point({-1, 1}) - origin) / picture.height();
-    QPainter painter(this);
+    FrameDevice device(*this);
+    QPainter painter(&device);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.setOpacity(opacity);
     painter.setTransform({across.x(), across.y(), down.x(), down.y(), origin.x(), origin.y()});

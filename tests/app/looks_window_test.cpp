@@ -262,6 +262,20 @@ class Lamp : public Looks {
     }
 };
 
+TEST_F(Lamp, StandsInAPictureOfTheWholeWindow) {
+    paint();
+    const auto seen = [this] {
+        settle();
+        const QImage all = window().grab().toImage();
+        return all.pixelColor(canvas().mapTo(&window(), lamp()) * all.devicePixelRatio());
+    };
+    const QColor without = seen();
+    EXPECT_LT(without.red() - without.blue(), 60);
+    give(Command::MoveLight);
+    const QColor lit = seen();
+    EXPECT_GT(lit.red() - lit.blue(), 120) << "it is yellow";
+}
+
 TEST_F(Lamp, IsDraggedOverTheCanvas) {
     paint();
     const QImage before = picture();

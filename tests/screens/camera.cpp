@@ -84,7 +84,6 @@ QPixmap Camera::look() {
     return window_.grab();
 }
 
-/// Not by grab(), in which what a QPainter draws over the canvas gets lost.
 QPixmap Camera::look_at_canvas() {
     settle();
     return QPixmap::fromImage(window_.canvas().grabFramebuffer());
