@@ -1,16 +1,14 @@
 #include "panels/pen_dialog.hpp"
 
-#include "appearance/shown_names.hpp"
 #include "panels/curve_editor.hpp"
+#include "panels/labels.hpp"
+#include "panels/mouse_part.hpp"
+#include "panels/pen_buttons.hpp"
 #include "panels/pen_words.hpp"
-#include "panels/section.hpp"
-#include "panels/value_row.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include <QCheckBox>
-#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QLabel>
@@ -28,19 +26,6 @@ using tools::PenDevice;
 using tools::ReadyCurve;
 
 constexpr int kListWidth = 264;
-
-QLabel* heading(const QString& words) {
-    auto* label = new QLabel(words);
-    label->setObjectName(QStringLiteral("heading"));
-    return label;
-}
-
-QLabel* note(const QString& words) {
-    auto* label = new QLabel(words);
-    label->setObjectName(QStringLiteral("reading"));
-    label->setWordWrap(true);
-    return label;
-}
 
 /// A column without margins of its own.
 QVBoxLayout* column_in(QWidget* part) {
@@ -66,7 +51,12 @@ PenDialog::PenDialog(tools::PenSettings settings, QWidget* parent)
     column->addWidget(device_name_);
     // Both are as tall: the sheet below must not move under a pen that chooses its own curve.
     parts_ = new QStackedLayout;
-    parts_->addWidget(make_mouse_part());
+    mouse_part_ = new MousePart(settings_.mouse);
+    connect(mouse_part_, &MousePart::changed, this, [this](const tools::MouseSettings& mouse) {
+        settings_.mouse = mouse;
+        change();
+    });
+    parts_->addWidget(mouse_part_);
     parts_->addWidget(make_curve_part());
     column->addLayout(parts_);
     column->addStretch(1);
@@ -135,55 +125,18 @@ QWidget* PenDialog::make_curve_part() {
     return curve_part_;
 }
 
-QWidget* PenDialog::make_mouse_part() {
-    mouse_part_ = new QWidget;
-    auto* column = column_in(mouse_part_);
-    column->addWidget(
-        note(tr("A mouse, or a finger on the screen, does not tell how hard it presses.")));
-    auto* rows = new QWidget;
-    auto* grid = new QGridLayout(rows);
-    grid->setContentsMargins(0, 0, 0, 0);
-    pressure_ = new ValueRow(grid, tr("Pressure"), tr("How hard the brush is pressed"),
-                             {100.0 * tools::kLeastMousePressure, 100.0, 0, tr(" %")});
-    pressure_->name(QStringLiteral("mouse_pressure"));
-    pressure_->show_value(100.0 * settings_.mouse.pressure);
-    connect(pressure_, &ValueRow::chosen, this, [this](double value) {
-        settings_.mouse.pressure = 0.01 * value;
-        change();
-    });
-    by_speed_ = new QCheckBox(tr("Lighter the faster it goes"));
-    by_speed_->setObjectName(QStringLiteral("mouse_by_speed"));
-    by_speed_->setToolTip(tr("A slow line is pressed as set above, a fast one down to a quarter of it"));
-    by_speed_->setChecked(settings_.mouse.by_speed);
-    connect(by_speed_, &QCheckBox::toggled, this, [this](bool by_speed) {
-        settings_.mouse.by_speed = by_speed;
-        change();
-    });
-    column->addWidget(rows);
-    column->addWidget(by_speed_);
-    column->addStretch(1);
-    return mouse_part_;
-}
-
 QWidget* PenDialog::make_buttons_part() {
-    auto* part = new QWidget;
+    auto* part = new PenButtons(settings_);
     part->setFixedWidth(kListWidth);
-    auto* column = column_in(part);
-    column->addWidget(heading(tr("Ends and buttons of pens")));
-    auto* grid = new QGridLayout;
-    grid->setColumnStretch(1, 1);
-    const auto add = [&](const QString& words, QComboBox* box) {
-        auto* label = new QLabel(words);
-        label->setBuddy(box);
-        const int row = grid->rowCount();
-        grid->addWidget(label, row, 0);
-        grid->addWidget(box, row, 1);
-    };
-    add(tr("Eraser end"), eraser_choice());
-    add(tr("Lower button"), button_choice("lower_button", &settings_.lower_button));
-    add(tr("Upper button"), button_choice("upper_button", &settings_.upper_button));
-    column->addLayout(grid);
-    column->addStretch(1);
+    connect(part, &PenButtons::eraser_chosen, this, [this](const QString& tool) {
+        settings_.eraser_tool = tool.toStdString();
+        change();
+    });
+    connect(part, &PenButtons::button_chosen, this,
+            [this](PenButtonDoes tools::PenSettings::*button, PenButtonDoes what) {
+                settings_.*button = what;
+                change();
+            });
     return part;
 }
 
@@ -210,41 +163,6 @@ QWidget* PenDialog::make_pad_part() {
     pad_->use(settings_);
     show_reading({});
     return part;
-}
-
-QComboBox* PenDialog::button_choice(const char* name, PenButtonDoes* does) {
-    const std::pair<PenButtonDoes, QString> choices[] = {
-        {PenButtonDoes::PickPaint, tr("picks up paint")},
-        {PenButtonDoes::PickColour, tr("picks the colour seen")},
-        {PenButtonDoes::MoveCanvas, tr("moves the canvas")},
-        {PenButtonDoes::PopupPalette, tr("opens the palette")},
-        {PenButtonDoes::Nothing, tr("does nothing")}};
-    auto* box = new QComboBox;
-    box->setObjectName(QLatin1String(name));
-    for (const auto& [what, words] : choices)
-        box->addItem(words, static_cast<int>(what));
-    box->setCurrentIndex(box->findData(static_cast<int>(*does)));
-    connect(box, &QComboBox::activated, this, [this, box, does] {
-        *does = static_cast<PenButtonDoes>(box->currentData().toInt());
-        change();
-    });
-    return box;
-}
-
-QComboBox* PenDialog::eraser_choice() {
-    auto* box = new QComboBox;
-    box->setObjectName(QStringLiteral("eraser_tool"));
-    for (const std::string& tool : tools::eraser_tools()) {
-        const QString name = QString::fromStdString(tool);
-        box->addItem(tr("takes %1").arg(appearance::shown_name(name)), name);
-    }
-    box->addItem(tr("paints like the tip"), QString());
-    box->setCurrentIndex(box->findData(QString::fromStdString(settings_.eraser_tool)));
-    connect(box, &QComboBox::activated, this, [this, box] {
-        settings_.eraser_tool = box->currentData().toString().toStdString();
-        change();
-    });
-    return box;
 }
 
 // ---- the devices

@@ -10,9 +10,6 @@
 
 #include <QDialog>
 
-class QCheckBox;
-class QComboBox;
-class QGridLayout;
 class QLabel;
 class QListWidget;
 class QPushButton;
@@ -21,7 +18,7 @@ class QStackedLayout;
 namespace pastoso::panels {
 
 class CurveEditor;
-class ValueRow;
+class MousePart;
 
 class PenDialog : public QDialog {
     Q_OBJECT
@@ -42,11 +39,8 @@ class PenDialog : public QDialog {
   private:
     QWidget* make_devices();
     QWidget* make_curve_part();
-    QWidget* make_mouse_part();
     QWidget* make_buttons_part();
     QWidget* make_pad_part();
-    QComboBox* button_choice(const char* name, tools::PenButtonDoes* does);
-    QComboBox* eraser_choice();
     void add_device(const tools::PenDevice& device);
     void choose_device(const std::optional<tools::PenDevice>& device);
     void show_chosen();
@@ -60,11 +54,9 @@ class PenDialog : public QDialog {
     QLabel* device_name_ = nullptr;
     QStackedLayout* parts_ = nullptr;
     QWidget* curve_part_ = nullptr;
-    QWidget* mouse_part_ = nullptr;
+    MousePart* mouse_part_ = nullptr;
     CurveEditor* editor_ = nullptr;
     QPushButton* reset_ = nullptr;
-    ValueRow* pressure_ = nullptr;
-    QCheckBox* by_speed_ = nullptr;
     PenPad* pad_ = nullptr;
     QLabel* readings_ = nullptr;
 };

@@ -3977,8 +3977,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
 <context>
     <name>pastoso::panels::LightDial</name>
     <message>
-        <source>Drag the lamp: near the rim it rakes over the relief. Double-click puts it back.</source>
-        <translation>Drag the lamp: near the rim it rakes over the relief. Double-click puts it back.</translation>
+        <source>Drag the lamp: near the rim it rakes over the relief. Double-click puts it back.
+Keys: arrows move it, Home puts it back.</source>
+        <translation>Drag the lamp: near the rim it rakes over the relief. Double-click puts it back.
+Keys: arrows move it, Home puts it back.</translation>
     </message>
 </context>
 <context>
@@ -4146,6 +4148,33 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     </message>
 </context>
 <context>
+    <name>pastoso::panels::MousePart</name>
+    <message>
+        <source>Pressure</source>
+        <translation>Pressure</translation>
+    </message>
+    <message>
+        <source>How hard the brush is pressed</source>
+        <translation>How hard the brush is pressed</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Lighter the faster it goes</source>
+        <translation>Lighter the faster it goes</translation>
+    </message>
+    <message>
+        <source>A slow line is pressed as set above, a fast one down to a quarter of it</source>
+        <translation>A slow line is pressed as set above, a fast one down to a quarter of it</translation>
+    </message>
+    <message>
+        <source>A mouse, or a finger on the screen, does not tell how hard it presses.</source>
+        <translation>A mouse, or a finger on the screen, does not tell how hard it presses.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::NavigatorPanel</name>
     <message>
         <source>The whole canvas</source>
@@ -4198,6 +4227,53 @@ Wheel: closer, farther</translation>
     </message>
 </context>
 <context>
+    <name>pastoso::panels::PenButtons</name>
+    <message>
+        <source>Ends and buttons of pens</source>
+        <translation>Ends and buttons of pens</translation>
+    </message>
+    <message>
+        <source>Eraser end</source>
+        <translation>Eraser end</translation>
+    </message>
+    <message>
+        <source>Lower button</source>
+        <translation>Lower button</translation>
+    </message>
+    <message>
+        <source>Upper button</source>
+        <translation>Upper button</translation>
+    </message>
+    <message>
+        <source>picks up paint</source>
+        <translation>picks up paint</translation>
+    </message>
+    <message>
+        <source>picks the colour seen</source>
+        <translation>picks the colour seen</translation>
+    </message>
+    <message>
+        <source>moves the canvas</source>
+        <translation>moves the canvas</translation>
+    </message>
+    <message>
+        <source>opens the palette</source>
+        <translation>opens the palette</translation>
+    </message>
+    <message>
+        <source>does nothing</source>
+        <translation>does nothing</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>takes %1</translation>
+    </message>
+    <message>
+        <source>paints like the tip</source>
+        <translation>paints like the tip</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::PenDialog</name>
     <message>
         <source>Pen and tablet</source>
@@ -4240,80 +4316,12 @@ Wheel: closer, farther</translation>
         <translation>From left to right what the pen tells, upwards what the brush is pressed with.</translation>
     </message>
     <message>
-        <source>A mouse, or a finger on the screen, does not tell how hard it presses.</source>
-        <translation>A mouse, or a finger on the screen, does not tell how hard it presses.</translation>
-    </message>
-    <message>
-        <source>Pressure</source>
-        <translation>Pressure</translation>
-    </message>
-    <message>
-        <source>How hard the brush is pressed</source>
-        <translation>How hard the brush is pressed</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Lighter the faster it goes</source>
-        <translation>Lighter the faster it goes</translation>
-    </message>
-    <message>
-        <source>A slow line is pressed as set above, a fast one down to a quarter of it</source>
-        <translation>A slow line is pressed as set above, a fast one down to a quarter of it</translation>
-    </message>
-    <message>
-        <source>Ends and buttons of pens</source>
-        <translation>Ends and buttons of pens</translation>
-    </message>
-    <message>
-        <source>Eraser end</source>
-        <translation>Eraser end</translation>
-    </message>
-    <message>
-        <source>Lower button</source>
-        <translation>Lower button</translation>
-    </message>
-    <message>
-        <source>Upper button</source>
-        <translation>Upper button</translation>
-    </message>
-    <message>
         <source>Wipe</source>
         <translation>Wipe</translation>
     </message>
     <message>
         <source>Try it here</source>
         <translation>Try it here</translation>
-    </message>
-    <message>
-        <source>picks up paint</source>
-        <translation>picks up paint</translation>
-    </message>
-    <message>
-        <source>picks the colour seen</source>
-        <translation>picks the colour seen</translation>
-    </message>
-    <message>
-        <source>moves the canvas</source>
-        <translation>moves the canvas</translation>
-    </message>
-    <message>
-        <source>opens the palette</source>
-        <translation>opens the palette</translation>
-    </message>
-    <message>
-        <source>does nothing</source>
-        <translation>does nothing</translation>
-    </message>
-    <message>
-        <source>takes %1</source>
-        <translation>takes %1</translation>
-    </message>
-    <message>
-        <source>paints like the tip</source>
-        <translation>paints like the tip</translation>
     </message>
     <message>
         <source>Mouse</source>
@@ -4470,8 +4478,10 @@ Wheel: closer, farther</translation>
 <context>
     <name>pastoso::panels::TiltDial</name>
     <message>
-        <source>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.</source>
-        <translation>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.</translation>
+        <source>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.
+Keys: arrows tilt it, Home lays it flat.</source>
+        <translation>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.
+Keys: arrows tilt it, Home lays it flat.</translation>
     </message>
 </context>
 <context>

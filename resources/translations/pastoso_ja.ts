@@ -577,11 +577,11 @@
     </message>
     <message>
         <source>Detail round 3</source>
-        <translation>細部用ラウンド 3</translation>
+        <translation>面相筆 3</translation>
     </message>
     <message>
         <source>Diamond knife 9</source>
-        <translation>ダイヤ型ナイフ 9</translation>
+        <translation>ひし形ナイフ 9</translation>
     </message>
     <message>
         <source>Dropper</source>
@@ -589,7 +589,7 @@
     </message>
     <message>
         <source>Dry scumbler 22</source>
-        <translation>スカンブル用の乾いた筆 22</translation>
+        <translation>ドライ筆 22</translation>
     </message>
     <message>
         <source>Eraser 15</source>
@@ -617,19 +617,19 @@
     </message>
     <message>
         <source>Impasto flat 18</source>
-        <translation>インパスト用フラット 18</translation>
+        <translation>厚塗り平筆 18</translation>
     </message>
     <message>
         <source>Large filbert 26</source>
-        <translation>大きなフィルバート 26</translation>
+        <translation>大フィルバート 26</translation>
     </message>
     <message>
         <source>Large flat 40</source>
-        <translation>大きなフラット 40</translation>
+        <translation>大フラット 40</translation>
     </message>
     <message>
         <source>Lifting knife 14</source>
-        <translation>すくい取りナイフ 14</translation>
+        <translation>すくいナイフ 14</translation>
     </message>
     <message>
         <source>Mop 30</source>
@@ -657,7 +657,7 @@
     </message>
     <message>
         <source>Round sable 9</source>
-        <translation>セーブルラウンド 9</translation>
+        <translation>セーブル丸筆 9</translation>
     </message>
     <message>
         <source>Scraper 30</source>
@@ -665,7 +665,7 @@
     </message>
     <message>
         <source>Soft glazing flat 16</source>
-        <translation>グレーズ用軟毛フラット 16</translation>
+        <translation>グレーズ平筆 16</translation>
     </message>
     <message>
         <source>Spatter 45</source>
@@ -677,11 +677,11 @@
     </message>
     <message>
         <source>Spreading knife 40</source>
-        <translation>塗り広げナイフ 40</translation>
+        <translation>広刃ナイフ 40</translation>
     </message>
     <message>
         <source>Stippler 15</source>
-        <translation>スティップル筆 15</translation>
+        <translation>点描筆 15</translation>
     </message>
     <message>
         <source>Straw 8</source>
@@ -689,7 +689,7 @@
     </message>
     <message>
         <source>Thinner brush 16</source>
-        <translation>うすめ液の筆 16</translation>
+        <translation>うすめ液筆 16</translation>
     </message>
     <message>
         <source>Titanium white</source>
@@ -3974,8 +3974,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
 <context>
     <name>pastoso::panels::LightDial</name>
     <message>
-        <source>Drag the lamp: near the rim it rakes over the relief. Double-click puts it back.</source>
-        <translation>ランプをドラッグします。縁に近いほど光が横から差し、凹凸が際立ちます。ダブルクリックで元に戻ります。</translation>
+        <source>Drag the lamp: near the rim it rakes over the relief. Double-click puts it back.
+Keys: arrows move it, Home puts it back.</source>
+        <translation>ランプをドラッグします。縁に近いほど光が横から差し、凹凸が際立ちます。ダブルクリックで元に戻ります。
+キー: 矢印キーで動かし、Homeで元に戻します。</translation>
     </message>
 </context>
 <context>
@@ -4143,6 +4145,33 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     </message>
 </context>
 <context>
+    <name>pastoso::panels::MousePart</name>
+    <message>
+        <source>Pressure</source>
+        <translation>筆圧</translation>
+    </message>
+    <message>
+        <source>How hard the brush is pressed</source>
+        <translation>ブラシを押す強さ</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Lighter the faster it goes</source>
+        <translation>速く動かすほど弱く</translation>
+    </message>
+    <message>
+        <source>A slow line is pressed as set above, a fast one down to a quarter of it</source>
+        <translation>ゆっくりした線は上で決めた強さ、速い線はその4分の1まで弱くなる</translation>
+    </message>
+    <message>
+        <source>A mouse, or a finger on the screen, does not tell how hard it presses.</source>
+        <translation>マウスや画面に触れる指は、押す強さを伝えません。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::NavigatorPanel</name>
     <message>
         <source>The whole canvas</source>
@@ -4195,6 +4224,53 @@ Wheel: closer, farther</source>
     </message>
 </context>
 <context>
+    <name>pastoso::panels::PenButtons</name>
+    <message>
+        <source>Ends and buttons of pens</source>
+        <translation>ペンの端とボタン</translation>
+    </message>
+    <message>
+        <source>Eraser end</source>
+        <translation>消しゴム側</translation>
+    </message>
+    <message>
+        <source>Lower button</source>
+        <translation>下側のボタン</translation>
+    </message>
+    <message>
+        <source>Upper button</source>
+        <translation>上側のボタン</translation>
+    </message>
+    <message>
+        <source>picks up paint</source>
+        <translation>絵の具を取る</translation>
+    </message>
+    <message>
+        <source>picks the colour seen</source>
+        <translation>見えている色を拾う</translation>
+    </message>
+    <message>
+        <source>moves the canvas</source>
+        <translation>キャンバスを動かす</translation>
+    </message>
+    <message>
+        <source>opens the palette</source>
+        <translation>パレットを開く</translation>
+    </message>
+    <message>
+        <source>does nothing</source>
+        <translation>何もしない</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>%1 に持ち替える</translation>
+    </message>
+    <message>
+        <source>paints like the tip</source>
+        <translation>ペン先と同じように描く</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::PenDialog</name>
     <message>
         <source>Pen and tablet</source>
@@ -4237,80 +4313,12 @@ Wheel: closer, farther</source>
         <translation>横軸はペンが伝える筆圧、縦軸はブラシを押す強さです。</translation>
     </message>
     <message>
-        <source>A mouse, or a finger on the screen, does not tell how hard it presses.</source>
-        <translation>マウスや画面に触れる指は、押す強さを伝えません。</translation>
-    </message>
-    <message>
-        <source>Pressure</source>
-        <translation>筆圧</translation>
-    </message>
-    <message>
-        <source>How hard the brush is pressed</source>
-        <translation>ブラシを押す強さ</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Lighter the faster it goes</source>
-        <translation>速く動かすほど弱く</translation>
-    </message>
-    <message>
-        <source>A slow line is pressed as set above, a fast one down to a quarter of it</source>
-        <translation>ゆっくりした線は上で決めた強さ、速い線はその4分の1まで弱くなる</translation>
-    </message>
-    <message>
-        <source>Ends and buttons of pens</source>
-        <translation>ペンの端とボタン</translation>
-    </message>
-    <message>
-        <source>Eraser end</source>
-        <translation>消しゴム側</translation>
-    </message>
-    <message>
-        <source>Lower button</source>
-        <translation>下側のボタン</translation>
-    </message>
-    <message>
-        <source>Upper button</source>
-        <translation>上側のボタン</translation>
-    </message>
-    <message>
         <source>Wipe</source>
         <translation>消す</translation>
     </message>
     <message>
         <source>Try it here</source>
         <translation>試し書き</translation>
-    </message>
-    <message>
-        <source>picks up paint</source>
-        <translation>絵の具を取る</translation>
-    </message>
-    <message>
-        <source>picks the colour seen</source>
-        <translation>見えている色を拾う</translation>
-    </message>
-    <message>
-        <source>moves the canvas</source>
-        <translation>キャンバスを動かす</translation>
-    </message>
-    <message>
-        <source>opens the palette</source>
-        <translation>パレットを開く</translation>
-    </message>
-    <message>
-        <source>does nothing</source>
-        <translation>何もしない</translation>
-    </message>
-    <message>
-        <source>takes %1</source>
-        <translation>%1 に持ち替える</translation>
-    </message>
-    <message>
-        <source>paints like the tip</source>
-        <translation>ペン先と同じように描く</translation>
     </message>
     <message>
         <source>Mouse</source>
@@ -4467,8 +4475,10 @@ Wheel: closer, farther</source>
 <context>
     <name>pastoso::panels::TiltDial</name>
     <message>
-        <source>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.</source>
-        <translation>ドラッグでキャンバスを傾けます。矢印は絵の具が流れる向きです。ダブルクリックで水平に戻ります。</translation>
+        <source>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.
+Keys: arrows tilt it, Home lays it flat.</source>
+        <translation>ドラッグでキャンバスを傾けます。矢印は絵の具が流れる向きです。ダブルクリックで水平に戻ります。
+キー: 矢印キーで傾け、Homeで水平に戻します。</translation>
     </message>
 </context>
 <context>

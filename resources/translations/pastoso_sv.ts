@@ -577,7 +577,7 @@
     </message>
     <message>
         <source>Detail round 3</source>
-        <translation>Fin rundpensel 3</translation>
+        <translation>Fin rund 3</translation>
     </message>
     <message>
         <source>Diamond knife 9</source>
@@ -597,7 +597,7 @@
     </message>
     <message>
         <source>Fan 26</source>
-        <translation>Solfjäderpensel 26</translation>
+        <translation>Solfjäder 26</translation>
     </message>
     <message>
         <source>Filbert 14</source>
@@ -613,11 +613,11 @@
     </message>
     <message>
         <source>Flat bristle 20</source>
-        <translation>Flat svinborst 20</translation>
+        <translation>Flatborst 20</translation>
     </message>
     <message>
         <source>Impasto flat 18</source>
-        <translation>Flat impastopensel 18</translation>
+        <translation>Impastopensel 18</translation>
     </message>
     <message>
         <source>Large filbert 26</source>
@@ -653,11 +653,11 @@
     </message>
     <message>
         <source>Round bristle 12</source>
-        <translation>Rund svinborst 12</translation>
+        <translation>Rundborst 12</translation>
     </message>
     <message>
         <source>Round sable 9</source>
-        <translation>Rund mårdhårspensel 9</translation>
+        <translation>Rund mård 9</translation>
     </message>
     <message>
         <source>Scraper 30</source>
@@ -665,7 +665,7 @@
     </message>
     <message>
         <source>Soft glazing flat 16</source>
-        <translation>Mjuk flat lasyrpensel 16</translation>
+        <translation>Mjuk lasyrpensel 16</translation>
     </message>
     <message>
         <source>Spatter 45</source>
@@ -3977,8 +3977,10 @@ Tangenter: Page Up och Page Down väljer, pilarna flyttar, Insert lägger till, 
 <context>
     <name>pastoso::panels::LightDial</name>
     <message>
-        <source>Drag the lamp: near the rim it rakes over the relief. Double-click puts it back.</source>
-        <translation>Dra lampan: nära kanten ger den släpljus över reliefen. Dubbelklicka för att ställa tillbaka den.</translation>
+        <source>Drag the lamp: near the rim it rakes over the relief. Double-click puts it back.
+Keys: arrows move it, Home puts it back.</source>
+        <translation>Dra lampan: nära kanten ger den släpljus över reliefen. Dubbelklicka för att ställa tillbaka den.
+Tangenter: pilarna flyttar den, Home ställer tillbaka den.</translation>
     </message>
 </context>
 <context>
@@ -4146,6 +4148,33 @@ Tangenter: Page Up och Page Down väljer, pilarna flyttar, Insert lägger till, 
     </message>
 </context>
 <context>
+    <name>pastoso::panels::MousePart</name>
+    <message>
+        <source>Pressure</source>
+        <translation>Tryck</translation>
+    </message>
+    <message>
+        <source>How hard the brush is pressed</source>
+        <translation>Hur hårt penseln trycks</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Lighter the faster it goes</source>
+        <translation>Lättare ju fortare det går</translation>
+    </message>
+    <message>
+        <source>A slow line is pressed as set above, a fast one down to a quarter of it</source>
+        <translation>En långsam linje får trycket ovan, en snabb ned till en fjärdedel av det</translation>
+    </message>
+    <message>
+        <source>A mouse, or a finger on the screen, does not tell how hard it presses.</source>
+        <translation>En mus, eller ett finger på skärmen, anger inte hur hårt den trycker.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::NavigatorPanel</name>
     <message>
         <source>The whole canvas</source>
@@ -4198,6 +4227,53 @@ Hjulet: närmare, längre bort</translation>
     </message>
 </context>
 <context>
+    <name>pastoso::panels::PenButtons</name>
+    <message>
+        <source>Ends and buttons of pens</source>
+        <translation>Pennornas ändar och knappar</translation>
+    </message>
+    <message>
+        <source>Eraser end</source>
+        <translation>Suddände</translation>
+    </message>
+    <message>
+        <source>Lower button</source>
+        <translation>Nedre knappen</translation>
+    </message>
+    <message>
+        <source>Upper button</source>
+        <translation>Övre knappen</translation>
+    </message>
+    <message>
+        <source>picks up paint</source>
+        <translation>hämtar färg</translation>
+    </message>
+    <message>
+        <source>picks the colour seen</source>
+        <translation>hämtar kulören som syns</translation>
+    </message>
+    <message>
+        <source>moves the canvas</source>
+        <translation>flyttar duken</translation>
+    </message>
+    <message>
+        <source>opens the palette</source>
+        <translation>öppnar paletten</translation>
+    </message>
+    <message>
+        <source>does nothing</source>
+        <translation>gör inget</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>tar %1</translation>
+    </message>
+    <message>
+        <source>paints like the tip</source>
+        <translation>målar som spetsen</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::PenDialog</name>
     <message>
         <source>Pen and tablet</source>
@@ -4240,80 +4316,12 @@ Hjulet: närmare, längre bort</translation>
         <translation>Från vänster till höger vad pennan anger, uppåt hur hårt penseln trycks.</translation>
     </message>
     <message>
-        <source>A mouse, or a finger on the screen, does not tell how hard it presses.</source>
-        <translation>En mus, eller ett finger på skärmen, anger inte hur hårt den trycker.</translation>
-    </message>
-    <message>
-        <source>Pressure</source>
-        <translation>Tryck</translation>
-    </message>
-    <message>
-        <source>How hard the brush is pressed</source>
-        <translation>Hur hårt penseln trycks</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Lighter the faster it goes</source>
-        <translation>Lättare ju fortare det går</translation>
-    </message>
-    <message>
-        <source>A slow line is pressed as set above, a fast one down to a quarter of it</source>
-        <translation>En långsam linje får trycket ovan, en snabb ned till en fjärdedel av det</translation>
-    </message>
-    <message>
-        <source>Ends and buttons of pens</source>
-        <translation>Pennornas ändar och knappar</translation>
-    </message>
-    <message>
-        <source>Eraser end</source>
-        <translation>Suddände</translation>
-    </message>
-    <message>
-        <source>Lower button</source>
-        <translation>Nedre knappen</translation>
-    </message>
-    <message>
-        <source>Upper button</source>
-        <translation>Övre knappen</translation>
-    </message>
-    <message>
         <source>Wipe</source>
         <translation>Torka rent</translation>
     </message>
     <message>
         <source>Try it here</source>
         <translation>Prova här</translation>
-    </message>
-    <message>
-        <source>picks up paint</source>
-        <translation>hämtar färg</translation>
-    </message>
-    <message>
-        <source>picks the colour seen</source>
-        <translation>hämtar kulören som syns</translation>
-    </message>
-    <message>
-        <source>moves the canvas</source>
-        <translation>flyttar duken</translation>
-    </message>
-    <message>
-        <source>opens the palette</source>
-        <translation>öppnar paletten</translation>
-    </message>
-    <message>
-        <source>does nothing</source>
-        <translation>gör inget</translation>
-    </message>
-    <message>
-        <source>takes %1</source>
-        <translation>tar %1</translation>
-    </message>
-    <message>
-        <source>paints like the tip</source>
-        <translation>målar som spetsen</translation>
     </message>
     <message>
         <source>Mouse</source>
@@ -4470,8 +4478,10 @@ Hjulet: närmare, längre bort</translation>
 <context>
     <name>pastoso::panels::TiltDial</name>
     <message>
-        <source>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.</source>
-        <translation>Dra för att luta duken: pilen visar vart färgen rinner. Dubbelklicka för att lägga den plant.</translation>
+        <source>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.
+Keys: arrows tilt it, Home lays it flat.</source>
+        <translation>Dra för att luta duken: pilen visar vart färgen rinner. Dubbelklicka för att lägga den plant.
+Tangenter: pilarna lutar den, Home lägger den plant.</translation>
     </message>
 </context>
 <context>

@@ -3974,8 +3974,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
 <context>
     <name>pastoso::panels::LightDial</name>
     <message>
-        <source>Drag the lamp: near the rim it rakes over the relief. Double-click puts it back.</source>
-        <translation>拖曳燈的位置：靠近邊緣時，斜光會掃出起伏。按兩下可恢復原位。</translation>
+        <source>Drag the lamp: near the rim it rakes over the relief. Double-click puts it back.
+Keys: arrows move it, Home puts it back.</source>
+        <translation>拖曳燈的位置：靠近邊緣時，斜光會掃出起伏。按兩下可恢復原位。
+按鍵：方向鍵移動燈，Home 恢復原位。</translation>
     </message>
 </context>
 <context>
@@ -4143,6 +4145,33 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     </message>
 </context>
 <context>
+    <name>pastoso::panels::MousePart</name>
+    <message>
+        <source>Pressure</source>
+        <translation>筆壓</translation>
+    </message>
+    <message>
+        <source>How hard the brush is pressed</source>
+        <translation>筆刷下壓的力道</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Lighter the faster it goes</source>
+        <translation>畫得越快，下筆越輕</translation>
+    </message>
+    <message>
+        <source>A slow line is pressed as set above, a fast one down to a quarter of it</source>
+        <translation>慢慢畫時照上方設定的力道，快速畫時最輕減到四分之一</translation>
+    </message>
+    <message>
+        <source>A mouse, or a finger on the screen, does not tell how hard it presses.</source>
+        <translation>滑鼠或在螢幕上的手指無法提供下壓的力道。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::NavigatorPanel</name>
     <message>
         <source>The whole canvas</source>
@@ -4195,6 +4224,53 @@ Wheel: closer, farther</source>
     </message>
 </context>
 <context>
+    <name>pastoso::panels::PenButtons</name>
+    <message>
+        <source>Ends and buttons of pens</source>
+        <translation>筆的兩端與按鈕</translation>
+    </message>
+    <message>
+        <source>Eraser end</source>
+        <translation>橡皮擦端</translation>
+    </message>
+    <message>
+        <source>Lower button</source>
+        <translation>下方按鈕</translation>
+    </message>
+    <message>
+        <source>Upper button</source>
+        <translation>上方按鈕</translation>
+    </message>
+    <message>
+        <source>picks up paint</source>
+        <translation>沾取顏料</translation>
+    </message>
+    <message>
+        <source>picks the colour seen</source>
+        <translation>取用看到的顏色</translation>
+    </message>
+    <message>
+        <source>moves the canvas</source>
+        <translation>移動畫布</translation>
+    </message>
+    <message>
+        <source>opens the palette</source>
+        <translation>開啟快顯調色盤</translation>
+    </message>
+    <message>
+        <source>does nothing</source>
+        <translation>沒有作用</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>換成 %1</translation>
+    </message>
+    <message>
+        <source>paints like the tip</source>
+        <translation>與筆尖一樣作畫</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::PenDialog</name>
     <message>
         <source>Pen and tablet</source>
@@ -4237,80 +4313,12 @@ Wheel: closer, farther</source>
         <translation>由左到右是筆所提供的筆壓，由下到上是筆刷實際的下壓力道。</translation>
     </message>
     <message>
-        <source>A mouse, or a finger on the screen, does not tell how hard it presses.</source>
-        <translation>滑鼠或在螢幕上的手指無法提供下壓的力道。</translation>
-    </message>
-    <message>
-        <source>Pressure</source>
-        <translation>筆壓</translation>
-    </message>
-    <message>
-        <source>How hard the brush is pressed</source>
-        <translation>筆刷下壓的力道</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Lighter the faster it goes</source>
-        <translation>畫得越快，下筆越輕</translation>
-    </message>
-    <message>
-        <source>A slow line is pressed as set above, a fast one down to a quarter of it</source>
-        <translation>慢慢畫時照上方設定的力道，快速畫時最輕減到四分之一</translation>
-    </message>
-    <message>
-        <source>Ends and buttons of pens</source>
-        <translation>筆的兩端與按鈕</translation>
-    </message>
-    <message>
-        <source>Eraser end</source>
-        <translation>橡皮擦端</translation>
-    </message>
-    <message>
-        <source>Lower button</source>
-        <translation>下方按鈕</translation>
-    </message>
-    <message>
-        <source>Upper button</source>
-        <translation>上方按鈕</translation>
-    </message>
-    <message>
         <source>Wipe</source>
         <translation>擦掉</translation>
     </message>
     <message>
         <source>Try it here</source>
         <translation>在這裡試畫</translation>
-    </message>
-    <message>
-        <source>picks up paint</source>
-        <translation>沾取顏料</translation>
-    </message>
-    <message>
-        <source>picks the colour seen</source>
-        <translation>取用看到的顏色</translation>
-    </message>
-    <message>
-        <source>moves the canvas</source>
-        <translation>移動畫布</translation>
-    </message>
-    <message>
-        <source>opens the palette</source>
-        <translation>開啟快顯調色盤</translation>
-    </message>
-    <message>
-        <source>does nothing</source>
-        <translation>沒有作用</translation>
-    </message>
-    <message>
-        <source>takes %1</source>
-        <translation>換成 %1</translation>
-    </message>
-    <message>
-        <source>paints like the tip</source>
-        <translation>與筆尖一樣作畫</translation>
     </message>
     <message>
         <source>Mouse</source>
@@ -4467,8 +4475,10 @@ Wheel: closer, farther</source>
 <context>
     <name>pastoso::panels::TiltDial</name>
     <message>
-        <source>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.</source>
-        <translation>拖曳可傾斜畫布：箭頭是顏料流動的方向。按兩下可放平。</translation>
+        <source>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.
+Keys: arrows tilt it, Home lays it flat.</source>
+        <translation>拖曳可傾斜畫布：箭頭是顏料流動的方向。按兩下可放平。
+按鍵：方向鍵傾斜畫布，Home 放平。</translation>
     </message>
 </context>
 <context>

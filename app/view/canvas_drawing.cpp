@@ -1,0 +1,194 @@
+// The part of CanvasView that draws: brings what changed onto the graphics card, shades it, and puts
+// guides over it.
+
+#include "appearance/theme.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "view/canvas_view.hpp"
+#include "view/damaged_pixels.hpp"
+#include "view/guide_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QElapsedTimer>
+#include <QOpenGLContext>
+
+namespace pastoso::view {
+namespace {
+
+/// A frame that has spent this much on what changed refines nothing more.
+constexpr double kBusy_s = 0.010;
+
+QRect qt_rect(const grid::Rect& cells) {
+    return {cells.x0, cells.y0, cells.width(), cells.height()};
+}
+
+Rgb ground_colour() {
+    const QColor& ground = appearance::colours().ground;
+    return {static_cast<float>(ground.redF()), static_cast<float>(ground.greenF()),
+            static_cast<float>(ground.blueF())};
+}
+
+}  // namespace
+
+void CanvasView::initializeGL() {
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &CanvasView::release_graphics);
+    gl_.initializeOpenGLFunctions();
+    try {
+        picture_.initialise(&gl_);
+        overlay_.initialise(&gl_);
+        graphics_ready_ = true;
+    } catch (const core::InputError& error) {
+        Q_EMIT failed(QString::fromUtf8(error.what()));
+    }
+}
+
+void CanvasView::release_graphics() {
+    if (!graphics_ready_) return;
+    makeCurrent();
+    textures_.release();
+    picture_.release();
+    overlay_.release();
+    doneCurrent();
+    shown_.reset();
+    graphics_ready_ = false;
+}
+
+void CanvasView::paintGL() {
+    if (!graphics_ready_ || wanted_ == nullptr) return;
+    const QSize size(static_cast<int>(window_px().x), static_cast<int>(window_px().y));
+    if (size != picture_.size()) {
+        picture_.resize(size);
+        damage_all();
+    }
+    upload_changes();
+    if (shown_ == nullptr) return;
+    double spent_s = 0.0;
+    if (plan_.has_damage())
+        spent_s = shade_job(plan_.take_damage(QRect(QPoint(0, 0), size), view_.zoom));
+    if (plan_.can_refine() && spent_s < kBusy_s) shade_job(plan_.take_refinement(view_.zoom));
+    if (plan_.can_refine()) update();
+    if (plan_.has_drafts() && !cooling_.isActive()) cooling_.start();
+    picture_.copy_to(defaultFramebufferObject());
+    if (surface_ == document::Surface::Canvas) {
+        draw_selection();
+        draw_guides();
+    }
+    if (frame_) {
+        draw_frame_picture();
+        draw_frame();
+    }
+    if (light_handle_shown_) draw_light_handle();
+    draw_tip();
+}
+
+void CanvasView::upload_changes() {
+    if (shown_ != wanted_ || retrace_) {
+        if (shown_ == nullptr && !prepare_textures()) return;
+        auto seen = tracing_ground_.below(wanted_, seen_tracing(), pool_);
+        const LayerChanges changes = layers_.update(shown_ == nullptr ? nullptr : seen_.get(), *seen,
+                                                    lighting_, pool_, viewing_.to_rgb);
+        textures_.upload_surface(layers_, changes.surface);
+        textures_.upload_colours(changes.colours);
+        shown_ = wanted_;
+        seen_ = std::move(seen);
+        retrace_ = false;
+        if (!relook_) upload_look(changes.tiles);
+        plan_.add_damage(damaged_region(changes));
+    }
+    if (relight_) upload_shadows();
+    if (relook_) upload_new_look();
+    if (recolour_) {
+        textures_.upload_colours(CanvasLayers::recolour(*seen_, viewing_.to_rgb, pool_));
+        recolour_ = false;
+        damage_all();
+    }
+}
+
+void CanvasView::upload_shadows() {
+    QElapsedTimer timer;
+    timer.start();
+    layers_.relight(*shown_, lighting_, pool_);
+    textures_.upload_surface(layers_, qt_rect(layers_.cells_with_border()));
+    shadows_took_s_ = 1e-9 * static_cast<double>(timer.nsecsElapsed());
+    relight_ = false;
+    damage_all();
+}
+
+bool CanvasView::prepare_textures() {
+    try {
+        textures_.initialise(&gl_, wanted_->film.shape);
+    } catch (const core::InputError& error) {
+        graphics_ready_ = false;
+        Q_EMIT failed(QString::fromUtf8(error.what()));
+        return false;
+    }
+    relight_ = false;
+    recolour_ = false;
+    relook_ = true;
+    light_rests_.stop();
+    shadows_took_s_ = 0.0;
+    damage_all();
+    return true;
+}
+
+/// Where the screen may change: the changed cells and those whose splines reach them.
+QRegion CanvasView::damaged_region(const LayerChanges& changes) const {
+    QRegion region;
+    for (const QRect& cells : changes.surface)
+        region += damaged_pixels(view_, cells);
+    return region;
+}
+
+double CanvasView::shade_job(const ShadingPlan::Job& job) {
+    const Scene scene{&textures_, shown_->film.cell_mm, view_,          lighting_,
+                      look_,      scale_top_mm_,        viewing_.space, ground_colour()};
+    double seconds = 0.0;
+    for (const QRect& part : job.region)
+        seconds += picture_.shade(part, job.quality, scene);
+    plan_.measured(job, seconds);
+    return seconds;
+}
+
+OverlayFrame CanvasView::overlay_frame(const glm::dvec2& origin_px) const {
+    return {origin_px, view_.zoom / shown_->film.cell_mm * view_.axes(), picture_.size()};
+}
+
+void CanvasView::draw_guides() {
+    constexpr float kFaint = 0.6F;
+    const OverlayFrame canvas = overlay_frame(view_.device_from_cell({0.0, 0.0}));
+    overlay_.draw_segments(guide_lines_mm(easel_->hand(), shown_->film.cell_mm * canvas_cells()), canvas,
+                           kFaint);
+    if (handles_shown_) draw_handles(canvas);
+    const std::optional<tools::Pointer> start = easel_->line_start();
+    if (!start || !pointer_) return;
+    const glm::dvec2 end_mm = canvas_mm(*pointer_);
+    overlay_.draw_segments({glm::vec2(start->x_mm, start->y_mm), glm::vec2(end_mm)}, canvas, 1.0F);
+}
+
+/// Rings that keep their size on the screen.
+void CanvasView::draw_handles(const OverlayFrame& canvas) {
+    constexpr double kRadius_px = 5.0;
+    constexpr int kCorners = 20;
+    const double radius_mm = kRadius_px * devicePixelRatioF() * mm_per_px();
+    for (const tools::PlacedHandle& handle : tools::guide_handles(easel_->hand(), handle_axis_mm())) {
+        std::vector<glm::vec2> ring;
+        for (int i = 0; i < kCorners; ++i) {
+            const double angle = 2.0 * core::kPi * i / kCorners;
+            ring.emplace_back(handle.place_mm +
+                              radius_mm * glm::dvec2(std::cos(angle), std::sin(angle)));
+        }
+        overlay_.draw_loop(ring, canvas, 1.0F);
+    }
+}
+
+/// How far from its centre a mirror is turned.
+double CanvasView::handle_axis_mm() const {
+    constexpr double kShare = 0.4;
+    const glm::dvec2 canvas = wanted_->film.cell_mm * canvas_cells();
+    return kShare * std::min(canvas.x, canvas.y);
+}
+
+}  // namespace pastoso::view
