@@ -371,6 +371,27 @@ TEST_F(ExportWindow, AnExportShowsThePaintingAsItWasThen) {
     EXPECT_NEAR(at("large.png", 8 * 120, 8 * 144), at("before.png", 120, 144), 0.1);
 }
 
+TEST_F(ExportWindow, TheLookOfTheViewIsNotInTheFile) {
+    stroke(10.0);
+    const QImage lit_view = picture();
+    const auto exported = [&](Command look, ExportForm form) {
+        action(look)->trigger();
+        EXPECT_EQ(difference(picture(), lit_view).largest > 30, look != Command::LookLit);
+        tools::ExportSettings settings;
+        settings.form = form;
+        window().export_painting(settings, path(form == ExportForm::Relief ? "one.stl" : "one.png"));
+        wait();
+        return text(form == ExportForm::Relief ? "one.stl" : "one.png");
+    };
+    for (const ExportForm form : {ExportForm::Picture, ExportForm::Relief}) {
+        const std::string lit = exported(Command::LookLit, form);
+        ASSERT_FALSE(lit.empty());
+        for (const Command look :
+             {Command::LookWet, Command::LookHeight, Command::LookNormals, Command::LookFlat})
+            EXPECT_TRUE(exported(look, form) == lit) << action(look)->text().toStdString();
+    }
+}
+
 TEST_F(ExportWindow, ExportAgainNeedsNoDialog) {
     EXPECT_FALSE(action(Command::ExportAgain)->isEnabled());
     tools::ExportSettings settings;
