@@ -35,6 +35,7 @@ QFrame#command_palette { background: <window>; border: 1px solid <line>; }
 #keys_dialog QTreeView::item:selected { background: <chosen>; color: <chosen_text>; }
 #keys_dialog QToolButton { background: transparent; border: none; padding: 4px 5px; color: <quiet_text>; }
 #keys_dialog QToolButton:hover { color: <chosen_text>; }
+#keys_dialog QToolButton:focus { border: 1px solid <focus>; padding: 3px 4px; }
 #keys_dialog QLabel#sentence { color: <warning>; }
 QComboBox { padding: 4px 8px; }
 QAbstractSpinBox { padding: 3px 4px; }
@@ -53,6 +54,8 @@ QScrollBar::add-line, QScrollBar::sub-line { height: 0px; }
 QSlider::groove:horizontal { height: 4px; background: <edge>; border-radius: 2px; }
 QSlider::sub-page:horizontal { background: <accent>; border-radius: 2px; }
 QSlider::handle:horizontal { width: 14px; margin: -5px 0px; border-radius: 7px; background: <text>; }
+QPushButton:focus, QToolButton:focus, QComboBox:focus, QAbstractSpinBox:focus, QLineEdit:focus, QPlainTextEdit:focus, QListView:focus, QTreeView:focus { border: 1px solid <focus>; }
+QSlider::handle:horizontal:focus { background: <focus>; border: 2px solid <text>; }
 QSlider::sub-page:horizontal:disabled { background: <line>; }
 QSlider::handle:horizontal:disabled { background: <very_faint>; }
 )";
@@ -73,6 +76,7 @@ constexpr NamedColour kColours[] = {
     {"<faint_text>", &ThemeColours::faint_text},
     {"<very_faint>", &ThemeColours::very_faint},
     {"<accent>", &ThemeColours::accent},
+    {"<focus>", &ThemeColours::focus},
     {"<chosen>", &ThemeColours::chosen},
     {"<chosen_text>", &ThemeColours::chosen_text},
     {"<warning>", &ThemeColours::warning},

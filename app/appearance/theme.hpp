@@ -28,6 +28,7 @@ struct ThemeColours {
     QColor faint_text;  ///< what can't be used, or hints in a field
     QColor very_faint;  ///< marks that only matter under the pointer
     QColor accent;
+    QColor focus;   ///< around what has the keyboard
     QColor chosen;  ///< behind what is chosen
     QColor chosen_text;
     QColor warning;                ///< a sentence that should be seen

@@ -114,6 +114,16 @@ struct Dock {
     QWidget* content;
 };
 
+/// That the Tab key would reach; null where there is none.
+QWidget* first_control(const QWidget* content) {
+    for (QWidget* one = content->nextInFocusChain(); one != content; one = one->nextInFocusChain()) {
+        const bool takes_keys =
+            one->isVisible() && one->isEnabled() && (one->focusPolicy() & Qt::TabFocus);
+        if (takes_keys && content->isAncestorOf(one)) return one;
+    }
+    return nullptr;
+}
+
 /// What does not fit into the window is scrolled to.
 QDockWidget* add_dock(Studio& studio, PanelSet& panels, const Dock& added) {
     QWidget* content = added.content;
@@ -135,7 +145,7 @@ QDockWidget* add_dock(Studio& studio, PanelSet& panels, const Dock& added) {
     studio.commands().on(added.command, [dock, content](bool) {
         dock->show();
         dock->raise();
-        if (QWidget* first = content->nextInFocusChain()) first->setFocus(Qt::TabFocusReason);
+        if (QWidget* first = first_control(content)) first->setFocus(Qt::TabFocusReason);
     });
     return dock;
 }

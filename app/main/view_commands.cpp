@@ -8,6 +8,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QKeyEvent>
 #include <QLayout>
 #include <QMainWindow>
 
@@ -40,6 +41,7 @@ ViewCommands::ViewCommands(Studio& studio, panels::StatusReadings* readings)
             [this](const QPointF& canvas_mm) { readings_->show_pointer(canvas_mm); });
     connect(&canvas_, &view::CanvasView::pointer_left, this,
             [this] { readings_->show_pointer(std::nullopt); });
+    studio_.window().installEventFilter(this);
     show_view();
 }
 
@@ -66,6 +68,14 @@ void ViewCommands::connect_canvas_only() {
     canvas_.addAction(action);
     studio_.commands().on(Command::CanvasOnly, [this](bool only) { show_only_canvas(only); });
     connect(&canvas_, &view::CanvasView::escaped, this, &ViewCommands::escape);
+}
+
+/// Escape that nothing in the panels wanted gives the keyboard back to the canvas.
+bool ViewCommands::eventFilter(QObject* window, QEvent* event) {
+    const bool escapes = event->type() == QEvent::KeyPress &&
+                         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && !canvas_.hasFocus();
+    if (escapes) canvas_.setFocus(Qt::OtherFocusReason);
+    return escapes || QObject::eventFilter(window, event);
 }
 
 /// First the lamp goes, then the panels come back.

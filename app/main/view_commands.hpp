@@ -22,6 +22,8 @@ class ViewCommands : public QObject {
     /// The panels stand again as they are to be remembered.
     void leave_canvas_only();
 
+    bool eventFilter(QObject* window, QEvent* event) override;
+
   private:
     void connect_zooming();
     void connect_turning();

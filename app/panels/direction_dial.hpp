@@ -32,6 +32,7 @@ class DirectionDial : public QWidget {
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
     /// Draws what is particular to a dial; `point` is where the knob goes.
     virtual void paint_dial(QPainter& painter, const QPointF& centre, double radius,
@@ -44,6 +45,7 @@ class DirectionDial : public QWidget {
 
   private:
     void drag_to_point(const QPointF& position);
+    void step(const QPointF& way_deg);
     QPointF centre() const;
     double radius() const;
 

@@ -93,7 +93,7 @@ QWidget* EaselPanel::column(const QString& heading, QWidget* dial, QLabel* readi
     layout->setSpacing(3);
     reading->setObjectName(QStringLiteral("reading"));
     reading->setAlignment(Qt::AlignHCenter);
-    keep_keys_for_canvas(dial);
+    dial->setAccessibleName(heading);
     layout->addWidget(dial, 0, Qt::AlignHCenter);
     layout->addWidget(reading);
     return widget;

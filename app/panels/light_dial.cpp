@@ -15,7 +15,9 @@ constexpr double kLowestElevation_deg = 8.0;
 LightDial::LightDial(QWidget* parent) : DirectionDial(90.0 - kLowestElevation_deg, parent) {
     const shade::Lighting usual;
     set_light(usual.elevation_deg, usual.azimuth_deg);
-    setToolTip(tr("Drag the lamp: near the rim it rakes over the relief. Double-click puts it back."));
+    setToolTip(
+        tr("Drag the lamp: near the rim it rakes over the relief. Double-click puts it back.\n"
+           "Keys: arrows move it, Home puts it back."));
 }
 
 void LightDial::reset() {

@@ -39,6 +39,8 @@ QIcon swatch_icon(const PaintEntry& paint, double pixel_ratio) {
 
 PaintPanel::PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent)
     : QWidget(parent), list_(new QListWidget) {
+    list_->setObjectName(QStringLiteral("paints"));
+    list_->setAccessibleName(tr("Paint"));
     list_->setIconSize(kSwatch);
     list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -52,8 +54,11 @@ PaintPanel::PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent)
                 ? tr("The medium without pigment, for example thinner")
                 : tr("%1 (%2): from the tube, and mixed with white").arg(paint.name, paint.pigment));
     }
-    connect(list_, &QListWidget::itemClicked, this,
-            [this](QListWidgetItem* item) { Q_EMIT paint_chosen(item->data(Qt::UserRole).toString()); });
+    const auto choose = [this](QListWidgetItem* item) {
+        Q_EMIT paint_chosen(item->data(Qt::UserRole).toString());
+    };
+    connect(list_, &QListWidget::itemClicked, this, choose);
+    connect(list_, &QListWidget::itemActivated, this, choose);
     section(this, tr("Paint"))->addWidget(list_);
 }
 

@@ -81,12 +81,12 @@ void PictureBoard::paintEvent(QPaintEvent*) {
         painter.setPen(palette().text().color());
         painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,
                          tr("No picture to trace"));
-        return;
+    } else {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform, zoom_ < 4.0);
+        painter.drawImage(QRectF(corner_, zoom_ * QSizeF(picture_.size())), picture_);
     }
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, zoom_ < 4.0);
-    painter.drawImage(QRectF(corner_, zoom_ * QSizeF(picture_.size())), picture_);
     if (!hasFocus()) return;
-    painter.setPen(palette().highlight().color());
+    painter.setPen(appearance::colours().focus);
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 

@@ -49,7 +49,8 @@ void paint_arrow(QPainter& painter, const QPointF& from, const QPointF& to) {
 
 TiltDial::TiltDial(QWidget* parent) : DirectionDial(kUpright_deg, parent) {
     setToolTip(
-        tr("Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat."));
+        tr("Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.\n"
+           "Keys: arrows tilt it, Home lays it flat."));
 }
 
 void TiltDial::paint_dial(QPainter& painter, const QPointF& centre, double radius,

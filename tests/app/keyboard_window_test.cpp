@@ -1,0 +1,318 @@
+// All of the window can be reached with the keyboard alone, nothing holds it fast, and one sees where it
+// is.
+#include "app/window_fixture.hpp"
+#include "appearance/theme.hpp"
+#include "commands/key_bindings.hpp"
+#include "dialogs/canvas_size_dialog.hpp"
+#include "dialogs/crash_dialog.hpp"
+#include "dialogs/export_dialog.hpp"
+#include "dialogs/keys_dialog.hpp"
+#include "dialogs/new_canvas_dialog.hpp"
+#include "dialogs/recovery_dialog.hpp"
+#include "dialogs/select_range_dialog.hpp"
+#include "dialogs/settings_dialog.hpp"
+#include "dialogs/transform_dialog.hpp"
+#include "panels/brush_list.hpp"
+#include "panels/colour_wheel.hpp"
+#include "panels/curve_editor.hpp"
+#include "panels/direction_dial.hpp"
+#include "panels/navigator_map.hpp"
+#include "panels/pen_dialog.hpp"
+#include "panels/picture_board.hpp"
+#include "panels/tilt_dial.hpp"
+#include "start/start_page.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QApplication>
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QScrollBar>
+#include <QTabBar>
+#include <QTest>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+
+template <class... Kinds>
+bool is_one_of(const QWidget& widget) {
+    return ((qobject_cast<const Kinds*>(&widget) != nullptr) || ...);
+}
+
+/// The lines of spin boxes, the buttons of docks and the like: their owners have the keyboard.
+bool is_part_of_control(const QWidget& widget) {
+    const QWidget* owner = widget.parentWidget();
+    if (owner != nullptr && is_one_of<QTabBar, QDockWidget, QLineEdit>(*owner)) return true;
+    for (; owner != nullptr && !owner->isWindow(); owner = owner->parentWidget())
+        if (is_one_of<QAbstractSpinBox, QComboBox, QAbstractItemView>(*owner)) return true;
+    return false;
+}
+
+/// What a painter works with. The tabs of docks are left to the keys of the panels.
+bool is_control(const QWidget& widget) {
+    if (!widget.isVisible() || !widget.isEnabled() || is_part_of_control(widget)) return false;
+    if (is_one_of<QScrollBar>(widget)) return false;
+    if (is_one_of<QTabBar>(widget)) return !is_one_of<QMainWindow>(*widget.parentWidget());
+    return is_one_of<QAbstractButton, QAbstractSpinBox, QComboBox, QLineEdit, QAbstractSlider,
+                     QAbstractItemView, QPlainTextEdit, panels::DirectionDial, panels::CurveEditor,
+                     panels::ColourWheel, panels::NavigatorMap, panels::PictureBoard>(widget);
+}
+
+std::string words_for(const QWidget& widget) {
+    const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+    return std::string(widget.metaObject()->className()) + " " + widget.objectName().toStdString() +
+           " " + (button != nullptr ? button->text() : widget.accessibleName()).toStdString() + " in " +
+           (widget.parentWidget() != nullptr ? widget.parentWidget()->objectName().toStdString() : "");
+}
+
+/// Arrow keys reach the others of a group of which one is chosen.
+bool shares_keys(const QWidget& control, const std::set<const QWidget*>& reached) {
+    const auto* button = qobject_cast<const QAbstractButton*>(&control);
+    if (button == nullptr || !button->isCheckable()) return false;
+    const bool grouped = button->group() != nullptr && button->group()->exclusive();
+    if (!grouped && !button->autoExclusive()) return false;
+    return std::any_of(reached.begin(), reached.end(), [button](const QWidget* other) {
+        const auto* one = qobject_cast<const QAbstractButton*>(other);
+        return one != nullptr && one->parentWidget() == button->parentWidget() &&
+               one->group() == button->group() && one->isCheckable();
+    });
+}
+
+class Keyboard : public WindowTest {
+  protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        action(Command::Pause)->trigger();
+        settle();
+    }
+
+    static void open(QWidget& dialog) {
+        dialog.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+        QApplication::setActiveWindow(&dialog);
+        QApplication::processEvents();
+        // From its first key on a window shows what has the keyboard.
+        for (const Qt::Key key : {Qt::Key_Tab, Qt::Key_Backtab})
+            QTest::keyClick(dialog.focusWidget() != nullptr ? dialog.focusWidget() : &dialog, key);
+    }
+
+    /// From what has the keyboard until that has it again, or `end` has; each once.
+    std::set<const QWidget*> walk(Qt::Key key, const QWidget* end = nullptr) {
+        constexpr int kMostSteps = 400;
+        std::set<const QWidget*> reached;
+        const QWidget* first = QApplication::focusWidget();
+        for (int steps = 0; steps < kMostSteps; ++steps) {
+            QWidget* here = QApplication::focusWidget();
+            if (here == nullptr) {
+                ADD_FAILURE() << "nothing has the keyboard";
+                return reached;
+            }
+            if (here == end || (here == first && steps > 0)) return reached;
+            reached.insert(here);
+            const QImage with = here->grab().toImage();
+            QTest::keyClick(here, key);
+            if (QApplication::focusWidget() == here) {
+                // The only one there is.
+                if (steps > 0) ADD_FAILURE() << "the key does not leave " << words_for(*here);
+                return reached;
+            }
+            if (is_control(*here) && with.size() == here->size() * here->devicePixelRatioF()) {
+                EXPECT_NE(here->grab().toImage(), with)
+                    << "not seen to be reached: " << words_for(*here);
+            }
+        }
+        ADD_FAILURE() << "the way does not come back";
+        return reached;
+    }
+
+    /// Of the widget and all in it.
+    static void expect_all_in(QWidget& place, const std::set<const QWidget*>& reached) {
+        int controls = 0;
+        for (const QWidget* widget : place.findChildren<QWidget*>()) {
+            if (widget->window() != place.window() || !is_control(*widget)) continue;
+            ++controls;
+            EXPECT_TRUE(reached.contains(widget) || shares_keys(*widget, reached))
+                << "not reached: " << words_for(*widget);
+        }
+        EXPECT_GT(controls, 0);
+    }
+
+    void expect_all_reached(QWidget& dialog) {
+        open(dialog);
+        if (HasFatalFailure()) return;
+        SCOPED_TRACE(dialog.windowTitle().toStdString());
+        const auto forth = walk(Qt::Key_Tab);
+        expect_all_in(dialog, forth);
+        EXPECT_EQ(walk(Qt::Key_Backtab), forth);
+    }
+};
+
+// ---- the window
+
+TEST_F(Keyboard, ReachesEverythingAroundTheCanvas) {
+    for (const appearance::Theme theme : {appearance::Theme::Dark, appearance::Theme::Light}) {
+        SCOPED_TRACE(appearance::name_of(theme));
+        appearance::apply_theme(*qApp, theme);
+        QApplication::setActiveWindow(&window());
+        canvas().setFocus();
+        QTest::keyClick(&canvas(), Qt::Key_Backtab);
+        ASSERT_FALSE(canvas().hasFocus());
+        const auto back = walk(Qt::Key_Backtab, &canvas());
+        expect_all_in(window(), back);
+        canvas().nextInFocusChain()->setFocus(Qt::TabFocusReason);
+    }
+    appearance::apply_theme(*qApp, appearance::Theme::Dark);
+}
+
+TEST_F(Keyboard, APanelsCommandLeadsIntoItAndEscapeBackToTheCanvas) {
+    QApplication::setActiveWindow(&window());
+    for (const Command command :
+         {Command::ToolPanel, Command::ColourPanel, Command::PhysicsPanel, Command::GuidesPanel,
+          Command::LightPanel, Command::LayersPanel, Command::TracingPanel, Command::HistoryPanel,
+          Command::NavigatorPanel, Command::RecorderPanel}) {
+        SCOPED_TRACE(action(command)->text().toStdString());
+        canvas().setFocus();
+        action(command)->trigger();
+        QApplication::processEvents();
+        QWidget* dock = QApplication::focusWidget();
+        while (dock != nullptr && qobject_cast<QDockWidget*>(dock) == nullptr)
+            dock = dock->parentWidget();
+        ASSERT_NE(dock, nullptr);
+        const QWidget* first = QApplication::focusWidget();
+        EXPECT_TRUE(is_control(*first)) << words_for(*first);
+        auto reached = walk(Qt::Key_Tab, &canvas());
+        if (!QApplication::focusWidget()->isAncestorOf(first)) QApplication::processEvents();
+        action(command)->trigger();
+        reached.merge(walk(Qt::Key_Backtab, &canvas()));
+        expect_all_in(*dock, reached);
+        action(command)->trigger();
+        ASSERT_FALSE(canvas().hasFocus());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+        EXPECT_TRUE(canvas().hasFocus());
+    }
+}
+
+TEST_F(Keyboard, ReachesAllOfTheStartPageAndLeavesIt) {
+    window().show_start_page();
+    QApplication::setActiveWindow(&window());
+    auto* page = window().findChild<start::StartPage*>();
+    ASSERT_TRUE(page->isVisible());
+    ASSERT_TRUE(page->isAncestorOf(QApplication::focusWidget()));
+    auto reached = walk(Qt::Key_Tab, &canvas());
+    window().show_start_page();
+    reached.merge(walk(Qt::Key_Backtab, &canvas()));
+    expect_all_in(*page, reached);
+    window().show_start_page();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+    EXPECT_FALSE(page->isVisible());
+}
+
+// ---- what keys do there
+
+TEST_F(Keyboard, ReturnTakesAToolAndAPaint) {
+    QApplication::setActiveWindow(&window());
+    const auto choose_next = [](QAbstractItemView& list) {
+        list.setFocus(Qt::TabFocusReason);
+        QTest::keyClick(&list, Qt::Key_Down);
+        QTest::keyClick(&list, Qt::Key_Return);
+    };
+    const std::string tool = window().easel().hand().brush;
+    choose_next(*window().findChild<panels::BrushList*>());
+    EXPECT_NE(window().easel().hand().brush, tool);
+    const document::PaintRecipe paint = window().easel().hand().paint;
+    choose_next(*window().findChild<QListWidget*>(QStringLiteral("paints")));
+    EXPECT_FALSE(window().easel().hand().paint == paint);
+}
+
+TEST_F(Keyboard, ArrowsTiltTheCanvas) {
+    QApplication::setActiveWindow(&window());
+    auto* dial = window().findChild<panels::TiltDial*>();
+    dial->set(0.0, 90.0);
+    dial->setFocus(Qt::TabFocusReason);
+    for (int i = 0; i < 3; ++i)
+        QTest::keyClick(dial, Qt::Key_Right);
+    EXPECT_NEAR(window().easel().hand().tilt.tilt_deg, 6.0, 1e-9);
+    EXPECT_NEAR(window().easel().hand().tilt.direction_deg, 0.0, 1e-9);
+    for (int i = 0; i < 3; ++i)
+        QTest::keyClick(dial, Qt::Key_Down);
+    EXPECT_NEAR(dial->azimuth_deg(), 45.0, 1e-9);
+    QTest::keyClick(dial, Qt::Key_Home);
+    EXPECT_EQ(window().easel().hand().tilt.tilt_deg, 0.0);
+}
+
+// ---- dialogs
+
+TEST_F(Keyboard, ReachesAllOfTheSettings) {
+    using Page = dialogs::SettingsDialog::Page;
+    for (const Page page : {Page::Appearance, Page::Keeping, Page::Performance, Page::Machine}) {
+        dialogs::SettingsDialog dialog({}, 512, {{"OpenGL", "none"}}, &window());
+        dialog.show_page(page);
+        expect_all_reached(dialog);
+    }
+}
+
+TEST_F(Keyboard, ReachesAllOfTheKeys) {
+    dialogs::KeysDialog dialog(window().commands().keys(), &window());
+    expect_all_reached(dialog);
+}
+
+TEST_F(Keyboard, ReachesAllOfANewCanvasAndOfItsSize) {
+    dialogs::NewCanvasDialog fresh(canvas_settings(), &window());
+    expect_all_reached(fresh);
+    dialogs::CanvasSizeDialog size(canvas_settings(), QImage(60, 40, QImage::Format_RGB888), &window());
+    expect_all_reached(size);
+}
+
+TEST_F(Keyboard, ReachesAllOfTransformAndRange) {
+    dialogs::TransformDialog transform({.size_mm = {20.0, 10.0}}, {60.0, 40.0}, &window());
+    expect_all_reached(transform);
+    dialogs::SelectRangeDialog range(QStringLiteral("Height"), QStringLiteral("Of paint"), {0.0, 1.0},
+                                     &window());
+    expect_all_reached(range);
+}
+
+TEST_F(Keyboard, ReachesAllOfThePens) {
+    panels::PenDialog dialog({}, &window());
+    expect_all_reached(dialog);
+    dialog.show_devices({{"A pen", tools::PenEnd::Tip}});
+    expect_all_reached(dialog);
+}
+
+TEST_F(Keyboard, ReachesAllOfWhatAFailureLeft) {
+    dialogs::CrashDialog crash(QStringLiteral("Ended by: SIGSEGV"), QStringLiteral("/tmp/report"),
+                               &window());
+    expect_all_reached(crash);
+    dialogs::RecoveryDialog recovery({{.folder = "/tmp/nowhere", .painting = "/tmp/a.pastoso"}},
+                                     &window());
+    expect_all_reached(recovery);
+}
+
+TEST_F(Keyboard, ReachesAllOfEveryExport) {
+    for (int form = 0; form < 5; ++form) {
+        action(Command::Export)->trigger();
+        auto* dialog = window().findChild<dialogs::ExportDialog*>();
+        ASSERT_NE(dialog, nullptr);
+        auto* forms = dialog->findChild<QComboBox*>(QStringLiteral("form"));
+        forms->setCurrentIndex(form);
+        Q_EMIT forms->activated(form);
+        expect_all_reached(*dialog);
+        dialog->reject();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+}
+
+}  // namespace
+}  // namespace pastoso::tests
