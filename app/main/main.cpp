@@ -68,14 +68,7 @@ void meet_painter(MainWindow& window, bool with_page) {
         window.offer_recovery();
 }
 
-/// The window tells the painter what is wrong with them.
-void use_preferences() {
-    pastoso::tools::Preferences preferences;
-    try {
-        preferences = pastoso::tools::read_preferences(pastoso::main::preferences_file());
-    } catch (const pastoso::core::InputError&) {
-        preferences = {};
-    }
+void use(const pastoso::tools::Preferences& preferences) {
     pastoso::main::apply_preferences(preferences);
     pastoso::main::speak(QString::fromStdString(preferences.language));
 }
@@ -97,11 +90,12 @@ void note_graphics(MainWindow& window) {
         Qt::SingleShotConnection);
 }
 
-int run(QApplication& application, const Arguments& arguments) {
+int run(QApplication& application, const Arguments& arguments,
+        const pastoso::main::KeptPreferences& preferences) {
     pastoso::document::Recording recording;
     const bool opens = arguments.file && pastoso::project::is_project_path(*arguments.file);
     if (arguments.file && !opens) recording = pastoso::io::read_recording_json(*arguments.file);
-    MainWindow window(recording.canvas, !arguments.screenshot);
+    MainWindow window(recording.canvas, !arguments.screenshot, preferences);
     if (opens) window.open_painting(QString::fromStdString(arguments.file->string()));
     if (arguments.file && !opens) window.replay(recording);
     QObject::connect(
@@ -138,10 +132,11 @@ int main(int argc, char** argv) {
     QApplication::setApplicationDisplayName(QStringLiteral("Pastoso"));
     QApplication::setApplicationVersion(QStringLiteral(PASTOSO_VERSION));
     if (const auto problem = pastoso::main::opengl_problem()) return fail(*problem);
-    use_preferences();
+    const pastoso::main::KeptPreferences preferences = pastoso::main::kept_preferences();
+    use(preferences.values);
     guard_against_crashes();
     try {
-        return run(application, arguments);
+        return run(application, arguments, preferences);
     } catch (const pastoso::core::InputError& error) {
         return fail(error.what());
     }

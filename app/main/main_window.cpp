@@ -99,7 +99,8 @@ struct MainWindow::Parts {
     PreferenceCommands preferences;
 };
 
-MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journal)
+MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journal,
+                       const KeptPreferences& preferences)
     : studio_(*this),
       panels_(lay_out(studio_)),
       parts_(std::make_unique<Parts>(studio_, panels_, keeps_journal)) {
@@ -117,7 +118,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     parts.memory.recall();
     parts.paints.recall();
     parts.keys.recall();
-    parts.preferences.recall();
+    parts.preferences.recall(preferences);
     parts.pens.recall();
     parts.popup.recall();
     easel().set_up();

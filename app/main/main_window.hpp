@@ -4,6 +4,7 @@
 
 #include "commands/exporter.hpp"
 #include "commands/project_saver.hpp"
+#include "main/kept_preferences.hpp"
 #include "main/panel_set.hpp"
 #include "main/studio.hpp"
 #include "tools/export_settings.hpp"
@@ -19,8 +20,10 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
   public:
     /// Throws core::InputError when there can be no such canvas. What is painted is kept on the disk as
-    /// it happens, to be recovered, unless `keeps_journal` says otherwise.
-    explicit MainWindow(const document::CanvasSettings& canvas, bool keeps_journal = true);
+    /// it happens, to be recovered, unless `keeps_journal` says otherwise. What of the preferences holds
+    /// for the whole program is in use already.
+    explicit MainWindow(const document::CanvasSettings& canvas, bool keeps_journal = true,
+                        const KeptPreferences& preferences = kept_preferences());
     ~MainWindow() override;
 
     /// Puts up another canvas with the same tools. Throws core::InputError and keeps the old one when it

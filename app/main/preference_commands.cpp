@@ -1,8 +1,8 @@
 #include "main/preference_commands.hpp"
 
 #include "appearance/theme.hpp"
+#include "core/error.hpp"
 #include "core/thread_count.hpp"
-#include "core/user_data.hpp"
 #include "main/machine_facts.hpp"
 
 #include <chrono>
@@ -18,10 +18,6 @@ using commands::Command;
 using Page = dialogs::SettingsDialog::Page;
 
 }  // namespace
-
-std::filesystem::path preferences_file() {
-    return core::user_config_path("preferences.json");
-}
 
 void apply_preferences(const tools::Preferences& preferences) {
     core::set_default_thread_count(preferences.threads);
@@ -40,8 +36,11 @@ PreferenceCommands::PreferenceCommands(Studio& studio, UndoCommands& undo)
     connect(autosave_, &QTimer::timeout, this, &PreferenceCommands::autosave_due);
 }
 
-void PreferenceCommands::recall() {
-    file_.recall([this](const auto& file) { preferences_ = tools::read_preferences(file); });
+void PreferenceCommands::recall(const KeptPreferences& kept) {
+    preferences_ = kept.values;
+    file_.recall([&kept](const auto&) {
+        if (!kept.fault.empty()) throw core::InputError(kept.fault);
+    });
     start_autosave();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dialogs/settings_dialog.hpp"
+#include "main/kept_preferences.hpp"
 #include "main/remembered_file.hpp"
 #include "main/studio.hpp"
 #include "main/undo_commands.hpp"
@@ -13,9 +14,6 @@ class QTimer;
 
 namespace pastoso::main {
 
-/// Where they are kept; empty where there is no home.
-std::filesystem::path preferences_file();
-
 /// What of them holds for the whole program.
 void apply_preferences(const tools::Preferences& preferences);
 
@@ -24,8 +22,8 @@ class PreferenceCommands : public QObject {
   public:
     PreferenceCommands(Studio& studio, UndoCommands& undo);
 
-    /// Reads them; tells the painter where that fails, and leaves the file alone then.
-    void recall();
+    /// Tells the painter where they could not be read, and leaves the file alone then.
+    void recall(const KeptPreferences& kept);
 
   Q_SIGNALS:
     /// It is time that the painting is saved by itself.
