@@ -1,5 +1,6 @@
 #include "cli/tea.hpp"
 
+#include "cli/classic_tea.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
 #include "cli/stopwatch.hpp"
@@ -101,16 +102,6 @@ struct Outputs {
     }
 };
 
-void add_files(const TeaFiles& files, TeaStats& stats) {
-    stats.surface_s += files.stats().surface_s;
-    stats.trace_s += files.stats().trace_s;
-    stats.denoise_s += files.stats().denoise_s;
-    stats.io_s += files.stats().io_s;
-    stats.frames = files.stats().frames;
-    stats.triangles = files.stats().triangles;
-    stats.surface_error_rel = files.stats().surface_error_rel;
-}
-
 void note_step(const liquid::TeaStep& step, TeaStats& stats) {
     ++stats.steps;
     stats.pcg_iterations_max = std::max(stats.pcg_iterations_max, step.pressure.iterations);
@@ -177,10 +168,14 @@ void run_tea(const TeaOptions& options) {
     watch_for_interrupts();
     if (options.frames.empty() && options.cache.empty() && options.stats.empty())
         throw UsageError("tea: nothing would be kept; give --frames, --cache or --stats.");
-    const TeaSettings settings = settings_of(options);
     const int frame_count = static_cast<int>(std::lround(options.seconds * options.fps));
     if (frame_count < 1) throw UsageError("--seconds: less than one frame.");
     core::ThreadPool pool(options.threads);
+    if (options.classic) {
+        TeaStats stats = run_classic_tea(options, frame_count, pool);
+        return finish(stats, watch, pool.thread_count(), options.stats);
+    }
+    const TeaSettings settings = settings_of(options);
     Outputs outputs;
     if (!options.frames.empty())
         outputs.files.emplace(options.frames, options.picture, settings.cup, pool);
@@ -193,7 +188,7 @@ void run_tea(const TeaOptions& options) {
         draw_kept(frame_count, options, outputs);
     else
         simulate(settings, options, frame_count, pool, outputs);
-    if (outputs.files) add_files(*outputs.files, outputs.stats);
+    if (outputs.files) outputs.files->add_to(outputs.stats);
     finish(outputs.stats, watch, pool.thread_count(), options.stats);
 }
 
@@ -218,7 +213,7 @@ void run_tea_render(const TeaRenderOptions& options) {
         stop_if_interrupted();
         progress.update(static_cast<double>(frame - first + 1) / (last - first + 1));
     }
-    add_files(files, stats);
+    files.add_to(stats);
     finish(stats, watch, pool.thread_count(), options.stats);
 }
 

@@ -72,6 +72,10 @@ void add_tea(CLI::App& program, TeaOptions& options, TeaRenderOptions& render) {
         ->type_name("N")
         ->check(CLI::Range(liquid::kMinTeaCells, liquid::kMaxTeaCells));
     command.add_option("--seed", options.seed, "Another number, another glass")->type_name("N");
+    command.add_flag(
+        "--classic", options.classic,
+        "The system of 2010 as it was, 6 cells a side and 1000 particles in a periodic box; "
+        "with --grid the same on today's solver");
     command
         .add_option("--frames", options.frames,
                     "Folder for milk_0001.png and so on; what is there already is kept")

@@ -90,36 +90,63 @@ void TeaFiles::write(int number, const liquid::TeaFrame& frame) {
     stats_.triangles = static_cast<std::int64_t>(surface.mesh.triangles.size());
     stats_.surface_error_rel = std::max(stats_.surface_error_rel, std::abs(surface.volume_error()));
     const fs::path path = path_of(number);
+    if (kind_ == Kind::Picture)
+        write_picture(path, trace::tea_scene(cup_, frame, std::move(surface.mesh)));
+    else if (kind_ == Kind::Scene)
+        write_scene(path, frame, surface.mesh);
+    else
+        write_mesh(path, surface.mesh);
+    ++stats_.frames;
+}
+
+void TeaFiles::write_surface(int number, liquid::TriangleMesh surface) {
+    stats_.triangles = static_cast<std::int64_t>(surface.triangles.size());
+    const fs::path path = path_of(number);
     if (kind_ == Kind::Picture) {
-        write_picture(path, frame, std::move(surface.mesh));
+        trace::Scene scene;
+        scene.cup.reset();
+        scene.milk = std::move(surface);
+        write_picture(path, scene);
     } else {
-        stats_.io_s += seconds_of([&] {
-            const io::ExportStatus status = kind_ == Kind::Scene
-                                                ? write_scene(path, frame, surface.mesh)
-                                                : io::export_mesh(path, surface.mesh, mesh_, go_on);
-            if (status == io::ExportStatus::Stopped) throw Interrupted{};
-        });
+        write_mesh(path, surface);
     }
     ++stats_.frames;
 }
 
-io::ExportStatus TeaFiles::write_scene(const fs::path& path, const liquid::TeaFrame& frame,
-                                       const liquid::TriangleMesh& milk) const {
+void TeaFiles::add_to(io::TeaStats& stats) const {
+    stats.surface_s += stats_.surface_s;
+    stats.trace_s += stats_.trace_s;
+    stats.denoise_s += stats_.denoise_s;
+    stats.io_s += stats_.io_s;
+    stats.frames += stats_.frames;
+    stats.triangles = stats_.triangles;
+    stats.surface_error_rel = stats_.surface_error_rel;
+}
+
+void TeaFiles::write_mesh(const fs::path& path, const liquid::TriangleMesh& mesh) {
+    io::ExportStatus status{};
+    stats_.io_s += seconds_of([&] { status = io::export_mesh(path, mesh, mesh_, go_on); });
+    if (status == io::ExportStatus::Stopped) throw Interrupted{};
+}
+
+void TeaFiles::write_scene(const fs::path& path, const liquid::TeaFrame& frame,
+                           const liquid::TriangleMesh& milk) {
     io::PbrtScene scene{.cup = cup_, .milk = milk};
     if (mesh_.syntax == io::PbrtSyntax::V4) scene.dissolved = &frame.dissolved;
     scene.syntax = mesh_.syntax;
     scene.width = width_px_;
     scene.height = height_px_;
     scene.samples = options_.samples;
-    return io::export_pbrt_scene(path, scene, go_on);
+    io::ExportStatus status{};
+    stats_.io_s += seconds_of([&] { status = io::export_pbrt_scene(path, scene, go_on); });
+    if (status == io::ExportStatus::Stopped) throw Interrupted{};
 }
 
-void TeaFiles::write_picture(const fs::path& path, const liquid::TeaFrame& frame,
-                             liquid::TriangleMesh milk) {
+void TeaFiles::write_picture(const fs::path& path, const trace::Scene& scene) {
     trace::TraceSettings settings;
     settings.width = width_px_;
     settings.height = height_px_;
-    trace::TeaTracer tracer(trace::tea_scene(cup_, frame, std::move(milk)), settings, pool_);
+    trace::TeaTracer tracer(scene, settings, pool_);
     stats_.trace_s += seconds_of([&] {
         if (!tracer.add_samples(options_.samples, [] { return is_interrupted(); })) throw Interrupted{};
     });

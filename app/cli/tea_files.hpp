@@ -8,6 +8,7 @@
 #include "liquid/cup.hpp"
 #include "liquid/milk_surface.hpp"
 #include "liquid/tea_frame.hpp"
+#include "trace/scene.hpp"
 
 #include <filesystem>
 
@@ -30,14 +31,17 @@ class TeaFiles {
     /// be written.
     void write(int number, const liquid::TeaFrame& frame);
 
-    /// Files and seconds so far.
-    const io::TeaStats& stats() const { return stats_; }
+    /// The same of a surface that stands alone, without glass and tea.
+    void write_surface(int number, liquid::TriangleMesh surface);
+
+    /// Adds the files and seconds so far.
+    void add_to(io::TeaStats& stats) const;
 
   private:
-    io::ExportStatus write_scene(const std::filesystem::path& path, const liquid::TeaFrame& frame,
-                                 const liquid::TriangleMesh& milk) const;
-    void write_picture(const std::filesystem::path& path, const liquid::TeaFrame& frame,
-                       liquid::TriangleMesh milk);
+    void write_mesh(const std::filesystem::path& path, const liquid::TriangleMesh& mesh);
+    void write_scene(const std::filesystem::path& path, const liquid::TeaFrame& frame,
+                     const liquid::TriangleMesh& milk);
+    void write_picture(const std::filesystem::path& path, const trace::Scene& scene);
 
     std::filesystem::path folder_;
     TeaPictureOptions options_;

@@ -28,6 +28,8 @@ void write_stats(const std::filesystem::path& path, const TeaStats& stats) {
         {"pcg_iterations_max", stats.pcg_iterations_max},
         {"not_converged", stats.not_converged},
         {"surface_error_rel", stats.surface_error_rel},
+        {"pile_up_dispersion", stats.pile_up_dispersion},
+        {"pile_up_at_borders", stats.pile_up_at_borders},
         {"state_hash", hex_text(stats.state_hash)},
         {"peak_rss_mib", peak_rss_mib()},
         {"threads", stats.threads},

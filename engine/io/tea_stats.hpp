@@ -23,7 +23,9 @@ struct TeaStats {
     int pcg_iterations_max = 0;           ///< of all solutions of the pressure
     std::int64_t not_converged = 0;       ///< steps whose pressure missed its tolerance
     double surface_error_rel = 0.0;       ///< the largest, of the volume within the milk's surface
-    std::uint64_t state_hash = 0;         ///< of parcels, dissolved milk and coldness at the end
+    /// Of the classic system, by voxels of its own lattice (liquid::PileUp); 0 otherwise.
+    double pile_up_dispersion = 0.0, pile_up_at_borders = 0.0;
+    std::uint64_t state_hash = 0;  ///< of parcels, dissolved milk and coldness at the end
     int threads = 0;
     std::string version;
 };

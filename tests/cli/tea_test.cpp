@@ -125,6 +125,22 @@ TEST_F(CliTea, AnInterruptedSequenceKeepsWholeFiles) {
             << name;
 }
 
+TEST_F(CliTea, TheSystemOf2010PilesUpAndTodaysSolverDoesNot) {
+    ASSERT_EQ(run_cli({"tea", "--classic", "--seconds", "2", "-q", "--stats", path("then.json"),
+                       "--frames", path("then"), "--format", "pbrt", "--every", "60"})
+                  .status,
+              0);
+    ASSERT_EQ(run_cli({"tea", "--classic", "--grid", "32", "--seconds", "2", "-q", "--stats",
+                       path("now.json")})
+                  .status,
+              0);
+    EXPECT_THAT(files_in("then"), testing::ElementsAre("milk_0060.pbrt"));
+    EXPECT_EQ(json("then.json").at("parcels"), 1000);
+    // 4.6 particles a voxel; spread by chance 1, give or take 0.1.
+    EXPECT_GT(json("then.json").at("pile_up_dispersion").get<double>(), 3.0);
+    EXPECT_LT(json("now.json").at("pile_up_dispersion").get<double>(), 1.3);
+}
+
 TEST_F(CliTea, BadInputIsRefusedInOneSentence) {
     expect_refusal({"tea"}, 2, "give --frames, --cache or --stats");
     expect_refusal({"tea", "--grid", "0", "--frames", path("out")}, 2, "--grid");
@@ -132,6 +148,7 @@ TEST_F(CliTea, BadInputIsRefusedInOneSentence) {
     expect_refusal({"tea", "--size", "0x5", "--frames", path("out")}, 2, "--size: \"0x5\"");
     expect_refusal({"tea", "--format", "gif", "--frames", path("out")}, 2, "--format");
     expect_refusal({"tea", path("none.json"), "--frames", path("out")}, 1, "none.json");
+    expect_refusal({"tea", "--classic", "--cache", path("out")}, 2, "cannot be kept in a cache");
     expect_refusal({"tea", "render", path("none"), "--frames", path("out")}, 1, "none");
 }
 
