@@ -10,10 +10,7 @@
 #include "liquid/marching_cubes.hpp"
 #include "liquid/metaballs.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
-#include <utility>
 
 namespace pastoso::cli {
 namespace {
@@ -31,8 +28,8 @@ constexpr float kBall_m = 0.0022F;
 void check_usage(const TeaOptions& options) {
     if (!options.scene.empty()) throw UsageError("--classic: the system of 2010 has no scene file.");
     if (!options.cache.empty()) throw UsageError("--classic: its frames cannot be kept in a cache.");
-    if (options.picture.format == "pbrt-scene")
-        throw UsageError("--classic: there is no glass for a whole scene; give --format pbrt.");
+    if (!options.frames.empty() && !io::is_mesh_path("milk." + options.picture.format))
+        throw UsageError("--classic: it makes surfaces; give --format pbrt, obj, ply or stl.");
 }
 
 ClassicSettings settings_of(const TeaOptions& options) {
@@ -97,7 +94,7 @@ io::TeaStats run_classic_tea(const TeaOptions& options, int frame_count, core::T
         if (files && files->is_wanted(frame)) {
             liquid::TriangleMesh surface;
             stats.surface_s += seconds_of([&] { surface = surfaces.make(tea); });
-            files->write_surface(frame, std::move(surface));
+            files->write_surface(frame, surface);
         }
         stop_if_interrupted();
         progress.update(static_cast<double>(frame) / frame_count);

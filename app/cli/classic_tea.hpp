@@ -8,7 +8,7 @@
 namespace pastoso::cli {
 
 /// Writes its surfaces, metaballs of the source's kernel and threshold, and measures how its particles
-/// pile up. Throws UsageError for what it has not: a scene, a cache, whole scenes for PBRT.
+/// pile up. Throws UsageError for what it has not: a scene, a cache, pictures.
 io::TeaStats run_classic_tea(const TeaOptions& options, int frame_count, core::ThreadPool& pool);
 
 }  // namespace pastoso::cli

@@ -3,6 +3,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/usage_error.hpp"
+#include "core/check.hpp"
 #include "core/error.hpp"
 #include "io/pbrt_scene.hpp"
 #include "io/traced_picture.hpp"
@@ -99,17 +100,10 @@ void TeaFiles::write(int number, const liquid::TeaFrame& frame) {
     ++stats_.frames;
 }
 
-void TeaFiles::write_surface(int number, liquid::TriangleMesh surface) {
+void TeaFiles::write_surface(int number, const liquid::TriangleMesh& surface) {
+    PASTOSO_CHECK(kind_ == Kind::Mesh);
     stats_.triangles = static_cast<std::int64_t>(surface.triangles.size());
-    const fs::path path = path_of(number);
-    if (kind_ == Kind::Picture) {
-        trace::Scene scene;
-        scene.cup.reset();
-        scene.milk = std::move(surface);
-        write_picture(path, scene);
-    } else {
-        write_mesh(path, surface);
-    }
+    write_mesh(path_of(number), surface);
     ++stats_.frames;
 }
 

@@ -31,8 +31,8 @@ class TeaFiles {
     /// be written.
     void write(int number, const liquid::TeaFrame& frame);
 
-    /// The same of a surface that stands alone, without glass and tea.
-    void write_surface(int number, liquid::TriangleMesh surface);
+    /// The same of a surface that stands alone; the format is one of meshes.
+    void write_surface(int number, const liquid::TriangleMesh& surface);
 
     /// Adds the files and seconds so far.
     void add_to(io::TeaStats& stats) const;

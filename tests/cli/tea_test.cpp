@@ -149,6 +149,7 @@ TEST_F(CliTea, BadInputIsRefusedInOneSentence) {
     expect_refusal({"tea", "--format", "gif", "--frames", path("out")}, 2, "--format");
     expect_refusal({"tea", path("none.json"), "--frames", path("out")}, 1, "none.json");
     expect_refusal({"tea", "--classic", "--cache", path("out")}, 2, "cannot be kept in a cache");
+    expect_refusal({"tea", "--classic", "--frames", path("out")}, 2, "give --format pbrt");
     expect_refusal({"tea", "render", path("none"), "--frames", path("out")}, 1, "none");
 }
 
