@@ -10,12 +10,12 @@ namespace {
 void add_tea_picture_options(CLI::App& command, TeaPictureOptions& options) {
     command
         .add_option("--format", options.format,
-                    "Pictures: png, exr, jpg, tif, webp; the milk's surface: obj, ply, stl, pbrt; or a "
-                    "whole scene for PBRT: pbrt-scene")
+                    "Pictures: png, exr, jpg, tif, webp; the milk's surface: obj, ply, stl, pbrt; a "
+                    "whole scene for PBRT: pbrt-scene; or volumes, where built with OpenVDB: vdb")
         ->type_name("NAME")
         ->capture_default_str()
         ->check(CLI::IsMember(
-            {"png", "exr", "jpg", "tif", "webp", "obj", "ply", "stl", "pbrt", "pbrt-scene"}));
+            {"png", "exr", "jpg", "tif", "webp", "obj", "ply", "stl", "pbrt", "pbrt-scene", "vdb"}));
     command.add_option("--size", options.size, "Pixels of a picture")
         ->type_name("WxH")
         ->capture_default_str();

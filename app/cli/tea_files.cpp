@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "io/pbrt_scene.hpp"
 #include "io/traced_picture.hpp"
+#include "io/vdb_export.hpp"
 #include "trace/tea_scene.hpp"
 #include "trace/tracer.hpp"
 
@@ -21,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSceneFormat = "pbrt-scene";
+constexpr const char* kVolumeFormat = "vdb";
 constexpr int kMostPixels = 16384;  ///< a side, as the tracer has it
 
 struct Size {
@@ -52,6 +54,12 @@ io::PbrtSyntax syntax_of(int version) {
 
 }  // namespace
 
+TeaFiles::Kind TeaFiles::kind_of(const std::string& format) {
+    if (format == kSceneFormat) return Kind::Scene;
+    if (format == kVolumeFormat) return Kind::Volume;
+    return io::is_mesh_path("milk." + format) ? Kind::Mesh : Kind::Picture;
+}
+
 TeaFiles::TeaFiles(fs::path folder, const TeaPictureOptions& options, const liquid::Cup& cup,
                    core::ThreadPool& pool)
     : folder_(std::move(folder)),
@@ -59,13 +67,13 @@ TeaFiles::TeaFiles(fs::path folder, const TeaPictureOptions& options, const liqu
       cup_(cup),
       pool_(pool),
       surfaces_(pool),
-      kind_(options.format == kSceneFormat               ? Kind::Scene
-            : io::is_mesh_path("milk." + options.format) ? Kind::Mesh
-                                                         : Kind::Picture) {
+      kind_(kind_of(options.format)) {
     const Size size = parse_size(options.size);
     width_px_ = size.width_px;
     height_px_ = size.height_px;
     mesh_.syntax = syntax_of(options.pbrt_syntax);
+    if (kind_ == Kind::Volume && !io::has_openvdb())
+        throw UsageError("--format vdb: this program was built without OpenVDB.");
     std::error_code error;
     fs::create_directories(folder_, error);
     if (error) throw core::InputError(folder_.string() + ": cannot be made (" + error.message() + ").");
@@ -95,6 +103,8 @@ void TeaFiles::write(int number, const liquid::TeaFrame& frame) {
         write_picture(path, trace::tea_scene(cup_, frame, std::move(surface.mesh)));
     else if (kind_ == Kind::Scene)
         write_scene(path, frame, surface.mesh);
+    else if (kind_ == Kind::Volume)
+        write_volume(path, frame);
     else
         write_mesh(path, surface.mesh);
     ++stats_.frames;
@@ -134,6 +144,14 @@ void TeaFiles::write_scene(const fs::path& path, const liquid::TeaFrame& frame,
     io::ExportStatus status{};
     stats_.io_s += seconds_of([&] { status = io::export_pbrt_scene(path, scene, go_on); });
     if (status == io::ExportStatus::Stopped) throw Interrupted{};
+}
+
+void TeaFiles::write_volume(const fs::path& path, const liquid::TeaFrame& frame) {
+    grid::BoxField temperature = frame.coldness;
+    for (float& value : temperature.values())
+        value = 1.0F - value;
+    stats_.io_s += seconds_of(
+        [&] { io::export_vdb(path, {.density = &frame.dissolved, .temperature = &temperature}); });
 }
 
 void TeaFiles::write_picture(const fs::path& path, const trace::Scene& scene) {

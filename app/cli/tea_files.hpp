@@ -1,4 +1,4 @@
-// Frames of tea as numbered files: path-traced pictures, meshes of the milk, or scenes for PBRT.
+// Frames of tea as numbered files: path-traced pictures, meshes of the milk, scenes for PBRT, volumes.
 #pragma once
 
 #include "cli/options.hpp"
@@ -16,7 +16,7 @@ namespace pastoso::cli {
 
 class TeaFiles {
   public:
-    /// Throws UsageError for a size that is none, and InputError for a format that is none, before
+    /// Throws UsageError for a size that is none, and for a format that this program has not, before
     /// anything is made.
     TeaFiles(std::filesystem::path folder, const TeaPictureOptions& options, const liquid::Cup& cup,
              core::ThreadPool& pool);
@@ -38,9 +38,13 @@ class TeaFiles {
     void add_to(io::TeaStats& stats) const;
 
   private:
+    enum class Kind { Picture, Mesh, Scene, Volume };
+    static Kind kind_of(const std::string& format);
+
     void write_mesh(const std::filesystem::path& path, const liquid::TriangleMesh& mesh);
     void write_scene(const std::filesystem::path& path, const liquid::TeaFrame& frame,
                      const liquid::TriangleMesh& milk);
+    void write_volume(const std::filesystem::path& path, const liquid::TeaFrame& frame);
     void write_picture(const std::filesystem::path& path, const trace::Scene& scene);
 
     std::filesystem::path folder_;
@@ -48,7 +52,7 @@ class TeaFiles {
     liquid::Cup cup_;
     core::ThreadPool& pool_;
     liquid::MilkSurfaces surfaces_;
-    enum class Kind { Picture, Mesh, Scene } kind_;
+    Kind kind_;
     io::MeshExportOptions mesh_;
     int width_px_ = 0, height_px_ = 0;
     io::TeaStats stats_;

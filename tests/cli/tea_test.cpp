@@ -1,4 +1,5 @@
 #include "cli/run_program.hpp"
+#include "core/resources.hpp"
 #include "core/text_file.hpp"
 #include "io/image.hpp"
 #include "io/json_place.hpp"
@@ -112,6 +113,25 @@ TEST_F(CliTea, AnotherTeaNeedsAnotherFolder) {
     const RunResult other = tea({"--cache", path("kept"), "--seed", "8"});
     EXPECT_EQ(other.status, 1);
     EXPECT_THAT(other.errors, HasSubstr("keeps frames of other tea"));
+}
+
+TEST_F(CliTea, AFullDiskLeavesWhatIsFinishedAndTheNextRunGoesOn) {
+    // No file may be larger than 64 KiB: the later frames, with more milk in them, are.
+    const std::string limited = "trap '' XFSZ; ulimit -f 64; exec \"$@\"";
+    const std::vector<std::string> command = {"tea", "--grid", "16",      "--seconds",
+                                              "1",   "-q",     "--cache", path("kept")};
+    std::vector<std::string> under_limit = {"-c", limited, "sh", (core::program_folder() / "pastoso-cli").string()};
+    under_limit.insert(under_limit.end(), command.begin(), command.end());
+    const RunResult full = run_program("/bin/bash", under_limit);
+    EXPECT_EQ(full.status, 1);
+    EXPECT_THAT(full.errors, AllOf(HasSubstr("kept/frame_0000"), HasSubstr("cannot be written")));
+    const std::vector<std::string> finished = files_in("kept");
+    ASSERT_GT(finished.size(), 2U);
+    ASSERT_LT(finished.size(), 30U);
+    const fs::file_time_type before = fs::last_write_time(path("kept/frame_000001.tea"));
+    ASSERT_EQ(run_cli(command).status, 0);
+    EXPECT_EQ(files_in("kept").size(), 31U);
+    EXPECT_EQ(fs::last_write_time(path("kept/frame_000001.tea")), before);
 }
 
 TEST_F(CliTea, AnInterruptedSequenceKeepsWholeFiles) {
