@@ -1,6 +1,7 @@
 // Path tracing of a scene: every sample of a pixel follows light backwards through glass and liquid to a
 // lamp or the sky (Kajiya 1986). Samples come in passes, so that a picture can be shown while it gets
-// finer; the same bits come out on any number of threads, in any passes, and on every processor.
+// finer; the same bits come out on any number of threads and in any passes. Where there are triangles,
+// another instruction set has other last bits (triangle_rays.hpp).
 #pragma once
 
 #include "core/thread_pool.hpp"

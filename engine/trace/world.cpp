@@ -13,10 +13,7 @@ constexpr float kDark = 1e-4F;
 constexpr float kPassesTotalReflection = 0.4F;
 
 MeshRay mesh_ray(const Ray& ray, float farthest) {
-    return {{ray.origin.x, ray.origin.y, ray.origin.z},
-            {ray.direction.x, ray.direction.y, ray.direction.z},
-            kNearest_m,
-            farthest};
+    return {ray.origin, ray.direction, kNearest_m, farthest};
 }
 
 glm::vec2 middle_of(const Scene& scene) {
@@ -31,12 +28,11 @@ World::World(const Scene& scene)
     : optics_(scene.optics),
       table_(scene.table),
       middle_m_(middle_of(scene)),
-      milk_(triangles(scene.milk)),
-      clear_liquid_(triangles(scene.clear_liquid)),
+      milk_(scene.milk),
+      clear_liquid_(scene.clear_liquid),
       milk_body_(scene.milk_body),
       dissolved_(scene.dissolved, scene.optics.milk_scattering_per_m),
-      light_(scene.lamp, scene.sky),
-      kernels_(bvh_kernels(core::best_isa())) {
+      light_(scene.lamp, scene.sky) {
     if (scene.cup) cup_.emplace(*scene.cup);
     if (scene.tank) tank_.emplace(*scene.tank);
 }
@@ -51,10 +47,10 @@ void World::meet_table(const Ray& ray, SurfaceHit& hit) const {
     hit.normal = hit.shading = {0.0F, 0.0F, 1.0F};
 }
 
-bool World::meet_mesh(const Triangles& triangles, const Ray& ray, SurfaceHit& hit) const {
-    const MeshHit met = triangles.bvh.closest(mesh_ray(ray, hit.distance), kernels_);
+bool World::meet_mesh(const TriangleRays& triangles, const Ray& ray, SurfaceHit& hit) const {
+    const MeshHit met = triangles.closest(mesh_ray(ray, hit.distance));
     if (met.triangle == kNoTriangle) return false;
-    const liquid::TriangleMesh& mesh = triangles.mesh;
+    const liquid::TriangleMesh& mesh = triangles.mesh();
     const auto& [a, b, c] = mesh.triangles[met.triangle];
     const glm::vec3 &pa = mesh.positions_m[a], &pb = mesh.positions_m[b], &pc = mesh.positions_m[c];
     hit.distance = met.distance;
@@ -75,7 +71,7 @@ SurfaceHit World::nearest_clear_hit(const Ray& ray, unsigned here) const {
     SurfaceHit hit;
     if (cup_) cup_->meet(ray, here, hit);
     if (tank_) tank_->meet(ray, hit);
-    if (!clear_liquid_.bvh.empty() && meet_mesh(clear_liquid_, ray, hit)) {
+    if (!clear_liquid_.empty() && meet_mesh(clear_liquid_, ray, hit)) {
         hit.kind = SurfaceKind::Clear;
         hit.decided = hit.inner = kLiquid;
         hit.outer = kAir;
@@ -84,7 +80,7 @@ SurfaceHit World::nearest_clear_hit(const Ray& ray, unsigned here) const {
 }
 
 void World::meet_milk(const Ray& ray, unsigned here, SurfaceHit& hit) const {
-    if ((here & kGlass) != 0 || milk_.bvh.empty() || !meet_mesh(milk_, ray, hit)) return;
+    if ((here & kGlass) != 0 || milk_.empty() || !meet_mesh(milk_, ray, hit)) return;
     hit.kind = milk_body_ == MilkBody::Volume ? SurfaceKind::Clear : SurfaceKind::Milk;
     hit.decided = hit.inner = kMilk;
     hit.outer = kAir;
@@ -128,7 +124,7 @@ float World::free_path_m(const Ray& ray, unsigned here, float limit_m, Sampler& 
 
 bool World::milk_in_the_way(const Ray& ray, unsigned here, float length_m) const {
     return milk_body_ == MilkBody::Surface && (here & kGlass) == 0 &&
-           milk_.bvh.occluded(mesh_ray(ray, length_m), kernels_);
+           milk_.anything_between(mesh_ray(ray, length_m));
 }
 
 glm::vec3 World::straight_transmittance(Ray ray, unsigned here, Sampler& sampler,

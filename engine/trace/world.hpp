@@ -1,9 +1,9 @@
 // A scene made ready for rays: surfaces, media and light.
 #pragma once
 
-#include "trace/bvh.hpp"
 #include "trace/dissolved.hpp"
 #include "trace/light.hpp"
+#include "trace/triangle_rays.hpp"
 #include "trace/vessel.hpp"
 
 namespace pastoso::trace {
@@ -41,13 +41,8 @@ class World {
                                      std::uint64_t& rays) const;
 
   private:
-    struct Triangles {
-        liquid::TriangleMesh mesh;
-        Bvh bvh;
-    };
-    static Triangles triangles(const liquid::TriangleMesh& mesh) { return {mesh, Bvh(mesh)}; }
     void meet_table(const Ray& ray, SurfaceHit& hit) const;
-    bool meet_mesh(const Triangles& triangles, const Ray& ray, SurfaceHit& hit) const;
+    bool meet_mesh(const TriangleRays& triangles, const Ray& ray, SurfaceHit& hit) const;
     bool milk_in_the_way(const Ray& ray, unsigned here, float length_m) const;
     float free_path_m(const Ray& ray, unsigned here, float limit_m, Sampler& sampler) const;
     void meet_milk(const Ray& ray, unsigned here, SurfaceHit& hit) const;
@@ -58,11 +53,10 @@ class World {
     std::optional<TankSurfaces> tank_;
     std::optional<Table> table_;
     glm::vec2 middle_m_{0.0F};
-    Triangles milk_, clear_liquid_;
+    TriangleRays milk_, clear_liquid_;
     MilkBody milk_body_;
     DissolvedMilk dissolved_;
     Light light_;
-    const BvhKernels& kernels_;
 };
 
 }  // namespace pastoso::trace

@@ -110,6 +110,9 @@ std::string objection(const Place& place, const Include& include) {
     if (include.name.starts_with("lcms2")) {
         return in_engine && place.folder == "io" ? "" : "LittleCMS belongs to engine/io alone";
     }
+    if (include.name.starts_with("embree3/")) {
+        return in_engine && place.folder == "trace" ? "" : "Embree belongs to engine/trace alone";
+    }
     if (include.name == "zip.h") {
         return in_engine && place.folder == "project" ? "" : "libzip belongs to engine/project alone";
     }

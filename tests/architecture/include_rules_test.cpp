@@ -69,6 +69,13 @@ TEST(IncludeRules, LittleCmsStaysInIo) {
     EXPECT_EQ(include_violations("app/cli/main.cpp", text).size(), 1U);
 }
 
+TEST(IncludeRules, EmbreeStaysInTrace) {
+    const char* text = "#include <embree3/rtcore.h>\n";
+    EXPECT_THAT(include_violations("engine/trace/triangle_rays.cpp", text), IsEmpty());
+    EXPECT_EQ(include_violations("engine/liquid/triangle_mesh.cpp", text).size(), 1U);
+    EXPECT_EQ(include_violations("app/cli/main.cpp", text).size(), 1U);
+}
+
 TEST(IncludeRules, LibzipStaysInProject) {
     const char* text = "#include <zip.h>\n";
     EXPECT_THAT(include_violations("engine/project/zip_file.cpp", text), IsEmpty());

@@ -1,10 +1,10 @@
 // Cost of tracing a glass of milk tea, of its parts, and of taking the noise out.
-#include "trace/bvh.hpp"
 #include "trace/denoise.hpp"
 #include "trace/numbers.hpp"
 #include "trace/sampler.hpp"
 #include "trace/scenes.hpp"
 #include "trace/tracer.hpp"
+#include "trace/triangle_rays.hpp"
 
 #include <vector>
 
@@ -42,18 +42,17 @@ std::vector<MeshRay> random_rays() {
 void build_hierarchy(benchmark::State& run) {
     const liquid::TriangleMesh mesh = many_balls();
     for (auto _ : run)
-        benchmark::DoNotOptimize(Bvh(mesh));
+        benchmark::DoNotOptimize(TriangleRays(mesh));
     run.SetItemsProcessed(run.iterations() * static_cast<std::int64_t>(mesh.triangles.size()));
 }
 BENCHMARK(build_hierarchy)->Unit(benchmark::kMillisecond);
 
 void closest_hits(benchmark::State& run) {
-    const Bvh bvh(many_balls());
+    const TriangleRays triangles(many_balls());
     const std::vector<MeshRay> rays = random_rays();
-    const BvhKernels& kernels = bvh_kernels(core::best_isa());
     for (auto _ : run)
         for (const MeshRay& ray : rays)
-            benchmark::DoNotOptimize(bvh.closest(ray, kernels));
+            benchmark::DoNotOptimize(triangles.closest(ray));
     run.SetItemsProcessed(run.iterations() * static_cast<std::int64_t>(rays.size()));
 }
 BENCHMARK(closest_hits)->Unit(benchmark::kMillisecond);
