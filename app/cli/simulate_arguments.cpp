@@ -1,5 +1,6 @@
 #include "cli/arguments.hpp"
 #include "cli/shared_arguments.hpp"
+#include "io/bundled_files.hpp"
 #include "io/scene_json.hpp"
 
 #include <string>
@@ -7,16 +8,6 @@
 #include <CLI/CLI.hpp>
 
 namespace pastoso::cli {
-namespace {
-
-std::string bundled_scenes_text() {
-    std::string text;
-    for (const std::string& name : io::bundled_scene_names())
-        text += (text.empty() ? " " : ", ") + name;
-    return text;
-}
-
-}  // namespace
 
 void add_simulate(CLI::App& program, SimulateOptions& options) {
     CLI::App& command = *program.add_subcommand(
@@ -43,8 +34,9 @@ void add_simulate(CLI::App& program, SimulateOptions& options) {
     add_picture_options(command, options.picture);
     command.add_flag("-q,--quiet", options.quiet, "Show no progress");
     command.footer([] {
-        return "docs/scene-format.md describes scene files. Scenes that come with the program:" +
-               bundled_scenes_text() + ".\nExample:\n  pastoso-cli simulate paper-fig2 -o fig2";
+        return "docs/scene-format.md describes scene files. Scenes that come with the program: " +
+               io::listed(io::bundled_scene_names()) +
+               ".\nExample:\n  pastoso-cli simulate paper-fig2 -o fig2";
     });
 }
 

@@ -1,5 +1,7 @@
 #include "cli/arguments.hpp"
 #include "cli/shared_arguments.hpp"
+#include "io/bundled_files.hpp"
+#include "io/tea_json.hpp"
 #include "liquid/tea_settings.hpp"
 
 #include <CLI/CLI.hpp>
@@ -59,7 +61,9 @@ void add_render(CLI::App& tea, TeaRenderOptions& options) {
 void add_tea(CLI::App& program, TeaOptions& options, TeaRenderOptions& render) {
     CLI::App& command =
         *program.add_subcommand("tea", "Pour milk into a glass of tea, and draw what becomes of it");
-    command.add_option("SCENE", options.scene, "A scene file (.json); otherwise the usual glass");
+    command.add_option("SCENE", options.scene,
+                       "A scene file (.json), or the name of one that comes with the program; otherwise "
+                       "the usual glass");
     command.add_option("--seconds", options.seconds, "How long to watch")
         ->type_name("S")
         ->capture_default_str()
@@ -87,9 +91,13 @@ void add_tea(CLI::App& program, TeaOptions& options, TeaRenderOptions& render) {
     add_stats_option(command, options.stats);
     command.add_flag("-q,--quiet", options.quiet, "Show no progress");
     add_render(command, render);
-    command.footer(
-        "Example:\n  pastoso-cli tea --frames tea --every 30\n"
-        "  pastoso-cli tea --cache kept\n  pastoso-cli tea render kept --range 1-450 --frames tea");
+    command.footer([] {
+        return "docs/tea-format.md describes scene files. Scenes that come with the program: " +
+               io::listed(io::bundled_tea_names()) +
+               ".\nExample:\n  pastoso-cli tea --frames tea --every 30\n"
+               "  pastoso-cli tea --cache kept\n"
+               "  pastoso-cli tea render kept --range 1-450 --frames tea";
+    });
 }
 
 }  // namespace pastoso::cli

@@ -1,7 +1,7 @@
 #include "io/scene_json.hpp"
 
-#include "core/resources.hpp"
 #include "core/text_file.hpp"
+#include "io/bundled_files.hpp"
 #include "io/scene_json_parts.hpp"
 
 #include <algorithm>
@@ -11,6 +11,8 @@ namespace pastoso::io {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kBundled = "scenes";  ///< the folder of resources
 
 constexpr std::size_t kMaxFileBytes = std::size_t{16} << 20;
 
@@ -49,26 +51,6 @@ std::vector<SceneRun> read_runs(const JsonPlace& runs, const Json& file, const S
         all.back().name = name;
     }
     return all;
-}
-
-std::string listed(const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names)
-        text += (text.empty() ? "" : ", ") + name;
-    return text;
-}
-
-fs::path scene_path(const std::string& path_or_name) {
-    std::error_code ignored;
-    const fs::path path = path_or_name;
-    if (path.has_extension() || path.has_parent_path() || fs::exists(path, ignored)) return path;
-    const fs::path bundled = core::resource_path("scenes") / (path_or_name + ".json");
-    if (!fs::exists(bundled, ignored)) {
-        throw core::InputError(
-            "There is no scene \"" + path_or_name +
-            "\"; give a file ending in .json, or one of: " + listed(bundled_scene_names()) + ".");
-    }
-    return bundled;
 }
 
 /// Runs are made by copying, which would run out of stack on a file that nests without end.
@@ -117,14 +99,11 @@ SceneFile scene_from_json(std::string_view text, const std::string& name, const 
 }
 
 std::vector<std::string> bundled_scene_names() {
-    std::vector<std::string> names;
-    for (const fs::path& file : core::files_in(core::resource_path("scenes"), ".json"))
-        names.push_back(file.stem().string());
-    return names;
+    return bundled_names(kBundled);
 }
 
 SceneFile read_scene(const std::string& path_or_name) {
-    const fs::path path = scene_path(path_or_name);
+    const fs::path path = scene_path(path_or_name, kBundled);
     return scene_from_json(core::read_text_file(path, kMaxFileBytes), path.string(), path.parent_path());
 }
 

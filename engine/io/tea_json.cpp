@@ -1,10 +1,11 @@
 #include "io/tea_json.hpp"
 
 #include "core/text_file.hpp"
+#include "io/bundled_files.hpp"
 #include "io/json_place.hpp"
 
 #include <algorithm>
-#include <vector>
+#include <filesystem>
 
 namespace pastoso::io {
 namespace {
@@ -13,6 +14,8 @@ using liquid::Cup;
 using liquid::TeaNumber;
 using liquid::TeaSettings;
 using liquid::VelocityAdvection;
+
+constexpr const char* kBundled = "tea";  ///< the folder of resources
 
 struct CupNumber {
     const char* key;
@@ -92,7 +95,12 @@ liquid::TeaSettings tea_from_json(std::string_view text, const std::string& name
     return settings;
 }
 
-liquid::TeaSettings read_tea(const std::filesystem::path& path) {
+std::vector<std::string> bundled_tea_names() {
+    return bundled_names(kBundled);
+}
+
+liquid::TeaSettings read_tea(const std::string& path_or_name) {
+    const std::filesystem::path path = scene_path(path_or_name, kBundled);
     return tea_from_json(core::read_text_file(path), path.string());
 }
 

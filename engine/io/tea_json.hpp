@@ -3,9 +3,9 @@
 
 #include "liquid/tea_settings.hpp"
 
-#include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pastoso::io {
 
@@ -15,8 +15,12 @@ inline constexpr int kTeaFormatVersion = 1;
 /// for whatever docs/tea-format.md does not allow.
 liquid::TeaSettings tea_from_json(std::string_view text, const std::string& name);
 
-/// The same of a file.
-liquid::TeaSettings read_tea(const std::filesystem::path& path);
+/// The names of the scenes that come with the program, in alphabetical order.
+std::vector<std::string> bundled_tea_names();
+
+/// The same of a file, or of a scene that comes with the program when `path_or_name` is a name without a
+/// folder and an ending. Throws InputError that lists the names when there is none of that name.
+liquid::TeaSettings read_tea(const std::string& path_or_name);
 
 /// All of the settings; tea_from_json() gives them back exactly.
 std::string tea_to_json(const liquid::TeaSettings& settings);
