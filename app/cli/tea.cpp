@@ -135,7 +135,8 @@ void simulate(const TeaSettings& settings, const TeaOptions& options, int frame_
 void draw_kept(int frame_count, const TeaOptions& options, Outputs& outputs) {
     Progress progress("drawing", Progress::style_for_stderr(options.quiet));
     for (int frame = 1; frame <= frame_count; ++frame) {
-        if (outputs.files->is_wanted(frame)) outputs.put(frame, outputs.cache->read(frame));
+        if (outputs.files && outputs.files->is_wanted(frame))
+            outputs.put(frame, outputs.cache->read(frame));
         stop_if_interrupted();
         progress.update(static_cast<double>(frame) / frame_count);
     }
@@ -184,7 +185,9 @@ void run_tea(const TeaOptions& options) {
         outputs.cache.emplace(options.cache,
                               io::TeaCacheIndex{scene, hash_of(scene), options.fps, frame_count});
     }
-    if (outputs.cache && outputs.files && outputs.cache->is_complete(frame_count))
+    // Without files to draw, only the figures of a simulation are left to be wanted.
+    const bool keeps_all = outputs.cache && outputs.cache->is_complete(frame_count);
+    if (keeps_all && (outputs.files || options.stats.empty()))
         draw_kept(frame_count, options, outputs);
     else
         simulate(settings, options, frame_count, pool, outputs);

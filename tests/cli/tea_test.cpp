@@ -173,6 +173,27 @@ TEST_F(CliTea, BadInputIsRefusedInOneSentence) {
     expect_refusal({"tea", "render", path("none"), "--frames", path("out")}, 1, "none");
 }
 
+TEST_F(CliTea, ScenesThatComeWithTheProgramAreGivenByName) {
+    ASSERT_EQ(tea({"--stats", path("plain.json")}).status, 0);
+    ASSERT_EQ(tea({"usual", "--stats", path("usual.json")}).status, 0);
+    ASSERT_EQ(tea({"cold-brew", "--stats", path("cold-brew.json")}).status, 0);
+    EXPECT_EQ(json("usual.json").at("state_hash"), json("plain.json").at("state_hash"));
+    EXPECT_NE(json("cold-brew.json").at("state_hash"), json("plain.json").at("state_hash"));
+    EXPECT_THAT(run_cli({"tea", "--help"}).output, HasSubstr("cold-brew, usual."));
+    expect_refusal({"tea", "earl-grey", "--cache", path("kept")}, 1, "There is no scene \"earl-grey\"");
+}
+
+TEST_F(CliTea, WhatIsKeptIsNotSimulatedAgain) {
+    ASSERT_EQ(tea({"--cache", path("kept")}).status, 0);
+    const RunResult again =
+        run_cli({"tea", "--grid", "16", "--seconds", "0.5", "--cache", path("kept")});
+    EXPECT_EQ(again.status, 0) << again.errors;
+    EXPECT_THAT(again.errors, testing::Not(HasSubstr("pouring")));
+    fs::remove(path("kept/frame_000007.tea"));
+    EXPECT_THAT(run_cli({"tea", "--grid", "16", "--seconds", "0.5", "--cache", path("kept")}).errors,
+                HasSubstr("pouring"));
+}
+
 TEST_F(CliTea, SceneFilesAreChecked) {
     const std::string scene =
         write("bad.json", R"({"format": "pastoso-tea", "version": 1, "viscosity_m2_s": -1})");
