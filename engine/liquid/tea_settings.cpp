@@ -45,6 +45,7 @@ constexpr TeaNumber kNumbers[] = {
     {"warm_below", "", &S::warm_below, 0.0, 1.0, "Coldness below which a ball dissolves"},
     {"swirl_rad_s2", "rad/s2", &S::swirl_rad_s2, -1e3, 1e3, "Force around an upright axis"},
     {"push_m_s2", "m/s2", &S::push_m_s2, -1e3, 1e3, "Force downwards"},
+    {"force_reach_m", "m", &S::force_reach_m, 1e-3, 10.0, "How far the force reaches from its axis"},
     {"swirl_x_m", "m", &S::swirl_x_m, -10.0, 10.0, "Where that axis stands"},
     {"swirl_y_m", "m", &S::swirl_y_m, -10.0, 10.0, "Where that axis stands"},
 };

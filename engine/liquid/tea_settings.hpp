@@ -59,9 +59,10 @@ struct TeaSettings {
     double rest_ends_s = 22.0;            ///< when all milk begins to dissolve
     double warm_below = 0.3;              ///< coldness of a ball that dissolves
 
-    double swirl_rad_s2 = 0.0;  ///< the painter's force: an acceleration around an upright axis, per
-                                ///< metre from it
-    double push_m_s2 = 0.0;     ///< the same, downwards
+    double swirl_rad_s2 = 0.0;    ///< the painter's force: an acceleration around an upright axis, per
+                                  ///< metre from it
+    double push_m_s2 = 0.0;       ///< the same, downwards
+    double force_reach_m = 0.02;  ///< both fade as exp(-r^2 / (2 reach^2)) with the distance r from it
     double swirl_x_m = 0.05, swirl_y_m = 0.05;  ///< where that axis stands
 
     friend bool operator==(const TeaSettings&, const TeaSettings&) = default;

@@ -163,6 +163,37 @@ TEST(MilkTea, TheSwirlTurnsTheTeaAndItsReverseTurnsItBack) {
     EXPECT_NEAR(turning(5.0), -turning(-5.0), 1e-3F * turning(5.0));
 }
 
+TEST(MilkTea, TheSwirlStandsWhereItsAxisStands) {
+    core::ThreadPool pool(2);
+    const auto across_the_middle = [&](double axis_x_m) {
+        TeaSettings settings = small_tea();
+        settings.milk_m3 = 0.0;
+        settings.swirl_rad_s2 = 5.0;
+        settings.force_reach_m = 0.012;
+        settings.swirl_x_m = axis_x_m;
+        MilkTea tea(settings);
+        run(tea, 0.5, pool);
+        return velocity_at(tea.flow().velocity(), {0.05F, 0.05F, 0.05F}, Interpolation::Linear).y;
+    };
+    EXPECT_GT(across_the_middle(0.038), 0.002F);
+    EXPECT_LT(across_the_middle(0.062), -0.002F);
+}
+
+TEST(MilkTea, APushGoesDownAlongTheAxisAndComesBackBesideIt) {
+    core::ThreadPool pool(2);
+    TeaSettings settings = small_tea();
+    settings.milk_m3 = 0.0;
+    settings.push_m_s2 = 0.2;
+    settings.force_reach_m = 0.01;
+    MilkTea tea(settings);
+    run(tea, 0.5, pool);
+    const auto rising = [&](float x_m) {
+        return velocity_at(tea.flow().velocity(), {x_m, 0.05F, 0.05F}, Interpolation::Linear).z;
+    };
+    EXPECT_LT(rising(0.05F), -0.01F);
+    EXPECT_GT(rising(0.08F), 0.001F);
+}
+
 TEST(MilkTea, NumbersMayChangeWhileItRunsButNotTheGlass) {
     core::ThreadPool pool(1);
     MilkTea tea(small_tea());
