@@ -1,0 +1,224 @@
+// A glass of milk tea on a thread of its own, and what is kept of it.
+#include "session/tea_session.hpp"
+
+#include "session/tea_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace pastoso::session {
+namespace {
+
+/// Small enough for a test: nothing rises in it, but all that is tested here happens.
+liquid::TeaSettings small_glass() {
+    liquid::TeaSettings settings;
+    settings.cells = 16;
+    settings.parcels = 400;
+    settings.pour_s = 0.2;
+    return settings;
+}
+
+/// Until so many steps were made, or none are any more for a minute.
+void wait_for_step(const TeaSession& session, int step) {
+    for (int i = 0; i < 6000 && session.status().last_step < step; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_GE(session.status().last_step, step);
+}
+
+TEST(TeaSession, PoursTheMilkOfTheRecipe) {
+    TeaSession session(small_glass(), false, [] {});
+    session.set_full_speed(true);
+    wait_for_step(session, 10);
+    session.set_paused(true);
+    session.wait_until_applied();
+    const TeaStatus status = session.status();
+    EXPECT_TRUE(status.paused);
+    EXPECT_NEAR(status.milk_m3, small_glass().milk_m3, 1e-9);
+    const auto moment = session.moment();
+    ASSERT_NE(moment, nullptr);
+    EXPECT_EQ(moment->seen.step, status.last_step);
+    EXPECT_FALSE(moment->seen.parcels.empty());
+    EXPECT_FALSE(moment->milk.triangles.empty());
+}
+
+TEST(TeaSession, StandsStillWhilePaused) {
+    TeaSession session(small_glass(), true, [] {});
+    session.wait_until_applied();
+    EXPECT_EQ(session.status().last_step, 0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    EXPECT_EQ(session.status().last_step, 0);
+    session.set_paused(false);
+    wait_for_step(session, 1);
+}
+
+/// The press and the lift come before a single step is made.
+TEST(TeaSession, AClickPoursHoweverShortItIs) {
+    liquid::TeaSettings settings = small_glass();
+    settings.milk_m3 = 1e-7;
+    settings.parcels = 4;
+    settings.pour_s = 0.02;
+    TeaSession session(settings, false, [] {});
+    wait_for_step(session, 2);
+    session.set_paused(true);
+    session.wait_until_applied();
+    const double before_m3 = session.status().milk_m3;
+    session.set_paused(false);
+    session.pour(glm::vec2(0.06F, 0.05F));
+    session.pour(std::nullopt);
+    session.wait_until_applied();
+    EXPECT_GT(session.status().milk_m3, before_m3);
+    EXPECT_FALSE(session.status().pouring);
+}
+
+TEST(TeaSession, TheForceStirsWhileItIsOn) {
+    TeaSession session(small_glass(), true, [] {});
+    TeaForce force = session.status().force;
+    EXPECT_FALSE(force.on);
+    force.on = true;
+    force.axis_m = {0.04, 0.05};
+    session.set_force(force);
+    session.wait_until_applied();
+    EXPECT_EQ(session.status().force, force);
+    EXPECT_EQ(session.moment()->settings.swirl_rad_s2, force.swirl_rad_s2);
+    EXPECT_EQ(session.moment()->settings.swirl_x_m, 0.04);
+    force.on = false;
+    session.set_force(force);
+    session.wait_until_applied();
+    EXPECT_EQ(session.moment()->settings.swirl_rad_s2, 0.0);
+}
+
+TEST(TeaSession, WhatCannotBeIsToldAndChangesNothing) {
+    TeaSession session(small_glass(), true, [] {});
+    session.wait_until_applied();
+    liquid::TeaSettings bad = small_glass();
+    bad.viscosity_m2_s = -1.0;
+    session.set_numbers(bad);
+    session.wait_until_applied();
+    std::vector<std::string> errors = session.take_errors();
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_NE(errors[0].find("viscosity_m2_s is -1"), std::string::npos) << errors[0];
+    EXPECT_EQ(session.moment()->settings.viscosity_m2_s, small_glass().viscosity_m2_s);
+    bad = small_glass();
+    bad.cells = 4096;
+    session.new_glass(bad);
+    session.wait_until_applied();
+    EXPECT_EQ(session.take_errors().size(), 1U);
+    EXPECT_EQ(session.status().glass, 1);
+    EXPECT_FALSE(session.status().busy);
+    TeaForce force;
+    force.swirl_rad_s2 = std::numeric_limits<double>::quiet_NaN();
+    force.on = true;
+    session.set_force(force);
+    session.wait_until_applied();
+    EXPECT_EQ(session.take_errors().size(), 1U);
+    EXPECT_FALSE(session.status().force.on);
+}
+
+TEST(TeaSession, AnyMomentIsShownAgainAndTheLastGoesOn) {
+    TeaSession session(small_glass(), false, [] {});
+    session.set_full_speed(true);
+    wait_for_step(session, 20);
+    session.show(7);
+    session.wait_until_applied();
+    TeaStatus status = session.status();
+    EXPECT_TRUE(status.paused);
+    EXPECT_FALSE(status.shows_last);
+    EXPECT_EQ(status.step, 7);
+    EXPECT_EQ(session.moment()->seen.step, 7);
+    const int last = status.last_step;
+    session.set_paused(false);
+    wait_for_step(session, last + 1);
+    EXPECT_TRUE(session.status().shows_last);
+}
+
+TEST(TeaSession, ANewGlassBeginsAtNothing) {
+    TeaSession session(small_glass(), false, [] {});
+    session.set_full_speed(true);
+    wait_for_step(session, 5);
+    session.set_paused(true);
+    session.new_glass(small_glass());
+    session.wait_until_applied();
+    EXPECT_EQ(session.status().last_step, 0);
+    EXPECT_EQ(session.status().milk_m3, 0.0);
+    EXPECT_EQ(session.status().glass, 2);
+    EXPECT_EQ(session.status().kept, std::vector<int>{0});
+}
+
+TEST(TeaFrames, GivesBackWhatItKept) {
+    grid::BoxField dissolved(grid::BoxShape{4, 4, 4, 0.01F});
+    dissolved.at(1, 2, 3) = 0.25F;
+    TeaFrames frames(1 << 20);
+    frames.keep(0, {{.position_m = {0.1F, 0.2F, 0.3F}, .volume_m3 = 2e-9F}}, dissolved);
+    frames.keep(1, {}, dissolved);
+    const TeaFrame first = frames.at(0);
+    ASSERT_EQ(first.parcels.size(), 1U);
+    EXPECT_EQ(first.parcels[0].position_m, glm::vec3(0.1F, 0.2F, 0.3F));
+    EXPECT_EQ(first.parcels[0].volume_m3, 2e-9F);
+    // Half a step of the sixteen bits.
+    EXPECT_NEAR(first.dissolved.at(1, 2, 3), 0.25F, 0.5F / 65535.0F);
+    EXPECT_EQ(frames.at(9).step, 1);
+}
+
+TEST(TeaFrames, KeepsToItsMemoryByKeepingFewer) {
+    const grid::BoxField dissolved(grid::BoxShape{8, 8, 8, 0.01F});
+    const std::size_t one = 8 * 8 * 8 * sizeof(std::uint16_t);
+    TeaFrames frames(10 * one);
+    for (int step = 0; step <= 100; ++step)
+        frames.keep(step, {}, dissolved);
+    EXPECT_LE(frames.bytes(), 10 * one);
+    const std::vector<int> steps = frames.steps();
+    EXPECT_EQ(steps.front(), 0);
+    EXPECT_GE(steps.size(), 5U);
+    EXPECT_GE(steps.back() + frames.interval(), 100);
+    for (const int step : steps)
+        EXPECT_EQ(step % frames.interval(), 0);
+    EXPECT_EQ(frames.at(50).step, 50 / frames.interval() * frames.interval());
+}
+
+TEST(TeaPicture, IsTracedAndEndsWhenItIsTold) {
+    TeaSession session(small_glass(), true, [] {});
+    session.wait_until_applied();
+    TeaPictureOrder order;
+    order.moment = session.moment();
+    order.width = order.height = 24;
+    order.samples = 3;
+    std::atomic<int> notes = 0;
+    TeaPicture picture(order, [&] { ++notes; });
+    for (int i = 0; i < 6000 && !picture.progress().finished; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_TRUE(picture.progress().finished);
+    EXPECT_EQ(picture.progress().samples, 3);
+    EXPECT_EQ(picture.progress().error, "");
+    EXPECT_GE(notes.load(), 3);
+    ASSERT_NE(picture.shown(), nullptr);
+    const std::vector<std::uint8_t>& shown = picture.shown()->rgb;
+    EXPECT_EQ(shown.size(), 3U * 24U * 24U);
+    EXPECT_NE(*std::max_element(shown.begin(), shown.end()),
+              *std::min_element(shown.begin(), shown.end()));
+
+    order.samples = 1000000;
+    TeaPicture endless(order, [] {});
+    endless.stop();
+    for (int i = 0; i < 6000 && !endless.progress().finished; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_TRUE(endless.progress().finished);
+    EXPECT_LT(endless.progress().samples, 1000000);
+}
+
+TEST(TeaPicture, TellsWhyThereIsNone) {
+    TeaSession session(small_glass(), true, [] {});
+    session.wait_until_applied();
+    TeaPictureOrder order;
+    order.moment = session.moment();
+    order.width = 0;
+    TeaPicture picture(order, [] {});
+    for (int i = 0; i < 6000 && !picture.progress().finished; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_NE(picture.progress().error, "");
+}
+
+}  // namespace
+}  // namespace pastoso::session
