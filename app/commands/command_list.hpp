@@ -118,7 +118,32 @@ enum class Command {
     EditKeys,
     EditSettings,
     PenSettings,
+    MilkTea,
+    TeaNewGlass,
+    TeaOpenScene,
+    TeaSaveScene,
+    TeaExportMesh,
+    TeaRender,
+    TeaPause,
+    TeaFullSpeed,
+    TeaForce,
+    TeaRecentre,
+    TeaReverse,
+    TeaAxisLeft,
+    TeaAxisRight,
+    TeaAxisAway,
+    TeaAxisNear,
+    TeaFrontView,
 };
+
+/// What the window is about: the painting, or a glass of milk tea in its place. A command is given in
+/// one of them, or in both.
+enum class Mode { Painting, Tea, Everywhere };
+
+/// Whether both can be given at one time.
+constexpr bool meet(Mode a, Mode b) {
+    return a == b || a == Mode::Everywhere || b == Mode::Everywhere;
+}
 
 struct CommandText {
     Command command;
@@ -128,6 +153,7 @@ struct CommandText {
     const char* hint;   ///< for the status bar and the tool tip
     bool checkable = false;
     bool starts_group = false;  ///< a separator stands above it
+    Mode mode = Mode::Painting;
 };
 
 /// In the order of the menus.

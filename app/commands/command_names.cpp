@@ -126,6 +126,22 @@ constexpr Name kNames[] = {
     {Command::EditKeys, "edit_keys"},
     {Command::EditSettings, "edit_settings"},
     {Command::PenSettings, "pen_settings"},
+    {Command::MilkTea, "milk_tea"},
+    {Command::TeaNewGlass, "tea_new_glass"},
+    {Command::TeaOpenScene, "tea_open_scene"},
+    {Command::TeaSaveScene, "tea_save_scene"},
+    {Command::TeaExportMesh, "tea_export_mesh"},
+    {Command::TeaRender, "tea_render"},
+    {Command::TeaPause, "tea_pause"},
+    {Command::TeaFullSpeed, "tea_full_speed"},
+    {Command::TeaForce, "tea_force"},
+    {Command::TeaRecentre, "tea_recentre"},
+    {Command::TeaReverse, "tea_reverse"},
+    {Command::TeaAxisLeft, "tea_axis_left"},
+    {Command::TeaAxisRight, "tea_axis_right"},
+    {Command::TeaAxisAway, "tea_axis_away"},
+    {Command::TeaAxisNear, "tea_axis_near"},
+    {Command::TeaFrontView, "tea_front_view"},
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "commands/command_words.hpp"
 #include "core/check.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <QAction>
@@ -37,6 +38,7 @@ CommandRegistry::CommandRegistry(QObject* owner) {
         on(text.command, [this, command = text.command](bool) { note(command); });
     }
     use_keys(bindings_);
+    set_mode(mode_);
 }
 
 QAction* CommandRegistry::action(Command command) const {
@@ -54,9 +56,22 @@ void CommandRegistry::fill(QMenuBar* bar) const {
     std::map<std::string, QMenu*> menus;
     for (const CommandText& text : command_list()) {
         QMenu*& menu = menus[text.menu];
-        if (menu == nullptr) menu = bar->addMenu(words_of(text.menu));
+        if (menu == nullptr) menus_.push_back(menu = bar->addMenu(words_of(text.menu)));
         if (text.starts_group) menu->addSeparator();
         menu->addAction(action(text.command));
+    }
+}
+
+/// Qt keeps what is said of an invisible action's being enabled until it is seen again.
+void CommandRegistry::set_mode(Mode mode) {
+    mode_ = mode;
+    for (const CommandText& text : command_list())
+        action(text.command)->setVisible(meet(text.mode, mode));
+    for (QMenu* menu : menus_) {
+        const QList<QAction*> actions = menu->actions();
+        menu->menuAction()->setVisible(std::any_of(
+            actions.begin(), actions.end(),
+            [](const QAction* action) { return action->isVisible() && !action->isSeparator(); }));
     }
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 class QAction;
+class QMenu;
 class QMenuBar;
 class QObject;
 
@@ -30,6 +31,10 @@ class CommandRegistry {
     /// Builds the menus of the table.
     void fill(QMenuBar* bar) const;
 
+    /// From now on only commands of this mode can be given; menus show no others, and keys give none.
+    void set_mode(Mode mode);
+    Mode mode() const { return mode_; }
+
     /// From now on these keys give the commands.
     void use_keys(const KeyBindings& bindings);
     const KeyBindings& keys() const { return bindings_; }
@@ -44,6 +49,8 @@ class CommandRegistry {
     void note(Command command);
 
     std::map<Command, QAction*> actions_;
+    mutable std::vector<QMenu*> menus_;
+    Mode mode_ = Mode::Painting;
     KeyBindings bindings_;
     std::vector<Command> recent_;
 };

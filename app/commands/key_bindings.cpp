@@ -3,6 +3,13 @@
 #include <utility>
 
 namespace pastoso::commands {
+namespace {
+
+bool meet(Command a, Command b) {
+    return commands::meet(text_of(a).mode, text_of(b).mode);
+}
+
+}  // namespace
 
 KeyBindings::KeyBindings(KeySet set, std::map<Command, Keys> own) : set_(set), own_(std::move(own)) {}
 
@@ -11,20 +18,20 @@ KeyBindings::Keys KeyBindings::keys(Command command) const {
     Keys keys = keys_in(set_, command);
     for (const auto& [other, taken] : own_)
         for (const QKeySequence& key : taken)
-            keys.removeAll(key);
+            if (meet(command, other)) keys.removeAll(key);
     return keys;
 }
 
-std::optional<Command> KeyBindings::holder(const QKeySequence& key) const {
+std::optional<Command> KeyBindings::holder(const QKeySequence& key, Mode mode) const {
     for (const CommandText& text : command_list())
-        if (keys(text.command).contains(key)) return text.command;
+        if (commands::meet(text.mode, mode) && keys(text.command).contains(key)) return text.command;
     return std::nullopt;
 }
 
 void KeyBindings::give(Command command, const Keys& keys) {
     for (auto& [other, taken] : own_)
         for (const QKeySequence& key : keys)
-            taken.removeAll(key);
+            if (meet(command, other)) taken.removeAll(key);
     own_[command] = keys;
     if (keys == keys_in(set_, command)) own_.erase(command);
 }

@@ -19,10 +19,12 @@ class KeyBindings {
     /// The painter's own stay.
     void choose(KeySet set) { set_ = set; }
 
-    /// The painter's own, or those of the set that are no other command's own. No key is given to two.
+    /// The painter's own, or those of the set that are no other command's own. No key is given to two
+    /// that can be given at one time.
     Keys keys(Command command) const;
 
-    std::optional<Command> holder(const QKeySequence& key) const;
+    /// Who has the key, among those that can be given in this mode.
+    std::optional<Command> holder(const QKeySequence& key, Mode mode = Mode::Everywhere) const;
 
     /// Gives the command these keys and no others; a command that had one of them has it no more.
     void give(Command command, const Keys& keys);

@@ -290,7 +290,7 @@ void KeysDialog::catch_key(const QKeySequence& key, const QKeySequence& instead_
         keys[place] = key;
     else
         keys.append(key);
-    const auto holder = bindings_.holder(key);
+    const auto holder = bindings_.holder(key, commands::text_of(command).mode);
     if (!holder) return give(keys);
     ask(tr("%1 is the key of \"%2\".").arg(text_of(key), name_in_menu(*holder)),
         tr("Take it from there"), [this, keys] { give(keys); });
@@ -313,7 +313,7 @@ void KeysDialog::reset_chosen() {
     bindings_.reset(command);
     change();
     for (const QKeySequence& key : commands::keys_in(bindings_.set(), command)) {
-        const auto holder = bindings_.holder(key);
+        const auto holder = bindings_.holder(key, commands::text_of(command).mode);
         if (holder && *holder != command)
             tell(tr("%1 stays with \"%2\", which you gave it to.")
                      .arg(text_of(key), name_in_menu(*holder)));

@@ -23,6 +23,7 @@
 #include "main/recorder.hpp"
 #include "main/selection_commands.hpp"
 #include "main/start_commands.hpp"
+#include "main/tea_mode.hpp"
 #include "main/tracing_commands.hpp"
 #include "main/undo_commands.hpp"
 #include "main/view_commands.hpp"
@@ -67,7 +68,8 @@ struct MainWindow::Parts {
           paints(studio, panels.colours),
           memory(studio, panels, light, undo, well, start),
           keys(studio),
-          preferences(studio, undo) {}
+          preferences(studio, undo),
+          tea(studio, pictures, panels.readings) {}
 
     CanvasSizing sizing;
     LayerCommands layers;
@@ -97,6 +99,7 @@ struct MainWindow::Parts {
     WindowMemory memory;
     KeyCommands keys;
     PreferenceCommands preferences;
+    TeaMode tea;
 };
 
 MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journal,
@@ -111,6 +114,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     connect(&parts.files, &ProjectFiles::about_to_keep, panels_.tracing, &panels::TracingPanel::finish);
     connect(&parts.preferences, &PreferenceCommands::autosave_due, &parts.files,
             &ProjectFiles::save_by_itself);
+    connect(&parts.tea, &TeaMode::entering, &parts.view, &ViewCommands::leave_canvas_only);
     connect(&parts.files, &ProjectFiles::about_to_keep, panels_.physics, &panels::MediumPanel::finish);
     commands().on(commands::Command::Quit, [this](bool) { close(); });
     parts.files.start(canvas);
@@ -134,6 +138,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(parts_->exporting.may_stop() && parts_->files.may_discard());
     if (!event->isAccepted()) return;
     parts_->exporting.exporter().stop();
+    parts_->tea.leave();
     parts_->view.leave_canvas_only();
     parts_->paints.remember();
     parts_->memory.remember();
@@ -207,6 +212,10 @@ void MainWindow::use_light(const QString& name_or_path) {
 
 void MainWindow::use_space(pigment::WorkingSpace space) {
     parts_->light.use_space(space);
+}
+
+TeaMode& MainWindow::tea() {
+    return parts_->tea;
 }
 
 void MainWindow::measure(std::shared_ptr<session::FrameTimes> times) {

@@ -16,6 +16,8 @@
 
 namespace pastoso::main {
 
+class TeaMode;
+
 class MainWindow : public QMainWindow {
     Q_OBJECT
   public:
@@ -79,6 +81,9 @@ class MainWindow : public QMainWindow {
     void use_light(const QString& name_or_path);
     void use_space(pigment::WorkingSpace space);
     void open_palette(const QString& path);
+
+    /// The glass of tea that can stand in place of the canvas.
+    TeaMode& tea();
 
     /// As Studio::measure().
     void measure(std::shared_ptr<session::FrameTimes> times);

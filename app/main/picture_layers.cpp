@@ -21,13 +21,14 @@ PictureLayers::PictureLayers(Studio& studio) : studio_(studio) {
 
 void PictureLayers::paint_picture(const QString& path) {
     const WaitCursor waiting;
-    io::StoredPicture stored = io::read_picture(path.toStdString());
+    paint_picture(io::read_picture(path.toStdString()).picture, QFileInfo(path).completeBaseName());
+}
+
+void PictureLayers::paint_picture(layers::Picture picture, const QString& name) {
     const document::CanvasSettings& canvas = studio_.session().canvas();
-    const layers::PicturePlace place =
-        project::fitted_place(stored.picture.width, stored.picture.height, canvas);
-    studio_.session().post(project::paint_of_picture(std::move(stored.picture),
-                                                     QFileInfo(path).completeBaseName().toStdString(),
-                                                     place, canvas.px_per_mm));
+    const layers::PicturePlace place = project::fitted_place(picture.width, picture.height, canvas);
+    studio_.session().post(
+        project::paint_of_picture(std::move(picture), name.toStdString(), place, canvas.px_per_mm));
 }
 
 void PictureLayers::ask_paint_picture() {

@@ -1,6 +1,7 @@
 // Pictures put onto the canvas as layers of dry paint.
 #pragma once
 
+#include "layers/picture.hpp"
 #include "main/studio.hpp"
 
 #include <QObject>
@@ -14,6 +15,9 @@ class PictureLayers : public QObject {
 
     /// In the middle and as large as it fits. Throws core::InputError when it is no picture.
     void paint_picture(const QString& path);
+
+    /// The same of one that is in memory, as a layer of that name.
+    void paint_picture(layers::Picture picture, const QString& name);
 
   private:
     void ask_paint_picture();

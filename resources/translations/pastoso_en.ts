@@ -1235,16 +1235,16 @@
         <translation>&amp;Transform</translation>
     </message>
     <message>
-        <source>Move, scale, turn and mirror the layer's paint, or what is selected of it, by a frame</source>
-        <translation>Move, scale, turn and mirror the layer's paint, or what is selected of it, by a frame</translation>
+        <source>Move, scale, turn and mirror the layer&apos;s paint, or what is selected of it, by a frame</source>
+        <translation>Move, scale, turn and mirror the layer&apos;s paint, or what is selected of it, by a frame</translation>
     </message>
     <message>
         <source>M&amp;erge down</source>
         <translation>M&amp;erge down</translation>
     </message>
     <message>
-        <source>Put the layer's paint on the layer below, and make them one</source>
-        <translation>Put the layer's paint on the layer below, and make them one</translation>
+        <source>Put the layer&apos;s paint on the layer below, and make them one</source>
+        <translation>Put the layer&apos;s paint on the layer below, and make them one</translation>
     </message>
     <message>
         <source>&amp;Flatten what is visible</source>
@@ -1579,8 +1579,8 @@
         <translation>&amp;Flat colour</translation>
     </message>
     <message>
-        <source>The paint's colours alone, without light and relief</source>
-        <translation>The paint's colours alone, without light and relief</translation>
+        <source>The paint&apos;s colours alone, without light and relief</source>
+        <translation>The paint&apos;s colours alone, without light and relief</translation>
     </message>
     <message>
         <source>&amp;Tool panel</source>
@@ -1797,6 +1797,138 @@
     <message>
         <source>How pens and mouse press, what their buttons do, and a sheet to try them on</source>
         <translation>How pens and mouse press, what their buttons do, and a sheet to try them on</translation>
+    </message>
+    <message>
+        <source>Milk &amp;Tea</source>
+        <translation>Milk &amp;Tea</translation>
+    </message>
+    <message>
+        <source>&amp;Milk tea</source>
+        <translation>&amp;Milk tea</translation>
+    </message>
+    <message>
+        <source>A glass of tea in place of the canvas, to pour milk into; the painting waits as it is</source>
+        <translation>A glass of tea in place of the canvas, to pour milk into; the painting waits as it is</translation>
+    </message>
+    <message>
+        <source>&amp;New glass</source>
+        <translation>&amp;New glass</translation>
+    </message>
+    <message>
+        <source>Begin again with clear tea</source>
+        <translation>Begin again with clear tea</translation>
+    </message>
+    <message>
+        <source>&amp;Open a scene...</source>
+        <translation>&amp;Open a scene...</translation>
+    </message>
+    <message>
+        <source>Begin again with the numbers of a file</source>
+        <translation>Begin again with the numbers of a file</translation>
+    </message>
+    <message>
+        <source>&amp;Save the scene...</source>
+        <translation>&amp;Save the scene...</translation>
+    </message>
+    <message>
+        <source>Keep all numbers of the glass in a file</source>
+        <translation>Keep all numbers of the glass in a file</translation>
+    </message>
+    <message>
+        <source>&amp;Export the surface...</source>
+        <translation>&amp;Export the surface...</translation>
+    </message>
+    <message>
+        <source>The milk&apos;s surface as triangles, for PBRT and other programs</source>
+        <translation>The milk&apos;s surface as triangles, for PBRT and other programs</translation>
+    </message>
+    <message>
+        <source>&amp;Render a picture...</source>
+        <translation>&amp;Render a picture...</translation>
+    </message>
+    <message>
+        <source>A picture by the light&apos;s true ways, to be saved or painted on</source>
+        <translation>A picture by the light&apos;s true ways, to be saved or painted on</translation>
+    </message>
+    <message>
+        <source>&amp;Pause the tea</source>
+        <translation>&amp;Pause the tea</translation>
+    </message>
+    <message>
+        <source>The tea stands still until you go on</source>
+        <translation>The tea stands still until you go on</translation>
+    </message>
+    <message>
+        <source>As &amp;fast as it can</source>
+        <translation>As &amp;fast as it can</translation>
+    </message>
+    <message>
+        <source>Time in the glass passes as fast as it is computed</source>
+        <translation>Time in the glass passes as fast as it is computed</translation>
+    </message>
+    <message>
+        <source>S&amp;tir</source>
+        <translation>S&amp;tir</translation>
+    </message>
+    <message>
+        <source>A force around an upright axis stirs the tea</source>
+        <translation>A force around an upright axis stirs the tea</translation>
+    </message>
+    <message>
+        <source>Axis to the &amp;middle</source>
+        <translation>Axis to the &amp;middle</translation>
+    </message>
+    <message>
+        <source>The axis of the force stands in the middle of the glass again</source>
+        <translation>The axis of the force stands in the middle of the glass again</translation>
+    </message>
+    <message>
+        <source>The other &amp;way round</source>
+        <translation>The other &amp;way round</translation>
+    </message>
+    <message>
+        <source>Stir the other way round</source>
+        <translation>Stir the other way round</translation>
+    </message>
+    <message>
+        <source>Axis to the &amp;left</source>
+        <translation>Axis to the &amp;left</translation>
+    </message>
+    <message>
+        <source>Move the axis of the force to the left</source>
+        <translation>Move the axis of the force to the left</translation>
+    </message>
+    <message>
+        <source>Axis to the r&amp;ight</source>
+        <translation>Axis to the r&amp;ight</translation>
+    </message>
+    <message>
+        <source>Move the axis of the force to the right</source>
+        <translation>Move the axis of the force to the right</translation>
+    </message>
+    <message>
+        <source>Axis &amp;away</source>
+        <translation>Axis &amp;away</translation>
+    </message>
+    <message>
+        <source>Move the axis of the force away from you</source>
+        <translation>Move the axis of the force away from you</translation>
+    </message>
+    <message>
+        <source>Axis n&amp;ear</source>
+        <translation>Axis n&amp;ear</translation>
+    </message>
+    <message>
+        <source>Move the axis of the force towards you</source>
+        <translation>Move the axis of the force towards you</translation>
+    </message>
+    <message>
+        <source>Look from the fr&amp;ont</source>
+        <translation>Look from the fr&amp;ont</translation>
+    </message>
+    <message>
+        <source>See the whole glass from the front again</source>
+        <translation>See the whole glass from the front again</translation>
     </message>
 </context>
 <context>
@@ -2100,16 +2232,16 @@
         <translation>&amp;Light and shade</translation>
     </message>
     <message>
-        <source>As the window shows the painting; otherwise the paint's own colours, as a scan would have them</source>
-        <translation>As the window shows the painting; otherwise the paint's own colours, as a scan would have them</translation>
+        <source>As the window shows the painting; otherwise the paint&apos;s own colours, as a scan would have them</source>
+        <translation>As the window shows the painting; otherwise the paint&apos;s own colours, as a scan would have them</translation>
     </message>
     <message>
         <source> px/cell</source>
         <translation> px/cell</translation>
     </message>
     <message>
-        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint's surface is interpolated, not the pixels</source>
-        <translation>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint's surface is interpolated, not the pixels</translation>
+        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint&apos;s surface is interpolated, not the pixels</source>
+        <translation>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint&apos;s surface is interpolated, not the pixels</translation>
     </message>
     <message>
         <source> px wide</source>
@@ -2290,20 +2422,20 @@
         <translation>%1 is its key already.</translation>
     </message>
     <message>
-        <source>%1 is the key of "%2".</source>
-        <translation>%1 is the key of "%2".</translation>
+        <source>%1 is the key of &quot;%2&quot;.</source>
+        <translation>%1 is the key of &quot;%2&quot;.</translation>
     </message>
     <message>
         <source>Take it from there</source>
         <translation>Take it from there</translation>
     </message>
     <message>
-        <source>%1 stays with "%2", which you gave it to.</source>
-        <translation>%1 stays with "%2", which you gave it to.</translation>
+        <source>%1 stays with &quot;%2&quot;, which you gave it to.</source>
+        <translation>%1 stays with &quot;%2&quot;, which you gave it to.</translation>
     </message>
     <message>
-        <source>All keys will be as the set "%1" has them.</source>
-        <translation>All keys will be as the set "%1" has them.</translation>
+        <source>All keys will be as the set &quot;%1&quot; has them.</source>
+        <translation>All keys will be as the set &quot;%1&quot; has them.</translation>
     </message>
     <message>
         <source>Forget my own</source>
@@ -2541,8 +2673,8 @@
         <translation>Save by itself every</translation>
     </message>
     <message>
-        <source>Into the painting's own file, once it has one. Whatever you choose, every stroke is kept aside within a second and offered to you again should the program or the machine fail.</source>
-        <translation>Into the painting's own file, once it has one. Whatever you choose, every stroke is kept aside within a second and offered to you again should the program or the machine fail.</translation>
+        <source>Into the painting&apos;s own file, once it has one. Whatever you choose, every stroke is kept aside within a second and offered to you again should the program or the machine fail.</source>
+        <translation>Into the painting&apos;s own file, once it has one. Whatever you choose, every stroke is kept aside within a second and offered to you again should the program or the machine fail.</translation>
     </message>
     <message>
         <source>All of the machine (%1)</source>
@@ -2846,6 +2978,34 @@
         <source>As fast as possible</source>
         <translation>As fast as possible</translation>
     </message>
+    <message>
+        <source>New</source>
+        <translation>New</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Open</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Save</translation>
+    </message>
+    <message>
+        <source>Stir</source>
+        <translation>Stir</translation>
+    </message>
+    <message>
+        <source>Other way round</source>
+        <translation>Other way round</translation>
+    </message>
+    <message>
+        <source>Render a picture...</source>
+        <translation>Render a picture...</translation>
+    </message>
+    <message>
+        <source>Export the surface...</source>
+        <translation>Export the surface...</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BrushJar</name>
@@ -2870,32 +3030,32 @@
         <translation>Save as my own</translation>
     </message>
     <message>
-        <source>There is already a tool of your own named "%1".</source>
-        <translation>There is already a tool of your own named "%1".</translation>
+        <source>There is already a tool of your own named &quot;%1&quot;.</source>
+        <translation>There is already a tool of your own named &quot;%1&quot;.</translation>
     </message>
     <message>
         <source>Overwrite</source>
         <translation>Overwrite</translation>
     </message>
     <message>
-        <source>Kept "%1" among your own.</source>
-        <translation>Kept "%1" among your own.</translation>
+        <source>Kept &quot;%1&quot; among your own.</source>
+        <translation>Kept &quot;%1&quot; among your own.</translation>
     </message>
     <message>
         <source>Rename</source>
         <translation>Rename</translation>
     </message>
     <message>
-        <source>Throw your tool "%1" away? Its file is deleted.</source>
-        <translation>Throw your tool "%1" away? Its file is deleted.</translation>
+        <source>Throw your tool &quot;%1&quot; away? Its file is deleted.</source>
+        <translation>Throw your tool &quot;%1&quot; away? Its file is deleted.</translation>
     </message>
     <message>
         <source>Delete</source>
         <translation>Delete</translation>
     </message>
     <message>
-        <source>"%1" is thrown away; what you have in hand stays.</source>
-        <translation>"%1" is thrown away; what you have in hand stays.</translation>
+        <source>&quot;%1&quot; is thrown away; what you have in hand stays.</source>
+        <translation>&quot;%1&quot; is thrown away; what you have in hand stays.</translation>
     </message>
 </context>
 <context>
@@ -3319,6 +3479,45 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::TeaMode</name>
+    <message>
+        <source>Open a scene of milk tea</source>
+        <translation>Open a scene of milk tea</translation>
+    </message>
+    <message>
+        <source>Scenes of milk tea (*.json);;All files (*)</source>
+        <translation>Scenes of milk tea (*.json);;All files (*)</translation>
+    </message>
+    <message>
+        <source>Save the scene</source>
+        <translation>Save the scene</translation>
+    </message>
+    <message>
+        <source>Scenes of milk tea (*.json)</source>
+        <translation>Scenes of milk tea (*.json)</translation>
+    </message>
+    <message>
+        <source>Export the milk&apos;s surface</source>
+        <translation>Export the milk&apos;s surface</translation>
+    </message>
+    <message>
+        <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
+        <translation>Surfaces (*.pbrt *.obj *.ply *.stl)</translation>
+    </message>
+    <message>
+        <source>A surface is being written already. Try again in a moment.</source>
+        <translation>A surface is being written already. Try again in a moment.</translation>
+    </message>
+    <message>
+        <source>The milk&apos;s surface is in %1.</source>
+        <translation>The milk&apos;s surface is in %1.</translation>
+    </message>
+    <message>
+        <source>Milk tea</source>
+        <translation>Milk tea</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::TracingCommands</name>
     <message>
         <source>Picked the colour of the picture: %1</source>
@@ -3550,8 +3749,8 @@
         <translation> mm</translation>
     </message>
     <message>
-        <source>Width of the brush's tip  ([ and ])</source>
-        <translation>Width of the brush's tip  ([ and ])</translation>
+        <source>Width of the brush&apos;s tip  ([ and ])</source>
+        <translation>Width of the brush&apos;s tip  ([ and ])</translation>
     </message>
     <message>
         <source>Steady</source>
@@ -3562,8 +3761,8 @@
         <translation>How the hand is steadied</translation>
     </message>
     <message>
-        <source>How a trembling hand is steadied, besides the brush's own smoothing</source>
-        <translation>How a trembling hand is steadied, besides the brush's own smoothing</translation>
+        <source>How a trembling hand is steadied, besides the brush&apos;s own smoothing</source>
+        <translation>How a trembling hand is steadied, besides the brush&apos;s own smoothing</translation>
     </message>
     <message>
         <source>off</source>
@@ -3708,8 +3907,8 @@ The right button, or Delete, takes it away.</translation>
         <translation>Colour as written</translation>
     </message>
     <message>
-        <source>"%1" is no colour; write it for example as #c03020.</source>
-        <translation>"%1" is no colour; write it for example as #c03020.</translation>
+        <source>&quot;%1&quot; is no colour; write it for example as #c03020.</source>
+        <translation>&quot;%1&quot; is no colour; write it for example as #c03020.</translation>
     </message>
 </context>
 <context>
@@ -3897,8 +4096,8 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <translation>What was done</translation>
     </message>
     <message>
-        <source>What the steps take; "Memory for undo" in the Edit menu says how much they may</source>
-        <translation>What the steps take; "Memory for undo" in the Edit menu says how much they may</translation>
+        <source>What the steps take; &quot;Memory for undo&quot; in the Edit menu says how much they may</source>
+        <translation>What the steps take; &quot;Memory for undo&quot; in the Edit menu says how much they may</translation>
     </message>
     <message>
         <source>%1 of %2 MiB</source>
@@ -4100,8 +4299,8 @@ Keys: arrows move it, Home puts it back.</translation>
         <translation>Second</translation>
     </message>
     <message>
-        <source>The second paint's share of a half-mixed load</source>
-        <translation>The second paint's share of a half-mixed load</translation>
+        <source>The second paint&apos;s share of a half-mixed load</source>
+        <translation>The second paint&apos;s share of a half-mixed load</translation>
     </message>
     <message>
         <source>In hand: %1</source>
@@ -4395,8 +4594,8 @@ Wheel: closer, farther</translation>
 <context>
     <name>pastoso::panels::StatusReadings</name>
     <message>
-        <source>The pen's place on the canvas, from its upper left corner</source>
-        <translation>The pen's place on the canvas, from its upper left corner</translation>
+        <source>The pen&apos;s place on the canvas, from its upper left corner</source>
+        <translation>The pen&apos;s place on the canvas, from its upper left corner</translation>
     </message>
     <message>
         <source>Tiles of 64 x 64 cells in which the paint still moves, and how much of its time computing them takes</source>
@@ -4647,8 +4846,8 @@ Drag: move the picture
         <translation>Start page</translation>
     </message>
     <message>
-        <source>Esc closes it; "Start page" in the "File" menu brings it back.</source>
-        <translation>Esc closes it; "Start page" in the "File" menu brings it back.</translation>
+        <source>Esc closes it; &quot;Start page&quot; in the &quot;File&quot; menu brings it back.</source>
+        <translation>Esc closes it; &quot;Start page&quot; in the &quot;File&quot; menu brings it back.</translation>
     </message>
     <message>
         <source>Back to the painting</source>
@@ -4684,6 +4883,514 @@ Drag: move the picture
     <message>
         <source>Recover</source>
         <translation>Recover</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea</name>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source> mm²/s</source>
+        <translation> mm²/s</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Pours for</source>
+        <translation>Pours for</translation>
+    </message>
+    <message>
+        <source>How long the milk of a new glass is poured</source>
+        <translation>How long the milk of a new glass is poured</translation>
+    </message>
+    <message>
+        <source>Stream</source>
+        <translation>Stream</translation>
+    </message>
+    <message>
+        <source>Radius of the stream</source>
+        <translation>Radius of the stream</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Speed</translation>
+    </message>
+    <message>
+        <source>Speed of the stream, downwards</source>
+        <translation>Speed of the stream, downwards</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Fat lifts</source>
+        <translation>Fat lifts</translation>
+    </message>
+    <message>
+        <source>How fast fat lets milk rise</source>
+        <translation>How fast fat lets milk rise</translation>
+    </message>
+    <message>
+        <source>Cold sinks</source>
+        <translation>Cold sinks</translation>
+    </message>
+    <message>
+        <source>How fast cold lets milk sink</source>
+        <translation>How fast cold lets milk sink</translation>
+    </message>
+    <message>
+        <source>Milky tea sinks</source>
+        <translation>Milky tea sinks</translation>
+    </message>
+    <message>
+        <source>How fast tea with milk in it sinks</source>
+        <translation>How fast tea with milk in it sinks</translation>
+    </message>
+    <message>
+        <source>Warms at rest in</source>
+        <translation>Warms at rest in</translation>
+    </message>
+    <message>
+        <source>Time in which milk at rest warms</source>
+        <translation>Time in which milk at rest warms</translation>
+    </message>
+    <message>
+        <source>A ball warms in</source>
+        <translation>A ball warms in</translation>
+    </message>
+    <message>
+        <source>Time in which a ball warms</source>
+        <translation>Time in which a ball warms</translation>
+    </message>
+    <message>
+        <source>Cold given on</source>
+        <translation>Cold given on</translation>
+    </message>
+    <message>
+        <source>Share of the milk&apos;s cold that the tea gets</source>
+        <translation>Share of the milk&apos;s cold that the tea gets</translation>
+    </message>
+    <message>
+        <source>First ball after</source>
+        <translation>First ball after</translation>
+    </message>
+    <message>
+        <source>When the first ball forms</source>
+        <translation>When the first ball forms</translation>
+    </message>
+    <message>
+        <source>A ball every</source>
+        <translation>A ball every</translation>
+    </message>
+    <message>
+        <source>Time between two balls, in the mean</source>
+        <translation>Time between two balls, in the mean</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>Ball&apos;s radius</translation>
+    </message>
+    <message>
+        <source>Radius of a ball, in the mean</source>
+        <translation>Radius of a ball, in the mean</translation>
+    </message>
+    <message>
+        <source>Sizes differ by</source>
+        <translation>Sizes differ by</translation>
+    </message>
+    <message>
+        <source>How much balls differ in size</source>
+        <translation>How much balls differ in size</translation>
+    </message>
+    <message>
+        <source>Draws together in</source>
+        <translation>Draws together in</translation>
+    </message>
+    <message>
+        <source>Time in which a ball draws its milk back</source>
+        <translation>Time in which a ball draws its milk back</translation>
+    </message>
+    <message>
+        <source>Lets go to</source>
+        <translation>Lets go to</translation>
+    </message>
+    <message>
+        <source>How far it lets its milk, in its radii</source>
+        <translation>How far it lets its milk, in its radii</translation>
+    </message>
+    <message>
+        <source> radii</source>
+        <translation> radii</translation>
+    </message>
+    <message>
+        <source>Torn off at</source>
+        <translation>Torn off at</translation>
+    </message>
+    <message>
+        <source>Distance at which milk is torn off</source>
+        <translation>Distance at which milk is torn off</translation>
+    </message>
+    <message>
+        <source>Bursts at</source>
+        <translation>Bursts at</translation>
+    </message>
+    <message>
+        <source>Depth at which a ball bursts</source>
+        <translation>Depth at which a ball bursts</translation>
+    </message>
+    <message>
+        <source>A warm ball in</source>
+        <translation>A warm ball in</translation>
+    </message>
+    <message>
+        <source>Time in which a warm ball dissolves</source>
+        <translation>Time in which a warm ball dissolves</translation>
+    </message>
+    <message>
+        <source>On top in</source>
+        <translation>On top in</translation>
+    </message>
+    <message>
+        <source>Time in which milk under the surface dissolves</source>
+        <translation>Time in which milk under the surface dissolves</translation>
+    </message>
+    <message>
+        <source>On top is</source>
+        <translation>On top is</translation>
+    </message>
+    <message>
+        <source>How far down that is</source>
+        <translation>How far down that is</translation>
+    </message>
+    <message>
+        <source>At rest in</source>
+        <translation>At rest in</translation>
+    </message>
+    <message>
+        <source>Time in which milk at rest dissolves</source>
+        <translation>Time in which milk at rest dissolves</translation>
+    </message>
+    <message>
+        <source>All from</source>
+        <translation>All from</translation>
+    </message>
+    <message>
+        <source>When all milk begins to dissolve</source>
+        <translation>When all milk begins to dissolve</translation>
+    </message>
+    <message>
+        <source>Warm below</source>
+        <translation>Warm below</translation>
+    </message>
+    <message>
+        <source>Coldness below which a ball dissolves</source>
+        <translation>Coldness below which a ball dissolves</translation>
+    </message>
+    <message>
+        <source>Milk spreads</source>
+        <translation>Milk spreads</translation>
+    </message>
+    <message>
+        <source>How dissolved milk spreads</source>
+        <translation>How dissolved milk spreads</translation>
+    </message>
+    <message>
+        <source>Viscosity</source>
+        <translation>Viscosity</translation>
+    </message>
+    <message>
+        <source>Kinematic viscosity: water 1, oil 80, honey 5000</source>
+        <translation>Kinematic viscosity: water 1, oil 80, honey 5000</translation>
+    </message>
+    <message>
+        <source>Heat spreads</source>
+        <translation>Heat spreads</translation>
+    </message>
+    <message>
+        <source>How heat spreads</source>
+        <translation>How heat spreads</translation>
+    </message>
+    <message>
+        <source>Whirls kept</source>
+        <translation>Whirls kept</translation>
+    </message>
+    <message>
+        <source>Force that keeps small whirls alive</source>
+        <translation>Force that keeps small whirls alive</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Time step</translation>
+    </message>
+    <message>
+        <source>Length of a time step</source>
+        <translation>Length of a time step</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Pressure within</source>
+        <translation>Pressure within</translation>
+    </message>
+    <message>
+        <source>How exact the pressure is solved</source>
+        <translation>How exact the pressure is solved</translation>
+    </message>
+    <message>
+        <source>Pouring</source>
+        <translation>Pouring</translation>
+    </message>
+    <message>
+        <source>Sinking and rising</source>
+        <translation>Sinking and rising</translation>
+    </message>
+    <message>
+        <source>Balls of milk</source>
+        <translation>Balls of milk</translation>
+    </message>
+    <message>
+        <source>Dissolving</source>
+        <translation>Dissolving</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Flow</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>Milk</translation>
+    </message>
+    <message>
+        <source>How much milk is poured into a new glass by itself</source>
+        <translation>How much milk is poured into a new glass by itself</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>Force reaches</source>
+        <translation>Force reaches</translation>
+    </message>
+    <message>
+        <source>How far the force reaches from its axis</source>
+        <translation>How far the force reaches from its axis</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TeaPage</name>
+    <message>
+        <source>Moment of the tea</source>
+        <translation>Moment of the tea</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the glass; going on goes on from its last</source>
+        <translation>Drag to any moment of the glass; going on goes on from its last</translation>
+    </message>
+    <message>
+        <source>Milk poured so far, and how many steps of 1/30 s a second are computed</source>
+        <translation>Milk poured so far, and how many steps of 1/30 s a second are computed</translation>
+    </message>
+    <message>
+        <source>Filling the glass...</source>
+        <translation>Filling the glass...</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 of %2 s</translation>
+    </message>
+    <message>
+        <source>%1 ml of milk   %2 steps/s</source>
+        <translation>%1 ml of milk   %2 steps/s</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TeaPanel</name>
+    <message>
+        <source>Pictures</source>
+        <translation>Pictures</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>Glass</translation>
+    </message>
+    <message>
+        <source>Back to the painting</source>
+        <translation>Back to the painting</translation>
+    </message>
+    <message>
+        <source>The glass waits as it is, and so did the painting</source>
+        <translation>The glass waits as it is, and so did the painting</translation>
+    </message>
+    <message>
+        <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>
+        <translation>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</translation>
+    </message>
+    <message>
+        <source>Drops that the next glass&apos; milk is made of</source>
+        <translation>Drops that the next glass&apos; milk is made of</translation>
+    </message>
+    <message>
+        <source>Cells a side</source>
+        <translation>Cells a side</translation>
+    </message>
+    <message>
+        <source>Drops of milk</source>
+        <translation>Drops of milk</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>Around the axis</source>
+        <translation>Around the axis</translation>
+    </message>
+    <message>
+        <source>How fast the stirring gets faster; below 0 it goes the other way round</source>
+        <translation>How fast the stirring gets faster; below 0 it goes the other way round</translation>
+    </message>
+    <message>
+        <source> rad/s²</source>
+        <translation> rad/s²</translation>
+    </message>
+    <message>
+        <source>Downwards</source>
+        <translation>Downwards</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source>A push down along the axis; below 0 it goes up</source>
+        <translation>A push down along the axis; below 0 it goes up</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TeaPictureDialog</name>
+    <message>
+        <source>Picture of the glass</source>
+        <translation>Picture of the glass</translation>
+    </message>
+    <message>
+        <source>The glass as it is seen in the window, traced along the light&apos;s ways through glass, tea and milk. Choose a size and press Render.</source>
+        <translation>The glass as it is seen in the window, traced along the light&apos;s ways through glass, tea and milk. Choose a size and press Render.</translation>
+    </message>
+    <message>
+        <source>Pixels from left to right</source>
+        <translation>Pixels from left to right</translation>
+    </message>
+    <message>
+        <source>Pixels from top to bottom</source>
+        <translation>Pixels from top to bottom</translation>
+    </message>
+    <message>
+        <source>Ways of light for each pixel: four times as many, half the noise</source>
+        <translation>Ways of light for each pixel: four times as many, half the noise</translation>
+    </message>
+    <message>
+        <source>As a surface</source>
+        <translation>As a surface</translation>
+    </message>
+    <message>
+        <source>As a cloud</source>
+        <translation>As a cloud</translation>
+    </message>
+    <message>
+        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
+        <translation>How milk that has not dissolved is seen: a cloud is softer and takes longer</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Width</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Height</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Samples</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>Milk</translation>
+    </message>
+    <message>
+        <source>Use on the canvas</source>
+        <translation>Use on the canvas</translation>
+    </message>
+    <message>
+        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
+        <translation>Puts the picture onto the painting as a layer of dry paint, and goes there</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Save...</translation>
+    </message>
+    <message>
+        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
+        <translation>As PNG and others as it is shown, or as EXR with the light itself</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Close</translation>
+    </message>
+    <message>
+        <source>Taking the noise out...</source>
+        <translation>Taking the noise out...</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stop</translation>
+    </message>
+    <message>
+        <source>Render</source>
+        <translation>Render</translation>
+    </message>
+    <message>
+        <source>Keep the picture as fine as it is by now</source>
+        <translation>Keep the picture as fine as it is by now</translation>
+    </message>
+    <message>
+        <source>%1 samples in %2 s, without noise</source>
+        <translation>%1 samples in %2 s, without noise</translation>
+    </message>
+    <message>
+        <source>Finding the milk&apos;s surface...</source>
+        <translation>Finding the milk&apos;s surface...</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples</source>
+        <translation>%1 of %2 samples</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Save the picture</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Pictures (%1)</translation>
     </message>
 </context>
 <context>

@@ -1235,7 +1235,7 @@
         <translation>変形(&amp;T)</translation>
     </message>
     <message>
-        <source>Move, scale, turn and mirror the layer's paint, or what is selected of it, by a frame</source>
+        <source>Move, scale, turn and mirror the layer&apos;s paint, or what is selected of it, by a frame</source>
         <translation>レイヤーまたは選択範囲の絵の具を、枠を使って移動、拡大縮小、回転、反転する</translation>
     </message>
     <message>
@@ -1243,7 +1243,7 @@
         <translation>下のレイヤーと結合(&amp;E)</translation>
     </message>
     <message>
-        <source>Put the layer's paint on the layer below, and make them one</source>
+        <source>Put the layer&apos;s paint on the layer below, and make them one</source>
         <translation>レイヤーの絵の具を下のレイヤーに重ね、一つにする</translation>
     </message>
     <message>
@@ -1579,7 +1579,7 @@
         <translation>色だけを表示(&amp;F)</translation>
     </message>
     <message>
-        <source>The paint's colours alone, without light and relief</source>
+        <source>The paint&apos;s colours alone, without light and relief</source>
         <translation>光も凹凸もない、絵の具の色だけの表示</translation>
     </message>
     <message>
@@ -1797,6 +1797,138 @@
     <message>
         <source>How pens and mouse press, what their buttons do, and a sheet to try them on</source>
         <translation>ペンやマウスの筆圧、ボタンの動作、試し書き</translation>
+    </message>
+    <message>
+        <source>Milk &amp;Tea</source>
+        <translation>ミルクティー(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Milk tea</source>
+        <translation>ミルクティー(&amp;M)</translation>
+    </message>
+    <message>
+        <source>A glass of tea in place of the canvas, to pour milk into; the painting waits as it is</source>
+        <translation>キャンバスの代わりに紅茶のグラスを出し、ミルクを注ぎます。絵はそのまま待っています</translation>
+    </message>
+    <message>
+        <source>&amp;New glass</source>
+        <translation>新しいグラス(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Begin again with clear tea</source>
+        <translation>澄んだ紅茶からやり直します</translation>
+    </message>
+    <message>
+        <source>&amp;Open a scene...</source>
+        <translation>シーンを開く(&amp;O)...</translation>
+    </message>
+    <message>
+        <source>Begin again with the numbers of a file</source>
+        <translation>ファイルの数値でやり直します</translation>
+    </message>
+    <message>
+        <source>&amp;Save the scene...</source>
+        <translation>シーンを保存(&amp;S)...</translation>
+    </message>
+    <message>
+        <source>Keep all numbers of the glass in a file</source>
+        <translation>グラスのすべての数値をファイルに保存します</translation>
+    </message>
+    <message>
+        <source>&amp;Export the surface...</source>
+        <translation>表面を書き出す(&amp;E)...</translation>
+    </message>
+    <message>
+        <source>The milk&apos;s surface as triangles, for PBRT and other programs</source>
+        <translation>ミルクの表面を三角形にして、PBRT などのプログラム用に書き出します</translation>
+    </message>
+    <message>
+        <source>&amp;Render a picture...</source>
+        <translation>画像をレンダリング(&amp;R)...</translation>
+    </message>
+    <message>
+        <source>A picture by the light&apos;s true ways, to be saved or painted on</source>
+        <translation>光の本当の道筋をたどった画像。保存したり、その上に描いたりできます</translation>
+    </message>
+    <message>
+        <source>&amp;Pause the tea</source>
+        <translation>紅茶を一時停止(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The tea stands still until you go on</source>
+        <translation>再開するまで紅茶は静止します</translation>
+    </message>
+    <message>
+        <source>As &amp;fast as it can</source>
+        <translation>できるだけ速く(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Time in the glass passes as fast as it is computed</source>
+        <translation>グラスの時間は計算できるかぎり速く進みます</translation>
+    </message>
+    <message>
+        <source>S&amp;tir</source>
+        <translation>かき混ぜる(&amp;T)</translation>
+    </message>
+    <message>
+        <source>A force around an upright axis stirs the tea</source>
+        <translation>垂直な軸のまわりの力が紅茶をかき混ぜます</translation>
+    </message>
+    <message>
+        <source>Axis to the &amp;middle</source>
+        <translation>軸を中央へ(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The axis of the force stands in the middle of the glass again</source>
+        <translation>力の軸をグラスの中央に戻します</translation>
+    </message>
+    <message>
+        <source>The other &amp;way round</source>
+        <translation>逆回り(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Stir the other way round</source>
+        <translation>逆向きにかき混ぜます</translation>
+    </message>
+    <message>
+        <source>Axis to the &amp;left</source>
+        <translation>軸を左へ(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Move the axis of the force to the left</source>
+        <translation>力の軸を左へ動かします</translation>
+    </message>
+    <message>
+        <source>Axis to the r&amp;ight</source>
+        <translation>軸を右へ(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Move the axis of the force to the right</source>
+        <translation>力の軸を右へ動かします</translation>
+    </message>
+    <message>
+        <source>Axis &amp;away</source>
+        <translation>軸を奥へ(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Move the axis of the force away from you</source>
+        <translation>力の軸を奥へ動かします</translation>
+    </message>
+    <message>
+        <source>Axis n&amp;ear</source>
+        <translation>軸を手前へ(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Move the axis of the force towards you</source>
+        <translation>力の軸を手前へ動かします</translation>
+    </message>
+    <message>
+        <source>Look from the fr&amp;ont</source>
+        <translation>正面から見る(&amp;O)</translation>
+    </message>
+    <message>
+        <source>See the whole glass from the front again</source>
+        <translation>グラス全体をもう一度正面から見ます</translation>
     </message>
 </context>
 <context>
@@ -2100,7 +2232,7 @@
         <translation>光と陰影(&amp;L)</translation>
     </message>
     <message>
-        <source>As the window shows the painting; otherwise the paint's own colours, as a scan would have them</source>
+        <source>As the window shows the painting; otherwise the paint&apos;s own colours, as a scan would have them</source>
         <translation>ウィンドウで見たとおりの作品。オフにすると、スキャンしたような絵の具そのものの色になる</translation>
     </message>
     <message>
@@ -2108,7 +2240,7 @@
         <translation> px/セル</translation>
     </message>
     <message>
-        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint's surface is interpolated, not the pixels</source>
+        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint&apos;s surface is interpolated, not the pixels</source>
         <translation>キャンバスの1セルあたりのピクセル数。1はウィンドウで描くときと同じ、2は幅も高さも2倍。補間されるのは画像ではなく絵の具の表面</translation>
     </message>
     <message>
@@ -2290,7 +2422,7 @@
         <translation>%1 はすでにこのコマンドのキーです。</translation>
     </message>
     <message>
-        <source>%1 is the key of "%2".</source>
+        <source>%1 is the key of &quot;%2&quot;.</source>
         <translation>%1 は「%2」のキーです。</translation>
     </message>
     <message>
@@ -2298,11 +2430,11 @@
         <translation>こちらに割り当てる</translation>
     </message>
     <message>
-        <source>%1 stays with "%2", which you gave it to.</source>
+        <source>%1 stays with &quot;%2&quot;, which you gave it to.</source>
         <translation>%1 は、自分で割り当てた「%2」のキーのままになります。</translation>
     </message>
     <message>
-        <source>All keys will be as the set "%1" has them.</source>
+        <source>All keys will be as the set &quot;%1&quot; has them.</source>
         <translation>すべてのキーがキーセット「%1」のとおりになります。</translation>
     </message>
     <message>
@@ -2538,7 +2670,7 @@
         <translation>自動保存</translation>
     </message>
     <message>
-        <source>Into the painting's own file, once it has one. Whatever you choose, every stroke is kept aside within a second and offered to you again should the program or the machine fail.</source>
+        <source>Into the painting&apos;s own file, once it has one. Whatever you choose, every stroke is kept aside within a second and offered to you again should the program or the machine fail.</source>
         <translation>一度保存した作品は、そのファイルに自動保存されます。設定にかかわらず、すべてのストロークは1秒以内に控えが取られ、プログラムやコンピューターが異常終了しても復元できます。</translation>
     </message>
     <message>
@@ -2843,6 +2975,34 @@
         <source>As fast as possible</source>
         <translation>できるだけ速く</translation>
     </message>
+    <message>
+        <source>New</source>
+        <translation>新規</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>開く</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Stir</source>
+        <translation>かき混ぜる</translation>
+    </message>
+    <message>
+        <source>Other way round</source>
+        <translation>逆回り</translation>
+    </message>
+    <message>
+        <source>Render a picture...</source>
+        <translation>画像をレンダリング...</translation>
+    </message>
+    <message>
+        <source>Export the surface...</source>
+        <translation>表面を書き出す...</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BrushJar</name>
@@ -2867,7 +3027,7 @@
         <translation>自分のツールとして保存</translation>
     </message>
     <message>
-        <source>There is already a tool of your own named "%1".</source>
+        <source>There is already a tool of your own named &quot;%1&quot;.</source>
         <translation>「%1」という名前の自分のツールがすでにあります。</translation>
     </message>
     <message>
@@ -2875,7 +3035,7 @@
         <translation>上書き</translation>
     </message>
     <message>
-        <source>Kept "%1" among your own.</source>
+        <source>Kept &quot;%1&quot; among your own.</source>
         <translation>「%1」を自分のツールに加えました。</translation>
     </message>
     <message>
@@ -2883,7 +3043,7 @@
         <translation>名前を変更</translation>
     </message>
     <message>
-        <source>Throw your tool "%1" away? Its file is deleted.</source>
+        <source>Throw your tool &quot;%1&quot; away? Its file is deleted.</source>
         <translation>自分のツール「%1」を捨てますか？ファイルも削除されます。</translation>
     </message>
     <message>
@@ -2891,7 +3051,7 @@
         <translation>削除</translation>
     </message>
     <message>
-        <source>"%1" is thrown away; what you have in hand stays.</source>
+        <source>&quot;%1&quot; is thrown away; what you have in hand stays.</source>
         <translation>「%1」を捨てました。手に持っているツールはそのまま使えます。</translation>
     </message>
 </context>
@@ -3316,6 +3476,45 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::TeaMode</name>
+    <message>
+        <source>Open a scene of milk tea</source>
+        <translation>ミルクティーのシーンを開く</translation>
+    </message>
+    <message>
+        <source>Scenes of milk tea (*.json);;All files (*)</source>
+        <translation>ミルクティーのシーン (*.json);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Save the scene</source>
+        <translation>シーンを保存</translation>
+    </message>
+    <message>
+        <source>Scenes of milk tea (*.json)</source>
+        <translation>ミルクティーのシーン (*.json)</translation>
+    </message>
+    <message>
+        <source>Export the milk&apos;s surface</source>
+        <translation>ミルクの表面を書き出す</translation>
+    </message>
+    <message>
+        <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
+        <translation>表面 (*.pbrt *.obj *.ply *.stl)</translation>
+    </message>
+    <message>
+        <source>A surface is being written already. Try again in a moment.</source>
+        <translation>すでに表面を書き出しています。少し待ってもう一度お試しください。</translation>
+    </message>
+    <message>
+        <source>The milk&apos;s surface is in %1.</source>
+        <translation>ミルクの表面を %1 に書き出しました。</translation>
+    </message>
+    <message>
+        <source>Milk tea</source>
+        <translation>ミルクティー</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::TracingCommands</name>
     <message>
         <source>Picked the colour of the picture: %1</source>
@@ -3547,7 +3746,7 @@
         <translation> mm</translation>
     </message>
     <message>
-        <source>Width of the brush's tip  ([ and ])</source>
+        <source>Width of the brush&apos;s tip  ([ and ])</source>
         <translation>ブラシの穂先の幅  ([ と ])</translation>
     </message>
     <message>
@@ -3559,7 +3758,7 @@
         <translation>手ぶれ補正の方法</translation>
     </message>
     <message>
-        <source>How a trembling hand is steadied, besides the brush's own smoothing</source>
+        <source>How a trembling hand is steadied, besides the brush&apos;s own smoothing</source>
         <translation>ブラシ自体の滑らかさに加えて、手の震えを抑える方法</translation>
     </message>
     <message>
@@ -3705,7 +3904,7 @@ The right button, or Delete, takes it away.</source>
         <translation>カラーコード</translation>
     </message>
     <message>
-        <source>"%1" is no colour; write it for example as #c03020.</source>
+        <source>&quot;%1&quot; is no colour; write it for example as #c03020.</source>
         <translation>「%1」は色として読めません。#c03020のように書いてください。</translation>
     </message>
 </context>
@@ -3894,7 +4093,7 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <translation>これまでの操作</translation>
     </message>
     <message>
-        <source>What the steps take; "Memory for undo" in the Edit menu says how much they may</source>
+        <source>What the steps take; &quot;Memory for undo&quot; in the Edit menu says how much they may</source>
         <translation>履歴が使っているメモリー。上限は「編集」メニューの「元に戻すためのメモリー」で決める</translation>
     </message>
     <message>
@@ -4097,7 +4296,7 @@ Keys: arrows move it, Home puts it back.</source>
         <translation>2色目</translation>
     </message>
     <message>
-        <source>The second paint's share of a half-mixed load</source>
+        <source>The second paint&apos;s share of a half-mixed load</source>
         <translation>半混ぜにするときの2番目の絵の具の割合</translation>
     </message>
     <message>
@@ -4392,7 +4591,7 @@ Wheel: closer, farther</source>
 <context>
     <name>pastoso::panels::StatusReadings</name>
     <message>
-        <source>The pen's place on the canvas, from its upper left corner</source>
+        <source>The pen&apos;s place on the canvas, from its upper left corner</source>
         <translation>ペンのキャンバス上の位置。左上の角から測る</translation>
     </message>
     <message>
@@ -4644,7 +4843,7 @@ Drag: move the picture
         <translation>スタートページ</translation>
     </message>
     <message>
-        <source>Esc closes it; "Start page" in the "File" menu brings it back.</source>
+        <source>Esc closes it; &quot;Start page&quot; in the &quot;File&quot; menu brings it back.</source>
         <translation>Escで閉じます。「ファイル」メニューの「スタートページ」でまた開けます。</translation>
     </message>
     <message>
@@ -4681,6 +4880,514 @@ Drag: move the picture
     <message>
         <source>Recover</source>
         <translation>復元</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea</name>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source> mm²/s</source>
+        <translation> mm²/s</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Pours for</source>
+        <translation>注ぐ時間</translation>
+    </message>
+    <message>
+        <source>How long the milk of a new glass is poured</source>
+        <translation>新しいグラスにミルクを注ぐ長さ</translation>
+    </message>
+    <message>
+        <source>Stream</source>
+        <translation>流れ</translation>
+    </message>
+    <message>
+        <source>Radius of the stream</source>
+        <translation>流れの半径</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速さ</translation>
+    </message>
+    <message>
+        <source>Speed of the stream, downwards</source>
+        <translation>流れが落ちる速さ</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Fat lifts</source>
+        <translation>脂肪の浮力</translation>
+    </message>
+    <message>
+        <source>How fast fat lets milk rise</source>
+        <translation>脂肪でミルクが浮き上がる速さ</translation>
+    </message>
+    <message>
+        <source>Cold sinks</source>
+        <translation>冷たさの重み</translation>
+    </message>
+    <message>
+        <source>How fast cold lets milk sink</source>
+        <translation>冷たさでミルクが沈む速さ</translation>
+    </message>
+    <message>
+        <source>Milky tea sinks</source>
+        <translation>ミルク入りは沈む</translation>
+    </message>
+    <message>
+        <source>How fast tea with milk in it sinks</source>
+        <translation>ミルクの溶けた紅茶が沈む速さ</translation>
+    </message>
+    <message>
+        <source>Warms at rest in</source>
+        <translation>静止時に温まる</translation>
+    </message>
+    <message>
+        <source>Time in which milk at rest warms</source>
+        <translation>静止したミルクが温まる時間</translation>
+    </message>
+    <message>
+        <source>A ball warms in</source>
+        <translation>玉が温まる</translation>
+    </message>
+    <message>
+        <source>Time in which a ball warms</source>
+        <translation>玉が温まる時間</translation>
+    </message>
+    <message>
+        <source>Cold given on</source>
+        <translation>渡す冷たさ</translation>
+    </message>
+    <message>
+        <source>Share of the milk&apos;s cold that the tea gets</source>
+        <translation>ミルクの冷たさのうち紅茶に移る割合</translation>
+    </message>
+    <message>
+        <source>First ball after</source>
+        <translation>最初の玉まで</translation>
+    </message>
+    <message>
+        <source>When the first ball forms</source>
+        <translation>最初の玉ができる時刻</translation>
+    </message>
+    <message>
+        <source>A ball every</source>
+        <translation>玉の間隔</translation>
+    </message>
+    <message>
+        <source>Time between two balls, in the mean</source>
+        <translation>玉と玉の間の平均時間</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>玉の半径</translation>
+    </message>
+    <message>
+        <source>Radius of a ball, in the mean</source>
+        <translation>玉の平均半径</translation>
+    </message>
+    <message>
+        <source>Sizes differ by</source>
+        <translation>大きさの違い</translation>
+    </message>
+    <message>
+        <source>How much balls differ in size</source>
+        <translation>玉の大きさのばらつき</translation>
+    </message>
+    <message>
+        <source>Draws together in</source>
+        <translation>まとまる時間</translation>
+    </message>
+    <message>
+        <source>Time in which a ball draws its milk back</source>
+        <translation>玉がミルクを引き戻す時間</translation>
+    </message>
+    <message>
+        <source>Lets go to</source>
+        <translation>許す広がり</translation>
+    </message>
+    <message>
+        <source>How far it lets its milk, in its radii</source>
+        <translation>ミルクが離れてよい距離 (半径の倍数)</translation>
+    </message>
+    <message>
+        <source> radii</source>
+        <translation> 半径</translation>
+    </message>
+    <message>
+        <source>Torn off at</source>
+        <translation>ちぎれる距離</translation>
+    </message>
+    <message>
+        <source>Distance at which milk is torn off</source>
+        <translation>ミルクがちぎれる距離</translation>
+    </message>
+    <message>
+        <source>Bursts at</source>
+        <translation>はじける深さ</translation>
+    </message>
+    <message>
+        <source>Depth at which a ball bursts</source>
+        <translation>玉がはじける深さ</translation>
+    </message>
+    <message>
+        <source>A warm ball in</source>
+        <translation>温かい玉</translation>
+    </message>
+    <message>
+        <source>Time in which a warm ball dissolves</source>
+        <translation>温まった玉が溶ける時間</translation>
+    </message>
+    <message>
+        <source>On top in</source>
+        <translation>水面の下</translation>
+    </message>
+    <message>
+        <source>Time in which milk under the surface dissolves</source>
+        <translation>水面のすぐ下でミルクが溶ける時間</translation>
+    </message>
+    <message>
+        <source>On top is</source>
+        <translation>水面の深さ</translation>
+    </message>
+    <message>
+        <source>How far down that is</source>
+        <translation>それがどの深さまでか</translation>
+    </message>
+    <message>
+        <source>At rest in</source>
+        <translation>静止時</translation>
+    </message>
+    <message>
+        <source>Time in which milk at rest dissolves</source>
+        <translation>静止したミルクが溶ける時間</translation>
+    </message>
+    <message>
+        <source>All from</source>
+        <translation>すべて溶け始め</translation>
+    </message>
+    <message>
+        <source>When all milk begins to dissolve</source>
+        <translation>すべてのミルクが溶け始める時刻</translation>
+    </message>
+    <message>
+        <source>Warm below</source>
+        <translation>温かいとみなす</translation>
+    </message>
+    <message>
+        <source>Coldness below which a ball dissolves</source>
+        <translation>これより冷たくなければ玉は溶けます</translation>
+    </message>
+    <message>
+        <source>Milk spreads</source>
+        <translation>ミルクの広がり</translation>
+    </message>
+    <message>
+        <source>How dissolved milk spreads</source>
+        <translation>溶けたミルクの広がり方</translation>
+    </message>
+    <message>
+        <source>Viscosity</source>
+        <translation>粘度</translation>
+    </message>
+    <message>
+        <source>Kinematic viscosity: water 1, oil 80, honey 5000</source>
+        <translation>動粘度: 水 1、油 80、蜂蜜 5000</translation>
+    </message>
+    <message>
+        <source>Heat spreads</source>
+        <translation>熱の広がり</translation>
+    </message>
+    <message>
+        <source>How heat spreads</source>
+        <translation>熱の広がり方</translation>
+    </message>
+    <message>
+        <source>Whirls kept</source>
+        <translation>渦の保持</translation>
+    </message>
+    <message>
+        <source>Force that keeps small whirls alive</source>
+        <translation>小さな渦を保つ力</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>時間刻み</translation>
+    </message>
+    <message>
+        <source>Length of a time step</source>
+        <translation>一歩の時間の長さ</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ミリ秒</translation>
+    </message>
+    <message>
+        <source>Pressure within</source>
+        <translation>圧力の誤差</translation>
+    </message>
+    <message>
+        <source>How exact the pressure is solved</source>
+        <translation>圧力を解く精度</translation>
+    </message>
+    <message>
+        <source>Pouring</source>
+        <translation>注ぐ</translation>
+    </message>
+    <message>
+        <source>Sinking and rising</source>
+        <translation>沈む・浮く</translation>
+    </message>
+    <message>
+        <source>Balls of milk</source>
+        <translation>ミルクの玉</translation>
+    </message>
+    <message>
+        <source>Dissolving</source>
+        <translation>溶ける</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>流れ</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>ミルク</translation>
+    </message>
+    <message>
+        <source>How much milk is poured into a new glass by itself</source>
+        <translation>新しいグラスに自動で注がれるミルクの量</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>Force reaches</source>
+        <translation>力の届く範囲</translation>
+    </message>
+    <message>
+        <source>How far the force reaches from its axis</source>
+        <translation>力が軸からどこまで届くか</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TeaPage</name>
+    <message>
+        <source>Moment of the tea</source>
+        <translation>紅茶の時点</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the glass; going on goes on from its last</source>
+        <translation>ドラッグしてグラスのどの時点でも見られます。再開すると最後の時点から進みます</translation>
+    </message>
+    <message>
+        <source>Milk poured so far, and how many steps of 1/30 s a second are computed</source>
+        <translation>これまでに注いだミルクと、1 秒間に計算される 1/30 秒の歩数</translation>
+    </message>
+    <message>
+        <source>Filling the glass...</source>
+        <translation>グラスに注いでいます...</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 / %2 秒</translation>
+    </message>
+    <message>
+        <source>%1 ml of milk   %2 steps/s</source>
+        <translation>ミルク %1 ml   %2 歩/秒</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TeaPanel</name>
+    <message>
+        <source>Pictures</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>グラス</translation>
+    </message>
+    <message>
+        <source>Back to the painting</source>
+        <translation>絵に戻る</translation>
+    </message>
+    <message>
+        <source>The glass waits as it is, and so did the painting</source>
+        <translation>グラスはそのまま待ちます。絵もそのまま待っていました</translation>
+    </message>
+    <message>
+        <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>
+        <translation>次のグラスの一辺のセル数: 細かいほど 4 乗で時間がかかります。玉が浮くのは 64 からです</translation>
+    </message>
+    <message>
+        <source>Drops that the next glass&apos; milk is made of</source>
+        <translation>次のグラスのミルクを作る滴の数</translation>
+    </message>
+    <message>
+        <source>Cells a side</source>
+        <translation>一辺のセル数</translation>
+    </message>
+    <message>
+        <source>Drops of milk</source>
+        <translation>ミルクの滴</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Around the axis</source>
+        <translation>軸まわり</translation>
+    </message>
+    <message>
+        <source>How fast the stirring gets faster; below 0 it goes the other way round</source>
+        <translation>かき混ぜが速くなる度合い。0 未満は逆回りです</translation>
+    </message>
+    <message>
+        <source> rad/s²</source>
+        <translation> rad/s²</translation>
+    </message>
+    <message>
+        <source>Downwards</source>
+        <translation>下向き</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source>A push down along the axis; below 0 it goes up</source>
+        <translation>軸に沿って下へ押す力。0 未満は上向きです</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TeaPictureDialog</name>
+    <message>
+        <source>Picture of the glass</source>
+        <translation>グラスの画像</translation>
+    </message>
+    <message>
+        <source>The glass as it is seen in the window, traced along the light&apos;s ways through glass, tea and milk. Choose a size and press Render.</source>
+        <translation>ウィンドウに見えるグラスを、ガラス・紅茶・ミルクを通る光の道筋をたどって描きます。大きさを選んで「レンダリング」を押してください。</translation>
+    </message>
+    <message>
+        <source>Pixels from left to right</source>
+        <translation>左から右までのピクセル数</translation>
+    </message>
+    <message>
+        <source>Pixels from top to bottom</source>
+        <translation>上から下までのピクセル数</translation>
+    </message>
+    <message>
+        <source>Ways of light for each pixel: four times as many, half the noise</source>
+        <translation>ピクセルごとの光の道筋: 4 倍でノイズは半分になります</translation>
+    </message>
+    <message>
+        <source>As a surface</source>
+        <translation>表面として</translation>
+    </message>
+    <message>
+        <source>As a cloud</source>
+        <translation>雲として</translation>
+    </message>
+    <message>
+        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
+        <translation>溶けていないミルクの見え方。雲のほうが柔らかく、時間がかかります</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>サンプル数</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>ミルク</translation>
+    </message>
+    <message>
+        <source>Use on the canvas</source>
+        <translation>キャンバスに使う</translation>
+    </message>
+    <message>
+        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
+        <translation>画像を乾いた絵具のレイヤーとして絵に置き、絵に戻ります</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>保存...</translation>
+    </message>
+    <message>
+        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
+        <translation>PNG などは見えるとおりに、EXR は光そのものを保存します</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Taking the noise out...</source>
+        <translation>ノイズを取り除いています...</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>止める</translation>
+    </message>
+    <message>
+        <source>Render</source>
+        <translation>レンダリング</translation>
+    </message>
+    <message>
+        <source>Keep the picture as fine as it is by now</source>
+        <translation>今の細かさの画像で止めます</translation>
+    </message>
+    <message>
+        <source>%1 samples in %2 s, without noise</source>
+        <translation>%1 サンプル、%2 秒、ノイズ除去済み</translation>
+    </message>
+    <message>
+        <source>Finding the milk&apos;s surface...</source>
+        <translation>ミルクの表面を求めています...</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples</source>
+        <translation>%1 / %2 サンプル</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>画像を保存</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>画像 (%1)</translation>
     </message>
 </context>
 <context>

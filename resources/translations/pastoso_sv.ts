@@ -1235,7 +1235,7 @@
         <translation>T&amp;ransformera</translation>
     </message>
     <message>
-        <source>Move, scale, turn and mirror the layer's paint, or what is selected of it, by a frame</source>
+        <source>Move, scale, turn and mirror the layer&apos;s paint, or what is selected of it, by a frame</source>
         <translation>Flytta, skala, vrid och spegla lagrets färg, eller den markerade delen, med en ram</translation>
     </message>
     <message>
@@ -1243,7 +1243,7 @@
         <translation>Sammanfoga n&amp;edåt</translation>
     </message>
     <message>
-        <source>Put the layer's paint on the layer below, and make them one</source>
+        <source>Put the layer&apos;s paint on the layer below, and make them one</source>
         <translation>Lägg lagrets färg på lagret under, och gör dem till ett</translation>
     </message>
     <message>
@@ -1579,7 +1579,7 @@
         <translation>Kul&amp;ör utan ljus</translation>
     </message>
     <message>
-        <source>The paint's colours alone, without light and relief</source>
+        <source>The paint&apos;s colours alone, without light and relief</source>
         <translation>Färgens kulörer för sig, utan ljus och relief</translation>
     </message>
     <message>
@@ -1797,6 +1797,138 @@
     <message>
         <source>How pens and mouse press, what their buttons do, and a sheet to try them on</source>
         <translation>Hur pennor och mus trycker, vad knapparna gör, och ett ark att prova dem på</translation>
+    </message>
+    <message>
+        <source>Milk &amp;Tea</source>
+        <translation>Mjölk&amp;te</translation>
+    </message>
+    <message>
+        <source>&amp;Milk tea</source>
+        <translation>&amp;Mjölkte</translation>
+    </message>
+    <message>
+        <source>A glass of tea in place of the canvas, to pour milk into; the painting waits as it is</source>
+        <translation>Ett glas te i dukens ställe att hälla mjölk i; målningen väntar som den är</translation>
+    </message>
+    <message>
+        <source>&amp;New glass</source>
+        <translation>&amp;Nytt glas</translation>
+    </message>
+    <message>
+        <source>Begin again with clear tea</source>
+        <translation>Börja om med klart te</translation>
+    </message>
+    <message>
+        <source>&amp;Open a scene...</source>
+        <translation>&amp;Öppna en scen...</translation>
+    </message>
+    <message>
+        <source>Begin again with the numbers of a file</source>
+        <translation>Börja om med talen i en fil</translation>
+    </message>
+    <message>
+        <source>&amp;Save the scene...</source>
+        <translation>&amp;Spara scenen...</translation>
+    </message>
+    <message>
+        <source>Keep all numbers of the glass in a file</source>
+        <translation>Spara glasets alla tal i en fil</translation>
+    </message>
+    <message>
+        <source>&amp;Export the surface...</source>
+        <translation>&amp;Exportera ytan...</translation>
+    </message>
+    <message>
+        <source>The milk&apos;s surface as triangles, for PBRT and other programs</source>
+        <translation>Mjölkens yta som trianglar, för PBRT och andra program</translation>
+    </message>
+    <message>
+        <source>&amp;Render a picture...</source>
+        <translation>&amp;Rendera en bild...</translation>
+    </message>
+    <message>
+        <source>A picture by the light&apos;s true ways, to be saved or painted on</source>
+        <translation>En bild efter ljusets verkliga vägar, att spara eller måla på</translation>
+    </message>
+    <message>
+        <source>&amp;Pause the tea</source>
+        <translation>&amp;Pausa teet</translation>
+    </message>
+    <message>
+        <source>The tea stands still until you go on</source>
+        <translation>Teet står stilla tills du fortsätter</translation>
+    </message>
+    <message>
+        <source>As &amp;fast as it can</source>
+        <translation>Så &amp;fort det går</translation>
+    </message>
+    <message>
+        <source>Time in the glass passes as fast as it is computed</source>
+        <translation>Tiden i glaset går så fort den kan beräknas</translation>
+    </message>
+    <message>
+        <source>S&amp;tir</source>
+        <translation>&amp;Rör om</translation>
+    </message>
+    <message>
+        <source>A force around an upright axis stirs the tea</source>
+        <translation>En kraft runt en lodrät axel rör om teet</translation>
+    </message>
+    <message>
+        <source>Axis to the &amp;middle</source>
+        <translation>Axeln till &amp;mitten</translation>
+    </message>
+    <message>
+        <source>The axis of the force stands in the middle of the glass again</source>
+        <translation>Kraftens axel står åter mitt i glaset</translation>
+    </message>
+    <message>
+        <source>The other &amp;way round</source>
+        <translation>Åt &amp;andra hållet</translation>
+    </message>
+    <message>
+        <source>Stir the other way round</source>
+        <translation>Rör om åt andra hållet</translation>
+    </message>
+    <message>
+        <source>Axis to the &amp;left</source>
+        <translation>Axeln åt &amp;vänster</translation>
+    </message>
+    <message>
+        <source>Move the axis of the force to the left</source>
+        <translation>Flytta kraftens axel åt vänster</translation>
+    </message>
+    <message>
+        <source>Axis to the r&amp;ight</source>
+        <translation>Axeln åt &amp;höger</translation>
+    </message>
+    <message>
+        <source>Move the axis of the force to the right</source>
+        <translation>Flytta kraftens axel åt höger</translation>
+    </message>
+    <message>
+        <source>Axis &amp;away</source>
+        <translation>Axeln &amp;bort</translation>
+    </message>
+    <message>
+        <source>Move the axis of the force away from you</source>
+        <translation>Flytta kraftens axel bort från dig</translation>
+    </message>
+    <message>
+        <source>Axis n&amp;ear</source>
+        <translation>Axeln &amp;närmare</translation>
+    </message>
+    <message>
+        <source>Move the axis of the force towards you</source>
+        <translation>Flytta kraftens axel mot dig</translation>
+    </message>
+    <message>
+        <source>Look from the fr&amp;ont</source>
+        <translation>Se fram&amp;ifrån</translation>
+    </message>
+    <message>
+        <source>See the whole glass from the front again</source>
+        <translation>Se hela glaset framifrån igen</translation>
     </message>
 </context>
 <context>
@@ -2100,7 +2232,7 @@
         <translation>L&amp;jus och skugga</translation>
     </message>
     <message>
-        <source>As the window shows the painting; otherwise the paint's own colours, as a scan would have them</source>
+        <source>As the window shows the painting; otherwise the paint&apos;s own colours, as a scan would have them</source>
         <translation>Som fönstret visar målningen; annars färgens egna kulörer, som en skanning återger dem</translation>
     </message>
     <message>
@@ -2108,7 +2240,7 @@
         <translation> px/cell</translation>
     </message>
     <message>
-        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint's surface is interpolated, not the pixels</source>
+        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint&apos;s surface is interpolated, not the pixels</source>
         <translation>Pixlar per cell på duken: 1 som fönstret målar den, 2 dubbelt så bred och hög. Färgens yta interpoleras, inte pixlarna</translation>
     </message>
     <message>
@@ -2290,7 +2422,7 @@
         <translation>%1 är redan dess tangent.</translation>
     </message>
     <message>
-        <source>%1 is the key of "%2".</source>
+        <source>%1 is the key of &quot;%2&quot;.</source>
         <translation>%1 används av ”%2”.</translation>
     </message>
     <message>
@@ -2298,11 +2430,11 @@
         <translation>Ta den därifrån</translation>
     </message>
     <message>
-        <source>%1 stays with "%2", which you gave it to.</source>
+        <source>%1 stays with &quot;%2&quot;, which you gave it to.</source>
         <translation>%1 stannar hos ”%2”, som du gav den till.</translation>
     </message>
     <message>
-        <source>All keys will be as the set "%1" has them.</source>
+        <source>All keys will be as the set &quot;%1&quot; has them.</source>
         <translation>Alla kortkommandon blir som i uppsättningen ”%1”.</translation>
     </message>
     <message>
@@ -2541,7 +2673,7 @@
         <translation>Spara automatiskt</translation>
     </message>
     <message>
-        <source>Into the painting's own file, once it has one. Whatever you choose, every stroke is kept aside within a second and offered to you again should the program or the machine fail.</source>
+        <source>Into the painting&apos;s own file, once it has one. Whatever you choose, every stroke is kept aside within a second and offered to you again should the program or the machine fail.</source>
         <translation>Till målningens egen fil, när den väl har en. Vad du än väljer sparas varje drag undan inom en sekund och erbjuds dig igen om programmet eller datorn skulle haverera.</translation>
     </message>
     <message>
@@ -2846,6 +2978,34 @@
         <source>As fast as possible</source>
         <translation>Så fort som möjligt</translation>
     </message>
+    <message>
+        <source>New</source>
+        <translation>Nytt</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öppna</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Spara</translation>
+    </message>
+    <message>
+        <source>Stir</source>
+        <translation>Rör om</translation>
+    </message>
+    <message>
+        <source>Other way round</source>
+        <translation>Andra hållet</translation>
+    </message>
+    <message>
+        <source>Render a picture...</source>
+        <translation>Rendera en bild...</translation>
+    </message>
+    <message>
+        <source>Export the surface...</source>
+        <translation>Exportera ytan...</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BrushJar</name>
@@ -2870,7 +3030,7 @@
         <translation>Spara som eget</translation>
     </message>
     <message>
-        <source>There is already a tool of your own named "%1".</source>
+        <source>There is already a tool of your own named &quot;%1&quot;.</source>
         <translation>Du har redan ett eget verktyg som heter ”%1”.</translation>
     </message>
     <message>
@@ -2878,7 +3038,7 @@
         <translation>Skriv över</translation>
     </message>
     <message>
-        <source>Kept "%1" among your own.</source>
+        <source>Kept &quot;%1&quot; among your own.</source>
         <translation>”%1” finns nu bland dina egna.</translation>
     </message>
     <message>
@@ -2886,7 +3046,7 @@
         <translation>Byt namn</translation>
     </message>
     <message>
-        <source>Throw your tool "%1" away? Its file is deleted.</source>
+        <source>Throw your tool &quot;%1&quot; away? Its file is deleted.</source>
         <translation>Ta bort ditt verktyg ”%1”? Dess fil raderas.</translation>
     </message>
     <message>
@@ -2894,7 +3054,7 @@
         <translation>Ta bort</translation>
     </message>
     <message>
-        <source>"%1" is thrown away; what you have in hand stays.</source>
+        <source>&quot;%1&quot; is thrown away; what you have in hand stays.</source>
         <translation>”%1” är borttaget; det du har i handen finns kvar.</translation>
     </message>
 </context>
@@ -3319,6 +3479,45 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::TeaMode</name>
+    <message>
+        <source>Open a scene of milk tea</source>
+        <translation>Öppna en scen med mjölkte</translation>
+    </message>
+    <message>
+        <source>Scenes of milk tea (*.json);;All files (*)</source>
+        <translation>Scener med mjölkte (*.json);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>Save the scene</source>
+        <translation>Spara scenen</translation>
+    </message>
+    <message>
+        <source>Scenes of milk tea (*.json)</source>
+        <translation>Scener med mjölkte (*.json)</translation>
+    </message>
+    <message>
+        <source>Export the milk&apos;s surface</source>
+        <translation>Exportera mjölkens yta</translation>
+    </message>
+    <message>
+        <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
+        <translation>Ytor (*.pbrt *.obj *.ply *.stl)</translation>
+    </message>
+    <message>
+        <source>A surface is being written already. Try again in a moment.</source>
+        <translation>En yta skrivs redan. Försök igen om en stund.</translation>
+    </message>
+    <message>
+        <source>The milk&apos;s surface is in %1.</source>
+        <translation>Mjölkens yta finns i %1.</translation>
+    </message>
+    <message>
+        <source>Milk tea</source>
+        <translation>Mjölkte</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::TracingCommands</name>
     <message>
         <source>Picked the colour of the picture: %1</source>
@@ -3550,7 +3749,7 @@
         <translation> mm</translation>
     </message>
     <message>
-        <source>Width of the brush's tip  ([ and ])</source>
+        <source>Width of the brush&apos;s tip  ([ and ])</source>
         <translation>Bredden på penselns spets  ([ och ])</translation>
     </message>
     <message>
@@ -3562,7 +3761,7 @@
         <translation>Hur handen stabiliseras</translation>
     </message>
     <message>
-        <source>How a trembling hand is steadied, besides the brush's own smoothing</source>
+        <source>How a trembling hand is steadied, besides the brush&apos;s own smoothing</source>
         <translation>Hur en darrande hand stabiliseras, utöver penselns egen utjämning</translation>
     </message>
     <message>
@@ -3708,7 +3907,7 @@ Höger knapp, eller Delete, tar bort den.</translation>
         <translation>Kulören i skrift</translation>
     </message>
     <message>
-        <source>"%1" is no colour; write it for example as #c03020.</source>
+        <source>&quot;%1&quot; is no colour; write it for example as #c03020.</source>
         <translation>”%1” är ingen kulör; skriv den till exempel som #c03020.</translation>
     </message>
 </context>
@@ -3897,7 +4096,7 @@ Tangenter: Page Up och Page Down väljer, pilarna flyttar, Insert lägger till, 
         <translation>Vad som har gjorts</translation>
     </message>
     <message>
-        <source>What the steps take; "Memory for undo" in the Edit menu says how much they may</source>
+        <source>What the steps take; &quot;Memory for undo&quot; in the Edit menu says how much they may</source>
         <translation>Vad stegen tar; ”Ångraminne” i menyn Redigera anger hur mycket de får ta</translation>
     </message>
     <message>
@@ -4100,7 +4299,7 @@ Tangenter: pilarna flyttar den, Home ställer tillbaka den.</translation>
         <translation>Andra färgen</translation>
     </message>
     <message>
-        <source>The second paint's share of a half-mixed load</source>
+        <source>The second paint&apos;s share of a half-mixed load</source>
         <translation>Den andra färgens andel när färgerna är halvblandade</translation>
     </message>
     <message>
@@ -4395,7 +4594,7 @@ Hjulet: närmare, längre bort</translation>
 <context>
     <name>pastoso::panels::StatusReadings</name>
     <message>
-        <source>The pen's place on the canvas, from its upper left corner</source>
+        <source>The pen&apos;s place on the canvas, from its upper left corner</source>
         <translation>Pennans läge på duken, från dess övre vänstra hörn</translation>
     </message>
     <message>
@@ -4647,7 +4846,7 @@ Dra: flytta bilden
         <translation>Startsida</translation>
     </message>
     <message>
-        <source>Esc closes it; "Start page" in the "File" menu brings it back.</source>
+        <source>Esc closes it; &quot;Start page&quot; in the &quot;File&quot; menu brings it back.</source>
         <translation>Esc stänger den; ”Startsida” i menyn ”Arkiv” tar fram den igen.</translation>
     </message>
     <message>
@@ -4684,6 +4883,514 @@ Dra: flytta bilden
     <message>
         <source>Recover</source>
         <translation>Återskapa</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea</name>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source> mm²/s</source>
+        <translation> mm²/s</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Pours for</source>
+        <translation>Hälls i</translation>
+    </message>
+    <message>
+        <source>How long the milk of a new glass is poured</source>
+        <translation>Hur länge mjölken hälls i ett nytt glas</translation>
+    </message>
+    <message>
+        <source>Stream</source>
+        <translation>Stråle</translation>
+    </message>
+    <message>
+        <source>Radius of the stream</source>
+        <translation>Strålens radie</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Fart</translation>
+    </message>
+    <message>
+        <source>Speed of the stream, downwards</source>
+        <translation>Strålens fart nedåt</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Fat lifts</source>
+        <translation>Fett lyfter</translation>
+    </message>
+    <message>
+        <source>How fast fat lets milk rise</source>
+        <translation>Hur fort fett får mjölk att stiga</translation>
+    </message>
+    <message>
+        <source>Cold sinks</source>
+        <translation>Kyla sänker</translation>
+    </message>
+    <message>
+        <source>How fast cold lets milk sink</source>
+        <translation>Hur fort kyla får mjölk att sjunka</translation>
+    </message>
+    <message>
+        <source>Milky tea sinks</source>
+        <translation>Mjölkigt te sjunker</translation>
+    </message>
+    <message>
+        <source>How fast tea with milk in it sinks</source>
+        <translation>Hur fort te med mjölk i sjunker</translation>
+    </message>
+    <message>
+        <source>Warms at rest in</source>
+        <translation>Värms i vila på</translation>
+    </message>
+    <message>
+        <source>Time in which milk at rest warms</source>
+        <translation>Tiden det tar för mjölk i vila att bli varm</translation>
+    </message>
+    <message>
+        <source>A ball warms in</source>
+        <translation>En kula värms på</translation>
+    </message>
+    <message>
+        <source>Time in which a ball warms</source>
+        <translation>Tiden det tar för en kula att bli varm</translation>
+    </message>
+    <message>
+        <source>Cold given on</source>
+        <translation>Kyla ges vidare</translation>
+    </message>
+    <message>
+        <source>Share of the milk&apos;s cold that the tea gets</source>
+        <translation>Andel av mjölkens kyla som teet får</translation>
+    </message>
+    <message>
+        <source>First ball after</source>
+        <translation>Första kulan efter</translation>
+    </message>
+    <message>
+        <source>When the first ball forms</source>
+        <translation>När den första kulan bildas</translation>
+    </message>
+    <message>
+        <source>A ball every</source>
+        <translation>En kula var</translation>
+    </message>
+    <message>
+        <source>Time between two balls, in the mean</source>
+        <translation>Tiden mellan två kulor, i medeltal</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>Kulans radie</translation>
+    </message>
+    <message>
+        <source>Radius of a ball, in the mean</source>
+        <translation>En kulas radie, i medeltal</translation>
+    </message>
+    <message>
+        <source>Sizes differ by</source>
+        <translation>Storlek varierar</translation>
+    </message>
+    <message>
+        <source>How much balls differ in size</source>
+        <translation>Hur mycket kulornas storlek varierar</translation>
+    </message>
+    <message>
+        <source>Draws together in</source>
+        <translation>Dras ihop på</translation>
+    </message>
+    <message>
+        <source>Time in which a ball draws its milk back</source>
+        <translation>Tiden en kula tar på sig att dra tillbaka sin mjölk</translation>
+    </message>
+    <message>
+        <source>Lets go to</source>
+        <translation>Släpper till</translation>
+    </message>
+    <message>
+        <source>How far it lets its milk, in its radii</source>
+        <translation>Hur långt den släpper sin mjölk, i sina radier</translation>
+    </message>
+    <message>
+        <source> radii</source>
+        <translation> radier</translation>
+    </message>
+    <message>
+        <source>Torn off at</source>
+        <translation>Slits av vid</translation>
+    </message>
+    <message>
+        <source>Distance at which milk is torn off</source>
+        <translation>Avståndet där mjölk slits av</translation>
+    </message>
+    <message>
+        <source>Bursts at</source>
+        <translation>Brister vid</translation>
+    </message>
+    <message>
+        <source>Depth at which a ball bursts</source>
+        <translation>Djupet där en kula brister</translation>
+    </message>
+    <message>
+        <source>A warm ball in</source>
+        <translation>En varm kula på</translation>
+    </message>
+    <message>
+        <source>Time in which a warm ball dissolves</source>
+        <translation>Tiden det tar för en varm kula att lösas upp</translation>
+    </message>
+    <message>
+        <source>On top in</source>
+        <translation>Överst på</translation>
+    </message>
+    <message>
+        <source>Time in which milk under the surface dissolves</source>
+        <translation>Tiden det tar för mjölk under ytan att lösas upp</translation>
+    </message>
+    <message>
+        <source>On top is</source>
+        <translation>Överst är</translation>
+    </message>
+    <message>
+        <source>How far down that is</source>
+        <translation>Hur långt ner det är</translation>
+    </message>
+    <message>
+        <source>At rest in</source>
+        <translation>I vila på</translation>
+    </message>
+    <message>
+        <source>Time in which milk at rest dissolves</source>
+        <translation>Tiden det tar för mjölk i vila att lösas upp</translation>
+    </message>
+    <message>
+        <source>All from</source>
+        <translation>Allt från</translation>
+    </message>
+    <message>
+        <source>When all milk begins to dissolve</source>
+        <translation>När all mjölk börjar lösas upp</translation>
+    </message>
+    <message>
+        <source>Warm below</source>
+        <translation>Varm under</translation>
+    </message>
+    <message>
+        <source>Coldness below which a ball dissolves</source>
+        <translation>Kyla under vilken en kula löses upp</translation>
+    </message>
+    <message>
+        <source>Milk spreads</source>
+        <translation>Mjölk sprids</translation>
+    </message>
+    <message>
+        <source>How dissolved milk spreads</source>
+        <translation>Hur upplöst mjölk sprids</translation>
+    </message>
+    <message>
+        <source>Viscosity</source>
+        <translation>Viskositet</translation>
+    </message>
+    <message>
+        <source>Kinematic viscosity: water 1, oil 80, honey 5000</source>
+        <translation>Kinematisk viskositet: vatten 1, olja 80, honung 5000</translation>
+    </message>
+    <message>
+        <source>Heat spreads</source>
+        <translation>Värme sprids</translation>
+    </message>
+    <message>
+        <source>How heat spreads</source>
+        <translation>Hur värme sprids</translation>
+    </message>
+    <message>
+        <source>Whirls kept</source>
+        <translation>Virvlar bevaras</translation>
+    </message>
+    <message>
+        <source>Force that keeps small whirls alive</source>
+        <translation>Kraft som håller små virvlar vid liv</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Tidssteg</translation>
+    </message>
+    <message>
+        <source>Length of a time step</source>
+        <translation>Ett tidsstegs längd</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Pressure within</source>
+        <translation>Tryck inom</translation>
+    </message>
+    <message>
+        <source>How exact the pressure is solved</source>
+        <translation>Hur noga trycket löses</translation>
+    </message>
+    <message>
+        <source>Pouring</source>
+        <translation>Hällning</translation>
+    </message>
+    <message>
+        <source>Sinking and rising</source>
+        <translation>Sjunka och stiga</translation>
+    </message>
+    <message>
+        <source>Balls of milk</source>
+        <translation>Mjölkkulor</translation>
+    </message>
+    <message>
+        <source>Dissolving</source>
+        <translation>Upplösning</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Flöde</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>Mjölk</translation>
+    </message>
+    <message>
+        <source>How much milk is poured into a new glass by itself</source>
+        <translation>Hur mycket mjölk som av sig själv hälls i ett nytt glas</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>Force reaches</source>
+        <translation>Kraften når</translation>
+    </message>
+    <message>
+        <source>How far the force reaches from its axis</source>
+        <translation>Hur långt kraften når från sin axel</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TeaPage</name>
+    <message>
+        <source>Moment of the tea</source>
+        <translation>Teets ögonblick</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the glass; going on goes on from its last</source>
+        <translation>Dra till vilket ögonblick som helst; att fortsätta fortsätter från det sista</translation>
+    </message>
+    <message>
+        <source>Milk poured so far, and how many steps of 1/30 s a second are computed</source>
+        <translation>Mjölk som hällts i hittills, och hur många steg på 1/30 s som beräknas per sekund</translation>
+    </message>
+    <message>
+        <source>Filling the glass...</source>
+        <translation>Glaset fylls...</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 av %2 s</translation>
+    </message>
+    <message>
+        <source>%1 ml of milk   %2 steps/s</source>
+        <translation>%1 ml mjölk   %2 steg/s</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TeaPanel</name>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>Glas</translation>
+    </message>
+    <message>
+        <source>Back to the painting</source>
+        <translation>Tillbaka till målningen</translation>
+    </message>
+    <message>
+        <source>The glass waits as it is, and so did the painting</source>
+        <translation>Glaset väntar som det är, och det gjorde målningen också</translation>
+    </message>
+    <message>
+        <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>
+        <translation>Celler längs varje sida i nästa glas: finare tar längre tid, med fjärde potensen; kulor stiger från 64</translation>
+    </message>
+    <message>
+        <source>Drops that the next glass&apos; milk is made of</source>
+        <translation>Droppar som mjölken i nästa glas består av</translation>
+    </message>
+    <message>
+        <source>Cells a side</source>
+        <translation>Celler per sida</translation>
+    </message>
+    <message>
+        <source>Drops of milk</source>
+        <translation>Mjölkdroppar</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Around the axis</source>
+        <translation>Runt axeln</translation>
+    </message>
+    <message>
+        <source>How fast the stirring gets faster; below 0 it goes the other way round</source>
+        <translation>Hur fort omrörningen ökar; under 0 går den åt andra hållet</translation>
+    </message>
+    <message>
+        <source> rad/s²</source>
+        <translation> rad/s²</translation>
+    </message>
+    <message>
+        <source>Downwards</source>
+        <translation>Nedåt</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source>A push down along the axis; below 0 it goes up</source>
+        <translation>En knuff nedåt längs axeln; under 0 går den uppåt</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TeaPictureDialog</name>
+    <message>
+        <source>Picture of the glass</source>
+        <translation>Bild av glaset</translation>
+    </message>
+    <message>
+        <source>The glass as it is seen in the window, traced along the light&apos;s ways through glass, tea and milk. Choose a size and press Render.</source>
+        <translation>Glaset som det syns i fönstret, spårat längs ljusets vägar genom glas, te och mjölk. Välj en storlek och tryck på Rendera.</translation>
+    </message>
+    <message>
+        <source>Pixels from left to right</source>
+        <translation>Bildpunkter från vänster till höger</translation>
+    </message>
+    <message>
+        <source>Pixels from top to bottom</source>
+        <translation>Bildpunkter uppifrån och ner</translation>
+    </message>
+    <message>
+        <source>Ways of light for each pixel: four times as many, half the noise</source>
+        <translation>Ljusvägar för varje bildpunkt: fyra gånger så många, halva bruset</translation>
+    </message>
+    <message>
+        <source>As a surface</source>
+        <translation>Som en yta</translation>
+    </message>
+    <message>
+        <source>As a cloud</source>
+        <translation>Som ett moln</translation>
+    </message>
+    <message>
+        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
+        <translation>Hur mjölk som inte löst sig syns: ett moln är mjukare och tar längre tid</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Bredd</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höjd</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Sampel</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>Mjölk</translation>
+    </message>
+    <message>
+        <source>Use on the canvas</source>
+        <translation>Använd på duken</translation>
+    </message>
+    <message>
+        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
+        <translation>Lägger bilden på målningen som ett lager torr färg, och går dit</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Spara...</translation>
+    </message>
+    <message>
+        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
+        <translation>Som PNG med flera som den visas, eller som EXR med ljuset självt</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Stäng</translation>
+    </message>
+    <message>
+        <source>Taking the noise out...</source>
+        <translation>Bruset tas bort...</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stoppa</translation>
+    </message>
+    <message>
+        <source>Render</source>
+        <translation>Rendera</translation>
+    </message>
+    <message>
+        <source>Keep the picture as fine as it is by now</source>
+        <translation>Behåll bilden så fin som den är nu</translation>
+    </message>
+    <message>
+        <source>%1 samples in %2 s, without noise</source>
+        <translation>%1 sampel på %2 s, utan brus</translation>
+    </message>
+    <message>
+        <source>Finding the milk&apos;s surface...</source>
+        <translation>Mjölkens yta tas fram...</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples</source>
+        <translation>%1 av %2 sampel</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Spara bilden</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
     </message>
 </context>
 <context>

@@ -1235,7 +1235,7 @@
         <translation>變形(&amp;T)</translation>
     </message>
     <message>
-        <source>Move, scale, turn and mirror the layer's paint, or what is selected of it, by a frame</source>
+        <source>Move, scale, turn and mirror the layer&apos;s paint, or what is selected of it, by a frame</source>
         <translation>用外框移動、縮放、旋轉和鏡像圖層的顏料或選取的部分</translation>
     </message>
     <message>
@@ -1243,7 +1243,7 @@
         <translation>向下合併(&amp;E)</translation>
     </message>
     <message>
-        <source>Put the layer's paint on the layer below, and make them one</source>
+        <source>Put the layer&apos;s paint on the layer below, and make them one</source>
         <translation>將圖層的顏料疊到下方圖層上，合成一層</translation>
     </message>
     <message>
@@ -1579,7 +1579,7 @@
         <translation>只看顏色(&amp;F)</translation>
     </message>
     <message>
-        <source>The paint's colours alone, without light and relief</source>
+        <source>The paint&apos;s colours alone, without light and relief</source>
         <translation>只有顏料的顏色，不含光影和起伏</translation>
     </message>
     <message>
@@ -1797,6 +1797,138 @@
     <message>
         <source>How pens and mouse press, what their buttons do, and a sheet to try them on</source>
         <translation>筆和滑鼠的壓力、按鈕的功能，以及試畫區</translation>
+    </message>
+    <message>
+        <source>Milk &amp;Tea</source>
+        <translation>奶茶(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Milk tea</source>
+        <translation>奶茶(&amp;M)</translation>
+    </message>
+    <message>
+        <source>A glass of tea in place of the canvas, to pour milk into; the painting waits as it is</source>
+        <translation>以一杯茶代替畫布，可倒入牛奶；畫作原樣等候</translation>
+    </message>
+    <message>
+        <source>&amp;New glass</source>
+        <translation>新的一杯(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Begin again with clear tea</source>
+        <translation>從清茶重新開始</translation>
+    </message>
+    <message>
+        <source>&amp;Open a scene...</source>
+        <translation>開啟場景(&amp;O)...</translation>
+    </message>
+    <message>
+        <source>Begin again with the numbers of a file</source>
+        <translation>以檔案中的數值重新開始</translation>
+    </message>
+    <message>
+        <source>&amp;Save the scene...</source>
+        <translation>儲存場景(&amp;S)...</translation>
+    </message>
+    <message>
+        <source>Keep all numbers of the glass in a file</source>
+        <translation>將這杯茶的所有數值存入檔案</translation>
+    </message>
+    <message>
+        <source>&amp;Export the surface...</source>
+        <translation>匯出表面(&amp;E)...</translation>
+    </message>
+    <message>
+        <source>The milk&apos;s surface as triangles, for PBRT and other programs</source>
+        <translation>將牛奶的表面匯出為三角形，供 PBRT 等程式使用</translation>
+    </message>
+    <message>
+        <source>&amp;Render a picture...</source>
+        <translation>算繪圖片(&amp;R)...</translation>
+    </message>
+    <message>
+        <source>A picture by the light&apos;s true ways, to be saved or painted on</source>
+        <translation>依光線真實路徑產生的圖片，可儲存或在上面作畫</translation>
+    </message>
+    <message>
+        <source>&amp;Pause the tea</source>
+        <translation>暫停茶(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The tea stands still until you go on</source>
+        <translation>茶會靜止，直到您繼續</translation>
+    </message>
+    <message>
+        <source>As &amp;fast as it can</source>
+        <translation>盡可能快(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Time in the glass passes as fast as it is computed</source>
+        <translation>杯中的時間以計算所及的最快速度前進</translation>
+    </message>
+    <message>
+        <source>S&amp;tir</source>
+        <translation>攪拌(&amp;T)</translation>
+    </message>
+    <message>
+        <source>A force around an upright axis stirs the tea</source>
+        <translation>繞著垂直軸的力攪動茶</translation>
+    </message>
+    <message>
+        <source>Axis to the &amp;middle</source>
+        <translation>軸移到中央(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The axis of the force stands in the middle of the glass again</source>
+        <translation>力的軸回到杯子中央</translation>
+    </message>
+    <message>
+        <source>The other &amp;way round</source>
+        <translation>反方向(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Stir the other way round</source>
+        <translation>往反方向攪拌</translation>
+    </message>
+    <message>
+        <source>Axis to the &amp;left</source>
+        <translation>軸向左(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Move the axis of the force to the left</source>
+        <translation>將力的軸移向左邊</translation>
+    </message>
+    <message>
+        <source>Axis to the r&amp;ight</source>
+        <translation>軸向右(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Move the axis of the force to the right</source>
+        <translation>將力的軸移向右邊</translation>
+    </message>
+    <message>
+        <source>Axis &amp;away</source>
+        <translation>軸向遠處(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Move the axis of the force away from you</source>
+        <translation>將力的軸移離您</translation>
+    </message>
+    <message>
+        <source>Axis n&amp;ear</source>
+        <translation>軸向近處(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Move the axis of the force towards you</source>
+        <translation>將力的軸移向您</translation>
+    </message>
+    <message>
+        <source>Look from the fr&amp;ont</source>
+        <translation>從正面看(&amp;O)</translation>
+    </message>
+    <message>
+        <source>See the whole glass from the front again</source>
+        <translation>再次從正面看整個杯子</translation>
     </message>
 </context>
 <context>
@@ -2100,7 +2232,7 @@
         <translation>光影(&amp;L)</translation>
     </message>
     <message>
-        <source>As the window shows the painting; otherwise the paint's own colours, as a scan would have them</source>
+        <source>As the window shows the painting; otherwise the paint&apos;s own colours, as a scan would have them</source>
         <translation>和視窗顯示的畫作一樣；否則只輸出顏料本身的顏色，像掃描的結果</translation>
     </message>
     <message>
@@ -2108,7 +2240,7 @@
         <translation> px/格</translation>
     </message>
     <message>
-        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint's surface is interpolated, not the pixels</source>
+        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint&apos;s surface is interpolated, not the pixels</source>
         <translation>畫布每一格的像素數：1 與視窗所畫的相同，2 的寬和高都加倍。內插的是顏料表面，不是像素</translation>
     </message>
     <message>
@@ -2290,7 +2422,7 @@
         <translation>%1 已經是這個指令的快速鍵。</translation>
     </message>
     <message>
-        <source>%1 is the key of "%2".</source>
+        <source>%1 is the key of &quot;%2&quot;.</source>
         <translation>%1 是「%2」的快速鍵。</translation>
     </message>
     <message>
@@ -2298,11 +2430,11 @@
         <translation>改給這個指令</translation>
     </message>
     <message>
-        <source>%1 stays with "%2", which you gave it to.</source>
+        <source>%1 stays with &quot;%2&quot;, which you gave it to.</source>
         <translation>%1 仍屬於「%2」，那是你指定的。</translation>
     </message>
     <message>
-        <source>All keys will be as the set "%1" has them.</source>
+        <source>All keys will be as the set &quot;%1&quot; has them.</source>
         <translation>所有快速鍵都會恢復成「%1」的設定。</translation>
     </message>
     <message>
@@ -2538,7 +2670,7 @@
         <translation>自動儲存間隔</translation>
     </message>
     <message>
-        <source>Into the painting's own file, once it has one. Whatever you choose, every stroke is kept aside within a second and offered to you again should the program or the machine fail.</source>
+        <source>Into the painting&apos;s own file, once it has one. Whatever you choose, every stroke is kept aside within a second and offered to you again should the program or the machine fail.</source>
         <translation>畫作有了自己的檔案後，就自動存入該檔案。無論怎麼選，每一筆都會在一秒內另外保留；萬一程式或電腦出問題，也能讓你救回。</translation>
     </message>
     <message>
@@ -2843,6 +2975,34 @@
         <source>As fast as possible</source>
         <translation>盡可能快</translation>
     </message>
+    <message>
+        <source>New</source>
+        <translation>新增</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>開啟</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>儲存</translation>
+    </message>
+    <message>
+        <source>Stir</source>
+        <translation>攪拌</translation>
+    </message>
+    <message>
+        <source>Other way round</source>
+        <translation>反方向</translation>
+    </message>
+    <message>
+        <source>Render a picture...</source>
+        <translation>算繪圖片...</translation>
+    </message>
+    <message>
+        <source>Export the surface...</source>
+        <translation>匯出表面...</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BrushJar</name>
@@ -2867,7 +3027,7 @@
         <translation>存為自己的工具</translation>
     </message>
     <message>
-        <source>There is already a tool of your own named "%1".</source>
+        <source>There is already a tool of your own named &quot;%1&quot;.</source>
         <translation>自己的工具中已有「%1」。</translation>
     </message>
     <message>
@@ -2875,7 +3035,7 @@
         <translation>覆寫</translation>
     </message>
     <message>
-        <source>Kept "%1" among your own.</source>
+        <source>Kept &quot;%1&quot; among your own.</source>
         <translation>已將「%1」存入自己的工具。</translation>
     </message>
     <message>
@@ -2883,7 +3043,7 @@
         <translation>重新命名</translation>
     </message>
     <message>
-        <source>Throw your tool "%1" away? Its file is deleted.</source>
+        <source>Throw your tool &quot;%1&quot; away? Its file is deleted.</source>
         <translation>要丟掉你的工具「%1」嗎？它的檔案會被刪除。</translation>
     </message>
     <message>
@@ -2891,7 +3051,7 @@
         <translation>刪除</translation>
     </message>
     <message>
-        <source>"%1" is thrown away; what you have in hand stays.</source>
+        <source>&quot;%1&quot; is thrown away; what you have in hand stays.</source>
         <translation>已丟掉「%1」；手上的工具維持不變。</translation>
     </message>
 </context>
@@ -3316,6 +3476,45 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::TeaMode</name>
+    <message>
+        <source>Open a scene of milk tea</source>
+        <translation>開啟奶茶場景</translation>
+    </message>
+    <message>
+        <source>Scenes of milk tea (*.json);;All files (*)</source>
+        <translation>奶茶場景 (*.json);;所有檔案 (*)</translation>
+    </message>
+    <message>
+        <source>Save the scene</source>
+        <translation>儲存場景</translation>
+    </message>
+    <message>
+        <source>Scenes of milk tea (*.json)</source>
+        <translation>奶茶場景 (*.json)</translation>
+    </message>
+    <message>
+        <source>Export the milk&apos;s surface</source>
+        <translation>匯出牛奶的表面</translation>
+    </message>
+    <message>
+        <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
+        <translation>表面 (*.pbrt *.obj *.ply *.stl)</translation>
+    </message>
+    <message>
+        <source>A surface is being written already. Try again in a moment.</source>
+        <translation>已有表面正在寫入。請稍後再試。</translation>
+    </message>
+    <message>
+        <source>The milk&apos;s surface is in %1.</source>
+        <translation>牛奶的表面已存入 %1。</translation>
+    </message>
+    <message>
+        <source>Milk tea</source>
+        <translation>奶茶</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::TracingCommands</name>
     <message>
         <source>Picked the colour of the picture: %1</source>
@@ -3547,7 +3746,7 @@
         <translation> mm</translation>
     </message>
     <message>
-        <source>Width of the brush's tip  ([ and ])</source>
+        <source>Width of the brush&apos;s tip  ([ and ])</source>
         <translation>筆尖的寬度（[ 和 ]）</translation>
     </message>
     <message>
@@ -3559,7 +3758,7 @@
         <translation>手部穩定的方式</translation>
     </message>
     <message>
-        <source>How a trembling hand is steadied, besides the brush's own smoothing</source>
+        <source>How a trembling hand is steadied, besides the brush&apos;s own smoothing</source>
         <translation>在筆刷本身的平滑之外，另外修正手的抖動</translation>
     </message>
     <message>
@@ -3705,7 +3904,7 @@ The right button, or Delete, takes it away.</source>
         <translation>色碼</translation>
     </message>
     <message>
-        <source>"%1" is no colour; write it for example as #c03020.</source>
+        <source>&quot;%1&quot; is no colour; write it for example as #c03020.</source>
         <translation>「%1」不是顏色；請寫成像 #c03020 這樣。</translation>
     </message>
 </context>
@@ -3894,7 +4093,7 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <translation>做過的步驟</translation>
     </message>
     <message>
-        <source>What the steps take; "Memory for undo" in the Edit menu says how much they may</source>
+        <source>What the steps take; &quot;Memory for undo&quot; in the Edit menu says how much they may</source>
         <translation>步驟占用的記憶體；上限可在「編輯」選單的「復原記憶體」設定</translation>
     </message>
     <message>
@@ -4097,7 +4296,7 @@ Keys: arrows move it, Home puts it back.</source>
         <translation>第二種</translation>
     </message>
     <message>
-        <source>The second paint's share of a half-mixed load</source>
+        <source>The second paint&apos;s share of a half-mixed load</source>
         <translation>半混時第二種顏料所占的比例</translation>
     </message>
     <message>
@@ -4392,7 +4591,7 @@ Wheel: closer, farther</source>
 <context>
     <name>pastoso::panels::StatusReadings</name>
     <message>
-        <source>The pen's place on the canvas, from its upper left corner</source>
+        <source>The pen&apos;s place on the canvas, from its upper left corner</source>
         <translation>筆在畫布上的位置，從左上角算起</translation>
     </message>
     <message>
@@ -4644,7 +4843,7 @@ Drag: move the picture
         <translation>起始頁</translation>
     </message>
     <message>
-        <source>Esc closes it; "Start page" in the "File" menu brings it back.</source>
+        <source>Esc closes it; &quot;Start page&quot; in the &quot;File&quot; menu brings it back.</source>
         <translation>按 Esc 關閉；從「檔案」選單的「起始頁」可再開啟。</translation>
     </message>
     <message>
@@ -4681,6 +4880,514 @@ Drag: move the picture
     <message>
         <source>Recover</source>
         <translation>救回</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea</name>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source> mm²/s</source>
+        <translation> mm²/s</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Pours for</source>
+        <translation>倒入時間</translation>
+    </message>
+    <message>
+        <source>How long the milk of a new glass is poured</source>
+        <translation>新的一杯倒入牛奶的時間</translation>
+    </message>
+    <message>
+        <source>Stream</source>
+        <translation>水流</translation>
+    </message>
+    <message>
+        <source>Radius of the stream</source>
+        <translation>水流的半徑</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Speed of the stream, downwards</source>
+        <translation>水流向下的速度</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Fat lifts</source>
+        <translation>脂肪上浮</translation>
+    </message>
+    <message>
+        <source>How fast fat lets milk rise</source>
+        <translation>脂肪使牛奶上升的快慢</translation>
+    </message>
+    <message>
+        <source>Cold sinks</source>
+        <translation>低溫下沉</translation>
+    </message>
+    <message>
+        <source>How fast cold lets milk sink</source>
+        <translation>低溫使牛奶下沉的快慢</translation>
+    </message>
+    <message>
+        <source>Milky tea sinks</source>
+        <translation>含奶茶下沉</translation>
+    </message>
+    <message>
+        <source>How fast tea with milk in it sinks</source>
+        <translation>含牛奶的茶下沉的快慢</translation>
+    </message>
+    <message>
+        <source>Warms at rest in</source>
+        <translation>靜置回溫</translation>
+    </message>
+    <message>
+        <source>Time in which milk at rest warms</source>
+        <translation>靜置的牛奶變暖所需的時間</translation>
+    </message>
+    <message>
+        <source>A ball warms in</source>
+        <translation>奶球回溫</translation>
+    </message>
+    <message>
+        <source>Time in which a ball warms</source>
+        <translation>奶球變暖所需的時間</translation>
+    </message>
+    <message>
+        <source>Cold given on</source>
+        <translation>傳給茶的冷</translation>
+    </message>
+    <message>
+        <source>Share of the milk&apos;s cold that the tea gets</source>
+        <translation>牛奶的冷傳給茶的比例</translation>
+    </message>
+    <message>
+        <source>First ball after</source>
+        <translation>首個奶球</translation>
+    </message>
+    <message>
+        <source>When the first ball forms</source>
+        <translation>第一個奶球形成的時刻</translation>
+    </message>
+    <message>
+        <source>A ball every</source>
+        <translation>奶球間隔</translation>
+    </message>
+    <message>
+        <source>Time between two balls, in the mean</source>
+        <translation>兩個奶球之間的平均時間</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>奶球半徑</translation>
+    </message>
+    <message>
+        <source>Radius of a ball, in the mean</source>
+        <translation>奶球的平均半徑</translation>
+    </message>
+    <message>
+        <source>Sizes differ by</source>
+        <translation>大小差異</translation>
+    </message>
+    <message>
+        <source>How much balls differ in size</source>
+        <translation>奶球大小的差異程度</translation>
+    </message>
+    <message>
+        <source>Draws together in</source>
+        <translation>聚攏時間</translation>
+    </message>
+    <message>
+        <source>Time in which a ball draws its milk back</source>
+        <translation>奶球將牛奶拉回所需的時間</translation>
+    </message>
+    <message>
+        <source>Lets go to</source>
+        <translation>容許距離</translation>
+    </message>
+    <message>
+        <source>How far it lets its milk, in its radii</source>
+        <translation>容許牛奶離開的距離，以半徑計</translation>
+    </message>
+    <message>
+        <source> radii</source>
+        <translation> 倍半徑</translation>
+    </message>
+    <message>
+        <source>Torn off at</source>
+        <translation>脫離距離</translation>
+    </message>
+    <message>
+        <source>Distance at which milk is torn off</source>
+        <translation>牛奶被扯離的距離</translation>
+    </message>
+    <message>
+        <source>Bursts at</source>
+        <translation>破裂深度</translation>
+    </message>
+    <message>
+        <source>Depth at which a ball bursts</source>
+        <translation>奶球破裂的深度</translation>
+    </message>
+    <message>
+        <source>A warm ball in</source>
+        <translation>暖奶球</translation>
+    </message>
+    <message>
+        <source>Time in which a warm ball dissolves</source>
+        <translation>變暖的奶球溶解所需的時間</translation>
+    </message>
+    <message>
+        <source>On top in</source>
+        <translation>頂層</translation>
+    </message>
+    <message>
+        <source>Time in which milk under the surface dissolves</source>
+        <translation>液面下的牛奶溶解所需的時間</translation>
+    </message>
+    <message>
+        <source>On top is</source>
+        <translation>頂層厚度</translation>
+    </message>
+    <message>
+        <source>How far down that is</source>
+        <translation>頂層向下延伸多深</translation>
+    </message>
+    <message>
+        <source>At rest in</source>
+        <translation>靜置時</translation>
+    </message>
+    <message>
+        <source>Time in which milk at rest dissolves</source>
+        <translation>靜置的牛奶溶解所需的時間</translation>
+    </message>
+    <message>
+        <source>All from</source>
+        <translation>全部自</translation>
+    </message>
+    <message>
+        <source>When all milk begins to dissolve</source>
+        <translation>所有牛奶開始溶解的時刻</translation>
+    </message>
+    <message>
+        <source>Warm below</source>
+        <translation>視為暖於</translation>
+    </message>
+    <message>
+        <source>Coldness below which a ball dissolves</source>
+        <translation>冷度低於此值時奶球會溶解</translation>
+    </message>
+    <message>
+        <source>Milk spreads</source>
+        <translation>牛奶擴散</translation>
+    </message>
+    <message>
+        <source>How dissolved milk spreads</source>
+        <translation>溶解的牛奶如何擴散</translation>
+    </message>
+    <message>
+        <source>Viscosity</source>
+        <translation>黏度</translation>
+    </message>
+    <message>
+        <source>Kinematic viscosity: water 1, oil 80, honey 5000</source>
+        <translation>動黏度：水 1、油 80、蜂蜜 5000</translation>
+    </message>
+    <message>
+        <source>Heat spreads</source>
+        <translation>熱擴散</translation>
+    </message>
+    <message>
+        <source>How heat spreads</source>
+        <translation>熱如何擴散</translation>
+    </message>
+    <message>
+        <source>Whirls kept</source>
+        <translation>渦旋保持</translation>
+    </message>
+    <message>
+        <source>Force that keeps small whirls alive</source>
+        <translation>維持小渦旋的力</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>時間步長</translation>
+    </message>
+    <message>
+        <source>Length of a time step</source>
+        <translation>一個時間步的長度</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> 毫秒</translation>
+    </message>
+    <message>
+        <source>Pressure within</source>
+        <translation>壓力誤差</translation>
+    </message>
+    <message>
+        <source>How exact the pressure is solved</source>
+        <translation>求解壓力的精確度</translation>
+    </message>
+    <message>
+        <source>Pouring</source>
+        <translation>倒入</translation>
+    </message>
+    <message>
+        <source>Sinking and rising</source>
+        <translation>下沉與上升</translation>
+    </message>
+    <message>
+        <source>Balls of milk</source>
+        <translation>奶球</translation>
+    </message>
+    <message>
+        <source>Dissolving</source>
+        <translation>溶解</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>流動</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>牛奶</translation>
+    </message>
+    <message>
+        <source>How much milk is poured into a new glass by itself</source>
+        <translation>自動倒入新的一杯的牛奶量</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> 毫升</translation>
+    </message>
+    <message>
+        <source>Force reaches</source>
+        <translation>力的範圍</translation>
+    </message>
+    <message>
+        <source>How far the force reaches from its axis</source>
+        <translation>力從軸心所及的距離</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TeaPage</name>
+    <message>
+        <source>Moment of the tea</source>
+        <translation>茶的時刻</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the glass; going on goes on from its last</source>
+        <translation>拖曳到任何時刻；繼續時會從最後一刻接續</translation>
+    </message>
+    <message>
+        <source>Milk poured so far, and how many steps of 1/30 s a second are computed</source>
+        <translation>目前倒入的牛奶，以及每秒計算多少個 1/30 秒的步</translation>
+    </message>
+    <message>
+        <source>Filling the glass...</source>
+        <translation>正在斟茶...</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 / %2 秒</translation>
+    </message>
+    <message>
+        <source>%1 ml of milk   %2 steps/s</source>
+        <translation>牛奶 %1 毫升   每秒 %2 步</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TeaPanel</name>
+    <message>
+        <source>Pictures</source>
+        <translation>圖片</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>杯子</translation>
+    </message>
+    <message>
+        <source>Back to the painting</source>
+        <translation>回到畫作</translation>
+    </message>
+    <message>
+        <source>The glass waits as it is, and so did the painting</source>
+        <translation>杯子原樣等候，畫作也一直如此</translation>
+    </message>
+    <message>
+        <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>
+        <translation>下一杯每邊的格數：越細越久，按四次方增加；64 起奶球才會上升</translation>
+    </message>
+    <message>
+        <source>Drops that the next glass&apos; milk is made of</source>
+        <translation>組成下一杯牛奶的奶滴數</translation>
+    </message>
+    <message>
+        <source>Cells a side</source>
+        <translation>每邊格數</translation>
+    </message>
+    <message>
+        <source>Drops of milk</source>
+        <translation>奶滴</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Around the axis</source>
+        <translation>繞軸</translation>
+    </message>
+    <message>
+        <source>How fast the stirring gets faster; below 0 it goes the other way round</source>
+        <translation>攪拌加快的程度；低於 0 則反向</translation>
+    </message>
+    <message>
+        <source> rad/s²</source>
+        <translation> rad/s²</translation>
+    </message>
+    <message>
+        <source>Downwards</source>
+        <translation>向下</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source>A push down along the axis; below 0 it goes up</source>
+        <translation>沿軸向下的推力；低於 0 則向上</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TeaPictureDialog</name>
+    <message>
+        <source>Picture of the glass</source>
+        <translation>杯子的圖片</translation>
+    </message>
+    <message>
+        <source>The glass as it is seen in the window, traced along the light&apos;s ways through glass, tea and milk. Choose a size and press Render.</source>
+        <translation>依視窗中所見的杯子，沿光線穿過玻璃、茶與牛奶的路徑追蹤。選擇大小並按「算繪」。</translation>
+    </message>
+    <message>
+        <source>Pixels from left to right</source>
+        <translation>由左至右的像素數</translation>
+    </message>
+    <message>
+        <source>Pixels from top to bottom</source>
+        <translation>由上至下的像素數</translation>
+    </message>
+    <message>
+        <source>Ways of light for each pixel: four times as many, half the noise</source>
+        <translation>每個像素的光路數：四倍的數量，一半的雜訊</translation>
+    </message>
+    <message>
+        <source>As a surface</source>
+        <translation>作為表面</translation>
+    </message>
+    <message>
+        <source>As a cloud</source>
+        <translation>作為雲霧</translation>
+    </message>
+    <message>
+        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
+        <translation>未溶解的牛奶的呈現方式：雲霧較柔和，但較費時</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>寬度</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>取樣數</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>牛奶</translation>
+    </message>
+    <message>
+        <source>Use on the canvas</source>
+        <translation>用於畫布</translation>
+    </message>
+    <message>
+        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
+        <translation>將圖片作為一層乾顏料放到畫作上，並回到畫作</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>儲存...</translation>
+    </message>
+    <message>
+        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
+        <translation>PNG 等格式依所見儲存，EXR 則儲存光本身</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>關閉</translation>
+    </message>
+    <message>
+        <source>Taking the noise out...</source>
+        <translation>正在去除雜訊...</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Render</source>
+        <translation>算繪</translation>
+    </message>
+    <message>
+        <source>Keep the picture as fine as it is by now</source>
+        <translation>保留目前細緻程度的圖片</translation>
+    </message>
+    <message>
+        <source>%1 samples in %2 s, without noise</source>
+        <translation>%1 次取樣，%2 秒，已去除雜訊</translation>
+    </message>
+    <message>
+        <source>Finding the milk&apos;s surface...</source>
+        <translation>正在求取牛奶的表面...</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples</source>
+        <translation>%1 / %2 次取樣</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>儲存圖片</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>圖片 (%1)</translation>
     </message>
 </context>
 <context>

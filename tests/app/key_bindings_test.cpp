@@ -18,17 +18,25 @@ Keys keys(const char* text) {
     return QKeySequence::listFromString(QString::fromUtf8(text));
 }
 
-/// Every key of every command, with the command that has it; fails the test where two have one.
-std::map<std::string, Command> holders(const KeyBindings& bindings) {
+/// Every key of every command of a mode, with the command that has it; fails the test where two have
+/// one.
+std::map<std::string, Command> holders(const KeyBindings& bindings, Mode mode) {
     std::map<std::string, Command> found;
-    for (const CommandText& text : command_list())
+    for (const CommandText& text : command_list()) {
+        if (!meet(text.mode, mode)) continue;
         for (const QKeySequence& key : bindings.keys(text.command)) {
             const std::string name = key.toString().toStdString();
             const auto [before, is_free] = found.try_emplace(name, text.command);
             EXPECT_TRUE(is_free) << name << ": " << name_of(before->second) << " and "
                                  << name_of(text.command);
         }
+    }
     return found;
+}
+
+std::map<std::string, Command> holders(const KeyBindings& bindings) {
+    holders(bindings, Mode::Tea);
+    return holders(bindings, Mode::Painting);
 }
 
 TEST(KeySets, GiveNoKeyToTwoCommands) {
@@ -110,6 +118,22 @@ TEST(KeyBindings, AKeyIsTakenFromTheOwnOfAnother) {
     bindings.give(Command::FitCanvas, keys("D"));
     bindings.reset(Command::DryNow);
     EXPECT_EQ(bindings.keys(Command::DryNow), Keys());
+    holders(bindings);
+}
+
+TEST(KeyBindings, OneKeyMayMeanSomethingElseInAnotherMode) {
+    KeyBindings bindings;
+    EXPECT_EQ(bindings.holder(QKeySequence("F4"), Mode::Painting), Command::LightPanel);
+    EXPECT_EQ(bindings.holder(QKeySequence("F4"), Mode::Tea), Command::TeaPause);
+    bindings.give(Command::TeaRender, keys("D; F4"));
+    EXPECT_EQ(bindings.holder(QKeySequence("D"), Mode::Painting), Command::DryNow);
+    EXPECT_EQ(bindings.holder(QKeySequence("F4"), Mode::Painting), Command::LightPanel);
+    EXPECT_EQ(bindings.holder(QKeySequence("F4"), Mode::Tea), Command::TeaRender);
+    EXPECT_EQ(bindings.keys(Command::TeaPause), Keys());
+    // What is given everywhere has its keys in both.
+    bindings.give(Command::Quit, keys("D"));
+    EXPECT_EQ(bindings.keys(Command::DryNow), Keys());
+    EXPECT_EQ(bindings.keys(Command::TeaRender), keys("F4"));
     holders(bindings);
 }
 

@@ -54,9 +54,10 @@ const Rules& app_rules() {
         {"panels", {"appearance", "session", "commands", "tools"}},
         {"dialogs", {"appearance", "session", "commands", "tools"}},
         {"start", {"appearance", "session", "commands", "tools", "dialogs"}},
+        {"tea", {"appearance", "session", "commands", "tools", "panels"}},
         {"main",
          {"arguments", "appearance", "crash", "session", "commands", "tools", "view", "panels",
-          "dialogs", "start"}},
+          "dialogs", "start", "tea"}},
     };
     return rules;
 }

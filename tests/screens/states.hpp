@@ -17,6 +17,7 @@ void take_layer_tools(Camera& camera);
 void take_replay(Camera& camera);
 void take_accidents(Camera& camera);
 void take_light_theme(Camera& camera);
+void take_tea(Camera& camera);
 
 /// Puts up a bare canvas, and paints on it.
 void take_fresh_canvas(Camera& camera, const QString& traced);

@@ -1,0 +1,197 @@
+// What the commands of the Milk Tea mode do.
+
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "io/mesh_export.hpp"
+#include "io/tea_json.hpp"
+#include "main/tea_mode.hpp"
+#include "main/wait_cursor.hpp"
+#include "tea/tea_page.hpp"
+#include "tea/tea_picture_dialog.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QMainWindow>
+#include <QMessageBox>
+#include <glm/geometric.hpp>
+
+namespace pastoso::main {
+namespace {
+
+using commands::Command;
+
+constexpr double kAxisStep_m = 0.002;
+
+constexpr std::pair<Command, const char*> kButtonWords[] = {
+    {Command::TeaNewGlass, QT_TR_NOOP("New")},
+    {Command::TeaOpenScene, QT_TR_NOOP("Open")},
+    {Command::TeaSaveScene, QT_TR_NOOP("Save")},
+    {Command::TeaForce, QT_TR_NOOP("Stir")},
+    {Command::TeaReverse, QT_TR_NOOP("Other way round")},
+    {Command::TeaRender, QT_TR_NOOP("Render a picture...")},
+    {Command::TeaExportMesh, QT_TR_NOOP("Export the surface...")},
+};
+
+/// A moment's surface with all its volume, into a file.
+io::ExportStatus write_mesh(const session::TeaMoment& moment, const std::filesystem::path& path,
+                            const std::atomic<bool>& stops) {
+    core::ThreadPool pool;
+    liquid::MilkSurfaces surfaces(pool);
+    const liquid::MilkSurface milk =
+        surfaces.make(moment.seen.parcels, moment.settings.cup, moment.seen.dissolved.shape());
+    return io::export_mesh(path, milk.mesh, {}, [&stops](double) { return !stops; });
+}
+
+}  // namespace
+
+void TeaMode::connect_commands() {
+    commands::CommandRegistry& commands = studio_.commands();
+    for (const auto& [command, words] : kButtonWords)
+        commands.action(command)->setIconText(QCoreApplication::translate("pastoso::main", words));
+    commands.on(Command::MilkTea, [this](bool tea) { tea ? enter() : leave(); });
+    commands.on(Command::TeaNewGlass, [this](bool) { session_->new_glass(page_->panel().settings()); });
+    commands.on(Command::TeaOpenScene, [this](bool) { ask_open(); });
+    commands.on(Command::TeaSaveScene, [this](bool) { ask_save(); });
+    commands.on(Command::TeaExportMesh, [this](bool) { ask_export(); });
+    commands.on(Command::TeaRender, [this](bool) {
+        picture().show();
+        picture().raise();
+    });
+    commands.on(Command::TeaPause, [this](bool paused) { session_->set_paused(paused); });
+    commands.on(Command::TeaFullSpeed, [this](bool full) { session_->set_full_speed(full); });
+    commands.on(Command::TeaFrontView, [this](bool) { page_->view().look_from_front(); });
+    connect_force();
+}
+
+void TeaMode::connect_force() {
+    const commands::CommandRegistry& commands = studio_.commands();
+    for (const Command arrow :
+         {Command::TeaAxisLeft, Command::TeaAxisRight, Command::TeaAxisAway, Command::TeaAxisNear})
+        commands.action(arrow)->setShortcutContext(Qt::WidgetShortcut);
+    commands.on(Command::TeaForce, [this](bool on) {
+        session::TeaForce force = force_;
+        force.on = on;
+        use_force(force);
+    });
+    commands.on(Command::TeaReverse, [this](bool) {
+        session::TeaForce force = force_;
+        force.swirl_rad_s2 = -force.swirl_rad_s2;
+        use_force(force);
+    });
+    commands.on(Command::TeaRecentre, [this](bool) {
+        session::TeaForce force = force_;
+        force.axis_m = page_->panel().settings().cup.axis_m;
+        use_force(force);
+    });
+    commands.on(Command::TeaAxisLeft, [this](bool) { move_axis(-1.0, 0.0); });
+    commands.on(Command::TeaAxisRight, [this](bool) { move_axis(1.0, 0.0); });
+    commands.on(Command::TeaAxisAway, [this](bool) { move_axis(0.0, 1.0); });
+    commands.on(Command::TeaAxisNear, [this](bool) { move_axis(0.0, -1.0); });
+}
+
+void TeaMode::use_force(const session::TeaForce& force) {
+    force_ = force;
+    session_->set_force(force);
+    page_->panel().show_force(force);
+    page_->view().show_force(force);
+    studio_.commands().action(Command::TeaForce)->setChecked(force.on);
+}
+
+/// As it is seen, and not out of the glass.
+void TeaMode::move_axis(double right, double away) {
+    const tea::TeaCamera& camera = page_->view().camera();
+    const glm::dvec2 to_the_right(camera.right()), forward(-to_the_right.y, to_the_right.x);
+    const liquid::Cup& cup = page_->panel().settings().cup;
+    const glm::dvec2 middle(cup.axis_m);
+    const auto radius_m = static_cast<double>(cup.inner_radius_m(cup.level_m));
+    session::TeaForce force = force_;
+    glm::dvec2 place = force.axis_m - middle + kAxisStep_m * (right * to_the_right + away * forward);
+    if (glm::length(place) > radius_m) place *= radius_m / glm::length(place);
+    force.axis_m = middle + place;
+    use_force(force);
+}
+
+// ---- scenes
+
+void TeaMode::open_scene(const QString& path) {
+    liquid::TeaSettings settings = io::read_tea(path.toStdString());
+    session::TeaForce force = force_;
+    force.on = settings.swirl_rad_s2 != 0.0 || settings.push_m_s2 != 0.0;
+    if (force.on) {
+        force.swirl_rad_s2 = settings.swirl_rad_s2;
+        force.push_m_s2 = settings.push_m_s2;
+    }
+    force.axis_m = {settings.swirl_x_m, settings.swirl_y_m};
+    use_force(force);
+    page_->panel().show_settings(settings);
+    session_->new_glass(settings);
+}
+
+void TeaMode::save_scene(const QString& path) const {
+    liquid::TeaSettings settings = page_->panel().settings();
+    settings.swirl_rad_s2 = force_.on ? force_.swirl_rad_s2 : 0.0;
+    settings.push_m_s2 = force_.on ? force_.push_m_s2 : 0.0;
+    settings.swirl_x_m = force_.axis_m.x;
+    settings.swirl_y_m = force_.axis_m.y;
+    core::write_text_file(path.toStdString(), io::tea_to_json(settings));
+}
+
+void TeaMode::try_to(const QString& title, const std::function<void()>& what) {
+    try {
+        what();
+    } catch (const core::InputError& error) {
+        QMessageBox::warning(&studio_.window(), title, QString::fromUtf8(error.what()));
+    }
+}
+
+void TeaMode::ask_open() {
+    const QString path =
+        QFileDialog::getOpenFileName(&studio_.window(), tr("Open a scene of milk tea"), {},
+                                     tr("Scenes of milk tea (*.json);;All files (*)"));
+    if (!path.isEmpty()) try_to(tr("Open a scene of milk tea"), [&] { open_scene(path); });
+}
+
+void TeaMode::ask_save() {
+    const QString path =
+        QFileDialog::getSaveFileName(&studio_.window(), tr("Save the scene"),
+                                     QStringLiteral("milk_tea.json"), tr("Scenes of milk tea (*.json)"));
+    if (!path.isEmpty()) try_to(tr("Save the scene"), [&] { save_scene(path); });
+}
+
+// ---- the surface
+
+void TeaMode::ask_export() {
+    const QString path = QFileDialog::getSaveFileName(&studio_.window(), tr("Export the milk's surface"),
+                                                      QStringLiteral("milk_0001.pbrt"),
+                                                      tr("Surfaces (*.pbrt *.obj *.ply *.stl)"));
+    if (!path.isEmpty()) try_to(tr("Export the milk's surface"), [&] { export_mesh(path); });
+}
+
+void TeaMode::export_mesh(const QString& path) {
+    const std::filesystem::path file = path.toStdString();
+    if (!io::is_mesh_path(file))
+        throw core::InputError(file.string() +
+                               ": the name must end in .pbrt, .obj, .ply or .stl. Choose one of them.");
+    const auto moment = session_->moment();
+    if (moment == nullptr || exporting_)
+        return studio_.report(tr("A surface is being written already. Try again in a moment."));
+    if (export_.joinable()) export_.join();
+    exporting_ = true;
+    export_ = std::thread([this, moment, file, path] {
+        QString told = tr("The milk's surface is in %1.").arg(path);
+        try {
+            if (write_mesh(*moment, file, stops_export_) == io::ExportStatus::Stopped) told.clear();
+        } catch (const core::InputError& error) {
+            told = QString::fromUtf8(error.what());
+        }
+        exporting_ = false;
+        QMetaObject::invokeMethod(
+            this, [this, told] { studio_.report_refusal(told); }, Qt::QueuedConnection);
+    });
+}
+
+}  // namespace pastoso::main

@@ -1,0 +1,87 @@
+// The glass of milk tea in place of the canvas: it comes and goes, and the painting waits.
+#pragma once
+
+#include "main/studio.hpp"
+#include "session/tea_session.hpp"
+
+#include <atomic>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include <QByteArray>
+#include <QObject>
+#include <QPointer>
+
+namespace pastoso::panels {
+class StatusReadings;
+}
+namespace pastoso::tea {
+class TeaPage;
+class TeaPictureDialog;
+}  // namespace pastoso::tea
+
+namespace pastoso::main {
+
+class PictureLayers;
+
+class TeaMode : public QObject {
+    Q_OBJECT
+  public:
+    TeaMode(Studio& studio, PictureLayers& pictures, panels::StatusReadings* readings);
+    ~TeaMode() override;
+
+    bool active() const { return active_; }
+
+    /// The painting stands still meanwhile, as if it was paused; its journal goes on.
+    void enter();
+    void leave();
+
+    /// There are none before the first enter().
+    session::TeaSession& session() { return *session_; }
+    tea::TeaPage& page() { return *page_; }
+
+    /// Another glass with the numbers of a file, and the numbers of this one into a file. Throw
+    /// core::InputError.
+    void open_scene(const QString& path);
+    void save_scene(const QString& path) const;
+
+    /// Writes the milk's surface as it is seen now, in the background; how it ends is told.
+    void export_mesh(const QString& path);
+    bool exporting() const { return exporting_; }
+
+    /// Where a picture is rendered; it is made when it is first wanted.
+    tea::TeaPictureDialog& picture();
+
+  Q_SIGNALS:
+    void entering();
+
+  private:
+    void connect_commands();
+    void connect_force();
+    void make_page();
+    void put_panels_away();
+    void bring_panels_back();
+    void show_published();
+    void use_force(const session::TeaForce& force);
+    void move_axis(double right, double away);
+    void ask_open();
+    void ask_save();
+    void ask_export();
+    void try_to(const QString& title, const std::function<void()>& what);
+
+    Studio& studio_;
+    PictureLayers& pictures_;
+    panels::StatusReadings* readings_;
+    tea::TeaPage* page_ = nullptr;
+    tea::TeaPictureDialog* picture_ = nullptr;
+    std::unique_ptr<session::TeaSession> session_;
+    session::TeaForce force_;
+    bool active_ = false;
+    QByteArray panels_;  ///< how they stood
+    std::vector<QPointer<QWidget>> hidden_;
+    std::atomic<bool> exporting_ = false, stops_export_ = false;
+    std::thread export_;
+};
+
+}  // namespace pastoso::main

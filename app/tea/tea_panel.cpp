@@ -1,0 +1,176 @@
+#include "tea/tea_panel.hpp"
+
+#include "panels/section.hpp"
+#include "tea/number_row.hpp"
+#include "tea/tea_words.hpp"
+
+#include <utility>
+
+#include <QAction>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace pastoso::tea {
+namespace {
+
+constexpr int kCells[] = {32, 48, 64, 96, 128};
+
+QString words_of(const char* text) {
+    return QCoreApplication::translate("pastoso::tea", text);
+}
+
+NumberRange range_of(const TeaRow& row) {
+    const liquid::TeaNumber& limits = number_of(row);
+    return {
+        row.scale * limits.least, row.scale * limits.most, row.usual_least, row.usual_most, row.decimals,
+        words_of(row.unit),       row.logarithmic};
+}
+
+QGridLayout* rows_under(QVBoxLayout* column) {
+    auto* widget = new QWidget;
+    auto* grid = new QGridLayout(widget);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(4);
+    column->addWidget(widget);
+    return grid;
+}
+
+NumberRow* add_row(QGridLayout* grid, const TeaRow& row) {
+    return new NumberRow(grid, QString::fromLatin1(number_of(row).key), words_of(row.words),
+                         words_of(row.hint), range_of(row));
+}
+
+}  // namespace
+
+TeaPanel::TeaPanel(const TeaActions& actions, QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("tea_panel"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(10, 8, 10, 8);
+    column->setSpacing(12);
+    column->addWidget(glass_section(actions));
+    column->addWidget(force_section(actions));
+    auto* pictures = new QWidget;
+    auto* uses = panels::section(pictures, tr("Pictures"));
+    uses->addWidget(panels::button_row({actions.render}));
+    uses->addWidget(panels::button_row({actions.export_mesh}));
+    column->addWidget(pictures);
+    for (const TeaSection& section : tea_sections())
+        column->addWidget(numbers(section));
+    column->addStretch(1);
+    show_settings({});
+    show_force({});
+}
+
+QWidget* TeaPanel::glass_section(const TeaActions& actions) {
+    auto* widget = new QWidget;
+    auto* column = panels::section(widget, tr("Glass"));
+    auto* back = new QToolButton;
+    back->setObjectName(QStringLiteral("back_to_painting"));
+    back->setText(tr("Back to the painting"));
+    back->setIcon(actions.back->icon());
+    back->setToolTip(tr("The glass waits as it is, and so did the painting"));
+    back->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    back->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    panels::keep_keys_for_canvas(back);
+    connect(back, &QToolButton::clicked, actions.back, &QAction::trigger);
+    column->insertWidget(0, back);
+    column->addWidget(panels::button_row({actions.new_glass, actions.open, actions.save}));
+    QGridLayout* grid = rows_under(column);
+    cells_ = new QComboBox;
+    cells_->setObjectName(QStringLiteral("cells"));
+    cells_->setToolTip(
+        tr("Cells along each side of the next glass: finer takes longer, by the fourth "
+           "power; balls rise from 64 on"));
+    for (const int cells : kCells)
+        cells_->addItem(QString::number(cells), cells);
+    panels::keep_keys_for_canvas(cells_);
+    parcels_ = new QSpinBox;
+    parcels_->setObjectName(QStringLiteral("parcels"));
+    parcels_->setRange(1, liquid::kMaxParcels);
+    parcels_->setSingleStep(1000);
+    parcels_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    parcels_->setAlignment(Qt::AlignRight);
+    parcels_->setKeyboardTracking(false);
+    parcels_->setToolTip(tr("Drops that the next glass' milk is made of"));
+    const auto add = [&](const QString& words, QWidget* number) {
+        auto* label = new QLabel(words);
+        label->setObjectName(QStringLiteral("reading"));
+        label->setToolTip(number->toolTip());
+        const int row = grid->rowCount();
+        grid->addWidget(label, row, 0);
+        grid->addWidget(number, row, 1, 1, 2);
+    };
+    add(tr("Cells a side"), cells_);
+    add(tr("Drops of milk"), parcels_);
+    milk_ = add_row(grid, poured_milk());
+    connect(cells_, &QComboBox::activated, this,
+            [this] { settings_.cells = cells_->currentData().toInt(); });
+    connect(parcels_, &QSpinBox::valueChanged, this, [this](int count) { settings_.parcels = count; });
+    connect(milk_, &NumberRow::chosen, this,
+            [this](double ml) { settings_.milk_m3 = ml / poured_milk().scale; });
+    return widget;
+}
+
+QWidget* TeaPanel::force_section(const TeaActions& actions) {
+    auto* widget = new QWidget;
+    auto* column = panels::section(widget, tr("Force"));
+    column->addWidget(panels::button_row({actions.force, actions.reverse}));
+    column->addWidget(
+        panels::icon_row({actions.left, actions.right, actions.away, actions.near, actions.recentre}));
+    QGridLayout* grid = rows_under(column);
+    swirl_ = new NumberRow(grid, QStringLiteral("swirl_rad_s2"), tr("Around the axis"),
+                           tr("How fast the stirring gets faster; below 0 it goes the other way round"),
+                           {-1e3, 1e3, -20.0, 20.0, 1, tr(" rad/s²")});
+    push_ = new NumberRow(grid, QStringLiteral("push_m_s2"), tr("Downwards"),
+                          tr("A push down along the axis; below 0 it goes up"),
+                          {-1e3, 1e3, -2.0, 2.0, 2, tr(" m/s²")});
+    connect(swirl_, &NumberRow::chosen, this, [this](double value) {
+        force_.swirl_rad_s2 = value;
+        Q_EMIT force_changed(force_);
+    });
+    connect(push_, &NumberRow::chosen, this, [this](double value) {
+        force_.push_m_s2 = value;
+        Q_EMIT force_changed(force_);
+    });
+    return widget;
+}
+
+QWidget* TeaPanel::numbers(const TeaSection& part) {
+    auto* widget = new QWidget;
+    QGridLayout* grid = rows_under(panels::section(widget, words_of(part.heading)));
+    for (const TeaRow& row : part.rows) {
+        NumberRow* shown = add_row(grid, row);
+        connect(shown, &NumberRow::chosen, this, [this, &row](double value) {
+            settings_.*row.value = value / row.scale;
+            Q_EMIT numbers_changed(settings_);
+        });
+        shown_.push_back({&row, shown});
+    }
+    return widget;
+}
+
+void TeaPanel::show_settings(const liquid::TeaSettings& settings) {
+    settings_ = settings;
+    const QSignalBlocker quiet_cells(cells_), quiet_parcels(parcels_);
+    if (cells_->findData(settings.cells) < 0)
+        cells_->addItem(QString::number(settings.cells), settings.cells);
+    cells_->setCurrentIndex(cells_->findData(settings.cells));
+    parcels_->setValue(settings.parcels);
+    milk_->show_value(poured_milk().scale * settings.milk_m3);
+    for (const Shown& shown : shown_)
+        shown.widget->show_value(shown.row->scale * settings.*shown.row->value);
+}
+
+void TeaPanel::show_force(const session::TeaForce& force) {
+    force_ = force;
+    swirl_->show_value(force.swirl_rad_s2);
+    push_->show_value(force.push_m_s2);
+}
+
+}  // namespace pastoso::tea

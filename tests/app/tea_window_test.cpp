@@ -1,0 +1,288 @@
+// Milk tea in the window: it comes in place of the canvas, and the painting waits.
+#include "document/painting_state.hpp"
+#include "main/tea_mode.hpp"
+#include "tea/tea_page.hpp"
+#include "tea/tea_picture_dialog.hpp"
+#include "window_fixture.hpp"
+
+#include <fstream>
+#include <sstream>
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QPushButton>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTest>
+#include <QToolBar>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+
+class TeaWindow : public WindowTest {
+  protected:
+    QAction* action(Command command) { return window().commands().action(command); }
+    main::TeaMode& tea() { return window().tea(); }
+    session::TeaSession& glass() { return tea().session(); }
+    tea::TeaView& view() { return tea().page().view(); }
+
+    /// Enters the mode with a glass that a test can wait for, and pauses it.
+    void enter() {
+        action(Command::MilkTea)->trigger();
+        liquid::TeaSettings settings;
+        settings.cells = 16;
+        settings.parcels = 400;
+        settings.pour_s = 0.1;
+        tea().page().panel().show_settings(settings);
+        action(Command::TeaNewGlass)->trigger();
+        glass().wait_until_applied();
+        wait_for([&] { return view().shown() != nullptr && view().shown()->settings.cells == 16; });
+    }
+
+    void pause() {
+        if (!glass().status().paused) action(Command::TeaPause)->trigger();
+        glass().wait_until_applied();
+        QApplication::processEvents();
+    }
+
+    void mouse(QEvent::Type type, const QPointF& place, Qt::MouseButton button,
+               Qt::MouseButtons buttons) {
+        QMouseEvent event(type, place, view().mapToGlobal(place), button, buttons, {});
+        QApplication::sendEvent(&view(), &event);
+    }
+
+    void key(Qt::Key pressed) {
+        QApplication::setActiveWindow(&window());
+        view().setFocus();
+        QTest::keyClick(&view(), pressed);
+        glass().wait_until_applied();
+    }
+};
+
+TEST_F(TeaWindow, ComesInPlaceOfTheCanvasAndGoesAgain) {
+    mouse_stroke(line_mm({15, 20}, {45, 20}, 10));
+    action(Command::Pause)->trigger();
+    settle();
+    const std::uint64_t painted = document::state_hash(session().capture().painting);
+    const QByteArray panels = window().saveState();
+    enter();
+    EXPECT_TRUE(tea().page().isVisible());
+    EXPECT_FALSE(canvas().isVisible());
+    for (const QDockWidget* dock : window().findChildren<QDockWidget*>())
+        EXPECT_FALSE(dock->isVisible()) << dock->objectName().toStdString();
+    for (const QToolBar* bar : window().findChildren<QToolBar*>())
+        EXPECT_FALSE(bar->isVisible());
+    EXPECT_FALSE(action(Command::Undo)->isEnabled());
+    EXPECT_TRUE(action(Command::TeaForce)->isEnabled());
+    wait_for([&] { return glass().status().last_step > 5; });
+    action(Command::MilkTea)->trigger();
+    EXPECT_FALSE(tea().page().isVisible());
+    EXPECT_TRUE(canvas().isVisible());
+    EXPECT_EQ(window().saveState(), panels);
+    EXPECT_TRUE(action(Command::Undo)->isEnabled());
+    EXPECT_EQ(document::state_hash(session().capture().painting), painted);
+    EXPECT_TRUE(session().status().paused);
+}
+
+/// As if it was paused, and goes on afterwards.
+TEST_F(TeaWindow, WetPaintWaits) {
+    mouse_stroke(line_mm({15, 20}, {45, 20}, 10));
+    enter();
+    session().capture();  // the tick that was being computed is over
+    const std::int64_t tick = session().capture().painting.tick;
+    wait_for([&] { return glass().status().last_step > 5; });
+    EXPECT_EQ(session().capture().painting.tick, tick);
+    action(Command::MilkTea)->trigger();
+    EXPECT_FALSE(session().status().paused);
+    wait_for([&] { return session().status().tick > tick; });
+}
+
+/// What stood there before comes back with the glass.
+TEST_F(TeaWindow, TheGlassWaitsToo) {
+    enter();
+    wait_for([&] { return glass().status().last_step > 3; });
+    action(Command::MilkTea)->trigger();
+    glass().wait_until_applied();
+    const int step = glass().status().last_step;
+    EXPECT_TRUE(glass().status().paused);
+    action(Command::MilkTea)->trigger();
+    wait_for([&] { return glass().status().last_step > step; });
+    EXPECT_EQ(glass().status().glass, 2);
+}
+
+TEST_F(TeaWindow, APressOnTheTeaPours) {
+    enter();
+    wait_for([&] { return glass().status().last_s > 0.3; });
+    const double before_m3 = glass().status().milk_m3;
+    const QPointF place = view().widget_position({0.05F, 0.045F});
+    mouse(QEvent::MouseButtonPress, place, Qt::LeftButton, Qt::LeftButton);
+    glass().wait_until_applied();
+    EXPECT_TRUE(glass().status().pouring);
+    wait_for([&] { return glass().status().milk_m3 > before_m3 + 1e-7; });
+    mouse(QEvent::MouseButtonRelease, place, Qt::LeftButton, Qt::NoButton);
+    glass().wait_until_applied();
+    EXPECT_FALSE(glass().status().pouring);
+    pause();
+    const double poured_m3 = glass().status().milk_m3;
+    action(Command::TeaPause)->trigger();
+    const int step = glass().status().last_step;
+    wait_for([&] { return glass().status().last_step > step + 3; });
+    EXPECT_EQ(glass().status().milk_m3, poured_m3);
+}
+
+TEST_F(TeaWindow, APenPoursToo) {
+    enter();
+    wait_for([&] { return glass().status().last_s > 0.3; });
+    const double before_m3 = glass().status().milk_m3;
+    const QPointF place = view().widget_position({0.05F, 0.05F});
+    pen_over(view(), place, Qt::LeftButton, {});
+    wait_for([&] { return glass().status().milk_m3 > before_m3; });
+    pen_over(view(), place, Qt::NoButton, {.pressure = 0.0});
+    glass().wait_until_applied();
+    EXPECT_FALSE(glass().status().pouring);
+}
+
+TEST_F(TeaWindow, TheOtherButtonsTurnTheGlass) {
+    enter();
+    const tea::TeaCamera before = view().camera();
+    const QPointF place = view().widget_position({0.05F, 0.05F});
+    mouse(QEvent::MouseButtonPress, place, Qt::RightButton, Qt::RightButton);
+    mouse(QEvent::MouseMove, place + QPointF(60, 20), Qt::NoButton, Qt::RightButton);
+    mouse(QEvent::MouseButtonRelease, place + QPointF(60, 20), Qt::RightButton, Qt::NoButton);
+    EXPECT_NE(view().camera(), before);
+    EXPECT_FALSE(glass().status().pouring);
+    action(Command::TeaFrontView)->trigger();
+    EXPECT_EQ(view().camera(), before);
+}
+
+TEST_F(TeaWindow, KeysStirPauseAndMoveTheAxis) {
+    enter();
+    key(Qt::Key_F1);
+    EXPECT_TRUE(glass().status().force.on);
+    const session::TeaForce first = glass().status().force;
+    key(Qt::Key_F3);
+    EXPECT_EQ(glass().status().force.swirl_rad_s2, -first.swirl_rad_s2);
+    key(Qt::Key_Right);
+    key(Qt::Key_Up);
+    const glm::dvec2 moved = glass().status().force.axis_m - first.axis_m;
+    EXPECT_GT(glm::dot(moved, glm::dvec2(view().camera().right())), 1e-3);
+    EXPECT_GT(glm::dot(moved, glm::dvec2(view().camera().forward())), 1e-3);
+    key(Qt::Key_Left);
+    key(Qt::Key_Down);
+    EXPECT_NEAR(glm::length(glass().status().force.axis_m - first.axis_m), 0.0, 1e-9);
+    key(Qt::Key_Left);
+    key(Qt::Key_F2);
+    EXPECT_EQ(glass().status().force.axis_m, first.axis_m);
+    key(Qt::Key_F4);
+    EXPECT_TRUE(glass().status().paused);
+    key(Qt::Key_F4);
+    EXPECT_FALSE(glass().status().paused);
+    key(Qt::Key_F1);
+    EXPECT_FALSE(glass().status().force.on);
+}
+
+TEST_F(TeaWindow, OneKeyMeansOneThingInEachMode) {
+    const commands::KeyBindings& keys = window().commands().keys();
+    EXPECT_EQ(keys.holder(QKeySequence("F4"), commands::Mode::Painting), Command::LightPanel);
+    EXPECT_EQ(keys.holder(QKeySequence("F4"), commands::Mode::Tea), Command::TeaPause);
+    EXPECT_FALSE(action(Command::TeaPause)->isEnabled());
+    EXPECT_TRUE(action(Command::LightPanel)->isEnabled());
+    enter();
+    EXPECT_TRUE(action(Command::TeaPause)->isEnabled());
+    EXPECT_FALSE(action(Command::LightPanel)->isEnabled());
+    EXPECT_FALSE(action(Command::LightPanel)->isVisible());
+}
+
+TEST_F(TeaWindow, TheSurfaceIsExported) {
+    enter();
+    wait_for([&] { return glass().status().last_s > 0.3; });
+    pause();
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "milk_0001.pbrt";
+    tea().export_mesh(QString::fromStdString(file.string()));
+    wait_for([&] { return !tea().exporting(); });
+    wait_for([&] { return told().find("milk_0001.pbrt") != std::string::npos; });
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    EXPECT_NE(text.str().find("trianglemesh"), std::string::npos) << text.str().substr(0, 200);
+    EXPECT_THROW(tea().export_mesh(QStringLiteral("milk.doc")), std::runtime_error);
+}
+
+TEST_F(TeaWindow, TheTimelineShowsAnyMoment) {
+    enter();
+    wait_for([&] { return glass().status().last_step > 12; });
+    auto* time = tea().page().findChild<QSlider*>(QStringLiteral("tea_time"));
+    ASSERT_NE(time, nullptr);
+    wait_for([&] { return time->value() > 12; });
+    time->setValue(4);
+    glass().wait_until_applied();
+    wait_for([&] { return view().shown() != nullptr && view().shown()->seen.step == 4; });
+    EXPECT_TRUE(action(Command::TeaPause)->isChecked());
+    EXPECT_EQ(time->value(), 4);
+    const int last = glass().status().last_step;
+    action(Command::TeaPause)->trigger();
+    wait_for([&] { return glass().status().last_step > last; });
+}
+
+TEST_F(TeaWindow, ScenesAreSavedAndOpened) {
+    enter();
+    const TemporaryFolder folder;
+    const QString file = QString::fromStdString((folder.path() / "glass.json").string());
+    key(Qt::Key_F1);
+    tea().save_scene(file);
+    tea().page().panel().show_settings({});
+    key(Qt::Key_F1);
+    tea().open_scene(file);
+    glass().wait_until_applied();
+    EXPECT_EQ(glass().moment()->settings.cells, 16);
+    EXPECT_TRUE(glass().status().force.on);
+    EXPECT_EQ(tea().page().panel().settings().parcels, 400);
+    EXPECT_THROW(tea().open_scene(QStringLiteral("/nowhere.json")), std::runtime_error);
+}
+
+TEST_F(TeaWindow, APictureIsRenderedAndBecomesALayer) {
+    enter();
+    wait_for([&] { return glass().status().last_step > 3; });
+    action(Command::TeaRender)->trigger();
+    tea::TeaPictureDialog& dialog = tea().picture();
+    EXPECT_TRUE(dialog.isVisible());
+    dialog.findChild<QSpinBox*>(QStringLiteral("picture_width"))->setValue(32);
+    dialog.findChild<QSpinBox*>(QStringLiteral("picture_height"))->setValue(24);
+    dialog.findChild<QSpinBox*>(QStringLiteral("picture_samples"))->setValue(2);
+    dialog.findChild<QPushButton*>(QStringLiteral("picture_start"))->click();
+    wait_for([&] { return !dialog.rendering() && dialog.has_picture(); });
+    const TemporaryFolder folder;
+    for (const char* name : {"tea.png", "tea.exr"}) {
+        const auto file = folder.path() / name;
+        dialog.save(QString::fromStdString(file.string()));
+        EXPECT_GT(std::filesystem::file_size(file), 100U) << name;
+    }
+    const std::size_t layers = session().snapshot()->layers->layers.size();
+    dialog.findChild<QPushButton*>(QStringLiteral("picture_use"))->click();
+    EXPECT_FALSE(tea().active());
+    settle();
+    EXPECT_EQ(session().snapshot()->layers->layers.size(), layers + 1);
+    EXPECT_EQ(told(), "");
+}
+
+TEST_F(TeaWindow, TheGlassIsDrawn) {
+    enter();
+    pause();
+    wait_for([&] { return view().finished(); });
+    const QImage picture = view().grabFramebuffer();
+    // Tea is brown, the table before it is pale.
+    const QPointF ratio(picture.width() / static_cast<double>(view().width()),
+                        picture.height() / static_cast<double>(view().height()));
+    const QPointF middle(0.5 * view().width() * ratio.x(), 0.5 * view().height() * ratio.y());
+    const QColor tea_colour = picture.pixelColor(middle.toPoint());
+    const QColor table = picture.pixelColor(QPoint(4, picture.height() - 4));
+    EXPECT_GT(tea_colour.red(), tea_colour.blue() + 60);
+    EXPECT_LT(std::abs(table.red() - table.blue()), 40);
+    EXPECT_GT(table.red(), 180);
+}
+
+}  // namespace
+}  // namespace pastoso::tests
