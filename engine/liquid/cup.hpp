@@ -24,6 +24,10 @@ struct Cup {
 /// edges a lower bound of the distance.
 float tea_distance_m(const Cup& cup, const glm::vec3& point_m);
 
+/// A point that is not at least `margin_m` (> 0) within the tea's room, pushed along its wall's normal
+/// until it is; one in a corner between wall, floor and level may end a little less within.
+glm::vec3 brought_within(const Cup& cup, glm::vec3 point_m, float margin_m);
+
 /// The volume of tea and milk up to the level: a frustum of a cone.
 double tea_volume_m3(const Cup& cup);
 

@@ -2,7 +2,6 @@
 
 #include "core/elementary.hpp"
 #include "core/error.hpp"
-#include "core/random.hpp"
 #include "liquid/slices.hpp"
 
 #include <algorithm>
@@ -17,12 +16,6 @@ namespace {
 constexpr float kMostMilk = 1.2F;
 /// A parcel that is left with less of its milk gives away the rest.
 constexpr float kLeastParcel = 0.004F;
-/// How close to the wall parcels come, in cells.
-constexpr float kWallMargin = 0.3F;
-constexpr double kMostMilkInCup = 0.5;
-constexpr float kStreamDepth_m = 0.008F, kStreamStart_m = 0.0015F;
-constexpr double kStreamRise_per_s = 8.0;
-constexpr std::uint32_t kPourStream = 0x3071U;
 
 grid::BoxShape box_of(const TeaSettings& settings) {
     check_tea(settings);
@@ -46,24 +39,6 @@ SignedDistance distance_in(const Cup& cup) {
 /// 1 - e^(-dt / time).
 float share_passed(double dt_s, double time_s) {
     return static_cast<float>(1.0 - core::exponential(-dt_s / time_s));
-}
-
-/// Pushed along the wall's normal until it is `margin_m` within.
-glm::vec3 brought_within(const Cup& cup, glm::vec3 point_m, float margin_m) {
-    constexpr int kPushes = 3;  // one for wall, floor and level each
-    const float step_m = 0.5F * margin_m;
-    const auto distance = [&](const glm::vec3& at_m) { return tea_distance_m(cup, at_m) + margin_m; };
-    for (int push = 0; push < kPushes && distance(point_m) > 0.0F; ++push) {
-        glm::vec3 normal;
-        for (const int axis : kAxes) {
-            glm::vec3 aside(0.0F);
-            aside[axis] = step_m;
-            normal[axis] = distance(point_m + aside) - distance(point_m - aside);
-        }
-        const float length = glm::length(normal);
-        if (length > 0.0F) point_m -= normal * (distance(point_m) / length);
-    }
-    return point_m;
 }
 
 bool is_worse(const SolveResult& a, const SolveResult& b) {
@@ -96,7 +71,7 @@ void MilkTea::set_settings(const TeaSettings& settings) {
 
 TeaStep MilkTea::step(core::ThreadPool& pool, MeasureDivergence measure) {
     const auto dt_s = static_cast<float>(settings_.step_s);
-    pour();
+    jug_.pour(settings_, parcels_, flow_.velocity());
     add_forces(pool);
     TeaStep result;
     result.diffusion = diffuse(pool);
@@ -121,68 +96,6 @@ double MilkTea::milk_m3(core::ThreadPool& pool) const {
     for (const Parcel& parcel : parcels_)
         sum += static_cast<double>(parcel.volume_m3);
     return sum;
-}
-
-float MilkTea::drawn() {
-    return core::uniform_noise(draws_++, kPourStream ^ core::scramble(settings_.seed));
-}
-
-void MilkTea::pour() {
-    if (settings_.milk_m3 <= 0.0) return;
-    if (recipe_.seconds < settings_.pour_s) pour_from(recipe_, settings_.cup.axis_m, settings_.parcels);
-    if (hand_m_)
-        pour_from(hand_, *hand_m_, kMaxParcels);
-    else
-        hand_ = {};
-}
-
-/// The stream gains speed; at most so many parcels come of it.
-void MilkTea::pour_from(Stream& stream, const glm::vec2& at_m, int most) {
-    stream.seconds += settings_.step_s;
-    const double due = settings_.parcels * (stream.seconds / settings_.pour_s);
-    const int count = std::min(most, static_cast<int>(due)) - stream.parcels;
-    stream.parcels += count;
-    pour_parcels(count, at_m);
-    const double speed_m_s =
-        settings_.pour_speed_m_s * (1.0 - core::exponential(-kStreamRise_per_s * stream.seconds));
-    push_stream(at_m, static_cast<float>(speed_m_s));
-}
-
-/// Onto a disc below the surface, as far down as the stream comes within the step.
-void MilkTea::pour_parcels(int count, const glm::vec2& at_m) {
-    const double room_m3 = kMostMilkInCup * tea_volume_m3(settings_.cup) - poured_m3_;
-    const float volume_m3 = milk_per_parcel_m3();
-    const auto fitting = static_cast<int>(room_m3 / static_cast<double>(volume_m3));
-    count = std::min({count, fitting, kMaxParcels - static_cast<int>(parcels_.size())});
-    const auto radius_m = static_cast<float>(settings_.pour_radius_m);
-    const auto way_m = static_cast<float>(settings_.pour_speed_m_s * settings_.step_s);
-    const float margin_m = kWallMargin * flow_.shape().cell_m;
-    for (int i = 0; i < count; ++i) {
-        glm::vec2 on_disc;
-        do
-            on_disc = {2.0F * drawn() - 1.0F, 2.0F * drawn() - 1.0F};
-        while (glm::dot(on_disc, on_disc) > 1.0F);
-        const glm::vec2 across_m = at_m + radius_m * on_disc;
-        const float z_m = settings_.cup.level_m - kStreamStart_m - way_m * drawn();
-        parcels_.push_back(
-            {brought_within(settings_.cup, {across_m, z_m}, margin_m), volume_m3, 1.0F, -1});
-        poured_m3_ += static_cast<double>(volume_m3);
-    }
-}
-
-void MilkTea::push_stream(const glm::vec2& at_m, float speed_m_s) {
-    const grid::BoxShape& shape = flow_.shape();
-    const float radius_m = static_cast<float>(settings_.pour_radius_m), cell_m = shape.cell_m;
-    for (int k = 1; k < shape.nz; ++k) {
-        if (static_cast<float>(k) * cell_m <= settings_.cup.level_m - kStreamDepth_m) continue;
-        for (int j = 0; j < shape.ny; ++j)
-            for (int i = 0; i < shape.nx; ++i) {
-                const glm::vec2 middle_m =
-                    cell_m * glm::vec2(static_cast<float>(i) + 0.5F, static_cast<float>(j) + 0.5F);
-                if (glm::distance(middle_m, at_m) < radius_m)
-                    flow_.velocity().z.at(i, j, k) = -speed_m_s;
-            }
-    }
 }
 
 void MilkTea::add_forces(core::ThreadPool& pool) {
@@ -286,7 +199,7 @@ void MilkTea::carry(core::ThreadPool& pool) {
     for (std::size_t i = 0; i < parcels_.size(); ++i)
         positions_m_[i] = parcels_[i].position_m;
     flow_.carry(positions_m_, dt_s, pool);
-    const float margin_m = kWallMargin * flow_.shape().cell_m;
+    const float margin_m = kWallMargin_cells * flow_.shape().cell_m;
     constexpr std::size_t kAtOnce = 256;
     pool.run((parcels_.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t batch, int) {
         for (std::size_t i = batch * kAtOnce; i < std::min(parcels_.size(), (batch + 1) * kAtOnce);
@@ -319,7 +232,7 @@ void MilkTea::exchange(core::ThreadPool& pool) {
 
     find_shares(parcels_, flow_.walls().open_cells(), pool, shares_);
     const auto per_m3 = static_cast<float>(1.0 / flow_.shape().cell_volume_m3());
-    const float least_m3 = kLeastParcel * milk_per_parcel_m3();
+    const float least_m3 = kLeastParcel * milk_per_parcel_m3(settings_);
     for (std::size_t i = 0; i < parcels_.size(); ++i) {
         Parcel& parcel = parcels_[i];
         amounts_[i] = cold_amounts_[i] = 0.0F;

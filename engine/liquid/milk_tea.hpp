@@ -10,11 +10,11 @@
 
 #include "liquid/flow.hpp"
 #include "liquid/milk_balls.hpp"
+#include "liquid/milk_jug.hpp"
 #include "liquid/parcel_cells.hpp"
 #include "liquid/tea_frame.hpp"
 #include "liquid/tea_settings.hpp"
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -49,26 +49,16 @@ class MilkTea {
     int ball_count() const { return balls_.count(); }
     TeaFrame frame() const;
 
-    double poured_m3() const { return poured_m3_; }
+    double poured_m3() const { return jug_.poured_m3(); }
     /// In parcels and dissolved.
     double milk_m3(core::ThreadPool& pool) const;
 
     /// The painter pours more milk at a place, as fast as the recipe pours its own, until told nullopt.
     /// A place outside the cup is taken to the wall. None is poured once the tea is half milk or there
     /// are kMaxParcels.
-    void pour_by_hand(std::optional<glm::vec2> at_m) { hand_m_ = at_m; }
+    void pour_by_hand(std::optional<glm::vec2> at_m) { jug_.pour_by_hand(at_m); }
 
   private:
-    /// Milk on its way out of the jug.
-    struct Stream {
-        double seconds = 0.0;  ///< since it began
-        int parcels = 0;       ///< that have come of it
-    };
-
-    void pour();
-    void pour_from(Stream& stream, const glm::vec2& at_m, int most);
-    void pour_parcels(int count, const glm::vec2& at_m);
-    void push_stream(const glm::vec2& at_m, float speed_m_s);
     void add_forces(core::ThreadPool& pool);
     void add_painters_force(core::ThreadPool& pool);
     struct Fading {
@@ -80,20 +70,12 @@ class MilkTea {
     void carry(core::ThreadPool& pool);
     void exchange(core::ThreadPool& pool);
     void erase_dissolved();
-    float drawn();
-    float milk_per_parcel_m3() const {
-        return static_cast<float>(settings_.milk_m3 / settings_.parcels);
-    }
-
     TeaSettings settings_;
     VesselFlow flow_;
     grid::BoxField dissolved_, coldness_;
     std::vector<Parcel> parcels_;
     MilkBalls balls_;
-    std::optional<glm::vec2> hand_m_;
-    Stream recipe_, hand_;
-    double poured_m3_ = 0.0;
-    std::uint32_t draws_ = 0;
+    MilkJug jug_;
     int steps_ = 0;
 
     // What a step works with.

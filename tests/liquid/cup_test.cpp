@@ -25,6 +25,20 @@ TEST(Cup, TheWallsDistanceIsMeasuredAcrossIt) {
                 1e-7F);
 }
 
+TEST(Cup, PointsOutsideAreBroughtWithinByTheMarginAndOthersLeftAlone) {
+    const Cup cup;
+    const float margin = 0.0005F;
+    const glm::vec3 inside(0.05F, 0.06F, 0.04F);
+    EXPECT_EQ(brought_within(cup, inside, margin), inside);
+    // The normal is measured by differences of floats.
+    const glm::vec3 below = brought_within(cup, {0.05F, 0.05F, -0.01F}, margin);
+    EXPECT_NEAR(below.z, cup.floor_m + margin, 1e-6F);
+    const glm::vec3 aside = brought_within(cup, {0.12F, 0.05F, 0.05F}, margin);
+    EXPECT_NEAR(tea_distance_m(cup, aside), -margin, 1e-5F);
+    const glm::vec3 corner = brought_within(cup, {0.12F, 0.05F, 0.12F}, margin);
+    EXPECT_LT(tea_distance_m(cup, corner), 0.0F);
+}
+
 TEST(Cup, AStraightCupHoldsACylinder) {
     Cup cup;
     cup.slope = 0.0F;
