@@ -92,7 +92,7 @@ vec3 under_glass(vec2 at) {
     float edge = 0.006 + 0.30 * along;
     float inside = 1.0 - smoothstep(radius - edge, radius + edge, length(from - away * along));
     vec3 through = mix(vec3(0.80, 0.60, 0.42), vec3(0.62, 0.58, 0.56), smoothstep(0.0, high, along));
-    return mix(vec3(1.0), through, 0.72 * inside);
+    return mix(vec3(1.0), through, 0.85 * inside);
 }
 
 vec3 table(vec3 at) {

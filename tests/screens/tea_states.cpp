@@ -45,7 +45,8 @@ void take_tea(Camera& camera) {
     tea::TeaPictureDialog& picture = tea.picture();
     picture.show();
     picture.findChild<QPushButton*>(QStringLiteral("picture_start"))->click();
-    wait_for([&] { return !picture.rendering() && picture.has_picture(); });
+    for (int minutes = 0; minutes < 5 && picture.rendering(); ++minutes)
+        wait_for([&] { return !picture.rendering() && picture.has_picture(); });
     pass_time();
     camera.save(picture.grab(), QStringLiteral("milk-tea-picture"));
     picture.hide();
