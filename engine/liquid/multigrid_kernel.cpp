@@ -13,43 +13,90 @@ constexpr int kMaxHalf = 512 / 2 + 2 * kGroup;
 struct Row {
     std::ptrdiff_t at;  ///< m = 0
     int west;           ///< from m to the cell to the west; the one to the east stands one further
-    int begin, end;
+    int begin, end, plain_begin, plain_end;
 };
 [[gnu::always_inline]] inline Row row_of(const LevelView& level, int colour, int j, int k) {
     const GroupRange range = level.rows[k * level.extent.ny + j];
-    return {j * level.stride_y + k * level.stride_z, ((j + k + colour) & 1) - 1, range.begin, range.end};
+    return {j * level.stride_y + k * level.stride_z,
+            ((j + k + colour) & 1) - 1,
+            range.begin,
+            range.end,
+            range.plain_begin,
+            range.plain_end};
 }
 
-/// The pointers that a row's equations need.
+/// The values around a row's cells.
+struct Neighbours {
+    const float *west, *east, *south, *north, *below, *above;
+
+    [[gnu::always_inline]] Neighbours(const LevelView& level, const Row& row, int colour,
+                                      const ColourPointers& values) {
+        const float* x = values.colour[1 - colour] + row.at;
+        west = x + row.west;
+        east = x + row.west + 1;
+        south = x - level.stride_y;
+        north = x + level.stride_y;
+        below = x - level.stride_z;
+        above = x + level.stride_z;
+    }
+};
+
+/// A row's equations, with the coefficients of each cell.
 struct Equations {
-    const float *west, *east, *south, *north, *below, *above;              ///< coefficients
-    const float *x_west, *x_east, *x_south, *x_north, *x_below, *x_above;  ///< the neighbours' values
+    Neighbours x;
+    const float *west, *east, *south, *north, *below, *above;  ///< coefficients
+    const float *diagonals, *inverses;
 
     [[gnu::always_inline]] Equations(const LevelView& level, const Row& row, int colour,
-                                     const ColourPointers& values) {
+                                     const ColourPointers& values)
+        : x(level, row, colour, values) {
         const int other = 1 - colour;
-        const std::ptrdiff_t at = row.at, y = level.stride_y, z = level.stride_z;
+        const std::ptrdiff_t at = row.at;
         west = level.west.colour[colour] + at;
         east = level.west.colour[other] + at + row.west + 1;
         south = level.south.colour[colour] + at;
-        north = level.south.colour[other] + at + y;
+        north = level.south.colour[other] + at + level.stride_y;
         below = level.below.colour[colour] + at;
-        above = level.below.colour[other] + at + z;
-        const float* x = values.colour[other] + at;
-        x_west = x + row.west;
-        x_east = x + row.west + 1;
-        x_south = x - y;
-        x_north = x + y;
-        x_below = x - z;
-        x_above = x + z;
+        above = level.below.colour[other] + at + level.stride_z;
+        diagonals = level.diagonal.colour[colour] + at;
+        inverses = level.inverse.colour[colour] + at;
     }
     /// What the neighbours add to cell m: the sum of a_f x_f.
     [[gnu::always_inline]] float inflow(int m) const {
-        return ((west[m] * x_west[m] + east[m] * x_east[m]) +
-                (south[m] * x_south[m] + north[m] * x_north[m])) +
-               (below[m] * x_below[m] + above[m] * x_above[m]);
+        return ((west[m] * x.west[m] + east[m] * x.east[m]) +
+                (south[m] * x.south[m] + north[m] * x.north[m])) +
+               (below[m] * x.below[m] + above[m] * x.above[m]);
     }
+    [[gnu::always_inline]] float diagonal(int m) const { return diagonals[m]; }
+    [[gnu::always_inline]] float inverse(int m) const { return inverses[m]; }
 };
+
+/// The same numbers from the same operations, where all coefficients are those of the level.
+struct PlainEquations {
+    Neighbours x;
+    PlainEquation plain;
+
+    [[gnu::always_inline]] PlainEquations(const LevelView& level, const Row& row, int colour,
+                                          const ColourPointers& values)
+        : x(level, row, colour, values), plain(level.plain) {}
+    [[gnu::always_inline]] float inflow(int m) const {
+        const float a = plain.coefficient;
+        return ((a * x.west[m] + a * x.east[m]) + (a * x.south[m] + a * x.north[m])) +
+               (a * x.below[m] + a * x.above[m]);
+    }
+    [[gnu::always_inline]] float diagonal(int) const { return plain.diagonal; }
+    [[gnu::always_inline]] float inverse(int) const { return plain.inverse; }
+};
+
+/// Calls body(equations, begin, end) for the parts of a row, plain ones and others.
+template <class Body>
+[[gnu::always_inline]] inline void for_parts(const LevelView& level, const Row& row, int colour,
+                                             const ColourPointers& values, const Body& body) {
+    const Equations cells(level, row, colour, values);
+    body(cells, row.begin, row.plain_begin);
+    body(PlainEquations(level, row, colour, values), row.plain_begin, row.plain_end);
+    body(cells, row.plain_end, row.end);
+}
 
 /// A sum in kGroup lanes, each in its own order whatever the registers' width.
 struct LaneSum {
@@ -76,13 +123,81 @@ struct LaneSum {
     return sum.total();
 }
 
+// The loops over the cells of a part. What they write overlaps nothing that they read but at m itself,
+// which the compiler cannot see (and would check at run time, if the pointers were fewer).
+
+struct FromZero {
+    float* x;
+    const float* b;
+    template <class Cells>
+    [[gnu::always_inline]] void operator()(const Cells& cell, int begin, int end) const {
+#pragma GCC ivdep
+        for (int m = begin; m < end; ++m)
+            x[m] = b[m] * cell.inverse(m);
+    }
+};
+struct Relaxation {
+    float* x;
+    const float* b;
+    template <class Cells>
+    [[gnu::always_inline]] void operator()(const Cells& cell, int begin, int end) const {
+#pragma GCC ivdep
+        for (int m = begin; m < end; ++m)
+            x[m] = (b[m] + cell.inflow(m)) * cell.inverse(m);
+    }
+};
+/// Adds up to `sum`.
+struct Residual {
+    const float *x, *b;
+    float* sum;
+    template <class Cells>
+    [[gnu::always_inline]] void operator()(const Cells& cell, int begin, int end) const {
+#pragma GCC ivdep
+        for (int m = begin; m < end; ++m)
+            sum[m] += (b[m] + cell.inflow(m)) - cell.diagonal(m) * x[m];
+    }
+};
+/// Takes A x away from r.
+struct ImageTaken {
+    const float* x;
+    float* r;
+    template <class Cells>
+    [[gnu::always_inline]] void operator()(const Cells& cell, int begin, int end) const {
+#pragma GCC ivdep
+        for (int m = begin; m < end; ++m)
+            r[m] = (r[m] + cell.inflow(m)) - cell.diagonal(m) * x[m];
+    }
+};
+struct LastTurn {
+    const float* z;
+    float *direction, *image;
+    float beta;
+    template <class Cells>
+    [[gnu::always_inline]] void operator()(const Cells& cell, int begin, int end) const {
+#pragma GCC ivdep
+        for (int m = begin; m < end; ++m) {
+            direction[m] = z[m] + beta * direction[m];
+            image[m] = (cell.diagonal(m) * z[m] - cell.inflow(m)) + beta * image[m];
+        }
+    }
+};
+struct Advance {
+    const float *direction, *image;
+    float *solution, *residual;
+    float alpha, mean;
+    template <class Cells>
+    [[gnu::always_inline]] void operator()(const Cells& cell, int begin, int end) const {
+#pragma GCC ivdep
+        for (int m = begin; m < end; ++m) {
+            solution[m] += alpha * direction[m];
+            residual[m] -= alpha * (cell.inverse(m) > 0.0F ? image[m] - mean : 0.0F);
+        }
+    }
+};
+
 [[gnu::always_inline]] inline void relax_row(const LevelView& level, const Row& row, int colour) {
-    const Equations cell(level, row, colour, level.value);
-    float* __restrict x = level.value.colour[colour] + row.at;
-    const float* b = level.source.colour[colour] + row.at;
-    const float* inverse = level.inverse.colour[colour] + row.at;
-    for (int m = row.begin; m < row.end; ++m)
-        x[m] = (b[m] + cell.inflow(m)) * inverse[m];
+    for_parts(level, row, colour, level.value,
+              Relaxation{level.value.colour[colour] + row.at, level.source.colour[colour] + row.at});
 }
 
 }  // namespace
@@ -90,11 +205,9 @@ struct LaneSum {
 void relax_from_zero(const LevelView& level, int k) {
     for (int j = 0; j < level.extent.ny; ++j) {
         const Row row = row_of(level, kFirstColour, j, k);
-        float* __restrict x = level.value.colour[kFirstColour] + row.at;
-        const float* b = level.source.colour[kFirstColour] + row.at;
-        const float* inverse = level.inverse.colour[kFirstColour] + row.at;
-        for (int m = row.begin; m < row.end; ++m)
-            x[m] = b[m] * inverse[m];
+        for_parts(level, row, kFirstColour, level.value,
+                  FromZero{level.value.colour[kFirstColour] + row.at,
+                           level.source.colour[kFirstColour] + row.at});
     }
 }
 
@@ -125,12 +238,9 @@ void restrict_residual(const LevelView& fine, const LevelView& coarse, int coars
         for (int k = 2 * coarse_k; k < 2 * coarse_k + 2 && k < fine.extent.nz; ++k)
             for (int j = 2 * coarse_j; j < 2 * coarse_j + 2 && j < fine.extent.ny; ++j) {
                 const Row row = row_of(fine, kFirstColour, j, k);
-                const Equations cell(fine, row, kFirstColour, fine.value);
-                const float* x = fine.value.colour[kFirstColour] + row.at;
-                const float* b = fine.source.colour[kFirstColour] + row.at;
-                const float* diagonal = fine.diagonal.colour[kFirstColour] + row.at;
-                for (int m = row.begin; m < row.end; ++m)
-                    sum[m] += (b[m] + cell.inflow(m)) - diagonal[m] * x[m];
+                for_parts(fine, row, kFirstColour, fine.value,
+                          Residual{fine.value.colour[kFirstColour] + row.at,
+                                   fine.source.colour[kFirstColour] + row.at, sum});
             }
         for (int colour = 0; colour < 2; ++colour) {
             const Row row = row_of(coarse, colour, coarse_j, coarse_k);
@@ -170,12 +280,9 @@ double start_residual(const LevelView& level, const ConjugateView& vectors, int 
     for (int j = 0; j < level.extent.ny; ++j)
         for (int colour = 0; colour < 2; ++colour) {
             const Row row = row_of(level, colour, j, k);
-            const Equations cell(level, row, colour, vectors.solution);
-            const float* x = vectors.solution.colour[colour] + row.at;
-            const float* diagonal = level.diagonal.colour[colour] + row.at;
-            float* __restrict r = level.source.colour[colour] + row.at;
-            for (int m = row.begin; m < row.end; ++m)
-                r[m] = (r[m] + cell.inflow(m)) - diagonal[m] * x[m];
+            float* r = level.source.colour[colour] + row.at;
+            for_parts(level, row, colour, vectors.solution,
+                      ImageTaken{vectors.solution.colour[colour] + row.at, r});
             sum += product(r, r, row.begin, row.end);
         }
     return sum;
@@ -196,12 +303,7 @@ DirectionSums turn_direction(const LevelView& level, const ConjugateView& vector
                     image[m] = r[m] + beta * image[m];
                 }
             } else {
-                const Equations cell(level, row, colour, level.value);
-                const float* diagonal = level.diagonal.colour[colour] + row.at;
-                for (int m = row.begin; m < row.end; ++m) {
-                    direction[m] = z[m] + beta * direction[m];
-                    image[m] = (diagonal[m] * z[m] - cell.inflow(m)) + beta * image[m];
-                }
+                for_parts(level, row, colour, level.value, LastTurn{z, direction, image, beta});
             }
             sum.product += product(direction, image, row.begin, row.end);
             sum.image += total(image, row.begin, row.end);
@@ -214,15 +316,12 @@ double advance(const LevelView& level, const ConjugateView& vectors, float alpha
     for (int j = 0; j < level.extent.ny; ++j)
         for (int colour = 0; colour < 2; ++colour) {
             const Row row = row_of(level, colour, j, k);
-            float* __restrict x = vectors.solution.colour[colour] + row.at;
-            float* __restrict r = level.source.colour[colour] + row.at;
-            const float* direction = vectors.direction.colour[colour] + row.at;
-            const float* image = vectors.image.colour[colour] + row.at;
-            const float* inverse = level.inverse.colour[colour] + row.at;
-            for (int m = row.begin; m < row.end; ++m) {
-                x[m] += alpha * direction[m];
-                r[m] -= alpha * (inverse[m] > 0.0F ? image[m] - mean : 0.0F);
-            }
+            const float* r = level.source.colour[colour] + row.at;
+            for_parts(
+                level, row, colour, level.value,
+                Advance{vectors.direction.colour[colour] + row.at, vectors.image.colour[colour] + row.at,
+                        vectors.solution.colour[colour] + row.at, level.source.colour[colour] + row.at,
+                        alpha, mean});
             sum += product(r, r, row.begin, row.end);
         }
     return sum;

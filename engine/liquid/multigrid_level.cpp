@@ -31,9 +31,58 @@ void include_cell(MultigridLevel& level, int i, int j, int k) {
     GroupRange& row = level.rows[static_cast<std::size_t>(k * level.extent.ny + j)];
     const int begin = i / 2 / kGroup * kGroup;
     row = row.begin == row.end
-              ? GroupRange{begin, begin + kGroup}
-              : GroupRange{std::min(row.begin, begin), std::max(row.end, begin + kGroup)};
+              ? GroupRange{begin, begin + kGroup, begin, begin}
+              : GroupRange{std::min(row.begin, begin), std::max(row.end, begin + kGroup), begin, begin};
     ++level.cell_count;
+}
+
+/// Whether a cell has six neighbours and passes the same to all of them.
+bool is_even(const CellMatrix& matrix, float coefficient, int i, int j, int k) {
+    const grid::BoxShape& shape = matrix.shape();
+    const VelocityField& faces = matrix.faces;
+    return i + 1 < shape.nx && j + 1 < shape.ny && k + 1 < shape.nz &&
+           faces.x.at(i, j, k) == coefficient && faces.x.at(i + 1, j, k) == coefficient &&
+           faces.y.at(i, j, k) == coefficient && faces.y.at(i, j + 1, k) == coefficient &&
+           faces.z.at(i, j, k) == coefficient && faces.z.at(i, j, k + 1) == coefficient;
+}
+
+/// That of the first even cell with the largest coefficient there is; of none: all 0.
+PlainEquation plain_equation(const CellMatrix& matrix) {
+    const grid::BoxShape& shape = matrix.shape();
+    const float coefficient = *std::ranges::max_element(matrix.faces.x.values());
+    if (!(coefficient > 0.0F)) return {};
+    for (int k = 0; k < shape.nz; ++k)
+        for (int j = 0; j < shape.ny; ++j)
+            for (int i = 0; i < shape.nx; ++i)
+                if (is_even(matrix, coefficient, i, j, k)) {
+                    const float diagonal = matrix.diagonal(i, j, k);
+                    return {coefficient, diagonal, 1.0F / diagonal};
+                }
+    return {};
+}
+
+/// The first run of plain groups of each row.
+void find_plain_groups(const CellMatrix& matrix, MultigridLevel& level) {
+    level.plain = plain_equation(matrix);
+    if (!(level.plain.diagonal > kLeastDiagonal)) return;
+    const auto is_plain = [&](int group, int j, int k) {
+        if (2 * (group + kGroup) > level.extent.nx) return false;
+        for (int i = 2 * group; i < 2 * (group + kGroup); ++i)
+            if (!is_even(matrix, level.plain.coefficient, i, j, k) ||
+                matrix.diagonal(i, j, k) != level.plain.diagonal)
+                return false;
+        return true;
+    };
+    for (int k = 0; k < level.extent.nz; ++k)
+        for (int j = 0; j < level.extent.ny; ++j) {
+            GroupRange& row = level.rows[static_cast<std::size_t>(k * level.extent.ny + j)];
+            row.plain_begin = row.begin;
+            while (row.plain_begin < row.end && !is_plain(row.plain_begin, j, k))
+                row.plain_begin += kGroup;
+            row.plain_end = row.plain_begin;
+            while (row.plain_end < row.end && is_plain(row.plain_end, j, k))
+                row.plain_end += kGroup;
+        }
 }
 
 MultigridLevel level_of(const CellMatrix& matrix) {
@@ -43,7 +92,7 @@ MultigridLevel level_of(const CellMatrix& matrix) {
     for (ColourField* field : {&level.west, &level.south, &level.below, &level.diagonal, &level.inverse,
                                &level.value, &level.source})
         *field = ColourField(level.extent);
-    level.rows.assign(static_cast<std::size_t>(shape.ny * shape.nz), {0, 0});
+    level.rows.assign(static_cast<std::size_t>(shape.ny * shape.nz), {0, 0, 0, 0});
     for (int k = 0; k < shape.nz; ++k)
         for (int j = 0; j < shape.ny; ++j)
             for (int i = 0; i < shape.nx; ++i) {
@@ -56,6 +105,7 @@ MultigridLevel level_of(const CellMatrix& matrix) {
                 level.inverse.at(i, j, k) = 1.0F / diagonal;
                 include_cell(level, i, j, k);
             }
+    find_plain_groups(matrix, level);
     return level;
 }
 
@@ -64,7 +114,7 @@ MultigridLevel level_of(const CellMatrix& matrix) {
 LevelView MultigridLevel::view() {
     return {extent,       extent.stride_y(), extent.stride_z(), west.data(),
             south.data(), below.data(),      diagonal.data(),   inverse.data(),
-            value.data(), source.data(),     rows.data()};
+            value.data(), source.data(),     rows.data(),       plain};
 }
 
 std::vector<MultigridLevel> multigrid_levels(const CellMatrix& matrix) {

@@ -49,8 +49,9 @@ struct MultigridLevel {
     ColourField diagonal, inverse;   ///< the cell's own factor, and 1 over it, or 0 where it is 0
     ColourField value, source;
     std::vector<GroupRange> rows;  ///< of each row (j, k) what m hold cells that take part
-    long cell_count = 0;           ///< that take part
-    ClosedComponents closed;       ///< of the finest and the coarsest level
+    PlainEquation plain;
+    long cell_count = 0;      ///< that take part
+    ClosedComponents closed;  ///< of the finest and the coarsest level
 
     LevelView view();
 };

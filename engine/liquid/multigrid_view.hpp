@@ -23,9 +23,17 @@ struct LevelExtent {
     friend bool operator==(const LevelExtent&, const LevelExtent&) = default;
 };
 
-/// Whole groups: begin and end are multiples of kGroup.
+/// Whole groups: all numbers are multiples of kGroup. Within [plain_begin, plain_end), which lies in
+/// [begin, end), all cells of both colours have the level's plain equation.
 struct GroupRange {
     int begin, end;
+    int plain_begin, plain_end;
+};
+
+/// What the equations of most cells have in common, far from walls: the same coefficient at all six
+/// faces. Rows of them are worked on without reading coefficients, which are most of what a sweep reads.
+struct PlainEquation {
+    float coefficient = 0.0F, diagonal = 0.0F, inverse = 0.0F;
 };
 
 struct ColourPointers {
@@ -37,6 +45,7 @@ struct LevelView {
     std::ptrdiff_t stride_y, stride_z;
     ColourPointers west, south, below, diagonal, inverse, value, source;
     const GroupRange* rows;  ///< of row (j, k) at k ny + j
+    PlainEquation plain;
 };
 
 /// The vectors of conjugate gradients besides a level's value z (the preconditioned residual) and source

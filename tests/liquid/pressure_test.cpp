@@ -56,6 +56,54 @@ int iterations(const Vessel& vessel, int cells, float tolerance, core::ThreadPoo
     return result.iterations;
 }
 
+/// One sweep down and up of a level on random sources; how many cells of a colour stood in plain rows.
+int sweep(const Kernels& kernels, bool plain, ColourField& value, ColourField& coarse_source) {
+    const grid::BoxShape shape = {70, 12, 12, 0.01F};
+    CellMatrix matrix = pressure_matrix(Walls(shape, cases::no_walls));
+    matrix.faces.x.at(60, 5, 5) = 0.25F;
+    std::vector<MultigridLevel> levels = multigrid_levels(matrix);
+    MultigridLevel &level = levels[0], &coarse = levels[1];
+    grid::BoxField source(shape);
+    cases::fill_randomly(source, 17);
+    for (int k = 0; k < shape.nz; ++k)
+        for (int j = 0; j < shape.ny; ++j)
+            for (int i = 0; i < shape.nx; ++i)
+                level.source.at(i, j, k) = source.at(i, j, k);
+    int plain_cells = 0;
+    for (GroupRange& row : level.rows) {
+        if (!plain) row.plain_begin = row.plain_end = row.begin;
+        plain_cells += row.plain_end - row.plain_begin;
+    }
+    const LevelView fine_view = level.view(), coarse_view = coarse.view();
+    for (int k = 0; k < shape.nz; ++k)
+        kernels.relax_from_zero(fine_view, k);
+    for (const int colour : {1, 0, 1})
+        for (int k = 0; k < shape.nz; ++k)
+            kernels.relax(fine_view, colour, k);
+    for (int k = 0; k < coarse.extent.nz; ++k)
+        kernels.restrict_residual(fine_view, coarse_view, k);
+    value = level.value;
+    coarse_source = coarse.source;
+    return plain_cells;
+}
+
+TEST(Multigrid, PlainRowsGiveTheBitsThatTheirCoefficientsGive) {
+    for (const Kernels* table : {&kernels(core::Isa::Baseline), &kernels()}) {
+        ColourField value, coarse_source, expected, expected_coarse;
+        // Inner rows hold four groups of which the first has the wall; a face in row (5, 5) is no plain
+        // one, nor are the twelve rows around the box.
+        EXPECT_GT(sweep(*table, true, value, coarse_source), 16 * 90);
+        EXPECT_EQ(sweep(*table, false, expected, expected_coarse), 0);
+        for (int k = 0; k < 12; ++k)
+            for (int j = 0; j < 12; ++j)
+                for (int i = 0; i < 70; ++i) {
+                    ASSERT_EQ(value.at(i, j, k), expected.at(i, j, k)) << i << ' ' << j << ' ' << k;
+                    ASSERT_EQ(coarse_source.at(i / 2, j / 2, k / 2),
+                              expected_coarse.at(i / 2, j / 2, k / 2));
+                }
+    }
+}
+
 TEST(Pressure, FreesACupAndABoxOfDivergenceInFewIterations) {
     core::ThreadPool pool(2);
     for (const Vessel& vessel : {Vessel{"cup", cases::cup_distance()}, Vessel{"box", cases::no_walls}}) {
