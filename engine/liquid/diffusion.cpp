@@ -26,8 +26,17 @@ struct Steps {
     std::ptrdiff_t y, z;
 };
 
-/// Cell values: through the open share of each face.
-void diffuse_cells(const VelocityField& open, const float* from, float step, std::ptrdiff_t at,
+/// How many stages of Legendre's polynomials a step needs, each worth the more the more there are.
+int stages_for(float step) {
+    int stages = 1;
+    while (stages <= kMaxStages &&
+           kLongestExplicitStep * 0.5F * static_cast<float>(stages * (stages + 1)) < step)
+        ++stages;
+    return stages;
+}
+
+/// Cell values: through the open share of each face. `next` holds the values before `from`.
+void diffuse_cells(const VelocityField& open, const float* from, const Stage& stage, std::ptrdiff_t at,
                    RowRange range, const Steps& to, float* next) {
     const float *wx = open.x.values().data() + at, *wy = open.y.values().data() + at,
                 *wz = open.z.values().data() + at, *q = from + at;
@@ -36,12 +45,12 @@ void diffuse_cells(const VelocityField& open, const float* from, float step, std
         const float gain = ((wx[i] * (q[i - 1] - here) + wx[i + 1] * (q[i + 1] - here)) +
                             (wy[i] * (q[i - to.y] - here) + wy[i + to.y] * (q[i + to.y] - here))) +
                            (wz[i] * (q[i - to.z] - here) + wz[i + to.z] * (q[i + to.z] - here));
-        next[i] = here + step * gain;
+        next[i] = (stage.here * here + stage.before * next[i]) + stage.gain * gain;
     }
 }
 
 /// Face values: to open faces wholly, to shut ones as to fluid at rest or not at all.
-void diffuse_faces(const grid::BoxField& open, const float* from, float step, bool sticks,
+void diffuse_faces(const grid::BoxField& open, const float* from, const Stage& stage, bool sticks,
                    std::ptrdiff_t at, RowRange range, const Steps& to, float* next) {
     const float *w = open.values().data() + at, *q = from + at;
     for (int i = range.begin; i < range.end; ++i) {
@@ -49,7 +58,9 @@ void diffuse_faces(const grid::BoxField& open, const float* from, float step, bo
         const auto beside = [&](std::ptrdiff_t n) { return w[n] > 0.0F ? q[n] : beyond_wall; };
         const float sum = ((beside(i - 1) + beside(i + 1)) + (beside(i - to.y) + beside(i + to.y))) +
                           (beside(i - to.z) + beside(i + to.z));
-        next[i] = w[i] > 0.0F ? here + step * (sum - 6.0F * here) : here;
+        const float moved =
+            (stage.here * here + stage.before * next[i]) + stage.gain * (sum - 6.0F * here);
+        next[i] = w[i] > 0.0F ? moved : here;
     }
 }
 
@@ -67,34 +78,58 @@ SolveResult Diffusion::diffuse(const Walls& walls, grid::BoxField& field, float 
                                " m2/s is too large for a step of " + std::to_string(dt_s) + " s.");
     if (step == 0.0F) return {};
     const float sub_steps = std::ceil(step / kLongestExplicitStep);
-    if (sub_steps > static_cast<float>(kMaxExplicitSteps))
-        return implicit_step(walls, field, step, limits, pool);
-    for (int n = 0; n < static_cast<int>(sub_steps); ++n)
-        explicit_step(walls, field, step / sub_steps, pool);
+    if (sub_steps <= static_cast<float>(kMaxExplicitSteps)) {
+        for (int n = 0; n < static_cast<int>(sub_steps); ++n) {
+            apply(walls, {1.0F, 0.0F, step / sub_steps}, field, next_, pool);
+            copy_back(walls, field, pool);
+        }
+        return {};
+    }
+    const int stages = stages_for(step);
+    if (stages > kMaxStages) return implicit_step(walls, field, step, limits, pool);
+    legendre_step(walls, field, step, stages, pool);
     return {};
 }
 
-void Diffusion::explicit_step(const Walls& walls, grid::BoxField& field, float step,
+/// Stage j of s, with L the Laplacian and w = 2 / (s^2 + s):
+///     j Y(j) = (2j - 1) (Y(j-1) + w step L Y(j-1)) - (j - 1) Y(j-2).
+/// Y(j) takes the place of Y(j-2).
+void Diffusion::legendre_step(const Walls& walls, grid::BoxField& field, float step, int stages,
                               core::ThreadPool& pool) {
+    const float part = 2.0F * step / static_cast<float>(stages * (stages + 1));
+    for (int j = 1; j <= stages; ++j) {
+        const float n = static_cast<float>(j), here = (2.0F * n - 1.0F) / n;
+        const bool odd = j % 2 == 1;
+        apply(walls, {here, (1.0F - n) / n, here * part}, odd ? field : next_, odd ? next_ : field,
+              pool);
+    }
+    if (stages % 2 == 1) copy_back(walls, field, pool);
+}
+
+void Diffusion::apply(const Walls& walls, const Stage& stage, const grid::BoxField& from,
+                      grid::BoxField& to, core::ThreadPool& pool) const {
     const grid::BoxShape& shape = walls.shape();
-    const RowRanges& rows = walls.rows(location_);
     const Steps steps = {shape.stride_y(), shape.stride_z()};
-    const float* from = field.values().data();
+    const float* values = from.values().data();
     for_slices(pool, 0, shape.nz, [&](int k) {
         for (int j = 0; j < shape.ny; ++j) {
-            const RowRange range = rows.at(j, k);
+            const RowRange range = walls.rows(location_).at(j, k);
             if (range.empty()) continue;
             const std::ptrdiff_t at = shape.index(0, j, k);
             if (location_ == Location::Cell)
-                diffuse_cells(walls.open(), from, step, at, range, steps, next_.row(j, k));
+                diffuse_cells(walls.open(), values, stage, at, range, steps, to.row(j, k));
             else
-                diffuse_faces(known_samples(walls, location_), from, step,
-                              friction_ == WallFriction::Sticks, at, range, steps, next_.row(j, k));
+                diffuse_faces(known_samples(walls, location_), values, stage,
+                              friction_ == WallFriction::Sticks, at, range, steps, to.row(j, k));
         }
     });
+}
+
+void Diffusion::copy_back(const Walls& walls, grid::BoxField& field, core::ThreadPool& pool) const {
+    const grid::BoxShape& shape = walls.shape();
     for_slices(pool, 0, shape.nz, [&](int k) {
         for (int j = 0; j < shape.ny; ++j) {
-            const RowRange range = rows.at(j, k);
+            const RowRange range = walls.rows(location_).at(j, k);
             if (range.empty()) continue;
             std::copy(next_.row(j, k) + range.begin, next_.row(j, k) + range.end,
                       field.row(j, k) + range.begin);

@@ -2,7 +2,9 @@
 //     dq/dt = kappa laplace q.
 // Cell values pass through the open share of faces and their sum is conserved; the components of a
 // velocity meet the walls as WallFriction says. Short steps are explicit sub-steps of the 7-point
-// formula, long ones implicit (backward Euler), by the pressure's multigrid.
+// formula, longer ones the stages of a Legendre polynomial (RKL1: Meyer, Balsara and Aslam, MNRAS 2012),
+// which keeps all values between the least and the largest there were, and the longest implicit
+// (backward Euler), by the pressure's multigrid. All are of first order in time.
 #pragma once
 
 #include "liquid/conjugate_gradients.hpp"
@@ -18,9 +20,15 @@ enum class WallFriction {
 };
 
 /// The longest explicit sub-step, as kappa dt / cell^2 (1/6 is the limit of stability), and how many are
-/// taken before the implicit solution is cheaper.
+/// taken before stages are cheaper. s stages go as far as (s^2 + s) / 2 sub-steps; with more than so
+/// many the implicit solution is cheaper.
 inline constexpr float kLongestExplicitStep = 0.15F;
-inline constexpr int kMaxExplicitSteps = 4;
+inline constexpr int kMaxExplicitSteps = 4, kMaxStages = 7;
+
+/// new = here q + before (the value one stage earlier) + gain (Laplacian of q).
+struct Stage {
+    float here, before, gain;
+};
 
 class Diffusion {
   public:
@@ -35,7 +43,11 @@ class Diffusion {
     CellMatrix implicit_matrix(const Walls& walls, float step) const;
 
   private:
-    void explicit_step(const Walls& walls, grid::BoxField& field, float step, core::ThreadPool& pool);
+    void legendre_step(const Walls& walls, grid::BoxField& field, float step, int stages,
+                       core::ThreadPool& pool);
+    void apply(const Walls& walls, const Stage& stage, const grid::BoxField& from, grid::BoxField& to,
+               core::ThreadPool& pool) const;
+    void copy_back(const Walls& walls, grid::BoxField& field, core::ThreadPool& pool) const;
     SolveResult implicit_step(const Walls& walls, grid::BoxField& field, float step,
                               const SolveLimits& limits, core::ThreadPool& pool);
     /// How much passes between a sample of the location and the one before it along an axis.

@@ -222,7 +222,7 @@ TEST(VesselFlow, KeepsTheSumOfWhatItCarries) {
     EXPECT_NEAR(flow.sum_over_cells(milk, pool), before, 2e-6 * before);
 }
 
-TEST(Diffusion, KeepsTheSumInACupBothWays) {
+TEST(Diffusion, KeepsTheSumInACupAllWays) {
     core::ThreadPool pool(2);
     const Walls walls(cases::cup_box(32), cases::cup_distance());
     const auto sum = [&](const grid::BoxField& field) {
@@ -233,7 +233,8 @@ TEST(Diffusion, KeepsTheSumInACupBothWays) {
                     total += static_cast<double>(walls.open_cells().at(i, j, k) * field.at(i, j, k));
         return total;
     };
-    for (const float diffusivity : {3e-5F, 2e-3F}) {  // 0.1 and 6.8 cells^2 a step
+    // 0.1, 1.4, 2 and 6.8 cells^2 a step: explicit, four and five stages, implicit.
+    for (const float diffusivity : {3e-5F, 4e-4F, 6e-4F, 2e-3F}) {
         Diffusion diffusion(walls, Location::Cell, WallFriction::Slips);
         grid::BoxField milk(walls.shape());
         cases::fill_randomly(milk, 3);
@@ -280,6 +281,14 @@ TEST(Diffusion, AWaveAcrossASlitThatSlipsDecaysAtItsRate) {
     const double slow = 0.1 / (32.0 * 32.0 * 0.02);
     EXPECT_NEAR(slit_decay(WallFriction::Slips, static_cast<float>(slow), 100),
                 std::exp(-kPi * kPi * slow * 2.0), 2e-3);
+    // 1 and 2 cells^2 a step: Legendre's polynomials of degree four and five.
+    const auto stages = [](unsigned degree, double step) {
+        return std::legendre(
+            degree, 1.0 - 2.0 / (degree * (degree + 1.0)) * step * (2.0 - 2.0 * std::cos(kPi / 32.0)));
+    };
+    for (const auto& [degree, step] : {std::pair(4U, 1.0), std::pair(5U, 2.0)})
+        EXPECT_NEAR(slit_decay(WallFriction::Slips, static_cast<float>(10.0 * step * slow), 20),
+                    std::pow(stages(degree, step), 20), 1e-4);
     // 5 cells^2 a step: implicit, backward Euler's exact factor.
     const double fast = 50.0 * slow, factor = 1.0 / (1.0 + 5.0 * (2.0 - 2.0 * std::cos(kPi / 32.0)));
     EXPECT_NEAR(slit_decay(WallFriction::Slips, static_cast<float>(fast), 20), std::pow(factor, 20),
