@@ -1,6 +1,7 @@
 #include "liquid/cosine_pressure.hpp"
 
 #include "core/check.hpp"
+#include "liquid/sample_lanes.hpp"
 #include "liquid/slices.hpp"
 #include "liquid/walls.hpp"
 
@@ -10,14 +11,29 @@
 namespace pastoso::liquid {
 namespace {
 
-using Complex = std::complex<float>;
+/// Two complex numbers lie in a Four.
+constexpr int kNumbersAtOnce = 2;
 
-/// Plain products: std::complex's own look after infinities.
-Complex times(Complex a, Complex b) {
-    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+PASTOSO_LIQUID_INLINE Four parts_swapped(Four v) {
+    return __builtin_shufflevector(v, v, 1, 0, 3, 2);
 }
-Complex times_conjugate(Complex a, Complex b) {
-    return {a.real() * b.real() + a.imag() * b.imag(), a.imag() * b.real() - a.real() * b.imag()};
+PASTOSO_LIQUID_INLINE Four times_i(Four v) {
+    return parts_swapped(v) * Four{-1.0F, 1.0F, -1.0F, 1.0F};
+}
+
+/// A factor of complex numbers: its real part, and its imaginary part with the signs that it has in a
+/// product.
+struct Turn {
+    Four real, imaginary;
+    explicit Turn(std::complex<float> w)
+        : real(all(w.real())), imaginary{-w.imag(), w.imag(), -w.imag(), w.imag()} {}
+    Turn(Four real_parts, Four imaginary_parts) : real(real_parts), imaginary(imaginary_parts) {}
+};
+PASTOSO_LIQUID_INLINE Four times(Four v, const Turn& w) {
+    return v * w.real + parts_swapped(v) * w.imaginary;
+}
+PASTOSO_LIQUID_INLINE Four times_conjugate(Four v, const Turn& w) {
+    return v * w.real - parts_swapped(v) * w.imaginary;
 }
 
 /// Where value i of n stands in the order 0, 2, 4, .. 5, 3, 1.
@@ -27,14 +43,14 @@ int place(int i, int n) {
 
 /// From the Fourier coefficients V(k) and V(n - k) along an axis to the cosine's, a and b:
 ///     a = w V + w* V',   b = i (w V - w* V'),   w = exp(-i pi k / 2n).
-void to_cosine(Complex& v, Complex& mirrored, Complex turn) {
-    const Complex p = times(v, turn), q = times_conjugate(mirrored, turn), d = p - q;
+PASTOSO_LIQUID_INLINE void to_cosine(Four& v, Four& mirrored, const Turn& turn) {
+    const Four p = times(v, turn), q = times_conjugate(mirrored, turn);
     v = p + q;
-    mirrored = {-d.imag(), d.real()};
+    mirrored = times_i(p - q);
 }
-void from_cosine(Complex& a, Complex& b, Complex turn) {
-    const Complex turned = {-b.imag(), b.real()};
-    const Complex p = 0.5F * (a - turned), q = 0.5F * (a + turned);
+PASTOSO_LIQUID_INLINE void from_cosine(Four& a, Four& b, const Turn& turn) {
+    const Four turned = times_i(b);
+    const Four p = all(0.5F) * (a - turned), q = all(0.5F) * (a + turned);
     a = times_conjugate(p, turn);
     b = times(q, turn);
 }
@@ -68,6 +84,23 @@ CosinePressure::CosinePressure(const grid::BoxShape& shape)
             axes_[axis].turn.emplace_back(static_cast<float>(std::cos(0.5 * angle)),
                                           static_cast<float>(-half_sine));
         }
+    find_frequencies_x();
+}
+
+void CosinePressure::find_frequencies_x() {
+    const auto& [eigenvalue, turn] = axes_[0];
+    const auto count = static_cast<std::size_t>(2 * spectrum_.extent().row_stride());
+    // What pads a row divides nothing by one.
+    eigenvalues_x_.assign(count, 1.0F);
+    real_x_.assign(count, 0.0F);
+    imaginary_x_.assign(count, 0.0F);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(spectrum_.extent().half()); ++k) {
+        eigenvalues_x_[2 * k] = eigenvalue[k];
+        eigenvalues_x_[2 * k + 1] = eigenvalue[static_cast<std::size_t>(shape_.nx) - k];
+        real_x_[2 * k] = real_x_[2 * k + 1] = turn[k].real();
+        imaginary_x_[2 * k] = -turn[k].imag();
+        imaginary_x_[2 * k + 1] = turn[k].imag();
+    }
 }
 
 void CosinePressure::load(const grid::BoxField& source, core::ThreadPool& pool) {
@@ -100,42 +133,56 @@ void CosinePressure::store(grid::BoxField& pressure, core::ThreadPool& pool) {
 
 /// The rows of frequencies ky, kz and of their mirror images: to cosine coefficients, divided by the
 /// eigenvalues, and back. Along x the real part belongs to frequency kx, minus the imaginary one to nx -
-/// kx.
+/// kx. A row that is its own mirror image only changes by a factor, there and back.
+template <std::size_t kRowsY, std::size_t kRowsZ>
 void CosinePressure::divide_rows(int ky, int kz) {
-    const auto& [x, y, z] = axes_;
-    const int mirror_y = (shape_.ny - ky) % shape_.ny, mirror_z = (shape_.nz - kz) % shape_.nz;
-    // A row that is its own mirror image only changes by a factor, there and back.
-    const int rows_y = mirror_y == ky ? 1 : 2, rows_z = mirror_z == kz ? 1 : 2;
-    const std::array<int, 2> ys = {ky, mirror_y}, zs = {kz, mirror_z};
-    const Complex turn_y = y.turn[static_cast<std::size_t>(ky)],
-                  turn_z = z.turn[static_cast<std::size_t>(kz)];
-    const auto at = [](int index) { return static_cast<std::size_t>(index); };
-    for (int kx = 0; kx <= shape_.nx / 2; ++kx) {
-        std::array<std::array<Complex, 2>, 2> v;
-        for (int b = 0; b < rows_z; ++b)
-            for (int a = 0; a < rows_y; ++a)
-                v[at(b)][at(a)] = spectrum_.row(ys[at(a)], zs[at(b)])[kx];
-        if (rows_z == 2)
-            for (int a = 0; a < rows_y; ++a)
-                to_cosine(v[0][at(a)], v[1][at(a)], turn_z);
-        for (int b = 0; b < rows_z; ++b) {
-            if (rows_y == 2) to_cosine(v[at(b)][0], v[at(b)][1], turn_y);
-            for (int a = 0; a < rows_y; ++a) {
-                const float rest = y.eigenvalue[at(ys[at(a)])] + z.eigenvalue[at(zs[at(b)])];
-                const float low = x.eigenvalue[at(kx)] + rest,
-                            high = x.eigenvalue[at(shape_.nx - kx)] + rest;
-                const Complex e = times(v[at(b)][at(a)], x.turn[at(kx)]);
-                v[at(b)][at(a)] = times_conjugate(
-                    Complex(low > 0.0F ? e.real() / low : 0.0F, e.imag() / high), x.turn[at(kx)]);
-            }
-            if (rows_y == 2) from_cosine(v[at(b)][0], v[at(b)][1], turn_y);
+    const std::array<int, 2> ys = {ky, (shape_.ny - ky) % shape_.ny},
+                             zs = {kz, (shape_.nz - kz) % shape_.nz};
+    const Turn turn_y(axes_[1].turn[static_cast<std::size_t>(ky)]),
+        turn_z(axes_[2].turn[static_cast<std::size_t>(kz)]);
+    std::array<std::array<float*, kRowsY>, kRowsZ> rows;
+    std::array<std::array<float, kRowsY>, kRowsZ> rest;
+    for (std::size_t b = 0; b < kRowsZ; ++b)
+        for (std::size_t a = 0; a < kRowsY; ++a) {
+            rows[b][a] = spectrum_.real_row(ys[a], zs[b]);
+            rest[b][a] = axes_[1].eigenvalue[static_cast<std::size_t>(ys[a])] +
+                         axes_[2].eigenvalue[static_cast<std::size_t>(zs[b])];
         }
-        if (rows_z == 2)
-            for (int a = 0; a < rows_y; ++a)
-                from_cosine(v[0][at(a)], v[1][at(a)], turn_z);
-        for (int b = 0; b < rows_z; ++b)
-            for (int a = 0; a < rows_y; ++a)
-                spectrum_.row(ys[at(a)], zs[at(b)])[kx] = v[at(b)][at(a)];
+    const std::ptrdiff_t count = 2 * spectrum_.extent().row_stride();
+    for (std::ptrdiff_t at = 0; at < count; at += 2 * kNumbersAtOnce) {
+        const Four eigenvalues = liquid::load(eigenvalues_x_.data() + at);
+        const Turn turn_x(liquid::load(real_x_.data() + at), liquid::load(imaginary_x_.data() + at));
+        std::array<std::array<Four, kRowsY>, kRowsZ> v;
+        for (std::size_t b = 0; b < kRowsZ; ++b)
+            for (std::size_t a = 0; a < kRowsY; ++a)
+                v[b][a] = liquid::load(rows[b][a] + at);
+        for (std::size_t a = 0; kRowsZ == 2 && a < kRowsY; ++a)
+            to_cosine(v.front()[a], v.back()[a], turn_z);
+        for (std::size_t b = 0; b < kRowsZ; ++b) {
+            if (kRowsY == 2) to_cosine(v[b].front(), v[b].back(), turn_y);
+            for (std::size_t a = 0; a < kRowsY; ++a) {
+                const Four divisor = eigenvalues + all(rest[b][a]);
+                const Four coefficients = times(v[b][a], turn_x);
+                v[b][a] = times_conjugate(divisor > 0.0F ? coefficients / divisor : all(0.0F), turn_x);
+            }
+            if (kRowsY == 2) from_cosine(v[b].front(), v[b].back(), turn_y);
+        }
+        for (std::size_t a = 0; kRowsZ == 2 && a < kRowsY; ++a)
+            from_cosine(v.front()[a], v.back()[a], turn_z);
+        for (std::size_t b = 0; b < kRowsZ; ++b)
+            for (std::size_t a = 0; a < kRowsY; ++a)
+                __builtin_memcpy(rows[b][a] + at, &v[b][a], sizeof(Four));
+    }
+}
+
+void CosinePressure::divide_slices(int kz) {
+    const bool one_z = (shape_.nz - kz) % shape_.nz == kz;
+    for (int ky = 0; ky <= shape_.ny / 2; ++ky) {
+        const bool one_y = (shape_.ny - ky) % shape_.ny == ky;
+        if (one_z)
+            one_y ? divide_rows<1, 1>(ky, kz) : divide_rows<2, 1>(ky, kz);
+        else
+            one_y ? divide_rows<1, 2>(ky, kz) : divide_rows<2, 2>(ky, kz);
     }
 }
 
@@ -144,10 +191,7 @@ void CosinePressure::solve(const grid::BoxField& source, grid::BoxField& pressur
     PASTOSO_CHECK(source.shape() == shape_ && pressure.shape() == shape_);
     load(source, pool);
     spectrum_.forward(pool);
-    for_slices(pool, 0, shape_.nz / 2 + 1, [&](int kz) {
-        for (int ky = 0; ky <= shape_.ny / 2; ++ky)
-            divide_rows(ky, kz);
-    });
+    for_slices(pool, 0, shape_.nz / 2 + 1, [&](int kz) { divide_slices(kz); });
     spectrum_.backward(pool);
     store(pressure, pool);
 }

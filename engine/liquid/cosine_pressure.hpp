@@ -32,11 +32,18 @@ class CosinePressure {
     };
     void load(const grid::BoxField& source, core::ThreadPool& pool);
     void store(grid::BoxField& pressure, core::ThreadPool& pool);
+    void find_frequencies_x();
+    template <std::size_t kRowsY, std::size_t kRowsZ>
     void divide_rows(int ky, int kz);
+    /// All rows of frequency kz along z and of its mirror image.
+    void divide_slices(int kz);
 
     grid::BoxShape shape_;
     FourierBox spectrum_;
     std::array<Axis, 3> axes_;
+    /// Along x as the numbers of a row lie: eigenvalues of frequencies kx and nx - kx in turn, and the
+    /// factors' real and imaginary parts, each twice, the latter with the signs of a product.
+    AlignedFloats eigenvalues_x_, real_x_, imaginary_x_;
     grid::BoxField source_, pressure_;
 };
 
