@@ -80,13 +80,17 @@ TEST_F(Navigation, FitAndActualPixels) {
     EXPECT_LE(last.y(), canvas().height());
 }
 
-TEST_F(Navigation, NoTwoCommandsShareAKey) {
-    std::set<QString> keys;
-    for (const commands::CommandText& text : commands::command_list()) {
-        const QAction* action = window().commands().action(text.command);
-        for (const QKeySequence& key : action->shortcuts()) {
-            EXPECT_TRUE(keys.insert(key.toString()).second) << key.toString().toStdString();
+TEST_F(Navigation, NoTwoCommandsOfAModeShareAKey) {
+    for (const commands::Mode mode : {commands::Mode::Painting, commands::Mode::Tea}) {
+        std::set<QString> keys;
+        for (const commands::CommandText& text : commands::command_list()) {
+            if (!commands::meet(text.mode, mode)) continue;
+            const QAction* action = window().commands().action(text.command);
+            for (const QKeySequence& key : action->shortcuts()) {
+                EXPECT_TRUE(keys.insert(key.toString()).second) << key.toString().toStdString();
+            }
         }
+        EXPECT_GT(keys.size(), 10U);
     }
 }
 
