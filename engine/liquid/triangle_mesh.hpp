@@ -16,6 +16,7 @@ struct TriangleMesh {
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
 
     bool empty() const { return triangles.empty(); }
+    friend bool operator==(const TriangleMesh&, const TriangleMesh&) = default;
 };
 
 /// What a closed mesh encloses, in m3: the sum of a . (b x c) / 6 over its triangles.
