@@ -2,31 +2,19 @@
 
 #include "core/text_file.hpp"
 #include "io/bundled_files.hpp"
+#include "io/cup_json.hpp"
 #include "io/json_place.hpp"
+#include "io/number_table.hpp"
 
-#include <algorithm>
 #include <filesystem>
 
 namespace pastoso::io {
 namespace {
 
-using liquid::Cup;
-using liquid::TeaNumber;
 using liquid::TeaSettings;
 using liquid::VelocityAdvection;
 
 constexpr const char* kBundled = "tea";  ///< the folder of resources
-
-struct CupNumber {
-    const char* key;
-    float Cup::*value;
-};
-constexpr CupNumber kCupNumbers[] = {
-    {"floor_m", &Cup::floor_m}, {"floor_radius_m", &Cup::floor_radius_m},
-    {"slope", &Cup::slope},     {"level_m", &Cup::level_m},
-    {"wall_m", &Cup::wall_m},   {"foot_m", &Cup::foot_m},
-    {"rim_m", &Cup::rim_m},
-};
 
 struct AdvectionName {
     const char* name;
@@ -36,22 +24,6 @@ constexpr AdvectionName kAdvections[] = {{"once", VelocityAdvection::Once},
                                          {"reflected", VelocityAdvection::Reflected}};
 
 constexpr FileFormat kFormat{"pastoso-tea", "a glass of milk tea", "tea format", kTeaFormatVersion};
-
-Cup read_cup(const JsonPlace& place) {
-    std::vector<std::string_view> keys = {"x_m", "y_m"};
-    for (const CupNumber& number : kCupNumbers)
-        keys.emplace_back(number.key);
-    place.allow_only(keys);
-    Cup cup;
-    for (const CupNumber& number : kCupNumbers)
-        if (const auto entry = place.optional_entry(number.key))
-            cup.*number.value = static_cast<float>(entry->number());
-    if (const auto entry = place.optional_entry("x_m"))
-        cup.axis_m.x = static_cast<float>(entry->number());
-    if (const auto entry = place.optional_entry("y_m"))
-        cup.axis_m.y = static_cast<float>(entry->number());
-    return cup;
-}
 
 VelocityAdvection read_advection(const JsonPlace& place) {
     const std::string name = place.text();
@@ -79,8 +51,7 @@ liquid::TeaSettings tea_from_json(std::string_view text, const std::string& name
     check_format(place, kFormat);
     std::vector<std::string_view> keys = {"format",  "version", "cup",       "cells",
                                           "parcels", "seed",    "advection", "ball_candidates"};
-    for (const TeaNumber& number : liquid::tea_numbers())
-        keys.emplace_back(number.key);
+    add_keys(keys, liquid::tea_numbers());
     place.allow_only(keys);
 
     TeaSettings settings;
@@ -88,9 +59,7 @@ liquid::TeaSettings tea_from_json(std::string_view text, const std::string& name
     read_whole_numbers(place, settings);
     if (const auto entry = place.optional_entry("advection"))
         settings.advection = read_advection(*entry);
-    for (const TeaNumber& number : liquid::tea_numbers())
-        if (const auto entry = place.optional_entry(number.key))
-            settings.*number.value = entry->number();
+    read_numbers(place, liquid::tea_numbers(), settings);
     place.guard([&] { liquid::check_tea(settings); });
     return settings;
 }
@@ -110,11 +79,8 @@ std::string tea_to_json(const liquid::TeaSettings& settings) {
                  {"seed", settings.seed},   {"ball_candidates", settings.ball_candidates}};
     for (const AdvectionName& known : kAdvections)
         if (known.advection == settings.advection) json["advection"] = known.name;
-    Json& cup = json["cup"] = {{"x_m", settings.cup.axis_m.x}, {"y_m", settings.cup.axis_m.y}};
-    for (const CupNumber& number : kCupNumbers)
-        cup[number.key] = settings.cup.*number.value;
-    for (const TeaNumber& number : liquid::tea_numbers())
-        json[number.key] = settings.*number.value;
+    json["cup"] = cup_to_json(settings.cup);
+    write_numbers(json, liquid::tea_numbers(), settings);
     return json.dump(2) + "\n";
 }
 
