@@ -3,6 +3,7 @@
 #pragma once
 
 #include "liquid/cell_matrix.hpp"
+#include "liquid/row_ranges.hpp"
 
 #include <vector>
 
@@ -16,6 +17,9 @@ struct ClosedComponents {
     std::vector<long> sizes;  ///< how many cells each has; at 0 of all other cells
 };
 
-ClosedComponents closed_components(const CellMatrix& matrix);
+/// The cells of the matrix that take part must lie within `rows`. `components` is overwritten; its
+/// memory is used again.
+void find_closed_components(const CellMatrix& matrix, const RowRanges& rows,
+                            ClosedComponents& components);
 
 }  // namespace pastoso::liquid

@@ -22,18 +22,18 @@ glm::vec3 vorticity(const VelocityField& velocity, std::ptrdiff_t at,
 
 }  // namespace
 
-void add_confinement(const Walls& walls, float strength, float dt_s, VelocityField& velocity,
+void add_confinement(const Region& region, float strength, float dt_s, VelocityField& velocity,
                      core::ThreadPool& pool) {
-    const grid::BoxShape& shape = walls.shape();
+    const grid::BoxShape& shape = region.shape();
     const std::array<std::ptrdiff_t, 3> to = {1, shape.stride_y(), shape.stride_z()};
     VelocityField spin(shape), force(shape);
     grid::BoxField size(shape);
     const auto for_cells = [&](const auto& body) {
         for_slices(pool, 0, shape.nz, [&](int k) {
             for (int j = 0; j < shape.ny; ++j) {
-                const RowRange range = walls.rows(Location::Cell).at(j, k);
+                const RowRange range = region.rows(Location::Cell).at(j, k);
                 for (int i = range.begin; i < range.end; ++i)
-                    if (walls.open_cells().at(i, j, k) > 0.0F) body(i, j, k);
+                    if (region.open_cells().at(i, j, k) > 0.0F) body(i, j, k);
             }
         });
     };
@@ -43,11 +43,18 @@ void add_confinement(const Walls& walls, float strength, float dt_s, VelocityFie
             spin.along(axis).at(i, j, k) = omega[axis];
         size.at(i, j, k) = std::sqrt(omega.x * omega.x + omega.y * omega.y + omega.z * omega.z);
     });
-    walls.extrapolate(size, Location::Cell, pool);
+    // Towards a shut cell nothing changes.
+    const auto beside = [&](std::ptrdiff_t at, std::ptrdiff_t step) {
+        const std::vector<float>&sizes = size.values(), &open = region.open_cells().values();
+        const auto there = static_cast<std::size_t>(at + step);
+        return open[there] > 0.0F ? sizes[there] : sizes[static_cast<std::size_t>(at)];
+    };
     for_cells([&](int i, int j, int k) {
-        const glm::vec3 slope(size.at(i + 1, j, k) - size.at(i - 1, j, k),
-                              size.at(i, j + 1, k) - size.at(i, j - 1, k),
-                              size.at(i, j, k + 1) - size.at(i, j, k - 1));
+        const std::ptrdiff_t at = shape.index(i, j, k);
+        glm::vec3 slope;
+        for (const int axis : kAxes)
+            slope[axis] = beside(at, to[static_cast<std::size_t>(axis)]) -
+                          beside(at, -to[static_cast<std::size_t>(axis)]);
         const float length = std::sqrt(slope.x * slope.x + slope.y * slope.y + slope.z * slope.z);
         if (!(length > 0.0F)) return;
         const glm::vec3 n = slope / length;
@@ -60,9 +67,9 @@ void add_confinement(const Walls& walls, float strength, float dt_s, VelocityFie
     for_slices(pool, 0, shape.nz, [&](int k) {
         for (const int axis : kAxes)
             for (int j = 0; j < shape.ny; ++j) {
-                const RowRange range = walls.rows(face_across(axis)).at(j, k);
+                const RowRange range = region.rows(face_across(axis)).at(j, k);
                 const float* f = force.along(axis).row(j, k);
-                const float* open = walls.open().along(axis).row(j, k);
+                const float* open = region.open().along(axis).row(j, k);
                 float* u = velocity.along(axis).row(j, k);
                 for (int i = range.begin; i < range.end; ++i)
                     if (open[i] > 0.0F)

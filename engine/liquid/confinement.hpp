@@ -3,14 +3,15 @@
 // that gives swirls back what the grid's own friction takes. More than 0.3 makes noise.
 #pragma once
 
-#include "liquid/walls.hpp"
+#include "core/thread_pool.hpp"
+#include "liquid/region.hpp"
 
 namespace pastoso::liquid {
 
 inline constexpr float kMostConfinement = 0.3F;
 
-/// Adds dt f to the velocity on open faces. The velocity must be continued into the walls.
-void add_confinement(const Walls& walls, float strength, float dt_s, VelocityField& velocity,
+/// Adds dt f to the velocity on open faces. The velocity must be continued into the region.
+void add_confinement(const Region& region, float strength, float dt_s, VelocityField& velocity,
                      core::ThreadPool& pool);
 
 }  // namespace pastoso::liquid

@@ -34,12 +34,27 @@ void check(const SolveLimits& limits) {
                                " iterations; it needs at least 1.");
 }
 
+ConjugateGradients::ConjugateGradients(const grid::BoxShape& shape, const Kernels& kernels)
+    : kernels_(&kernels),
+      multigrid_(shape),
+      solution_(multigrid_.levels().front().extent),
+      direction_(solution_),
+      image_(solution_),
+      shape_(shape) {}
+
 ConjugateGradients::ConjugateGradients(const CellMatrix& matrix, const Kernels& kernels)
-    : kernels_(&kernels), levels_(multigrid_levels(matrix)), shape_(matrix.shape()) {
-    for (MultigridLevel& level : levels_)
+    : ConjugateGradients(matrix.shape(), kernels) {
+    core::ThreadPool this_thread(1);
+    set_matrix(matrix, RowRanges::whole(shape_, Location::Cell), this_thread);
+}
+
+void ConjugateGradients::set_matrix(const CellMatrix& matrix, const RowRanges& rows,
+                                    core::ThreadPool& pool) {
+    PASTOSO_CHECK(matrix.shape() == shape_);
+    multigrid_.set_matrix(matrix, rows, pool);
+    views_.clear();
+    for (MultigridLevel& level : levels())
         views_.push_back(level.view());
-    for (ColourField* vector : {&solution_, &direction_, &image_})
-        *vector = ColourField(levels_.front().extent);
 }
 
 template <class Body>
@@ -76,7 +91,7 @@ void ConjugateGradients::remove_means(const MultigridLevel& level, ColourField& 
     const LevelExtent& extent = level.extent;
     if (closed.count == 0) return;
     if (all_closed(level)) {
-        const LevelView& view = views_[static_cast<std::size_t>(&level - levels_.data())];
+        const LevelView& view = views_[static_cast<std::size_t>(&level - levels().data())];
         const ColourPointers pointers = values.data();
         std::vector<double> sums(static_cast<std::size_t>(extent.nz));
         for_level_slices(level, pool, extent.nz, [&](int k) {
@@ -120,7 +135,7 @@ SolveResult ConjugateGradients::solve(const grid::BoxField& source, grid::BoxFie
                                       const SolveLimits& limits, core::ThreadPool& pool) {
     PASTOSO_CHECK(source.shape() == shape_ && solution.shape() == shape_);
     check(limits);
-    MultigridLevel& finest = levels_.front();
+    MultigridLevel& finest = levels().front();
     load(source, finest.source, pool);
     load(solution, solution_, pool);
     remove_means(finest, finest.source, pool);
@@ -155,7 +170,7 @@ SolveResult ConjugateGradients::iterate(double source_norm, double residual, con
                                         core::ThreadPool& pool) {
     const LevelView& level = views_.front();
     const ConjugateView vectors = {solution_.data(), direction_.data(), image_.data()};
-    const bool closed = all_closed(levels_.front());
+    const bool closed = all_closed(levels().front());
     const auto sum = [&](const auto& slice) { return sum_over_slices(pool, shape_.nz, slice); };
     SolveResult result;
     double product = 0.0, least_residual = residual;
@@ -178,11 +193,11 @@ SolveResult ConjugateGradients::iterate(double source_norm, double residual, con
         // The image of a closed system has mean zero but for rounding, which must not gather in the
         // residual.
         const float mean =
-            closed ? static_cast<float>(turned.image / static_cast<double>(levels_.front().cell_count))
+            closed ? static_cast<float>(turned.image / static_cast<double>(levels().front().cell_count))
                    : 0.0F;
         residual =
             std::sqrt(sum([&](int k) { return kernels_->advance(level, vectors, alpha, mean, k); }));
-        if (!closed) remove_means(levels_.front(), levels_.front().source, pool);
+        if (!closed) remove_means(levels().front(), levels().front().source, pool);
         least_residual = std::min(least_residual, residual);
         ++result.iterations;
     }
@@ -192,18 +207,18 @@ SolveResult ConjugateGradients::iterate(double source_norm, double residual, con
 }
 
 double ConjugateGradients::precondition(core::ThreadPool& pool) {
-    const std::size_t coarsest = levels_.size() - 1;
+    const std::size_t coarsest = levels().size() - 1;
     for (std::size_t depth = 0; depth < coarsest; ++depth)
         cycle_down(depth, pool);
     solve_coarsest(pool);
     for (std::size_t depth = coarsest; depth-- > 0;) {
         const LevelView &fine = views_[depth], &coarse = views_[depth + 1];
-        for_level_slices(levels_[depth], pool, coarse.extent.nz,
+        for_level_slices(levels()[depth], pool, coarse.extent.nz,
                          [&](int k) { kernels_->add_correction(coarse, fine, k); });
-        for_level_slices(levels_[depth], pool, fine.extent.nz,
+        for_level_slices(levels()[depth], pool, fine.extent.nz,
                          [&](int k) { kernels_->relax(fine, kLastColour, k); });
         if (depth == 0) break;
-        for_level_slices(levels_[depth], pool, fine.extent.nz,
+        for_level_slices(levels()[depth], pool, fine.extent.nz,
                          [&](int k) { kernels_->relax(fine, kFirstColour, k); });
     }
     return sum_over_slices(pool, shape_.nz,
@@ -212,11 +227,11 @@ double ConjugateGradients::precondition(core::ThreadPool& pool) {
 
 void ConjugateGradients::cycle_down(std::size_t depth, core::ThreadPool& pool) {
     const LevelView &fine = views_[depth], &coarse = views_[depth + 1];
-    for_level_slices(levels_[depth], pool, fine.extent.nz,
+    for_level_slices(levels()[depth], pool, fine.extent.nz,
                      [&](int k) { kernels_->relax_from_zero(fine, k); });
-    for_level_slices(levels_[depth], pool, fine.extent.nz,
+    for_level_slices(levels()[depth], pool, fine.extent.nz,
                      [&](int k) { kernels_->relax(fine, kLastColour, k); });
-    for_level_slices(levels_[depth], pool, coarse.extent.nz,
+    for_level_slices(levels()[depth], pool, coarse.extent.nz,
                      [&](int k) { kernels_->restrict_residual(fine, coarse, k); });
 }
 
@@ -224,7 +239,7 @@ void ConjugateGradients::solve_coarsest(core::ThreadPool& pool) {
     const LevelView& level = views_.back();
     // In a closed component the sources have mean zero but for rounding. Each sweep would turn what is
     // left into a constant, which conjugate gradients then take for a direction.
-    remove_means(levels_.back(), levels_.back().source, pool);
+    remove_means(levels().back(), levels().back().source, pool);
     const auto relax = [&](int colour) {
         for (int k = 0; k < level.extent.nz; ++k)
             kernels_->relax(level, colour, k);

@@ -35,8 +35,13 @@ class ConjugateGradients {
   public:
     /// A kernel table other than the best one is for tests.
     explicit ConjugateGradients(const CellMatrix& matrix, const Kernels& kernels = liquid::kernels());
+    /// Without equations yet.
+    explicit ConjugateGradients(const grid::BoxShape& shape, const Kernels& kernels = liquid::kernels());
     ConjugateGradients(ConjugateGradients&&) = default;
     ConjugateGradients& operator=(ConjugateGradients&&) = default;
+
+    /// Takes another matrix of the same shape, whose cells that take part lie within `rows`.
+    void set_matrix(const CellMatrix& matrix, const RowRanges& rows, core::ThreadPool& pool);
 
     /// Solves A solution = source, beginning with the solution given where that is better than 0. Where
     /// a closed component (connected cells without boundary or mass) has a source whose mean is not
@@ -45,6 +50,8 @@ class ConjugateGradients {
                       core::ThreadPool& pool);
 
   private:
+    std::vector<MultigridLevel>& levels() { return multigrid_.levels(); }
+    const std::vector<MultigridLevel>& levels() const { return multigrid_.levels(); }
     void load(const grid::BoxField& cells, ColourField& out, core::ThreadPool& pool) const;
     void store(ColourField& values, grid::BoxField& cells, core::ThreadPool& pool) const;
     /// Of the level's closed components.
@@ -61,7 +68,7 @@ class ConjugateGradients {
                           const Body& body) const;
 
     const Kernels* kernels_;
-    std::vector<MultigridLevel> levels_;
+    MultigridLevels multigrid_;
     std::vector<LevelView> views_;
     ColourField solution_, direction_, image_;
     grid::BoxShape shape_;

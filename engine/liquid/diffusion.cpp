@@ -17,9 +17,9 @@ void check_rate(float diffusivity_m2_s, float dt_s) {
         throw core::InputError("The time step is " + std::to_string(dt_s) + " s; it must be 0 or more.");
 }
 
-const grid::BoxField& known_samples(const Walls& walls, Location location) {
-    return location == Location::Cell ? walls.open_cells()
-                                      : walls.open().along(static_cast<int>(location));
+const grid::BoxField& known_samples(const Region& region, Location location) {
+    return location == Location::Cell ? region.open_cells()
+                                      : region.open().along(static_cast<int>(location));
 }
 
 struct Steps {
@@ -66,13 +66,13 @@ void diffuse_faces(const grid::BoxField& open, const float* from, const Stage& s
 
 }  // namespace
 
-Diffusion::Diffusion(const Walls& walls, Location location, WallFriction friction)
-    : location_(location), friction_(friction), next_(walls.shape()) {}
+Diffusion::Diffusion(const Region& region, Location location, WallFriction friction)
+    : location_(location), friction_(friction), next_(region.shape()) {}
 
-SolveResult Diffusion::diffuse(const Walls& walls, grid::BoxField& field, float diffusivity_m2_s,
+SolveResult Diffusion::diffuse(const Region& region, grid::BoxField& field, float diffusivity_m2_s,
                                float dt_s, const SolveLimits& limits, core::ThreadPool& pool) {
     check_rate(diffusivity_m2_s, dt_s);
-    const float cell = walls.shape().cell_m, step = diffusivity_m2_s * dt_s / (cell * cell);
+    const float cell = region.shape().cell_m, step = diffusivity_m2_s * dt_s / (cell * cell);
     if (!std::isfinite(step))
         throw core::InputError("A diffusivity or viscosity of " + std::to_string(diffusivity_m2_s) +
                                " m2/s is too large for a step of " + std::to_string(dt_s) + " s.");
@@ -80,56 +80,56 @@ SolveResult Diffusion::diffuse(const Walls& walls, grid::BoxField& field, float 
     const float sub_steps = std::ceil(step / kLongestExplicitStep);
     if (sub_steps <= static_cast<float>(kMaxExplicitSteps)) {
         for (int n = 0; n < static_cast<int>(sub_steps); ++n) {
-            apply(walls, {1.0F, 0.0F, step / sub_steps}, field, next_, pool);
-            copy_back(walls, field, pool);
+            apply(region, {1.0F, 0.0F, step / sub_steps}, field, next_, pool);
+            copy_back(region, field, pool);
         }
         return {};
     }
     const int stages = stages_for(step);
-    if (stages > kMaxStages) return implicit_step(walls, field, step, limits, pool);
-    legendre_step(walls, field, step, stages, pool);
+    if (stages > kMaxStages) return implicit_step(region, field, step, limits, pool);
+    legendre_step(region, field, step, stages, pool);
     return {};
 }
 
 /// Stage j of s, with L the Laplacian and w = 2 / (s^2 + s):
 ///     j Y(j) = (2j - 1) (Y(j-1) + w step L Y(j-1)) - (j - 1) Y(j-2).
 /// Y(j) takes the place of Y(j-2).
-void Diffusion::legendre_step(const Walls& walls, grid::BoxField& field, float step, int stages,
+void Diffusion::legendre_step(const Region& region, grid::BoxField& field, float step, int stages,
                               core::ThreadPool& pool) {
     const float part = 2.0F * step / static_cast<float>(stages * (stages + 1));
     for (int j = 1; j <= stages; ++j) {
         const float n = static_cast<float>(j), here = (2.0F * n - 1.0F) / n;
         const bool odd = j % 2 == 1;
-        apply(walls, {here, (1.0F - n) / n, here * part}, odd ? field : next_, odd ? next_ : field,
+        apply(region, {here, (1.0F - n) / n, here * part}, odd ? field : next_, odd ? next_ : field,
               pool);
     }
-    if (stages % 2 == 1) copy_back(walls, field, pool);
+    if (stages % 2 == 1) copy_back(region, field, pool);
 }
 
-void Diffusion::apply(const Walls& walls, const Stage& stage, const grid::BoxField& from,
+void Diffusion::apply(const Region& region, const Stage& stage, const grid::BoxField& from,
                       grid::BoxField& to, core::ThreadPool& pool) const {
-    const grid::BoxShape& shape = walls.shape();
+    const grid::BoxShape& shape = region.shape();
     const Steps steps = {shape.stride_y(), shape.stride_z()};
     const float* values = from.values().data();
     for_slices(pool, 0, shape.nz, [&](int k) {
         for (int j = 0; j < shape.ny; ++j) {
-            const RowRange range = walls.rows(location_).at(j, k);
+            const RowRange range = region.rows(location_).at(j, k);
             if (range.empty()) continue;
             const std::ptrdiff_t at = shape.index(0, j, k);
             if (location_ == Location::Cell)
-                diffuse_cells(walls.open(), values, stage, at, range, steps, to.row(j, k));
+                diffuse_cells(region.open(), values, stage, at, range, steps, to.row(j, k));
             else
-                diffuse_faces(known_samples(walls, location_), values, stage,
+                diffuse_faces(known_samples(region, location_), values, stage,
                               friction_ == WallFriction::Sticks, at, range, steps, to.row(j, k));
         }
     });
 }
 
-void Diffusion::copy_back(const Walls& walls, grid::BoxField& field, core::ThreadPool& pool) const {
-    const grid::BoxShape& shape = walls.shape();
+void Diffusion::copy_back(const Region& region, grid::BoxField& field, core::ThreadPool& pool) const {
+    const grid::BoxShape& shape = region.shape();
     for_slices(pool, 0, shape.nz, [&](int k) {
         for (int j = 0; j < shape.ny; ++j) {
-            const RowRange range = walls.rows(location_).at(j, k);
+            const RowRange range = region.rows(location_).at(j, k);
             if (range.empty()) continue;
             std::copy(next_.row(j, k) + range.begin, next_.row(j, k) + range.end,
                       field.row(j, k) + range.begin);
@@ -137,27 +137,27 @@ void Diffusion::copy_back(const Walls& walls, grid::BoxField& field, core::Threa
     });
 }
 
-float Diffusion::passage(const Walls& walls, int axis, std::ptrdiff_t index) const {
+float Diffusion::passage(const Region& region, int axis, std::ptrdiff_t index) const {
     if (location_ == Location::Cell)
-        return walls.open().along(axis).values()[static_cast<std::size_t>(index)];
-    const auto& known = known_samples(walls, location_).values();
-    const auto before = static_cast<std::size_t>(index - stride(walls.shape(), axis));
+        return region.open().along(axis).values()[static_cast<std::size_t>(index)];
+    const auto& known = known_samples(region, location_).values();
+    const auto before = static_cast<std::size_t>(index - stride(region.shape(), axis));
     return known[static_cast<std::size_t>(index)] > 0.0F && known[before] > 0.0F ? 1.0F : 0.0F;
 }
 
-float Diffusion::wall_passages(const Walls& walls, std::ptrdiff_t index) const {
+float Diffusion::wall_passages(const Region& region, std::ptrdiff_t index) const {
     if (location_ == Location::Cell || friction_ == WallFriction::Slips) return 0.0F;
-    const auto& known = known_samples(walls, location_).values();
+    const auto& known = known_samples(region, location_).values();
     float count = 0.0F;
     for (const int axis : kAxes)
-        for (const std::ptrdiff_t step : {-stride(walls.shape(), axis), stride(walls.shape(), axis)})
+        for (const std::ptrdiff_t step : {-stride(region.shape(), axis), stride(region.shape(), axis)})
             if (!(known[static_cast<std::size_t>(index + step)] > 0.0F)) count += 1.0F;
     return count;
 }
 
-CellMatrix Diffusion::implicit_matrix(const Walls& walls, float step) const {
-    const grid::BoxShape& shape = walls.shape();
-    const grid::BoxField& known = known_samples(walls, location_);
+CellMatrix Diffusion::implicit_matrix(const Region& region, float step) const {
+    const grid::BoxShape& shape = region.shape();
+    const grid::BoxField& known = known_samples(region, location_);
     CellMatrix matrix(shape);
     for (int k = 0; k < shape.nz; ++k)
         for (int j = 0; j < shape.ny; ++j)
@@ -165,26 +165,28 @@ CellMatrix Diffusion::implicit_matrix(const Walls& walls, float step) const {
                 if (!(known.at(i, j, k) > 0.0F)) continue;
                 const std::ptrdiff_t index = shape.index(i, j, k);
                 for (const int axis : kAxes)
-                    matrix.faces.along(axis).at(i, j, k) = step * passage(walls, axis, index);
-                matrix.boundary.at(i, j, k) = step * wall_passages(walls, index);
+                    matrix.faces.along(axis).at(i, j, k) = step * passage(region, axis, index);
+                matrix.boundary.at(i, j, k) = step * wall_passages(region, index);
                 matrix.mass.at(i, j, k) = 1.0F;
             }
     return matrix;
 }
 
-SolveResult Diffusion::implicit_step(const Walls& walls, grid::BoxField& field, float step,
+SolveResult Diffusion::implicit_step(const Region& region, grid::BoxField& field, float step,
                                      const SolveLimits& limits, core::ThreadPool& pool) {
-    if (solver_ == nullptr || solver_step_ != step) {
-        solver_ = std::make_unique<ConjugateGradients>(implicit_matrix(walls, step));
+    const grid::BoxShape& shape = region.shape();
+    if (solver_step_ != step) {
+        if (solver_ == nullptr) solver_ = std::make_unique<ConjugateGradients>(shape);
+        solver_->set_matrix(implicit_matrix(region, step), RowRanges::whole(shape, Location::Cell),
+                            pool);
         solver_step_ = step;
     }
-    const grid::BoxShape& shape = walls.shape();
-    const grid::BoxField& known = known_samples(walls, location_);
+    const grid::BoxField& known = known_samples(region, location_);
     next_ = field;
     const SolveResult result = solver_->solve(field, next_, limits, pool);
     for_slices(pool, 0, shape.nz, [&](int k) {
         for (int j = 0; j < shape.ny; ++j) {
-            const RowRange range = walls.rows(location_).at(j, k);
+            const RowRange range = region.rows(location_).at(j, k);
             for (int i = range.begin; i < range.end; ++i)
                 if (known.at(i, j, k) > 0.0F) field.at(i, j, k) = next_.at(i, j, k);
         }

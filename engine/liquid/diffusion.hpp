@@ -8,7 +8,7 @@
 #pragma once
 
 #include "liquid/conjugate_gradients.hpp"
-#include "liquid/walls.hpp"
+#include "liquid/region.hpp"
 
 #include <memory>
 
@@ -32,27 +32,30 @@ struct Stage {
 
 class Diffusion {
   public:
-    /// Of the samples of a location; friction matters to faces alone.
-    Diffusion(const Walls& walls, Location location, WallFriction friction);
+    /// Of the samples of a location in regions of one shape; friction matters to faces alone.
+    Diffusion(const Region& region, Location location, WallFriction friction);
+
+    /// Must be called where another region than the last one follows.
+    void region_changed() { solver_step_ = 0.0F; }
 
     /// diffusivity_m2_s >= 0 and dt_s >= 0, both finite, else core::InputError.
-    SolveResult diffuse(const Walls& walls, grid::BoxField& field, float diffusivity_m2_s, float dt_s,
+    SolveResult diffuse(const Region& region, grid::BoxField& field, float diffusivity_m2_s, float dt_s,
                         const SolveLimits& limits, core::ThreadPool& pool);
 
     /// (1 + `step` times minus the Laplacian), the implicit step's matrix.
-    CellMatrix implicit_matrix(const Walls& walls, float step) const;
+    CellMatrix implicit_matrix(const Region& region, float step) const;
 
   private:
-    void legendre_step(const Walls& walls, grid::BoxField& field, float step, int stages,
+    void legendre_step(const Region& region, grid::BoxField& field, float step, int stages,
                        core::ThreadPool& pool);
-    void apply(const Walls& walls, const Stage& stage, const grid::BoxField& from, grid::BoxField& to,
+    void apply(const Region& region, const Stage& stage, const grid::BoxField& from, grid::BoxField& to,
                core::ThreadPool& pool) const;
-    void copy_back(const Walls& walls, grid::BoxField& field, core::ThreadPool& pool) const;
-    SolveResult implicit_step(const Walls& walls, grid::BoxField& field, float step,
+    void copy_back(const Region& region, grid::BoxField& field, core::ThreadPool& pool) const;
+    SolveResult implicit_step(const Region& region, grid::BoxField& field, float step,
                               const SolveLimits& limits, core::ThreadPool& pool);
     /// How much passes between a sample of the location and the one before it along an axis.
-    float passage(const Walls& walls, int axis, std::ptrdiff_t index) const;
-    float wall_passages(const Walls& walls, std::ptrdiff_t index) const;
+    float passage(const Region& region, int axis, std::ptrdiff_t index) const;
+    float wall_passages(const Region& region, std::ptrdiff_t index) const;
 
     Location location_;
     WallFriction friction_;

@@ -4,10 +4,12 @@
 // a sweep reads one colour and writes the other, in whole registers and without a race between threads.
 #pragma once
 
+#include "core/thread_pool.hpp"
 #include "liquid/aligned_floats.hpp"
 #include "liquid/cell_matrix.hpp"
 #include "liquid/components.hpp"
 #include "liquid/multigrid_view.hpp"
+#include "liquid/row_ranges.hpp"
 
 #include <array>
 #include <vector>
@@ -44,6 +46,8 @@ class ColourField {
 };
 
 struct MultigridLevel {
+    explicit MultigridLevel(const LevelExtent& extent);
+
     LevelExtent extent;
     ColourField west, south, below;  ///< coefficients of the faces before each cell
     ColourField diagonal, inverse;   ///< the cell's own factor, and 1 over it, or 0 where it is 0
@@ -56,10 +60,25 @@ struct MultigridLevel {
     LevelView view();
 };
 
-/// All levels, the finest first. A coarse cell is made of two along each axis that has more than one;
-/// its faces' coefficients are what the same equation has on the wider grid: the sum over the fine
-/// faces, halved where the distance across them doubles. (That is half of the Galerkin product with
-/// constant transfer, which would underestimate the correction by two.)
-std::vector<MultigridLevel> multigrid_levels(const CellMatrix& matrix);
+/// All levels of a box, the finest first, whose memory serves one matrix after the other. A coarse cell
+/// is made of two along each axis that has more than one; its faces' coefficients are what the same
+/// equation has on the wider grid: the sum over the fine faces, halved where the distance across them
+/// doubles. (That is half of the Galerkin product with constant transfer, which would underestimate the
+/// correction by two.)
+class MultigridLevels {
+  public:
+    explicit MultigridLevels(const grid::BoxShape& shape);
+
+    /// The cells of the matrix that take part must lie within `rows`.
+    void set_matrix(const CellMatrix& matrix, const RowRanges& rows, core::ThreadPool& pool);
+
+    std::vector<MultigridLevel>& levels() { return levels_; }
+    const std::vector<MultigridLevel>& levels() const { return levels_; }
+
+  private:
+    std::vector<MultigridLevel> levels_;
+    std::vector<CellMatrix> coarse_;  ///< those of all levels but the finest
+    std::vector<RowRanges> rows_;     ///< what of each coarse matrix may not be 0
+};
 
 }  // namespace pastoso::liquid

@@ -21,6 +21,21 @@ float open_share(const SignedDistance& distance, const glm::vec3& point_cells, f
     return share < kLeastOpenShare ? 0.0F : share;
 }
 
+VelocityField open_faces(const grid::BoxShape& shape, const SignedDistance& distance) {
+    check_box_shape(shape);
+    VelocityField open(shape);
+    for (const int axis : kAxes) {
+        const glm::vec3 offset = offset_cells(face_across(axis));
+        const glm::ivec3 first(axis == 0, axis == 1, axis == 2);
+        for (int k = first.z; k < shape.nz; ++k)
+            for (int j = first.y; j < shape.ny; ++j)
+                for (int i = first.x; i < shape.nx; ++i)
+                    open.along(axis).at(i, j, k) =
+                        open_share(distance, glm::vec3(i, j, k) + offset, shape.cell_m);
+    }
+    return open;
+}
+
 }  // namespace
 
 void check_box_shape(const grid::BoxShape& shape) {
@@ -35,47 +50,11 @@ void check_box_shape(const grid::BoxShape& shape) {
                                " m wide, which is no size.");
 }
 
-Walls::Walls(const grid::BoxShape& shape, const SignedDistance& distance) {
-    check_box_shape(shape);
-    open_ = VelocityField(shape);
-    open_cells_ = grid::BoxField(shape);
-    for (RowRanges& rows : rows_)
-        rows = RowRanges(shape);
-    open_faces(distance);
-    find_open_cells();
+Walls::Walls(const grid::BoxShape& shape, const SignedDistance& distance)
+    : Region(open_faces(shape, distance)) {
     for (const int axis : kAxes)
-        rings_[static_cast<std::size_t>(axis)] = Extrapolation(open_.along(axis), kWallRings);
-    rings_[static_cast<std::size_t>(Location::Cell)] = Extrapolation(open_cells_, kWallRings);
-}
-
-void Walls::open_faces(const SignedDistance& distance) {
-    for (const int axis : kAxes) {
-        const glm::vec3 offset = offset_cells(face_across(axis));
-        const glm::ivec3 first(axis == 0, axis == 1, axis == 2);
-        for (int k = first.z; k < shape().nz; ++k)
-            for (int j = first.y; j < shape().ny; ++j)
-                for (int i = first.x; i < shape().nx; ++i) {
-                    const float share =
-                        open_share(distance, glm::vec3(i, j, k) + offset, shape().cell_m);
-                    open_.along(axis).at(i, j, k) = share;
-                    if (share > 0.0F) rows_[static_cast<std::size_t>(axis)].include(i, j, k);
-                }
-    }
-}
-
-void Walls::find_open_cells() {
-    RowRanges& rows = rows_[static_cast<std::size_t>(Location::Cell)];
-    for (int k = 0; k < shape().nz; ++k)
-        for (int j = 0; j < shape().ny; ++j)
-            for (int i = 0; i < shape().nx; ++i) {
-                const float sum = open_.x.at(i, j, k) + open_.x.at(i + 1, j, k) + open_.y.at(i, j, k) +
-                                  open_.y.at(i, j + 1, k) + open_.z.at(i, j, k) +
-                                  open_.z.at(i, j, k + 1);
-                if (!(sum > 0.0F)) continue;
-                open_cells_.at(i, j, k) = 1.0F;
-                rows.include(i, j, k);
-                ++open_cell_count_;
-            }
+        rings_[static_cast<std::size_t>(axis)] = Extrapolation(open().along(axis), kWallRings);
+    rings_[static_cast<std::size_t>(Location::Cell)] = Extrapolation(open_cells(), kWallRings);
 }
 
 }  // namespace pastoso::liquid

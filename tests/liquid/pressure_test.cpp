@@ -2,6 +2,7 @@
 #include "liquid/pressure.hpp"
 
 #include "core/error.hpp"
+#include "core/random.hpp"
 #include "liquid/flow_cases.hpp"
 
 #include <cmath>
@@ -61,8 +62,10 @@ int sweep(const Kernels& kernels, bool plain, ColourField& value, ColourField& c
     const grid::BoxShape shape = {70, 12, 12, 0.01F};
     CellMatrix matrix = pressure_matrix(Walls(shape, cases::no_walls));
     matrix.faces.x.at(60, 5, 5) = 0.25F;
-    std::vector<MultigridLevel> levels = multigrid_levels(matrix);
-    MultigridLevel &level = levels[0], &coarse = levels[1];
+    MultigridLevels levels(shape);
+    core::ThreadPool pool(1);
+    levels.set_matrix(matrix, RowRanges::whole(shape, Location::Cell), pool);
+    MultigridLevel &level = levels.levels()[0], &coarse = levels.levels()[1];
     grid::BoxField source(shape);
     cases::fill_randomly(source, 17);
     for (int k = 0; k < shape.nz; ++k)
@@ -101,6 +104,45 @@ TEST(Multigrid, PlainRowsGiveTheBitsThatTheirCoefficientsGive) {
                     ASSERT_EQ(coarse_source.at(i / 2, j / 2, k / 2),
                               expected_coarse.at(i / 2, j / 2, k / 2));
                 }
+    }
+}
+
+/// Random positive coefficients between the cells of a block of a box, whose other cells take no part.
+CellMatrix block_matrix(const grid::BoxShape& shape, const glm::ivec3& low, const glm::ivec3& high,
+                        RowRanges& rows) {
+    CellMatrix matrix(shape);
+    rows = RowRanges(shape);
+    for (int k = low.z; k < high.z; ++k)
+        for (int j = low.y; j < high.y; ++j)
+            for (int i = low.x; i < high.x; ++i) {
+                const auto at = static_cast<std::uint32_t>(shape.index(i, j, k));
+                rows.include(i, j, k);
+                if (i > low.x) matrix.faces.x.at(i, j, k) = 0.1F + core::uniform_noise(at, 1);
+                if (j > low.y) matrix.faces.y.at(i, j, k) = 0.1F + core::uniform_noise(at, 2);
+                if (k > low.z) matrix.faces.z.at(i, j, k) = 0.1F + core::uniform_noise(at, 3);
+                if (k == high.z - 1) matrix.boundary.at(i, j, k) = 2.0F;
+            }
+    return matrix;
+}
+
+TEST(Multigrid, OneMatrixAfterTheOtherIsAsGoodAsANewSolver) {
+    const grid::BoxShape shape = {33, 20, 18, 0.01F};
+    core::ThreadPool pool(2);
+    ConjugateGradients used(shape);
+    grid::BoxField source(shape);
+    cases::fill_randomly(source, 5);
+    const std::pair<glm::ivec3, glm::ivec3> blocks[] = {
+        {{0, 0, 0}, {33, 20, 18}}, {{3, 2, 1}, {20, 9, 12}}, {{14, 5, 6}, {33, 20, 17}}};
+    for (const auto& [low, high] : blocks) {
+        RowRanges rows;
+        const CellMatrix matrix = block_matrix(shape, low, high, rows);
+        used.set_matrix(matrix, rows, pool);
+        ConjugateGradients fresh(matrix);
+        grid::BoxField solution(shape), expected(shape);
+        const SolveResult result = used.solve(source, solution, {1e-5F, 50}, pool);
+        EXPECT_EQ(result, fresh.solve(source, expected, {1e-5F, 50}, pool));
+        EXPECT_TRUE(result.converged);
+        EXPECT_EQ(solution, expected);
     }
 }
 
