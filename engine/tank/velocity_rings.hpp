@@ -1,0 +1,39 @@
+// Continues a velocity from the faces where it is known into the air and the solids around them, ring by
+// ring: each face becomes the mean of its known neighbours across the same axis. For particles, which
+// stay within two cells of the faces that are known; a level set needs tank/extension.hpp.
+#pragma once
+
+#include "core/thread_pool.hpp"
+#include "liquid/row_ranges.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pastoso::tank {
+
+class VelocityRings {
+  public:
+    explicit VelocityRings(const grid::BoxShape& shape);
+
+    /// Faces are known where `known` > 0. All within `samples`; beyond them nothing is known. The same
+    /// bits on any number of threads.
+    void extend(const liquid::VelocityField& known, const liquid::RowRanges& samples, int rings,
+                liquid::VelocityField& velocity, core::ThreadPool& pool);
+
+  private:
+    struct Target {
+        std::ptrdiff_t index;
+        float value;
+    };
+    void load(const grid::BoxField& known, const liquid::RowRanges& samples, core::ThreadPool& pool);
+    void find_targets(const grid::BoxField& field, const liquid::RowRanges& samples, int k);
+    void apply(grid::BoxField& field, int k);
+
+    grid::BoxShape shape_;
+    liquid::RowRanges used_;  ///< what rows of the mask may not be 0
+    std::vector<std::uint8_t> known_;
+    std::vector<std::vector<Target>> targets_;  ///< of each slice
+};
+
+}  // namespace pastoso::tank
