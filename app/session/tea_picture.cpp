@@ -1,6 +1,7 @@
 #include "session/tea_picture.hpp"
 
 #include "core/error.hpp"
+#include "io/traced_picture.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -23,10 +24,6 @@ trace::Scene scene_of(const TeaPictureOrder& order, core::ThreadPool& pool) {
 }
 
 }  // namespace
-
-shade::LinearImage toned_image(const trace::Picture& radiance) {
-    return {radiance.width, radiance.height, trace::toned(radiance).rgb};
-}
 
 TeaPicture::TeaPicture(TeaPictureOrder order, std::function<void()> notify)
     : order_(std::move(order)), notify_(std::move(notify)), began_(std::chrono::steady_clock::now()) {
@@ -80,7 +77,7 @@ void TeaPicture::trace() {
 }
 
 void TeaPicture::publish(trace::Picture radiance, int samples, bool finished) {
-    auto shown = std::make_shared<const shade::Image8>(shade::encode_srgb8(toned_image(radiance)));
+    auto shown = std::make_shared<const shade::Image8>(shade::encode_srgb8(io::shown_image(radiance)));
     auto shared = std::make_shared<const trace::Picture>(std::move(radiance));
     {
         const std::lock_guard lock(mutex_);

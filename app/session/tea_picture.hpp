@@ -23,9 +23,6 @@ struct TeaPictureOrder {
     trace::MilkBody body = trace::MilkBody::Surface;
 };
 
-/// What a screen shows of it, still in linear light.
-shade::LinearImage toned_image(const trace::Picture& radiance);
-
 class TeaPicture {
   public:
     struct Progress {

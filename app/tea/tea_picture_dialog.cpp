@@ -1,7 +1,7 @@
 #include "tea/tea_picture_dialog.hpp"
 
 #include "core/error.hpp"
-#include "io/picture_file.hpp"
+#include "io/traced_picture.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -182,11 +182,7 @@ void TeaPictureDialog::resizeEvent(QResizeEvent* event) {
 void TeaPictureDialog::save(const QString& path) const {
     const auto radiance = work_ != nullptr ? work_->radiance() : nullptr;
     if (radiance == nullptr) throw core::InputError("There is no picture yet that could be saved.");
-    const std::filesystem::path file = path.toStdString();
-    if (io::is_linear_format(file))
-        io::write_picture(file, {radiance->width, radiance->height, radiance->rgb}, {});
-    else
-        io::write_picture(file, session::toned_image(*radiance), {});
+    io::write_traced_picture(path.toStdString(), *radiance);
 }
 
 void TeaPictureDialog::ask_save() {
