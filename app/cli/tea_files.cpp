@@ -100,7 +100,7 @@ void TeaFiles::write(int number, const liquid::TeaFrame& frame) {
     stats_.surface_error_rel = std::max(stats_.surface_error_rel, std::abs(surface.volume_error()));
     const fs::path path = path_of(number);
     if (kind_ == Kind::Picture)
-        write_picture(path, trace::tea_scene(cup_, frame, std::move(surface.mesh)));
+        write_picture(path, trace::tea_scene(cup_, frame.dissolved, std::move(surface.mesh)));
     else if (kind_ == Kind::Scene)
         write_scene(path, frame, surface.mesh);
     else if (kind_ == Kind::Volume)

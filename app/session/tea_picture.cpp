@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "io/traced_picture.hpp"
+#include "trace/tea_scene.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -12,13 +13,11 @@ namespace {
 /// With all the volume of the parcels, twice as fine as the cells.
 trace::Scene scene_of(const TeaPictureOrder& order, core::ThreadPool& pool) {
     const TeaMoment& moment = *order.moment;
-    trace::Scene scene;
-    scene.cup = moment.settings.cup;
+    const liquid::Cup& cup = moment.settings.cup;
     liquid::MilkSurfaces surfaces(pool);
-    scene.milk =
-        surfaces.make(moment.seen.parcels, moment.settings.cup, moment.seen.dissolved.shape()).mesh;
+    liquid::MilkSurface milk = surfaces.make(moment.seen.parcels, cup, moment.seen.dissolved.shape());
+    trace::Scene scene = trace::tea_scene(cup, moment.seen.dissolved, std::move(milk.mesh));
     scene.milk_body = order.body;
-    scene.dissolved = moment.seen.dissolved;
     scene.camera = order.camera;
     return scene;
 }

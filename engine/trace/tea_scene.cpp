@@ -4,11 +4,11 @@
 
 namespace pastoso::trace {
 
-Scene tea_scene(const liquid::Cup& cup, const liquid::TeaFrame& frame, liquid::TriangleMesh milk) {
+Scene tea_scene(const liquid::Cup& cup, grid::BoxField dissolved, liquid::TriangleMesh milk) {
     Scene scene;
     scene.cup = cup;
     scene.milk = std::move(milk);
-    scene.dissolved = frame.dissolved;
+    scene.dissolved = std::move(dissolved);
     return scene;
 }
 

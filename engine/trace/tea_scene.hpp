@@ -1,14 +1,14 @@
 // The picture of a glass of milk tea at one moment.
 #pragma once
 
+#include "grid/box_field.hpp"
 #include "liquid/cup.hpp"
-#include "liquid/tea_frame.hpp"
 #include "trace/scene.hpp"
 
 namespace pastoso::trace {
 
-/// The usual table, light and camera, and in the cup what the frame holds; `milk` is the surface of its
-/// parcels (liquid::MilkSurfaces).
-Scene tea_scene(const liquid::Cup& cup, const liquid::TeaFrame& frame, liquid::TriangleMesh milk);
+/// The usual table, light and camera, and in the cup the milk: what has dissolved, as the share of each
+/// cell, and the surface of the parcels (liquid::MilkSurfaces).
+Scene tea_scene(const liquid::Cup& cup, grid::BoxField dissolved, liquid::TriangleMesh milk);
 
 }  // namespace pastoso::trace
