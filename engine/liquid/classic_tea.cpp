@@ -1,23 +1,18 @@
 #include "liquid/classic_tea.hpp"
 
-#include "core/error.hpp"
 #include "core/random.hpp"
+#include "core/value_range.hpp"
 #include "liquid/metaballs.hpp"
 #include "liquid/tea_settings.hpp"
 
 #include <cmath>
-#include <string>
 
 namespace pastoso::liquid {
 namespace {
 
-constexpr int kMinCells = 4, kMaxCells = 256;
+using core::check_range;
 
-void check(const char* name, double value, double least, double most) {
-    if (value >= least && value <= most) return;
-    throw core::InputError(std::string(name) + " is " + std::to_string(value) + ", not between " +
-                           std::to_string(least) + " and " + std::to_string(most) + ".");
-}
+constexpr int kMinCells = 4, kMaxCells = 256;
 
 std::variant<SourceLattice, PeriodicFlow> flow_of(const ClassicSettings& settings) {
     check_classic(settings);
@@ -54,13 +49,13 @@ InVoxel in_voxel(float position_m, int cells, float box_m) {
 }  // namespace
 
 void check_classic(const ClassicSettings& settings) {
-    check("cells", settings.cells, kMinCells, kMaxCells);
-    check("particles", settings.particles, 1, kMaxParcels);
-    check("box_m", static_cast<double>(settings.box_m), 0.01, 10.0);
-    check("step_s", static_cast<double>(settings.step_s), 1e-4, 0.2);
-    check("viscosity_m2_s", static_cast<double>(settings.viscosity_m2_s), 0.0, 1.0);
-    check("swirl_rad_s2", static_cast<double>(settings.swirl_rad_s2), -1e3, 1e3);
-    check("push_m_s2", static_cast<double>(settings.push_m_s2), -1e3, 1e3);
+    check_range("cells", settings.cells, kMinCells, kMaxCells);
+    check_range("particles", settings.particles, 1, kMaxParcels);
+    check_range("box_m", static_cast<double>(settings.box_m), 0.01, 10.0);
+    check_range("step_s", static_cast<double>(settings.step_s), 1e-4, 0.2);
+    check_range("viscosity_m2_s", static_cast<double>(settings.viscosity_m2_s), 0.0, 1.0);
+    check_range("swirl_rad_s2", static_cast<double>(settings.swirl_rad_s2), -1e3, 1e3);
+    check_range("push_m_s2", static_cast<double>(settings.push_m_s2), -1e3, 1e3);
 }
 
 ClassicTea::ClassicTea(const ClassicSettings& settings) : settings_(settings), flow_(flow_of(settings)) {

@@ -1,14 +1,13 @@
 #include "liquid/tea_settings.hpp"
 
-#include "core/error.hpp"
+#include "core/value_range.hpp"
 
 #include <algorithm>
-#include <sstream>
-#include <string>
 
 namespace pastoso::liquid {
 namespace {
 
+using core::check_range;
 using S = TeaSettings;
 
 constexpr TeaNumber kNumbers[] = {
@@ -50,28 +49,22 @@ constexpr TeaNumber kNumbers[] = {
     {"swirl_y_m", "m", &S::swirl_y_m, -10.0, 10.0, "Where that axis stands"},
 };
 
-/// Written so that what is no number fails.
-void check(const char* name, double value, double least, double most) {
-    if (value >= least && value <= most) return;
-    std::ostringstream text;
-    text << name << " is " << value << ", not between " << least << " and " << most << ".";
-    throw core::InputError(text.str());
-}
-
 void check_cup(const Cup& cup, double box_m) {
     const double box = box_m;
-    check("cup.floor_m", static_cast<double>(cup.floor_m), 0.0, box);
-    check("cup.level_m", static_cast<double>(cup.level_m), static_cast<double>(cup.floor_m) + 1e-4, box);
-    check("cup.rim_m", static_cast<double>(cup.rim_m), static_cast<double>(cup.level_m), 10.0);
-    check("cup.slope", static_cast<double>(cup.slope), -1.0, 1.0);
-    check("cup.wall_m", static_cast<double>(cup.wall_m), 1e-5, 1.0);
-    check("cup.foot_m", static_cast<double>(cup.foot_m), -1.0, static_cast<double>(cup.floor_m) - 1e-5);
+    check_range("cup.floor_m", static_cast<double>(cup.floor_m), 0.0, box);
+    check_range("cup.level_m", static_cast<double>(cup.level_m), static_cast<double>(cup.floor_m) + 1e-4,
+                box);
+    check_range("cup.rim_m", static_cast<double>(cup.rim_m), static_cast<double>(cup.level_m), 10.0);
+    check_range("cup.slope", static_cast<double>(cup.slope), -1.0, 1.0);
+    check_range("cup.wall_m", static_cast<double>(cup.wall_m), 1e-5, 1.0);
+    check_range("cup.foot_m", static_cast<double>(cup.foot_m), -1.0,
+                static_cast<double>(cup.floor_m) - 1e-5);
     for (const int axis : {0, 1}) {
         const auto middle = static_cast<double>(cup.axis_m[axis]);
         const double room = std::min(middle, box - middle);
-        check("cup.floor_radius_m", static_cast<double>(cup.floor_radius_m), 1e-4, room);
-        check("The cup's radius at its level", static_cast<double>(cup.inner_radius_m(cup.level_m)),
-              1e-4, room);
+        check_range("cup.floor_radius_m", static_cast<double>(cup.floor_radius_m), 1e-4, room);
+        check_range("The cup's radius at its level",
+                    static_cast<double>(cup.inner_radius_m(cup.level_m)), 1e-4, room);
     }
 }
 
@@ -82,13 +75,13 @@ std::span<const TeaNumber> tea_numbers() {
 }
 
 void check_tea(const TeaSettings& settings) {
-    check("cells", settings.cells, kMinTeaCells, kMaxTeaCells);
-    check("parcels", settings.parcels, 1, kMaxParcels);
-    check("ball_candidates", settings.ball_candidates, 1, 100000);
+    check_range("cells", settings.cells, kMinTeaCells, kMaxTeaCells);
+    check_range("parcels", settings.parcels, 1, kMaxParcels);
+    check_range("ball_candidates", settings.ball_candidates, 1, 100000);
     for (const TeaNumber& number : tea_numbers())
-        check(number.key, settings.*number.value, number.least, number.most);
+        check_range(number.key, settings.*number.value, number.least, number.most);
     check_cup(settings.cup, settings.box_m);
-    check("milk_m3", settings.milk_m3, 0.0, 0.5 * tea_volume_m3(settings.cup));
+    check_range("milk_m3", settings.milk_m3, 0.0, 0.5 * tea_volume_m3(settings.cup));
 }
 
 }  // namespace pastoso::liquid
