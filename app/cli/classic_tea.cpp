@@ -1,9 +1,8 @@
 #include "cli/classic_tea.hpp"
 
-#include "cli/interrupt.hpp"
-#include "cli/progress.hpp"
+#include "cli/frame_files.hpp"
+#include "cli/frame_sequence.hpp"
 #include "cli/stopwatch.hpp"
-#include "cli/tea_files.hpp"
 #include "cli/usage_error.hpp"
 #include "core/hash.hpp"
 #include "liquid/classic_tea.hpp"
@@ -28,7 +27,7 @@ constexpr float kBall_m = 0.0022F;
 void check_usage(const TeaOptions& options) {
     if (!options.scene.empty()) throw UsageError("--classic: the system of 2010 has no scene file.");
     if (!options.cache.empty()) throw UsageError("--classic: its frames cannot be kept in a cache.");
-    if (!options.frames.empty() && !io::is_mesh_path("milk." + options.picture.format))
+    if (!options.frames.empty() && FrameFiles::kind_of(options.files.format) != FrameFiles::Kind::Mesh)
         throw UsageError("--classic: it makes surfaces; give --format pbrt, obj, ply or stl.");
 }
 
@@ -84,22 +83,19 @@ io::TeaStats run_classic_tea(const TeaOptions& options, int frame_count, core::T
     check_usage(options);
     io::TeaStats stats;
     ClassicTea tea(settings_of(options));
-    std::optional<TeaFiles> files;
-    if (!options.frames.empty()) files.emplace(options.frames, options.picture, liquid::Cup{}, pool);
+    std::optional<FrameFiles> files;
+    if (!options.frames.empty()) files.emplace(options.frames, "milk", options.files, pool);
     Surfaces surfaces(tea.settings(), pool);
-    Progress progress("swirling", Progress::style_for_stderr(options.quiet));
-    for (int frame = 1; frame <= frame_count; ++frame) {
+    for_frames({1, frame_count}, {"swirling", options.quiet}, [&](int frame) {
         stats.simulate_s += seconds_of([&] { tea.step(pool); });
         ++stats.steps;
-        if (files && files->is_wanted(frame)) {
-            liquid::TriangleMesh surface;
-            stats.surface_s += seconds_of([&] { surface = surfaces.make(tea); });
-            files->write_surface(frame, surface);
-        }
-        stop_if_interrupted();
-        progress.update(static_cast<double>(frame) / frame_count);
-    }
-    if (files) files->add_to(stats);
+        if (!files || !files->is_wanted(frame)) return;
+        liquid::TriangleMesh surface;
+        files->costs().surface_s += seconds_of([&] { surface = surfaces.make(tea); });
+        files->costs().triangles = static_cast<std::int64_t>(surface.triangles.size());
+        files->write_mesh(frame, surface);
+    });
+    if (files) stats.files = files->costs();
     note_end(tea, stats);
     return stats;
 }

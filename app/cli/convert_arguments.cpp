@@ -44,7 +44,7 @@ void add_convert(CLI::App& program, ConvertOptions& options) {
     add_scale_option(command, options.scale);
     add_picture_options(command, options.picture);
     add_threads_option(command, options.threads);
-    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+    add_quiet_flag(command, options.quiet);
     command.footer(
         "Example:\n  pastoso-cli convert photo.jpg painting.pastoso --width-mm 400\n"
         "  pastoso-cli convert layers.ora painting.pastoso --support panel");

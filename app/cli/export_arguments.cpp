@@ -48,7 +48,7 @@ void add_export(CLI::App& program, ExportOptions& options) {
     add_picture_options(command, options.picture);
     add_relief_options(command, options);
     add_threads_option(command, options.threads);
-    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+    add_quiet_flag(command, options.quiet);
     command.footer(
         "Example:\n  pastoso-cli export painting.pastoso -o painting.tif --depth 16 --scale 2\n"
         "  pastoso-cli export painting.pastoso -o painting.stl --base-mm 3 --exaggerate 2");

@@ -104,8 +104,8 @@ struct SimulateOptions {
     bool quiet = false;
 };
 
-/// How frames of tea become files.
-struct TeaPictureOptions {
+/// How frames of a liquid become files.
+struct FrameFileOptions {
     std::string format = "png";  ///< the files' ending
     std::string size = "800x800";
     int samples = 48;     ///< a pixel
@@ -120,9 +120,9 @@ struct TeaOptions {
     std::optional<int> cells;
     std::optional<std::uint32_t> seed;
     bool classic = false;  ///< the system of 2010 in place of the glass
-    std::string frames;  ///< folder for files, empty: none
-    std::string cache;   ///< folder for frames to be drawn later, empty: none
-    TeaPictureOptions picture;
+    std::string frames;    ///< folder for files, empty: none
+    std::string cache;     ///< folder for frames to be drawn later, empty: none
+    FrameFileOptions files;
     std::string stats;
     int threads = 0;
     bool quiet = false;
@@ -132,7 +132,7 @@ struct TeaRenderOptions {
     std::string cache;
     std::string range;   ///< "FIRST-LAST"; empty: all
     std::string frames;  ///< folder
-    TeaPictureOptions picture;
+    FrameFileOptions files;
     std::string stats;
     int threads = 0;
     bool quiet = false;

@@ -17,7 +17,7 @@ void add_recover(CLI::App& program, RecoverOptions& options) {
     command.add_flag("--discard", options.discard, "Forget it for good");
     command.add_flag("--keep", options.keep, "With -o: leave it to be recovered again");
     add_threads_option(command, options.threads);
-    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+    add_quiet_flag(command, options.quiet);
     command.footer("Example:\n  pastoso-cli recover -o recovered.pastoso");
 }
 

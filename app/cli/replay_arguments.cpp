@@ -86,7 +86,7 @@ void add_output_options(CLI::App& command, ReplayOptions& options) {
     command.add_option("--stats", options.stats, "Write the figures of the run as one JSON object")
         ->type_name("FILE");
     add_threads_option(command, options.threads);
-    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+    add_quiet_flag(command, options.quiet);
 }
 
 }  // namespace

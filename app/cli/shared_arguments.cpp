@@ -43,4 +43,31 @@ void add_threads_option(CLI::App& command, int& threads) {
         ->check(CLI::Range(0, 256));
 }
 
+void add_stats_option(CLI::App& command, std::string& path) {
+    command.add_option("--stats", path, "Write times and counts as one JSON object")->type_name("FILE");
+}
+
+void add_quiet_flag(CLI::App& command, bool& quiet) {
+    command.add_flag("-q,--quiet", quiet, "Show no progress");
+}
+
+void add_frame_file_options(CLI::App& command, FrameFileOptions& options,
+                            const std::vector<std::string>& formats, const std::string& meaning) {
+    command.add_option("--format", options.format, meaning)
+        ->type_name("NAME")
+        ->capture_default_str()
+        ->check(CLI::IsMember(formats));
+    command.add_option("--size", options.size, "Pixels of a picture")
+        ->type_name("WxH")
+        ->capture_default_str();
+    command.add_option("--samples", options.samples, "Ways of light followed for a pixel")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1 << 20));
+    command.add_option("--every", options.every, "Make a file of every so many frames")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000000));
+}
+
 }  // namespace pastoso::cli

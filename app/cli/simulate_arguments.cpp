@@ -29,10 +29,9 @@ void add_simulate(CLI::App& program, SimulateOptions& options) {
                     "Threads to use; 0: one per processor (default: the scene's own)")
         ->type_name("N")
         ->check(CLI::Range(0, 256));
-    command.add_option("--stats", options.stats, "Write times and counts as one JSON object")
-        ->type_name("FILE");
+    add_stats_option(command, options.stats);
     add_picture_options(command, options.picture);
-    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+    add_quiet_flag(command, options.quiet);
     command.footer([] {
         return "docs/scene-format.md describes scene files. Scenes that come with the program: " +
                io::listed(io::bundled_scene_names()) +

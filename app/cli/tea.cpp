@@ -1,8 +1,8 @@
 #include "cli/tea.hpp"
 
 #include "cli/classic_tea.hpp"
+#include "cli/frame_sequence.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/progress.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/tea_files.hpp"
 #include "cli/usage_error.hpp"
@@ -53,37 +53,44 @@ std::uint64_t hash_of(const MilkTea& tea) {
     return hash.value();
 }
 
+/// Frames of one scene in a folder.
+struct KeptFrames {
+    std::filesystem::path folder;
+    std::uint64_t scene_hash = 0;
+
+    std::filesystem::path path_of(int frame) const { return io::tea_frame_path(folder, frame); }
+    liquid::TeaFrame read(int frame) const { return io::read_tea_frame(path_of(frame), scene_hash); }
+};
+
 /// The folder that keeps frames, and which of them are there already.
 class Cache {
   public:
     /// Throws InputError when the folder keeps other tea.
-    Cache(std::filesystem::path folder, io::TeaCacheIndex index)
-        : folder_(std::move(folder)), index_(std::move(index)) {
-        if (std::filesystem::exists(folder_ / "tea.json")) {
-            const io::TeaCacheIndex there = io::read_tea_index(folder_);
-            if (there.scene_hash != index_.scene_hash || there.fps != index_.fps)
-                throw core::InputError(folder_.string() +
+    Cache(const std::filesystem::path& folder, io::TeaCacheIndex index)
+        : kept_{folder, index.scene_hash} {
+        if (std::filesystem::exists(folder / "tea.json")) {
+            const io::TeaCacheIndex there = io::read_tea_index(folder);
+            if (there.scene_hash != index.scene_hash || there.fps != index.fps)
+                throw core::InputError(folder.string() +
                                        ": keeps frames of other tea; choose another folder.");
-            index_.count = std::max(index_.count, there.count);
+            index.count = std::max(index.count, there.count);
         }
-        io::write_tea_index(folder_, index_);
-        whole_ = io::whole_tea_frames(folder_, index_);
+        io::write_tea_index(folder, index);
+        whole_ = io::whole_tea_frames(folder, index);
     }
+
+    const KeptFrames& kept() const { return kept_; }
 
     bool has(int frame) const { return whole_.at(static_cast<std::size_t>(frame) - 1); }
     bool is_complete(int count) const {
         return std::all_of(whole_.begin(), whole_.begin() + count, [](bool whole) { return whole; });
     }
     void write(int frame, const liquid::TeaFrame& content) const {
-        io::write_tea_frame(io::tea_frame_path(folder_, frame), content, index_.scene_hash);
-    }
-    liquid::TeaFrame read(int frame) const {
-        return io::read_tea_frame(io::tea_frame_path(folder_, frame), index_.scene_hash);
+        io::write_tea_frame(kept_.path_of(frame), content, kept_.scene_hash);
     }
 
   private:
-    std::filesystem::path folder_;
-    io::TeaCacheIndex index_;
+    KeptFrames kept_;
     std::vector<bool> whole_;
 };
 
@@ -97,7 +104,8 @@ struct Outputs {
         return (cache && !cache->has(frame)) || (files && files->is_wanted(frame));
     }
     void put(int number, const liquid::TeaFrame& frame) {
-        if (cache && !cache->has(number)) stats.io_s += seconds_of([&] { cache->write(number, frame); });
+        if (cache && !cache->has(number))
+            stats.files.io_s += seconds_of([&] { cache->write(number, frame); });
         if (files && files->is_wanted(number)) files->write(number, frame);
     }
 };
@@ -115,16 +123,13 @@ void simulate(const TeaSettings& settings, const TeaOptions& options, int frame_
     const auto measure =
         options.stats.empty() ? liquid::MeasureDivergence::No : liquid::MeasureDivergence::Yes;
     MilkTea tea(settings);
-    Progress progress("pouring", Progress::style_for_stderr(options.quiet));
-    for (int frame = 1; frame <= frame_count; ++frame) {
+    for_frames({1, frame_count}, {"pouring", options.quiet}, [&](int frame) {
         stats.simulate_s += seconds_of([&] {
             for (int i = 0; i < steps_per_frame(settings, options.fps); ++i)
                 note_step(tea.step(pool, measure), stats);
         });
         if (outputs.wants(frame)) outputs.put(frame, tea.frame());
-        stop_if_interrupted();
-        progress.update(static_cast<double>(frame) / frame_count);
-    }
+    });
     stats.parcels = static_cast<std::int64_t>(tea.parcels().size());
     stats.balls = tea.ball_count();
     if (tea.poured_m3() > 0.0)
@@ -132,27 +137,15 @@ void simulate(const TeaSettings& settings, const TeaOptions& options, int frame_
     stats.state_hash = hash_of(tea);
 }
 
-void draw_kept(int frame_count, const TeaOptions& options, Outputs& outputs) {
-    Progress progress("drawing", Progress::style_for_stderr(options.quiet));
-    for (int frame = 1; frame <= frame_count; ++frame) {
-        if (outputs.files && outputs.files->is_wanted(frame))
-            outputs.put(frame, outputs.cache->read(frame));
-        stop_if_interrupted();
-        progress.update(static_cast<double>(frame) / frame_count);
-    }
-}
-
-/// "FIRST-LAST" or "FRAME", from 1 to `count`.
-std::pair<int, int> parse_range(const std::string& text, int count) {
-    if (text.empty()) return {1, count};
-    int first = 0, last = 0, read = 0;
-    const bool two = std::sscanf(text.c_str(), "%9d-%9d%n", &first, &last, &read) == 2;
-    if (!two && std::sscanf(text.c_str(), "%9d%n", &first, &read) == 1) last = first;
-    if (static_cast<std::size_t>(read) != text.size() || first < 1 || last < first || last > count) {
-        throw UsageError("--range: \"" + text + "\" is not FIRST-LAST, of frames 1 to " +
-                         std::to_string(count) + ".");
-    }
-    return {first, last};
+/// Makes the files that are missing of frames that were kept.
+void draw_kept(const FrameRange& range, bool quiet, const KeptFrames& kept, TeaFiles& files,
+               TeaStats& stats) {
+    for_frames(range, {"drawing", quiet}, [&](int frame) {
+        if (!files.is_wanted(frame)) return;
+        liquid::TeaFrame content;
+        stats.files.io_s += seconds_of([&] { content = kept.read(frame); });
+        files.write(frame, content);
+    });
 }
 
 void finish(TeaStats& stats, const Stopwatch& watch, int threads, const std::string& path) {
@@ -179,7 +172,7 @@ void run_tea(const TeaOptions& options) {
     const TeaSettings settings = settings_of(options);
     Outputs outputs;
     if (!options.frames.empty())
-        outputs.files.emplace(options.frames, options.picture, settings.cup, pool);
+        outputs.files.emplace(options.frames, options.files, settings.cup, pool);
     if (!options.cache.empty()) {
         const std::string scene = io::tea_to_json(settings);
         outputs.cache.emplace(options.cache,
@@ -187,11 +180,11 @@ void run_tea(const TeaOptions& options) {
     }
     // Without files to draw, only the figures of a simulation are left to be wanted.
     const bool keeps_all = outputs.cache && outputs.cache->is_complete(frame_count);
-    if (keeps_all && (outputs.files || options.stats.empty()))
-        draw_kept(frame_count, options, outputs);
-    else
+    if (!keeps_all || (!outputs.files && !options.stats.empty()))
         simulate(settings, options, frame_count, pool, outputs);
-    if (outputs.files) outputs.files->add_to(outputs.stats);
+    else if (outputs.files)
+        draw_kept({1, frame_count}, options.quiet, outputs.cache->kept(), *outputs.files, outputs.stats);
+    if (outputs.files) outputs.stats.files += outputs.files->costs();
     finish(outputs.stats, watch, pool.thread_count(), options.stats);
 }
 
@@ -200,23 +193,12 @@ void run_tea_render(const TeaRenderOptions& options) {
     watch_for_interrupts();
     const io::TeaCacheIndex index = io::read_tea_index(options.cache);
     const TeaSettings settings = io::tea_from_json(index.scene, options.cache + "/tea.json");
-    const auto [first, last] = parse_range(options.range, index.count);
+    const FrameRange range = parse_frame_range(options.range, index.count);
     core::ThreadPool pool(options.threads);
-    TeaFiles files(options.frames, options.picture, settings.cup, pool);
+    TeaFiles files(options.frames, options.files, settings.cup, pool);
     TeaStats stats;
-    Progress progress("drawing", Progress::style_for_stderr(options.quiet));
-    for (int frame = first; frame <= last; ++frame) {
-        if (files.is_wanted(frame)) {
-            liquid::TeaFrame content;
-            stats.io_s += seconds_of([&] {
-                content = io::read_tea_frame(io::tea_frame_path(options.cache, frame), index.scene_hash);
-            });
-            files.write(frame, content);
-        }
-        stop_if_interrupted();
-        progress.update(static_cast<double>(frame - first + 1) / (last - first + 1));
-    }
-    files.add_to(stats);
+    draw_kept(range, options.quiet, {options.cache, index.scene_hash}, files, stats);
+    stats.files += files.costs();
     finish(stats, watch, pool.thread_count(), options.stats);
 }
 

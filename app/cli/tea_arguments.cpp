@@ -9,35 +9,17 @@
 namespace pastoso::cli {
 namespace {
 
-void add_tea_picture_options(CLI::App& command, TeaPictureOptions& options) {
-    command
-        .add_option("--format", options.format,
-                    "Pictures: png, exr, jpg, tif, webp; the milk's surface: obj, ply, stl, pbrt; a "
-                    "whole scene for PBRT: pbrt-scene; or volumes, where built with OpenVDB: vdb")
-        ->type_name("NAME")
-        ->capture_default_str()
-        ->check(CLI::IsMember(
-            {"png", "exr", "jpg", "tif", "webp", "obj", "ply", "stl", "pbrt", "pbrt-scene", "vdb"}));
-    command.add_option("--size", options.size, "Pixels of a picture")
-        ->type_name("WxH")
-        ->capture_default_str();
-    command.add_option("--samples", options.samples, "Ways of light followed for a pixel")
-        ->type_name("N")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1 << 20));
+void add_tea_file_options(CLI::App& command, FrameFileOptions& options) {
+    add_frame_file_options(
+        command, options,
+        {"png", "exr", "jpg", "tif", "webp", "obj", "ply", "stl", "pbrt", "pbrt-scene", "vdb"},
+        "Pictures: png, exr, jpg, tif, webp; the milk's surface: obj, ply, stl, pbrt; a whole scene for "
+        "PBRT: pbrt-scene; or volumes, where built with OpenVDB: vdb");
     command
         .add_option("--pbrt", options.pbrt_syntax, "PBRT's version that .pbrt files are for: 4, 3, 2")
         ->type_name("N")
         ->capture_default_str()
         ->check(CLI::Range(2, 4));
-    command.add_option("--every", options.every, "Make a file of every so many frames")
-        ->type_name("N")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000000));
-}
-
-void add_stats_option(CLI::App& command, std::string& path) {
-    command.add_option("--stats", path, "Write times and counts as one JSON object")->type_name("FILE");
 }
 
 void add_render(CLI::App& tea, TeaRenderOptions& options) {
@@ -50,10 +32,11 @@ void add_render(CLI::App& tea, TeaRenderOptions& options) {
                     "Folder for milk_0001.png and so on; what is there already is kept")
         ->type_name("DIR")
         ->required();
-    add_tea_picture_options(command, options.picture);
+    add_tea_file_options(command, options.files);
     add_threads_option(command, options.threads);
     add_stats_option(command, options.stats);
-    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+    add_quiet_flag(command, options.quiet);
+    command.footer("Example:\n  pastoso-cli tea render kept --range 1-450 --frames tea");
 }
 
 }  // namespace
@@ -86,17 +69,17 @@ void add_tea(CLI::App& program, TeaOptions& options, TeaRenderOptions& render) {
         ->type_name("DIR");
     command.add_option("--cache", options.cache, "Folder to keep frames in, for \"tea render\"")
         ->type_name("DIR");
-    add_tea_picture_options(command, options.picture);
+    add_tea_file_options(command, options.files);
     add_threads_option(command, options.threads);
     add_stats_option(command, options.stats);
-    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+    add_quiet_flag(command, options.quiet);
     add_render(command, render);
     command.footer([] {
         return "docs/tea-format.md describes scene files. Scenes that come with the program: " +
                io::listed(io::bundled_tea_names()) +
                ".\nExample:\n  pastoso-cli tea --frames tea --every 30\n"
                "  pastoso-cli tea --cache kept\n"
-               "  pastoso-cli tea render kept --range 1-450 --frames tea";
+               "  pastoso-cli tea render kept --frames tea";
     });
 }
 

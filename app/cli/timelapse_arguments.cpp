@@ -31,7 +31,7 @@ void add_timelapse(CLI::App& program, TimelapseOptions& options) {
     add_scale_option(command, options.scale);
     add_picture_options(command, options.picture);
     add_threads_option(command, options.threads);
-    command.add_flag("-q,--quiet", options.quiet, "Show no progress");
+    add_quiet_flag(command, options.quiet);
     command.footer("Example:\n  pastoso-cli timelapse painting.pastoso -o painting.mp4 --speed 20");
 }
 

@@ -9,18 +9,27 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 TEST(CliHelp, EverySubcommandHasHelpWithAnExample) {
-    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
-                                                      {"replay", "--help"},
-                                                      {"sheet", "--help"},
-                                                      {"export", "--help"},
-                                                      {"timelapse", "--help"},
-                                                      {"simulate", "--help"},
-                                                      {"tea", "--help"},
-                                                      {"info", "--help"}}) {
+    EXPECT_THAT(run_cli({"--help"}).output, HasSubstr("Example:\n  pastoso-cli "));
+    for (const std::vector<std::string>& command : {std::vector<std::string>{"replay"},
+                                                    {"sheet"},
+                                                    {"export"},
+                                                    {"convert"},
+                                                    {"timelapse"},
+                                                    {"recover"},
+                                                    {"simulate"},
+                                                    {"tea"},
+                                                    {"tea", "render"},
+                                                    {"info"}}) {
+        std::vector<std::string> arguments = command;
+        arguments.emplace_back("--help");
         const RunResult run = run_cli(arguments);
         EXPECT_EQ(run.status, 0);
         EXPECT_EQ(run.errors, "");
-        EXPECT_THAT(run.output, HasSubstr("Example:\n  pastoso-cli "));
+        // Its own, not another one's.
+        std::string example = "Example:\n  pastoso-cli";
+        for (const std::string& word : command)
+            example += " " + word;
+        EXPECT_THAT(run.output, HasSubstr(example + " "));
     }
 }
 
