@@ -2,8 +2,6 @@
 
 #include "panels/section.hpp"
 
-#include <cmath>
-
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
@@ -11,21 +9,16 @@
 #include <QSlider>
 
 namespace pastoso::panels {
-namespace {
-
-constexpr int kSliderSteps = 200;
-
-}  // namespace
 
 ValueRow::ValueRow(QGridLayout* grid, const QString& words, const QString& hint, const ValueRange& range)
     : QObject(grid->parentWidget()),
-      range_(range),
+      scale_{range.least, range.most, range.logarithmic},
       label_(new QLabel(words)),
       slider_(new QSlider(Qt::Horizontal)),
       number_(new QDoubleSpinBox) {
     label_->setObjectName(QStringLiteral("reading"));
     label_->setToolTip(hint);
-    slider_->setRange(0, kSliderSteps);
+    slider_->setRange(0, SliderScale::kSteps);
     slider_->setToolTip(hint);
     slider_->setAccessibleName(words);
     keep_keys_for_canvas(slider_);
@@ -47,7 +40,7 @@ ValueRow::ValueRow(QGridLayout* grid, const QString& words, const QString& hint,
     grid->addWidget(number_, row, 2);
     grid->setColumnStretch(1, 1);
     connect(slider_, &QSlider::valueChanged, this,
-            [this](int step) { number_->setValue(at_step(step)); });
+            [this](int step) { number_->setValue(scale_.value_at(step)); });
     connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         show_slider(value);
         Q_EMIT chosen(value);
@@ -59,18 +52,9 @@ double ValueRow::value() const {
     return number_->value();
 }
 
-double ValueRow::at_step(int step) const {
-    const double share = step / double{kSliderSteps};
-    if (range_.logarithmic) return range_.least * std::pow(range_.most / range_.least, share);
-    return std::lerp(range_.least, range_.most, share);
-}
-
 void ValueRow::show_slider(double value) {
     const QSignalBlocker quiet(slider_);
-    const double share = range_.logarithmic
-                             ? std::log(value / range_.least) / std::log(range_.most / range_.least)
-                             : (value - range_.least) / (range_.most - range_.least);
-    slider_->setValue(static_cast<int>(std::lround(kSliderSteps * share)));
+    slider_->setValue(scale_.step_of(value));
 }
 
 void ValueRow::show_value(double value) {

@@ -1,6 +1,8 @@
 // A slider with its number beside it: one control for a value that is dragged or typed.
 #pragma once
 
+#include "panels/slider_scale.hpp"
+
 #include <QWidget>
 
 class QDoubleSpinBox;
@@ -38,10 +40,9 @@ class ValueRow : public QObject {
     void chosen(double value);
 
   private:
-    double at_step(int step) const;
     void show_slider(double value);
 
-    ValueRange range_;
+    SliderScale scale_;
     QLabel* label_ = nullptr;
     QSlider* slider_ = nullptr;
     QDoubleSpinBox* number_ = nullptr;

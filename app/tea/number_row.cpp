@@ -2,9 +2,6 @@
 
 #include "panels/section.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
@@ -12,23 +9,18 @@
 #include <QSlider>
 
 namespace pastoso::tea {
-namespace {
-
-constexpr int kSliderSteps = 200;
-
-}  // namespace
 
 NumberRow::NumberRow(QGridLayout* grid, const QString& name, const QString& words, const QString& hint,
                      const NumberRange& range)
     : QObject(grid->parentWidget()),
-      range_(range),
+      scale_{range.usual_least, range.usual_most, range.logarithmic},
       slider_(new QSlider(Qt::Horizontal)),
       number_(new QDoubleSpinBox) {
     auto* label = new QLabel(words);
     label->setObjectName(QStringLiteral("reading"));
     label->setToolTip(hint);
     slider_->setObjectName(name + QStringLiteral("_slider"));
-    slider_->setRange(0, kSliderSteps);
+    slider_->setRange(0, panels::SliderScale::kSteps);
     slider_->setToolTip(hint);
     slider_->setAccessibleName(words);
     panels::keep_keys_for_canvas(slider_);
@@ -49,28 +41,16 @@ NumberRow::NumberRow(QGridLayout* grid, const QString& name, const QString& word
     grid->addWidget(number_, row, 2);
     grid->setColumnStretch(1, 1);
     connect(slider_, &QSlider::valueChanged, this,
-            [this](int step) { number_->setValue(at_step(step)); });
+            [this](int step) { number_->setValue(scale_.value_at(step)); });
     connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         show_slider(value);
         Q_EMIT chosen(value);
     });
 }
 
-double NumberRow::at_step(int step) const {
-    const double share = step / double{kSliderSteps};
-    if (range_.logarithmic)
-        return range_.usual_least * std::pow(range_.usual_most / range_.usual_least, share);
-    return std::lerp(range_.usual_least, range_.usual_most, share);
-}
-
 void NumberRow::show_slider(double value) {
     const QSignalBlocker quiet(slider_);
-    const double inside = std::clamp(value, range_.usual_least, range_.usual_most);
-    const double share =
-        range_.logarithmic
-            ? std::log(inside / range_.usual_least) / std::log(range_.usual_most / range_.usual_least)
-            : (inside - range_.usual_least) / (range_.usual_most - range_.usual_least);
-    slider_->setValue(static_cast<int>(std::lround(kSliderSteps * share)));
+    slider_->setValue(scale_.step_of(value));
 }
 
 void NumberRow::show_value(double value) {

@@ -1,6 +1,8 @@
 // A number of the tea: a slider over what is usual, and a field that takes all that is allowed.
 #pragma once
 
+#include "panels/slider_scale.hpp"
+
 #include <QString>
 #include <QWidget>
 
@@ -32,10 +34,9 @@ class NumberRow : public QObject {
     void chosen(double value);
 
   private:
-    double at_step(int step) const;
     void show_slider(double value);
 
-    NumberRange range_;
+    panels::SliderScale scale_;
     QSlider* slider_;
     QDoubleSpinBox* number_;
 };
