@@ -3,8 +3,8 @@
 #include "core/text_file.hpp"
 #include "document/error_of.hpp"
 #include "io/temporary_folder.hpp"
+#include "io/triangle_readers.hpp"
 
-#include <cstring>
 #include <limits>
 #include <sstream>
 
@@ -30,82 +30,6 @@ TriangleMesh tetrahedron() {
 
 TriangleMesh without_normals(TriangleMesh mesh) {
     mesh.normals.clear();
-    return mesh;
-}
-
-template <class Value>
-Value take(const char*& place) {
-    Value value;
-    std::memcpy(&value, place, sizeof value);
-    place += sizeof value;
-    return value;
-}
-
-glm::vec3 take_vector(const char*& place) {
-    const auto x = take<float>(place), y = take<float>(place), z = take<float>(place);
-    return {x, y, z};
-}
-
-TriangleMesh read_ply(const std::string& file) {
-    std::istringstream header(file.substr(0, file.find("end_header")));
-    std::size_t counts[2] = {}, next = 0;
-    for (std::string word; header >> word;)
-        if (word == "element") header >> word >> counts[next++];
-    const bool normals = header.str().find("property float nx") != std::string::npos;
-    const char* place = file.data() + file.find("end_header\n") + 11;
-    TriangleMesh mesh;
-    for (std::size_t i = 0; i < counts[0]; ++i) {
-        mesh.positions_m.push_back(take_vector(place));
-        if (normals) mesh.normals.push_back(take_vector(place));
-    }
-    for (std::size_t i = 0; i < counts[1]; ++i) {
-        EXPECT_EQ(take<std::uint8_t>(place), 3);
-        mesh.triangles.push_back(take<std::array<std::uint32_t, 3>>(place));
-    }
-    EXPECT_EQ(place, file.data() + file.size());
-    return mesh;
-}
-
-TriangleMesh read_stl(const std::string& file) {
-    const char* place = file.data() + 80;
-    const auto count = take<std::uint32_t>(place);
-    EXPECT_EQ(file.size(), 84 + 50 * std::size_t{count});
-    TriangleMesh mesh;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        take_vector(place);
-        for (int c = 0; c < 3; ++c)
-            mesh.positions_m.push_back(take_vector(place));
-        mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
-        place += 2;
-    }
-    return mesh;
-}
-
-TriangleMesh read_obj(const std::string& file) {
-    std::istringstream lines(file);
-    TriangleMesh mesh;
-    for (std::string line; std::getline(lines, line);) {
-        std::istringstream words(line);
-        std::string kind;
-        words >> kind;
-        if (kind == "v" || kind == "vn") {
-            glm::vec3 vector;
-            words >> vector.x >> vector.y >> vector.z;
-            (kind == "v" ? mesh.positions_m : mesh.normals).push_back(vector);
-        }
-        if (kind != "f") continue;
-        std::array<std::uint32_t, 3> triangle;
-        for (std::uint32_t& vertex : triangle) {
-            words >> vertex;
-            --vertex;
-            if (words.peek() == '/') {
-                std::uint32_t normal = 0;
-                words.ignore(2) >> normal;
-                EXPECT_EQ(normal, vertex + 1);
-            }
-        }
-        mesh.triangles.push_back(triangle);
-    }
     return mesh;
 }
 

@@ -2,14 +2,14 @@
 #include "document/error_of.hpp"
 #include "io/relief_export.hpp"
 #include "io/temporary_folder.hpp"
+#include "io/triangle_readers.hpp"
 #include "shade/canvas.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <optional>
-#include <sstream>
 
+#include <glm/geometric.hpp>
 #include <gmock/gmock.h>
 
 namespace pastoso::io {
@@ -54,71 +54,22 @@ bool is_watertight(const Solid& solid) {
     return true;
 }
 
-template <class Value>
-Value take(const char*& place) {
-    Value value;
-    std::memcpy(&value, place, sizeof value);
-    place += sizeof value;
-    return value;
-}
-
-Solid read_stl(const Path& path) {
-    const std::string file = core::read_text_file(path);
-    const char* place = file.data() + 80;
-    const auto count = take<std::uint32_t>(place);
-    EXPECT_EQ(file.size(), 84 + 50 * std::size_t{count});
+Solid solid_of(const liquid::TriangleMesh& mesh) {
+    const auto point = [&](std::uint32_t vertex) {
+        const glm::vec3& at = mesh.positions_m.at(vertex);
+        return Point{at.x, at.y, at.z};
+    };
     Solid solid;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const Point normal = take<Point>(place);
-        EXPECT_NEAR(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2], 1.0, 1e-5);
-        solid.triangles.push_back(take<std::array<Point, 3>>(place));
-        place += 2;
-    }
+    for (const auto& [a, b, c] : mesh.triangles)
+        solid.triangles.push_back({point(a), point(b), point(c)});
     return solid;
 }
 
-Solid solid_of(const std::vector<Point>& points, const std::vector<Triangle>& triangles) {
-    Solid solid;
-    for (const auto& [a, b, c] : triangles)
-        solid.triangles.push_back({points.at(a), points.at(b), points.at(c)});
-    return solid;
-}
-
-Solid read_ply(const Path& path) {
-    const std::string file = core::read_text_file(path);
-    std::istringstream header(file.substr(0, file.find("end_header")));
-    std::size_t counts[2] = {}, next = 0;
-    for (std::string word; header >> word;)
-        if (word == "element") header >> word >> counts[next++];
-    const char* place = file.data() + file.find("end_header\n") + 11;
-    std::vector<Point> points;
-    std::vector<Triangle> triangles;
-    for (std::size_t i = 0; i < counts[0]; ++i)
-        points.push_back(take<Point>(place));
-    for (std::size_t i = 0; i < counts[1]; ++i) {
-        EXPECT_EQ(take<std::uint8_t>(place), 3);
-        triangles.push_back(take<Triangle>(place));
-    }
-    EXPECT_EQ(place, file.data() + file.size());
-    return solid_of(points, triangles);
-}
-
-Solid read_obj(const Path& path) {
-    std::istringstream file(core::read_text_file(path));
-    std::vector<Point> points;
-    std::vector<Triangle> triangles;
-    for (std::string line; std::getline(file, line);) {
-        std::istringstream words(line.substr(1));
-        if (line[0] == 'v') words >> points.emplace_back()[0] >> points.back()[1] >> points.back()[2];
-        if (line[0] != 'f') continue;
-        Triangle corners;
-        for (std::uint32_t& corner : corners) {
-            words >> corner;
-            --corner;
-        }
-        triangles.push_back(corners);
-    }
-    return solid_of(points, triangles);
+Solid solid_in_stl(const Path& path) {
+    const liquid::TriangleMesh mesh = read_stl(core::read_text_file(path));
+    for (const glm::vec3& normal : mesh.normals)
+        EXPECT_NEAR(glm::dot(normal, normal), 1.0, 1e-5);
+    return solid_of(mesh);
 }
 
 class ReliefTest : public TemporaryFolder {
@@ -155,11 +106,11 @@ TEST_F(ReliefTest, EveryFormatHoldsTheSameClosedSolid) {
     const Path stl = folder / "a.stl", ply = folder / "a.PLY", obj = folder / "a.obj";
     for (const Path& path : {stl, ply, obj})
         ASSERT_EQ(export_relief(path, relief, kToTheEnd), ExportStatus::Written);
-    const Solid solid = read_stl(stl);
+    const Solid solid = solid_in_stl(stl);
     EXPECT_EQ(solid.triangles.size(), relief.triangle_count());
     EXPECT_TRUE(is_watertight(solid));
-    EXPECT_EQ(read_ply(ply).triangles, solid.triangles);
-    EXPECT_EQ(read_obj(obj).triangles, solid.triangles);
+    EXPECT_EQ(solid_of(read_ply(core::read_text_file(ply))).triangles, solid.triangles);
+    EXPECT_EQ(solid_of(read_obj(core::read_text_file(obj))).triangles, solid.triangles);
 }
 
 TEST_F(ReliefTest, TheSmallestGridsAreClosedToo) {
@@ -168,7 +119,7 @@ TEST_F(ReliefTest, TheSmallestGridsAreClosedToo) {
         const Relief relief = relief_of(film, {2.0, 1.0, 0.0}, pool);
         const Path path = folder / "a.stl";
         export_relief(path, relief, kToTheEnd);
-        const Solid solid = read_stl(path);
+        const Solid solid = solid_in_stl(path);
         EXPECT_TRUE(is_watertight(solid)) << width << " x " << height;
         // Flat: floats are exact here.
         EXPECT_DOUBLE_EQ(solid.volume_mm3(), 2.0 * 0.25 * width * height);
@@ -184,7 +135,7 @@ TEST_F(ReliefTest, TheVolumeIsThatOfPaintSupportAndBase) {
             export_relief(folder / "a.stl", relief, kToTheEnd);
             // The heap is smooth on the scale of the vertices: trapezia miss h'' step^2 / 12, below
             // 1e-3 of it at half a millimetre; the clamped feet of the spline are less.
-            EXPECT_NEAR(read_stl(folder / "a.stl").volume_mm3(),
+            EXPECT_NEAR(solid_in_stl(folder / "a.stl").volume_mm3(),
                         2.0 * area_mm2 + exaggeration * paint_mm3, 2e-3 * exaggeration * paint_mm3)
                 << resolution_mm;
         }
