@@ -3,6 +3,7 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "liquid/confinement.hpp"
+#include "liquid/reflection.hpp"
 #include "liquid/slices.hpp"
 
 #include <cmath>
@@ -151,17 +152,7 @@ SolveResult VesselFlow::advect_velocity(float dt_s, core::ThreadPool& pool) {
     advect_faces(velocity_, 0.5F * dt_s, pool);
     reflected_ = velocity_;
     const SolveResult result = project(pool);
-    // What the projection took away is taken away once more.
-    for_slices(pool, 0, shape().nz + 1, [&](int k) {
-        for (const int axis : kAxes)
-            for (int j = 0; j <= shape().ny; ++j) {
-                const RowRange range = walls_.rows(face_across(axis)).at(j, k);
-                const float* projected = velocity_.along(axis).row(j, k);
-                float* reflected = reflected_.along(axis).row(j, k);
-                for (int i = range.begin; i < range.end; ++i)
-                    reflected[i] = 2.0F * projected[i] - reflected[i];
-            }
-    });
+    reflect(reflected_, velocity_, pool);
     walls_.extrapolate(reflected_, pool);
     advection_.follow(velocity_, pool);
     advect_faces(reflected_, 0.5F * dt_s, pool);

@@ -3,6 +3,7 @@
 #include "core/check.hpp"
 #include "core/elementary.hpp"
 #include "core/error.hpp"
+#include "liquid/reflection.hpp"
 #include "liquid/slices.hpp"
 
 #include <cmath>
@@ -214,12 +215,7 @@ void PeriodicFlow::advect_velocity(float dt_s, core::ThreadPool& pool) {
     advect_faces(velocity_, 0.5F * dt_s, pool);
     reflected_ = velocity_;
     project(pool);
-    for (const int axis : kAxes) {
-        std::vector<float>& values = reflected_.along(axis).values();
-        const std::vector<float>& projected = velocity_.along(axis).values();
-        for (std::size_t n = 0; n < values.size(); ++n)
-            values[n] = 2.0F * projected[n] - values[n];
-    }
+    reflect(reflected_, velocity_, pool);
     advection_.follow(velocity_, pool);
     advect_faces(reflected_, 0.5F * dt_s, pool);
 }
