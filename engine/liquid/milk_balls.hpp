@@ -32,7 +32,7 @@ class MilkBalls {
     std::vector<BallMass> masses(std::span<const Parcel> parcels) const;
 
   private:
-    float drawn();
+    float drawn(const TeaSettings& settings);
 
     double next_s_;
     int count_ = 0;

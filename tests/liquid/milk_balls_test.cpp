@@ -46,6 +46,27 @@ TEST(MilkBalls, BallsComeAsOftenAsTheSettingsSay) {
     EXPECT_NEAR(balls.count(), 800, 60);
 }
 
+TEST(MilkBalls, AnotherSeedMakesOtherBalls) {
+    const auto balls_of = [](std::uint32_t seed) {
+        TeaSettings settings;
+        settings.seed = seed;
+        settings.first_ball_s = 0.0;
+        std::vector<Parcel> parcels(500, {{0.05F, 0.05F, 0.05F}, 1e-9F, 1.0F, -1});
+        for (std::size_t i = 0; i < parcels.size(); ++i)
+            parcels[i].position_m.x += 1e-3F * static_cast<float>(i);
+        MilkBalls balls(settings);
+        for (int tick = 1; tick <= 30 * 4; ++tick)
+            balls.nucleate(tick / 30.0, settings, parcels);
+        std::vector<int> ball_of;
+        for (const Parcel& parcel : parcels)
+            ball_of.push_back(parcel.ball);
+        return ball_of;
+    };
+    EXPECT_EQ(balls_of(8), balls_of(8));
+    EXPECT_NE(balls_of(8), balls_of(TeaSettings{}.seed));
+    EXPECT_NE(balls_of(8), balls_of(9));
+}
+
 TEST(MilkBalls, AMassIsTheSumOfItsParcels) {
     std::vector<Parcel> parcels = {{{0.0F, 0.0F, 0.01F}, 1e-9F, 1.0F, 0},
                                    {{0.0F, 0.0F, 0.04F}, 2e-9F, 1.0F, 0},
