@@ -2,6 +2,7 @@
 
 #include "core/elementary.hpp"
 #include "core/error.hpp"
+#include "liquid/painters_force.hpp"
 #include "liquid/slices.hpp"
 
 #include <algorithm>
@@ -72,7 +73,10 @@ void MilkTea::set_settings(const TeaSettings& settings) {
 TeaStep MilkTea::step(core::ThreadPool& pool, MeasureDivergence measure) {
     const auto dt_s = static_cast<float>(settings_.step_s);
     jug_.pour(settings_, parcels_, flow_.velocity());
-    add_forces(pool);
+    spread_parcels(pool);
+    add_buoyancy(pool);
+    add_painters_force(settings_, flow_.velocity(), pool);
+    flow_.confine_vorticity(dt_s, pool);
     TeaStep result;
     result.diffusion = diffuse(pool);
     result.pressure = flow_.project(pool);
@@ -98,9 +102,8 @@ double MilkTea::milk_m3(core::ThreadPool& pool) const {
     return sum;
 }
 
-void MilkTea::add_forces(core::ThreadPool& pool) {
-    const grid::BoxShape& shape = flow_.shape();
-    const auto per_m3 = static_cast<float>(1.0 / shape.cell_volume_m3());
+void MilkTea::spread_parcels(core::ThreadPool& pool) {
+    const auto per_m3 = static_cast<float>(1.0 / flow_.shape().cell_volume_m3());
     find_shares(parcels_, flow_.walls().open_cells(), pool, shares_);
     amounts_.resize(parcels_.size());
     cold_amounts_.resize(parcels_.size());
@@ -112,7 +115,11 @@ void MilkTea::add_forces(core::ThreadPool& pool) {
     total_coldness_ = coldness_;
     scatter(shares_, amounts_, parcel_milk_);
     scatter(shares_, cold_amounts_, total_coldness_);
+}
 
+/// See TeaSettings; on a face, the mean of the cells above and below.
+void MilkTea::add_buoyancy(core::ThreadPool& pool) {
+    const grid::BoxShape& shape = flow_.shape();
     const auto dt_s = static_cast<float>(settings_.step_s);
     const float fat = 0.5F * dt_s * static_cast<float>(settings_.fat_m_s2),
                 cold = dt_s * static_cast<float>(settings_.cold_m_s2),
@@ -131,48 +138,6 @@ void MilkTea::add_forces(core::ThreadPool& pool) {
             }
         }
     });
-    add_painters_force(pool);
-    flow_.confine_vorticity(dt_s, pool);
-}
-
-/// An acceleration (swirl e_z x r - push e_z) exp(-r^2 / (2 reach^2)), r from the axis. It has to fade:
-/// the pressure of a closed vessel takes up all that is alike everywhere, so that a push would do
-/// nothing, and a swirl the same wherever its axis stands.
-void MilkTea::add_painters_force(core::ThreadPool& pool) {
-    if (settings_.swirl_rad_s2 == 0.0 && settings_.push_m_s2 == 0.0) return;
-    const grid::BoxShape& shape = flow_.shape();
-    const auto dt_s = static_cast<float>(settings_.step_s);
-    const float swirl = dt_s * static_cast<float>(settings_.swirl_rad_s2),
-                push = dt_s * static_cast<float>(settings_.push_m_s2);
-    // Along x and y, at cells' middles (odd) and at the faces before them (even).
-    const std::vector<Fading> x = fading(shape.nx, shape.cell_m, settings_.swirl_x_m),
-                              y = fading(shape.ny, shape.cell_m, settings_.swirl_y_m);
-    VelocityField& velocity = flow_.velocity();
-    for_slices(pool, 0, shape.nz, [&](int k) {
-        for (int j = 0; j < shape.ny; ++j) {
-            const Fading &face_y = y[2 * static_cast<std::size_t>(j)],
-                         &middle_y = y[2 * static_cast<std::size_t>(j) + 1];
-            for (int i = 0; i < shape.nx; ++i) {
-                const Fading &face_x = x[2 * static_cast<std::size_t>(i)],
-                             &middle_x = x[2 * static_cast<std::size_t>(i) + 1];
-                velocity.x.at(i, j, k) -= swirl * middle_y.way_m * face_x.share * middle_y.share;
-                velocity.y.at(i, j, k) += swirl * middle_x.way_m * middle_x.share * face_y.share;
-                velocity.z.at(i, j, k) -= push * middle_x.share * middle_y.share;
-            }
-        }
-    });
-}
-
-/// At places half a cell apart.
-std::vector<MilkTea::Fading> MilkTea::fading(int cells, float cell_m, double axis_m) const {
-    std::vector<Fading> places;
-    for (int half = 0; half < 2 * cells; ++half) {
-        const double way_m = 0.5 * half * static_cast<double>(cell_m) - axis_m;
-        const double reaches = way_m / settings_.force_reach_m;
-        places.push_back({static_cast<float>(way_m), static_cast<float>(core::exponential(
-                                                         -0.5 * std::min(reaches * reaches, 400.0)))});
-    }
-    return places;
 }
 
 SolveResult MilkTea::diffuse(core::ThreadPool& pool) {

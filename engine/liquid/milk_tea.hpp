@@ -59,13 +59,9 @@ class MilkTea {
     void pour_by_hand(std::optional<glm::vec2> at_m) { jug_.pour_by_hand(at_m); }
 
   private:
-    void add_forces(core::ThreadPool& pool);
-    void add_painters_force(core::ThreadPool& pool);
-    struct Fading {
-        float way_m;  ///< from the axis
-        float share;  ///< of the force
-    };
-    std::vector<Fading> fading(int cells, float cell_m, double axis_m) const;
+    /// The parcels' milk and coldness as shares of the cells around them.
+    void spread_parcels(core::ThreadPool& pool);
+    void add_buoyancy(core::ThreadPool& pool);
     SolveResult diffuse(core::ThreadPool& pool);
     void carry(core::ThreadPool& pool);
     void exchange(core::ThreadPool& pool);
