@@ -1,6 +1,5 @@
 #include "tea/tea_view.hpp"
 
-#include "core/error.hpp"
 #include "core/units.hpp"
 
 #include <algorithm>
@@ -10,7 +9,6 @@
 
 #include <QContextMenuEvent>
 #include <QMouseEvent>
-#include <QOpenGLContext>
 #include <QPainter>
 #include <QPainterPath>
 #include <QTabletEvent>
@@ -34,7 +32,7 @@ QOpenGLFramebufferObjectFormat fine_format() {
 
 }  // namespace
 
-TeaView::TeaView(QWidget* parent) : QOpenGLWidget(parent) {
+TeaView::TeaView(QWidget* parent) : GraphicsWidget(parent) {
     setObjectName(QStringLiteral("tea_view"));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -47,8 +45,6 @@ TeaView::TeaView(QWidget* parent) : QOpenGLWidget(parent) {
 
 TeaView::~TeaView() {
     release_graphics();
-    // The context outlives this part of the object: its end must not call back into it.
-    if (context() != nullptr) context()->disconnect(this);
 }
 
 void TeaView::show_moment(std::shared_ptr<const session::TeaMoment> moment) {
@@ -75,7 +71,7 @@ void TeaView::look_from_front() {
 }
 
 bool TeaView::finished() const {
-    return graphics_ready_ && shown_ == wanted_ && !draft_is_due_ && pass_ == kPasses;
+    return graphics_ready() && shown_ == wanted_ && !draft_is_due_ && pass_ == kPasses;
 }
 
 void TeaView::begin_anew() {
@@ -93,33 +89,22 @@ QSize TeaView::device_size() const {
 
 // ---- drawing
 
-void TeaView::initializeGL() {
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &TeaView::release_graphics);
-    gl_.initializeOpenGLFunctions();
-    try {
-        renderer_.initialise(&gl_);
-        graphics_ready_ = true;
-        begin_anew();
-    } catch (const core::InputError& error) {
-        Q_EMIT failed(QString::fromUtf8(error.what()));
-    }
+void TeaView::make_graphics() {
+    renderer_.initialise(&gl());
+    begin_anew();
 }
 
-void TeaView::release_graphics() {
-    if (!graphics_ready_) return;
-    makeCurrent();
+void TeaView::free_graphics() {
     renderer_.release();
     draft_.reset();
     still_.reset();
-    doneCurrent();
     shown_.reset();
-    graphics_ready_ = false;
 }
 
 /// A draft at once, as coarse as it must be; once nothing moves, strips of the picture in full quality
 /// follow, one for each frame.
 void TeaView::paintGL() {
-    if (!graphics_ready_ || wanted_ == nullptr) return;
+    if (!graphics_ready() || wanted_ == nullptr) return;
     const QSize size = device_size();
     if (shown_ != wanted_) {
         renderer_.show(*wanted_);
@@ -149,7 +134,7 @@ void TeaView::draw_draft(QSize size) {
     QElapsedTimer timer;
     timer.start();
     renderer_.draw(*draft_, QRect(QPoint(0, 0), draft), camera_, 0, TeaRenderer::Quality::Draft);
-    gl_.glFinish();
+    gl().glFinish();
     const double cost_s =
         1e-9 * static_cast<double>(timer.nsecsElapsed()) / (draft.width() * draft.height());
     constexpr double kNewestShare = 0.3;
@@ -164,7 +149,7 @@ void TeaView::refine(QSize size) {
     // From above, as pictures are read; OpenGL counts from below.
     renderer_.draw(*still_, QRect(0, size.height() - end, size.width(), end - row_), camera_, pass_,
                    TeaRenderer::Quality::Full);
-    gl_.glFinish();
+    gl().glFinish();
     row_ = end;
     if (row_ < size.height()) return;
     row_ = 0;
@@ -172,19 +157,19 @@ void TeaView::refine(QSize size) {
 }
 
 void TeaView::present(QSize size) {
-    gl_.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+    gl().glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
     const auto copy = [&](const QOpenGLFramebufferObject& from, const QRect& part, const QRect& to) {
-        gl_.glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
-        gl_.glBlitFramebuffer(part.x(), part.y(), part.x() + part.width(), part.y() + part.height(),
-                              to.x(), to.y(), to.x() + to.width(), to.y() + to.height(),
-                              GL_COLOR_BUFFER_BIT, part.size() == to.size() ? GL_NEAREST : GL_LINEAR);
+        gl().glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
+        gl().glBlitFramebuffer(part.x(), part.y(), part.x() + part.width(), part.y() + part.height(),
+                               to.x(), to.y(), to.x() + to.width(), to.y() + to.height(),
+                               GL_COLOR_BUFFER_BIT, part.size() == to.size() ? GL_NEAREST : GL_LINEAR);
     };
     const int ready = pass_ > 0 ? size.height() : row_;
     if (ready < size.height())
         copy(*draft_, QRect(QPoint(0, 0), draft_->size()), QRect(QPoint(0, 0), size));
     const QRect part(0, size.height() - ready, size.width(), ready);
     if (ready > 0) copy(*still_, part, part);
-    gl_.glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+    gl().glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
 }
 
 /// Where milk would be poured, and the axis with the way the force turns.

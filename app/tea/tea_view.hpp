@@ -2,6 +2,7 @@
 // poured by mouse and pen.
 #pragma once
 
+#include "graphics/graphics_widget.hpp"
 #include "session/tea_session.hpp"
 #include "tea/tea_camera.hpp"
 #include "tea/tea_renderer.hpp"
@@ -10,13 +11,11 @@
 #include <optional>
 
 #include <QElapsedTimer>
-#include <QOpenGLExtraFunctions>
-#include <QOpenGLWidget>
 #include <QTimer>
 
 namespace pastoso::tea {
 
-class TeaView : public QOpenGLWidget {
+class TeaView : public graphics::GraphicsWidget {
     Q_OBJECT
   public:
     explicit TeaView(QWidget* parent = nullptr);
@@ -46,11 +45,9 @@ class TeaView : public QOpenGLWidget {
     void pouring_ended();
     void camera_changed();
 
-    /// Nothing can be shown on this machine; one sentence.
-    void failed(const QString& sentence);
-
   protected:
-    void initializeGL() override;
+    void make_graphics() override;
+    void free_graphics() override;
     void paintGL() override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -63,7 +60,6 @@ class TeaView : public QOpenGLWidget {
     void hideEvent(QHideEvent* event) override;
 
   private:
-    void release_graphics();
     void begin_anew();
     void draw_draft(QSize size);
     void refine(QSize size);
@@ -76,9 +72,7 @@ class TeaView : public QOpenGLWidget {
     std::optional<glm::vec2> on_tea(const QPointF& place) const;
     void set_cursor(const QPointF& place);
 
-    QOpenGLExtraFunctions gl_;
     TeaRenderer renderer_;
-    bool graphics_ready_ = false;
     TeaCamera camera_;
     std::shared_ptr<const session::TeaMoment> wanted_, shown_;
     session::TeaForce force_;

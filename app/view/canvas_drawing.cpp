@@ -13,7 +13,6 @@
 #include <utility>
 
 #include <QElapsedTimer>
-#include <QOpenGLContext>
 
 namespace pastoso::view {
 namespace {
@@ -33,31 +32,20 @@ Rgb ground_colour() {
 
 }  // namespace
 
-void CanvasView::initializeGL() {
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &CanvasView::release_graphics);
-    gl_.initializeOpenGLFunctions();
-    try {
-        picture_.initialise(&gl_);
-        overlay_.initialise(&gl_);
-        graphics_ready_ = true;
-    } catch (const core::InputError& error) {
-        Q_EMIT failed(QString::fromUtf8(error.what()));
-    }
+void CanvasView::make_graphics() {
+    picture_.initialise(&gl());
+    overlay_.initialise(&gl());
 }
 
-void CanvasView::release_graphics() {
-    if (!graphics_ready_) return;
-    makeCurrent();
+void CanvasView::free_graphics() {
     textures_.release();
     picture_.release();
     overlay_.release();
-    doneCurrent();
     shown_.reset();
-    graphics_ready_ = false;
 }
 
 void CanvasView::paintGL() {
-    if (!graphics_ready_ || wanted_ == nullptr) return;
+    if (!graphics_ready() || wanted_ == nullptr) return;
     const QSize size(static_cast<int>(window_px().x), static_cast<int>(window_px().y));
     if (size != picture_.size()) {
         picture_.resize(size);
@@ -119,10 +107,9 @@ void CanvasView::upload_shadows() {
 
 bool CanvasView::prepare_textures() {
     try {
-        textures_.initialise(&gl_, wanted_->film.shape);
+        textures_.initialise(&gl(), wanted_->film.shape);
     } catch (const core::InputError& error) {
-        graphics_ready_ = false;
-        Q_EMIT failed(QString::fromUtf8(error.what()));
+        give_up(QString::fromUtf8(error.what()));
         return false;
     }
     relight_ = false;

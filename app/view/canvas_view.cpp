@@ -4,8 +4,6 @@
 
 #include <utility>
 
-#include <QOpenGLContext>
-
 namespace pastoso::view {
 namespace {
 
@@ -25,7 +23,7 @@ constexpr QSize kWellSize(360, 272);
 }  // namespace
 
 CanvasView::CanvasView(tools::Easel* easel, document::Surface surface, QWidget* parent)
-    : QOpenGLWidget(parent), easel_(easel), surface_(surface), legend_(new LookLegend(this)) {
+    : GraphicsWidget(parent), easel_(easel), surface_(surface), legend_(new LookLegend(this)) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setTabletTracking(true);
@@ -63,8 +61,6 @@ int CanvasView::heightForWidth(int width) const {
 
 CanvasView::~CanvasView() {
     release_graphics();
-    // The context outlives this part of the object: its end must not call back into it.
-    if (context() != nullptr) context()->disconnect(this);
 }
 
 void CanvasView::set_easel(tools::Easel* easel) {

@@ -4,6 +4,7 @@
 
 #include "core/thread_pool.hpp"
 #include "document/painting.hpp"
+#include "graphics/graphics_widget.hpp"
 #include "tools/easel.hpp"
 #include "tools/mouse_pressure.hpp"
 #include "tools/pen_settings.hpp"
@@ -26,8 +27,6 @@
 #include <QCursor>
 #include <QEventPoint>
 #include <QImage>
-#include <QOpenGLExtraFunctions>
-#include <QOpenGLWidget>
 #include <QTimer>
 
 class QTouchEvent;
@@ -36,7 +35,7 @@ namespace pastoso::view {
 
 class LookLegend;
 
-class CanvasView : public QOpenGLWidget {
+class CanvasView : public graphics::GraphicsWidget {
     Q_OBJECT
   public:
     /// `easel` is told of every stroke, as one on `surface`.
@@ -167,11 +166,9 @@ class CanvasView : public QOpenGLWidget {
     void frame_accepted();
     void frame_given_up();
 
-    /// Nothing can be shown on this machine; one sentence.
-    void failed(const QString& sentence);
-
   protected:
-    void initializeGL() override;
+    void make_graphics() override;
+    void free_graphics() override;
     void paintGL() override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
@@ -187,7 +184,6 @@ class CanvasView : public QOpenGLWidget {
     void focusOutEvent(QFocusEvent* event) override;
 
   private:
-    void release_graphics();
     void upload_changes();
     void upload_shadows();
     void upload_look(const std::vector<int>& tiles);
@@ -254,8 +250,6 @@ class CanvasView : public QOpenGLWidget {
     tools::Easel* easel_;
     document::Surface surface_;
     core::ThreadPool pool_;
-    QOpenGLExtraFunctions gl_;
-    bool graphics_ready_ = false;
     CanvasLayers layers_;
     CanvasTextures textures_;
     PictureBuffer picture_;

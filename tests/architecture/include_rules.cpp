@@ -48,17 +48,18 @@ const Rules& app_rules() {
         {"cli", {"arguments"}},
         {"appearance", {}},
         {"crash", {}},
+        {"graphics", {}},
         {"session", {}},
         {"commands", {"appearance", "session"}},
         {"tools", {"session"}},
-        {"view", {"appearance", "session", "commands", "tools"}},
+        {"view", {"appearance", "graphics", "session", "commands", "tools"}},
         {"panels", {"appearance", "session", "commands", "tools"}},
         {"dialogs", {"appearance", "session", "commands", "tools"}},
         {"start", {"appearance", "session", "commands", "tools", "dialogs"}},
-        {"tea", {"appearance", "session", "commands", "tools", "panels"}},
+        {"tea", {"appearance", "graphics", "session", "commands", "tools", "panels"}},
         {"main",
-         {"arguments", "appearance", "crash", "session", "commands", "tools", "view", "panels",
-          "dialogs", "start", "tea"}},
+         {"arguments", "appearance", "crash", "graphics", "session", "commands", "tools", "view",
+          "panels", "dialogs", "start", "tea"}},
     };
     return rules;
 }

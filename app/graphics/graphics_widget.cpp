@@ -1,0 +1,38 @@
+#include "graphics/graphics_widget.hpp"
+
+#include "core/error.hpp"
+
+#include <QOpenGLContext>
+
+namespace pastoso::graphics {
+
+GraphicsWidget::~GraphicsWidget() {
+    // The context outlives this part of the object: its end must not call back into it.
+    if (context() != nullptr) context()->disconnect(this);
+}
+
+void GraphicsWidget::initializeGL() {
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GraphicsWidget::release_graphics);
+    gl_.initializeOpenGLFunctions();
+    try {
+        make_graphics();
+        ready_ = true;
+    } catch (const core::InputError& error) {
+        give_up(QString::fromUtf8(error.what()));
+    }
+}
+
+void GraphicsWidget::release_graphics() {
+    if (!ready_) return;
+    makeCurrent();
+    free_graphics();
+    doneCurrent();
+    ready_ = false;
+}
+
+void GraphicsWidget::give_up(const QString& sentence) {
+    ready_ = false;
+    Q_EMIT failed(sentence);
+}
+
+}  // namespace pastoso::graphics
