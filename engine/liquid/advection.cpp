@@ -22,6 +22,12 @@ Advection::Advection(const grid::BoxShape& shape, const std::array<RowRanges, 4>
     find_centre_rows();
 }
 
+void Advection::set_rows(const std::array<RowRanges, 4>& rows) {
+    rows_ = rows;
+    centre_rows_.assign(centre_rows_.size(), RowRange{});
+    find_centre_rows();
+}
+
 void Advection::find_centre_rows() {
     const RowRanges& cells = rows_[static_cast<std::size_t>(Location::Cell)];
     for (int k = 0; k < shape_.nz; ++k)

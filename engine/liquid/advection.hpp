@@ -28,6 +28,9 @@ class Advection {
     Advection(const grid::BoxShape& shape, const std::array<RowRanges, 4>& rows, Edges edges,
               const Kernels& kernels = liquid::kernels());
 
+    /// Other samples to advect, of the same box. The velocity is to be followed anew.
+    void set_rows(const std::array<RowRanges, 4>& rows);
+
     /// The velocity to follow. It must be known three samples around the rows and, in a periodic box,
     /// in the ghosts.
     void follow(const VelocityField& velocity, core::ThreadPool& pool);

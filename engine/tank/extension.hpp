@@ -1,0 +1,52 @@
+// Continues the velocity of the liquid along the normals of its surface into the air:
+//     grad phi . grad u = 0
+// for each component on its own faces. Faces are taken in the order of their phi; each becomes the mean
+// of its neighbours with smaller phi, one along each axis, weighted by how much smaller: the upwind
+// solution of the equation (Adalsteinsson and Sethian, J. Comput. Phys. 148, 1999), which the source's
+// iteration tends to, in one pass.
+#pragma once
+
+#include "core/thread_pool.hpp"
+#include "liquid/velocity.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pastoso::tank {
+
+class VelocityExtension {
+  public:
+    explicit VelocityExtension(const grid::BoxShape& shape);
+
+    /// Sets the faces of the box that are not known (known <= 0) and at most reach_cells from the
+    /// liquid, those in it among them. Those without a known way to the liquid become the mean of their
+    /// neighbours, as far as any are known; all other faces stay. Exact for constants, and for linear
+    /// fields that are constant along the normals of a plane. phi's first sample around the box is read.
+    void extend(const grid::BoxField& phi, const liquid::VelocityField& known, float reach_cells,
+                liquid::VelocityField& velocity, core::ThreadPool& pool);
+
+  private:
+    struct Face {
+        std::uint32_t key;    ///< orders as phi does
+        std::uint32_t index;  ///< of the sample
+    };
+    /// What one component needs; kept between calls.
+    struct Component {
+        std::vector<Face> faces, sorted;
+        std::vector<std::uint32_t> left;    ///< faces without a way to the liquid
+        std::vector<std::uint8_t> settled;  ///< of each sample: its value is known
+        grid::BoxField phi;                 ///< on the faces
+    };
+
+    void find_faces(Component& component, int axis, const grid::BoxField& phi,
+                    const grid::BoxField& known, float reach_m) const;
+    static void sort(Component& component);
+    void settle(Component& component, grid::BoxField& values) const;
+    void settle_left(Component& component, grid::BoxField& values) const;
+
+    grid::BoxShape shape_;
+    std::array<Component, 3> components_;
+};
+
+}  // namespace pastoso::tank
