@@ -12,6 +12,11 @@ using liquid::greatest;
 using liquid::least;
 using liquid::load;
 
+// Wide vectors are passed between inlined functions alone, so that it does not matter how they would be.
+#pragma GCC diagnostic ignored "-Wpsabi"
+using Eight [[gnu::vector_size(32)]] = float;
+using EightInts [[gnu::vector_size(32)]] = int;
+
 #define PASTOSO_TANK_INLINE [[maybe_unused, gnu::always_inline]] static inline
 
 /// A particle as tank/particle.hpp lays it out: place, milk, velocity.
@@ -70,42 +75,9 @@ PASTOSO_TANK_INLINE void scatter_axis(const Stencils& to, float value) {
     }
 }
 
-/// Sums of the rows: both numbers of the first neighbour along x, then both of the second.
-template <int kAxis>
-PASTOSO_TANK_INLINE Four gather_rows(const Stencils& from) {
-    const float* first = from.first[kAxis];
-    return (load(first) * all(from.weight[0][kAxis]) +
-            load(first + from.y) * all(from.weight[1][kAxis])) +
-           (load(first + from.z) * all(from.weight[2][kAxis]) +
-            load(first + from.y + from.z) * all(from.weight[3][kAxis]));
-}
-
-struct Velocities {
-    Four now, before;
-};
-PASTOSO_TANK_INLINE Velocities gather(const FacePairs& pairs, Four at_cells, Four size_cells) {
-    const Stencils from = stencils(pairs, face_places(at_cells, size_cells));
-    const Four x = gather_rows<0>(from), y = gather_rows<1>(from), z = gather_rows<2>(from);
-    // Both numbers of x and y, and of z, of either neighbour.
-    const Four low = __builtin_shuffle(x, y, FourInts{0, 1, 4, 5}),
-               high = __builtin_shuffle(x, y, FourInts{2, 3, 6, 7}),
-               high_z = __builtin_shuffle(z, FourInts{2, 3, 2, 3}),
-               share = __builtin_shuffle(from.x, FourInts{0, 0, 1, 1}),
-               share_z = __builtin_shuffle(from.x, FourInts{2, 2, 2, 2});
-    const Four xy = low * (all(1.0F) - share) + high * share,
-               zz = z * (all(1.0F) - share_z) + high_z * share_z;
-    return {__builtin_shuffle(xy, zz, FourInts{0, 2, 4, 4}),
-            __builtin_shuffle(xy, zz, FourInts{1, 3, 5, 5})};
-}
-
 PASTOSO_TANK_INLINE Four size_of(const FacePairs& pairs) {
     return Four{pairs.size_cells[0], pairs.size_cells[1], pairs.size_cells[2], 1.0F};
 }
-
-// Wide vectors are passed between inlined functions alone, so that it does not matter how they would be.
-#pragma GCC diagnostic ignored "-Wpsabi"
-using Eight [[gnu::vector_size(32)]] = float;
-using EightInts [[gnu::vector_size(32)]] = int;
 
 PASTOSO_TANK_INLINE Eight load_eight(const float* values) {
     Eight eight;
@@ -117,6 +89,86 @@ PASTOSO_TANK_INLINE Eight eight_of(float value) {
 }
 PASTOSO_TANK_INLINE float sum_of(Eight v) {
     return ((v[0] + v[4]) + (v[1] + v[5])) + ((v[2] + v[6]) + (v[3] + v[7]));
+}
+
+/// Two particles, four lanes each.
+PASTOSO_TANK_INLINE Eight two_of(Four a, Four b) {
+    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+PASTOSO_TANK_INLINE Eight least(Eight a, Eight b) {
+    return a < b ? a : b;
+}
+PASTOSO_TANK_INLINE Eight greatest(Eight a, Eight b) {
+    return a > b ? a : b;
+}
+
+/// What Stencils are, of two particles.
+struct TwoStencils {
+    const float* first[2][3];
+    Eight weight[4];
+    Eight x;
+};
+PASTOSO_TANK_INLINE TwoStencils stencils(const FacePairs& pairs, Eight at_cells, Eight size_cells) {
+    const Eight middle_at =
+        least(greatest(at_cells - eight_of(0.5F), eight_of(0.0F)), size_cells - eight_of(1.0F));
+    const EightInts face = __builtin_convertvector(at_cells, EightInts),
+                    middle = __builtin_convertvector(middle_at, EightInts);
+    const Eight f = at_cells - __builtin_convertvector(face, Eight),
+                m = middle_at - __builtin_convertvector(middle, Eight);
+    // Of x, y and z each the lanes of the three axes.
+    const Eight x = __builtin_shuffle(f, m, EightInts{0, 8, 8, 8, 4, 12, 12, 12}),
+                y = __builtin_shuffle(f, m, EightInts{9, 1, 9, 9, 13, 5, 13, 13}),
+                z = __builtin_shuffle(f, m, EightInts{10, 10, 2, 10, 14, 14, 6, 14});
+    const Eight low_y = eight_of(1.0F) - y, low_z = eight_of(1.0F) - z;
+    TwoStencils out = {{}, {low_y * low_z, y * low_z, low_y * z, y * z}, x};
+    const std::ptrdiff_t to_y = 2 * pairs.stride_y, to_z = 2 * pairs.stride_z;
+    for (int n = 0; n < 2; ++n) {
+        const int lane = 4 * n;
+        const std::ptrdiff_t face_y = face[lane + 1] * to_y, middle_y = middle[lane + 1] * to_y,
+                             face_z = face[lane + 2] * to_z, middle_z = middle[lane + 2] * to_z;
+        out.first[n][0] = pairs.first[0] + 2 * face[lane] + middle_y + middle_z;
+        out.first[n][1] = pairs.first[1] + 2 * middle[lane] + face_y + middle_z;
+        out.first[n][2] = pairs.first[2] + 2 * middle[lane] + middle_y + face_z;
+    }
+    return out;
+}
+
+/// Sums of the rows across an axis: both numbers of the first neighbour along x, then of the second.
+template <int kAxis>
+PASTOSO_TANK_INLINE Eight gather_rows(const TwoStencils& from, std::ptrdiff_t y, std::ptrdiff_t z) {
+    const float *a = from.first[0][kAxis], *b = from.first[1][kAxis];
+    const auto row = [&](std::ptrdiff_t step, Eight weights) {
+        const Eight weight = __builtin_shuffle(
+            weights, EightInts{kAxis, kAxis, kAxis, kAxis, 4 + kAxis, 4 + kAxis, 4 + kAxis, 4 + kAxis});
+        return two_of(load(a + step), load(b + step)) * weight;
+    };
+    return (row(0, from.weight[0]) + row(y, from.weight[1])) +
+           (row(z, from.weight[2]) + row(y + z, from.weight[3]));
+}
+
+struct TwoVelocities {
+    Eight now, before;
+};
+PASTOSO_TANK_INLINE TwoVelocities gather(const FacePairs& pairs, Eight at_cells, Eight size_cells) {
+    const TwoStencils from = stencils(pairs, at_cells, size_cells);
+    const std::ptrdiff_t to_y = 2 * pairs.stride_y, to_z = 2 * pairs.stride_z;
+    const Eight x = gather_rows<0>(from, to_y, to_z), y = gather_rows<1>(from, to_y, to_z),
+                z = gather_rows<2>(from, to_y, to_z);
+    // Both numbers of x and y, and of z, of either neighbour.
+    const Eight low = __builtin_shuffle(x, y, EightInts{0, 1, 8, 9, 4, 5, 12, 13}),
+                high = __builtin_shuffle(x, y, EightInts{2, 3, 10, 11, 6, 7, 14, 15}),
+                high_z = __builtin_shuffle(z, EightInts{2, 3, 2, 3, 6, 7, 6, 7}),
+                share = __builtin_shuffle(from.x, EightInts{0, 0, 1, 1, 4, 4, 5, 5}),
+                share_z = __builtin_shuffle(from.x, EightInts{2, 2, 2, 2, 6, 6, 6, 6});
+    const Eight xy = low * (eight_of(1.0F) - share) + high * share,
+                zz = z * (eight_of(1.0F) - share_z) + high_z * share_z;
+    return {__builtin_shuffle(xy, zz, EightInts{0, 2, 8, 8, 4, 6, 12, 12}),
+            __builtin_shuffle(xy, zz, EightInts{1, 3, 9, 9, 5, 7, 13, 13})};
+}
+
+PASTOSO_TANK_INLINE void store_two(float* a, float* b, Eight values) {
+    __builtin_memcpy(b, reinterpret_cast<const float*>(&values) + 4, sizeof(Four));
+    __builtin_memcpy(a, &values, sizeof(Four));
 }
 
 }  // namespace
@@ -133,25 +185,31 @@ void scatter(const FacePairs& pairs, const void* particles, std::size_t count) {
 }
 
 float follow(const FacePairs& pairs, const Following& how, void* particles, std::size_t count) {
-    const Four per_cell = all(1.0F / pairs.cell_m), cell = all(pairs.cell_m), size = size_of(pairs),
-               way = all(how.dt_s / pairs.cell_m), half_way = all(0.5F) * way, share = all(how.share),
-               low = all(how.gap_cells), high = size - low;
-    Four fastest = all(0.0F);
-    float* particle = static_cast<float*>(particles);
-    for (std::size_t p = 0; p < count; ++p, particle += kParticleFloats) {
-        const Four milk_first = load(particle + kMilk);
-        const Four own = __builtin_shuffle(milk_first, FourInts{1, 2, 3, 3});
-        const Four from = least(load(particle) * per_cell, size);
-        const Velocities here = gather(pairs, from, size);
-        const Four velocity = here.now + share * (own - here.before);
-        const Four middle = least(greatest(from + here.now * half_way, low), high);
-        const Four to = least(greatest(from + gather(pairs, middle, size).now * way, low), high) * cell;
+    const Eight per_cell = eight_of(1.0F / pairs.cell_m), cell = eight_of(pairs.cell_m),
+                size = two_of(size_of(pairs), size_of(pairs)), way = eight_of(how.dt_s / pairs.cell_m),
+                half_way = eight_of(0.5F) * way, share = eight_of(how.share),
+                low = eight_of(how.gap_cells), high = size - low;
+    Eight fastest = eight_of(0.0F);
+    float* const first = static_cast<float*>(particles);
+    for (std::size_t p = 0; p < count; p += 2) {
+        // A last one alone is its own neighbour: both lanes do the same.
+        float *a = first + p * kParticleFloats, *b = p + 1 < count ? a + kParticleFloats : a;
+        const Eight milk_first = two_of(load(a + kMilk), load(b + kMilk));
+        const Eight own = __builtin_shuffle(milk_first, EightInts{1, 2, 3, 3, 5, 6, 7, 7});
+        const Eight from = least(two_of(load(a), load(b)) * per_cell, size);
+        const TwoVelocities here = gather(pairs, from, size);
+        const Eight velocity = here.now + share * (own - here.before);
+        const Eight middle = least(greatest(from + here.now * half_way, low), high);
+        const Eight to = least(greatest(from + gather(pairs, middle, size).now * way, low), high) * cell;
         fastest = greatest(fastest, greatest(velocity, -velocity));
-        store(particle, __builtin_shuffle(to, milk_first, FourInts{0, 1, 2, 4}));
-        store(particle + kMilk, __builtin_shuffle(velocity, milk_first, FourInts{4, 0, 1, 2}));
+        store_two(a, b, __builtin_shuffle(to, milk_first, EightInts{0, 1, 2, 8, 4, 5, 6, 12}));
+        store_two(a + kMilk, b + kMilk,
+                  __builtin_shuffle(velocity, milk_first, EightInts{8, 0, 1, 2, 12, 4, 5, 6}));
     }
-    const float x_or_y = fastest[0] > fastest[1] ? fastest[0] : fastest[1];
-    return x_or_y > fastest[2] ? x_or_y : fastest[2];
+    float most = 0.0F;
+    for (int lane = 0; lane < 8; ++lane)
+        if (lane % 4 != 3 && fastest[lane] > most) most = fastest[lane];
+    return most;
 }
 
 NearSums sum_near(const PositionRun* runs, int count, float reach2) {
