@@ -27,7 +27,7 @@ Upwind closer(const Upwind& before, const Upwind& behind) {
 
 VelocityExtension::VelocityExtension(const grid::BoxShape& shape) : shape_(shape) {
     for (Component& component : components_) {
-        component.settled.resize(shape.sample_count());
+        component.settled.resize(shape.sample_count(), kOutside);
         component.phi = grid::BoxField(shape);
     }
 }
@@ -40,10 +40,12 @@ void VelocityExtension::extend(const grid::BoxField& phi, const liquid::Velocity
     pool.run(3, [&](std::size_t n, int) {
         const int axis = static_cast<int>(n);
         Component& component = components_[n];
-        find_faces(component, axis, phi, known.along(axis), reach_cells * shape_.cell_m);
+        const float reach_m = reach_cells * shape_.cell_m;
+        find_faces(component, axis, phi, known.along(axis), reach_m);
         sort(component);
         settle(component, velocity.along(axis));
         settle_left(component, velocity.along(axis));
+        settle_rings(component, reach_m, velocity.along(axis));
     });
 }
 
@@ -51,6 +53,8 @@ void VelocityExtension::find_faces(Component& component, int axis, const grid::B
                                    const grid::BoxField& known, float reach_m) const {
     const std::ptrdiff_t back = liquid::stride(shape_, axis);
     const auto [nx, ny, nz] = liquid::sample_counts(shape_, liquid::face_across(axis));
+    // Less rounding: beyond its own reach phi is that reach.
+    const float within_m = reach_m * 0.99999F;
     component.faces.clear();
     for (int k = 0; k < nz; ++k)
         for (int j = 0; j < ny; ++j) {
@@ -59,8 +63,8 @@ void VelocityExtension::find_faces(Component& component, int axis, const grid::B
             std::uint8_t* settled = component.settled.data() + shape_.index(0, j, k);
             for (int i = 0; i < nx; ++i) {
                 face_phi[i] = 0.5F * (cells[i - back] + cells[i]);
-                settled[i] = is_known[i] > 0.0F ? 1 : 0;
-                if (settled[i] == 0 && face_phi[i] <= reach_m)
+                settled[i] = is_known[i] > 0.0F ? kYes : kNo;
+                if (settled[i] == kNo && face_phi[i] < within_m)
                     component.faces.push_back(
                         {ordered(face_phi[i]), static_cast<std::uint32_t>(shape_.index(i, j, k))});
             }
@@ -91,7 +95,7 @@ void VelocityExtension::settle(Component& component, grid::BoxField& values) con
     for (const Face& face : component.faces) {
         const std::ptrdiff_t here = face.index;
         const auto neighbour = [&](std::ptrdiff_t at) {
-            const bool settled = component.settled[static_cast<std::size_t>(at)] != 0;
+            const bool settled = component.settled[static_cast<std::size_t>(at)] == kYes;
             // One that is not settled counts as being no closer.
             return settled ? Upwind{phi[at], value[at]} : Upwind{phi[here], 0.0F};
         };
@@ -109,35 +113,72 @@ void VelocityExtension::settle(Component& component, grid::BoxField& values) con
             continue;
         }
         value[here] = sum / weights;
-        component.settled[static_cast<std::size_t>(here)] = 1;
+        component.settled[static_cast<std::size_t>(here)] = kYes;
     }
 }
 
 void VelocityExtension::settle_left(Component& component, grid::BoxField& values) const {
-    float* value = values.values().data();
     std::vector<std::uint32_t>& left = component.left;
-    for (std::size_t before = left.size() + 1; !left.empty() && left.size() < before;) {
-        before = left.size();
-        std::size_t kept = 0;
-        for (const std::uint32_t index : left) {
-            const std::ptrdiff_t here = index;
-            float sum = 0.0F, count = 0.0F;
-            for (const int axis : liquid::kAxes)
-                for (const int side : {-1, 1}) {
-                    const std::ptrdiff_t at = here + side * liquid::stride(shape_, axis);
-                    if (component.settled[static_cast<std::size_t>(at)] == 0) continue;
-                    sum += value[at];
-                    count += 1.0F;
-                }
-            if (count > 0.0F) {
-                value[here] = sum / count;
-                component.settled[index] = 1;
-            } else {
-                left[kept++] = index;
+    const auto beside_settled = [&](std::uint32_t index) {
+        for (const int axis : liquid::kAxes)
+            for (const int side : {-1, 1})
+                if (component.settled[static_cast<std::size_t>(
+                        index + side * liquid::stride(shape_, axis))] == kYes)
+                    return true;
+        return false;
+    };
+    do {
+        component.ring.clear();
+        std::erase_if(left, [&](std::uint32_t index) {
+            if (!beside_settled(index)) return false;
+            component.ring.push_back(index);
+            return true;
+        });
+        settle_by_means(component, values);
+    } while (!component.ring.empty());
+}
+
+void VelocityExtension::settle_rings(Component& component, float reach_m, grid::BoxField& values) const {
+    const float* phi = component.phi.values().data();
+    const auto add_neighbours = [&](std::uint32_t index) {
+        for (const int axis : liquid::kAxes)
+            for (const int side : {-1, 1}) {
+                const auto at = static_cast<std::uint32_t>(index + side * liquid::stride(shape_, axis));
+                if (component.settled[at] != kNo) continue;
+                component.settled[at] = kInRing;
+                component.ring.push_back(at);
             }
-        }
-        left.resize(kept);
+    };
+    component.ring.clear();
+    for (const Face& face : component.faces)
+        if (phi[face.index] > reach_m - 2.0F * shape_.cell_m) add_neighbours(face.index);
+    settle_by_means(component, values);
+    for (int ring = 1; ring < kMeanRings; ++ring) {
+        component.left.swap(component.ring);
+        component.ring.clear();
+        for (const std::uint32_t index : component.left)
+            add_neighbours(index);
+        settle_by_means(component, values);
     }
+}
+
+void VelocityExtension::settle_by_means(Component& component, grid::BoxField& values) const {
+    float* value = values.values().data();
+    for (const std::uint32_t index : component.ring) {
+        float sum = 0.0F, count = 0.0F;
+        for (const int axis : liquid::kAxes) {
+            const std::ptrdiff_t step = liquid::stride(shape_, axis), before = index - step,
+                                 behind = index + step;
+            const bool has_before = component.settled[static_cast<std::size_t>(before)] == kYes,
+                       has_behind = component.settled[static_cast<std::size_t>(behind)] == kYes;
+            // In pairs, so that a mirrored field gives the mirrored sum.
+            sum += (has_before ? value[before] : 0.0F) + (has_behind ? value[behind] : 0.0F);
+            count += (has_before ? 1.0F : 0.0F) + (has_behind ? 1.0F : 0.0F);
+        }
+        value[index] = sum / count;
+    }
+    for (const std::uint32_t index : component.ring)
+        component.settled[index] = kYes;
 }
 
 }  // namespace pastoso::tank

@@ -15,14 +15,17 @@
 
 namespace pastoso::tank {
 
+inline constexpr int kMeanRings = 2;
+
 class VelocityExtension {
   public:
     explicit VelocityExtension(const grid::BoxShape& shape);
 
-    /// Sets the faces of the box that are not known (known <= 0) and at most reach_cells from the
-    /// liquid, those in it among them. Those without a known way to the liquid become the mean of their
-    /// neighbours, as far as any are known; all other faces stay. Exact for constants, and for linear
-    /// fields that are constant along the normals of a plane. phi's first sample around the box is read.
+    /// Sets the faces of the box that are not known (known <= 0) and less than reach_cells from the
+    /// liquid, those in it among them; phi must be a distance that far. Those without a known way to the
+    /// liquid, and kMeanRings rings of faces beyond the reach, become means of their neighbours; all
+    /// others stay. Exact for constants, and within the reach for linear fields that are constant along
+    /// the normals of a plane. phi's first sample around the box is read.
     void extend(const grid::BoxField& phi, const liquid::VelocityField& known, float reach_cells,
                 liquid::VelocityField& velocity, core::ThreadPool& pool);
 
@@ -35,8 +38,16 @@ class VelocityExtension {
     struct Component {
         std::vector<Face> faces, sorted;
         std::vector<std::uint32_t> left;    ///< faces without a way to the liquid
-        std::vector<std::uint8_t> settled;  ///< of each sample: its value is known
+        std::vector<std::uint32_t> ring;    ///< faces that are set from those settled so far
+        std::vector<std::uint8_t> settled;  ///< of each sample: a Settled
         grid::BoxField phi;                 ///< on the faces
+    };
+
+    enum Settled : std::uint8_t {
+        kNo,
+        kYes,
+        kInRing,   ///< not yet
+        kOutside,  ///< of the box
     };
 
     void find_faces(Component& component, int axis, const grid::BoxField& phi,
@@ -44,6 +55,8 @@ class VelocityExtension {
     static void sort(Component& component);
     void settle(Component& component, grid::BoxField& values) const;
     void settle_left(Component& component, grid::BoxField& values) const;
+    void settle_rings(Component& component, float reach_m, grid::BoxField& values) const;
+    void settle_by_means(Component& component, grid::BoxField& values) const;
 
     grid::BoxShape shape_;
     std::array<Component, 3> components_;

@@ -2,9 +2,9 @@
 // in the liquid, known within `reach` of the surface and plus or minus that reach beyond it.
 //
 // A step of the method goes:
-//   1. VelocityExtension: the velocity, free of divergence in the liquid, is continued into the air as
-//   far
-//      as the reach and two cells more (extension.hpp);
+//   1. VelocityExtension continues the velocity, free of divergence in the liquid, into the air, as far
+//   as
+//      the reach and two cells more (extension.hpp);
 //   2. LevelSetAdvection carries phi along it, by at most a cell;
 //   3. SurfaceParticles are carried along the same velocity and mend phi (particle_level_set.hpp);
 //   4. every kStepsPerReinitialisation steps Reinitialisation makes phi a distance again

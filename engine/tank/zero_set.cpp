@@ -89,10 +89,10 @@ Interpolated interpolate(const grid::BoxField& phi, const glm::vec3& place_cells
 }
 
 Foot find_foot(const grid::BoxField& phi, const glm::vec3& place_cells, const glm::vec3& start_cells) {
-    // Each turn leaves distance over radius of curvature of the way beside the slope; the distance errs
-    // by that way's square.
+    // Each turn leaves (distance over radius of curvature) of the way beside the slope, and the distance
+    // errs by that rest's square: a last way of 0.02 cells leaves some 1e-4.
     constexpr int kMostTurns = 6;
-    constexpr float kClose_cells = 1e-3F, kLeastSlope2 = 0.04F, kLongestMove_cells = 1.0F,
+    constexpr float kClose_cells = 0.02F, kLeastSlope2 = 0.04F, kLongestMove_cells = 1.0F,
                     kOnSurface_cells = 0.02F;
     glm::vec3 foot = start_cells;
     for (int turn = 0; turn < kMostTurns; ++turn) {
