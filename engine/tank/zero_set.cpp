@@ -13,6 +13,9 @@ namespace {
 using liquid::all;
 using liquid::Four;
 
+/// How far beyond the box places may lie.
+constexpr float kBeyond_cells = 8.0F;
+
 /// The harmonic mean of two second differences of one sign, 0 of others.
 Four limited(Four a, Four b) {
     const Four product = a * b, none = all(0.0F);
@@ -67,10 +70,11 @@ Interpolated interpolate(const grid::BoxField& phi, const glm::vec3& place_cells
     int lower[3];
     float t[3];
     for (int axis = 0; axis < 3; ++axis) {
-        const float last = static_cast<float>(count[axis]);
+        const float last = static_cast<float>(count[axis]) + kBeyond_cells;
         // Written so that what is no number goes to the corner.
-        const float at = std::min(std::max(-1.0F, place_cells[axis] - 0.5F), last);
-        lower[axis] = std::min(static_cast<int>(at + 1.0F) - 1, count[axis] - 1);
+        const float at = std::min(std::max(-kBeyond_cells, place_cells[axis] - 0.5F), last);
+        lower[axis] = std::clamp(static_cast<int>(at + kBeyond_cells) - static_cast<int>(kBeyond_cells),
+                                 -1, count[axis] - 1);
         t[axis] = at - static_cast<float>(lower[axis]);
     }
     const std::ptrdiff_t y = shape.stride_y(), z = shape.stride_z();

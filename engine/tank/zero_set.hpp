@@ -17,8 +17,8 @@ struct Interpolated {
 /// along each axis: the harmonic mean of those at both ends of an edge, 0 where they differ in sign (t:
 /// how far along the edge; the four edges along an axis are mixed bilinearly). Fourth order in the
 /// middle of edges where the field is smooth; linear next to a kink, so that the two sides of a thin
-/// sheet do not move each other. The place is put into the box and half a cell around it; two samples
-/// around the box are read.
+/// sheet do not move each other. Beyond the box the field goes on straight, if its two samples there do
+/// (continue_beyond_walls); places more than eight cells beyond are put there.
 Interpolated interpolate(const grid::BoxField& phi, const glm::vec3& place_cells);
 
 struct Foot {

@@ -23,20 +23,18 @@ struct Way {
 const Way kWays[] = {
     {"upwind", {.scheme = LevelSetScheme::Upwind, .steps_per_reinitialisation = 0}},
     {"upwind, reinitialised", {.scheme = LevelSetScheme::Upwind}},
-    {"linear", {.interpolation = Interpolation::Linear, .steps_per_reinitialisation = 0}},
     {"limited cubic", {.interpolation = Interpolation::LimitedCubic, .steps_per_reinitialisation = 0}},
     {"limited cubic, reinitialised", {.interpolation = Interpolation::LimitedCubic}},
     {"cubic", {.steps_per_reinitialisation = 0}},
     {"cubic, reinitialised", {}},
-    {"cubic, reinitialised each step", {.steps_per_reinitialisation = 1}},
     {"cubic, reinitialised with care", {.kept_within_cells = kKeptWithin_cells}},
-    {"particles", {.steps_per_reinitialisation = 0, .particles_per_cell = 32, .steps_per_reseeding = 0}},
-    {"particles, reseeded", {.steps_per_reinitialisation = 0, .particles_per_cell = 32}},
-    {"particles, reinitialised, reseeded", {.particles_per_cell = 32}},
-    {"particles, reinitialised", {.particles_per_cell = 32, .steps_per_reseeding = 0}},
+    {"32 particles",
+     {.steps_per_reinitialisation = 0, .particles_per_cell = 32, .steps_per_reseeding = 0}},
+    {"32 particles, reinitialised", {.particles_per_cell = 32, .steps_per_reseeding = 0}},
+    {"32 particles, reinitialised, reseeded", {.particles_per_cell = 32}},
     {"8 particles, reinitialised, reseeded", {.particles_per_cell = 8}},
-    {"linear, particles, reinitialised, reseeded",
-     {.interpolation = Interpolation::Linear, .particles_per_cell = 32}},
+    {"upwind, 32 particles, reinitialised, reseeded",
+     {.scheme = LevelSetScheme::Upwind, .particles_per_cell = 32}},
 };
 
 void follow(benchmark::State& run) {

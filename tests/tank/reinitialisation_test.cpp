@@ -75,18 +75,18 @@ cases::Distance distorted_sphere(float radius_m) {
     };
 }
 
-TEST(ZeroSet, TheInterpolantIsExactForLinearFieldsUpToHalfACellBeyondTheBox) {
+TEST(ZeroSet, TheInterpolantIsExactForLinearFieldsAndGoesOnBeyondTheBox) {
     const grid::BoxShape shape{6, 5, 4, 0.25F};
     const auto value = [](const glm::vec3& p) { return 0.3F + p.x - 2.0F * p.y + 0.5F * p.z; };
     const grid::BoxField field = sampled(shape, value);
-    for (const glm::vec3& place :
-         {glm::vec3(-0.5F, 5.5F, 4.5F), glm::vec3(0.0F), glm::vec3(3.3F, 2.5F, 1.9F), glm::vec3(6.5F)}) {
-        const glm::vec3 inside = glm::clamp(place, glm::vec3(-0.5F), glm::vec3(6.5F, 5.5F, 4.5F));
+    for (const glm::vec3& place : {glm::vec3(-0.5F, 5.5F, 4.5F), glm::vec3(0.0F),
+                                   glm::vec3(3.3F, 2.5F, 1.9F), glm::vec3(-6.1F, 2.0F, 10.7F)}) {
         const Interpolated there = interpolate(field, place);
-        // In cells; rounding of values up to 20.
-        EXPECT_NEAR(there.value, value(inside * 0.25F) / 0.25F, 1e-5F);
-        EXPECT_LT(glm::length(there.slope - glm::vec3(1.0F, -2.0F, 0.5F)), 1e-5F);
+        // In cells; rounding of values up to 30, times the way beyond.
+        EXPECT_NEAR(there.value, value(place * 0.25F) / 0.25F, 1e-4F);
+        EXPECT_LT(glm::length(there.slope - glm::vec3(1.0F, -2.0F, 0.5F)), 1e-4F);
     }
+    EXPECT_TRUE(std::isfinite(interpolate(field, glm::vec3(std::nanf(""), 1e30F, -1e30F)).value));
 }
 
 TEST(ZeroSet, TheSlopeIsTheInterpolantsOwn) {
@@ -110,6 +110,22 @@ TEST(ZeroSet, AKinkDoesNotMoveASurfaceBesideIt) {
         sampled({8, 8, 8, 1.0F}, [](const glm::vec3& p) { return std::abs(p.z - 4.0F) - 1.0F; });
     EXPECT_EQ(interpolate(sheet, {3.7F, 4.1F, 5.0F}).value, 0.0F);
     EXPECT_EQ(interpolate(sheet, {3.7F, 4.1F, 3.25F}).value, -0.25F);
+}
+
+TEST(Reinitialisation, LeavesAPlaneAloneThatMeetsTheWallsObliquely) {
+    const glm::vec3 normal = glm::normalize(glm::vec3(1.0F, 2.0F, 3.0F));
+    const auto plane = [=](const glm::vec3& p) { return glm::dot(p - kCentre_m, normal); };
+    const grid::BoxShape shape = unit_box(24);
+    const grid::BoxField after = reinitialised(sampled(shape, plane), 5);
+    float largest = 0.0F;
+    for_each_cell(shape, [&](int i, int j, int k) {
+        const float exact = plane((glm::vec3(i, j, k) + 0.5F) * shape.cell_m) / shape.cell_m;
+        // Farther away the point may lie so far beyond a wall that it is not sought.
+        if (std::abs(exact) < 3.5F)
+            largest = std::max(largest, std::abs(after.at(i, j, k) / shape.cell_m - exact));
+    });
+    // Rounding, of five times.
+    EXPECT_LT(largest, 2e-4F);
 }
 
 TEST(Reinitialisation, LeavesAnExactDistanceAlone) {
