@@ -2,8 +2,10 @@
 
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
+#include "cli/stopwatch.hpp"
 #include "cli/usage_error.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace pastoso::cli {
@@ -28,6 +30,29 @@ void for_frames(const FrameRange& range, const SequenceShow& show,
         stop_if_interrupted();
         progress.update(static_cast<double>(frame - range.first + 1) / range.count());
     }
+}
+
+void simulate_frames(const SimulatedFrames& simulation, const SequenceShow& show) {
+    int reached = simulation.stands_at, kept = reached;
+    Stopwatch since_kept;
+    const auto keep = [&] {
+        if (!simulation.keep || reached == kept) return;
+        simulation.keep(reached);
+        kept = reached;
+        since_kept = {};
+    };
+    try {
+        for_frames({std::max(simulation.stands_at, 1), simulation.last}, show, [&](int frame) {
+            if (frame > reached) simulation.advance(frame);
+            reached = frame;
+            simulation.put(frame);
+            if (since_kept.seconds() >= simulation.keep_every_s) keep();
+        });
+    } catch (const Interrupted&) {
+        keep();
+        throw;
+    }
+    keep();
 }
 
 }  // namespace pastoso::cli

@@ -119,9 +119,10 @@ struct TeaOptions {
     double fps = 30.0;
     std::optional<int> cells;
     std::optional<std::uint32_t> seed;
-    bool classic = false;  ///< the system of 2010 in place of the glass
-    std::string frames;    ///< folder for files, empty: none
-    std::string cache;     ///< folder for frames to be drawn later, empty: none
+    bool classic = false;        ///< the system of 2010 in place of the glass
+    std::string frames;          ///< folder for files, empty: none
+    std::string cache;           ///< folder for frames to be drawn later, empty: none
+    double checkpoint_s = 60.0;  ///< of work, between two states that are kept beside them
     FrameFileOptions files;
     std::string stats;
     int threads = 0;

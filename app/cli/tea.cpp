@@ -3,12 +3,12 @@
 #include "cli/classic_tea.hpp"
 #include "cli/frame_sequence.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/kept_tea.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/tea_files.hpp"
 #include "cli/usage_error.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
-#include "io/tea_cache.hpp"
 #include "io/tea_json.hpp"
 #include "liquid/milk_tea.hpp"
 
@@ -53,51 +53,10 @@ std::uint64_t hash_of(const MilkTea& tea) {
     return hash.value();
 }
 
-/// Frames of one scene in a folder.
-struct KeptFrames {
-    std::filesystem::path folder;
-    std::uint64_t scene_hash = 0;
-
-    std::filesystem::path path_of(int frame) const { return io::tea_frame_path(folder, frame); }
-    liquid::TeaFrame read(int frame) const { return io::read_tea_frame(path_of(frame), scene_hash); }
-};
-
-/// The folder that keeps frames, and which of them are there already.
-class Cache {
-  public:
-    /// Throws InputError when the folder keeps other tea.
-    Cache(const std::filesystem::path& folder, io::TeaCacheIndex index)
-        : kept_{folder, index.scene_hash} {
-        if (std::filesystem::exists(folder / "tea.json")) {
-            const io::TeaCacheIndex there = io::read_tea_index(folder);
-            if (there.scene_hash != index.scene_hash || there.fps != index.fps)
-                throw core::InputError(folder.string() +
-                                       ": keeps frames of other tea; choose another folder.");
-            index.count = std::max(index.count, there.count);
-        }
-        io::write_tea_index(folder, index);
-        whole_ = io::whole_tea_frames(folder, index);
-    }
-
-    const KeptFrames& kept() const { return kept_; }
-
-    bool has(int frame) const { return whole_.at(static_cast<std::size_t>(frame) - 1); }
-    bool is_complete(int count) const {
-        return std::all_of(whole_.begin(), whole_.begin() + count, [](bool whole) { return whole; });
-    }
-    void write(int frame, const liquid::TeaFrame& content) const {
-        io::write_tea_frame(kept_.path_of(frame), content, kept_.scene_hash);
-    }
-
-  private:
-    KeptFrames kept_;
-    std::vector<bool> whole_;
-};
-
 /// Where frames go, and what they cost.
 struct Outputs {
     std::optional<TeaFiles> files;
-    std::optional<Cache> cache;
+    std::optional<KeptTea> cache;
     TeaStats stats;
 
     bool wants(int frame) const {
@@ -117,26 +76,6 @@ void note_step(const liquid::TeaStep& step, TeaStats& stats) {
     stats.not_converged += step.pressure.converged ? 0 : 1;
 }
 
-void simulate(const TeaSettings& settings, const TeaOptions& options, int frame_count,
-              core::ThreadPool& pool, Outputs& outputs) {
-    TeaStats& stats = outputs.stats;
-    const auto measure =
-        options.stats.empty() ? liquid::MeasureDivergence::No : liquid::MeasureDivergence::Yes;
-    MilkTea tea(settings);
-    for_frames({1, frame_count}, {"pouring", options.quiet}, [&](int frame) {
-        stats.simulate_s += seconds_of([&] {
-            for (int i = 0; i < steps_per_frame(settings, options.fps); ++i)
-                note_step(tea.step(pool, measure), stats);
-        });
-        if (outputs.wants(frame)) outputs.put(frame, tea.frame());
-    });
-    stats.parcels = static_cast<std::int64_t>(tea.parcels().size());
-    stats.balls = tea.ball_count();
-    if (tea.poured_m3() > 0.0)
-        stats.milk_error_rel = std::abs(tea.milk_m3(pool) / tea.poured_m3() - 1.0);
-    stats.state_hash = hash_of(tea);
-}
-
 /// Makes the files that are missing of frames that were kept.
 void draw_kept(const FrameRange& range, bool quiet, const KeptFrames& kept, TeaFiles& files,
                TeaStats& stats) {
@@ -146,6 +85,70 @@ void draw_kept(const FrameRange& range, bool quiet, const KeptFrames& kept, TeaF
         stats.files.io_s += seconds_of([&] { content = kept.read(frame); });
         files.write(frame, content);
     });
+}
+
+/// Brings the tea to the state that was kept, where all frames before it are there; the frame it then
+/// stands at.
+int go_on(MilkTea& tea, int steps_per_frame, int frame_count, const KeptTea& kept) {
+    try {
+        std::optional<liquid::TeaState> state = kept.state();
+        if (!state) return 0;
+        const int frame = state->step / steps_per_frame;
+        if (frame < 1 || frame > frame_count || !kept.has_all(frame - 1)) return 0;
+        tea.set_state(std::move(*state));
+        return frame;
+    } catch (const core::InputError& error) {
+        std::fprintf(stderr, "pastoso-cli: %s The tea begins from the start.\n", error.what());
+        return 0;
+    }
+}
+
+/// Pours from the start, or goes on where an earlier run ended.
+void simulate(MilkTea& tea, const TeaOptions& options, SimulatedFrames frames, core::ThreadPool& pool,
+              Outputs& outputs) {
+    TeaStats& stats = outputs.stats;
+    const auto measure =
+        options.stats.empty() ? liquid::MeasureDivergence::No : liquid::MeasureDivergence::Yes;
+    const int steps = steps_per_frame(tea.settings(), options.fps);
+    frames.advance = [&](int) {
+        stats.simulate_s += seconds_of([&] {
+            for (int i = 0; i < steps; ++i)
+                note_step(tea.step(pool, measure), stats);
+        });
+    };
+    frames.put = [&](int frame) {
+        if (outputs.wants(frame)) outputs.put(frame, tea.frame());
+    };
+    simulate_frames(frames, {"pouring", options.quiet});
+    stats.parcels = static_cast<std::int64_t>(tea.parcels().size());
+    stats.balls = tea.ball_count();
+    if (tea.poured_m3() > 0.0)
+        stats.milk_error_rel = std::abs(tea.milk_m3(pool) / tea.poured_m3() - 1.0);
+    stats.state_hash = hash_of(tea);
+}
+
+/// Makes all that is wanted and not there yet: draws what is kept, simulates what follows.
+void make_frames(const TeaSettings& settings, const TeaOptions& options, int frame_count,
+                 core::ThreadPool& pool, Outputs& outputs) {
+    const bool keeps_all = outputs.cache && outputs.cache->has_all(frame_count);
+    // Without files to draw, only the figures of a simulation are left to be wanted.
+    const bool simulates = !keeps_all || (!outputs.files && !options.stats.empty());
+    std::optional<MilkTea> tea;
+    if (simulates) tea.emplace(settings);
+    SimulatedFrames frames;
+    frames.last = frame_count;
+    if (outputs.cache && !keeps_all) {
+        const int steps = steps_per_frame(settings, options.fps);
+        frames.stands_at = go_on(*tea, steps, frame_count, *outputs.cache);
+        frames.keep = [&](int) {
+            outputs.stats.files.io_s += seconds_of([&] { outputs.cache->write_state(tea->state()); });
+        };
+        frames.keep_every_s = options.checkpoint_s;
+    }
+    const FrameRange kept{1, keeps_all ? frame_count : frames.stands_at - 1};
+    if (outputs.files && outputs.cache)
+        draw_kept(kept, options.quiet, outputs.cache->frames(), *outputs.files, outputs.stats);
+    if (simulates) simulate(*tea, options, std::move(frames), pool, outputs);
 }
 
 void finish(TeaStats& stats, const Stopwatch& watch, int threads, const std::string& path) {
@@ -178,12 +181,7 @@ void run_tea(const TeaOptions& options) {
         outputs.cache.emplace(options.cache,
                               io::TeaCacheIndex{scene, hash_of(scene), options.fps, frame_count});
     }
-    // Without files to draw, only the figures of a simulation are left to be wanted.
-    const bool keeps_all = outputs.cache && outputs.cache->is_complete(frame_count);
-    if (!keeps_all || (!outputs.files && !options.stats.empty()))
-        simulate(settings, options, frame_count, pool, outputs);
-    else if (outputs.files)
-        draw_kept({1, frame_count}, options.quiet, outputs.cache->kept(), *outputs.files, outputs.stats);
+    make_frames(settings, options, frame_count, pool, outputs);
     if (outputs.files) outputs.stats.files += outputs.files->costs();
     finish(outputs.stats, watch, pool.thread_count(), options.stats);
 }

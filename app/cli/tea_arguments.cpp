@@ -69,6 +69,13 @@ void add_tea(CLI::App& program, TeaOptions& options, TeaRenderOptions& render) {
         ->type_name("DIR");
     command.add_option("--cache", options.cache, "Folder to keep frames in, for \"tea render\"")
         ->type_name("DIR");
+    command
+        .add_option("--checkpoint", options.checkpoint_s,
+                    "Keep the state to go on from with the frames, after so many seconds of work; it is "
+                    "kept at the end in any case")
+        ->type_name("S")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 1e6));
     add_tea_file_options(command, options.files);
     add_threads_option(command, options.threads);
     add_stats_option(command, options.stats);

@@ -13,6 +13,7 @@
 #include "liquid/walls.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace pastoso::liquid {
 
@@ -38,6 +39,17 @@ void check(const FlowParameters& parameters);
 /// percent in a long run.
 enum class KeepSum { No, Yes };
 
+/// All that a step passes on to the next one. An advection writes into spare fields, and of those the
+/// open samples alone: what they hold within the walls is seen after the next step but one, so that it
+/// belongs to the state as well.
+struct FlowState {
+    VelocityField velocity;
+    grid::BoxField pressure;
+    VelocityField spare_velocity;             ///< open samples are 0
+    std::vector<grid::BoxField> spare_cells;  ///< the same; as many as were advected together
+    friend bool operator==(const FlowState&, const FlowState&) = default;
+};
+
 class VesselFlow {
   public:
     /// The fluid at rest. Throws core::InputError for a bad shape, distance or parameter.
@@ -53,6 +65,11 @@ class VesselFlow {
     VelocityField& velocity() { return velocity_; }
     const VelocityField& velocity() const { return velocity_; }
     const grid::BoxField& pressure() const { return projection_.pressure(); }
+
+    /// What follows a state is the same to the last bit, whoever was in it before.
+    FlowState state() const;
+    /// Throws core::InputError when its fields have another shape, or are more than kMaxFieldsTogether.
+    void set_state(FlowState state);
 
     /// Vorticity confinement, a force eps h (N x omega): see FlowParameters::confinement.
     void confine_vorticity(float dt_s, core::ThreadPool& pool);

@@ -22,13 +22,13 @@ constexpr double kLeastInterval = 0.4;
 /// The usual seed's stream is kBallStream.
 float MilkBalls::drawn(const TeaSettings& settings) {
     const std::uint32_t seed = core::scramble(settings.seed) ^ core::scramble(TeaSettings{}.seed);
-    return core::uniform_noise(draws_++, kBallStream ^ seed);
+    return core::uniform_noise(state_.draws++, kBallStream ^ seed);
 }
 
 void MilkBalls::nucleate(double time_s, const TeaSettings& settings, std::span<Parcel> parcels) {
-    if (time_s <= next_s_ || parcels.empty()) return;
+    if (time_s <= state_.next_s || parcels.empty()) return;
     const double wait = -core::natural_log(static_cast<double>(drawn(settings)) + 1e-6);
-    next_s_ += settings.ball_interval_s * (kLeastInterval + (1.0 - kLeastInterval) * wait);
+    state_.next_s += settings.ball_interval_s * (kLeastInterval + (1.0 - kLeastInterval) * wait);
 
     const Parcel* highest = nullptr;
     for (int i = 0; i < settings.ball_candidates; ++i) {
@@ -46,13 +46,13 @@ void MilkBalls::nucleate(double time_s, const TeaSettings& settings, std::span<P
     for (Parcel& parcel : parcels) {
         const glm::vec3 from_middle = parcel.position_m - middle_m;
         if (parcel.ball < 0 && glm::dot(from_middle, from_middle) < radius_m * radius_m)
-            parcel.ball = count_;
+            parcel.ball = state_.count;
     }
-    ++count_;
+    ++state_.count;
 }
 
 std::vector<BallMass> MilkBalls::masses(std::span<const Parcel> parcels) const {
-    std::vector<BallMass> masses(static_cast<std::size_t>(count_));
+    std::vector<BallMass> masses(static_cast<std::size_t>(state_.count));
     for (const Parcel& parcel : parcels) {
         if (parcel.ball < 0) continue;
         BallMass& ball = masses[static_cast<std::size_t>(parcel.ball)];

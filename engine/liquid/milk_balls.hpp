@@ -20,9 +20,19 @@ struct BallMass {
 
 class MilkBalls {
   public:
-    explicit MilkBalls(const TeaSettings& settings) : next_s_(settings.first_ball_s) {}
+    /// What the balls were and when the next one comes; which parcels belong to them, those know.
+    struct State {
+        double next_s = 0.0;
+        int count = 0;            ///< 0 and more
+        std::uint32_t draws = 0;  ///< by lot, so far
+        friend bool operator==(const State&, const State&) = default;
+    };
 
-    int count() const { return count_; }
+    explicit MilkBalls(const TeaSettings& settings) : state_{.next_s = settings.first_ball_s} {}
+
+    int count() const { return state_.count; }
+    const State& state() const { return state_; }
+    void set_state(const State& state) { state_ = state; }
 
     /// Turns parcels into a ball when it is time: of some parcels drawn by lot the highest, and all
     /// around it that belong to no ball yet.
@@ -34,9 +44,7 @@ class MilkBalls {
   private:
     float drawn(const TeaSettings& settings);
 
-    double next_s_;
-    int count_ = 0;
-    std::uint32_t draws_ = 0;
+    State state_;
 };
 
 /// Where a parcel of that ball is drawn to over dt_s: one further from the middle than cohesion_reach

@@ -37,12 +37,12 @@ void push_stream(const glm::vec2& at_m, float speed_m_s, const TeaSettings& sett
 void MilkJug::pour(const TeaSettings& settings, std::vector<Parcel>& parcels, VelocityField& velocity) {
     if (settings.milk_m3 <= 0.0) return;
     const Pouring into{settings, parcels, velocity};
-    if (recipe_.seconds < settings.pour_s)
-        pour_from(recipe_, settings.cup.axis_m, settings.parcels, into);
-    if (hand_m_)
-        pour_from(hand_, *hand_m_, kMaxParcels, into);
+    if (state_.recipe.seconds < settings.pour_s)
+        pour_from(state_.recipe, settings.cup.axis_m, settings.parcels, into);
+    if (state_.hand_m)
+        pour_from(state_.hand, *state_.hand_m, kMaxParcels, into);
     else
-        hand_ = {};
+        state_.hand = {};
 }
 
 /// The stream gains speed; at most so many parcels come of it.
@@ -61,7 +61,7 @@ void MilkJug::pour_from(Stream& stream, const glm::vec2& at_m, int most, const P
 /// Onto a disc below the surface, as far down as the stream comes within the step.
 void MilkJug::pour_parcels(int count, const glm::vec2& at_m, const Pouring& into) {
     const TeaSettings& settings = into.settings;
-    const double room_m3 = kMostMilkInCup * tea_volume_m3(settings.cup) - poured_m3_;
+    const double room_m3 = kMostMilkInCup * tea_volume_m3(settings.cup) - state_.poured_m3;
     const float volume_m3 = milk_per_parcel_m3(settings);
     const auto fitting = static_cast<int>(room_m3 / static_cast<double>(volume_m3));
     count = std::min({count, fitting, kMaxParcels - static_cast<int>(into.parcels.size())});
@@ -77,12 +77,12 @@ void MilkJug::pour_parcels(int count, const glm::vec2& at_m, const Pouring& into
         const float z_m = settings.cup.level_m - kStreamStart_m - way_m * drawn(settings);
         into.parcels.push_back(
             {brought_within(settings.cup, {across_m, z_m}, margin_m), volume_m3, 1.0F, -1});
-        poured_m3_ += static_cast<double>(volume_m3);
+        state_.poured_m3 += static_cast<double>(volume_m3);
     }
 }
 
 float MilkJug::drawn(const TeaSettings& settings) {
-    return core::uniform_noise(draws_++, kPourStream ^ core::scramble(settings.seed));
+    return core::uniform_noise(state_.draws++, kPourStream ^ core::scramble(settings.seed));
 }
 
 }  // namespace pastoso::liquid

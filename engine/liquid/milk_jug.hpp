@@ -22,20 +22,32 @@ inline float milk_per_parcel_m3(const TeaSettings& settings) {
 
 class MilkJug {
   public:
+    struct Stream {
+        double seconds = 0.0;  ///< since it began
+        int parcels = 0;       ///< that have come of it
+        friend bool operator==(const Stream&, const Stream&) = default;
+    };
+    struct State {
+        Stream recipe, hand;
+        std::optional<glm::vec2> hand_m;  ///< where the hand pours
+        double poured_m3 = 0.0;
+        std::uint32_t draws = 0;  ///< by lot, so far
+        friend bool operator==(const State&, const State&) = default;
+    };
+
+    const State& state() const { return state_; }
+    void set_state(const State& state) { state_ = state; }
+
     /// What flows in during a step: parcels on a disc below the level, and the velocity of the stream on
     /// the faces there.
     void pour(const TeaSettings& settings, std::vector<Parcel>& parcels, VelocityField& velocity);
 
     /// See MilkTea::pour_by_hand().
-    void pour_by_hand(std::optional<glm::vec2> at_m) { hand_m_ = at_m; }
+    void pour_by_hand(std::optional<glm::vec2> at_m) { state_.hand_m = at_m; }
 
-    double poured_m3() const { return poured_m3_; }
+    double poured_m3() const { return state_.poured_m3; }
 
   private:
-    struct Stream {
-        double seconds = 0.0;  ///< since it began
-        int parcels = 0;       ///< that have come of it
-    };
     /// What a step pours into.
     struct Pouring {
         const TeaSettings& settings;
@@ -47,10 +59,7 @@ class MilkJug {
     void pour_parcels(int count, const glm::vec2& at_m, const Pouring& into);
     float drawn(const TeaSettings& settings);
 
-    Stream recipe_, hand_;
-    std::optional<glm::vec2> hand_m_;
-    double poured_m3_ = 0.0;
-    std::uint32_t draws_ = 0;
+    State state_;
 };
 
 }  // namespace pastoso::liquid

@@ -14,6 +14,7 @@
 #include "liquid/parcel_cells.hpp"
 #include "liquid/tea_frame.hpp"
 #include "liquid/tea_settings.hpp"
+#include "liquid/tea_state.hpp"
 
 #include <optional>
 #include <vector>
@@ -48,6 +49,12 @@ class MilkTea {
     const VesselFlow& flow() const { return flow_; }
     int ball_count() const { return balls_.count(); }
     TeaFrame frame() const;
+
+    /// Tea of the same settings that is brought to this state goes on as this one does, to the last bit.
+    TeaState state() const;
+    /// Throws InputError when the state is none of such a glass: fields of another shape, parcels that
+    /// lie nowhere in it or belong to balls there never were, or too many.
+    void set_state(TeaState state);
 
     double poured_m3() const { return jug_.poured_m3(); }
     /// In parcels and dissolved.

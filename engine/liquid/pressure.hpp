@@ -7,6 +7,8 @@
 #include "liquid/conjugate_gradients.hpp"
 #include "liquid/walls.hpp"
 
+#include <utility>
+
 namespace pastoso::liquid {
 
 /// The matrix of a vessel without free surface: open shares, no boundary.
@@ -22,6 +24,8 @@ class Projection {
                         core::ThreadPool& pool);
 
     const grid::BoxField& pressure() const { return pressure_; }
+    /// The next solution begins with it.
+    void set_pressure(grid::BoxField pressure) { pressure_ = std::move(pressure); }
     /// Forgets the last solution.
     void start_cold();
 

@@ -50,7 +50,7 @@ class Child {
         become(program, arguments);
     }
 
-    void interrupt() const { ::kill(pid_, SIGINT); }
+    void send(int signal) const { ::kill(pid_, signal); }
     bool running() const {
         siginfo_t info{};
         return ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
@@ -79,12 +79,12 @@ RunResult run_program(const std::string& name, const std::vector<std::string>& a
 }
 
 RunResult interrupt_program(const std::string& name, const std::vector<std::string>& arguments,
-                            const std::filesystem::path& sign_of_work) {
+                            const std::filesystem::path& sign_of_work, int signal) {
     const Child child(name, arguments);
     while (child.running() && !std::filesystem::exists(sign_of_work)) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    child.interrupt();
+    child.send(signal);
     return child.wait();
 }
 

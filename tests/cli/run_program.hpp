@@ -3,6 +3,7 @@
 
 #include "io/temporary_folder.hpp"
 
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,9 +18,10 @@ struct RunResult {
 /// Runs `name` from the folder of the running test with its output and errors caught.
 RunResult run_program(const std::string& name, const std::vector<std::string>& arguments);
 
-/// Starts `name` and interrupts it (as Ctrl-C does) as soon as `sign_of_work` exists.
+/// Starts `name` and interrupts it, as Ctrl-C does or by another signal, as soon as `sign_of_work`
+/// exists.
 RunResult interrupt_program(const std::string& name, const std::vector<std::string>& arguments,
-                            const std::filesystem::path& sign_of_work);
+                            const std::filesystem::path& sign_of_work, int signal = SIGINT);
 
 /// pastoso-cli with these arguments.
 inline RunResult run_cli(const std::vector<std::string>& arguments) {

@@ -1,0 +1,45 @@
+#include "cli/kept_tea.hpp"
+
+#include "core/error.hpp"
+#include "io/tea_checkpoint.hpp"
+
+#include <algorithm>
+
+namespace pastoso::cli {
+
+KeptTea::KeptTea(const std::filesystem::path& folder, io::TeaCacheIndex index)
+    : frames_{folder, index.scene_hash} {
+    if (std::filesystem::exists(folder / "tea.json")) {
+        const io::TeaCacheIndex there = io::read_tea_index(folder);
+        if (there.scene_hash != index.scene_hash || there.fps != index.fps)
+            throw core::InputError(folder.string() +
+                                   ": keeps frames of other tea; choose another folder.");
+        index.count = std::max(index.count, there.count);
+    }
+    io::write_tea_index(folder, index);
+    whole_ = io::whole_tea_frames(folder, index);
+}
+
+bool KeptTea::has_all(int count) const {
+    return std::all_of(whole_.begin(), whole_.begin() + count, [](bool whole) { return whole; });
+}
+
+void KeptTea::write(int frame, const liquid::TeaFrame& content) const {
+    io::write_tea_frame(frames_.path_of(frame), content, frames_.scene_hash);
+}
+
+std::filesystem::path KeptTea::state_path() const {
+    return io::tea_checkpoint_path(frames_.folder);
+}
+
+std::optional<liquid::TeaState> KeptTea::state() const {
+    std::error_code ignored;
+    if (!std::filesystem::exists(state_path(), ignored)) return std::nullopt;
+    return io::read_tea_checkpoint(state_path(), frames_.scene_hash);
+}
+
+void KeptTea::write_state(const liquid::TeaState& state) const {
+    io::write_tea_checkpoint(state_path(), state, frames_.scene_hash);
+}
+
+}  // namespace pastoso::cli

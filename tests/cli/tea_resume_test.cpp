@@ -1,0 +1,141 @@
+// A tea that was stopped goes on where it was, and becomes what it would have become.
+#include "cli/run_program.hpp"
+#include "core/text_file.hpp"
+#include "io/json_place.hpp"
+
+#include <csignal>
+
+#include <gmock/gmock.h>
+
+namespace pastoso::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr int kFrames = 90;
+
+class CliTeaResume : public CliTest {
+  protected:
+    /// Three seconds of tea on a coarse grid, unless told otherwise: all milk is poured, and stirred.
+    static std::vector<std::string> tea(const std::vector<std::string>& more,
+                                        const std::string& seconds = "3") {
+        std::vector<std::string> all = {"tea", "--grid", "20", "--seconds", seconds, "-q"};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+    std::string scene() const {
+        return write("scene.json",
+                     R"({"format": "pastoso-tea", "version": 1, "parcels": 1500, "first_ball_s": 0.5,
+                         "ball_interval_s": 0.1, "confinement": 0.1, "advection": "reflected",
+                         "swirl_rad_s2": 2})");
+    }
+    io::Json json(const std::string& name) const {
+        return io::parse_json(core::read_text_file(path(name)), name);
+    }
+    std::string bytes(const std::string& name) const { return core::read_text_file(path(name)); }
+    static std::string frame(const std::string& cache, int number) {
+        char name[32];
+        std::snprintf(name, sizeof name, "/frame_%06d.tea", number);
+        return cache + name;
+    }
+    int frames_in(const std::string& cache) const {
+        return static_cast<int>(core::files_in(path(cache), ".tea").size()) -
+               (fs::exists(path(cache + "/checkpoint.tea")) ? 1 : 0);
+    }
+    void expect_same_frames(const std::string& cache, const std::string& other) const {
+        for (int number = 1; number <= kFrames; ++number)
+            EXPECT_EQ(bytes(frame(cache, number)), bytes(frame(other, number))) << number;
+    }
+    /// All of it in one go.
+    void keep_whole(const std::string& cache) const {
+        const RunResult run =
+            run_cli(tea({scene(), "--cache", path(cache), "--stats", path(cache + ".json")}));
+        ASSERT_EQ(run.status, 0) << run.errors;
+    }
+};
+
+TEST_F(CliTeaResume, AfterCtrlCItGoesOnToTheSameBits) {
+    keep_whole("whole");
+    const RunResult stopped = interrupt_program("pastoso-cli", tea({scene(), "--cache", path("kept")}),
+                                                path(frame("kept", 20)));
+    ASSERT_EQ(stopped.status, 130);
+    const int done = frames_in("kept");
+    ASSERT_LT(done, kFrames);
+    ASSERT_TRUE(fs::exists(path("kept/checkpoint.tea")));
+    const RunResult again =
+        run_cli(tea({scene(), "--cache", path("kept"), "--stats", path("kept.json"), "--threads", "1"}));
+    ASSERT_EQ(again.status, 0) << again.errors;
+    EXPECT_EQ(again.errors, "");
+    EXPECT_EQ(json("kept.json").at("steps"), kFrames - done);
+    EXPECT_EQ(json("kept.json").at("state_hash"), json("whole.json").at("state_hash"));
+    EXPECT_EQ(json("kept.json").at("balls"), json("whole.json").at("balls"));
+    expect_same_frames("kept", "whole");
+    EXPECT_EQ(bytes("kept/checkpoint.tea"), bytes("whole/checkpoint.tea"));
+}
+
+TEST_F(CliTeaResume, AKilledTeaGoesOnFromItsLastCheckpoint) {
+    keep_whole("whole");
+    const RunResult killed =
+        interrupt_program("pastoso-cli", tea({scene(), "--cache", path("kept"), "--checkpoint", "0"}),
+                          path(frame("kept", 10)), SIGKILL);
+    ASSERT_EQ(killed.status, 128 + SIGKILL);
+    // What it was writing is left aside.
+    const RunResult again =
+        run_cli(tea({scene(), "--cache", path("kept"), "--stats", path("kept.json")}));
+    ASSERT_EQ(again.status, 0) << again.errors;
+    EXPECT_LE(json("kept.json").at("steps").get<int>(), kFrames - 9);
+    expect_same_frames("kept", "whole");
+}
+
+TEST_F(CliTeaResume, ADamagedOrForeignCheckpointIsToldAndTheTeaBeginsAnew) {
+    ASSERT_EQ(run_cli(tea({"--cache", path("other")}, "0.2")).status, 0);
+    keep_whole("whole");
+    const auto after = [&](const std::string& checkpoint) {
+        fs::remove_all(path("kept"));
+        EXPECT_EQ(run_cli(tea({scene(), "--cache", path("kept")}, "0.5")).status, 0);
+        write("kept/checkpoint.tea", checkpoint);
+        const RunResult run =
+            run_cli(tea({scene(), "--cache", path("kept"), "--stats", path("kept.json")}));
+        EXPECT_EQ(run.status, 0);
+        EXPECT_EQ(json("kept.json").at("steps"), kFrames);
+        expect_same_frames("kept", "whole");
+        return run.errors;
+    };
+    std::string damaged = bytes("whole/checkpoint.tea");
+    damaged[damaged.size() / 2] ^= 1;
+    EXPECT_THAT(after(damaged), AllOf(HasSubstr("checkpoint.tea: is damaged"),
+                                      HasSubstr("The tea begins from the start.\n")));
+    EXPECT_THAT(after(bytes("other/checkpoint.tea")),
+                HasSubstr("checkpoint.tea: belongs to another scene. The tea begins from the start.\n"));
+}
+
+TEST_F(CliTeaResume, AFrameThatIsMissingBeforeTheCheckpointIsPouredAgain) {
+    keep_whole("whole");
+    const std::string lost = bytes(frame("whole", 7));
+    fs::remove(path(frame("whole", 7)));
+    ASSERT_EQ(run_cli(tea({scene(), "--cache", path("whole"), "--stats", path("again.json")})).status,
+              0);
+    EXPECT_EQ(json("again.json").at("steps"), kFrames);
+    EXPECT_EQ(bytes(frame("whole", 7)), lost);
+}
+
+TEST_F(CliTeaResume, ALongerTeaGoesOnFromTheEndAndDrawsWhatWasKept) {
+    const std::vector<std::string> files = {"--frames", path("files"), "--format",
+                                            "stl",      "--every",     "30"};
+    ASSERT_EQ(
+        run_cli(tea({scene(), "--frames", path("at-once"), "--format", "stl", "--every", "30"})).status,
+        0);
+    ASSERT_EQ(run_cli(tea({scene(), "--cache", path("kept")}, "1.5")).status, 0);
+    std::vector<std::string> longer = {scene(), "--cache", path("kept"), "--stats", path("kept.json")};
+    longer.insert(longer.end(), files.begin(), files.end());
+    ASSERT_EQ(run_cli(tea(longer)).status, 0);
+    EXPECT_EQ(json("kept.json").at("steps"), kFrames / 2);
+    EXPECT_EQ(json("kept.json").at("frames"), 3);
+    for (const char* name : {"/milk_0030.stl", "/milk_0060.stl", "/milk_0090.stl"})
+        EXPECT_EQ(bytes(std::string("files") + name), bytes(std::string("at-once") + name)) << name;
+}
+
+}  // namespace
+}  // namespace pastoso::cli
