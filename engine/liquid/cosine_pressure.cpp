@@ -1,40 +1,20 @@
 #include "liquid/cosine_pressure.hpp"
 
 #include "core/check.hpp"
-#include "liquid/sample_lanes.hpp"
+#include "liquid/complex_lanes.hpp"
 #include "liquid/slices.hpp"
 #include "liquid/walls.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace pastoso::liquid {
 namespace {
 
-/// Two complex numbers lie in a Four.
-constexpr int kNumbersAtOnce = 2;
-
-PASTOSO_LIQUID_INLINE Four parts_swapped(Four v) {
-    return __builtin_shufflevector(v, v, 1, 0, 3, 2);
-}
-PASTOSO_LIQUID_INLINE Four times_i(Four v) {
-    return parts_swapped(v) * Four{-1.0F, 1.0F, -1.0F, 1.0F};
-}
-
-/// A factor of complex numbers: its real part, and its imaginary part with the signs that it has in a
-/// product.
-struct Turn {
-    Four real, imaginary;
-    explicit Turn(std::complex<float> w)
-        : real(all(w.real())), imaginary{-w.imag(), w.imag(), -w.imag(), w.imag()} {}
-    Turn(Four real_parts, Four imaginary_parts) : real(real_parts), imaginary(imaginary_parts) {}
-};
-PASTOSO_LIQUID_INLINE Four times(Four v, const Turn& w) {
-    return v * w.real + parts_swapped(v) * w.imaginary;
-}
-PASTOSO_LIQUID_INLINE Four times_conjugate(Four v, const Turn& w) {
-    return v * w.real - parts_swapped(v) * w.imaginary;
-}
+/// Into so many runs of slices the way back is cut, whatever threads there are.
+constexpr int kRuns = 16;
 
 /// Where value i of n stands in the order 0, 2, 4, .. 5, 3, 1.
 int place(int i, int n) {
@@ -72,10 +52,7 @@ void close_box(VelocityField& velocity) {
 }  // namespace
 
 CosinePressure::CosinePressure(const grid::BoxShape& shape)
-    : shape_((check_box_shape(shape), shape)),
-      spectrum_(FourierExtent{shape.nx, shape.ny, shape.nz}),
-      source_(shape),
-      pressure_(shape) {
+    : shape_((check_box_shape(shape), shape)), spectrum_(FourierExtent{shape.nx, shape.ny, shape.nz}) {
     const std::array<int, 3> sizes = {shape.nx, shape.ny, shape.nz};
     for (std::size_t axis = 0; axis < 3; ++axis)
         for (int k = 0; k <= sizes[axis]; ++k) {
@@ -103,32 +80,34 @@ void CosinePressure::find_frequencies_x() {
     }
 }
 
-void CosinePressure::load(const grid::BoxField& source, core::ThreadPool& pool) {
-    for_slices(pool, 0, shape_.nz, [&](int k) {
-        for (int j = 0; j < shape_.ny; ++j) {
-            float* out = spectrum_.real_row(place(j, shape_.ny), place(k, shape_.nz));
-            const float* in = source.row(j, k);
-            for (int i = 0; i < shape_.nx; i += 2)
-                out[i / 2] = in[i];
-            for (int i = 1; i < shape_.nx; i += 2)
-                out[shape_.nx - 1 - i / 2] = in[i];
-        }
-    });
+/// To the order 0, 2, 4, .. 5, 3, 1.
+void CosinePressure::load_row(const float* source, int j, int k) {
+    float* out = spectrum_.real_row(place(j, shape_.ny), place(k, shape_.nz));
+    const int nx = shape_.nx;
+    int i = 0;
+    for (; i + 8 <= nx; i += 8) {
+        const Four first = liquid::load(source + i), second = liquid::load(source + i + 4);
+        liquid::store(__builtin_shufflevector(first, second, 0, 2, 4, 6), out + i / 2);
+        liquid::store(__builtin_shufflevector(first, second, 7, 5, 3, 1), out + nx - 4 - i / 2);
+    }
+    for (; i < nx; ++i)
+        out[place(i, nx)] = source[i];
 }
 
-void CosinePressure::store(grid::BoxField& pressure, core::ThreadPool& pool) {
+void CosinePressure::store_row(int j, int k, float* pressure) {
     const float scale = 1.0F / (static_cast<float>(shape_.nx) * static_cast<float>(shape_.ny) *
                                 static_cast<float>(shape_.nz));
-    for_slices(pool, 0, shape_.nz, [&](int k) {
-        for (int j = 0; j < shape_.ny; ++j) {
-            const float* in = spectrum_.real_row(place(j, shape_.ny), place(k, shape_.nz));
-            float* out = pressure.row(j, k);
-            for (int i = 0; i < shape_.nx; i += 2)
-                out[i] = scale * in[i / 2];
-            for (int i = 1; i < shape_.nx; i += 2)
-                out[i] = scale * in[shape_.nx - 1 - i / 2];
-        }
-    });
+    const float* in = spectrum_.real_row(place(j, shape_.ny), place(k, shape_.nz));
+    const int nx = shape_.nx;
+    int i = 0;
+    for (; i + 8 <= nx; i += 8) {
+        const Four even = all(scale) * liquid::load(in + i / 2),
+                   odd = all(scale) * liquid::load(in + nx - 4 - i / 2);
+        liquid::store(__builtin_shufflevector(even, odd, 0, 7, 1, 6), pressure + i);
+        liquid::store(__builtin_shufflevector(even, odd, 2, 5, 3, 4), pressure + i + 4);
+    }
+    for (; i < nx; ++i)
+        pressure[i] = scale * in[place(i, nx)];
 }
 
 /// The rows of frequencies ky, kz and of their mirror images: to cosine coefficients, divided by the
@@ -171,54 +150,116 @@ void CosinePressure::divide_rows(int ky, int kz) {
             from_cosine(v.front()[a], v.back()[a], turn_z);
         for (std::size_t b = 0; b < kRowsZ; ++b)
             for (std::size_t a = 0; a < kRowsY; ++a)
-                __builtin_memcpy(rows[b][a] + at, &v[b][a], sizeof(Four));
+                liquid::store(v[b][a], rows[b][a] + at);
     }
 }
 
-void CosinePressure::divide_slices(int kz) {
-    const bool one_z = (shape_.nz - kz) % shape_.nz == kz;
-    for (int ky = 0; ky <= shape_.ny / 2; ++ky) {
-        const bool one_y = (shape_.ny - ky) % shape_.ny == ky;
+/// Frequency ky along y and its mirror image: a row in all slices each, which stay in the processor's
+/// cache from one transform to the other.
+void CosinePressure::divide_across(int ky) {
+    const int mirrored = (shape_.ny - ky) % shape_.ny;
+    const bool one_y = mirrored == ky;
+    spectrum_.forward_across(ky);
+    if (!one_y) spectrum_.forward_across(mirrored);
+    for (int kz = 0; kz <= shape_.nz / 2; ++kz) {
+        const bool one_z = (shape_.nz - kz) % shape_.nz == kz;
         if (one_z)
             one_y ? divide_rows<1, 1>(ky, kz) : divide_rows<2, 1>(ky, kz);
         else
             one_y ? divide_rows<1, 2>(ky, kz) : divide_rows<2, 2>(ky, kz);
     }
+    spectrum_.backward_across(ky);
+    if (!one_y) spectrum_.backward_across(mirrored);
+}
+
+void CosinePressure::divide(core::ThreadPool& pool) {
+    for_slices(pool, 0, shape_.ny / 2 + 1, [&](int ky) { divide_across(ky); });
+}
+
+void CosinePressure::store_slice(int k, float* pressure, std::ptrdiff_t stride) {
+    spectrum_.backward_slice(place(k, shape_.nz));
+    for (int j = 0; j < shape_.ny; ++j)
+        store_row(j, k, pressure + j * stride);
 }
 
 void CosinePressure::solve(const grid::BoxField& source, grid::BoxField& pressure,
                            core::ThreadPool& pool) {
     PASTOSO_CHECK(source.shape() == shape_ && pressure.shape() == shape_);
-    load(source, pool);
-    spectrum_.forward(pool);
-    for_slices(pool, 0, shape_.nz / 2 + 1, [&](int kz) { divide_slices(kz); });
-    spectrum_.backward(pool);
-    store(pressure, pool);
+    for_slices(pool, 0, shape_.nz, [&](int k) {
+        for (int j = 0; j < shape_.ny; ++j)
+            load_row(source.row(j, k), j, k);
+        spectrum_.forward_slice(place(k, shape_.nz));
+    });
+    divide(pool);
+    for_slices(pool, 0, shape_.nz,
+               [&](int k) { store_slice(k, pressure.row(0, k), shape_.stride_y()); });
 }
 
-void CosinePressure::project(VelocityField& velocity, core::ThreadPool& pool) {
+void CosinePressure::load_divergence(const VelocityField& velocity, int k) {
     const std::ptrdiff_t y = shape_.stride_y(), z = shape_.stride_z();
+    std::array<float, kMaxBoxSide_cells> out;
+    for (int j = 0; j < shape_.ny; ++j) {
+        const float *u = velocity.x.row(j, k), *v = velocity.y.row(j, k), *w = velocity.z.row(j, k);
+        for (int i = 0; i < shape_.nx; ++i)
+            out[static_cast<std::size_t>(i)] =
+                ((u[i] - u[i + 1]) + (v[i] - v[i + y])) + (w[i] - w[i + z]);
+        load_row(out.data(), j, k);
+    }
+}
+
+void CosinePressure::subtract_gradient(const Slice& pressure, int k, VelocityField& velocity) const {
+    const int nx = shape_.nx;
+    const float* p = pressure.data();
+    for (int j = 0; j < shape_.ny; ++j, p += nx) {
+        float *u = velocity.x.row(j, k), *v = velocity.y.row(j, k);
+        for (int i = 1; i < nx; ++i)
+            u[i] -= p[i] - p[i - 1];
+        for (int i = 0; j > 0 && i < nx; ++i)
+            v[i] -= p[i] - p[i - nx];
+    }
+}
+
+void CosinePressure::subtract_gradient_z(const Slice& pressure, const Slice& below, int k,
+                                         VelocityField& velocity) const {
+    const float *p = pressure.data(), *q = below.data();
+    for (int j = 0; j < shape_.ny; ++j, p += shape_.nx, q += shape_.nx) {
+        float* w = velocity.z.row(j, k);
+        for (int i = 0; i < shape_.nx; ++i)
+            w[i] -= p[i] - q[i];
+    }
+}
+
+/// The divergence goes straight to where it is transformed, and a thread has a slice of the pressure and
+/// the one below for a moment only: each pass goes through memory once. Between two runs of slices the
+/// first of the one and the last of the other are kept for the end.
+void CosinePressure::project(VelocityField& velocity, core::ThreadPool& pool) {
+    PASTOSO_CHECK(velocity.shape() == shape_);
     close_box(velocity);
     for_slices(pool, 0, shape_.nz, [&](int k) {
-        for (int j = 0; j < shape_.ny; ++j) {
-            const float *u = velocity.x.row(j, k), *v = velocity.y.row(j, k), *w = velocity.z.row(j, k);
-            float* out = source_.row(j, k);
-            for (int i = 0; i < shape_.nx; ++i)
-                out[i] = ((u[i] - u[i + 1]) + (v[i] - v[i + y])) + (w[i] - w[i + z]);
-        }
+        load_divergence(velocity, k);
+        spectrum_.forward_slice(place(k, shape_.nz));
     });
-    solve(source_, pressure_, pool);
-    for_slices(pool, 0, shape_.nz, [&](int k) {
-        for (int j = 0; j < shape_.ny; ++j) {
-            float *u = velocity.x.row(j, k), *v = velocity.y.row(j, k), *w = velocity.z.row(j, k);
-            const float* p = pressure_.row(j, k);
-            for (int i = 1; i < shape_.nx; ++i)
-                u[i] -= p[i] - p[i - 1];
-            for (int i = 0; j > 0 && i < shape_.nx; ++i)
-                v[i] -= p[i] - p[i - y];
-            for (int i = 0; k > 0 && i < shape_.nx; ++i)
-                w[i] -= p[i] - p[i - z];
+    divide(pool);
+    const int runs = std::min(shape_.nz, kRuns);
+    const auto begin_of = [&](int run) { return shape_.nz * run / runs; };
+    const std::size_t cells = static_cast<std::size_t>(shape_.nx) * static_cast<std::size_t>(shape_.ny);
+    std::vector<Slice> first(static_cast<std::size_t>(runs)), last(first.size());
+    pool.run(first.size(), [&](std::size_t run, int) {
+        const int begin = begin_of(static_cast<int>(run)), end = begin_of(static_cast<int>(run) + 1);
+        Slice here(cells), below(cells);
+        for (int k = begin; k < end; ++k) {
+            std::swap(here, below);
+            store_slice(k, here.data(), shape_.nx);
+            subtract_gradient(here, k, velocity);
+            if (k == begin)
+                first[run] = here;
+            else
+                subtract_gradient_z(here, below, k, velocity);
         }
+        last[run] = std::move(here);
+    });
+    pool.run(first.size() - 1, [&](std::size_t run, int) {
+        subtract_gradient_z(first[run + 1], last[run], begin_of(static_cast<int>(run) + 1), velocity);
     });
 }
 

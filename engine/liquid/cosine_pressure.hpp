@@ -30,13 +30,23 @@ class CosinePressure {
         std::vector<float> eigenvalue;
         std::vector<std::complex<float>> turn;
     };
-    void load(const grid::BoxField& source, core::ThreadPool& pool);
-    void store(grid::BoxField& pressure, core::ThreadPool& pool);
+    using Slice = std::vector<float>;  ///< nx ny values
+
     void find_frequencies_x();
+    /// A row of cells, to and from where it is transformed.
+    void load_row(const float* source, int j, int k);
+    void store_row(int j, int k, float* pressure);
+    void load_divergence(const VelocityField& velocity, int k);
+    /// Transforms a slice back; its rows are `stride` apart.
+    void store_slice(int k, float* pressure, std::ptrdiff_t stride);
+    void subtract_gradient(const Slice& pressure, int k, VelocityField& velocity) const;
+    void subtract_gradient_z(const Slice& pressure, const Slice& below, int k,
+                             VelocityField& velocity) const;
+    /// From slices that are transformed to slices that are to be transformed back.
+    void divide(core::ThreadPool& pool);
+    void divide_across(int ky);
     template <std::size_t kRowsY, std::size_t kRowsZ>
     void divide_rows(int ky, int kz);
-    /// All rows of frequency kz along z and of its mirror image.
-    void divide_slices(int kz);
 
     grid::BoxShape shape_;
     FourierBox spectrum_;
@@ -44,7 +54,6 @@ class CosinePressure {
     /// Along x as the numbers of a row lie: eigenvalues of frequencies kx and nx - kx in turn, and the
     /// factors' real and imaginary parts, each twice, the latter with the signs of a product.
     AlignedFloats eigenvalues_x_, real_x_, imaginary_x_;
-    grid::BoxField source_, pressure_;
 };
 
 }  // namespace pastoso::liquid

@@ -141,8 +141,8 @@ TEST(PeriodicFlow, ReflectionIsOfSecondOrder) {
 
 TEST(CosinePressure, SolvesAWaveExactly) {
     core::ThreadPool pool(2);
-    for (const grid::BoxShape shape :
-         {grid::BoxShape{16, 12, 20, 1.0F}, grid::BoxShape{7, 9, 5, 1.0F}}) {
+    for (const grid::BoxShape shape : {grid::BoxShape{16, 12, 20, 1.0F}, grid::BoxShape{7, 9, 5, 1.0F},
+                                       grid::BoxShape{20, 4, 33, 1.0F}}) {
         grid::BoxField source(shape), pressure(shape);
         const auto wave = [&](int i, int j, int k) {
             return std::cos(kPi * 2 * (i + 0.5) / shape.nx) * std::cos(kPi * 3 * (j + 0.5) / shape.ny) *
@@ -179,6 +179,19 @@ TEST(CosinePressure, AgreesWithConjugateGradients) {
                         ASSERT_NEAR(direct.along(axis).at(i, j, k), iterated.along(axis).at(i, j, k),
                                     1e-5F);
                     }
+}
+
+TEST(CosinePressure, TheSameBitsOnAnyNumberOfThreads) {
+    const grid::BoxShape shape{22, 9, 35, 0.1F};
+    const auto projected = [&](int threads) {
+        core::ThreadPool pool(threads);
+        VelocityField velocity = cases::random_velocity(shape, 3);
+        CosinePressure(shape).project(velocity, pool);
+        return velocity;
+    };
+    const VelocityField one = projected(1);
+    EXPECT_EQ(one, projected(2));
+    EXPECT_EQ(one, projected(3));
 }
 
 TEST(PeriodicFlow, RefusesWhatMeansNothing) {
