@@ -95,6 +95,9 @@ TEST_F(CliTea, FramesThatAreKeptAreDrawnLikeThoseDrawnAtOnce) {
     EXPECT_THAT(files_in("later"), testing::ElementsAre("milk_0010.png", "milk_0015.png"));
     EXPECT_EQ(bytes("later/milk_0010.png"), bytes("at-once/milk_0010.png"));
     EXPECT_EQ(bytes("later/milk_0015.png"), bytes("at-once/milk_0015.png"));
+    for (const char* range : {"0-3", "9-16", "7-5", "x", "3-"})
+        expect_refusal({"tea", "render", path("kept"), "--range", range, "--frames", path("later")}, 2,
+                       "is not FIRST-LAST, of frames 1 to 15.");
 }
 
 TEST_F(CliTea, ASequenceGoesOnWithWhatIsMissing) {
