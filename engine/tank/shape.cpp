@@ -1,7 +1,7 @@
 #include "tank/shape.hpp"
 
 #include "core/error.hpp"
-#include "tank/check_number.hpp"
+#include "core/value_range.hpp"
 #include "tank/closed_mesh.hpp"
 
 #include <glm/geometric.hpp>
@@ -12,12 +12,12 @@ namespace {
 constexpr double kMostScale = 1e6;
 
 void check_size(const std::string& name, float size_m) {
-    check_number(name, static_cast<double>(size_m), kSmallest_m, kFarthest_m);
+    core::check_range(name, static_cast<double>(size_m), kSmallest_m, kFarthest_m);
 }
 
 void check_place(const std::string& name, const glm::vec3& place_m) {
     for (const int axis : {0, 1, 2})
-        check_number(name, static_cast<double>(place_m[axis]), -kFarthest_m, kFarthest_m);
+        core::check_range(name, static_cast<double>(place_m[axis]), -kFarthest_m, kFarthest_m);
 }
 
 void check_form(const Sphere& sphere) {
@@ -36,17 +36,17 @@ void check_form(const Cylinder& cylinder) {
     check_place("cylinder: from_m", cylinder.from_m);
     check_place("cylinder: to_m", cylinder.to_m);
     // Twice as far as a place is from the middle, along three axes.
-    check_number("cylinder: the distance from from_m to to_m",
-                 static_cast<double>(glm::distance(cylinder.from_m, cylinder.to_m)), kSmallest_m,
-                 4.0 * kFarthest_m);
+    core::check_range("cylinder: the distance from from_m to to_m",
+                      static_cast<double>(glm::distance(cylinder.from_m, cylinder.to_m)), kSmallest_m,
+                      4.0 * kFarthest_m);
     check_size("cylinder: radius_m", cylinder.radius_m);
 }
 
 void check_form(const Torus& torus) {
     check_place("torus: centre_m", torus.centre_m);
     check_place("torus: axis", torus.axis);
-    check_number("torus: the length of axis", static_cast<double>(glm::length(torus.axis)), kSmallest_m,
-                 2.0 * kFarthest_m);
+    core::check_range("torus: the length of axis", static_cast<double>(glm::length(torus.axis)),
+                      kSmallest_m, 2.0 * kFarthest_m);
     check_size("torus: ring_radius_m", torus.ring_radius_m);
     check_size("torus: tube_radius_m", torus.tube_radius_m);
     check_size("torus: ring_radius_m - tube_radius_m", torus.ring_radius_m - torus.tube_radius_m);
@@ -59,8 +59,8 @@ void check_form(const CupGlass& glass) {
     check_place("cup: foot_m, floor_m and rim_m", {cup.foot_m, cup.floor_m, cup.rim_m});
     check_size("cup: floor_m - foot_m", cup.floor_m - cup.foot_m);
     check_size("cup: rim_m - floor_m", cup.rim_m - cup.floor_m);
-    check_number("cup: level_m", static_cast<double>(cup.level_m), -kFarthest_m, kFarthest_m);
-    check_number("cup: slope", static_cast<double>(cup.slope), -10.0, 10.0);
+    core::check_range("cup: level_m", static_cast<double>(cup.level_m), -kFarthest_m, kFarthest_m);
+    core::check_range("cup: slope", static_cast<double>(cup.slope), -10.0, 10.0);
     check_size("cup: wall_m", cup.wall_m);
     check_size("cup: floor_radius_m", cup.floor_radius_m);
     check_size("cup: the inner radius at rim_m", cup.inner_radius_m(cup.rim_m));
@@ -70,7 +70,7 @@ void check_form(const CupGlass& glass) {
 void check_form(const MeshBody& body) {
     if (!body.mesh) throw core::InputError("mesh: \"" + body.file + "\" was not read.");
     check_place("mesh: position_m", body.position_m);
-    check_number("mesh: scale", static_cast<double>(body.scale), 1.0 / kMostScale, kMostScale);
+    core::check_range("mesh: scale", static_cast<double>(body.scale), 1.0 / kMostScale, kMostScale);
     check_closed(*body.mesh);
 }
 

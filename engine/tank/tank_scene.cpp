@@ -1,6 +1,7 @@
 #include "tank/tank_scene.hpp"
 
-#include "tank/check_number.hpp"
+#include "core/error.hpp"
+#include "core/value_range.hpp"
 
 #include <string>
 
@@ -22,14 +23,15 @@ constexpr TankNumber kNumbers[] = {
 
 void check_velocity(const std::string& name, const glm::vec3& velocity_m_s) {
     for (const int axis : {0, 1, 2})
-        check_number(name, static_cast<double>(velocity_m_s[axis]), -kMostSpeed_m_s, kMostSpeed_m_s);
+        core::check_range(name, static_cast<double>(velocity_m_s[axis]), -kMostSpeed_m_s,
+                          kMostSpeed_m_s);
 }
 
 /// What has times has both.
 template <class Timed>
 void check_times(const std::string& name, const Timed& timed) {
-    check_number(name + ".from_s", timed.from_s, 0.0, kLastTime_s);
-    check_number(name + ".until_s", timed.until_s, timed.from_s, kLastTime_s);
+    core::check_range(name + ".from_s", timed.from_s, 0.0, kLastTime_s);
+    core::check_range(name + ".until_s", timed.until_s, timed.from_s, kLastTime_s);
 }
 
 void check_shape_of(const std::string& name, const Shape& shape) {
@@ -45,13 +47,13 @@ template <class Body>
 void check_liquid(const std::string& name, const Body& body) {
     check_shape_of(name, body.shape);
     check_velocity(name + ".velocity_m_s", body.velocity_m_s);
-    check_number(name + ".milk", static_cast<double>(body.milk), 0.0, 1.0);
+    core::check_range(name + ".milk", static_cast<double>(body.milk), 0.0, 1.0);
 }
 
 void check_wind(const Wind& wind) {
-    check_number("wind.speed_m_s", wind.speed_m_s, 0.0, kMostSpeed_m_s);
-    check_number("wind.direction_deg", wind.direction_deg, -1e4, 1e4);
-    check_number("wind.drag_per_s", wind.drag_per_s, 0.0, 1e4);
+    core::check_range("wind.speed_m_s", wind.speed_m_s, 0.0, kMostSpeed_m_s);
+    core::check_range("wind.direction_deg", wind.direction_deg, -1e4, 1e4);
+    core::check_range("wind.drag_per_s", wind.drag_per_s, 0.0, 1e4);
     check_times("wind", wind);
 }
 
@@ -70,9 +72,9 @@ std::span<const TankNumber> tank_numbers() {
 
 void check_tank(const TankScene& scene) {
     for (const int axis : {0, 1, 2})
-        check_number("cells", scene.cells[axis], kMinTankCells, kMaxTankCells);
+        core::check_range("cells", scene.cells[axis], kMinTankCells, kMaxTankCells);
     for (const TankNumber& number : kNumbers)
-        check_number(number.key, scene.*number.value, number.least, number.most);
+        core::check_range(number.key, scene.*number.value, number.least, number.most);
     check_each("liquids", scene.liquids, check_liquid<LiquidBody>);
     check_each("solids", scene.solids, check_shape_of);
     check_each("jets", scene.jets, [](const std::string& name, const Jet& jet) {
