@@ -15,7 +15,8 @@
 
 namespace pastoso::tank {
 
-inline constexpr int kMeanRings = 2;
+/// As far as a way back of a cell from within the reach reads the velocity (liquid/advection.hpp).
+inline constexpr int kMeanRings = 3;
 
 class VelocityExtension {
   public:
@@ -25,7 +26,8 @@ class VelocityExtension {
     /// liquid, those in it among them; phi must be a distance that far. Those without a known way to the
     /// liquid, and kMeanRings rings of faces beyond the reach, become means of their neighbours; all
     /// others stay. Exact for constants, and within the reach for linear fields that are constant along
-    /// the normals of a plane. phi's first sample around the box is read.
+    /// the normals of a plane. phi's first sample around the box is read; the velocity's belong to
+    /// whoever knows the walls (liquid::Walls::extrapolate).
     void extend(const grid::BoxField& phi, const liquid::VelocityField& known, float reach_cells,
                 liquid::VelocityField& velocity, core::ThreadPool& pool);
 

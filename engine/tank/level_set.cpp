@@ -3,13 +3,20 @@
 #include "core/check.hpp"
 #include "liquid/slices.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace pastoso::tank {
 namespace {
 
 using liquid::RowRange;
 using liquid::RowRanges;
+
+/// |phi| in the band. Less rounding: what lies beyond is the reach itself.
+float band_m(const grid::BoxShape& shape, float reach_cells) {
+    return reach_cells * shape.cell_m * 0.99999F;
+}
 
 /// Beyond both ends of a line of `count` samples.
 void continue_line(float* first, std::ptrdiff_t step, int count) {
@@ -32,23 +39,26 @@ TwiceVelocity twice_velocity(const liquid::VelocityField& velocity, int i, int j
             velocity.z.at(i, j, k) + velocity.z.at(i, j, k + 1)};
 }
 
+/// Calls body(i, j) for a slice's cells with |phi| < within_m.
 template <class Body>
-void for_cells(const RowRanges& rows, const grid::BoxShape& shape, int k, const Body& body) {
-    for (int j = 0; j < shape.ny; ++j) {
+void for_band(const grid::BoxField& phi, float within_m, const RowRanges& rows, int k,
+              const Body& body) {
+    for (int j = 0; j < phi.shape().ny; ++j) {
         const RowRange row = rows.at(j, k);
+        const float* values = phi.row(j, k);
         for (int i = row.begin; i < row.end; ++i)
-            body(i, j);
+            if (std::abs(values[i]) < within_m) body(i, j);
     }
 }
 
-/// The largest |u| + |v| + |w| at cells' middles.
-float largest_size(const liquid::VelocityField& velocity, const RowRanges& rows,
-                   core::ThreadPool& pool) {
-    const grid::BoxShape& shape = velocity.shape();
-    std::vector<float> largest(static_cast<std::size_t>(shape.nz), 0.0F);
-    liquid::for_slices(pool, 0, shape.nz, [&](int k) {
+/// The largest |u| + |v| + |w| at middles in the band.
+float largest_size(const grid::BoxField& phi, float within_m, const RowRanges& rows,
+                   const liquid::VelocityField& velocity, core::ThreadPool& pool) {
+    const int slices = phi.shape().nz;
+    std::vector<float> largest(static_cast<std::size_t>(slices), 0.0F);
+    liquid::for_slices(pool, 0, slices, [&](int k) {
         float& most = largest[static_cast<std::size_t>(k)];
-        for_cells(rows, shape, k, [&](int i, int j) {
+        for_band(phi, within_m, rows, k, [&](int i, int j) {
             most = std::max(most, 0.5F * twice_velocity(velocity, i, j, k).size());
         });
     });
@@ -78,8 +88,7 @@ void continue_beyond_walls(grid::BoxField& phi) {
 
 RowRanges band_rows(const grid::BoxField& phi, float reach_cells, core::ThreadPool& pool) {
     const grid::BoxShape& shape = phi.shape();
-    // Less rounding: what lies beyond is the reach itself.
-    const float within_m = reach_cells * shape.cell_m * 0.99999F;
+    const float within_m = band_m(shape, reach_cells);
     RowRanges rows(shape);
     liquid::for_slices(pool, 0, shape.nz, [&](int k) {
         for (int j = 0; j < shape.ny; ++j) {
@@ -106,26 +115,44 @@ void LevelSetAdvection::advect(grid::BoxField& phi, const liquid::VelocityField&
     PASTOSO_CHECK(phi.shape() == before_.shape());
     PASTOSO_CHECK(velocity.shape() == before_.shape());
     const RowRanges rows = band_rows(phi, reach_cells, pool);
-    if (scheme == LevelSetScheme::Upwind) return advect_upwind(phi, velocity, dt_s, rows, pool);
+    if (scheme == LevelSetScheme::Upwind)
+        return advect_upwind(phi, velocity, dt_s, reach_cells, rows, pool);
     before_ = phi;
     const RowRanges none(phi.shape());
     advection_.set_rows({none, none, none, rows});
     advection_.follow(velocity, pool);
     const liquid::AdvectedPair pair{&before_, &phi};
     advection_.advect({&pair, 1}, liquid::Location::Cell, dt_s, interpolation, pool);
+    restore_beyond(reach_cells, rows, phi, pool);
     continue_beyond_walls(phi);
 }
 
+void LevelSetAdvection::restore_beyond(float reach_cells, const RowRanges& rows, grid::BoxField& phi,
+                                       core::ThreadPool& pool) const {
+    const float within_m = band_m(phi.shape(), reach_cells);
+    liquid::for_slices(pool, 0, phi.shape().nz, [&](int k) {
+        for (int j = 0; j < phi.shape().ny; ++j) {
+            const RowRange row = rows.at(j, k);
+            const float* before = before_.row(j, k);
+            float* after = phi.row(j, k);
+            for (int i = row.begin; i < row.end; ++i)
+                after[i] = std::abs(before[i]) < within_m ? after[i] : before[i];
+        }
+    });
+}
+
 void LevelSetAdvection::advect_upwind(grid::BoxField& phi, const liquid::VelocityField& velocity,
-                                      float dt_s, const RowRanges& rows, core::ThreadPool& pool) {
+                                      float dt_s, float reach_cells, const RowRanges& rows,
+                                      core::ThreadPool& pool) {
     const grid::BoxShape& shape = phi.shape();
-    const float way_cells = largest_size(velocity, rows, pool) * dt_s / shape.cell_m;
+    const float within_m = band_m(shape, reach_cells);
+    const float way_cells = largest_size(phi, within_m, rows, velocity, pool) * dt_s / shape.cell_m;
     const int parts = std::max(1, static_cast<int>(std::ceil(way_cells)));
     const float half_step = 0.5F * dt_s / (static_cast<float>(parts) * shape.cell_m);
     for (int part = 0; part < parts; ++part) {
         before_ = phi;
         liquid::for_slices(pool, 0, shape.nz, [&](int k) {
-            for_cells(rows, shape, k, [&](int i, int j) {
+            for_band(before_, within_m, rows, k, [&](int i, int j) {
                 const float* here = before_.row(j, k) + i;
                 const TwiceVelocity twice = twice_velocity(velocity, i, j, k);
                 phi.at(i, j, k) -=

@@ -40,7 +40,7 @@ class LevelSetAdvection {
     explicit LevelSetAdvection(const grid::BoxShape& shape,
                                const liquid::Kernels& kernels = liquid::kernels());
 
-    /// Solves d phi/dt + u . grad phi = 0 over dt_s in the rows of the band. Upwind takes as many equal
+    /// Solves d phi/dt + u . grad phi = 0 over dt_s in the band. Upwind takes as many equal
     /// parts of the step as keep |u| + |v| + |w| within a cell a part; the way of a whole step should be
     /// at most a cell.
     void advect(grid::BoxField& phi, const liquid::VelocityField& velocity, float dt_s,
@@ -48,8 +48,11 @@ class LevelSetAdvection {
                 liquid::Interpolation interpolation = liquid::Interpolation::Cubic);
 
   private:
+    /// Between the parts of the band there may be cells in its rows whose velocity is not known.
+    void restore_beyond(float reach_cells, const liquid::RowRanges& rows, grid::BoxField& phi,
+                        core::ThreadPool& pool) const;
     void advect_upwind(grid::BoxField& phi, const liquid::VelocityField& velocity, float dt_s,
-                       const liquid::RowRanges& rows, core::ThreadPool& pool);
+                       float reach_cells, const liquid::RowRanges& rows, core::ThreadPool& pool);
 
     liquid::Advection advection_;
     grid::BoxField before_;

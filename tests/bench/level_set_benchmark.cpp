@@ -42,8 +42,8 @@ void follow(benchmark::State& run) {
     core::ThreadPool pool(1);
     cases::Followed result;
     for (auto _ : run)
-        result = cases::follow(run.range(0) == 0 ? Flow::Rotation : Flow::Enright,
-                               static_cast<int>(run.range(1)), way.how, pool);
+        result = cases::follow(static_cast<Flow>(run.range(0)), static_cast<int>(run.range(1)), way.how,
+                               pool);
     run.SetLabel(way.name);
     run.counters["volume_%"] = 100.0 * result.volume_error;
     run.counters["shape"] = result.shape_error;
@@ -52,8 +52,8 @@ void follow(benchmark::State& run) {
     run.counters["escaped"] = static_cast<double>(result.escaped);
 }
 BENCHMARK(follow)
-    ->ArgNames({"enright", "cells", "way"})
-    ->ArgsProduct({{0, 1}, {48, 64}, benchmark::CreateDenseRange(0, std::size(kWays) - 1, 1)})
+    ->ArgNames({"flow", "cells", "way"})
+    ->ArgsProduct({{0, 1, 2}, {48, 64}, benchmark::CreateDenseRange(0, std::size(kWays) - 1, 1)})
     ->Iterations(1)
     ->Unit(benchmark::kSecond);
 

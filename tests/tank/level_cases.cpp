@@ -1,5 +1,6 @@
 #include "tank/level_cases.hpp"
 
+#include "tank/extension.hpp"
 #include "tank/liquid_volume.hpp"
 
 #include <cmath>
@@ -13,7 +14,41 @@ namespace pastoso::tank::cases {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kEnright_s = 3.0;
+struct Course {
+    double duration_s, fastest_m_s;
+    bool returns;  ///< the velocity's factor is the cosine of half a turn
+};
+Course course(Flow flow) {
+    if (flow == Flow::Rotation) return {2.0 * kPi, 0.5, false};
+    return {flow == Flow::Enright ? 3.0 : 1.0, 2.0, true};
+}
+
+grid::BoxField first_distance(Flow flow, const grid::BoxShape& shape) {
+    if (flow == Flow::Tank) return sampled(shape, [](const glm::vec3& p) { return p.z - 0.4F; });
+    return sampled(shape, sphere(glm::vec3(0.35F), 0.15F));
+}
+
+constexpr float kUnknown_m_s = 1e3F;
+
+/// Forgets the velocity of faces between two cells of air and continues it from the others.
+void continue_into_air(const grid::BoxField& phi, VelocityExtension& extension, float reach_cells,
+                       liquid::VelocityField& velocity, core::ThreadPool& pool) {
+    const grid::BoxShape& shape = phi.shape();
+    liquid::VelocityField known(shape);
+    for (const int axis : liquid::kAxes) {
+        const std::ptrdiff_t back = liquid::stride(shape, axis);
+        const auto [nx, ny, nz] = liquid::sample_counts(shape, liquid::face_across(axis));
+        for (int k = 0; k < nz; ++k)
+            for (int j = 0; j < ny; ++j)
+                for (int i = 0; i < nx; ++i) {
+                    const float* here = phi.row(j, k) + i;
+                    const bool is_known = *here < 0.0F || here[-back] < 0.0F;
+                    known.along(axis).at(i, j, k) = is_known ? 1.0F : 0.0F;
+                    if (!is_known) velocity.along(axis).at(i, j, k) = kUnknown_m_s;
+                }
+    }
+    extension.extend(phi, known, reach_cells, velocity, pool);
+}
 
 template <class Value>
 void fill(grid::BoxField& field, liquid::Location location, const Value& value) {
@@ -91,7 +126,7 @@ liquid::VelocityField scaled(const liquid::VelocityField& velocity, float factor
 
 Followed follow(Flow flow, int cells, const Following& how, core::ThreadPool& pool) {
     const grid::BoxShape shape = unit_box(cells);
-    Followed result{sampled(shape, sphere(glm::vec3(0.35F), 0.15F)), 0.0, 0.0, 0, 0, 0, 0.0};
+    Followed result{first_distance(flow, shape), 0.0, 0.0, 0, 0, 0, 0.0};
     grid::BoxField& phi = result.phi;
     const bool reinitialises = how.steps_per_reinitialisation > 0;
     // Without reinitialisation the whole box is the band.
@@ -106,15 +141,16 @@ Followed follow(Flow flow, int cells, const Following& how, core::ThreadPool& po
         particles.emplace(shape, SurfaceParticleSettings{.per_cell = how.particles_per_cell});
         particles->seed(phi, pool);
     }
-    const double duration_s = flow == Flow::Rotation ? 2.0 * kPi : kEnright_s,
-                 fastest = flow == Flow::Rotation ? 0.5 : 2.0;
-    result.steps = static_cast<int>(std::ceil(duration_s * fastest * cells / how.courant));
-    const double dt_s = duration_s / result.steps;
+    const Course way = course(flow);
+    result.steps = static_cast<int>(std::ceil(way.duration_s * way.fastest_m_s * cells / how.courant));
+    const double dt_s = way.duration_s / result.steps;
+    VelocityExtension extension(shape);
     const liquid::VelocityField start = velocity_at_start(flow, shape);
     for (int step = 0; step < result.steps; ++step) {
-        const double turn = flow == Flow::Enright ? kPi * (step + 0.5) / result.steps : 0.0;
-        const liquid::VelocityField velocity = scaled(start, static_cast<float>(std::cos(turn)));
+        const double turn = way.returns ? kPi * (step + 0.5) / result.steps : 0.0;
+        liquid::VelocityField velocity = scaled(start, static_cast<float>(std::cos(turn)));
         const std::clock_t begin = std::clock();
+        if (flow == Flow::Tank) continue_into_air(phi, extension, reach_cells, velocity, pool);
         advection.advect(phi, velocity, static_cast<float>(dt_s), reach_cells, how.scheme, pool,
                          how.interpolation);
         if (particles) {

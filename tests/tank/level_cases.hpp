@@ -23,6 +23,8 @@ Distance sphere(const glm::vec3& centre_m, float radius_m);
 enum class Flow {
     Rotation,  ///< one turn of a sphere of radius 0.15 at (0.35, 0.35, 0.35) about the upright middle
     Enright,   ///< a sphere of that size and place is pulled to a thin sheet and back in 3 seconds
+    Tank,      ///< the same flow for a second, in the lower 0.4 m of the box; the air's velocity is
+               ///< not known, but continued from the liquid's
 };
 /// With the samples around the box.
 liquid::VelocityField velocity_at_start(Flow flow, const grid::BoxShape& shape);

@@ -161,6 +161,20 @@ TEST(LevelSet, ATurnKeepsASphere) {
     EXPECT_LT(turned.shape_error, 0.02);
 }
 
+TEST(LevelSet, NeedsTheLiquidsVelocityAlone) {
+    // The air's is 1 km/s before it is continued from the liquid: none of it may get through.
+    core::ThreadPool pool(2);
+    const Followed stirred = cases::follow(Flow::Tank, 48, {}, pool);
+    // Measured: 0.002 % and 0.0027, with 19 reinitialisations; the surface has risen by a quarter of the
+    // box.
+    EXPECT_LT(std::abs(stirred.volume_error), 5e-4);
+    EXPECT_LT(stirred.shape_error, 0.005);
+    const Followed upwind =
+        cases::follow(Flow::Tank, 32, {.scheme = LevelSetScheme::Upwind, .courant = 0.5}, pool);
+    // Measured: 1.4 %.
+    EXPECT_LT(std::abs(upwind.volume_error), 0.03);
+}
+
 TEST(LevelSet, LosesLittleOfASheetThinnerThanCells) {
     core::ThreadPool pool(2);
     const Followed pulled =

@@ -152,6 +152,14 @@ TEST(SurfaceParticles, KeepTheVolumeOfASheetThinnerThanCells) {
     EXPECT_LT(pulled.shape_error, 0.1);
 }
 
+TEST(SurfaceParticles, KeepTheVolumeOfATankWhoseAirIsNotKnown) {
+    core::ThreadPool pool(2);
+    const Followed stirred = cases::follow(Flow::Tank, 32, {.particles_per_cell = 16}, pool);
+    // Measured: 0.3 % and 0.011; the air's velocity has divergence, and its particles gather.
+    EXPECT_LT(std::abs(stirred.volume_error), 0.008);
+    EXPECT_LT(stirred.shape_error, 0.02);
+}
+
 TEST(SurfaceParticles, GiveTheSameBitsOnAnyNumberOfThreads) {
     const auto followed = [](int threads) {
         core::ThreadPool pool(threads);
