@@ -26,6 +26,7 @@ struct MethodName {
 };
 constexpr MethodName kMethods[] = {{"particles", Method::Particles},
                                    {"level_set", Method::LevelSet},
+                                   {"upwind_level_set", Method::UpwindLevelSet},
                                    {"particle_level_set", Method::ParticleLevelSet}};
 
 template <class Object>
@@ -48,7 +49,8 @@ Method read_method(const JsonPlace& place) {
     const std::string name = place.text();
     for (const MethodName& known : kMethods)
         if (name == known.name) return known.method;
-    place.fail("\"" + name + R"(" is none of "particles", "level_set" and "particle_level_set".)");
+    place.fail("\"" + name +
+               R"(" is none of "particles", "level_set", "upwind_level_set" and "particle_level_set".)");
 }
 
 glm::ivec3 read_cells(const JsonPlace& place) {

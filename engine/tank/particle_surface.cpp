@@ -166,10 +166,13 @@ void ParticleSurface::find_excess(const ParticleCells& cells, const liquid::RowR
         for (int j = 0; j < shape_.ny; ++j) {
             const RowRange row = rows.at(j, k);
             const float *level = level_m.row(j, k), *room = room_->share().row(j, k);
+            const unsigned char* surrounded = surrounded_.data() + shape_.index(0, j, k);
             float *count = counts_.row(j, k), *full = full_.row(j, k);
             for (int i = row.begin; i < row.end; ++i) {
+                const float share =
+                    surrounded[i] != 0 ? 1.0F : std::clamp(0.5F - level[i] / shape_.cell_m, 0.0F, 1.0F);
                 count[i] = static_cast<float>(cells.end(i, j, k) - cells.begin(i, j, k));
-                full[i] = level[i] < 0.0F ? static_cast<float>(kParticlesPerCell) * room[i] : 0.0F;
+                full[i] = static_cast<float>(kParticlesPerCell) * share * room[i];
             }
         }
     });

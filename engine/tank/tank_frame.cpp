@@ -38,8 +38,20 @@ void sample_particles(const ParticleCells& cells, const Room& room, liquid::Samp
     });
 }
 
-void average_milk(const std::vector<Particle>& particles, const ParticleCells& cells,
-                  grid::BoxField& milk, core::ThreadPool& pool) {
+void sample_level(const grid::BoxField& cells_m, const Room& room, liquid::SampledField& level_m,
+                  core::ThreadPool& pool) {
+    const liquid::Lattice& lattice = level_m.lattice();
+    liquid::for_slices(pool, 0, lattice.nz, [&](int k) {
+        for (int j = 0; j < lattice.ny; ++j)
+            for (int i = 0; i < lattice.nx; ++i)
+                level_m.at(i, j, k) = liquid::sample(cells_m, liquid::Location::Cell,
+                                                     room.mirrored_out(lattice.point_m(i, j, k)),
+                                                     liquid::Interpolation::Cubic);
+    });
+}
+
+void average_milk(std::span<const Particle> particles, const ParticleCells& cells, grid::BoxField& milk,
+                  core::ThreadPool& pool) {
     const grid::BoxShape& shape = milk.shape();
     liquid::for_slices(pool, 0, shape.nz, [&](int k) {
         for (int j = 0; j < shape.ny; ++j)

@@ -5,6 +5,8 @@
 #include "tank/particle_surface.hpp"
 #include "tank/room.hpp"
 
+#include <span>
+
 namespace pastoso::tank {
 
 struct TankFrame {
@@ -24,8 +26,12 @@ void sample_particles(const ParticleCells& cells, const Room& room, liquid::Samp
                       core::ThreadPool& pool);
 inline constexpr float kFrameReach_cells = 1.5F;
 
+/// The frame's level from a signed distance at cells' middles, by cubic interpolation.
+void sample_level(const grid::BoxField& cells_m, const Room& room, liquid::SampledField& level_m,
+                  core::ThreadPool& pool);
+
 /// The mean milk of the particles in each cell.
-void average_milk(const std::vector<Particle>& particles, const ParticleCells& cells,
-                  grid::BoxField& milk, core::ThreadPool& pool);
+void average_milk(std::span<const Particle> particles, const ParticleCells& cells, grid::BoxField& milk,
+                  core::ThreadPool& pool);
 
 }  // namespace pastoso::tank

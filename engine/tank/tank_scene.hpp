@@ -15,9 +15,10 @@ namespace pastoso::tank {
 
 /// How the surface of the liquid is followed.
 enum class Method {
-    Particles,         ///< particles carry the liquid (FLIP): keeps its volume
-    LevelSet,          ///< a signed distance is carried along the velocity
-    ParticleLevelSet,  ///< the same, mended by particles on both sides of the surface
+    Particles,       ///< particles carry the liquid (FLIP): keeps its volume
+    LevelSet,        ///< a signed distance is carried back along the flow
+    UpwindLevelSet,  ///< the same by one-sided differences, as in 2009: loses its volume in thin sheets
+    ParticleLevelSet,  ///< a level set that is mended by particles on both sides of the surface
 };
 
 /// Liquid that is there at the beginning. Where two bodies meet, the later one's colour counts.

@@ -23,6 +23,7 @@ void VelocityRings::extend(const liquid::VelocityField& known, const liquid::Row
         for (int ring = 0; ring < rings; ++ring) {
             liquid::for_slices(pool, 0, shape_.nz + 1, [&](int k) { find_targets(field, samples, k); });
             liquid::for_slices(pool, 0, shape_.nz + 1, [&](int k) { apply(field, k); });
+            if (ring == 0) add_flying(known.along(axis), pool);
         }
     }
 }
@@ -36,10 +37,22 @@ void VelocityRings::load(const grid::BoxField& known, const liquid::RowRanges& s
             std::fill(mask + before.begin, mask + std::max(before.begin, before.end), 0);
             const float* is_known = known.row(j, k);
             for (int i = row.begin; i < row.end; ++i)
-                mask[i] = is_known[i] > 0.0F ? 1 : 0;
+                mask[i] = is_known[i] == kLiquidFace ? 1 : 0;
         }
     });
     used_ = samples;
+}
+
+void VelocityRings::add_flying(const grid::BoxField& known, core::ThreadPool& pool) {
+    liquid::for_slices(pool, 0, shape_.nz + 1, [&](int k) {
+        for (int j = 0; j <= shape_.ny; ++j) {
+            const RowRange row = used_.at(j, k);
+            std::uint8_t* mask = known_.data() + shape_.index(0, j, k);
+            const float* is_known = known.row(j, k);
+            for (int i = row.begin; i < row.end; ++i)
+                if (is_known[i] == kFlyingFace) mask[i] = 1;
+        }
+    });
 }
 
 void VelocityRings::find_targets(const grid::BoxField& field, const liquid::RowRanges& samples, int k) {

@@ -12,11 +12,15 @@
 
 namespace pastoso::tank {
 
+/// What is known of a face: nothing, the velocity of particles that fly there, or the velocity of the
+/// liquid beside it. Flying ones count from the second ring on: what floats on the liquid moves with it.
+inline constexpr float kUnknownFace = 0.0F, kFlyingFace = 1.0F, kLiquidFace = 2.0F;
+
 class VelocityRings {
   public:
     explicit VelocityRings(const grid::BoxShape& shape);
 
-    /// Faces are known where `known` > 0. All within `samples`; beyond them nothing is known. The same
+    /// `known` is one of the above on each face within `samples`; beyond them nothing is known. The same
     /// bits on any number of threads.
     void extend(const liquid::VelocityField& known, const liquid::RowRanges& samples, int rings,
                 liquid::VelocityField& velocity, core::ThreadPool& pool);
@@ -27,6 +31,7 @@ class VelocityRings {
         float value;
     };
     void load(const grid::BoxField& known, const liquid::RowRanges& samples, core::ThreadPool& pool);
+    void add_flying(const grid::BoxField& known, core::ThreadPool& pool);
     void find_targets(const grid::BoxField& field, const liquid::RowRanges& samples, int k);
     void apply(grid::BoxField& field, int k);
 

@@ -120,8 +120,8 @@ TEST(TankJson, ErrorsNameFilePlaceAndValue) {
               "tank.json, cells: expected three whole numbers, found 2.");
     EXPECT_THAT(error_in(R"(, "cells": 64)"), HasSubstr("tank.json, cells: expected a list"));
     EXPECT_EQ(error_in(R"(, "method": "flip")"),
-              "tank.json, method: \"flip\" is none of \"particles\", \"level_set\" and "
-              "\"particle_level_set\".");
+              "tank.json, method: \"flip\" is none of \"particles\", \"level_set\", "
+              "\"upwind_level_set\" and \"particle_level_set\".");
     EXPECT_THAT(error_in(R"(, "seed": -1)"), HasSubstr("tank.json, seed: -1"));
     EXPECT_THAT(error_in(R"(, "name": 3)"), HasSubstr("tank.json, name: expected a text"));
     EXPECT_THAT(error_in(R"(, "milk": 1)"), HasSubstr("no such entry as \"milk\""));

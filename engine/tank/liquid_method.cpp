@@ -1,0 +1,22 @@
+#include "tank/liquid_method.hpp"
+
+namespace pastoso::tank {
+namespace {
+
+constexpr int kMaxIterations = 60;
+
+}  // namespace
+
+Nozzle nozzle_of(const Jet& jet, const Room& room) {
+    Nozzle nozzle = {ShapeDistance(jet.shape), {}, 0};
+    nozzle.cells = CellSet(room.shape(), nozzle.form_m);
+    nozzle.cells.order_along(jet.velocity_m_s);
+    nozzle.full_count = full_count(nozzle.cells, room, nozzle.form_m);
+    return nozzle;
+}
+
+liquid::SolveLimits pressure_limits(const TankScene& scene) {
+    return {static_cast<float>(scene.tolerance), kMaxIterations};
+}
+
+}  // namespace pastoso::tank
