@@ -198,7 +198,7 @@ void LevelSetLiquid::find_known(core::ThreadPool& pool) {
                 for (int i = 0; i <= box.nx; ++i) {
                     const int at = axis == 0 ? i : axis == 1 ? j : k;
                     const bool passable =
-                        open[i] > 0.0F || at == 0 || at == last[static_cast<std::size_t>(axis)];
+                        open[i] >= kTrustedShare || at == 0 || at == last[static_cast<std::size_t>(axis)];
                     known[i] = passable && (liquid[i] > 0.0F || liquid[i - step] > 0.0F) ? 1.0F : 0.0F;
                 }
             }

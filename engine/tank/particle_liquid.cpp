@@ -20,7 +20,7 @@ constexpr float kWallGap_cells = 0.02F;
 /// Cells less deep than this are at the surface: the level around particles knows no more.
 constexpr float kSurfaceDepth_cells = 0.99F * kParticleRadius_cells;
 /// No step mends more of a wrong density than this, as a share of what a full cell holds.
-constexpr float kLeastExcess = -0.5F, kMostExcess = 1.0F;
+constexpr float kLeastExcess = -0.2F, kMostExcess = 0.2F;
 
 }  // namespace
 
@@ -162,7 +162,7 @@ void ParticleLiquid::find_known(core::ThreadPool& pool) {
                 for (int i = row.begin; i < row.end; ++i) {
                     const int at = axis == 0 ? i : axis == 1 ? j : k;
                     const bool passable =
-                        open[i] > 0.0F || at == 0 || at == last[static_cast<std::size_t>(axis)];
+                        open[i] >= kTrustedShare || at == 0 || at == last[static_cast<std::size_t>(axis)];
                     const bool is_beside = liquid[i] > 0.0F || liquid[i - step] > 0.0F;
                     known[i] = !passable         ? kUnknownFace
                                : is_beside       ? kLiquidFace

@@ -159,6 +159,9 @@ float ParticleSurface::distance_cells(const ParticleCells& cells, int i, int j, 
     return particle_distance_cells(cells, shape_, at_cells, kKernelReach_cells);
 }
 
+/// What blurred() gives where all cells are full.
+constexpr float kPerFullBlur = 1.0F / (64.0F * static_cast<float>(kParticlesPerCell));
+
 void ParticleSurface::find_excess(const ParticleCells& cells, const liquid::RowRanges& rows,
                                   const grid::BoxField& level_m, grid::BoxField& excess,
                                   core::ThreadPool& pool) {
@@ -185,7 +188,8 @@ void ParticleSurface::find_excess(const ParticleCells& cells, const liquid::RowR
             for (int i = row.begin; i < row.end; ++i) {
                 out[i] = 0.0F;
                 if (!(room[i] > 0.0F && level[i] < 0.0F)) continue;
-                const float more = blurred(counts_.row(j, k) + i) / blurred(full_.row(j, k) + i) - 1.0F;
+                const float more =
+                    (blurred(counts_.row(j, k) + i) - blurred(full_.row(j, k) + i)) * kPerFullBlur;
                 out[i] = surrounded[i] != 0 ? more : std::max(more, 0.0F);
             }
         }

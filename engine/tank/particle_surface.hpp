@@ -38,9 +38,9 @@ class ParticleSurface {
     void find(const ParticleCells& cells, const liquid::RowRanges& rows, grid::BoxField& level_m,
               core::ThreadPool& pool);
 
-    /// After find(): how much denser than kParticlesPerCell they lie in the liquid in and around
-    /// a cell, within `rows`; cells at the surface are full as far as their level says. In cells that
-    /// are not surrounded no less than 0: spray may be thin.
+    /// After find(): by how much more volume the particles in and around a cell stand for than there is
+    /// liquid, as a share of a cell, within `rows`; cells at the surface are full as far as their level
+    /// says. In cells that are not surrounded no less than 0: spray may be thin.
     void find_excess(const ParticleCells& cells, const liquid::RowRanges& rows,
                      const grid::BoxField& level_m, grid::BoxField& excess, core::ThreadPool& pool);
 

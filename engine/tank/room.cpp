@@ -49,7 +49,7 @@ void Room::find_shut_faces() {
         for (int k = first.z; k < box.nz; ++k)
             for (int j = first.y; j < box.ny; ++j)
                 for (int i = first.x; i < box.nx; ++i) {
-                    if (walls_.open().along(axis).at(i, j, k) > 0.0F) continue;
+                    if (walls_.open().along(axis).at(i, j, k) >= kTrustedShare) continue;
                     const glm::vec3 at_m =
                         (glm::vec3(i, j, k) + liquid::offset_cells(location)) * box.cell_m;
                     if (free_m(at_m) < -kShutDepth_cells * box.cell_m) continue;

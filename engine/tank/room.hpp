@@ -9,6 +9,9 @@ namespace pastoso::tank {
 
 /// The faces of the box are shut; solids are cut cells (liquid::Walls). Moves nothing itself: it says
 /// where liquid can be, and what a velocity may do near a solid.
+/// The velocity of faces less open than this is not trusted: what little passes them makes it any size.
+inline constexpr float kTrustedShare = 0.2F;
+
 class Room {
   public:
     /// `solid_m` is the signed distance from the solids in metres, negative within them. Throws
@@ -33,8 +36,8 @@ class Room {
     /// room.
     glm::vec3 mirrored_out(glm::vec3 point_m) const;
 
-    /// Sets the velocity on the box's own faces to 0, and takes away on faces within solids what of it
-    /// points into them. The velocity must be known around those faces.
+    /// Sets the velocity on the box's own faces to 0, and takes away on faces that solids shut, all or
+    /// nearly, what of it points into them. The velocity must be known around those faces.
     void stop_at_walls(const liquid::RowRanges& samples, liquid::VelocityField& velocity,
                        core::ThreadPool& pool) const;
 
