@@ -9,6 +9,8 @@ namespace pastoso::liquid {
 namespace {
 
 constexpr int kCoarsestSide_cells = 4;
+/// Levels with fewer slices are filled by one thread: waking others would cost more.
+constexpr int kLeastSlicesForThreads = 24;
 /// Below this a cell counts as having no equation.
 constexpr float kLeastDiagonal = 1e-9F;
 
@@ -201,10 +203,12 @@ void MultigridLevels::set_matrix(const CellMatrix& matrix, const RowRanges& rows
     find_closed_components(matrix, rows, levels_.front().closed);
     const CellMatrix* fine = &matrix;
     const RowRanges* fine_rows = &rows;
+    core::ThreadPool this_thread(1);
     for (std::size_t n = 0; n < coarse_.size(); ++n) {
         CellMatrix& coarse = coarse_[n];
         RowRanges coarse_rows = coarsened(*fine_rows, fine->shape(), coarse.shape());
-        for_slices(pool, 0, coarse.shape().nz, [&](int coarse_k) {
+        core::ThreadPool& some = coarse.shape().nz >= kLeastSlicesForThreads ? pool : this_thread;
+        for_slices(some, 0, coarse.shape().nz, [&](int coarse_k) {
             clear_rows(rows_[n], coarse_k, coarse);
             for (int k = 2 * coarse_k; k < std::min(2 * coarse_k + 2, fine->shape().nz); ++k)
                 for (int j = 0; j < fine->shape().ny; ++j)
@@ -212,7 +216,7 @@ void MultigridLevels::set_matrix(const CellMatrix& matrix, const RowRanges& rows
                         coarsen_row(*fine, fine_rows->at(j, k), j, k, coarse);
         });
         rows_[n] = std::move(coarse_rows);
-        fill_level(coarse, rows_[n], levels_[n + 1], pool);
+        fill_level(coarse, rows_[n], levels_[n + 1], some);
         fine = &coarse;
         fine_rows = &rows_[n];
     }

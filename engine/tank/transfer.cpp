@@ -1,6 +1,7 @@
 #include "tank/transfer.hpp"
 
 #include "liquid/slices.hpp"
+#include "tank/sample_rows.hpp"
 
 #include <algorithm>
 
@@ -85,8 +86,8 @@ void Transfer::scatter_slices(const std::vector<Particle>& particles, const Part
 float Transfer::to_particles(const liquid::VelocityField& old, const liquid::VelocityField& now,
                              const liquid::RowRanges& samples, const Following& how,
                              std::vector<Particle>& particles, core::ThreadPool& pool) {
-    clear(pool);
-    used_ = samples;
+    // Whatever else the pairs hold nobody reads: particles are within these samples.
+    used_ = united(used_, samples, shape_);
     liquid::for_slices(pool, 0, shape_.nz + 1, [&](int k) {
         for (int j = 0; j <= shape_.ny; ++j) {
             const RowRange row = samples.at(j, k);

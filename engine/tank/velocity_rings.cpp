@@ -9,54 +9,60 @@ namespace pastoso::tank {
 
 using liquid::RowRange;
 
-VelocityRings::VelocityRings(const grid::BoxShape& shape)
-    : shape_(shape),
-      used_(shape),
-      known_(shape.sample_count(), 0),
-      targets_(static_cast<std::size_t>(shape.nz) + 1) {}
-
-void VelocityRings::extend(const liquid::VelocityField& known, const liquid::RowRanges& samples,
-                           int rings, liquid::VelocityField& velocity, core::ThreadPool& pool) {
-    for (const int axis : liquid::kAxes) {
-        grid::BoxField& field = velocity.along(axis);
-        load(known.along(axis), samples, pool);
-        for (int ring = 0; ring < rings; ++ring) {
-            liquid::for_slices(pool, 0, shape_.nz + 1, [&](int k) { find_targets(field, samples, k); });
-            liquid::for_slices(pool, 0, shape_.nz + 1, [&](int k) { apply(field, k); });
-            if (ring == 0) add_flying(known.along(axis), pool);
-        }
+VelocityRings::VelocityRings(const grid::BoxShape& shape) : shape_(shape), used_(shape) {
+    for (Component& component : components_) {
+        component.known.assign(shape.sample_count(), 0);
+        component.targets.resize(static_cast<std::size_t>(shape.nz) + 1);
     }
 }
 
-void VelocityRings::load(const grid::BoxField& known, const liquid::RowRanges& samples,
-                         core::ThreadPool& pool) {
-    liquid::for_slices(pool, 0, shape_.nz + 1, [&](int k) {
-        for (int j = 0; j <= shape_.ny; ++j) {
-            std::uint8_t* mask = known_.data() + shape_.index(0, j, k);
-            const RowRange before = used_.at(j, k), row = samples.at(j, k);
-            std::fill(mask + before.begin, mask + std::max(before.begin, before.end), 0);
-            const float* is_known = known.row(j, k);
-            for (int i = row.begin; i < row.end; ++i)
-                mask[i] = is_known[i] == kLiquidFace ? 1 : 0;
-        }
-    });
+void VelocityRings::extend(const liquid::VelocityField& known, const liquid::RowRanges& samples,
+                           int rings, liquid::VelocityField& velocity, core::ThreadPool& pool) {
+    const auto for_components = [&](const auto& body) {
+        liquid::for_slices(pool, 0, shape_.nz + 1, [&](int k) {
+            for (const int axis : liquid::kAxes)
+                body(axis, k, components_[static_cast<std::size_t>(axis)]);
+        });
+    };
+    for_components(
+        [&](int axis, int k, Component& component) { load(known.along(axis), samples, k, component); });
     used_ = samples;
+    for (int ring = 0; ring < rings; ++ring) {
+        for_components([&](int axis, int k, Component& component) {
+            find_targets(velocity.along(axis), samples, k, component);
+        });
+        for_components([&](int axis, int k, Component& component) {
+            apply(velocity.along(axis), k, component);
+            if (ring == 0) add_flying(known.along(axis), k, component);
+        });
+    }
 }
 
-void VelocityRings::add_flying(const grid::BoxField& known, core::ThreadPool& pool) {
-    liquid::for_slices(pool, 0, shape_.nz + 1, [&](int k) {
-        for (int j = 0; j <= shape_.ny; ++j) {
-            const RowRange row = used_.at(j, k);
-            std::uint8_t* mask = known_.data() + shape_.index(0, j, k);
-            const float* is_known = known.row(j, k);
-            for (int i = row.begin; i < row.end; ++i)
-                if (is_known[i] == kFlyingFace) mask[i] = 1;
-        }
-    });
+void VelocityRings::load(const grid::BoxField& known, const liquid::RowRanges& samples, int k,
+                         Component& component) const {
+    for (int j = 0; j <= shape_.ny; ++j) {
+        std::uint8_t* mask = component.known.data() + shape_.index(0, j, k);
+        const RowRange before = used_.at(j, k), row = samples.at(j, k);
+        std::fill(mask + before.begin, mask + std::max(before.begin, before.end), 0);
+        const float* is_known = known.row(j, k);
+        for (int i = row.begin; i < row.end; ++i)
+            mask[i] = is_known[i] == kLiquidFace ? 1 : 0;
+    }
 }
 
-void VelocityRings::find_targets(const grid::BoxField& field, const liquid::RowRanges& samples, int k) {
-    auto& targets = targets_[static_cast<std::size_t>(k)];
+void VelocityRings::add_flying(const grid::BoxField& known, int k, Component& component) const {
+    for (int j = 0; j <= shape_.ny; ++j) {
+        const RowRange row = used_.at(j, k);
+        std::uint8_t* mask = component.known.data() + shape_.index(0, j, k);
+        const float* is_known = known.row(j, k);
+        for (int i = row.begin; i < row.end; ++i)
+            if (is_known[i] == kFlyingFace) mask[i] = 1;
+    }
+}
+
+void VelocityRings::find_targets(const grid::BoxField& field, const liquid::RowRanges& samples, int k,
+                                 Component& component) const {
+    auto& targets = component.targets[static_cast<std::size_t>(k)];
     targets.clear();
     const std::ptrdiff_t y = shape_.stride_y(), z = shape_.stride_z();
     std::array<std::uint8_t, liquid::kMaxBoxSide_cells + 1> wanted;
@@ -64,7 +70,7 @@ void VelocityRings::find_targets(const grid::BoxField& field, const liquid::RowR
         const RowRange row = samples.at(j, k);
         if (row.empty()) continue;
         const std::ptrdiff_t first = shape_.index(0, j, k);
-        const std::uint8_t* known = known_.data() + first;
+        const std::uint8_t* known = component.known.data() + first;
         for (int i = row.begin; i < row.end; ++i)
             wanted[static_cast<std::size_t>(i)] =
                 static_cast<std::uint8_t>((known[i - 1] | known[i + 1] | known[i - y] | known[i + y] |
@@ -83,10 +89,10 @@ void VelocityRings::find_targets(const grid::BoxField& field, const liquid::RowR
     }
 }
 
-void VelocityRings::apply(grid::BoxField& field, int k) {
-    for (const Target& target : targets_[static_cast<std::size_t>(k)]) {
+void VelocityRings::apply(grid::BoxField& field, int k, Component& component) {
+    for (const Target& target : component.targets[static_cast<std::size_t>(k)]) {
         field.values()[static_cast<std::size_t>(target.index)] = target.value;
-        known_[static_cast<std::size_t>(target.index)] = 1;
+        component.known[static_cast<std::size_t>(target.index)] = 1;
     }
 }
 

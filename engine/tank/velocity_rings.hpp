@@ -30,15 +30,21 @@ class VelocityRings {
         std::ptrdiff_t index;
         float value;
     };
-    void load(const grid::BoxField& known, const liquid::RowRanges& samples, core::ThreadPool& pool);
-    void add_flying(const grid::BoxField& known, core::ThreadPool& pool);
-    void find_targets(const grid::BoxField& field, const liquid::RowRanges& samples, int k);
-    void apply(grid::BoxField& field, int k);
+    /// What a component needs.
+    struct Component {
+        std::vector<std::uint8_t> known;           ///< of each face
+        std::vector<std::vector<Target>> targets;  ///< of each slice
+    };
+    void load(const grid::BoxField& known, const liquid::RowRanges& samples, int k,
+              Component& component) const;
+    void add_flying(const grid::BoxField& known, int k, Component& component) const;
+    void find_targets(const grid::BoxField& field, const liquid::RowRanges& samples, int k,
+                      Component& component) const;
+    static void apply(grid::BoxField& field, int k, Component& component);
 
     grid::BoxShape shape_;
-    liquid::RowRanges used_;  ///< what rows of the mask may not be 0
-    std::vector<std::uint8_t> known_;
-    std::vector<std::vector<Target>> targets_;  ///< of each slice
+    liquid::RowRanges used_;  ///< what rows of the masks may not be 0
+    std::array<Component, 3> components_;
 };
 
 }  // namespace pastoso::tank
