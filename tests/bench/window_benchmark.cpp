@@ -1,7 +1,7 @@
 // How long a painter waits: the real window of 1280 x 800 is painted on with a brush of 60 pixels by a
 // pen that reports 200 times a second. Each minute, and at the end, it tells the times of FrameTimes,
-// the memory that the program holds, and how many pen events were sent and how many reached the
-// painting.
+// the processor seconds of that minute (which stay the same where only other programs make it wait) and
+// the memory that the program holds; at the end also how many of the pen events reached the painting.
 //
 //     LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb xvfb-run -a build/bin/window_benchmark [SECONDS
 //     [WIDTH_PX]]
@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -81,14 +82,20 @@ int arrived(main::MainWindow& window) {
         }));
 }
 
-void tell(main::MainWindow& window, const Painter& painter, const session::FrameTimes& times,
-          int seconds) {
+double processor_s() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+void tell(const session::FrameTimes& times, int until_s, double used_s) {
+    std::printf("%d s: %zu MiB, %.1f processor seconds\n%s", until_s,
+                core::resident_memory_bytes() >> 20, used_s, times.table().c_str());
+    std::fflush(stdout);
+}
+
+void tell_end(main::MainWindow& window, const Painter& painter) {
     QApplication::processEvents();
     window.session().wait_until_applied();
-    std::printf("%d s: %zu MiB, pen events sent %d, arrived %d\n%s", seconds,
-                core::resident_memory_bytes() >> 20, painter.sent(), arrived(window),
-                times.table().c_str());
-    std::fflush(stdout);
+    std::printf("pen events sent %d, arrived %d\n", painter.sent(), arrived(window));
 }
 
 void use_own_folders(const QTemporaryDir& home) {
@@ -121,17 +128,20 @@ int main(int argc, char** argv) {
     auto times = std::make_shared<session::FrameTimes>();
     window.measure(times);
     QTest::qWait(2000);
+    double told_s = processor_s();
     QElapsedTimer clock;
     clock.start();
     for (int next_ms = 0; next_ms < 1000 * seconds; next_ms += kEvent_ms) {
         while (clock.elapsed() < next_ms)
             QApplication::processEvents(QEventLoop::AllEvents, 1);
         painter.paint_at(next_ms);
-        if (next_ms % 60000 != 60000 - kEvent_ms) continue;
-        tell(window, painter, *times, next_ms / 1000 + 1);
+        const int until_ms = next_ms + kEvent_ms;
+        if (until_ms % 60000 != 0 && until_ms != 1000 * seconds) continue;
+        tell(*times, until_ms / 1000, processor_s() - told_s);
+        told_s = processor_s();
         times = std::make_shared<session::FrameTimes>();
         window.measure(times);
     }
-    tell(window, painter, *times, seconds);
+    tell_end(window, painter);
     return EXIT_SUCCESS;
 }
