@@ -2,16 +2,19 @@
 // in the liquid, known within `reach` of the surface and plus or minus that reach beyond it.
 //
 // A step of the method goes:
-//   1. VelocityExtension continues the velocity, free of divergence in the liquid, into the air, as far
-//   as
-//      the reach and two cells more (extension.hpp);
+//   1. VelocityExtension continues the velocity, free of divergence in the liquid, into the air
+//      (extension.hpp);
 //   2. LevelSetAdvection carries phi along it, by at most a cell;
-//   3. SurfaceParticles are carried along the same velocity and mend phi (particle_level_set.hpp);
+//   3. SurfaceParticles, where there are any, are carried along the same velocity and mend phi
+//      (particle_level_set.hpp);
 //   4. every kStepsPerReinitialisation steps Reinitialisation makes phi a distance again
-//      (reinitialisation.hpp), and the particles' radii are adjusted to it;
+//      (reinitialisation.hpp): kept_within_cells is kKeptWithin_cells without particles, 0 with them,
+//      and their radii are adjusted to it;
 //   5. every kStepsPerReseeding steps the particles are reseeded.
-// Everything that changes phi leaves the two samples around the box up to date; who makes a phi calls
-// continue_beyond_walls() once.
+// Liquid comes and goes (jets, drains, bodies put in) by min and max with another distance; then phi is
+// made a distance again, and the particles of that place are removed and reseeded, for they would undo
+// the change. Everything that changes phi here leaves the two samples around the box up to date; who
+// changes phi otherwise calls continue_beyond_walls().
 #pragma once
 
 #include "liquid/advection.hpp"

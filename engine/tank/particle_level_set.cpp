@@ -173,7 +173,7 @@ void SurfaceParticles::reseed_slice(const grid::BoxField& phi, int k,
                 const bool has_escaped = escaped(phi_m, particle.signed_radius_m);
                 any_escaped = any_escaped || has_escaped;
                 if (!has_escaped) {
-                    if (std::abs(phi_m) >= band_m || kept >= 2 * settings_.per_cell) continue;
+                    if (std::abs(phi_m) >= band_m || 2 * kept >= 3 * settings_.per_cell) continue;
                     ++kept;
                 }
                 particles.push_back(particle);

@@ -46,9 +46,9 @@ class SurfaceParticles {
     /// small as can be.
     void adjust_radii(const grid::BoxField& phi, core::ThreadPool& pool);
 
-    /// Particles that have strayed from the band go, and so do those beyond twice per_cell in a cell;
-    /// cells of the band that have too few are filled up. Escaped ones stay, and nothing is added beside
-    /// them: there phi is not to be trusted.
+    /// Particles that have strayed from the band go, and so do those beyond one and a half times
+    /// per_cell in a cell; cells of the band that have too few are filled up. Escaped ones stay, and
+    /// nothing is added beside them: there phi is not to be trusted.
     void reseed(const grid::BoxField& phi, core::ThreadPool& pool);
 
     /// Forgets those in a place, as when a drain or a body put into the liquid changes phi there.

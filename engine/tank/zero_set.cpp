@@ -62,6 +62,15 @@ void bend(Interpolated& result, const Four& bends, const EdgeWeights& weights, f
     result.slope[c] -= share * dot(bends, weights.slope_c);
 }
 
+/// How much more or less of the way beside the slope the next move should go, from what of it the last
+/// one left: the secant's answer. From a place outside a ball by more than its radius whole ways never
+/// end.
+float next_part(const glm::vec3& before, const glm::vec3& after) {
+    const float size2 = glm::dot(before, before);
+    if (!(size2 > 1e-8F)) return 1.0F;
+    return 1.0F / std::clamp(1.0F - glm::dot(before, after) / size2, 0.5F, 4.0F);
+}
+
 }  // namespace
 
 Interpolated interpolate(const grid::BoxField& phi, const glm::vec3& place_cells) {
@@ -93,19 +102,21 @@ Interpolated interpolate(const grid::BoxField& phi, const glm::vec3& place_cells
 }
 
 Foot find_foot(const grid::BoxField& phi, const glm::vec3& place_cells, const glm::vec3& start_cells) {
-    // Each turn leaves (distance over radius of curvature) of the way beside the slope, and the distance
-    // errs by that rest's square: a last way of 0.02 cells leaves some 1e-4.
-    constexpr int kMostTurns = 6;
+    // A last move of 0.02 cells leaves an error of the distance of some 1e-4.
+    constexpr int kMostMoves = 6;
     constexpr float kClose_cells = 0.02F, kLeastSlope2 = 0.04F, kLongestMove_cells = 1.0F,
                     kOnSurface_cells = 0.02F;
-    glm::vec3 foot = start_cells;
-    for (int turn = 0; turn < kMostTurns; ++turn) {
+    glm::vec3 foot = start_cells, beside_before(0.0F);
+    float part = 1.0F;
+    for (int n = 0; n < kMostMoves; ++n) {
         const Interpolated here = interpolate(phi, foot);
         const float slope2 = glm::dot(here.slope, here.slope);
         if (!(slope2 > kLeastSlope2)) return {start_cells, false};
         const glm::vec3 off = place_cells - foot;
-        const float along = (glm::dot(off, here.slope) + here.value) / slope2;
-        glm::vec3 move = off - along * here.slope;
+        const glm::vec3 beside = off - (glm::dot(off, here.slope) / slope2) * here.slope;
+        if (n > 0) part *= next_part(beside_before, beside);
+        beside_before = beside;
+        glm::vec3 move = part * beside - (here.value / slope2) * here.slope;
         const float length = glm::length(move);
         if (length > kLongestMove_cells) move *= kLongestMove_cells / length;
         foot += move;

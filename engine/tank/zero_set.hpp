@@ -28,7 +28,7 @@ struct Foot {
 
 /// The point of the surface that is closest to a place, sought from another one near the surface by
 /// Chopp's iteration (SIAM J. Sci. Comput. 23, 2001), which goes to the surface along the slope and
-/// beside it towards the place.
+/// beside it towards the place; how far beside it is learnt from move to move (secant).
 Foot find_foot(const grid::BoxField& phi, const glm::vec3& place_cells, const glm::vec3& start_cells);
 
 }  // namespace pastoso::tank

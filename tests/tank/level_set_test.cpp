@@ -165,10 +165,10 @@ TEST(LevelSet, NeedsTheLiquidsVelocityAlone) {
     // The air's is 1 km/s before it is continued from the liquid: none of it may get through.
     core::ThreadPool pool(2);
     const Followed stirred = cases::follow(Flow::Tank, 48, {}, pool);
-    // Measured: 0.002 % and 0.0027, with 19 reinitialisations; the surface has risen by a quarter of the
-    // box.
-    EXPECT_LT(std::abs(stirred.volume_error), 5e-4);
-    EXPECT_LT(stirred.shape_error, 0.005);
+    // Measured: 0.04 % and 0.0036, with 21 reinitialisations; the limited cubic with all of the air
+    // continued 0.06 % and 0.0030.
+    EXPECT_LT(std::abs(stirred.volume_error), 2e-3);
+    EXPECT_LT(stirred.shape_error, 0.008);
     const Followed upwind =
         cases::follow(Flow::Tank, 32, {.scheme = LevelSetScheme::Upwind, .courant = 0.5}, pool);
     // Measured: 1.4 %.
@@ -179,7 +179,7 @@ TEST(LevelSet, LosesLittleOfASheetThinnerThanCells) {
     core::ThreadPool pool(2);
     const Followed pulled =
         cases::follow(Flow::Enright, 48, {.kept_within_cells = kKeptWithin_cells}, pool);
-    // Measured: -9 %; the limited cubic without reinitialisation loses 36 % here.
+    // Measured: -7 %; the limited cubic without reinitialisation loses 36 % here.
     EXPECT_LT(std::abs(pulled.volume_error), 0.15);
     EXPECT_LT(pulled.shape_error, 0.45);
 }
