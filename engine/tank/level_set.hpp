@@ -23,7 +23,7 @@ namespace pastoso::tank {
 
 inline constexpr float kLevelSetReach_cells = 5.0F;
 inline constexpr int kStepsPerReinitialisation = 5;
-inline constexpr float kKeptWithin_cells = 0.25F;  ///< without particles; with them 0
+inline constexpr float kKeptWithin_cells = 0.1F;  ///< without particles; with them 0
 inline constexpr int kStepsPerReseeding = 20;
 
 /// Continues values at cells' middles in straight lines into the two samples beyond each wall: the
