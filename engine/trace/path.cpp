@@ -135,7 +135,7 @@ class Follower {
     }
 
     void scatter_on(Strand& strand, const SurfaceHit& hit) {
-        const glm::vec3& before = strand.ray.direction;
+        const glm::vec3 before = strand.ray.direction;
         const glm::vec3 normal = glm::dot(hit.shading, before) > 0.0F ? -hit.shading : hit.shading;
         const glm::vec3 colour = world_.reflectance(hit.kind, strand.ray.origin);
         strand.weight *= colour;
@@ -151,6 +151,10 @@ class Follower {
         const glm::vec2 turn = cos_sin_of_turns(random.y) * std::sqrt(random.x);
         strand.ray.direction =
             glm::normalize(frame.u * turn.x + frame.v * turn.y + normal * std::sqrt(1.0F - random.x));
+        // A smoothed normal may point a way below the triangle: light is not to be lost within the body.
+        const glm::vec3 off = glm::dot(hit.normal, before) > 0.0F ? -hit.normal : hit.normal;
+        if (glm::dot(strand.ray.direction, off) < 0.0F)
+            strand.ray.direction = reflected(strand.ray.direction, off);
     }
 
     void cross(Strand& strand, const SurfaceHit& hit) {

@@ -91,6 +91,7 @@ void check_optics(const Optics& optics) {
     check("milk_scattering", optics.milk_scattering_per_m, 1e-3F, 1e6F);
     check("milk_albedo", optics.milk_albedo, 0.0F, 1.0F);
     check("milk_reflectance", optics.milk_reflectance, 0.0F, 1.0F);
+    check("solid_reflectance", optics.solid_reflectance, 0.0F, 1.0F);
     check("glass_ior", optics.glass_ior, 1.0F, 4.0F);
     check("liquid_ior", optics.liquid_ior, 1.0F, 4.0F);
 }
@@ -131,6 +132,7 @@ void check_scene(const Scene& scene) {
     if (scene.tank) check_tank(*scene.tank);
     check_mesh("milk", scene.milk);
     check_mesh("clear_liquid", scene.clear_liquid);
+    check_mesh("solids", scene.solids);
     check_dissolved(scene.dissolved);
     check_optics(scene.optics);
     check_camera(scene.camera);

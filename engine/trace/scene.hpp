@@ -27,9 +27,10 @@ struct Optics {
     /// Reduced scattering of undiluted milk (Jensen et al. 2001, whole milk: 2550 to 3770). Milk of
     /// volume fraction c scatters c times as much, alike in all directions.
     float milk_scattering_per_m = 3000.0F;
-    glm::vec3 milk_albedo{0.9996F, 0.999F, 0.995F};   ///< share that one scattering leaves, 0 to 1
-    glm::vec3 milk_reflectance{0.97F, 0.94F, 0.86F};  ///< of its surface, 0 to 1
-    float glass_ior = 1.5F, liquid_ior = 1.335F;      ///< refractive indices, 1 to 4
+    glm::vec3 milk_albedo{0.9996F, 0.999F, 0.995F};    ///< share that one scattering leaves, 0 to 1
+    glm::vec3 milk_reflectance{0.97F, 0.94F, 0.86F};   ///< of its surface, 0 to 1
+    glm::vec3 solid_reflectance{0.70F, 0.32F, 0.20F};  ///< of solids, 0 to 1
+    float glass_ior = 1.5F, liquid_ior = 1.335F;       ///< refractive indices, 1 to 4
 };
 
 /// How milk that has not dissolved is seen.
@@ -77,6 +78,9 @@ struct Scene {
     /// The surface of a clear liquid, closed. Where it touches glass it shall reach into it: within
     /// glass there is glass, whatever else is said to be there.
     liquid::TriangleMesh clear_liquid;
+    /// Dull bodies that no light gets through, closed. They count before all else: where they stand at
+    /// glass they may reach into it, and the liquid's surface into them.
+    liquid::TriangleMesh solids;
     /// Volume fraction of dissolved milk in the cells of a box that begins at the origin, between 0 and
     /// 1 (values beyond are clamped); a shape without cells: none. Only the cells count, not the ghosts.
     grid::BoxField dissolved;

@@ -9,7 +9,7 @@ namespace pastoso::trace {
 /// Schmidt and Budge 2002), so that a liquid's surface may reach into the glass that holds it.
 enum Inside : unsigned { kAir = 0, kGlass = 1, kLiquid = 2, kMilk = 4 };
 
-enum class SurfaceKind { None, Clear, Milk, Table };
+enum class SurfaceKind { None, Clear, Milk, Solid, Table };
 
 struct Ray {
     glm::vec3 origin, direction;  ///< the direction is a unit vector

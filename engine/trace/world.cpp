@@ -30,6 +30,7 @@ World::World(const Scene& scene)
       middle_m_(middle_of(scene)),
       milk_(scene.milk),
       clear_liquid_(scene.clear_liquid),
+      solids_(scene.solids),
       milk_body_(scene.milk_body),
       dissolved_(scene.dissolved, scene.optics.milk_scattering_per_m),
       light_(scene.lamp, scene.sky) {
@@ -86,7 +87,12 @@ void World::meet_milk(const Ray& ray, unsigned here, SurfaceHit& hit) const {
     hit.outer = kAir;
 }
 
-/// In cloudy tea light does not get far, and the milk's many triangles are asked for that way alone.
+void World::meet_bodies(const Ray& ray, unsigned here, SurfaceHit& hit) const {
+    if (!solids_.empty() && meet_mesh(solids_, ray, hit)) hit.kind = SurfaceKind::Solid;
+    meet_milk(ray, here, hit);
+}
+
+/// In cloudy tea light does not get far, and the bodies' many triangles are asked for that way alone.
 World::Event World::next_event(const Ray& ray, unsigned here, Sampler& sampler) const {
     SurfaceHit hit = nearest_clear_hit(ray, here);
     if (table_) meet_table(ray, hit);
@@ -94,15 +100,16 @@ World::Event World::next_event(const Ray& ray, unsigned here, Sampler& sampler) 
     if (free < hit.distance) {
         SurfaceHit nearer;
         nearer.distance = free;
-        meet_milk(ray, here, nearer);
+        meet_bodies(ray, here, nearer);
         return {nearer.distance, nearer.kind == SurfaceKind::None, nearer};
     }
-    meet_milk(ray, here, hit);
+    meet_bodies(ray, here, hit);
     return {hit.distance, false, hit};
 }
 
 glm::vec3 World::reflectance(SurfaceKind kind, const glm::vec3& point) const {
     if (kind == SurfaceKind::Milk) return optics_.milk_reflectance;
+    if (kind == SurfaceKind::Solid) return optics_.solid_reflectance;
     const glm::vec2 place = glm::vec2(point) - middle_m_;
     const float near = fast_exp(-table_->fading_per_m2 * glm::dot(place, place));
     return table_->reflectance * (table_->fading_to + (1.0F - table_->fading_to) * near);
@@ -122,7 +129,8 @@ float World::free_path_m(const Ray& ray, unsigned here, float limit_m, Sampler& 
     return dissolved_.free_path_m(ray.origin, ray.direction, limit_m, sampler);
 }
 
-bool World::milk_in_the_way(const Ray& ray, unsigned here, float length_m) const {
+bool World::dull_in_the_way(const Ray& ray, unsigned here, float length_m) const {
+    if (!solids_.empty() && solids_.anything_between(mesh_ray(ray, length_m))) return true;
     return milk_body_ == MilkBody::Surface && (here & kGlass) == 0 &&
            milk_.anything_between(mesh_ray(ray, length_m));
 }
@@ -135,7 +143,7 @@ glm::vec3 World::straight_transmittance(Ray ray, unsigned here, Sampler& sampler
         SurfaceHit hit = nearest_clear_hit(ray, here);
         if (table_) meet_table(ray, hit);
         if (milk_body_ == MilkBody::Volume) meet_milk(ray, here, hit);
-        if (hit.kind == SurfaceKind::Table || milk_in_the_way(ray, here, hit.distance))
+        if (hit.kind == SurfaceKind::Table || dull_in_the_way(ray, here, hit.distance))
             return glm::vec3(0.0F);
         if (hit.kind == SurfaceKind::None) return share;
         share *= absorbed(here, hit.distance);

@@ -24,7 +24,7 @@ class World {
     };
     Event next_event(const Ray& ray, unsigned here, Sampler& sampler) const;
 
-    /// Of undissolved milk or the table.
+    /// Of undissolved milk, solids or the table.
     glm::vec3 reflectance(SurfaceKind kind, const glm::vec3& point) const;
 
     float refractive_index(unsigned here) const {
@@ -43,9 +43,10 @@ class World {
   private:
     void meet_table(const Ray& ray, SurfaceHit& hit) const;
     bool meet_mesh(const TriangleRays& triangles, const Ray& ray, SurfaceHit& hit) const;
-    bool milk_in_the_way(const Ray& ray, unsigned here, float length_m) const;
+    bool dull_in_the_way(const Ray& ray, unsigned here, float length_m) const;
     float free_path_m(const Ray& ray, unsigned here, float limit_m, Sampler& sampler) const;
     void meet_milk(const Ray& ray, unsigned here, SurfaceHit& hit) const;
+    void meet_bodies(const Ray& ray, unsigned here, SurfaceHit& hit) const;
     SurfaceHit nearest_clear_hit(const Ray& ray, unsigned here) const;
 
     Optics optics_;
@@ -53,7 +54,7 @@ class World {
     std::optional<TankSurfaces> tank_;
     std::optional<Table> table_;
     glm::vec2 middle_m_{0.0F};
-    TriangleRays milk_, clear_liquid_;
+    TriangleRays milk_, clear_liquid_, solids_;
     MilkBody milk_body_;
     DissolvedMilk dissolved_;
     Light light_;

@@ -55,13 +55,32 @@ inline trace::Scene busy_glass() {
     return scene;
 }
 
+/// A tank of glass plates, 0.1 m along each side, with liquid up to `top_m` that ends in the middle of
+/// the plates; no table.
+inline trace::Scene full_tank(float top_m) {
+    trace::Scene scene;
+    scene.cup.reset();
+    scene.table.reset();
+    scene.tank = trace::Tank{};
+    const float low = -0.001F, high = 0.101F;
+    auto& mesh = scene.clear_liquid;
+    for (const float z : {low, top_m})
+        for (const float y : {low, high})
+            for (const float x : {low, high})
+                mesh.positions_m.push_back({x, y, z});
+    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    return scene;
+}
+
 /// No light but an even sky of radiance 1.
 inline void put_into_furnace(trace::Scene& scene) {
     scene.lamp.reset();
     scene.sky.below = scene.sky.above = glm::vec3(1.0F);
     scene.sky.window_radiance = glm::vec3(0.0F);
     scene.optics.tea_absorption_per_m = scene.optics.glass_absorption_per_m = glm::vec3(0.0F);
-    scene.optics.milk_albedo = scene.optics.milk_reflectance = glm::vec3(1.0F);
+    scene.optics.milk_albedo = scene.optics.milk_reflectance = scene.optics.solid_reflectance =
+        glm::vec3(1.0F);
     if (scene.table) {
         scene.table->reflectance = glm::vec3(1.0F);
         scene.table->fading_to = 1.0F;

@@ -103,20 +103,7 @@ TEST(TankSurfaces, APlateShiftsARayByWhatGeometrySays) {
 }
 
 TEST(TankSurfaces, ALiquidThatReachesIntoTheGlassIsGlassThere) {
-    Scene scene;
-    scene.cup.reset();
-    scene.table.reset();
-    scene.tank = Tank{};
-    // A box of liquid that ends in the middle of the plates.
-    const float low = -0.001F, high = 0.101F, top = 0.06F;
-    auto& mesh = scene.clear_liquid;
-    for (const float z : {low, top})
-        for (const float y : {low, high})
-            for (const float x : {low, high})
-                mesh.positions_m.push_back({x, y, z});
-    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    const World world(scene);
+    const World world(tests::full_tank(0.06F));
     Sampler sampler(1, 1, 1);
     Ray ray{{-0.05F, 0.05F, 0.03F}, {1, 0, 0}};
     unsigned here = kAir;
