@@ -11,6 +11,8 @@
 #include "liquid/conjugate_gradients.hpp"
 #include "tank/room.hpp"
 
+#include <utility>
+
 namespace pastoso::tank {
 
 /// The surface is kept so far from the middle of a cell, as a share of the way to the next: without a
@@ -44,6 +46,8 @@ class FreeSurface {
     liquid::Region region() const;
     /// p dt / (rho cell), in m/s.
     const grid::BoxField& pressure() const { return pressure_; }
+    /// Where the next solution begins; of the room's shape.
+    void set_pressure(grid::BoxField pressure) { pressure_ = std::move(pressure); }
 
   private:
     void clear(core::ThreadPool& pool);

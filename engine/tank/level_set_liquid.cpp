@@ -1,5 +1,6 @@
 #include "tank/level_set_liquid.hpp"
 
+#include "core/error.hpp"
 #include "liquid/sampling.hpp"
 #include "liquid/slices.hpp"
 #include "tank/liquid_volume.hpp"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pastoso::tank {
 namespace {
@@ -267,6 +269,31 @@ void LevelSetLiquid::find_fastest(core::ThreadPool& pool) {
             }
     });
     fastest_m_s_ = *std::ranges::max_element(fastest);
+}
+
+LiquidState LevelSetLiquid::state() const {
+    LevelState level = {surface_.level_m(), milk_, advected_milk_, due_m3_, steps_, std::nullopt};
+    if (particles_) level.particles = particles_->state();
+    return {velocity_, surface_.pressure(), fastest_m_s_, {}, 0, std::move(level)};
+}
+
+void LevelSetLiquid::set_state(LiquidState state, core::ThreadPool&) {
+    if (!state.level || state.level->particles.has_value() != particles_.has_value())
+        throw core::InputError("This is the state of a tank that is followed in another way.");
+    LevelState& level = *state.level;
+    check_shapes(std::array{&state.velocity.x, &state.velocity.y, &state.velocity.z, &state.pressure,
+                            &level.level_m, &level.milk, &level.spare_milk},
+                 shape());
+    if (particles_) particles_->set_state(std::move(*level.particles));
+    velocity_ = std::move(state.velocity);
+    surface_.set_pressure(std::move(state.pressure));
+    fastest_m_s_ = state.fastest_m_s;
+    level_m() = std::move(level.level_m);
+    milk_ = std::move(level.milk);
+    advected_milk_ = std::move(level.spare_milk);
+    due_m3_ = level.due_m3;
+    steps_ = level.steps;
+    changed_ = false;
 }
 
 void LevelSetLiquid::show(TankFrame& frame, core::ThreadPool& pool) const {

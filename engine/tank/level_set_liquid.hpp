@@ -34,6 +34,9 @@ class LevelSetLiquid final : public LiquidMethod {
     const liquid::VelocityField& velocity() const override { return velocity_; }
     void show(TankFrame& frame, core::ThreadPool& pool) const override;
 
+    LiquidState state() const override;
+    void set_state(LiquidState state, core::ThreadPool& pool) override;
+
   private:
     const grid::BoxShape& shape() const { return room_->shape(); }
     grid::BoxField& level_m() { return surface_.level_m(); }

@@ -1,5 +1,7 @@
 #include "tank/liquid_method.hpp"
 
+#include "core/error.hpp"
+
 namespace pastoso::tank {
 namespace {
 
@@ -17,6 +19,11 @@ Nozzle nozzle_of(const Jet& jet, const Room& room) {
 
 liquid::SolveLimits pressure_limits(const TankScene& scene) {
     return {static_cast<float>(scene.tolerance), kMaxIterations};
+}
+
+void check_shapes(std::span<const grid::BoxField* const> fields, const grid::BoxShape& shape) {
+    for (const grid::BoxField* field : fields)
+        if (field->shape() != shape) throw core::InputError("This is the state of another tank.");
 }
 
 }  // namespace pastoso::tank

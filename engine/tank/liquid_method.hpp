@@ -6,6 +6,7 @@
 #include "tank/seeding.hpp"
 #include "tank/tank_frame.hpp"
 #include "tank/tank_scene.hpp"
+#include "tank/tank_state.hpp"
 
 #include <span>
 
@@ -21,6 +22,9 @@ Nozzle nozzle_of(const Jet& jet, const Room& room);
 
 /// How exactly a scene wants its pressure solved.
 liquid::SolveLimits pressure_limits(const TankScene& scene);
+
+/// Throws InputError unless all fields have that shape.
+void check_shapes(std::span<const grid::BoxField* const> fields, const grid::BoxShape& shape);
 
 class LiquidMethod {
   public:
@@ -48,6 +52,11 @@ class LiquidMethod {
     /// Level and milk of a frame whose fields have their shapes already.
     virtual void show(TankFrame& frame, core::ThreadPool& pool) const = 0;
     virtual std::span<const Particle> particles() const { return {}; }
+
+    /// Between two steps.
+    virtual LiquidState state() const = 0;
+    /// Throws InputError when it is none of this method in this room.
+    virtual void set_state(LiquidState state, core::ThreadPool& pool) = 0;
 };
 
 }  // namespace pastoso::tank

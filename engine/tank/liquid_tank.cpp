@@ -1,11 +1,13 @@
 #include "tank/liquid_tank.hpp"
 
 #include "core/check.hpp"
+#include "core/error.hpp"
 #include "tank/level_set_liquid.hpp"
 #include "tank/particle_liquid.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -59,8 +61,19 @@ void LiquidTank::add(const LiquidBody& body, core::ThreadPool& pool) {
     TankScene alone;
     alone.liquids = {body};
     check_tank(alone);
+    const double before_m3 = volume_m3(pool);
     method_->add(body);
     method_->take_stock(pool);
+    brought_m3_ += volume_m3(pool) - before_m3;
+}
+
+void LiquidTank::set_state(TankState state, core::ThreadPool& pool) {
+    if (!(state.time_s >= 0.0) || state.steps < 0)
+        throw core::InputError("The time of this state is not one of a tank.");
+    method_->set_state(std::move(state.liquid), pool);
+    time_s_ = state.time_s;
+    steps_ = state.steps;
+    brought_m3_ = state.brought_m3;
 }
 
 TankFrame LiquidTank::frame(int parts, core::ThreadPool& pool) const {
@@ -75,6 +88,12 @@ void LiquidTank::set_wind(const Wind& wind) {
     changed.wind = wind;
     check_tank(changed);
     scene_.wind = wind;
+}
+
+bool LiquidTank::is_fed_or_drained() const {
+    const auto is_open = [&](const auto& one) { return is_between(time_s_, one.from_s, one.until_s); };
+    return std::ranges::any_of(scene_.jets, is_open) ||
+           (drains_open_ && std::ranges::any_of(scene_.drains, is_open));
 }
 
 void LiquidTank::drain() {
@@ -98,9 +117,12 @@ double LiquidTank::longest_step_s() const {
 
 TankStep LiquidTank::step(double most_s, core::ThreadPool& pool) {
     PASTOSO_CHECK_OP(most_s, >, 0.0);
+    const bool changes = is_fed_or_drained();
+    const double before_m3 = changes ? volume_m3(pool) : 0.0;
     drain();
     run_jets();
     method_->take_stock(pool);
+    if (changes) brought_m3_ += volume_m3(pool) - before_m3;
     const double dt_s = most_s / std::ceil(most_s / longest_step_s());
     const Wind& wind = scene_.wind;
     const bool blows = wind.speed_m_s > 0.0 && is_between(time_s_, wind.from_s, wind.until_s);
@@ -111,12 +133,15 @@ TankStep LiquidTank::step(double most_s, core::ThreadPool& pool) {
     return {dt_s, pressure};
 }
 
-int LiquidTank::advance_to(double time_s, core::ThreadPool& pool) {
+int LiquidTank::advance_to(double time_s, core::ThreadPool& pool,
+                           const std::function<void(const TankStep&)>& tell) {
     // What is left by rounding is no step.
     constexpr double kShortest_s = 1e-9;
     const int before = steps_;
-    while (time_s - time_s_ > kShortest_s)
-        step(time_s - time_s_, pool);
+    while (time_s - time_s_ > kShortest_s) {
+        const TankStep done = step(time_s - time_s_, pool);
+        if (tell) tell(done);
+    }
     return steps_ - before;
 }
 

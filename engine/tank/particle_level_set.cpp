@@ -1,12 +1,14 @@
 #include "tank/particle_level_set.hpp"
 
 #include "core/check.hpp"
+#include "core/error.hpp"
 #include "core/random.hpp"
 #include "liquid/sample_lanes.hpp"
 #include "liquid/slices.hpp"
 #include "tank/level_set.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -197,6 +199,18 @@ void SurfaceParticles::reseed(const grid::BoxField& phi, core::ThreadPool& pool)
             positions_m_.push_back(particle.position_m);
             signed_radii_m_.push_back(particle.signed_radius_m);
         }
+}
+
+void SurfaceParticles::set_state(SurfaceParticleState state) {
+    PASTOSO_CHECK_OP(state.positions_m.size(), ==, state.signed_radii_m.size());
+    const glm::vec3 size_m = glm::vec3(shape_.nx, shape_.ny, shape_.nz) * shape_.cell_m;
+    for (const glm::vec3& at_m : state.positions_m)
+        for (const int axis : liquid::kAxes)
+            if (!(at_m[axis] >= 0.0F && at_m[axis] <= size_m[axis]))
+                throw core::InputError("A particle of this state is not within the tank.");
+    generation_ = state.seedings;
+    positions_m_ = std::move(state.positions_m);
+    signed_radii_m_ = std::move(state.signed_radii_m);
 }
 
 void SurfaceParticles::remove_where(const std::function<bool(const glm::vec3&)>& gone) {

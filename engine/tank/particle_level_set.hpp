@@ -8,6 +8,7 @@
 #include "core/thread_pool.hpp"
 #include "grid/box_field.hpp"
 #include "liquid/advection.hpp"
+#include "tank/tank_state.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -53,6 +54,10 @@ class SurfaceParticles {
 
     /// Forgets those in a place, as when a drain or a body put into the liquid changes phi there.
     void remove_where(const std::function<bool(const glm::vec3& position_m)>& gone);
+
+    SurfaceParticleState state() const { return {generation_, positions_m_, signed_radii_m_}; }
+    /// Throws InputError when a particle is not within the box.
+    void set_state(SurfaceParticleState state);
 
     std::span<const glm::vec3> positions_m() const { return positions_m_; }
     /// Positive in the air, negative in the liquid.

@@ -1,10 +1,12 @@
 #include "tank/particle_liquid.hpp"
 
+#include "core/error.hpp"
 #include "liquid/slices.hpp"
 #include "tank/sample_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pastoso::tank {
 namespace {
@@ -115,6 +117,28 @@ double ParticleLiquid::volume_m3(core::ThreadPool&) const {
 void ParticleLiquid::show(TankFrame& frame, core::ThreadPool& pool) const {
     sample_particles(cells_, *room_, frame.level_m, pool);
     average_milk(particles_, cells_, frame.milk, pool);
+}
+
+LiquidState ParticleLiquid::state() const {
+    return {velocity_, surface_.pressure(), fastest_m_s_, particles_, made_, std::nullopt};
+}
+
+void ParticleLiquid::set_state(LiquidState state, core::ThreadPool& pool) {
+    if (state.level) throw core::InputError("This is the state of a level set, not of particles.");
+    check_shapes(std::array{&state.velocity.x, &state.velocity.y, &state.velocity.z, &state.pressure},
+                 shape());
+    const glm::vec3 size_m = glm::vec3(shape().nx, shape().ny, shape().nz) * shape().cell_m;
+    for (const Particle& particle : state.particles)
+        for (const int axis : kAxes)
+            if (!(particle.position_m[axis] >= 0.0F && particle.position_m[axis] <= size_m[axis]))
+                throw core::InputError("A particle of this state is not within the tank.");
+    velocity_ = std::move(state.velocity);
+    surface_.set_pressure(std::move(state.pressure));
+    fastest_m_s_ = state.fastest_m_s;
+    particles_ = std::move(state.particles);
+    made_ = state.particles_made;
+    cells_.sort(particles_, pool);
+    in_order_ = true;
 }
 
 void ParticleLiquid::copy_velocity(core::ThreadPool& pool) {

@@ -32,6 +32,9 @@ class ParticleLiquid final : public LiquidMethod {
     void show(TankFrame& frame, core::ThreadPool& pool) const override;
     std::span<const Particle> particles() const override { return particles_; }
 
+    LiquidState state() const override;
+    void set_state(LiquidState state, core::ThreadPool& pool) override;
+
   private:
     const grid::BoxShape& shape() const { return room_->shape(); }
     void copy_velocity(core::ThreadPool& pool);
