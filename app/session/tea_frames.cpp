@@ -1,10 +1,7 @@
 #include "session/tea_frames.hpp"
 
-#include "core/check.hpp"
-
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace pastoso::session {
 namespace {
@@ -37,55 +34,23 @@ grid::BoxField unpacked(const grid::BoxShape& shape, const std::vector<std::uint
 
 }  // namespace
 
-void TeaFrames::clear() {
-    frames_.clear();
-    interval_ = 1;
-}
-
 void TeaFrames::keep(int step, const std::vector<liquid::Parcel>& parcels,
                      const grid::BoxField& dissolved) {
-    PASTOSO_CHECK(frames_.empty() || frames_.back().step < step);
-    if (step % interval_ != 0) return;
+    if (!kept_.wants(step)) return;
     shape_ = dissolved.shape();
     Packed frame{step, {}, packed(dissolved)};
     frame.parcels.reserve(parcels.size());
     for (const liquid::Parcel& parcel : parcels)
         frame.parcels.emplace_back(parcel.position_m, parcel.volume_m3);
-    frames_.push_back(std::move(frame));
-    // Two always stay, however little memory there is.
-    while (bytes() > budget_bytes_ && frames_.size() > 2)
-        thin_out();
-}
-
-void TeaFrames::thin_out() {
-    interval_ *= 2;
-    std::erase_if(frames_, [this](const Packed& frame) { return frame.step % interval_ != 0; });
-}
-
-std::vector<int> TeaFrames::steps() const {
-    std::vector<int> steps;
-    std::transform(frames_.begin(), frames_.end(), std::back_inserter(steps),
-                   [](const Packed& frame) { return frame.step; });
-    return steps;
+    kept_.keep(std::move(frame));
 }
 
 TeaFrame TeaFrames::at(int step) const {
-    PASTOSO_CHECK(!frames_.empty());
-    const auto after =
-        std::upper_bound(frames_.begin(), frames_.end(), step,
-                         [](int wanted, const Packed& frame) { return wanted < frame.step; });
-    const Packed& found = after == frames_.begin() ? *after : *std::prev(after);
+    const Packed& found = kept_.at(step);
     TeaFrame frame{found.step, {}, unpacked(shape_, found.dissolved)};
     for (const glm::vec4& parcel : found.parcels)
         frame.parcels.push_back({.position_m = glm::vec3(parcel), .volume_m3 = parcel.w});
     return frame;
-}
-
-std::size_t TeaFrames::bytes() const {
-    std::size_t sum = 0;
-    for (const Packed& frame : frames_)
-        sum += frame.bytes();
-    return sum;
 }
 
 }  // namespace pastoso::session

@@ -3,6 +3,7 @@
 
 #include "grid/box_field.hpp"
 #include "liquid/parcel.hpp"
+#include "session/kept_frames.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,27 +20,20 @@ struct TeaFrame {
     grid::BoxField dissolved;
 };
 
-/// Every n-th step is kept, n = 1 at first. When they would take more memory than they may, every second
-/// of them goes and n doubles: the whole time of the glass can always be sought, but ever more coarsely.
+/// As KeptFrames.
 class TeaFrames {
   public:
-    explicit TeaFrames(std::size_t budget_bytes) : budget_bytes_(budget_bytes) {}
+    explicit TeaFrames(std::size_t budget_bytes) : kept_(budget_bytes) {}
 
-    /// Of another glass.
-    void clear();
-
-    /// Steps come in their order, the first one with 0.
+    void clear() { kept_.clear(); }
     void keep(int step, const std::vector<liquid::Parcel>& parcels, const grid::BoxField& dissolved);
+    std::vector<int> steps() const { return kept_.steps(); }
 
-    /// The steps that are kept, the first one first.
-    std::vector<int> steps() const;
-
-    /// The latest one at or before `step`; there is one. Milk is kept in 1/65535 of a cell, and parcels
-    /// without their coldness and balls.
+    /// Milk is kept in 1/65535 of a cell, and parcels without their coldness and balls.
     TeaFrame at(int step) const;
 
-    std::size_t bytes() const;
-    int interval() const { return interval_; }
+    std::size_t bytes() const { return kept_.bytes(); }
+    int interval() const { return kept_.interval(); }
 
   private:
     struct Packed {
@@ -51,12 +45,8 @@ class TeaFrames {
         }
     };
 
-    void thin_out();
-
-    std::size_t budget_bytes_;
-    int interval_ = 1;
+    KeptFrames<Packed> kept_;
     grid::BoxShape shape_;
-    std::vector<Packed> frames_;
 };
 
 }  // namespace pastoso::session
