@@ -90,6 +90,14 @@ void LiquidTank::set_wind(const Wind& wind) {
     scene_.wind = wind;
 }
 
+void LiquidTank::set_numbers(const TankScene& numbers) {
+    TankScene changed = scene_;
+    for (const TankNumber& number : tank_numbers())
+        if (number.value != &TankScene::cell_m) changed.*number.value = numbers.*number.value;
+    check_tank(changed);
+    scene_ = changed;
+}
+
 bool LiquidTank::is_fed_or_drained() const {
     const auto is_open = [&](const auto& one) { return is_between(time_s_, one.from_s, one.until_s); };
     return std::ranges::any_of(scene_.jets, is_open) ||

@@ -56,6 +56,8 @@ class LiquidTank {
     void add(const LiquidBody& body, core::ThreadPool& pool);
     /// Changes that hold from the next step on.
     void set_wind(const Wind& wind);
+    /// All of tank_numbers() but the cell's side.
+    void set_numbers(const TankScene& numbers);
     void open_drains(bool open) { drains_open_ = open; }
 
   private:

@@ -1,0 +1,236 @@
+#include "session/tank_session.hpp"
+
+#include "liquid/marching_cubes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace pastoso::session {
+namespace {
+
+constexpr int kArrowsAlong = 16;       ///< the longest side
+constexpr float kSlowest_m_s = 1e-3F;  ///< that is shown
+constexpr double kRounding_s = 1e-7;   ///< what is left of a moment by rounding is no step
+constexpr float kDrainShare = 0.11F;   ///< of the floor's shorter side: its radius
+constexpr float kDrainHeight_cells = 1.5F;
+
+TankWind wind_of(const tank::TankScene& scene) {
+    TankWind wind;
+    wind.on = scene.wind.speed_m_s > 0.0;
+    if (wind.on) wind.speed_m_s = scene.wind.speed_m_s;
+    wind.direction_deg = scene.wind.direction_deg;
+    wind.drag_per_s = scene.wind.drag_per_s;
+    return wind;
+}
+
+/// The middles of the room's cells and of those around it are the points of a frame.
+liquid::SampledField solids_of(const tank::Room& room) {
+    liquid::SampledField solids_m(tank::frame_lattice(room.shape(), 1));
+    const liquid::Lattice& lattice = solids_m.lattice();
+    for (int k = 0; k < lattice.nz; ++k)
+        for (int j = 0; j < lattice.ny; ++j)
+            for (int i = 0; i < lattice.nx; ++i)
+                solids_m.at(i, j, k) = room.distance_m().at(i - 1, j - 1, k - 1);
+    return solids_m;
+}
+
+std::vector<FlowArrow> arrows_of(const tank::LiquidTank& tank, const tank::TankFrame& frame) {
+    const grid::BoxShape& shape = tank.shape();
+    const liquid::VelocityField& u = tank.velocity();
+    const int apart = (std::max({shape.nx, shape.ny, shape.nz}) + kArrowsAlong - 1) / kArrowsAlong;
+    std::vector<FlowArrow> arrows;
+    for (int k = apart / 2; k < shape.nz; k += apart)
+        for (int j = apart / 2; j < shape.ny; j += apart)
+            for (int i = apart / 2; i < shape.nx; i += apart) {
+                if (frame.level_m.at(i + 1, j + 1, k + 1) >= 0.0F) continue;
+                const glm::vec3 velocity_m_s = 0.5F * glm::vec3(u.x.at(i, j, k) + u.x.at(i + 1, j, k),
+                                                                u.y.at(i, j, k) + u.y.at(i, j + 1, k),
+                                                                u.z.at(i, j, k) + u.z.at(i, j, k + 1));
+                if (glm::length(velocity_m_s) > kSlowest_m_s)
+                    arrows.push_back({(glm::vec3(i, j, k) + 0.5F) * shape.cell_m, velocity_m_s});
+            }
+    return arrows;
+}
+
+}  // namespace
+
+TankSession::TankSession(const tank::TankScene& scene, bool paused, Notify notify,
+                         std::size_t budget_bytes)
+    : LiquidSession(paused, std::move(notify)), frames_(budget_bytes), given_frames_(budget_bytes) {
+    new_tank(scene);
+    begin();
+}
+
+TankSession::~TankSession() {
+    end();
+}
+
+std::shared_ptr<const TankMoment> TankSession::moment() const {
+    const std::lock_guard lock(mutex());
+    return moment_;
+}
+
+TankStatus TankSession::status() const {
+    const std::lock_guard lock(mutex());
+    TankStatus status = seen_;
+    static_cast<LiquidStatus&>(status) = status_locked();
+    return status;
+}
+
+TankSession::Kept TankSession::kept() const {
+    const std::lock_guard lock(mutex());
+    return {moment_ != nullptr ? moment_->place : nullptr, given_frames_};
+}
+
+void TankSession::new_tank(const tank::TankScene& scene) {
+    post({.apply = [this, scene] { make_tank(scene); }, .makes_glass = true});
+}
+
+/// The tank before stays when there can be none like this.
+void TankSession::make_tank(const tank::TankScene& scene) {
+    tank::check_tank(scene);
+    const tank::TankScene used = with_drain(scene);
+    auto made = std::make_unique<tank::LiquidTank>(used);
+    tank_ = std::move(made);
+    drains_open_ = !scene.drains.empty();
+    tank_->open_drains(drains_open_);
+    place_ = std::make_shared<const TankPlace>(TankPlace{used, solids_of(tank_->room())});
+    wind_ = wind_of(scene);
+    moments_ = 0;
+    frames_.clear();
+    frames_.keep(seen_now());
+    glass_made();
+}
+
+void TankSession::add_sphere(const tank::Sphere& sphere, float milk) {
+    post({[this, sphere, milk] {
+        if (tank_ == nullptr) return;
+        tank_->add({.shape = {sphere}, .milk = milk}, pool());
+        show_last();
+    }});
+}
+
+void TankSession::set_wind(const TankWind& wind) {
+    post({[this, wind] {
+        tank::Wind blowing;
+        blowing.speed_m_s = wind.on ? wind.speed_m_s : 0.0;
+        blowing.direction_deg = wind.direction_deg;
+        blowing.drag_per_s = wind.drag_per_s;
+        if (tank_ != nullptr) tank_->set_wind(blowing);
+        wind_ = wind;
+    }});
+}
+
+void TankSession::open_drains(bool open) {
+    post({[this, open] {
+        drains_open_ = open;
+        if (tank_ != nullptr) tank_->open_drains(open);
+    }});
+}
+
+void TankSession::set_numbers(const tank::TankScene& numbers) {
+    post({[this, numbers] {
+        if (tank_ != nullptr) tank_->set_numbers(numbers);
+    }});
+}
+
+double TankSession::step_liquid() {
+    const double before_s = tank_->time_s(), next_s = (moments_ + 1) * kTankMoment_s;
+    tank_->step(next_s - before_s, pool());
+    if (next_s - tank_->time_s() < kRounding_s) {
+        ++moments_;
+        if (frames_.wants(moments_)) frames_.keep(seen_now());
+    }
+    return tank_->time_s() - before_s;
+}
+
+TankSeen TankSession::seen_now() {
+    tank::TankFrame frame = tank_->frame(1, pool());
+    std::vector<FlowArrow> arrows = arrows_of(*tank_, frame);
+    return {moments_,
+            tank_->time_s(),
+            tank_->volume_m3(pool()),
+            std::move(frame.level_m),
+            std::move(frame.milk),
+            std::move(arrows)};
+}
+
+void TankSession::make_moment(LiquidStatus& status) {
+    auto moment = std::make_shared<TankMoment>();
+    moment->place = place_;
+    moment->seen = shown_step() ? frames_.at(*shown_step()) : seen_now();
+    moment->drains_open = drains_open_;
+    status.step = moment->seen.step;
+    status.last_step = moments_;
+    status.time_s = moment->seen.time_s;
+    status.last_s = tank_->time_s();
+    status.kept = frames_.steps();
+    status.kept_bytes = frames_.bytes();
+    made_ = std::move(moment);
+}
+
+void TankSession::give_moment() {
+    if (made_ != nullptr) moment_ = std::exchange(made_, nullptr);
+    given_frames_ = frames_;
+    seen_.wind = wind_;
+    seen_.drains_open = drains_open_;
+    seen_.volume_m3 = moment_ != nullptr ? moment_->seen.volume_m3 : 0.0;
+}
+
+liquid::TriangleMesh liquid_surface(const TankPlace& place, const TankSeen& seen,
+                                    core::ThreadPool& pool) {
+    liquid::SampledField inside_m = seen.level_m;
+    const liquid::Lattice& lattice = inside_m.lattice();
+    const glm::vec3 size_m = place.scene.size_m();
+    for (int k = 0; k < lattice.nz; ++k)
+        for (int j = 0; j < lattice.ny; ++j)
+            for (int i = 0; i < lattice.nx; ++i) {
+                const glm::vec3 at_m = lattice.point_m(i, j, k);
+                const glm::vec3 from_walls_m = glm::min(at_m, size_m - at_m);
+                inside_m.at(i, j, k) = std::min({-seen.level_m.at(i, j, k), place.solids_m.at(i, j, k),
+                                                 from_walls_m.x, from_walls_m.y, from_walls_m.z});
+            }
+    return liquid::marching_cubes(inside_m.view(), 0.0F, pool);
+}
+
+float rest_level_m(const TankMoment& moment) {
+    const glm::vec3 size_m = moment.place->scene.size_m();
+    return std::min(static_cast<float>(moment.seen.volume_m3) / (size_m.x * size_m.y), 0.95F * size_m.z);
+}
+
+tank::TankScene with_drain(tank::TankScene scene) {
+    if (!scene.drains.empty()) return scene;
+    std::vector<tank::ShapeDistance> solids;
+    for (const tank::Shape& solid : scene.solids)
+        solids.emplace_back(solid);
+    const glm::vec3 size_m = scene.size_m();
+    const float radius_m = kDrainShare * std::min(size_m.x, size_m.y);
+    const auto cell_m = static_cast<float>(scene.cell_m);
+    constexpr int kPlaces = 8;
+    std::optional<glm::vec3> best_m;
+    float best_way_m = std::numeric_limits<float>::max();
+    for (int j = 1; j < kPlaces; ++j)
+        for (int i = 1; i < kPlaces; ++i) {
+            const glm::vec3 at_m(size_m.x * static_cast<float>(i) / kPlaces,
+                                 size_m.y * static_cast<float>(j) / kPlaces, 0.0F);
+            const float way_m = glm::length(at_m - 0.5F * glm::vec3(size_m.x, size_m.y, 0.0F));
+            const bool free = std::ranges::all_of(solids, [&](const tank::ShapeDistance& solid) {
+                return solid(at_m + glm::vec3(0.0F, 0.0F, cell_m)) > 1.1F * radius_m;
+            });
+            if (!free || way_m >= best_way_m) continue;
+            best_m = at_m;
+            best_way_m = way_m;
+        }
+    if (!best_m) return scene;
+    const glm::vec3 up(0.0F, 0.0F, cell_m);
+    scene.drains.push_back(
+        {.shape = {tank::Cylinder{*best_m - up, *best_m + kDrainHeight_cells * up, radius_m}}});
+    return scene;
+}
+
+}  // namespace pastoso::session

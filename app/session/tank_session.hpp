@@ -1,0 +1,107 @@
+// A tank of liquid that lives on its own thread.
+#pragma once
+
+#include "liquid/triangle_mesh.hpp"
+#include "session/liquid_session.hpp"
+#include "session/tank_frames.hpp"
+#include "tank/liquid_tank.hpp"
+
+#include <memory>
+
+namespace pastoso::session {
+
+inline constexpr double kTankMoment_s = 1.0 / 60.0;  ///< between moments that are kept
+
+/// What stays while the liquid moves.
+struct TankPlace {
+    tank::TankScene scene;          ///< with a drain in any case
+    liquid::SampledField solids_m;  ///< distance from the solids at the points of the level, < 0 within
+};
+
+/// The wind as the hand sets it.
+struct TankWind {
+    bool on = false;
+    double speed_m_s = 3.0;
+    double direction_deg = 0.0;
+    double drag_per_s = 4.0;
+    friend bool operator==(const TankWind&, const TankWind&) = default;
+};
+
+/// The tank at one moment. It never changes.
+struct TankMoment {
+    std::shared_ptr<const TankPlace> place;
+    TankSeen seen;
+    bool drains_open = false;
+};
+
+struct TankStatus : LiquidStatus {
+    TankWind wind;
+    bool drains_open = false;
+    double volume_m3 = 0.0;  ///< as shown
+};
+
+class TankSession : public LiquidSession {
+  public:
+    /// Fills a tank, and lets its time pass unless it is paused. A scene that is none is told as an
+    /// error, and there is no tank until new_tank() gives another.
+    TankSession(const tank::TankScene& scene, bool paused, Notify notify,
+                std::size_t budget_bytes = kBudget_bytes);
+    ~TankSession() override;
+
+    /// Another tank in place of what is there, or the same once more. A scene without drains gets one in
+    /// its floor, which is shut at first; wind and drains are as the scene has them.
+    void new_tank(const tank::TankScene& scene);
+
+    /// Liquid of that form appears where there is none yet; how much of it is milk.
+    void add_sphere(const tank::Sphere& sphere, float milk);
+    void set_wind(const TankWind& wind);
+    void open_drains(bool open);
+    /// All of tank_numbers() that may change while the liquid moves.
+    void set_numbers(const tank::TankScene& numbers);
+
+    std::shared_ptr<const TankMoment> moment() const;  ///< null before the first
+    TankStatus status() const;
+
+    /// All that is kept by now, and of which tank.
+    struct Kept {
+        std::shared_ptr<const TankPlace> place;
+        TankFrames frames;
+    };
+    Kept kept() const;
+
+  private:
+    bool has_liquid() const override { return tank_ != nullptr; }
+    double step_liquid() override;
+    int last_step() const override { return moments_; }
+    void make_moment(LiquidStatus& status) override;
+    void give_moment() override;
+
+    void make_tank(const tank::TankScene& scene);
+    TankSeen seen_now();
+
+    // Of the session's thread alone.
+    std::unique_ptr<tank::LiquidTank> tank_;
+    std::shared_ptr<const TankPlace> place_;
+    TankFrames frames_;
+    TankWind wind_;
+    bool drains_open_ = false;
+    int moments_ = 0;  ///< that were reached
+    std::shared_ptr<const TankMoment> made_;
+
+    // Under the mutex.
+    std::shared_ptr<const TankMoment> moment_;
+    TankFrames given_frames_;
+    TankStatus seen_;  ///< but for what all liquids have
+};
+
+/// The surface of the liquid as triangles, closed where the liquid meets solids and the tank's walls.
+liquid::TriangleMesh liquid_surface(const TankPlace& place, const TankSeen& seen,
+                                    core::ThreadPool& pool);
+
+/// Liquid at rest would stand so high, about.
+float rest_level_m(const TankMoment& moment);
+
+/// The scene with a drain in its floor, where it has none and there is room for one.
+tank::TankScene with_drain(tank::TankScene scene);
+
+}  // namespace pastoso::session

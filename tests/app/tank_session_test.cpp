@@ -1,0 +1,230 @@
+// A tank of liquid on a thread of its own, and what is kept of it.
+#include "session/tank_session.hpp"
+
+#include "io/tank_json.hpp"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace pastoso::session {
+namespace {
+
+/// A quarter full, and small enough for a test.
+tank::TankScene small_tank() {
+    tank::TankScene scene;
+    scene.cells = {16, 16, 16};
+    scene.cell_m = 0.01;
+    scene.liquids.push_back({.shape = {tank::Block{glm::vec3(-0.1F), glm::vec3(0.3F, 0.3F, 0.04F)}}});
+    return scene;
+}
+
+void wait_for_moment(const TankSession& session, int step) {
+    for (int i = 0; i < 6000 && session.status().last_step < step; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_GE(session.status().last_step, step);
+}
+
+TEST(TankSession, LiquidIsThereAndTimePasses) {
+    TankSession session(small_tank(), false, [] {});
+    session.set_full_speed(true);
+    wait_for_moment(session, 5);
+    session.set_paused(true);
+    session.wait_until_applied();
+    const TankStatus status = session.status();
+    // Sixteen cells a side, four of them full, eight drops to each: exactly what the scene says.
+    EXPECT_NEAR(status.volume_m3, 0.16 * 0.16 * 0.04, 1e-9);
+    const auto moment = session.moment();
+    ASSERT_NE(moment, nullptr);
+    EXPECT_EQ(moment->seen.step, status.last_step);
+    EXPECT_NEAR(rest_level_m(*moment), 0.04F, 1e-6F);
+    // Moments are equally far apart, whatever the steps were.
+    for (const int step : status.kept)
+        EXPECT_NEAR(session.kept().frames.at(step).time_s, step * kTankMoment_s, 1e-6);
+}
+
+TEST(TankSession, TheSurfaceHoldsTheLiquidWithinTheTank) {
+    TankSession session(small_tank(), true, [] {});
+    session.wait_until_applied();
+    core::ThreadPool pool;
+    const auto moment = session.moment();
+    const liquid::TriangleMesh mesh = liquid_surface(*moment->place, moment->seen, pool);
+    // Samples a cell apart cut the edges off, and see the level a third of a cell too low: one twelfth
+    // of four cells.
+    EXPECT_NEAR(liquid::volume_m3(mesh), moment->seen.volume_m3, 0.1 * moment->seen.volume_m3);
+    for (const glm::vec3& at_m : mesh.positions_m)
+        for (const int axis : {0, 1, 2}) {
+            EXPECT_GT(at_m[axis], -1e-5F);
+            EXPECT_LT(at_m[axis], 0.16F + 1e-5F);
+        }
+}
+
+TEST(TankSession, ASphereAddsItsVolumeAndItsMilk) {
+    TankSession session(small_tank(), true, [] {});
+    session.wait_until_applied();
+    const double before_m3 = session.status().volume_m3;
+    session.add_sphere({{0.08F, 0.08F, 0.11F}, 0.03F}, 1.0F);
+    session.wait_until_applied();
+    const double sphere_m3 = 4.0 / 3.0 * 3.14159265 * 0.03 * 0.03 * 0.03;
+    // Drops of half a cell's side: 2 cells deep, its surface is known to a tenth of its volume.
+    EXPECT_NEAR(session.status().volume_m3 - before_m3, sphere_m3, 0.1 * sphere_m3);
+    EXPECT_GT(session.moment()->seen.milk.at(8, 8, 11), 0.9F);
+    EXPECT_EQ(session.moment()->seen.milk.at(8, 8, 1), 0.0F);
+}
+
+TEST(TankSession, TheDrainEmptiesTheTankWhileItIsOpen) {
+    TankSession session(small_tank(), false, [] {});
+    session.set_full_speed(true);
+    wait_for_moment(session, 4);
+    EXPECT_FALSE(session.status().drains_open);
+    const double full_m3 = session.status().volume_m3;
+    EXPECT_NEAR(full_m3, 0.16 * 0.16 * 0.04, 1e-9);
+    session.open_drains(true);
+    for (int i = 0; i < 6000 && session.status().volume_m3 > 0.5 * full_m3; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_LT(session.status().volume_m3, 0.5 * full_m3);
+    session.open_drains(false);
+    session.wait_until_applied();
+    const int step = session.status().last_step;
+    const double left_m3 = session.status().volume_m3;
+    wait_for_moment(session, step + 3);
+    EXPECT_EQ(session.status().volume_m3, left_m3);
+    EXPECT_FALSE(session.status().drains_open);
+}
+
+TEST(TankSession, TheDrainIsBesideWhatStandsThere) {
+    const tank::TankScene scene = with_drain(io::read_tank("two-liquids"));
+    ASSERT_EQ(scene.drains.size(), 1U);
+    const auto& drain = std::get<tank::Cylinder>(scene.drains[0].shape.form);
+    for (const tank::Shape& solid : scene.solids)
+        EXPECT_GT(tank::ShapeDistance(solid)(drain.to_m), drain.radius_m);
+    EXPECT_EQ(with_drain(scene), scene);
+}
+
+TEST(TankSession, TheWindMovesTheLiquidWhereItBlows) {
+    for (const double direction_deg : {0.0, 180.0}) {
+        TankSession session(small_tank(), true, [] {});
+        TankWind wind;
+        wind.on = true;
+        wind.direction_deg = direction_deg;
+        wind.speed_m_s = 5.0;
+        wind.drag_per_s = 50.0;
+        session.set_wind(wind);
+        session.set_full_speed(true);
+        session.set_paused(false);
+        wait_for_moment(session, 2);
+        session.set_paused(true);
+        session.wait_until_applied();
+        EXPECT_EQ(session.status().wind, wind);
+        // The surface drifts along; below it the liquid comes back, more slowly than it.
+        double fastest_m_s = 0.0;
+        for (const FlowArrow& arrow : session.moment()->seen.arrows)
+            if (std::abs(static_cast<double>(arrow.velocity_m_s.x)) > std::abs(fastest_m_s))
+                fastest_m_s = static_cast<double>(arrow.velocity_m_s.x);
+        EXPECT_GT(fastest_m_s * (direction_deg == 0.0 ? 1.0 : -1.0), 0.02);
+    }
+}
+
+/// Without gravity a ball stays where it is; with it it would fall by five cells in that time.
+TEST(TankSession, NumbersChangeWhileTimePasses) {
+    TankSession session(small_tank(), true, [] {});
+    tank::TankScene numbers = small_tank();
+    numbers.gravity_m_s2 = 0.0;
+    session.set_numbers(numbers);
+    session.add_sphere({{0.08F, 0.08F, 0.11F}, 0.03F}, 1.0F);
+    session.set_full_speed(true);
+    session.set_paused(false);
+    wait_for_moment(session, 6);
+    session.set_paused(true);
+    session.wait_until_applied();
+    EXPECT_GT(session.moment()->seen.milk.at(8, 8, 11), 0.9F);
+}
+
+TEST(TankSession, WhatCannotBeIsToldAndChangesNothing) {
+    TankSession session(small_tank(), true, [] {});
+    session.wait_until_applied();
+    TankWind wind;
+    wind.on = true;
+    wind.speed_m_s = -1.0;
+    session.set_wind(wind);
+    tank::TankScene numbers = small_tank();
+    numbers.viscosity_m2_s = -1.0;
+    session.set_numbers(numbers);
+    session.add_sphere({{0.08F, 0.08F, 0.1F}, -1.0F}, 0.0F);
+    tank::TankScene bad = small_tank();
+    bad.cells = {1, 1, 1};
+    session.new_tank(bad);
+    session.wait_until_applied();
+    EXPECT_EQ(session.take_errors().size(), 4U);
+    EXPECT_FALSE(session.status().wind.on);
+    EXPECT_EQ(session.status().glass, 1);
+    EXPECT_FALSE(session.status().busy);
+    EXPECT_NEAR(session.status().volume_m3, 0.16 * 0.16 * 0.04, 1e-9);
+}
+
+TEST(TankSession, AnyMomentIsShownAgainAndTheLastGoesOn) {
+    TankSession session(small_tank(), false, [] {});
+    session.set_full_speed(true);
+    wait_for_moment(session, 8);
+    session.show(3);
+    session.wait_until_applied();
+    EXPECT_TRUE(session.status().paused);
+    EXPECT_FALSE(session.status().shows_last);
+    EXPECT_EQ(session.moment()->seen.step, 3);
+    const int last = session.status().last_step;
+    session.set_paused(false);
+    wait_for_moment(session, last + 1);
+    EXPECT_TRUE(session.status().shows_last);
+}
+
+TEST(TankSession, StartingAgainBeginsAtNothing) {
+    TankSession session(small_tank(), false, [] {});
+    session.set_full_speed(true);
+    session.open_drains(true);
+    wait_for_moment(session, 4);
+    session.set_paused(true);
+    session.new_tank(small_tank());
+    session.wait_until_applied();
+    const TankStatus status = session.status();
+    EXPECT_EQ(status.last_step, 0);
+    EXPECT_EQ(status.glass, 2);
+    EXPECT_FALSE(status.drains_open);
+    EXPECT_EQ(status.kept, std::vector<int>{0});
+    EXPECT_NEAR(status.volume_m3, 0.16 * 0.16 * 0.04, 1e-9);
+}
+
+/// In the middle of what it computes.
+TEST(TankSession, EndsAtOnce) {
+    for (int i = 0; i < 3; ++i) {
+        TankSession session(small_tank(), false, [] {});
+        session.set_full_speed(true);
+    }
+}
+
+TEST(TankFrames, GiveBackWhatTheyKept) {
+    const grid::BoxShape shape{6, 5, 4, 0.01F};
+    TankSeen seen{0,
+                  0.25,
+                  1e-3,
+                  liquid::SampledField(tank::frame_lattice(shape, 1), 0.011F),
+                  grid::BoxField(shape),
+                  {{glm::vec3(0.01F), glm::vec3(0.5F)}}};
+    seen.level_m.at(3, 2, 1) = -0.004F;
+    seen.milk.at(1, 2, 3) = 0.5F;
+    TankFrames frames(1 << 20);
+    frames.keep(seen);
+    const TankSeen back = frames.at(7);
+    EXPECT_EQ(back.time_s, 0.25);
+    EXPECT_EQ(back.volume_m3, 1e-3);
+    // Half a step of each.
+    EXPECT_NEAR(back.level_m.at(3, 2, 1), -0.004F, 0.5F * 0.01F / 8000.0F + 1e-9F);
+    EXPECT_NEAR(back.level_m.at(0, 0, 0), 0.011F, 0.5F * 0.01F / 8000.0F + 1e-9F);
+    EXPECT_NEAR(back.milk.at(1, 2, 3), 0.5F, 0.5F / 255.0F + 1e-6F);
+    ASSERT_EQ(back.arrows.size(), 1U);
+    EXPECT_EQ(back.arrows[0].velocity_m_s, glm::vec3(0.5F));
+    EXPECT_LT(frames.bytes(), 1000U);
+}
+
+}  // namespace
+}  // namespace pastoso::session
