@@ -21,17 +21,18 @@ double radians(double degrees) {
     return degrees * core::kPi / 180.0;
 }
 
-double height_m(const liquid::Cup& cup) {
-    return static_cast<double>(cup.rim_m - cup.foot_m);
-}
-
 }  // namespace
 
 TeaCamera::TeaCamera(const liquid::Cup& cup)
-    : target_m_(cup.axis_m, 0.47F * (cup.rim_m + cup.foot_m)),
+    : TeaCamera(glm::vec3(cup.axis_m, 0.47F * (cup.rim_m + cup.foot_m)),
+                static_cast<double>(cup.rim_m - cup.foot_m)) {}
+
+TeaCamera::TeaCamera(const glm::vec3& middle_m, double height_m)
+    : target_m_(middle_m),
+      height_m_(height_m),
       azimuth_deg_(kFirstAzimuth_deg),
       elevation_deg_(kFirstElevation_deg),
-      distance_m_(kFirstDistance * height_m(cup)) {}
+      distance_m_(kFirstDistance * height_m) {}
 
 void TeaCamera::orbit(double right_deg, double up_deg) {
     azimuth_deg_ = std::remainder(azimuth_deg_ + right_deg, 360.0);
@@ -39,8 +40,8 @@ void TeaCamera::orbit(double right_deg, double up_deg) {
 }
 
 void TeaCamera::zoom(double factor) {
-    const double first = distance_m_ / factor, glass = 2.0 * static_cast<double>(target_m_.z) / 0.94;
-    distance_m_ = std::clamp(first, kLeastDistance * glass, kMostDistance * glass);
+    distance_m_ =
+        std::clamp(distance_m_ / factor, kLeastDistance * height_m_, kMostDistance * height_m_);
 }
 
 trace::Camera TeaCamera::traced() const {

@@ -22,6 +22,8 @@ class TeaCamera {
   public:
     /// The whole glass from the front, a little from above.
     explicit TeaCamera(const liquid::Cup& cup = {});
+    /// The same of anything that is about so high.
+    TeaCamera(const glm::vec3& middle_m, double height_m);
 
     /// By angles on the sphere; never from below the table, nor quite from above.
     void orbit(double right_deg, double up_deg);
@@ -50,6 +52,7 @@ class TeaCamera {
 
   private:
     glm::vec3 target_m_;
+    double height_m_;
     double azimuth_deg_, elevation_deg_, distance_m_;
 };
 

@@ -1,15 +1,8 @@
 #include "tea/tea_renderer.hpp"
 
-#include "core/error.hpp"
 #include "tea/tea_shaders.hpp"
 
-#include <cmath>
-#include <string>
-
-#include <QGenericMatrix>
-#include <QMatrix4x4>
 #include <QVector2D>
-#include <QVector3D>
 #include <QVector4D>
 #include <glm/geometric.hpp>
 
@@ -19,38 +12,12 @@ namespace {
 constexpr int kShareUnit = 0, kLayerUnit = 1;
 constexpr int kDraftSteps = 20, kFullSteps = 32;  ///< of the march through the tea
 
-QVector3D vector(const glm::vec3& v) {
-    return {v.x, v.y, v.z};
-}
-
-QMatrix4x4 matrix(const glm::mat4& m) {
-    QMatrix4x4 result;
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            result(row, column) = m[column][row];
-    return result;
-}
-
-std::unique_ptr<QOpenGLShaderProgram> program(const char* vertex, const char* fragment) {
-    auto made = std::make_unique<QOpenGLShaderProgram>();
-    if (made->addShaderFromSourceCode(QOpenGLShader::Vertex, vertex) &&
-        made->addShaderFromSourceCode(QOpenGLShader::Fragment, fragment) && made->link())
-        return made;
-    throw core::InputError("The graphics driver refuses the program that shows the tea: " +
-                           made->log().simplified().toStdString());
-}
-
-/// Parts of a golden ratio fill an interval evenly, however many there are.
-float spread(int pass, double ratio) {
-    return static_cast<float>(std::fmod(0.5 + ratio * pass, 1.0));
-}
-
 }  // namespace
 
 void TeaRenderer::initialise(QOpenGLExtraFunctions* gl) {
     gl_ = gl;
-    milk_program_ = program(kMilkVertexShader, kMilkFragmentShader);
-    glass_program_ = program(kGlassVertexShader, kGlassFragmentShader);
+    milk_program_ = shader_program(kMilkVertexShader, kMilkFragmentShader);
+    glass_program_ = ray_program(kGlassFragmentShader);
     gl_->glGenVertexArrays(1, &empty_array_);
     gl_->glGenVertexArrays(1, &milk_array_);
     gl_->glGenBuffers(1, &positions_);
@@ -110,24 +77,11 @@ void TeaRenderer::upload_milk(const liquid::TriangleMesh& milk) {
 void TeaRenderer::upload_share(const grid::BoxField& dissolved) {
     const grid::BoxShape& shape = dissolved.shape();
     gl_->glActiveTexture(GL_TEXTURE0 + kShareUnit);
-    gl_->glBindTexture(GL_TEXTURE_3D, share_);
-    gl_->glPixelStorei(GL_UNPACK_ROW_LENGTH, static_cast<GLint>(shape.stride_y()));
-    gl_->glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, static_cast<GLint>(shape.stride_z() / shape.stride_y()));
-    if (shape != share_shape_) {
-        gl_->glTexImage3D(GL_TEXTURE_3D, 0, GL_R16F, shape.nx, shape.ny, shape.nz, 0, GL_RED, GL_FLOAT,
-                          dissolved.row(0, 0));
-        for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-            gl_->glTexParameteri(GL_TEXTURE_3D, filter, GL_LINEAR);
-        for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-            gl_->glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
-        gl_->glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, 0);
-        share_shape_ = shape;
-    } else {
-        gl_->glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, shape.nx, shape.ny, shape.nz, GL_RED, GL_FLOAT,
-                             dissolved.row(0, 0));
-    }
-    gl_->glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    gl_->glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, 0);
+    upload_volume(
+        *gl_, share_,
+        {dissolved.row(0, 0), shape.nx, shape.ny, shape.nz, shape.stride_y(), shape.stride_z()},
+        shape != share_shape_);
+    share_shape_ = shape;
 }
 
 void TeaRenderer::draw_milk(QSize size, const TeaCamera& camera) {
@@ -163,16 +117,7 @@ void TeaRenderer::draw_milk(QSize size, const TeaCamera& camera) {
 void TeaRenderer::set_glass(const TeaCamera& camera, QSize size, int pass, Quality quality) {
     QOpenGLShaderProgram& glass = *glass_program_;
     const liquid::Cup& cup = settings_.cup;
-    const float aspect = static_cast<float>(size.width()) / static_cast<float>(size.height());
-    glass.setUniformValue("eye_m", vector(camera.eye_m()));
-    glass.setUniformValue("forward", vector(camera.forward()));
-    glass.setUniformValue("right", vector(camera.right() * (camera.half_height() * aspect)));
-    glass.setUniformValue("up", vector(camera.up() * camera.half_height()));
-    glass.setUniformValue("focus_m", glm::length(camera.target_m() - camera.eye_m()));
-    const QVector2D shift((spread(pass, 0.7548776662) - 0.5F) / static_cast<float>(size.width()),
-                          (spread(pass, 0.5698402910) - 0.5F) / static_cast<float>(size.height()));
-    glass.setUniformValue("shift", shift);
-    glass.setUniformValue("grain", spread(pass, 0.6180339887));
+    set_rays(glass, camera, size, pass);
     glass.setUniformValue("axis_m", QVector2D(cup.axis_m.x, cup.axis_m.y));
     glass.setUniformValue("floor_m", cup.floor_m);
     glass.setUniformValue("floor_radius_m", cup.floor_radius_m);
@@ -196,27 +141,14 @@ void TeaRenderer::draw(QOpenGLFramebufferObject& target, const QRect& part, cons
                        int pass, Quality quality) {
     const QSize size = target.size();
     draw_milk(size, camera);
-    target.bind();
-    gl_->glViewport(0, 0, size.width(), size.height());
-    gl_->glEnable(GL_SCISSOR_TEST);
-    gl_->glScissor(part.x(), part.y(), part.width(), part.height());
-    gl_->glDisable(GL_DEPTH_TEST);
-    gl_->glEnable(GL_BLEND);
-    gl_->glBlendColor(0.0F, 0.0F, 0.0F, 1.0F / static_cast<float>(pass + 1));
-    gl_->glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
-    if (pass == 0) gl_->glDisable(GL_BLEND);
     glass_program_->bind();
     set_glass(camera, size, pass, quality);
     gl_->glActiveTexture(GL_TEXTURE0 + kLayerUnit);
     gl_->glBindTexture(GL_TEXTURE_2D, milk_layer_->texture());
     gl_->glActiveTexture(GL_TEXTURE0 + kShareUnit);
     gl_->glBindTexture(GL_TEXTURE_3D, share_);
-    gl_->glBindVertexArray(empty_array_);
-    gl_->glDrawArrays(GL_TRIANGLES, 0, 3);
-    gl_->glBindVertexArray(0);
+    draw_rays(*gl_, target, part, pass, empty_array_);
     glass_program_->release();
-    gl_->glDisable(GL_BLEND);
-    gl_->glDisable(GL_SCISSOR_TEST);
 }
 
 }  // namespace pastoso::tea

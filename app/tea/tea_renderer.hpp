@@ -2,14 +2,9 @@
 #pragma once
 
 #include "session/tea_session.hpp"
-#include "tea/tea_camera.hpp"
+#include "tea/ray_program.hpp"
 
 #include <memory>
-
-#include <QOpenGLExtraFunctions>
-#include <QOpenGLFramebufferObject>
-#include <QOpenGLShaderProgram>
-#include <QRect>
 
 namespace pastoso::tea {
 
@@ -25,9 +20,7 @@ class TeaRenderer {
 
     /// Draws the rows of `part` (counted from below) of a picture into `target`, as the `pass`-th of
     /// several that are blended to their mean. Milk is drawn anew when the camera or the moment is
-    /// another than before, or all of it when `target` has another size. A draft is coarser in what the
-    /// tea hides.
-    enum class Quality { Draft, Full };
+    /// another than before, or all of it when `target` has another size.
     void draw(QOpenGLFramebufferObject& target, const QRect& part, const TeaCamera& camera, int pass,
               Quality quality);
 

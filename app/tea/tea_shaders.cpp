@@ -35,10 +35,8 @@ void main() {
 )";
 
 // Optics, light and tone are those of the tracer (trace/scene.hpp, trace/picture.hpp): a picture that is
-// traced looks like what was seen before, only better. What is simplified: a ray does not split but for
-// the first reflections, light in the tea comes straight from the lamp, and milk is met where the eye
-// would see it without the glass, at the place that the refracted ray passes.
-const char* const kGlassFragmentShader = R"(#version 330 core
+// traced looks like what was seen before, only better.
+const char* const kLightShader = R"(#version 330 core
 in vec2 place;
 out vec4 colour;
 
@@ -46,6 +44,51 @@ uniform vec3 eye_m, forward, right, up;   // right and up: to the edges of the p
 uniform vec2 shift;                       // within the pixel, in units of place
 uniform float focus_m;
 uniform float grain;                      // of this pass, 0 to 1
+
+const vec3 GLASS_PER_M = vec3(2.2, 0.9, 1.4);
+const float MILK_PER_M = 3000.0;
+const vec3 MILK = vec3(0.97, 0.94, 0.86);
+const vec3 LAMP_WAY = normalize(vec3(-0.55, -0.5, 0.85));
+const vec3 LAMP = vec3(1.35, 1.28, 1.17);  // what white, facing it, gives back
+const vec3 SKY = vec3(0.62, 0.64, 0.68);   // the same of all the sky
+const vec3 TABLE = vec3(0.62, 0.58, 0.54);
+
+vec3 sky(vec3 way) {
+    float height = 0.5 * (way.z + 1.0);
+    vec3 light = mix(vec3(0.44, 0.456, 0.496), vec3(0.76, 0.784, 0.84), height);
+    float window = clamp((dot(way, normalize(vec3(0.9, -0.3, 0.25))) - 0.9003) / (0.9436 - 0.9003), 0.0, 1.0);
+    return light + 1.28 * window * window * (3.0 - 2.0 * window);
+}
+
+float fresnel(float cosine, float from, float to) {
+    float ratio = from / to, sine2 = ratio * ratio * max(0.0, 1.0 - cosine * cosine);
+    if (sine2 >= 1.0) return 1.0;
+    float beyond = sqrt(1.0 - sine2);
+    float s = (from * cosine - to * beyond) / (from * cosine + to * beyond);
+    float p = (to * cosine - from * beyond) / (to * cosine + from * beyond);
+    return 0.5 * (s * s + p * p);
+}
+
+vec3 toned(vec3 light) {
+    vec3 v = 0.95 * max(light, 0.0);
+    v = min(1.25 * v * (1.0 + 0.12 * v) / (1.0 + 0.55 * v), 1.0);
+    return mix(1.055 * pow(v, vec3(1.0 / 2.4)) - 0.055, 12.92 * v, lessThan(v, vec3(0.0031308)));
+}
+)";
+
+const char* const kMainShader = R"(
+void main() {
+    vec2 at = 2.0 * (place + shift) - 1.0;
+    vec3 way = normalize(forward + right * at.x + up * at.y);
+    float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))) + grain);
+    colour = vec4(toned(trace(eye_m, way, noise)), 1.0);
+}
+)";
+
+// What is simplified: a ray does not split but for
+// the first reflections, light in the tea comes straight from the lamp, and milk is met where the eye
+// would see it without the glass, at the place that the refracted ray passes.
+const char* const kGlassFragmentShader = R"(
 uniform vec2 axis_m;
 uniform float floor_m, floor_radius_m, slope, level_m, wall_m, foot_m, rim_m;
 uniform float box_m, table_m;
@@ -56,13 +99,7 @@ uniform vec4 stream;                      // x, y, radius, 1 while it flows
 
 const int AIR = 0, GLASS = 1, TEA = 2, NOTHING = 3;
 const float IOR[3] = float[3](1.0, 1.5, 1.335);
-const vec3 TEA_PER_M = vec3(4.5, 17.0, 48.0), GLASS_PER_M = vec3(2.2, 0.9, 1.4);
-const float MILK_PER_M = 3000.0;
-const vec3 MILK = vec3(0.97, 0.94, 0.86);
-const vec3 LAMP_WAY = normalize(vec3(-0.55, -0.5, 0.85));
-const vec3 LAMP = vec3(1.35, 1.28, 1.17);  // what white, facing it, gives back
-const vec3 SKY = vec3(0.62, 0.64, 0.68);   // the same of all the sky
-const vec3 TABLE = vec3(0.62, 0.58, 0.54);
+const vec3 TEA_PER_M = vec3(4.5, 17.0, 48.0);
 const float NEAR_M = 2e-5, FAR = 1e9;
 
 struct Meeting {
@@ -74,13 +111,6 @@ struct Meeting {
 float radius_at(float z) { return floor_radius_m + slope * (z - floor_m); }
 
 // ---- light
-
-vec3 sky(vec3 way) {
-    float height = 0.5 * (way.z + 1.0);
-    vec3 light = mix(vec3(0.44, 0.456, 0.496), vec3(0.76, 0.784, 0.84), height);
-    float window = clamp((dot(way, normalize(vec3(0.9, -0.3, 0.25))) - 0.9003) / (0.9436 - 0.9003), 0.0, 1.0);
-    return light + 1.28 * window * window * (3.0 - 2.0 * window);
-}
 
 // The share of lamplight that the glass leaves on the table, tinted by the tea.
 vec3 under_glass(vec2 at) {
@@ -237,15 +267,6 @@ bool through_tea(vec3 from, vec3 way, float length_m, float grain_here, inout ve
     return false;
 }
 
-float fresnel(float cosine, float from, float to) {
-    float ratio = from / to, sine2 = ratio * ratio * max(0.0, 1.0 - cosine * cosine);
-    if (sine2 >= 1.0) return 1.0;
-    float beyond = sqrt(1.0 - sine2);
-    float s = (from * cosine - to * beyond) / (from * cosine + to * beyond);
-    float p = (to * cosine - from * beyond) / (to * cosine + from * beyond);
-    return 0.5 * (s * s + p * p);
-}
-
 /// Milk that falls through the air into the tea.
 bool meets_stream(vec3 from, vec3 way, float most, out vec3 at, out vec3 normal) {
     if (stream.w < 0.5) return false;
@@ -299,19 +320,6 @@ vec3 trace(vec3 from, vec3 way, float grain_here) {
         from += way * 2e-6;
     }
     return light + weight * SKY * vec3(0.8, 0.55, 0.3);
-}
-
-vec3 toned(vec3 light) {
-    vec3 v = 0.95 * max(light, 0.0);
-    v = min(1.25 * v * (1.0 + 0.12 * v) / (1.0 + 0.55 * v), 1.0);
-    return mix(1.055 * pow(v, vec3(1.0 / 2.4)) - 0.055, 12.92 * v, lessThan(v, vec3(0.0031308)));
-}
-
-void main() {
-    vec2 at = 2.0 * (place + shift) - 1.0;
-    vec3 way = normalize(forward + right * at.x + up * at.y);
-    float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))) + grain);
-    colour = vec4(toned(trace(eye_m, way, noise)), 1.0);
 }
 )";
 

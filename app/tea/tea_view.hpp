@@ -1,21 +1,16 @@
-// The glass in the middle of the window: shows the latest moment, turns around it, and lets milk be
-// poured by mouse and pen.
+// The glass of tea in the middle of the window: shows the latest moment, and lets milk be poured by
+// mouse and pen.
 #pragma once
 
-#include "graphics/graphics_widget.hpp"
 #include "session/tea_session.hpp"
-#include "tea/tea_camera.hpp"
+#include "tea/glass_view.hpp"
 #include "tea/tea_renderer.hpp"
 
 #include <memory>
-#include <optional>
-
-#include <QElapsedTimer>
-#include <QTimer>
 
 namespace pastoso::tea {
 
-class TeaView : public graphics::GraphicsWidget {
+class TeaView : public GlassView {
     Q_OBJECT
   public:
     explicit TeaView(QWidget* parent = nullptr);
@@ -27,12 +22,7 @@ class TeaView : public graphics::GraphicsWidget {
     /// Marks the axis of the force on the tea, while it is on.
     void show_force(const session::TeaForce& force);
 
-    const TeaCamera& camera() const { return camera_; }
-    void set_camera(const TeaCamera& camera);
-    void look_from_front();
-
-    /// Whether the frame on the screen is the final one of the latest moment.
-    bool finished() const;
+    void look_from_front() override;
 
     /// What the latest frame showed; null before the first.
     const session::TeaMoment* shown() const { return shown_.get(); }
@@ -43,48 +33,28 @@ class TeaView : public graphics::GraphicsWidget {
   Q_SIGNALS:
     void poured(const glm::vec2& at_m);
     void pouring_ended();
-    void camera_changed();
 
   protected:
-    void make_graphics() override;
-    void free_graphics() override;
-    void paintGL() override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-    void mouseDoubleClickEvent(QMouseEvent* event) override { mousePressEvent(event); }
-    void wheelEvent(QWheelEvent* event) override;
-    void tabletEvent(QTabletEvent* event) override;
-    void contextMenuEvent(QContextMenuEvent* event) override;
-    void leaveEvent(QEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
+    void initialise_renderer() override { renderer_.initialise(&gl()); }
+    void release_renderer() override;
+    bool has_moment() const override { return wanted_ != nullptr; }
+    bool shows_latest() const override { return shown_ == wanted_; }
+    void show_latest() override;
+    void draw_liquid(QOpenGLFramebufferObject& target, const QRect& part, int pass,
+                     Quality quality) override;
+    void draw_marks(QPainter& painter, const std::optional<QPointF>& pointer) override;
+    bool is_over_liquid(const QPointF& place) const override { return on_tea(place).has_value(); }
+    void press_liquid(const QPointF& place) override;
+    /// Who pours past the glass goes on pouring where it was left.
+    void drag_liquid(const QPointF& place) override { press_liquid(place); }
+    void lift_from_liquid() override { Q_EMIT pouring_ended(); }
 
   private:
-    void begin_anew();
-    void draw_draft(QSize size);
-    void refine(QSize size);
-    void present(QSize size);
-    void draw_marks();
-    QSize device_size() const;
-    void press(const QPointF& place, Qt::MouseButton button);
-    void drag(const QPointF& place);
-    void lift();
     std::optional<glm::vec2> on_tea(const QPointF& place) const;
-    void set_cursor(const QPointF& place);
 
     TeaRenderer renderer_;
-    TeaCamera camera_;
     std::shared_ptr<const session::TeaMoment> wanted_, shown_;
     session::TeaForce force_;
-    std::unique_ptr<QOpenGLFramebufferObject> draft_, still_;
-    double pixel_cost_s_ = 0.4e-6;  ///< learnt from the frames so far
-    bool draft_is_due_ = true;
-    int pass_ = 0, row_ = 0;  ///< of the still picture: what comes next
-    QTimer resting_;          ///< nothing has moved for a while
-    enum class Does { Nothing, Pour, Orbit };
-    Does does_ = Does::Nothing;
-    QPointF last_place_;
-    std::optional<QPointF> pointer_;
 };
 
 }  // namespace pastoso::tea
