@@ -15,13 +15,14 @@ struct TankFrame {
     /// Signed distance from the surface, negative in the liquid, at the points of frame_lattice(). It
     /// goes on for a cell into walls and solids.
     liquid::SampledField level_m;
-    grid::BoxField milk;  ///< share of milk in cells that have liquid
+    grid::BoxField milk;  ///< share of milk in cells that have liquid or lie beside it
 };
 
 /// `parts` (1 to 4) points along the side of a cell, and a cell more on every side of the box.
 liquid::Lattice frame_lattice(const grid::BoxShape& shape, int parts);
 
-/// The frame's level around sorted particles (particle_distance_cells() with R = kFrameReach_cells).
+/// The frame's level around sorted particles: particle_distance_cells() with R = kFrameReach_cells, made
+/// even over the particles' bumps, but so that drops and thin sheets stay.
 void sample_particles(const ParticleCells& cells, const Room& room, liquid::SampledField& level_m,
                       core::ThreadPool& pool);
 inline constexpr float kFrameReach_cells = 1.5F;
@@ -30,7 +31,7 @@ inline constexpr float kFrameReach_cells = 1.5F;
 void sample_level(const grid::BoxField& cells_m, const Room& room, liquid::SampledField& level_m,
                   core::ThreadPool& pool);
 
-/// The mean milk of the particles in each cell.
+/// The mean milk of the particles in each cell, and beside them that of the cells next to it.
 void average_milk(std::span<const Particle> particles, const ParticleCells& cells, grid::BoxField& milk,
                   core::ThreadPool& pool);
 

@@ -1,0 +1,114 @@
+#include "trace/tank_scene.hpp"
+
+#include "core/check.hpp"
+#include "liquid/marching_cubes.hpp"
+#include "liquid/slices.hpp"
+#include "trace/numbers.hpp"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+
+namespace pastoso::trace {
+namespace {
+
+constexpr float kOverlap_cells = 0.25F;
+/// Plates are this share of the room's longest side, but no thinner than what reaches into them.
+constexpr float kWallShare = 0.013F;
+constexpr float kLeastWall_cells = 0.5F;
+
+/// From the middle of the tank to the eye; any length.
+const glm::vec3 kTowardsEye(0.42F, -1.0F, 0.42F);
+/// The picture's edges are so much farther from its middle than the tank's corners.
+constexpr float kMargin = 1.12F;
+
+glm::vec3 size_of(const grid::BoxShape& room) {
+    return glm::vec3(room.nx, room.ny, room.nz) * room.cell_m;
+}
+
+void scale(liquid::TriangleMesh& mesh, float factor) {
+    for (glm::vec3& position : mesh.positions_m)
+        position *= factor;
+}
+
+/// The distance from which a point off the target, in the camera's frame (right, up, forward), is within
+/// the picture.
+float distance_for(const glm::vec3& point, float half_height, float aspect) {
+    return std::max(std::abs(point.y) / half_height, std::abs(point.x) / (half_height * aspect)) -
+           point.z;
+}
+
+Camera camera_for(const Tank& tank, float aspect) {
+    Camera camera;
+    camera.field_of_view_deg = 22.0F;
+    camera.lens_radius_m = 0.001F;
+    const glm::vec3 low = tank.inner_low_m - tank.wall_m, high = tank.inner_high_m + tank.wall_m;
+    camera.target_m = 0.5F * (low + high);
+    const glm::vec3 forward = -glm::normalize(kTowardsEye);
+    const glm::vec3 right = glm::normalize(glm::cross(forward, glm::vec3(0.0F, 0.0F, 1.0F)));
+    const glm::vec3 up = glm::cross(right, forward);
+    const glm::vec2 half = cos_sin_of_turns(camera.field_of_view_deg / 720.0F);
+    float away_m = 0.0F;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 off =
+            glm::vec3((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
+                      (corner & 4) != 0 ? high.z : low.z) -
+            camera.target_m;
+        const glm::vec3 seen(kMargin * glm::dot(off, right), kMargin * glm::dot(off, up),
+                             glm::dot(off, forward));
+        away_m = std::max(away_m, distance_for(seen, half.y / half.x, aspect));
+    }
+    camera.eye_m = camera.target_m - forward * away_m;
+    return camera;
+}
+
+}  // namespace
+
+liquid::TriangleMesh tank_liquid_mesh(const liquid::SampledField& level_m, const grid::BoxShape& room,
+                                      core::ThreadPool& pool) {
+    const liquid::Lattice& lattice = level_m.lattice();
+    const float overlap_m = kOverlap_cells * room.cell_m;
+    const glm::vec3 half_m = 0.5F * size_of(room);
+    liquid::SampledField depth_m(lattice);
+    liquid::for_slices(pool, 0, lattice.nz, [&](int k) {
+        for (int j = 0; j < lattice.ny; ++j)
+            for (int i = 0; i < lattice.nx; ++i) {
+                const glm::vec3 at_m = lattice.point_m(i, j, k);
+                const glm::vec3 beyond_m = glm::abs(at_m - half_m) - half_m - overlap_m;
+                // At the top there is no glass: what stands there ends a little below its edge.
+                const float over_m = at_m.z - 2.0F * half_m.z + overlap_m;
+                depth_m.at(i, j, k) =
+                    -std::max({level_m.at(i, j, k), beyond_m.x, beyond_m.y, beyond_m.z, over_m});
+            }
+    });
+    return liquid::marching_cubes(depth_m.view(), 0.0F, pool);
+}
+
+Scene tank_scene(const TankContents& contents, float aspect, core::ThreadPool& pool) {
+    PASTOSO_CHECK_OP(aspect, >, 0.0F);
+    const grid::BoxShape& room = contents.milk.shape();
+    const glm::vec3 size_m = size_of(room);
+    const float model = kTankModel_m / largest(size_m);
+    Scene scene;
+    scene.cup.reset();
+    scene.clear_liquid = tank_liquid_mesh(contents.level_m, room, pool);
+    scene.solids = contents.solids;
+    scale(scene.clear_liquid, model);
+    scale(scene.solids, model);
+    scene.dissolved = grid::BoxField({room.nx, room.ny, room.nz, room.cell_m * model});
+    scene.dissolved.values() = contents.milk.values();
+    Tank tank;
+    tank.inner_low_m = glm::vec3(0.0F);
+    tank.inner_high_m = size_m * model;
+    tank.wall_m = std::max(kWallShare * kTankModel_m, kLeastWall_cells * room.cell_m * model);
+    scene.tank = tank;
+    scene.optics.tea_absorption_per_m = {3.2F, 0.8F, 0.35F};
+    scene.optics.milk_scattering_per_m = 1200.0F;
+    scene.table->height_m = -tank.wall_m;
+    scene.table->radius_m = 4.0F;
+    scene.table->fading_per_m2 = 2.0F;
+    scene.camera = camera_for(tank, aspect);
+    return scene;
+}
+
+}  // namespace pastoso::trace
