@@ -6,9 +6,16 @@
 #include "cli/usage_error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace pastoso::cli {
+
+int count_frames(double seconds, double fps) {
+    const auto count = static_cast<int>(std::lround(seconds * fps));
+    if (count < 1) throw UsageError("--seconds: less than one frame.");
+    return count;
+}
 
 FrameRange parse_frame_range(const std::string& text, int count) {
     if (text.empty()) return {1, count};

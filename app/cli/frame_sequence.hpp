@@ -15,9 +15,11 @@ struct FrameRange {
     friend bool operator==(const FrameRange&, const FrameRange&) = default;
 };
 
+/// How many frames so many seconds are. Throws UsageError that names --seconds where there is none.
+int count_frames(double seconds, double fps);
+
 /// "FIRST-LAST" or "FRAME", from 1 to `count`; all of them where there is no text. Throws UsageError
-/// that names
-/// --range.
+/// that names --range.
 FrameRange parse_frame_range(const std::string& text, int count);
 
 /// How the user follows it.

@@ -1,24 +1,14 @@
 #include "cli/kept_tea.hpp"
 
-#include "core/error.hpp"
 #include "io/tea_checkpoint.hpp"
 
 #include <algorithm>
 
 namespace pastoso::cli {
 
-KeptTea::KeptTea(const std::filesystem::path& folder, io::TeaCacheIndex index)
-    : frames_{folder, index.scene_hash} {
-    if (std::filesystem::exists(folder / "tea.json")) {
-        const io::TeaCacheIndex there = io::read_tea_index(folder);
-        if (there.scene_hash != index.scene_hash || there.fps != index.fps)
-            throw core::InputError(folder.string() +
-                                   ": keeps frames of other tea; choose another folder.");
-        index.count = std::max(index.count, there.count);
-    }
-    io::write_tea_index(folder, index);
-    whole_ = io::whole_tea_frames(folder, index);
-}
+KeptTea::KeptTea(const std::filesystem::path& folder, const io::FrameIndex& index)
+    : frames_{folder, index.scene_hash},
+      whole_(io::whole_tea_frames(folder, io::keep_frame_index(folder, io::kTeaCache, index))) {}
 
 bool KeptTea::has_all(int count) const {
     return std::all_of(whole_.begin(), whole_.begin() + count, [](bool whole) { return whole; });

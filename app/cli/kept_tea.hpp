@@ -23,7 +23,7 @@ struct KeptFrames {
 class KeptTea {
   public:
     /// Makes the folder's index, or lengthens it. Throws InputError when the folder keeps other tea.
-    KeptTea(const std::filesystem::path& folder, io::TeaCacheIndex index);
+    KeptTea(const std::filesystem::path& folder, const io::FrameIndex& index);
 
     const KeptFrames& frames() const { return frames_; }
 

@@ -51,6 +51,27 @@ void add_quiet_flag(CLI::App& command, bool& quiet) {
     command.add_flag("-q,--quiet", quiet, "Show no progress");
 }
 
+void add_time_options(CLI::App& command, double& seconds, double& fps) {
+    command.add_option("--seconds", seconds, "How long to watch")
+        ->type_name("S")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 1e5));
+    command.add_option("--fps", fps, "Frames a second")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 1000.0));
+}
+
+void add_checkpoint_option(CLI::App& command, double& seconds) {
+    command
+        .add_option("--checkpoint", seconds,
+                    "Keep the state to go on from with the frames, after so many seconds of work; it is "
+                    "kept at the end in any case")
+        ->type_name("S")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 1e6));
+}
+
 void add_frame_file_options(CLI::App& command, FrameFileOptions& options,
                             const std::vector<std::string>& formats, const std::string& meaning) {
     command.add_option("--format", options.format, meaning)

@@ -1,10 +1,10 @@
 #include "cli/tea.hpp"
 
 #include "cli/classic_tea.hpp"
+#include "cli/finish.hpp"
 #include "cli/frame_sequence.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/kept_tea.hpp"
-#include "cli/stopwatch.hpp"
 #include "cli/tea_files.hpp"
 #include "cli/usage_error.hpp"
 #include "core/error.hpp"
@@ -37,12 +37,6 @@ TeaSettings settings_of(const TeaOptions& options) {
     settings.step_s = 1.0 / (options.fps * steps_per_frame(settings, options.fps));
     liquid::check_tea(settings);
     return settings;
-}
-
-std::uint64_t hash_of(const std::string& text) {
-    core::Hash64 hash;
-    hash.add(std::as_bytes(std::span(text)));
-    return hash.value();
 }
 
 std::uint64_t hash_of(const MilkTea& tea) {
@@ -151,13 +145,6 @@ void make_frames(const TeaSettings& settings, const TeaOptions& options, int fra
     if (simulates) simulate(*tea, options, std::move(frames), pool, outputs);
 }
 
-void finish(TeaStats& stats, const Stopwatch& watch, int threads, const std::string& path) {
-    stats.wall_s = watch.seconds();
-    stats.threads = threads;
-    stats.version = PASTOSO_VERSION;
-    if (!path.empty()) io::write_stats(path, stats);
-}
-
 }  // namespace
 
 void run_tea(const TeaOptions& options) {
@@ -165,31 +152,28 @@ void run_tea(const TeaOptions& options) {
     watch_for_interrupts();
     if (options.frames.empty() && options.cache.empty() && options.stats.empty())
         throw UsageError("tea: nothing would be kept; give --frames, --cache or --stats.");
-    const int frame_count = static_cast<int>(std::lround(options.seconds * options.fps));
-    if (frame_count < 1) throw UsageError("--seconds: less than one frame.");
+    const int frame_count = count_frames(options.seconds, options.fps);
     core::ThreadPool pool(options.threads);
     if (options.classic) {
         TeaStats stats = run_classic_tea(options, frame_count, pool);
-        return finish(stats, watch, pool.thread_count(), options.stats);
+        return finish(stats, watch, pool, options.stats);
     }
     const TeaSettings settings = settings_of(options);
     Outputs outputs;
     if (!options.frames.empty())
         outputs.files.emplace(options.frames, options.files, settings.cup, pool);
-    if (!options.cache.empty()) {
-        const std::string scene = io::tea_to_json(settings);
+    if (!options.cache.empty())
         outputs.cache.emplace(options.cache,
-                              io::TeaCacheIndex{scene, hash_of(scene), options.fps, frame_count});
-    }
+                              io::index_of(io::tea_to_json(settings), options.fps, frame_count));
     make_frames(settings, options, frame_count, pool, outputs);
     if (outputs.files) outputs.stats.files += outputs.files->costs();
-    finish(outputs.stats, watch, pool.thread_count(), options.stats);
+    finish(outputs.stats, watch, pool, options.stats);
 }
 
 void run_tea_render(const TeaRenderOptions& options) {
     const Stopwatch watch;
     watch_for_interrupts();
-    const io::TeaCacheIndex index = io::read_tea_index(options.cache);
+    const io::FrameIndex index = io::read_frame_index(options.cache, io::kTeaCache);
     const TeaSettings settings = io::tea_from_json(index.scene, options.cache + "/tea.json");
     const FrameRange range = parse_frame_range(options.range, index.count);
     core::ThreadPool pool(options.threads);
@@ -197,7 +181,7 @@ void run_tea_render(const TeaRenderOptions& options) {
     TeaStats stats;
     draw_kept(range, options.quiet, {options.cache, index.scene_hash}, files, stats);
     stats.files += files.costs();
-    finish(stats, watch, pool.thread_count(), options.stats);
+    finish(stats, watch, pool, options.stats);
 }
 
 }  // namespace pastoso::cli

@@ -47,14 +47,7 @@ void add_tea(CLI::App& program, TeaOptions& options, TeaRenderOptions& render) {
     command.add_option("SCENE", options.scene,
                        "A scene file (.json), or the name of one that comes with the program; otherwise "
                        "the usual glass");
-    command.add_option("--seconds", options.seconds, "How long to watch")
-        ->type_name("S")
-        ->capture_default_str()
-        ->check(CLI::Range(0.0, 1e5));
-    command.add_option("--fps", options.fps, "Frames a second")
-        ->type_name("N")
-        ->capture_default_str()
-        ->check(CLI::Range(1.0, 1000.0));
+    add_time_options(command, options.seconds, options.fps);
     command.add_option("--grid", options.cells, "Cells along each side of the box")
         ->type_name("N")
         ->check(CLI::Range(liquid::kMinTeaCells, liquid::kMaxTeaCells));
@@ -69,13 +62,7 @@ void add_tea(CLI::App& program, TeaOptions& options, TeaRenderOptions& render) {
         ->type_name("DIR");
     command.add_option("--cache", options.cache, "Folder to keep frames in, for \"tea render\"")
         ->type_name("DIR");
-    command
-        .add_option("--checkpoint", options.checkpoint_s,
-                    "Keep the state to go on from with the frames, after so many seconds of work; it is "
-                    "kept at the end in any case")
-        ->type_name("S")
-        ->capture_default_str()
-        ->check(CLI::Range(0.0, 1e6));
+    add_checkpoint_option(command, options.checkpoint_s);
     add_tea_file_options(command, options.files);
     add_threads_option(command, options.threads);
     add_stats_option(command, options.stats);

@@ -1,22 +1,12 @@
 #include "io/series_csv.hpp"
 
-#include "document/number_text.hpp"
-
-#include <cmath>
-#include <initializer_list>
+#include "io/number_rows.hpp"
 
 namespace pastoso::io {
 namespace {
 
 /// One cell is one millimetre and the density is that of water: from joules to energy per density.
 constexpr double kJoulePerCellUnit = 1e-12;
-
-void append(std::string& text, std::initializer_list<double> numbers) {
-    for (const double number : numbers) {
-        if (!text.empty() && text.back() != '\n') text += ',';
-        text += std::isnan(number) ? "nan" : document::number_text(number);
-    }
-}
 
 }  // namespace
 
@@ -33,12 +23,12 @@ std::string series_csv(const std::vector<SeriesRow>& rows, bool cell_units, bool
     const double energy_unit = cell_units ? kJoulePerCellUnit : 1.0;
     for (const SeriesRow& row : rows) {
         const film::Measures& m = row.measures;
-        append(text,
-               {row.t_s, m.volume_mm3, m.max_h_mm, m.centroid.x_mm, m.centroid.y_mm, m.wet_box.x0_mm,
-                m.wet_box.x1_mm, m.wet_box.y0_mm, m.wet_box.y1_mm, m.kinetic_energy_J / energy_unit,
-                m.gravity_energy_J / energy_unit, m.surface_energy_J / energy_unit});
+        append_numbers(
+            text, {row.t_s, m.volume_mm3, m.max_h_mm, m.centroid.x_mm, m.centroid.y_mm, m.wet_box.x0_mm,
+                   m.wet_box.x1_mm, m.wet_box.y0_mm, m.wet_box.y1_mm, m.kinetic_energy_J / energy_unit,
+                   m.gravity_energy_J / energy_unit, m.surface_energy_J / energy_unit});
         text += ',' + std::to_string(row.clamped_faces) + ',' + std::to_string(row.steps);
-        if (runoff) append(text, {row.runoff_mm3});
+        if (runoff) append_numbers(text, {row.runoff_mm3});
         text += '\n';
     }
     return text;
@@ -53,8 +43,8 @@ std::string profile_csv(film::Axis axis, const std::vector<ProfileLine>& lines, 
                        speed + ",v" + speed + "\n";
     for (const ProfileLine& line : lines) {
         for (const film::ProfilePoint& point : line.points) {
-            append(text, {line.t_s, line.at_mm, point.along_mm, point.support_mm, point.thickness_mm,
-                          point.velocity_x_mm_s, point.velocity_y_mm_s});
+            append_numbers(text, {line.t_s, line.at_mm, point.along_mm, point.support_mm,
+                                  point.thickness_mm, point.velocity_x_mm_s, point.velocity_y_mm_s});
             text += '\n';
         }
     }

@@ -134,10 +134,10 @@ TEST_F(TeaCacheTest, SmoothFieldsPackWell) {
 }
 
 TEST_F(TeaCacheTest, TheIndexTellsWhichFramesAreMissing) {
-    const TeaCacheIndex index{"{\"milk\": 26}", kScene, 25.0, 4};
+    const FrameIndex index{"{\"milk\": 26}", kScene, 25.0, 4};
     const auto cache = folder / "cache";
-    write_tea_index(cache, index);
-    EXPECT_EQ(read_tea_index(cache), index);
+    write_frame_index(cache, kTeaCache, index);
+    EXPECT_EQ(read_frame_index(cache, kTeaCache), index);
     EXPECT_EQ(tea_frame_path(cache, 123), cache / "frame_000123.tea");
     const TeaFrame frame = frame_of(2, {3, 3, 3, 0.01F}, false);
     for (const int number : {1, 2, 3})
@@ -148,7 +148,7 @@ TEST_F(TeaCacheTest, TheIndexTellsWhichFramesAreMissing) {
 }
 
 TEST_F(TeaCacheTest, AnUnsoundIndexIsRefusedByPlace) {
-    write_tea_index(folder, {"", kScene, 25.0, 4});
+    write_frame_index(folder, kTeaCache, {"", kScene, 25.0, 4});
     const std::string sound = core::read_text_file(folder / "tea.json");
     const auto complaint_after = [&](const std::string& from, const std::string& to) {
         std::string text = sound;
@@ -156,7 +156,7 @@ TEST_F(TeaCacheTest, AnUnsoundIndexIsRefusedByPlace) {
         EXPECT_NE(at, std::string::npos) << from;
         text.replace(at, from.size(), to);
         core::write_text_file(folder / "tea.json", text);
-        return error_of([&] { read_tea_index(folder); });
+        return error_of([&] { read_frame_index(folder, kTeaCache); });
     };
     EXPECT_THAT(complaint_after("pastoso-tea-cache", "soup"), HasSubstr("tea.json, format: expected"));
     EXPECT_THAT(complaint_after("\"version\": 1", "\"version\": 2"), HasSubstr("tea.json, version"));
