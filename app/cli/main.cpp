@@ -8,6 +8,7 @@
 #include "cli/recover.hpp"
 #include "cli/replay.hpp"
 #include "cli/simulate.hpp"
+#include "cli/tank.hpp"
 #include "cli/tea.hpp"
 #include "cli/timelapse.hpp"
 #include "cli/usage_error.hpp"
@@ -35,6 +36,7 @@ int run(int argc, char** argv) {
     SimulateOptions simulate;
     TeaOptions tea;
     TeaRenderOptions tea_render;
+    TankOptions tank;
     InfoOptions info;
     CLI::App app("Paints with thick wet paint, without a screen.", "pastoso-cli");
     app.set_version_flag("--version", "pastoso-cli " PASTOSO_VERSION);
@@ -48,12 +50,14 @@ int run(int argc, char** argv) {
     add_recover(app, recover);
     add_simulate(app, simulate);
     add_tea(app, tea, tea_render);
+    add_tank(app, tank);
     add_info(app, info);
     const std::string first = argc > 1 ? argv[1] : "-";
     const auto is_named = [&](const CLI::App* command) { return command->check_name(first); };
     if (!first.starts_with('-') && app.get_subcommands(is_named).empty()) {
         throw UsageError("there is no subcommand \"" + first +
-                         "\", only replay, sheet, export, timelapse, recover, simulate, tea and info.");
+                         "\", only replay, sheet, export, timelapse, recover, simulate, tea, tank "
+                         "and info.");
     }
     try {
         app.parse(argc, argv);
@@ -78,6 +82,8 @@ int run(int argc, char** argv) {
         run_simulate(simulate);
     else if (app.got_subcommand("tea"))
         app.get_subcommand("tea")->got_subcommand("render") ? run_tea_render(tea_render) : run_tea(tea);
+    else if (app.got_subcommand("tank"))
+        run_tank(tank);
     else
         run_info(info);
     return kDone;

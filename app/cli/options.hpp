@@ -139,6 +139,19 @@ struct TeaRenderOptions {
     bool quiet = false;
 };
 
+struct TankOptions {
+    std::string scene;  ///< a file, or the name of a scene that comes with the program
+    double seconds = 4.0;
+    double fps = 30.0;
+    std::string method;          ///< empty: the scene's
+    std::string frames;          ///< folder for files, series and checkpoint, empty: none
+    double checkpoint_s = 60.0;  ///< of work, between two states that are kept there
+    FrameFileOptions files;
+    std::string stats;
+    int threads = 0;
+    bool quiet = false;
+};
+
 struct InfoOptions {
     /// None: the program itself. A file; or "paints", "paint NAME", "closest COLOUR [PAINT...]",
     /// "palette FILE".

@@ -176,6 +176,13 @@ TankScene tank_from_json(std::string_view text, const std::string& name, const M
     return scene;
 }
 
+std::vector<std::string> tank_method_names() {
+    std::vector<std::string> names;
+    for (const MethodName& known : kMethods)
+        names.emplace_back(known.name);
+    return names;
+}
+
 std::vector<std::string> bundled_tank_names() {
     return bundled_names(kBundled);
 }

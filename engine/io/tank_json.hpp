@@ -21,6 +21,9 @@ MeshOfFile meshes_in(const std::filesystem::path& folder);
 tank::TankScene tank_from_json(std::string_view text, const std::string& name,
                                const MeshOfFile& mesh_of = meshes_in("."));
 
+/// How methods are named in scenes; in the order of tank::Method.
+std::vector<std::string> tank_method_names();
+
 /// The names of the scenes that come with the program, in alphabetical order.
 std::vector<std::string> bundled_tank_names();
 

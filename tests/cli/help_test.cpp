@@ -19,6 +19,7 @@ TEST(CliHelp, EverySubcommandHasHelpWithAnExample) {
                                                     {"simulate"},
                                                     {"tea"},
                                                     {"tea", "render"},
+                                                    {"tank"},
                                                     {"info"}}) {
         std::vector<std::string> arguments = command;
         arguments.emplace_back("--help");

@@ -1,7 +1,5 @@
 // A tea that was stopped goes on where it was, and becomes what it would have become.
-#include "cli/run_program.hpp"
-#include "core/text_file.hpp"
-#include "io/json_place.hpp"
+#include "cli/liquid_test.hpp"
 
 #include <csignal>
 
@@ -16,7 +14,7 @@ using testing::HasSubstr;
 
 constexpr int kFrames = 90;
 
-class CliTeaResume : public CliTest {
+class CliTeaResume : public LiquidTest {
   protected:
     /// Three seconds of tea on a coarse grid, unless told otherwise: all milk is poured, and stirred.
     static std::vector<std::string> tea(const std::vector<std::string>& more,
@@ -31,10 +29,6 @@ class CliTeaResume : public CliTest {
                          "ball_interval_s": 0.1, "confinement": 0.1, "advection": "reflected",
                          "swirl_rad_s2": 2})");
     }
-    io::Json json(const std::string& name) const {
-        return io::parse_json(core::read_text_file(path(name)), name);
-    }
-    std::string bytes(const std::string& name) const { return core::read_text_file(path(name)); }
     static std::string frame(const std::string& cache, int number) {
         char name[32];
         std::snprintf(name, sizeof name, "/frame_%06d.tea", number);

@@ -1,8 +1,5 @@
-#include "cli/run_program.hpp"
-#include "core/resources.hpp"
-#include "core/text_file.hpp"
+#include "cli/liquid_test.hpp"
 #include "io/image.hpp"
-#include "io/json_place.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -16,7 +13,7 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
-class CliTea : public CliTest {
+class CliTea : public LiquidTest {
   protected:
     /// Half a second of tea on a coarse grid.
     RunResult tea(const std::vector<std::string>& more) const {
@@ -24,17 +21,6 @@ class CliTea : public CliTest {
         all.insert(all.end(), more.begin(), more.end());
         return run_cli(all);
     }
-    std::vector<std::string> files_in(const std::string& name) const {
-        std::vector<std::string> names;
-        for (const auto& entry : fs::directory_iterator(path(name)))
-            names.push_back(entry.path().filename().string());
-        std::sort(names.begin(), names.end());
-        return names;
-    }
-    io::Json json(const std::string& name) const {
-        return io::parse_json(core::read_text_file(path(name)), name);
-    }
-    std::string bytes(const std::string& name) const { return core::read_text_file(path(name)); }
 };
 
 TEST_F(CliTea, PicturesAreNumberedByFramesAndSized) {
@@ -119,14 +105,10 @@ TEST_F(CliTea, AnotherTeaNeedsAnotherFolder) {
 }
 
 TEST_F(CliTea, AFullDiskLeavesWhatIsFinishedAndTheNextRunGoesOn) {
-    // No file may be larger than 64 KiB: the later frames, with more milk in them, are.
-    const std::string limited = "trap '' XFSZ; ulimit -f 64; exec \"$@\"";
+    // The later frames, with more milk in them, are larger.
     const std::vector<std::string> command = {"tea", "--grid", "16",      "--seconds",
                                               "1",   "-q",     "--cache", path("kept")};
-    std::vector<std::string> under_limit = {"-c", limited, "sh",
-                                            (core::program_folder() / "pastoso-cli").string()};
-    under_limit.insert(under_limit.end(), command.begin(), command.end());
-    const RunResult full = run_program("/bin/bash", under_limit);
+    const RunResult full = run_cli_on_full_disk(64, command);
     EXPECT_EQ(full.status, 1);
     EXPECT_THAT(full.errors, AllOf(HasSubstr("kept/frame_0000"), HasSubstr("cannot be written")));
     const std::vector<std::string> finished = files_in("kept");
