@@ -134,15 +134,29 @@ enum class Command {
     TeaAxisAway,
     TeaAxisNear,
     TeaFrontView,
+    GlassTank,
+    TankFalling,
+    TankTwoLiquids,
+    TankOpenScene,
+    TankRestart,
+    TankBall,
+    TankDrain,
+    TankWind,
+    TankWindLeft,
+    TankWindRight,
+    TankWindStronger,
+    TankWindWeaker,
+    TankVelocity,
+    TankExportAll,
 };
 
-/// What the window is about: the painting, or a glass of milk tea in its place. A command is given in
-/// one of them, or in both.
-enum class Mode { Painting, Tea, Everywhere };
+/// What the window is about: the painting, or a liquid in its place. A command is given in one of them,
+/// or in several.
+enum class Mode { Painting = 1, Tea = 2, Tank = 4, Liquid = Tea | Tank, Everywhere = Painting | Liquid };
 
 /// Whether both can be given at one time.
 constexpr bool meet(Mode a, Mode b) {
-    return a == b || a == Mode::Everywhere || b == Mode::Everywhere;
+    return (static_cast<int>(a) & static_cast<int>(b)) != 0;
 }
 
 struct CommandText {

@@ -142,6 +142,20 @@ constexpr Name kNames[] = {
     {Command::TeaAxisAway, "tea_axis_away"},
     {Command::TeaAxisNear, "tea_axis_near"},
     {Command::TeaFrontView, "tea_front_view"},
+    {Command::GlassTank, "glass_tank"},
+    {Command::TankFalling, "tank_falling"},
+    {Command::TankTwoLiquids, "tank_two_liquids"},
+    {Command::TankOpenScene, "tank_open_scene"},
+    {Command::TankRestart, "tank_restart"},
+    {Command::TankBall, "tank_ball"},
+    {Command::TankDrain, "tank_drain"},
+    {Command::TankWind, "tank_wind"},
+    {Command::TankWindLeft, "tank_wind_left"},
+    {Command::TankWindRight, "tank_wind_right"},
+    {Command::TankWindStronger, "tank_wind_stronger"},
+    {Command::TankWindWeaker, "tank_wind_weaker"},
+    {Command::TankVelocity, "tank_velocity"},
+    {Command::TankExportAll, "tank_export_all"},
 };
 
 }  // namespace

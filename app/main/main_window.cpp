@@ -23,6 +23,7 @@
 #include "main/recorder.hpp"
 #include "main/selection_commands.hpp"
 #include "main/start_commands.hpp"
+#include "main/tank_mode.hpp"
 #include "main/tea_mode.hpp"
 #include "main/tracing_commands.hpp"
 #include "main/undo_commands.hpp"
@@ -69,7 +70,9 @@ struct MainWindow::Parts {
           memory(studio, panels, light, undo, well, start),
           keys(studio),
           preferences(studio, undo),
-          tea(studio, pictures, panels.readings) {}
+          place(studio, panels.readings),
+          tea(studio, pictures, place),
+          tank(studio, place) {}
 
     CanvasSizing sizing;
     LayerCommands layers;
@@ -99,7 +102,9 @@ struct MainWindow::Parts {
     WindowMemory memory;
     KeyCommands keys;
     PreferenceCommands preferences;
+    CanvasPlace place;
     TeaMode tea;
+    TankMode tank;
 };
 
 MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journal,
@@ -114,7 +119,9 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     connect(&parts.files, &ProjectFiles::about_to_keep, panels_.tracing, &panels::TracingPanel::finish);
     connect(&parts.preferences, &PreferenceCommands::autosave_due, &parts.files,
             &ProjectFiles::save_by_itself);
-    connect(&parts.tea, &TeaMode::entering, &parts.view, &ViewCommands::leave_canvas_only);
+    connect(&parts.place, &CanvasPlace::taking, &parts.view, &ViewCommands::leave_canvas_only);
+    connect(&parts.tea, &TeaMode::other_wanted, &parts.tank, &TankMode::choose);
+    connect(&parts.tank, &TankMode::tea_wanted, &parts.tea, &TeaMode::enter);
     connect(&parts.files, &ProjectFiles::about_to_keep, panels_.physics, &panels::MediumPanel::finish);
     commands().on(commands::Command::Quit, [this](bool) { close(); });
     parts.files.start(canvas);
@@ -138,7 +145,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(parts_->exporting.may_stop() && parts_->files.may_discard());
     if (!event->isAccepted()) return;
     parts_->exporting.exporter().stop();
-    parts_->tea.leave();
+    parts_->place.give_back();
     parts_->view.leave_canvas_only();
     parts_->paints.remember();
     parts_->memory.remember();
@@ -212,6 +219,10 @@ void MainWindow::use_light(const QString& name_or_path) {
 
 void MainWindow::use_space(pigment::WorkingSpace space) {
     parts_->light.use_space(space);
+}
+
+TankMode& MainWindow::tank() {
+    return parts_->tank;
 }
 
 TeaMode& MainWindow::tea() {

@@ -16,6 +16,7 @@
 
 namespace pastoso::main {
 
+class TankMode;
 class TeaMode;
 
 class MainWindow : public QMainWindow {
@@ -84,6 +85,8 @@ class MainWindow : public QMainWindow {
 
     /// The glass of tea that can stand in place of the canvas.
     TeaMode& tea();
+    /// The tank that can.
+    TankMode& tank();
 
     /// As Studio::measure().
     void measure(std::shared_ptr<session::FrameTimes> times);

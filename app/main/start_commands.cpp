@@ -20,7 +20,8 @@ using commands::Command;
 StartCommands::StartCommands(Studio& studio, ProjectFiles& files) : studio_(studio), files_(files) {
     studio_.commands().on(Command::StartPage, [this](bool) { show_page(); });
     studio_.commands().on(Command::CanvasOnly, [this](bool) { dismiss(); });
-    studio_.commands().on(Command::MilkTea, [this](bool) { dismiss(); });
+    for (const Command liquid : {Command::MilkTea, Command::GlassTank})
+        studio_.commands().on(liquid, [this](bool) { dismiss(); });
     connect(&studio_, &Studio::session_begun, this, &StartCommands::dismiss);
     connect(&studio_.canvas(), &view::CanvasView::stroke_begun, this, &StartCommands::dismiss);
     connect(&studio_.canvas(), &view::CanvasView::escaped, this, &StartCommands::dismiss);

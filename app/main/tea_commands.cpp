@@ -56,14 +56,22 @@ void TeaMode::connect_commands() {
     commands.on(Command::TeaNewGlass, [this](bool) { session_->new_glass(page_->panel().settings()); });
     commands.on(Command::TeaOpenScene, [this](bool) { ask_open(); });
     commands.on(Command::TeaSaveScene, [this](bool) { ask_save(); });
-    commands.on(Command::TeaExportMesh, [this](bool) { ask_export(); });
+    commands.on(Command::TeaExportMesh, [this](bool) {
+        if (active_) ask_export();
+    });
     commands.on(Command::TeaRender, [this](bool) {
         picture().show();
         picture().raise();
     });
-    commands.on(Command::TeaPause, [this](bool paused) { session_->set_paused(paused); });
-    commands.on(Command::TeaFullSpeed, [this](bool full) { session_->set_full_speed(full); });
-    commands.on(Command::TeaFrontView, [this](bool) { page_->view().look_from_front(); });
+    commands.on(Command::TeaPause, [this](bool paused) {
+        if (active_) session_->set_paused(paused);
+    });
+    commands.on(Command::TeaFullSpeed, [this](bool full) {
+        if (active_) session_->set_full_speed(full);
+    });
+    commands.on(Command::TeaFrontView, [this](bool) {
+        if (active_) page_->view().look_from_front();
+    });
     connect_force();
 }
 
@@ -177,20 +185,10 @@ void TeaMode::export_mesh(const QString& path) {
         throw core::InputError(file.string() +
                                ": the name must end in .pbrt, .obj, .ply or .stl. Choose one of them.");
     const auto moment = session_->moment();
-    if (moment == nullptr || exporting_)
-        return studio_.report(tr("A surface is being written already. Try again in a moment."));
-    if (export_.joinable()) export_.join();
-    exporting_ = true;
-    export_ = std::thread([this, moment, file, path] {
-        QString told = tr("The milk's surface is in %1.").arg(path);
-        try {
-            if (write_mesh(*moment, file, stops_export_) == io::ExportStatus::Stopped) told.clear();
-        } catch (const core::InputError& error) {
-            told = QString::fromUtf8(error.what());
-        }
-        exporting_ = false;
-        QMetaObject::invokeMethod(
-            this, [this, told] { studio_.report_refusal(told); }, Qt::QueuedConnection);
+    if (moment == nullptr) return;
+    export_.start([moment, file,
+                   told = tr("The milk's surface is in %1.").arg(path)](const std::atomic<bool>& stops) {
+        return write_mesh(*moment, file, stops) == io::ExportStatus::Stopped ? QString() : told;
     });
 }
 

@@ -2,32 +2,25 @@
 
 #include "main/picture_layers.hpp"
 #include "main/queued_refresh.hpp"
-#include "panels/status_readings.hpp"
+#include "tea/glass_chooser.hpp"
 #include "tea/tea_page.hpp"
 #include "tea/tea_picture_dialog.hpp"
 
 #include <utility>
 
 #include <QAction>
-#include <QDockWidget>
-#include <QHBoxLayout>
 #include <QMainWindow>
-#include <QToolBar>
 
 namespace pastoso::main {
 
 using commands::Command;
 
-TeaMode::TeaMode(Studio& studio, PictureLayers& pictures, panels::StatusReadings* readings)
-    : studio_(studio), pictures_(pictures), readings_(readings) {
+TeaMode::TeaMode(Studio& studio, PictureLayers& pictures, CanvasPlace& place)
+    : studio_(studio), pictures_(pictures), place_(place), export_(studio) {
     connect_commands();
-    // Another painting comes to be seen.
-    connect(&studio_, &Studio::session_begun, this, &TeaMode::leave);
 }
 
 TeaMode::~TeaMode() {
-    stops_export_ = true;
-    if (export_.joinable()) export_.join();
     delete picture_;
 }
 
@@ -49,8 +42,13 @@ void TeaMode::make_page() {
                               .pause = action(Command::TeaPause),
                               .full_speed = action(Command::TeaFullSpeed),
                               .front = action(Command::TeaFrontView)});
-    auto* row = qobject_cast<QHBoxLayout*>(studio_.canvas().parentWidget()->layout());
-    row->addWidget(page_, 1);
+    place_.add(page_);
+    page_->panel().chooser().show_choice(tea::GlassChooser::tea_key());
+    connect(&page_->panel().chooser(), &tea::GlassChooser::chosen, this, [this](const QString& key) {
+        if (key == tea::GlassChooser::tea_key()) return;
+        page_->panel().chooser().show_choice(tea::GlassChooser::tea_key());
+        Q_EMIT other_wanted(key);
+    });
     // Elsewhere the arrows go from value to value.
     for (const Command arrow :
          {Command::TeaAxisLeft, Command::TeaAxisRight, Command::TeaAxisAway, Command::TeaAxisNear})
@@ -78,65 +76,34 @@ void TeaMode::make_page() {
 
 void TeaMode::enter() {
     if (active_) return;
-    Q_EMIT entering();
-    active_ = true;
     if (page_ == nullptr) make_page();
-    put_panels_away();
-    page_->show();
-    studio_.commands().set_mode(commands::Mode::Tea);
+    place_.take(page_, commands::Mode::Tea, [this] { put_away(); });
+    active_ = true;
     studio_.commands().action(Command::MilkTea)->setChecked(true);
-    studio_.session().set_paused(true);
+    studio_.commands().action(Command::TeaPause)->setChecked(paused_);
     if (session_ == nullptr) {
         session_ = std::make_unique<session::TeaSession>(
-            page_->panel().settings(), false, queued_refresh(this, [this] { show_published(); }));
+            page_->panel().settings(), paused_, queued_refresh(this, [this] { show_published(); }));
         force_ = session_->status().force;
         use_force(force_);
     } else {
-        session_->set_paused(studio_.commands().action(Command::TeaPause)->isChecked());
+        session_->set_paused(paused_);
     }
     page_->view().setFocus();
 }
 
 void TeaMode::leave() {
-    if (!active_) return;
+    if (active_) place_.give_back();
+}
+
+/// The hand finds the pause as it left it; only time stands still while nobody looks.
+void TeaMode::put_away() {
     active_ = false;
     session_->pour(std::nullopt);
-    // The hand finds the pause as it left it; only time stands still while nobody looks.
-    const bool paused = studio_.commands().action(Command::TeaPause)->isChecked();
+    paused_ = studio_.commands().action(Command::TeaPause)->isChecked();
     session_->set_paused(true);
-    studio_.commands().action(Command::TeaPause)->setChecked(paused);
     if (picture_ != nullptr) picture_->hide();
-    page_->hide();
-    studio_.commands().set_mode(commands::Mode::Painting);
     studio_.commands().action(Command::MilkTea)->setChecked(false);
-    bring_panels_back();
-    studio_.session().set_paused(studio_.commands().action(Command::Pause)->isChecked());
-    studio_.canvas().setFocus();
-}
-
-/// The menus and the status line stay.
-void TeaMode::put_panels_away() {
-    QMainWindow& window = studio_.window();
-    panels_ = window.saveState();
-    std::vector<QWidget*> around{readings_};
-    for (QWidget* beside :
-         studio_.canvas().parentWidget()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
-        if (beside != page_) around.push_back(beside);
-    for (QToolBar* bar : window.findChildren<QToolBar*>(QString(), Qt::FindDirectChildrenOnly))
-        around.push_back(bar);
-    for (QDockWidget* dock : window.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
-        around.push_back(dock);
-    for (QWidget* widget : around) {
-        if (widget->isHidden()) continue;
-        hidden_.emplace_back(widget);
-        widget->hide();
-    }
-}
-
-void TeaMode::bring_panels_back() {
-    for (const QPointer<QWidget>& widget : std::exchange(hidden_, {}))
-        if (widget != nullptr) widget->show();
-    studio_.window().restoreState(panels_);
 }
 
 void TeaMode::show_published() {
@@ -150,8 +117,9 @@ void TeaMode::show_published() {
     const session::TeaStatus status = session_->status();
     if (const auto moment = session_->moment()) page_->view().show_moment(moment);
     page_->show_status(status);
+    if (!active_) return;
     // Scrubbing pauses.
-    if (active_) studio_.commands().action(Command::TeaPause)->setChecked(status.paused);
+    studio_.commands().action(Command::TeaPause)->setChecked(status.paused);
     studio_.commands().action(Command::TeaFullSpeed)->setChecked(status.full_speed);
 }
 

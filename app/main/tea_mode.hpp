@@ -1,21 +1,14 @@
 // The glass of milk tea in place of the canvas: it comes and goes, and the painting waits.
 #pragma once
 
-#include "main/studio.hpp"
+#include "main/background_export.hpp"
+#include "main/canvas_place.hpp"
 #include "session/tea_session.hpp"
 
-#include <atomic>
 #include <memory>
-#include <thread>
-#include <vector>
 
-#include <QByteArray>
 #include <QObject>
-#include <QPointer>
 
-namespace pastoso::panels {
-class StatusReadings;
-}
 namespace pastoso::tea {
 class TeaPage;
 class TeaPictureDialog;
@@ -28,12 +21,11 @@ class PictureLayers;
 class TeaMode : public QObject {
     Q_OBJECT
   public:
-    TeaMode(Studio& studio, PictureLayers& pictures, panels::StatusReadings* readings);
+    TeaMode(Studio& studio, PictureLayers& pictures, CanvasPlace& place);
     ~TeaMode() override;
 
     bool active() const { return active_; }
 
-    /// The painting stands still meanwhile, as if it was paused; its journal goes on.
     void enter();
     void leave();
 
@@ -48,20 +40,20 @@ class TeaMode : public QObject {
 
     /// Writes the milk's surface as it is seen now, in the background; how it ends is told.
     void export_mesh(const QString& path);
-    bool exporting() const { return exporting_; }
+    bool exporting() const { return export_.busy(); }
 
     /// Where a picture is rendered; it is made when it is first wanted.
     tea::TeaPictureDialog& picture();
 
   Q_SIGNALS:
-    void entering();
+    /// Something else shall be in the glass, as GlassChooser::chosen().
+    void other_wanted(const QString& key);
 
   private:
     void connect_commands();
     void connect_force();
     void make_page();
-    void put_panels_away();
-    void bring_panels_back();
+    void put_away();
     void show_published();
     void use_force(const session::TeaForce& force);
     void move_axis(double right, double away);
@@ -72,16 +64,13 @@ class TeaMode : public QObject {
 
     Studio& studio_;
     PictureLayers& pictures_;
-    panels::StatusReadings* readings_;
+    CanvasPlace& place_;
     tea::TeaPage* page_ = nullptr;
     tea::TeaPictureDialog* picture_ = nullptr;
     std::unique_ptr<session::TeaSession> session_;
     session::TeaForce force_;
-    bool active_ = false;
-    QByteArray panels_;  ///< how they stood
-    std::vector<QPointer<QWidget>> hidden_;
-    std::atomic<bool> exporting_ = false, stops_export_ = false;
-    std::thread export_;
+    bool active_ = false, paused_ = false;
+    BackgroundExport export_;
 };
 
 }  // namespace pastoso::main

@@ -1,6 +1,7 @@
 #include "session/tank_session.hpp"
 
 #include "liquid/marching_cubes.hpp"
+#include "session/far_level.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -164,6 +165,7 @@ void TankSession::make_moment(LiquidStatus& status) {
     auto moment = std::make_shared<TankMoment>();
     moment->place = place_;
     moment->seen = shown_step() ? frames_.at(*shown_step()) : seen_now();
+    moment->far_m = far_level(moment->seen.level_m);
     moment->drains_open = drains_open_;
     status.step = moment->seen.step;
     status.last_step = moments_;
@@ -201,6 +203,19 @@ liquid::TriangleMesh liquid_surface(const TankPlace& place, const TankSeen& seen
 float rest_level_m(const TankMoment& moment) {
     const glm::vec3 size_m = moment.place->scene.size_m();
     return std::min(static_cast<float>(moment.seen.volume_m3) / (size_m.x * size_m.y), 0.95F * size_m.z);
+}
+
+float longest_side_m(const tank::TankScene& scene) {
+    const glm::vec3 size_m = scene.size_m();
+    return std::max({size_m.x, size_m.y, size_m.z});
+}
+
+float wall_m(const tank::TankScene& scene) {
+    return 0.02F * longest_side_m(scene);
+}
+
+glm::vec3 liquid_absorption_per_m(const tank::TankScene& scene) {
+    return glm::vec3(1.5F, 0.42F, 0.26F) / longest_side_m(scene);
 }
 
 tank::TankScene with_drain(tank::TankScene scene) {

@@ -31,6 +31,7 @@ struct TankWind {
 struct TankMoment {
     std::shared_ptr<const TankPlace> place;
     TankSeen seen;
+    liquid::SampledField far_m;  ///< as far_level()
     bool drains_open = false;
 };
 
@@ -100,6 +101,12 @@ liquid::TriangleMesh liquid_surface(const TankPlace& place, const TankSeen& seen
 
 /// Liquid at rest would stand so high, about.
 float rest_level_m(const TankMoment& moment);
+
+float longest_side_m(const tank::TankScene& scene);
+/// Of the tank's glass.
+float wall_m(const tank::TankScene& scene);
+/// Of the liquid where it is clear, along a metre: about as dark in a tank of any size.
+glm::vec3 liquid_absorption_per_m(const tank::TankScene& scene);
 
 /// The scene with a drain in its floor, where it has none and there is room for one.
 tank::TankScene with_drain(tank::TankScene scene);

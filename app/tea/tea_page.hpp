@@ -1,18 +1,13 @@
-// What stands in the middle of the window in place of the canvas: the glass, its timeline below it and
-// its panel beside it.
+// The glass of tea in place of the canvas.
 #pragma once
 
+#include "tea/glass_page.hpp"
 #include "tea/tea_panel.hpp"
 #include "tea/tea_view.hpp"
 
-#include <QWidget>
-
-class QLabel;
-class QSlider;
-
 namespace pastoso::tea {
 
-class TeaPage : public QWidget {
+class TeaPage : public GlassPage {
     Q_OBJECT
   public:
     explicit TeaPage(const TeaActions& actions, QWidget* parent = nullptr);
@@ -22,17 +17,11 @@ class TeaPage : public QWidget {
 
     void show_status(const session::TeaStatus& status);
 
-  Q_SIGNALS:
-    /// The moment at that step is to be shown.
-    void step_wanted(int step);
-
   private:
-    QWidget* timeline(const TeaActions& actions);
+    TeaPage(TeaView* view, TeaPanel* panel, const TeaActions& actions, QWidget* parent);
 
     TeaView* view_;
     TeaPanel* panel_;
-    QSlider* time_ = nullptr;
-    QLabel *time_words_ = nullptr, *readings_ = nullptr;
 };
 
 }  // namespace pastoso::tea

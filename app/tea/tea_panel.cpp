@@ -1,7 +1,9 @@
 #include "tea/tea_panel.hpp"
 
 #include "panels/section.hpp"
+#include "tea/glass_chooser.hpp"
 #include "tea/number_row.hpp"
+#include "tea/panel_parts.hpp"
 #include "tea/tea_words.hpp"
 
 #include <utility>
@@ -30,15 +32,6 @@ NumberRange range_of(const TeaRow& row) {
     return {
         row.scale * limits.least, row.scale * limits.most, row.usual_least, row.usual_most, row.decimals,
         words_of(row.unit),       row.logarithmic};
-}
-
-QGridLayout* rows_under(QVBoxLayout* column) {
-    auto* widget = new QWidget;
-    auto* grid = new QGridLayout(widget);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setVerticalSpacing(4);
-    column->addWidget(widget);
-    return grid;
 }
 
 NumberRow* add_row(QGridLayout* grid, const TeaRow& row) {
@@ -70,16 +63,9 @@ TeaPanel::TeaPanel(const TeaActions& actions, QWidget* parent) : QWidget(parent)
 QWidget* TeaPanel::glass_section(const TeaActions& actions) {
     auto* widget = new QWidget;
     auto* column = panels::section(widget, tr("Glass"));
-    auto* back = new QToolButton;
-    back->setObjectName(QStringLiteral("back_to_painting"));
-    back->setText(tr("Back to the painting"));
-    back->setIcon(actions.back->icon());
-    back->setToolTip(tr("The glass waits as it is, and so did the painting"));
-    back->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    back->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    panels::keep_keys_for_canvas(back);
-    connect(back, &QToolButton::clicked, actions.back, &QAction::trigger);
-    column->insertWidget(0, back);
+    column->insertWidget(0, back_button(actions.back));
+    chooser_ = new GlassChooser;
+    column->addWidget(chooser_);
     column->addWidget(panels::button_row({actions.new_glass, actions.open, actions.save}));
     QGridLayout* grid = rows_under(column);
     cells_ = new QComboBox;

@@ -14,6 +14,7 @@ class QVBoxLayout;
 
 namespace pastoso::tea {
 
+class GlassChooser;
 class NumberRow;
 struct TeaRow;
 struct TeaSection;
@@ -29,6 +30,8 @@ class TeaPanel : public QWidget {
     Q_OBJECT
   public:
     explicit TeaPanel(const TeaActions& actions, QWidget* parent = nullptr);
+
+    GlassChooser& chooser() { return *chooser_; }
 
     /// Shows these numbers, without a signal.
     void show_settings(const liquid::TeaSettings& settings);
@@ -54,6 +57,7 @@ class TeaPanel : public QWidget {
 
     liquid::TeaSettings settings_;
     session::TeaForce force_;
+    GlassChooser* chooser_ = nullptr;
     QComboBox* cells_ = nullptr;
     QSpinBox* parcels_ = nullptr;
     NumberRow *milk_ = nullptr, *swirl_ = nullptr, *push_ = nullptr;

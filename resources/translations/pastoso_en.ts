@@ -1799,10 +1799,6 @@
         <translation>How pens and mouse press, what their buttons do, and a sheet to try them on</translation>
     </message>
     <message>
-        <source>Milk &amp;Tea</source>
-        <translation>Milk &amp;Tea</translation>
-    </message>
-    <message>
         <source>&amp;Milk tea</source>
         <translation>&amp;Milk tea</translation>
     </message>
@@ -1839,24 +1835,12 @@
         <translation>&amp;Export the surface...</translation>
     </message>
     <message>
-        <source>The milk&apos;s surface as triangles, for PBRT and other programs</source>
-        <translation>The milk&apos;s surface as triangles, for PBRT and other programs</translation>
-    </message>
-    <message>
         <source>&amp;Render a picture...</source>
         <translation>&amp;Render a picture...</translation>
     </message>
     <message>
         <source>A picture by the light&apos;s true ways, to be saved or painted on</source>
         <translation>A picture by the light&apos;s true ways, to be saved or painted on</translation>
-    </message>
-    <message>
-        <source>&amp;Pause the tea</source>
-        <translation>&amp;Pause the tea</translation>
-    </message>
-    <message>
-        <source>The tea stands still until you go on</source>
-        <translation>The tea stands still until you go on</translation>
     </message>
     <message>
         <source>As &amp;fast as it can</source>
@@ -1929,6 +1913,134 @@
     <message>
         <source>See the whole glass from the front again</source>
         <translation>See the whole glass from the front again</translation>
+    </message>
+    <message>
+        <source>Liqui&amp;ds</source>
+        <translation>Liqui&amp;ds</translation>
+    </message>
+    <message>
+        <source>&amp;Glass tank</source>
+        <translation>&amp;Glass tank</translation>
+    </message>
+    <message>
+        <source>A tank of liquid in place of the canvas, with balls that fall, a drain and wind; the painting waits as it is</source>
+        <translation>A tank of liquid in place of the canvas, with balls that fall, a drain and wind; the painting waits as it is</translation>
+    </message>
+    <message>
+        <source>The liquid&apos;s surface as triangles, for PBRT and other programs</source>
+        <translation>The liquid&apos;s surface as triangles, for PBRT and other programs</translation>
+    </message>
+    <message>
+        <source>&amp;Pause the liquid</source>
+        <translation>&amp;Pause the liquid</translation>
+    </message>
+    <message>
+        <source>The liquid stands still until you go on</source>
+        <translation>The liquid stands still until you go on</translation>
+    </message>
+    <message>
+        <source>A tank where liquid &amp;falls</source>
+        <translation>A tank where liquid &amp;falls</translation>
+    </message>
+    <message>
+        <source>A ball of liquid falls into a glass tank</source>
+        <translation>A ball of liquid falls into a glass tank</translation>
+    </message>
+    <message>
+        <source>A tank where t&amp;wo liquids meet</source>
+        <translation>A tank where t&amp;wo liquids meet</translation>
+    </message>
+    <message>
+        <source>Liquid breaks over a solid and meets another liquid</source>
+        <translation>Liquid breaks over a solid and meets another liquid</translation>
+    </message>
+    <message>
+        <source>&amp;Open a tank...</source>
+        <translation>&amp;Open a tank...</translation>
+    </message>
+    <message>
+        <source>Begin with the tank of a file</source>
+        <translation>Begin with the tank of a file</translation>
+    </message>
+    <message>
+        <source>&amp;Start again</source>
+        <translation>&amp;Start again</translation>
+    </message>
+    <message>
+        <source>The tank as it stood at the beginning</source>
+        <translation>The tank as it stood at the beginning</translation>
+    </message>
+    <message>
+        <source>Export &amp;all moments...</source>
+        <translation>Export &amp;all moments...</translation>
+    </message>
+    <message>
+        <source>The liquid&apos;s surface at every moment that is kept, each in a file of its own</source>
+        <translation>The liquid&apos;s surface at every moment that is kept, each in a file of its own</translation>
+    </message>
+    <message>
+        <source>Add a &amp;ball of liquid</source>
+        <translation>Add a &amp;ball of liquid</translation>
+    </message>
+    <message>
+        <source>A ball of liquid falls from above; press on the liquid to say where</source>
+        <translation>A ball of liquid falls from above; press on the liquid to say where</translation>
+    </message>
+    <message>
+        <source>Open the &amp;drain</source>
+        <translation>Open the &amp;drain</translation>
+    </message>
+    <message>
+        <source>Liquid runs out through the floor until you shut it again</source>
+        <translation>Liquid runs out through the floor until you shut it again</translation>
+    </message>
+    <message>
+        <source>W&amp;ind</source>
+        <translation>W&amp;ind</translation>
+    </message>
+    <message>
+        <source>Wind over the tank drags the liquid&apos;s surface along</source>
+        <translation>Wind over the tank drags the liquid&apos;s surface along</translation>
+    </message>
+    <message>
+        <source>Turn the wind to the &amp;left</source>
+        <translation>Turn the wind to the &amp;left</translation>
+    </message>
+    <message>
+        <source>Turn the wind by 15 degrees to the left</source>
+        <translation>Turn the wind by 15 degrees to the left</translation>
+    </message>
+    <message>
+        <source>Turn the wind to the &amp;right</source>
+        <translation>Turn the wind to the &amp;right</translation>
+    </message>
+    <message>
+        <source>Turn the wind by 15 degrees to the right</source>
+        <translation>Turn the wind by 15 degrees to the right</translation>
+    </message>
+    <message>
+        <source>Stron&amp;ger wind</source>
+        <translation>Stron&amp;ger wind</translation>
+    </message>
+    <message>
+        <source>The wind blows faster by half a metre a second</source>
+        <translation>The wind blows faster by half a metre a second</translation>
+    </message>
+    <message>
+        <source>W&amp;eaker wind</source>
+        <translation>W&amp;eaker wind</translation>
+    </message>
+    <message>
+        <source>The wind blows slower by half a metre a second</source>
+        <translation>The wind blows slower by half a metre a second</translation>
+    </message>
+    <message>
+        <source>Show &amp;velocities</source>
+        <translation>Show &amp;velocities</translation>
+    </message>
+    <message>
+        <source>Arrows show where the liquid flows, and how fast</source>
+        <translation>Arrows show where the liquid flows, and how fast</translation>
     </message>
 </context>
 <context>
@@ -3006,6 +3118,37 @@
         <source>Export the surface...</source>
         <translation>Export the surface...</translation>
     </message>
+    <message>
+        <source>Start again</source>
+        <translation>Start again</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Ball</translation>
+    </message>
+    <message>
+        <source>Drain</source>
+        <translation>Drain</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Wind</translation>
+    </message>
+    <message>
+        <source>Velocities</source>
+        <translation>Velocities</translation>
+    </message>
+    <message>
+        <source>Export all moments...</source>
+        <translation>Export all moments...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::BackgroundExport</name>
+    <message>
+        <source>A surface is being written already. Try again in a moment.</source>
+        <translation>A surface is being written already. Try again in a moment.</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BrushJar</name>
@@ -3479,6 +3622,37 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::TankMode</name>
+    <message>
+        <source>Open a tank</source>
+        <translation>Open a tank</translation>
+    </message>
+    <message>
+        <source>Scenes of a tank (*.json);;All files (*)</source>
+        <translation>Scenes of a tank (*.json);;All files (*)</translation>
+    </message>
+    <message>
+        <source>Export the liquid&apos;s surface</source>
+        <translation>Export the liquid&apos;s surface</translation>
+    </message>
+    <message>
+        <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
+        <translation>Surfaces (*.pbrt *.obj *.ply *.stl)</translation>
+    </message>
+    <message>
+        <source>A folder for all moments</source>
+        <translation>A folder for all moments</translation>
+    </message>
+    <message>
+        <source>The liquid&apos;s surface is in %1.</source>
+        <translation>The liquid&apos;s surface is in %1.</translation>
+    </message>
+    <message>
+        <source>All surfaces are in %1.</source>
+        <translation>All surfaces are in %1.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::TeaMode</name>
     <message>
         <source>Open a scene of milk tea</source>
@@ -3503,10 +3677,6 @@
     <message>
         <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
         <translation>Surfaces (*.pbrt *.obj *.ply *.stl)</translation>
-    </message>
-    <message>
-        <source>A surface is being written already. Try again in a moment.</source>
-        <translation>A surface is being written already. Try again in a moment.</translation>
     </message>
     <message>
         <source>The milk&apos;s surface is in %1.</source>
@@ -5191,6 +5361,194 @@ Drag: move the picture
         <source>How far the force reaches from its axis</source>
         <translation>How far the force reaches from its axis</translation>
     </message>
+    <message>
+        <source>Tank: liquid falls</source>
+        <translation>Tank: liquid falls</translation>
+    </message>
+    <message>
+        <source>Tank: two liquids meet</source>
+        <translation>Tank: two liquids meet</translation>
+    </message>
+    <message>
+        <source>Back to the painting</source>
+        <translation>Back to the painting</translation>
+    </message>
+    <message>
+        <source>The glass waits as it is, and so did the painting</source>
+        <translation>The glass waits as it is, and so did the painting</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Gravity</translation>
+    </message>
+    <message>
+        <source>How fast what falls gets faster</source>
+        <translation>How fast what falls gets faster</translation>
+    </message>
+    <message>
+        <source>Lively</source>
+        <translation>Lively</translation>
+    </message>
+    <message>
+        <source>What of its own velocity a drop keeps from step to step: less is calmer</source>
+        <translation>What of its own velocity a drop keeps from step to step: less is calmer</translation>
+    </message>
+    <message>
+        <source>Volume mended</source>
+        <translation>Volume mended</translation>
+    </message>
+    <message>
+        <source>How much of a wrong density a step mends</source>
+        <translation>How much of a wrong density a step mends</translation>
+    </message>
+    <message>
+        <source>Way of a step</source>
+        <translation>Way of a step</translation>
+    </message>
+    <message>
+        <source>The longest way of a step, in cells: longer is faster and coarser</source>
+        <translation>The longest way of a step, in cells: longer is faster and coarser</translation>
+    </message>
+    <message>
+        <source> cells</source>
+        <translation> cells</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::GlassChooser</name>
+    <message>
+        <source>What is in the glass</source>
+        <translation>What is in the glass</translation>
+    </message>
+    <message>
+        <source>What is in the glass: milk tea, or a tank of liquid</source>
+        <translation>What is in the glass: milk tea, or a tank of liquid</translation>
+    </message>
+    <message>
+        <source>Milk tea</source>
+        <translation>Milk tea</translation>
+    </message>
+    <message>
+        <source>Open a tank...</source>
+        <translation>Open a tank...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::GlassPage</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 of %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TankPage</name>
+    <message>
+        <source>Moment of the tank</source>
+        <translation>Moment of the tank</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the tank; going on goes on from its last</source>
+        <translation>Drag to any moment of the tank; going on goes on from its last</translation>
+    </message>
+    <message>
+        <source>Liquid in the tank, and how many steps a second are computed</source>
+        <translation>Liquid in the tank, and how many steps a second are computed</translation>
+    </message>
+    <message>
+        <source>Filling the tank...</source>
+        <translation>Filling the tank...</translation>
+    </message>
+    <message>
+        <source>%1 l   %2 steps/s</source>
+        <translation>%1 l   %2 steps/s</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TankPanel</name>
+    <message>
+        <source>Tank</source>
+        <translation>Tank</translation>
+    </message>
+    <message>
+        <source>Balls and drain</source>
+        <translation>Balls and drain</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>Ball&apos;s radius</translation>
+    </message>
+    <message>
+        <source>How large the ball is that falls where you press</source>
+        <translation>How large the ball is that falls where you press</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Milk in it</source>
+        <translation>Milk in it</translation>
+    </message>
+    <message>
+        <source>How much of the ball is milk</source>
+        <translation>How much of the ball is milk</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Wind</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Speed</translation>
+    </message>
+    <message>
+        <source>How fast the air goes</source>
+        <translation>How fast the air goes</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Blows to</source>
+        <translation>Blows to</translation>
+    </message>
+    <message>
+        <source>0 to the right along the front, 90 away from it</source>
+        <translation>0 to the right along the front, 90 away from it</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Drags</source>
+        <translation>Drags</translation>
+    </message>
+    <message>
+        <source>How firmly it takes the liquid&apos;s surface along</source>
+        <translation>How firmly it takes the liquid&apos;s surface along</translation>
+    </message>
+    <message>
+        <source> /s</source>
+        <translation> /s</translation>
+    </message>
+    <message>
+        <source>Look and export</source>
+        <translation>Look and export</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>Liquid</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::tea::TeaPage</name>
@@ -5211,14 +5569,6 @@ Drag: move the picture
         <translation>Filling the glass...</translation>
     </message>
     <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>%1 of %2 s</source>
-        <translation>%1 of %2 s</translation>
-    </message>
-    <message>
         <source>%1 ml of milk   %2 steps/s</source>
         <translation>%1 ml of milk   %2 steps/s</translation>
     </message>
@@ -5232,14 +5582,6 @@ Drag: move the picture
     <message>
         <source>Glass</source>
         <translation>Glass</translation>
-    </message>
-    <message>
-        <source>Back to the painting</source>
-        <translation>Back to the painting</translation>
-    </message>
-    <message>
-        <source>The glass waits as it is, and so did the painting</source>
-        <translation>The glass waits as it is, and so did the painting</translation>
     </message>
     <message>
         <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>

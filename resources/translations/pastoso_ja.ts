@@ -1799,10 +1799,6 @@
         <translation>ペンやマウスの筆圧、ボタンの動作、試し書き</translation>
     </message>
     <message>
-        <source>Milk &amp;Tea</source>
-        <translation>ミルクティー(&amp;T)</translation>
-    </message>
-    <message>
         <source>&amp;Milk tea</source>
         <translation>ミルクティー(&amp;M)</translation>
     </message>
@@ -1839,24 +1835,12 @@
         <translation>表面を書き出す(&amp;E)...</translation>
     </message>
     <message>
-        <source>The milk&apos;s surface as triangles, for PBRT and other programs</source>
-        <translation>ミルクの表面を三角形にして、PBRT などのプログラム用に書き出します</translation>
-    </message>
-    <message>
         <source>&amp;Render a picture...</source>
         <translation>画像をレンダリング(&amp;R)...</translation>
     </message>
     <message>
         <source>A picture by the light&apos;s true ways, to be saved or painted on</source>
         <translation>光の本当の道筋をたどった画像。保存したり、その上に描いたりできます</translation>
-    </message>
-    <message>
-        <source>&amp;Pause the tea</source>
-        <translation>紅茶を一時停止(&amp;P)</translation>
-    </message>
-    <message>
-        <source>The tea stands still until you go on</source>
-        <translation>再開するまで紅茶は静止します</translation>
     </message>
     <message>
         <source>As &amp;fast as it can</source>
@@ -1929,6 +1913,134 @@
     <message>
         <source>See the whole glass from the front again</source>
         <translation>グラス全体をもう一度正面から見ます</translation>
+    </message>
+    <message>
+        <source>Liqui&amp;ds</source>
+        <translation>液体(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Glass tank</source>
+        <translation>ガラスの水槽(&amp;G)</translation>
+    </message>
+    <message>
+        <source>A tank of liquid in place of the canvas, with balls that fall, a drain and wind; the painting waits as it is</source>
+        <translation>キャンバスの代わりに液体の水槽を出します。落ちる球、排水口、風があります。絵はそのまま待っています</translation>
+    </message>
+    <message>
+        <source>The liquid&apos;s surface as triangles, for PBRT and other programs</source>
+        <translation>液体の表面を三角形で。PBRT などのプログラム向け</translation>
+    </message>
+    <message>
+        <source>&amp;Pause the liquid</source>
+        <translation>液体を一時停止(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The liquid stands still until you go on</source>
+        <translation>再開するまで液体は静止します</translation>
+    </message>
+    <message>
+        <source>A tank where liquid &amp;falls</source>
+        <translation>液体が落ちる水槽(&amp;F)</translation>
+    </message>
+    <message>
+        <source>A ball of liquid falls into a glass tank</source>
+        <translation>液体の球がガラスの水槽に落ちます</translation>
+    </message>
+    <message>
+        <source>A tank where t&amp;wo liquids meet</source>
+        <translation>二つの液体が出会う水槽(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Liquid breaks over a solid and meets another liquid</source>
+        <translation>液体が固体に砕け、別の液体と出会います</translation>
+    </message>
+    <message>
+        <source>&amp;Open a tank...</source>
+        <translation>水槽を開く(&amp;O)...</translation>
+    </message>
+    <message>
+        <source>Begin with the tank of a file</source>
+        <translation>ファイルの水槽で始めます</translation>
+    </message>
+    <message>
+        <source>&amp;Start again</source>
+        <translation>最初から(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The tank as it stood at the beginning</source>
+        <translation>最初の状態の水槽</translation>
+    </message>
+    <message>
+        <source>Export &amp;all moments...</source>
+        <translation>すべての瞬間を書き出す(&amp;A)...</translation>
+    </message>
+    <message>
+        <source>The liquid&apos;s surface at every moment that is kept, each in a file of its own</source>
+        <translation>残されたすべての瞬間の液体の表面を、それぞれ別のファイルに</translation>
+    </message>
+    <message>
+        <source>Add a &amp;ball of liquid</source>
+        <translation>液体の球を加える(&amp;B)</translation>
+    </message>
+    <message>
+        <source>A ball of liquid falls from above; press on the liquid to say where</source>
+        <translation>液体の球が上から落ちます。場所は液体の上を押して決めます</translation>
+    </message>
+    <message>
+        <source>Open the &amp;drain</source>
+        <translation>排水口を開く(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Liquid runs out through the floor until you shut it again</source>
+        <translation>閉じるまで液体は底から流れ出ます</translation>
+    </message>
+    <message>
+        <source>W&amp;ind</source>
+        <translation>風(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Wind over the tank drags the liquid&apos;s surface along</source>
+        <translation>水槽の上の風が液体の表面を引きずります</translation>
+    </message>
+    <message>
+        <source>Turn the wind to the &amp;left</source>
+        <translation>風を左へ回す(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Turn the wind by 15 degrees to the left</source>
+        <translation>風向きを左へ 15 度回します</translation>
+    </message>
+    <message>
+        <source>Turn the wind to the &amp;right</source>
+        <translation>風を右へ回す(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Turn the wind by 15 degrees to the right</source>
+        <translation>風向きを右へ 15 度回します</translation>
+    </message>
+    <message>
+        <source>Stron&amp;ger wind</source>
+        <translation>風を強く(&amp;G)</translation>
+    </message>
+    <message>
+        <source>The wind blows faster by half a metre a second</source>
+        <translation>風が毎秒 0.5 メートル速くなります</translation>
+    </message>
+    <message>
+        <source>W&amp;eaker wind</source>
+        <translation>風を弱く(&amp;E)</translation>
+    </message>
+    <message>
+        <source>The wind blows slower by half a metre a second</source>
+        <translation>風が毎秒 0.5 メートル遅くなります</translation>
+    </message>
+    <message>
+        <source>Show &amp;velocities</source>
+        <translation>速度を表示(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Arrows show where the liquid flows, and how fast</source>
+        <translation>液体がどこへどれだけ速く流れるかを矢印で示します</translation>
     </message>
 </context>
 <context>
@@ -3003,6 +3115,37 @@
         <source>Export the surface...</source>
         <translation>表面を書き出す...</translation>
     </message>
+    <message>
+        <source>Start again</source>
+        <translation>最初から</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>球</translation>
+    </message>
+    <message>
+        <source>Drain</source>
+        <translation>排水口</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>風</translation>
+    </message>
+    <message>
+        <source>Velocities</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Export all moments...</source>
+        <translation>すべての瞬間を書き出す...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::BackgroundExport</name>
+    <message>
+        <source>A surface is being written already. Try again in a moment.</source>
+        <translation>すでに表面を書き出しています。少し待ってもう一度お試しください。</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BrushJar</name>
@@ -3476,6 +3619,37 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::TankMode</name>
+    <message>
+        <source>Open a tank</source>
+        <translation>水槽を開く</translation>
+    </message>
+    <message>
+        <source>Scenes of a tank (*.json);;All files (*)</source>
+        <translation>水槽のシーン (*.json);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Export the liquid&apos;s surface</source>
+        <translation>液体の表面を書き出す</translation>
+    </message>
+    <message>
+        <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
+        <translation>表面 (*.pbrt *.obj *.ply *.stl)</translation>
+    </message>
+    <message>
+        <source>A folder for all moments</source>
+        <translation>すべての瞬間のためのフォルダー</translation>
+    </message>
+    <message>
+        <source>The liquid&apos;s surface is in %1.</source>
+        <translation>液体の表面は %1 にあります。</translation>
+    </message>
+    <message>
+        <source>All surfaces are in %1.</source>
+        <translation>すべての表面は %1 にあります。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::TeaMode</name>
     <message>
         <source>Open a scene of milk tea</source>
@@ -3500,10 +3674,6 @@
     <message>
         <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
         <translation>表面 (*.pbrt *.obj *.ply *.stl)</translation>
-    </message>
-    <message>
-        <source>A surface is being written already. Try again in a moment.</source>
-        <translation>すでに表面を書き出しています。少し待ってもう一度お試しください。</translation>
     </message>
     <message>
         <source>The milk&apos;s surface is in %1.</source>
@@ -5188,6 +5358,194 @@ Drag: move the picture
         <source>How far the force reaches from its axis</source>
         <translation>力が軸からどこまで届くか</translation>
     </message>
+    <message>
+        <source>Tank: liquid falls</source>
+        <translation>水槽: 液体が落ちる</translation>
+    </message>
+    <message>
+        <source>Tank: two liquids meet</source>
+        <translation>水槽: 二つの液体が出会う</translation>
+    </message>
+    <message>
+        <source>Back to the painting</source>
+        <translation>作品に戻る</translation>
+    </message>
+    <message>
+        <source>The glass waits as it is, and so did the painting</source>
+        <translation>グラスはそのまま待ちます。絵もそのまま待っていました</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>重力</translation>
+    </message>
+    <message>
+        <source>How fast what falls gets faster</source>
+        <translation>落ちるものがどれだけ速くなるか</translation>
+    </message>
+    <message>
+        <source>Lively</source>
+        <translation>活発さ</translation>
+    </message>
+    <message>
+        <source>What of its own velocity a drop keeps from step to step: less is calmer</source>
+        <translation>しずくがステップごとに保つ自分の速度の割合。小さいほど穏やか</translation>
+    </message>
+    <message>
+        <source>Volume mended</source>
+        <translation>体積の修正</translation>
+    </message>
+    <message>
+        <source>How much of a wrong density a step mends</source>
+        <translation>1 ステップで直す密度の誤りの割合</translation>
+    </message>
+    <message>
+        <source>Way of a step</source>
+        <translation>ステップの距離</translation>
+    </message>
+    <message>
+        <source>The longest way of a step, in cells: longer is faster and coarser</source>
+        <translation>1 ステップの最長距離（セル単位）。長いほど速く粗い</translation>
+    </message>
+    <message>
+        <source> cells</source>
+        <translation> セル</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::GlassChooser</name>
+    <message>
+        <source>What is in the glass</source>
+        <translation>グラスの中身</translation>
+    </message>
+    <message>
+        <source>What is in the glass: milk tea, or a tank of liquid</source>
+        <translation>グラスの中身: ミルクティーまたは液体の水槽</translation>
+    </message>
+    <message>
+        <source>Milk tea</source>
+        <translation>ミルクティー</translation>
+    </message>
+    <message>
+        <source>Open a tank...</source>
+        <translation>水槽を開く...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::GlassPage</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 / %2 秒</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TankPage</name>
+    <message>
+        <source>Moment of the tank</source>
+        <translation>水槽の時点</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the tank; going on goes on from its last</source>
+        <translation>任意の時点へドラッグします。再開すると最後から続きます</translation>
+    </message>
+    <message>
+        <source>Liquid in the tank, and how many steps a second are computed</source>
+        <translation>水槽の液体の量と、毎秒計算されるステップ数</translation>
+    </message>
+    <message>
+        <source>Filling the tank...</source>
+        <translation>水槽を満たしています...</translation>
+    </message>
+    <message>
+        <source>%1 l   %2 steps/s</source>
+        <translation>%1 l   %2 ステップ/秒</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TankPanel</name>
+    <message>
+        <source>Tank</source>
+        <translation>水槽</translation>
+    </message>
+    <message>
+        <source>Balls and drain</source>
+        <translation>球と排水口</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>玉の半径</translation>
+    </message>
+    <message>
+        <source>How large the ball is that falls where you press</source>
+        <translation>押したところに落ちる球の大きさ</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Milk in it</source>
+        <translation>含まれるミルク</translation>
+    </message>
+    <message>
+        <source>How much of the ball is milk</source>
+        <translation>球のうちミルクの割合</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>風</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速さ</translation>
+    </message>
+    <message>
+        <source>How fast the air goes</source>
+        <translation>空気の速さ</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Blows to</source>
+        <translation>風の行き先</translation>
+    </message>
+    <message>
+        <source>0 to the right along the front, 90 away from it</source>
+        <translation>0 は手前に沿って右へ、90 は奥へ</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Drags</source>
+        <translation>引きずる強さ</translation>
+    </message>
+    <message>
+        <source>How firmly it takes the liquid&apos;s surface along</source>
+        <translation>液体の表面をどれだけ強く引きずるか</translation>
+    </message>
+    <message>
+        <source> /s</source>
+        <translation> /秒</translation>
+    </message>
+    <message>
+        <source>Look and export</source>
+        <translation>表示と書き出し</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>液体</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::tea::TeaPage</name>
@@ -5208,14 +5566,6 @@ Drag: move the picture
         <translation>グラスに注いでいます...</translation>
     </message>
     <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
-    </message>
-    <message>
-        <source>%1 of %2 s</source>
-        <translation>%1 / %2 秒</translation>
-    </message>
-    <message>
         <source>%1 ml of milk   %2 steps/s</source>
         <translation>ミルク %1 ml   %2 歩/秒</translation>
     </message>
@@ -5229,14 +5579,6 @@ Drag: move the picture
     <message>
         <source>Glass</source>
         <translation>グラス</translation>
-    </message>
-    <message>
-        <source>Back to the painting</source>
-        <translation>絵に戻る</translation>
-    </message>
-    <message>
-        <source>The glass waits as it is, and so did the painting</source>
-        <translation>グラスはそのまま待ちます。絵もそのまま待っていました</translation>
     </message>
     <message>
         <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>

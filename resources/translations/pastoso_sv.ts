@@ -1799,10 +1799,6 @@
         <translation>Hur pennor och mus trycker, vad knapparna gör, och ett ark att prova dem på</translation>
     </message>
     <message>
-        <source>Milk &amp;Tea</source>
-        <translation>Mjölk&amp;te</translation>
-    </message>
-    <message>
         <source>&amp;Milk tea</source>
         <translation>&amp;Mjölkte</translation>
     </message>
@@ -1839,24 +1835,12 @@
         <translation>&amp;Exportera ytan...</translation>
     </message>
     <message>
-        <source>The milk&apos;s surface as triangles, for PBRT and other programs</source>
-        <translation>Mjölkens yta som trianglar, för PBRT och andra program</translation>
-    </message>
-    <message>
         <source>&amp;Render a picture...</source>
         <translation>&amp;Rendera en bild...</translation>
     </message>
     <message>
         <source>A picture by the light&apos;s true ways, to be saved or painted on</source>
         <translation>En bild efter ljusets verkliga vägar, att spara eller måla på</translation>
-    </message>
-    <message>
-        <source>&amp;Pause the tea</source>
-        <translation>&amp;Pausa teet</translation>
-    </message>
-    <message>
-        <source>The tea stands still until you go on</source>
-        <translation>Teet står stilla tills du fortsätter</translation>
     </message>
     <message>
         <source>As &amp;fast as it can</source>
@@ -1929,6 +1913,134 @@
     <message>
         <source>See the whole glass from the front again</source>
         <translation>Se hela glaset framifrån igen</translation>
+    </message>
+    <message>
+        <source>Liqui&amp;ds</source>
+        <translation>Vätsk&amp;or</translation>
+    </message>
+    <message>
+        <source>&amp;Glass tank</source>
+        <translation>&amp;Glastank</translation>
+    </message>
+    <message>
+        <source>A tank of liquid in place of the canvas, with balls that fall, a drain and wind; the painting waits as it is</source>
+        <translation>En tank med vätska i stället för duken, med kulor som faller, ett avlopp och vind; målningen väntar som den är</translation>
+    </message>
+    <message>
+        <source>The liquid&apos;s surface as triangles, for PBRT and other programs</source>
+        <translation>Vätskans yta som trianglar, för PBRT och andra program</translation>
+    </message>
+    <message>
+        <source>&amp;Pause the liquid</source>
+        <translation>&amp;Pausa vätskan</translation>
+    </message>
+    <message>
+        <source>The liquid stands still until you go on</source>
+        <translation>Vätskan står stilla tills du fortsätter</translation>
+    </message>
+    <message>
+        <source>A tank where liquid &amp;falls</source>
+        <translation>En tank där vätska &amp;faller</translation>
+    </message>
+    <message>
+        <source>A ball of liquid falls into a glass tank</source>
+        <translation>En kula av vätska faller ner i en glastank</translation>
+    </message>
+    <message>
+        <source>A tank where t&amp;wo liquids meet</source>
+        <translation>En tank där t&amp;vå vätskor möts</translation>
+    </message>
+    <message>
+        <source>Liquid breaks over a solid and meets another liquid</source>
+        <translation>Vätska bryts mot ett fast föremål och möter en annan vätska</translation>
+    </message>
+    <message>
+        <source>&amp;Open a tank...</source>
+        <translation>&amp;Öppna en tank...</translation>
+    </message>
+    <message>
+        <source>Begin with the tank of a file</source>
+        <translation>Börja med tanken i en fil</translation>
+    </message>
+    <message>
+        <source>&amp;Start again</source>
+        <translation>&amp;Börja om</translation>
+    </message>
+    <message>
+        <source>The tank as it stood at the beginning</source>
+        <translation>Tanken som den stod i början</translation>
+    </message>
+    <message>
+        <source>Export &amp;all moments...</source>
+        <translation>Exportera &amp;alla ögonblick...</translation>
+    </message>
+    <message>
+        <source>The liquid&apos;s surface at every moment that is kept, each in a file of its own</source>
+        <translation>Vätskans yta i varje sparat ögonblick, var och en i en egen fil</translation>
+    </message>
+    <message>
+        <source>Add a &amp;ball of liquid</source>
+        <translation>Lägg till en &amp;kula vätska</translation>
+    </message>
+    <message>
+        <source>A ball of liquid falls from above; press on the liquid to say where</source>
+        <translation>En kula vätska faller uppifrån; tryck på vätskan för att säga var</translation>
+    </message>
+    <message>
+        <source>Open the &amp;drain</source>
+        <translation>Öppna a&amp;vloppet</translation>
+    </message>
+    <message>
+        <source>Liquid runs out through the floor until you shut it again</source>
+        <translation>Vätskan rinner ut genom botten tills du stänger igen</translation>
+    </message>
+    <message>
+        <source>W&amp;ind</source>
+        <translation>V&amp;ind</translation>
+    </message>
+    <message>
+        <source>Wind over the tank drags the liquid&apos;s surface along</source>
+        <translation>Vind över tanken drar vätskans yta med sig</translation>
+    </message>
+    <message>
+        <source>Turn the wind to the &amp;left</source>
+        <translation>Vrid vinden åt &amp;vänster</translation>
+    </message>
+    <message>
+        <source>Turn the wind by 15 degrees to the left</source>
+        <translation>Vrid vinden 15 grader åt vänster</translation>
+    </message>
+    <message>
+        <source>Turn the wind to the &amp;right</source>
+        <translation>Vrid vinden åt &amp;höger</translation>
+    </message>
+    <message>
+        <source>Turn the wind by 15 degrees to the right</source>
+        <translation>Vrid vinden 15 grader åt höger</translation>
+    </message>
+    <message>
+        <source>Stron&amp;ger wind</source>
+        <translation>St&amp;arkare vind</translation>
+    </message>
+    <message>
+        <source>The wind blows faster by half a metre a second</source>
+        <translation>Vinden blåser en halv meter i sekunden snabbare</translation>
+    </message>
+    <message>
+        <source>W&amp;eaker wind</source>
+        <translation>Sva&amp;gare vind</translation>
+    </message>
+    <message>
+        <source>The wind blows slower by half a metre a second</source>
+        <translation>Vinden blåser en halv meter i sekunden långsammare</translation>
+    </message>
+    <message>
+        <source>Show &amp;velocities</source>
+        <translation>Visa &amp;hastigheter</translation>
+    </message>
+    <message>
+        <source>Arrows show where the liquid flows, and how fast</source>
+        <translation>Pilar visar vart vätskan strömmar, och hur fort</translation>
     </message>
 </context>
 <context>
@@ -3006,6 +3118,37 @@
         <source>Export the surface...</source>
         <translation>Exportera ytan...</translation>
     </message>
+    <message>
+        <source>Start again</source>
+        <translation>Börja om</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kula</translation>
+    </message>
+    <message>
+        <source>Drain</source>
+        <translation>Avlopp</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vind</translation>
+    </message>
+    <message>
+        <source>Velocities</source>
+        <translation>Hastigheter</translation>
+    </message>
+    <message>
+        <source>Export all moments...</source>
+        <translation>Exportera alla ögonblick...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::BackgroundExport</name>
+    <message>
+        <source>A surface is being written already. Try again in a moment.</source>
+        <translation>En yta skrivs redan. Försök igen om en stund.</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BrushJar</name>
@@ -3479,6 +3622,37 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::TankMode</name>
+    <message>
+        <source>Open a tank</source>
+        <translation>Öppna en tank</translation>
+    </message>
+    <message>
+        <source>Scenes of a tank (*.json);;All files (*)</source>
+        <translation>Tankscener (*.json);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>Export the liquid&apos;s surface</source>
+        <translation>Exportera vätskans yta</translation>
+    </message>
+    <message>
+        <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
+        <translation>Ytor (*.pbrt *.obj *.ply *.stl)</translation>
+    </message>
+    <message>
+        <source>A folder for all moments</source>
+        <translation>En mapp för alla ögonblick</translation>
+    </message>
+    <message>
+        <source>The liquid&apos;s surface is in %1.</source>
+        <translation>Vätskans yta finns i %1.</translation>
+    </message>
+    <message>
+        <source>All surfaces are in %1.</source>
+        <translation>Alla ytor finns i %1.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::TeaMode</name>
     <message>
         <source>Open a scene of milk tea</source>
@@ -3503,10 +3677,6 @@
     <message>
         <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
         <translation>Ytor (*.pbrt *.obj *.ply *.stl)</translation>
-    </message>
-    <message>
-        <source>A surface is being written already. Try again in a moment.</source>
-        <translation>En yta skrivs redan. Försök igen om en stund.</translation>
     </message>
     <message>
         <source>The milk&apos;s surface is in %1.</source>
@@ -5191,6 +5361,194 @@ Dra: flytta bilden
         <source>How far the force reaches from its axis</source>
         <translation>Hur långt kraften når från sin axel</translation>
     </message>
+    <message>
+        <source>Tank: liquid falls</source>
+        <translation>Tank: vätska faller</translation>
+    </message>
+    <message>
+        <source>Tank: two liquids meet</source>
+        <translation>Tank: två vätskor möts</translation>
+    </message>
+    <message>
+        <source>Back to the painting</source>
+        <translation>Tillbaka till målningen</translation>
+    </message>
+    <message>
+        <source>The glass waits as it is, and so did the painting</source>
+        <translation>Glaset väntar som det är, och det gjorde målningen också</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Tyngdkraft</translation>
+    </message>
+    <message>
+        <source>How fast what falls gets faster</source>
+        <translation>Hur fort det som faller blir snabbare</translation>
+    </message>
+    <message>
+        <source>Lively</source>
+        <translation>Livlighet</translation>
+    </message>
+    <message>
+        <source>What of its own velocity a drop keeps from step to step: less is calmer</source>
+        <translation>Hur mycket av sin egen hastighet en droppe behåller från steg till steg: mindre är lugnare</translation>
+    </message>
+    <message>
+        <source>Volume mended</source>
+        <translation>Volym lagas</translation>
+    </message>
+    <message>
+        <source>How much of a wrong density a step mends</source>
+        <translation>Hur mycket av en felaktig täthet ett steg rättar till</translation>
+    </message>
+    <message>
+        <source>Way of a step</source>
+        <translation>Stegets väg</translation>
+    </message>
+    <message>
+        <source>The longest way of a step, in cells: longer is faster and coarser</source>
+        <translation>Stegets längsta väg, i celler: längre är snabbare och grövre</translation>
+    </message>
+    <message>
+        <source> cells</source>
+        <translation> celler</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::GlassChooser</name>
+    <message>
+        <source>What is in the glass</source>
+        <translation>Vad som finns i glaset</translation>
+    </message>
+    <message>
+        <source>What is in the glass: milk tea, or a tank of liquid</source>
+        <translation>Vad som finns i glaset: mjölkte eller en tank med vätska</translation>
+    </message>
+    <message>
+        <source>Milk tea</source>
+        <translation>Mjölkte</translation>
+    </message>
+    <message>
+        <source>Open a tank...</source>
+        <translation>Öppna en tank...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::GlassPage</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 av %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TankPage</name>
+    <message>
+        <source>Moment of the tank</source>
+        <translation>Tankens ögonblick</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the tank; going on goes on from its last</source>
+        <translation>Dra till vilket ögonblick som helst; när du fortsätter går det vidare från det sista</translation>
+    </message>
+    <message>
+        <source>Liquid in the tank, and how many steps a second are computed</source>
+        <translation>Vätska i tanken, och hur många steg i sekunden som beräknas</translation>
+    </message>
+    <message>
+        <source>Filling the tank...</source>
+        <translation>Fyller tanken...</translation>
+    </message>
+    <message>
+        <source>%1 l   %2 steps/s</source>
+        <translation>%1 l   %2 steg/s</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TankPanel</name>
+    <message>
+        <source>Tank</source>
+        <translation>Tank</translation>
+    </message>
+    <message>
+        <source>Balls and drain</source>
+        <translation>Kulor och avlopp</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>Kulans radie</translation>
+    </message>
+    <message>
+        <source>How large the ball is that falls where you press</source>
+        <translation>Hur stor kulan är som faller där du trycker</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Milk in it</source>
+        <translation>Mjölk i den</translation>
+    </message>
+    <message>
+        <source>How much of the ball is milk</source>
+        <translation>Hur mycket av kulan som är mjölk</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vind</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Hastighet</translation>
+    </message>
+    <message>
+        <source>How fast the air goes</source>
+        <translation>Hur fort luften rör sig</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Blows to</source>
+        <translation>Blåser mot</translation>
+    </message>
+    <message>
+        <source>0 to the right along the front, 90 away from it</source>
+        <translation>0 åt höger längs framsidan, 90 bort från den</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Drags</source>
+        <translation>Drar</translation>
+    </message>
+    <message>
+        <source>How firmly it takes the liquid&apos;s surface along</source>
+        <translation>Hur kraftigt den tar vätskans yta med sig</translation>
+    </message>
+    <message>
+        <source> /s</source>
+        <translation> /s</translation>
+    </message>
+    <message>
+        <source>Look and export</source>
+        <translation>Visa och exportera</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>Vätska</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::tea::TeaPage</name>
@@ -5211,14 +5569,6 @@ Dra: flytta bilden
         <translation>Glaset fylls...</translation>
     </message>
     <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>%1 of %2 s</source>
-        <translation>%1 av %2 s</translation>
-    </message>
-    <message>
         <source>%1 ml of milk   %2 steps/s</source>
         <translation>%1 ml mjölk   %2 steg/s</translation>
     </message>
@@ -5232,14 +5582,6 @@ Dra: flytta bilden
     <message>
         <source>Glass</source>
         <translation>Glas</translation>
-    </message>
-    <message>
-        <source>Back to the painting</source>
-        <translation>Tillbaka till målningen</translation>
-    </message>
-    <message>
-        <source>The glass waits as it is, and so did the painting</source>
-        <translation>Glaset väntar som det är, och det gjorde målningen också</translation>
     </message>
     <message>
         <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>

@@ -1799,10 +1799,6 @@
         <translation>筆和滑鼠的壓力、按鈕的功能，以及試畫區</translation>
     </message>
     <message>
-        <source>Milk &amp;Tea</source>
-        <translation>奶茶(&amp;T)</translation>
-    </message>
-    <message>
         <source>&amp;Milk tea</source>
         <translation>奶茶(&amp;M)</translation>
     </message>
@@ -1839,24 +1835,12 @@
         <translation>匯出表面(&amp;E)...</translation>
     </message>
     <message>
-        <source>The milk&apos;s surface as triangles, for PBRT and other programs</source>
-        <translation>將牛奶的表面匯出為三角形，供 PBRT 等程式使用</translation>
-    </message>
-    <message>
         <source>&amp;Render a picture...</source>
         <translation>算繪圖片(&amp;R)...</translation>
     </message>
     <message>
         <source>A picture by the light&apos;s true ways, to be saved or painted on</source>
         <translation>依光線真實路徑產生的圖片，可儲存或在上面作畫</translation>
-    </message>
-    <message>
-        <source>&amp;Pause the tea</source>
-        <translation>暫停茶(&amp;P)</translation>
-    </message>
-    <message>
-        <source>The tea stands still until you go on</source>
-        <translation>茶會靜止，直到您繼續</translation>
     </message>
     <message>
         <source>As &amp;fast as it can</source>
@@ -1929,6 +1913,134 @@
     <message>
         <source>See the whole glass from the front again</source>
         <translation>再次從正面看整個杯子</translation>
+    </message>
+    <message>
+        <source>Liqui&amp;ds</source>
+        <translation>液體(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Glass tank</source>
+        <translation>玻璃水槽(&amp;G)</translation>
+    </message>
+    <message>
+        <source>A tank of liquid in place of the canvas, with balls that fall, a drain and wind; the painting waits as it is</source>
+        <translation>以液體水槽取代畫布，有落下的球、排水口和風；畫作原樣等候</translation>
+    </message>
+    <message>
+        <source>The liquid&apos;s surface as triangles, for PBRT and other programs</source>
+        <translation>液體表面的三角形，供 PBRT 等程式使用</translation>
+    </message>
+    <message>
+        <source>&amp;Pause the liquid</source>
+        <translation>暫停液體(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The liquid stands still until you go on</source>
+        <translation>液體靜止，直到你繼續</translation>
+    </message>
+    <message>
+        <source>A tank where liquid &amp;falls</source>
+        <translation>液體落下的水槽(&amp;F)</translation>
+    </message>
+    <message>
+        <source>A ball of liquid falls into a glass tank</source>
+        <translation>一顆液體球落入玻璃水槽</translation>
+    </message>
+    <message>
+        <source>A tank where t&amp;wo liquids meet</source>
+        <translation>兩種液體相遇的水槽(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Liquid breaks over a solid and meets another liquid</source>
+        <translation>液體撞上固體，再遇見另一種液體</translation>
+    </message>
+    <message>
+        <source>&amp;Open a tank...</source>
+        <translation>開啟水槽(&amp;O)...</translation>
+    </message>
+    <message>
+        <source>Begin with the tank of a file</source>
+        <translation>以檔案中的水槽開始</translation>
+    </message>
+    <message>
+        <source>&amp;Start again</source>
+        <translation>重新開始(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The tank as it stood at the beginning</source>
+        <translation>水槽最初的樣子</translation>
+    </message>
+    <message>
+        <source>Export &amp;all moments...</source>
+        <translation>匯出所有時刻(&amp;A)...</translation>
+    </message>
+    <message>
+        <source>The liquid&apos;s surface at every moment that is kept, each in a file of its own</source>
+        <translation>每個保留時刻的液體表面，各存一個檔案</translation>
+    </message>
+    <message>
+        <source>Add a &amp;ball of liquid</source>
+        <translation>加入一顆液體球(&amp;B)</translation>
+    </message>
+    <message>
+        <source>A ball of liquid falls from above; press on the liquid to say where</source>
+        <translation>一顆液體球自上方落下；按在液體上指定位置</translation>
+    </message>
+    <message>
+        <source>Open the &amp;drain</source>
+        <translation>打開排水口(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Liquid runs out through the floor until you shut it again</source>
+        <translation>液體由底部流出，直到你再關上</translation>
+    </message>
+    <message>
+        <source>W&amp;ind</source>
+        <translation>風(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Wind over the tank drags the liquid&apos;s surface along</source>
+        <translation>水槽上方的風拖動液體表面</translation>
+    </message>
+    <message>
+        <source>Turn the wind to the &amp;left</source>
+        <translation>將風轉向左(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Turn the wind by 15 degrees to the left</source>
+        <translation>將風向左轉 15 度</translation>
+    </message>
+    <message>
+        <source>Turn the wind to the &amp;right</source>
+        <translation>將風轉向右(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Turn the wind by 15 degrees to the right</source>
+        <translation>將風向右轉 15 度</translation>
+    </message>
+    <message>
+        <source>Stron&amp;ger wind</source>
+        <translation>風更強(&amp;G)</translation>
+    </message>
+    <message>
+        <source>The wind blows faster by half a metre a second</source>
+        <translation>風速增加每秒半公尺</translation>
+    </message>
+    <message>
+        <source>W&amp;eaker wind</source>
+        <translation>風更弱(&amp;E)</translation>
+    </message>
+    <message>
+        <source>The wind blows slower by half a metre a second</source>
+        <translation>風速減少每秒半公尺</translation>
+    </message>
+    <message>
+        <source>Show &amp;velocities</source>
+        <translation>顯示速度(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Arrows show where the liquid flows, and how fast</source>
+        <translation>箭頭顯示液體流向與快慢</translation>
     </message>
 </context>
 <context>
@@ -3003,6 +3115,37 @@
         <source>Export the surface...</source>
         <translation>匯出表面...</translation>
     </message>
+    <message>
+        <source>Start again</source>
+        <translation>重新開始</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>球</translation>
+    </message>
+    <message>
+        <source>Drain</source>
+        <translation>排水口</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>風</translation>
+    </message>
+    <message>
+        <source>Velocities</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Export all moments...</source>
+        <translation>匯出所有時刻...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::BackgroundExport</name>
+    <message>
+        <source>A surface is being written already. Try again in a moment.</source>
+        <translation>已有表面正在寫入。請稍後再試。</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BrushJar</name>
@@ -3476,6 +3619,37 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::TankMode</name>
+    <message>
+        <source>Open a tank</source>
+        <translation>開啟水槽</translation>
+    </message>
+    <message>
+        <source>Scenes of a tank (*.json);;All files (*)</source>
+        <translation>水槽場景 (*.json);;所有檔案 (*)</translation>
+    </message>
+    <message>
+        <source>Export the liquid&apos;s surface</source>
+        <translation>匯出液體表面</translation>
+    </message>
+    <message>
+        <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
+        <translation>表面 (*.pbrt *.obj *.ply *.stl)</translation>
+    </message>
+    <message>
+        <source>A folder for all moments</source>
+        <translation>存放所有時刻的資料夾</translation>
+    </message>
+    <message>
+        <source>The liquid&apos;s surface is in %1.</source>
+        <translation>液體表面在 %1。</translation>
+    </message>
+    <message>
+        <source>All surfaces are in %1.</source>
+        <translation>所有表面都在 %1。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::TeaMode</name>
     <message>
         <source>Open a scene of milk tea</source>
@@ -3500,10 +3674,6 @@
     <message>
         <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
         <translation>表面 (*.pbrt *.obj *.ply *.stl)</translation>
-    </message>
-    <message>
-        <source>A surface is being written already. Try again in a moment.</source>
-        <translation>已有表面正在寫入。請稍後再試。</translation>
     </message>
     <message>
         <source>The milk&apos;s surface is in %1.</source>
@@ -5188,6 +5358,194 @@ Drag: move the picture
         <source>How far the force reaches from its axis</source>
         <translation>力從軸心所及的距離</translation>
     </message>
+    <message>
+        <source>Tank: liquid falls</source>
+        <translation>水槽：液體落下</translation>
+    </message>
+    <message>
+        <source>Tank: two liquids meet</source>
+        <translation>水槽：兩種液體相遇</translation>
+    </message>
+    <message>
+        <source>Back to the painting</source>
+        <translation>回到畫作</translation>
+    </message>
+    <message>
+        <source>The glass waits as it is, and so did the painting</source>
+        <translation>杯子原樣等候，畫作也一直如此</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>重力</translation>
+    </message>
+    <message>
+        <source>How fast what falls gets faster</source>
+        <translation>落下之物加速的快慢</translation>
+    </message>
+    <message>
+        <source>Lively</source>
+        <translation>活潑</translation>
+    </message>
+    <message>
+        <source>What of its own velocity a drop keeps from step to step: less is calmer</source>
+        <translation>水滴在每步之間保留自身速度的比例：越少越平靜</translation>
+    </message>
+    <message>
+        <source>Volume mended</source>
+        <translation>體積修正</translation>
+    </message>
+    <message>
+        <source>How much of a wrong density a step mends</source>
+        <translation>每步修正多少錯誤的密度</translation>
+    </message>
+    <message>
+        <source>Way of a step</source>
+        <translation>每步距離</translation>
+    </message>
+    <message>
+        <source>The longest way of a step, in cells: longer is faster and coarser</source>
+        <translation>每步最長距離，以格計：越長越快也越粗</translation>
+    </message>
+    <message>
+        <source> cells</source>
+        <translation> 格</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::GlassChooser</name>
+    <message>
+        <source>What is in the glass</source>
+        <translation>杯中之物</translation>
+    </message>
+    <message>
+        <source>What is in the glass: milk tea, or a tank of liquid</source>
+        <translation>杯中之物：奶茶，或一缸液體</translation>
+    </message>
+    <message>
+        <source>Milk tea</source>
+        <translation>奶茶</translation>
+    </message>
+    <message>
+        <source>Open a tank...</source>
+        <translation>開啟水槽...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::GlassPage</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 / %2 秒</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TankPage</name>
+    <message>
+        <source>Moment of the tank</source>
+        <translation>水槽的時刻</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the tank; going on goes on from its last</source>
+        <translation>拖到水槽的任一時刻；繼續時由最後一刻接下去</translation>
+    </message>
+    <message>
+        <source>Liquid in the tank, and how many steps a second are computed</source>
+        <translation>水槽中的液體，以及每秒計算的步數</translation>
+    </message>
+    <message>
+        <source>Filling the tank...</source>
+        <translation>正在注滿水槽...</translation>
+    </message>
+    <message>
+        <source>%1 l   %2 steps/s</source>
+        <translation>%1 l   %2 步/秒</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::tea::TankPanel</name>
+    <message>
+        <source>Tank</source>
+        <translation>水槽</translation>
+    </message>
+    <message>
+        <source>Balls and drain</source>
+        <translation>球與排水口</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>奶球半徑</translation>
+    </message>
+    <message>
+        <source>How large the ball is that falls where you press</source>
+        <translation>你按下處落下的球有多大</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Milk in it</source>
+        <translation>其中的牛奶</translation>
+    </message>
+    <message>
+        <source>How much of the ball is milk</source>
+        <translation>球中有多少是牛奶</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>風</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>How fast the air goes</source>
+        <translation>空氣的速度</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Blows to</source>
+        <translation>吹向</translation>
+    </message>
+    <message>
+        <source>0 to the right along the front, 90 away from it</source>
+        <translation>0 為沿正面向右，90 為遠離正面</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Drags</source>
+        <translation>拖曳</translation>
+    </message>
+    <message>
+        <source>How firmly it takes the liquid&apos;s surface along</source>
+        <translation>帶動液體表面的力道</translation>
+    </message>
+    <message>
+        <source> /s</source>
+        <translation> /秒</translation>
+    </message>
+    <message>
+        <source>Look and export</source>
+        <translation>檢視與匯出</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>液體</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::tea::TeaPage</name>
@@ -5208,14 +5566,6 @@ Drag: move the picture
         <translation>正在斟茶...</translation>
     </message>
     <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
-    </message>
-    <message>
-        <source>%1 of %2 s</source>
-        <translation>%1 / %2 秒</translation>
-    </message>
-    <message>
         <source>%1 ml of milk   %2 steps/s</source>
         <translation>牛奶 %1 毫升   每秒 %2 步</translation>
     </message>
@@ -5229,14 +5579,6 @@ Drag: move the picture
     <message>
         <source>Glass</source>
         <translation>杯子</translation>
-    </message>
-    <message>
-        <source>Back to the painting</source>
-        <translation>回到畫作</translation>
-    </message>
-    <message>
-        <source>The glass waits as it is, and so did the painting</source>
-        <translation>杯子原樣等候，畫作也一直如此</translation>
     </message>
     <message>
         <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>

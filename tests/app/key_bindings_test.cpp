@@ -36,6 +36,7 @@ std::map<std::string, Command> holders(const KeyBindings& bindings, Mode mode) {
 
 std::map<std::string, Command> holders(const KeyBindings& bindings) {
     holders(bindings, Mode::Tea);
+    holders(bindings, Mode::Tank);
     return holders(bindings, Mode::Painting);
 }
 

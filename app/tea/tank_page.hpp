@@ -1,0 +1,27 @@
+// The tank in place of the canvas.
+#pragma once
+
+#include "tea/glass_page.hpp"
+#include "tea/tank_panel.hpp"
+#include "tea/tank_view.hpp"
+
+namespace pastoso::tea {
+
+class TankPage : public GlassPage {
+    Q_OBJECT
+  public:
+    explicit TankPage(const TankActions& actions, QWidget* parent = nullptr);
+
+    TankView& view() { return *view_; }
+    TankPanel& panel() { return *panel_; }
+
+    void show_status(const session::TankStatus& status);
+
+  private:
+    TankPage(TankView* view, TankPanel* panel, const TankActions& actions, QWidget* parent);
+
+    TankView* view_;
+    TankPanel* panel_;
+};
+
+}  // namespace pastoso::tea

@@ -1,0 +1,85 @@
+#include "tea/tank_renderer.hpp"
+
+#include "tea/tank_shader.hpp"
+
+#include <algorithm>
+
+namespace pastoso::tea {
+namespace {
+
+constexpr int kLevelUnit = 0, kSolidsUnit = 1, kMilkUnit = 2;
+constexpr int kDraftSteps = 60, kFullSteps = 140;  ///< of a ray between two surfaces
+
+}  // namespace
+
+void TankRenderer::initialise(QOpenGLExtraFunctions* gl) {
+    gl_ = gl;
+    program_ = ray_program(kTankShader);
+    gl_->glGenVertexArrays(1, &empty_array_);
+    for (GLuint* texture : {&level_, &solids_, &milk_})
+        gl_->glGenTextures(1, texture);
+    moment_.reset();
+}
+
+void TankRenderer::release() {
+    program_.reset();
+    if (gl_ == nullptr) return;
+    gl_->glDeleteVertexArrays(1, &empty_array_);
+    for (GLuint* texture : {&level_, &solids_, &milk_})
+        gl_->glDeleteTextures(1, texture);
+    gl_ = nullptr;
+}
+
+void TankRenderer::upload(GLuint texture, const liquid::SampledField& field, bool anew) {
+    const liquid::Lattice& lattice = field.lattice();
+    upload_volume(
+        *gl_, texture,
+        {field.row(0, 0), lattice.nx, lattice.ny, lattice.nz, field.stride_y(), field.stride_z()}, anew);
+}
+
+void TankRenderer::show(std::shared_ptr<const session::TankMoment> moment) {
+    const bool anew = moment_ == nullptr || moment_->place != moment->place;
+    moment_ = std::move(moment);
+    gl_->glActiveTexture(GL_TEXTURE0 + kLevelUnit);
+    upload(level_, moment_->far_m, anew);
+    if (anew) {
+        has_solids_ = !moment_->place->scene.solids.empty();
+        upload(solids_, moment_->place->solids_m, true);
+    }
+    const grid::BoxField& milk = moment_->seen.milk;
+    const grid::BoxShape& shape = milk.shape();
+    upload_volume(*gl_, milk_,
+                  {milk.row(0, 0), shape.nx, shape.ny, shape.nz, shape.stride_y(), shape.stride_z()},
+                  anew);
+    has_milk_ = std::ranges::any_of(milk.values(), [](float share) { return share > 0.0F; });
+}
+
+void TankRenderer::draw(QOpenGLFramebufferObject& target, const QRect& part, const TeaCamera& camera,
+                        int pass, Quality quality) {
+    const tank::TankScene& scene = moment_->place->scene;
+    program_->bind();
+    set_rays(*program_, camera, target.size(), pass);
+    program_->setUniformValue("size_m", vector(scene.size_m()));
+    program_->setUniformValue("cells", vector(glm::vec3(scene.cells)));
+    program_->setUniformValue("cell_m", static_cast<float>(scene.cell_m));
+    program_->setUniformValue("wall_m", session::wall_m(scene));
+    program_->setUniformValue("unit_m", session::longest_side_m(scene));
+    program_->setUniformValue("rest_m", session::rest_level_m(*moment_));
+    program_->setUniformValue("liquid_per_m", vector(session::liquid_absorption_per_m(scene)));
+    program_->setUniformValue("has_milk", has_milk_);
+    program_->setUniformValue("has_solids", has_solids_);
+    program_->setUniformValue("most_steps", quality == Quality::Draft ? kDraftSteps : kFullSteps);
+    program_->setUniformValue("level", kLevelUnit);
+    program_->setUniformValue("solids", kSolidsUnit);
+    program_->setUniformValue("milk_share", kMilkUnit);
+    const std::pair<int, GLuint> textures[] = {
+        {kMilkUnit, milk_}, {kSolidsUnit, solids_}, {kLevelUnit, level_}};
+    for (const auto& [unit, texture] : textures) {
+        gl_->glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        gl_->glBindTexture(GL_TEXTURE_3D, texture);
+    }
+    draw_rays(*gl_, target, part, pass, empty_array_);
+    program_->release();
+}
+
+}  // namespace pastoso::tea
