@@ -151,14 +151,13 @@ TEST_P(SloshingTank, KeepsItsVolumeOverAThousandSteps) {
     TankScene scene = dam(16, {0.5F, 1.0F, 0.5F});
     scene.method = GetParam();
     LiquidTank tank(scene);
-    // Particles always stand for the same volume: what counts is what their surface encloses.
-    const auto volume_m3 = [&] {
-        return GetParam() == Method::Particles ? enclosed_m3(tank, pool) : tank.volume_m3(pool);
-    };
-    const double before_m3 = volume_m3();
+    const double before_m3 = tank.volume_m3(pool);
     for (int step = 0; step < 1000; ++step)
         tank.step(1.0, pool);
-    EXPECT_NEAR(volume_m3(), before_m3, 0.02 * before_m3);
+    // Particles always stand for the same volume: what counts is what their surface encloses.
+    const double after_m3 =
+        GetParam() == Method::Particles ? enclosed_m3(tank, pool) : tank.volume_m3(pool);
+    EXPECT_NEAR(after_m3, before_m3, 0.02 * before_m3);
 }
 
 struct Reached {
