@@ -6,13 +6,13 @@
 #include "trace/numbers.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <glm/common.hpp>
 
 namespace pastoso::trace {
 namespace {
 
-constexpr float kOverlap_cells = 0.25F;
 /// Plates are this share of the room's longest side, but no thinner than what reaches into them.
 constexpr float kWallShare = 0.013F;
 constexpr float kLeastWall_cells = 0.5F;
@@ -20,7 +20,7 @@ constexpr float kLeastWall_cells = 0.5F;
 /// From the middle of the tank to the eye; any length.
 const glm::vec3 kTowardsEye(0.42F, -1.0F, 0.42F);
 /// The picture's edges are so much farther from its middle than the tank's corners.
-constexpr float kMargin = 1.12F;
+constexpr float kMargin = 1.06F;
 
 glm::vec3 size_of(const grid::BoxShape& room) {
     return glm::vec3(room.nx, room.ny, room.nz) * room.cell_m;
@@ -67,7 +67,7 @@ Camera camera_for(const Tank& tank, float aspect) {
 liquid::TriangleMesh tank_liquid_mesh(const liquid::SampledField& level_m, const grid::BoxShape& room,
                                       core::ThreadPool& pool) {
     const liquid::Lattice& lattice = level_m.lattice();
-    const float overlap_m = kOverlap_cells * room.cell_m;
+    const float overlap_m = kTankOverlap_cells * room.cell_m;
     const glm::vec3 half_m = 0.5F * size_of(room);
     liquid::SampledField depth_m(lattice);
     liquid::for_slices(pool, 0, lattice.nz, [&](int k) {
@@ -84,25 +84,26 @@ liquid::TriangleMesh tank_liquid_mesh(const liquid::SampledField& level_m, const
     return liquid::marching_cubes(depth_m.view(), 0.0F, pool);
 }
 
-Scene tank_scene(const TankContents& contents, float aspect, core::ThreadPool& pool) {
+Scene tank_scene(const grid::BoxField& milk, liquid::TriangleMesh liquid, liquid::TriangleMesh solids,
+                 float aspect) {
     PASTOSO_CHECK_OP(aspect, >, 0.0F);
-    const grid::BoxShape& room = contents.milk.shape();
+    const grid::BoxShape& room = milk.shape();
     const glm::vec3 size_m = size_of(room);
     const float model = kTankModel_m / largest(size_m);
     Scene scene;
     scene.cup.reset();
-    scene.clear_liquid = tank_liquid_mesh(contents.level_m, room, pool);
-    scene.solids = contents.solids;
+    scene.clear_liquid = std::move(liquid);
+    scene.solids = std::move(solids);
     scale(scene.clear_liquid, model);
     scale(scene.solids, model);
     scene.dissolved = grid::BoxField({room.nx, room.ny, room.nz, room.cell_m * model});
-    scene.dissolved.values() = contents.milk.values();
+    scene.dissolved.values() = milk.values();
     Tank tank;
     tank.inner_low_m = glm::vec3(0.0F);
     tank.inner_high_m = size_m * model;
     tank.wall_m = std::max(kWallShare * kTankModel_m, kLeastWall_cells * room.cell_m * model);
     scene.tank = tank;
-    scene.optics.tea_absorption_per_m = {3.2F, 0.8F, 0.35F};
+    scene.optics.tea_absorption_per_m = {4.5F, 1.1F, 0.45F};
     scene.optics.milk_scattering_per_m = 1200.0F;
     scene.table->height_m = -tank.wall_m;
     scene.table->radius_m = 4.0F;

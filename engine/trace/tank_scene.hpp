@@ -8,22 +8,20 @@
 
 namespace pastoso::trace {
 
-/// What is in a tank whose room is a box that begins at the origin.
-struct TankContents {
-    /// Signed distance from the liquid's surface, negative within. Its points go on beyond the walls and
-    /// into solids for at least a quarter of a cell, as if liquid did.
-    const liquid::SampledField& level_m;
-    const grid::BoxField& milk;          ///< share of milk in the liquid, in the cells of the room
-    const liquid::TriangleMesh& solids;  ///< may reach a quarter of a cell beyond the walls
-};
-
 /// A picture of `aspect` (width over height, > 0) shows the whole tank, from a little above. A tank of
 /// any size is drawn as a model that stands on a table, kTankModel_m long: light in liquid would
 /// otherwise make large tanks dark. The liquid's absorption is that of water, made stronger.
-Scene tank_scene(const TankContents& contents, float aspect, core::ThreadPool& pool);
+///
+/// The room is a box that begins at the origin. `milk`: the share of it in the liquid, in the cells of
+/// the room. `liquid` and `solids` are closed meshes that reach a little into the glass, at most
+/// kTankOverlap_cells of a cell, the liquid into the solids, too.
+Scene tank_scene(const grid::BoxField& milk, liquid::TriangleMesh liquid, liquid::TriangleMesh solids,
+                 float aspect);
+inline constexpr float kTankOverlap_cells = 0.25F;
 inline constexpr float kTankModel_m = 0.3F;  ///< the longest side of the room
 
-/// The liquid's surface, closed, reaching a quarter of a cell beyond walls and floor.
+/// Such a liquid's surface from a signed distance, negative within, whose points go on beyond the walls
+/// for at least the overlap as if liquid did.
 liquid::TriangleMesh tank_liquid_mesh(const liquid::SampledField& level_m, const grid::BoxShape& room,
                                       core::ThreadPool& pool);
 
