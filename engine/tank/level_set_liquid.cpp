@@ -26,6 +26,19 @@ constexpr float kLeastShare = 1e-3F;
 /// A step makes up for at most this share of the volume.
 constexpr double kMostGrowth = 0.02;
 
+/// What lies beyond a field's samples, at the ends of rows, is no part of a state.
+grid::BoxField samples_alone(const grid::BoxField& field) {
+    const grid::BoxShape& shape = field.shape();
+    grid::BoxField alone(shape);
+    constexpr int kGhosts = grid::kBoxGhosts;
+    for (int k = -kGhosts; k <= shape.nz + kGhosts; ++k)
+        for (int j = -kGhosts; j <= shape.ny + kGhosts; ++j) {
+            const float* row = field.row(j, k);
+            std::copy(row - kGhosts, row + shape.nx + kGhosts + 1, alone.row(j, k) - kGhosts);
+        }
+    return alone;
+}
+
 std::array<RowRanges, 4> no_rows(const grid::BoxShape& shape) {
     return {RowRanges(shape), RowRanges(shape), RowRanges(shape), RowRanges(shape)};
 }
@@ -272,7 +285,8 @@ void LevelSetLiquid::find_fastest(core::ThreadPool& pool) {
 }
 
 LiquidState LevelSetLiquid::state() const {
-    LevelState level = {surface_.level_m(), milk_, advected_milk_, due_m3_, steps_, std::nullopt};
+    LevelState level = {
+        samples_alone(surface_.level_m()), milk_, advected_milk_, due_m3_, steps_, std::nullopt};
     if (particles_) level.particles = particles_->state();
     return {velocity_, surface_.pressure(), fastest_m_s_, {}, 0, std::move(level)};
 }
