@@ -2,7 +2,9 @@
 #include "session/tank_session.hpp"
 
 #include "io/tank_json.hpp"
+#include "session/far_level.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -200,6 +202,30 @@ TEST(TankSession, EndsAtOnce) {
         TankSession session(small_tank(), false, [] {});
         session.set_full_speed(true);
     }
+}
+
+/// A ball whose level is known near its surface alone.
+TEST(FarLevel, GoesOnWithoutReachingBeyondTheSurface) {
+    const liquid::Lattice lattice{24, 24, 24, 0.01F, glm::vec3(0.0F)};
+    liquid::SampledField level_m(lattice);
+    const auto ball_m = [&](int i, int j, int k) {
+        return glm::length(lattice.point_m(i, j, k) - glm::vec3(0.11F)) - 0.06F;
+    };
+    for (int k = 0; k < 24; ++k)
+        for (int j = 0; j < 24; ++j)
+            for (int i = 0; i < 24; ++i)
+                level_m.at(i, j, k) = std::clamp(ball_m(i, j, k), -0.004F, 0.011F);
+    const liquid::SampledField far_m = far_level(level_m);
+    for (int k = 0; k < 24; ++k)
+        for (int j = 0; j < 24; ++j)
+            for (int i = 0; i < 24; ++i) {
+                const float true_m = ball_m(i, j, k), found_m = far_m.at(i, j, k);
+                EXPECT_EQ(found_m < 0.0F, true_m < 0.0F);
+                // A tenth of a cell: the ball's surface bends within one.
+                EXPECT_LE(std::abs(found_m), std::abs(true_m) + 0.001F);
+                // Beside the surface the level is known to 0.4 of a cell, where it is up to a whole one.
+                EXPECT_GE(std::abs(found_m), 0.57F * std::abs(true_m) - 0.003F);
+            }
 }
 
 TEST(TankFrames, GiveBackWhatTheyKept) {
