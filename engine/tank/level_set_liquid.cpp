@@ -212,8 +212,8 @@ void LevelSetLiquid::find_known(core::ThreadPool& pool) {
                 float* known = known_.along(axis).row(j, k);
                 for (int i = 0; i <= box.nx; ++i) {
                     const int at = axis == 0 ? i : axis == 1 ? j : k;
-                    const bool passable =
-                        open[i] >= kTrustedShare || at == 0 || at == last[static_cast<std::size_t>(axis)];
+                    const bool passable = open[i] >= kTrustedShare || at == 0 ||
+                                          at == last[static_cast<std::size_t>(axis)];
                     known[i] = passable && (liquid[i] > 0.0F || liquid[i - step] > 0.0F) ? 1.0F : 0.0F;
                 }
             }
@@ -291,7 +291,7 @@ LiquidState LevelSetLiquid::state() const {
     return {velocity_, surface_.pressure(), fastest_m_s_, {}, 0, std::move(level)};
 }
 
-void LevelSetLiquid::set_state(LiquidState state, core::ThreadPool&) {
+void LevelSetLiquid::set_state(LiquidState state, core::ThreadPool& pool) {
     if (!state.level || state.level->particles.has_value() != particles_.has_value())
         throw core::InputError("This is the state of a tank that is followed in another way.");
     LevelState& level = *state.level;
@@ -307,7 +307,8 @@ void LevelSetLiquid::set_state(LiquidState state, core::ThreadPool&) {
     advected_milk_ = std::move(level.spare_milk);
     due_m3_ = level.due_m3;
     steps_ = level.steps;
-    changed_ = false;
+    last_m3_ = volume_m3(pool);
+    changed_ = reshaped_ = false;
 }
 
 void LevelSetLiquid::show(TankFrame& frame, core::ThreadPool& pool) const {
