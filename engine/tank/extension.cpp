@@ -151,7 +151,8 @@ void VelocityExtension::settle_rings(Component& component, float reach_m, grid::
     };
     component.ring.clear();
     for (const Face& face : component.faces)
-        if (phi[face.index] > reach_m - 2.0F * shape_.cell_m) add_neighbours(face.index);
+        if (component.settled[face.index] == kYes && phi[face.index] > reach_m - 2.0F * shape_.cell_m)
+            add_neighbours(face.index);
     settle_by_means(component, values);
     for (int ring = 1; ring < kMeanRings; ++ring) {
         component.left.swap(component.ring);

@@ -25,9 +25,9 @@ class VelocityExtension {
     /// Sets the faces of the box that are not known (known <= 0) and less than reach_cells from the
     /// liquid, those in it among them; phi must be a distance that far. Those without a known way to the
     /// liquid, and kMeanRings rings of faces beyond the reach, become means of their neighbours; all
-    /// others stay. Exact for constants, and within the reach for linear fields that are constant along
-    /// the normals of a plane. phi's first sample around the box is read; the velocity's belong to
-    /// whoever knows the walls (liquid::Walls::extrapolate).
+    /// others stay, and all of a region in which nothing is known. Exact for constants, and within the
+    /// reach for linear fields that are constant along the normals of a plane. phi's first sample around
+    /// the box is read; the velocity's belong to whoever knows the walls (liquid::Walls::extrapolate).
     void extend(const grid::BoxField& phi, const liquid::VelocityField& known, float reach_cells,
                 liquid::VelocityField& velocity, core::ThreadPool& pool);
 

@@ -161,6 +161,21 @@ TEST(VelocityExtension, SomeRingsBeyondTheReachAreMeans) {
     EXPECT_EQ(velocity.x.at(2, 1, 7 + kMeanRings), kUnset);
 }
 
+TEST(VelocityExtension, WhereNothingIsKnownAllStays) {
+    const grid::BoxShape shape = unit_box(8);
+    core::ThreadPool pool(2);
+    const liquid::VelocityField nothing(shape);
+    liquid::VelocityField velocity(shape);
+    for_each_face(shape, [&](int axis, int i, int j, int k, const glm::vec3& at_m) {
+        velocity.along(axis).at(i, j, k) = at_m[axis];
+    });
+    const liquid::VelocityField before = velocity;
+    // Less liquid than a face would see.
+    const auto distance = [](const glm::vec3& at_m) { return glm::distance(at_m, kCentre_m) + 0.01F; };
+    VelocityExtension(shape).extend(sampled(shape, distance), nothing, kReach_cells, velocity, pool);
+    EXPECT_EQ(velocity, before);
+}
+
 TEST(VelocityExtension, GivesTheSameBitsOnAnyNumberOfThreads) {
     const grid::BoxShape shape = unit_box(24);
     const auto ball = cases::sphere(kCentre_m, 0.2F);

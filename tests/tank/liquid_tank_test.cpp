@@ -1,5 +1,6 @@
 #include "tank/liquid_tank.hpp"
 
+#include "random_scenes.hpp"
 #include "tank_cases.hpp"
 
 #include <algorithm>
@@ -31,16 +32,6 @@ double mean_speed2(const LiquidTank& tank) {
         sum += glm::dot(u, u);
     }
     return sum / static_cast<double>(tank.particles().size());
-}
-bool is_sound(const LiquidTank& tank) {
-    const glm::vec3 size_m = tank.scene().size_m();
-    for (const Particle& particle : tank.particles())
-        for (const int axis : liquid::kAxes) {
-            const float at = particle.position_m[axis];
-            if (!(at >= 0.0F && at <= size_m[axis]) || !std::isfinite(particle.velocity_m_s[axis]))
-                return false;
-        }
-    return true;
 }
 
 TEST(LiquidTank, BeginsWithTheVolumeOfItsBodies) {
@@ -164,7 +155,7 @@ TEST(LiquidTank, AJetFillsTheTank) {
     core::ThreadPool pool(2);
     LiquidTank tank(scene);
     tank.advance_to(time_s, pool);
-    EXPECT_TRUE(is_sound(tank));
+    EXPECT_TRUE(cases::is_sound(tank, pool));
     const double poured_m3 = area_m2 * (speed_m_s * time_s + 0.15);
     EXPECT_NEAR(volume_m3(tank), poured_m3, 0.15 * poured_m3);
     const double full_m3 = volume_m3(tank);
@@ -181,7 +172,7 @@ TEST(LiquidTank, ASphereAddedLeavesWhatIsThere) {
     const double half_ball_m3 = 2.0 / 3.0 * 3.14159265 * 0.008;
     EXPECT_NEAR(added_m3, half_ball_m3, 0.1 * half_ball_m3);
     tank.advance_to(0.2, pool);
-    EXPECT_TRUE(is_sound(tank));
+    EXPECT_TRUE(cases::is_sound(tank, pool));
 }
 
 TEST(LiquidTank, IsTheSameOnAnyNumberOfThreads) {
@@ -196,58 +187,8 @@ TEST(LiquidTank, IsTheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(a.velocity(), b.velocity());
 }
 
-/// A scene of a few bodies and solids, drawn at random.
-TankScene random_scene(std::uint32_t seed) {
-    std::uint32_t n = 0;
-    const auto number = [&](float least, float most) {
-        return least + (most - least) * core::uniform_noise(n++, seed);
-    };
-    const auto place = [&] { return glm::vec3(number(0, 1), number(0, 1), number(0, 1)); };
-    const auto shape = [&]() -> Shape {
-        switch (static_cast<int>(number(0.0F, 3.999F))) {
-            case 0:
-                return {Sphere{place(), number(0.05F, 0.4F)}};
-            case 1: {
-                const glm::vec3 low = place();
-                return {Block{
-                    low, low + glm::vec3(number(0.1F, 0.8F), number(0.1F, 0.8F), number(0.1F, 0.8F))}};
-            }
-            case 2:
-                return {Cylinder{place(), place() + glm::vec3(0.0F, 0.0F, 0.01F), number(0.05F, 0.3F)}};
-            default:
-                return {Torus{place(), place() - 0.5F, number(0.15F, 0.3F), number(0.03F, 0.12F)}};
-        }
-    };
-    TankScene scene = dam(12, glm::vec3(0.0F));
-    scene.liquids.clear();
-    const int bodies = static_cast<int>(number(1, 4)), solids = static_cast<int>(number(0, 3));
-    for (int body = 0; body < bodies; ++body)
-        scene.liquids.push_back({shape(), 4.0F * (place() - 0.5F), number(0, 1)});
-    for (int solid = 0; solid < solids; ++solid)
-        scene.solids.push_back(shape());
-    if (number(0, 1) < 0.3F) scene.jets.push_back({shape(), 10.0F * (place() - 0.5F), 0.5F, 0.0, 0.3});
-    if (number(0, 1) < 0.3F) scene.drains.push_back({shape(), 0.1, 1e9});
-    if (number(0, 1) < 0.5F)
-        scene.wind = {static_cast<double>(number(0, 20)), static_cast<double>(number(0, 360)), 4.0, 0.0,
-                      1e9};
-    if (number(0, 1) < 0.3F) scene.viscosity_m2_s = static_cast<double>(number(0, 1));
-    if (number(0, 1) < 0.3F) scene.confinement = 0.3;
-    scene.seed = seed;
-    return scene;
-}
-
-void run_random_scenes(std::uint32_t first, std::uint32_t count) {
-    core::ThreadPool pool(2);
-    for (std::uint32_t seed = first; seed < first + count; ++seed) {
-        LiquidTank tank(random_scene(seed));
-        for (int step = 0; step < 12; ++step)
-            tank.step(0.1, pool);
-        ASSERT_TRUE(is_sound(tank)) << seed;
-    }
-}
-
 TEST(LiquidTank, RandomScenesStayFinite) {
-    run_random_scenes(0, 60);
+    cases::run_random_scenes(0, 60);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // What every way to follow the liquid must do: fall, rest, keep its volume, drain, and break a dam as
 // the experiment does.
 #include "liquid/marching_cubes.hpp"
+#include "random_scenes.hpp"
 #include "tank/liquid_tank.hpp"
 #include "tank_cases.hpp"
 
@@ -124,6 +125,30 @@ TEST_P(TankMethod, AJetFillsIt) {
     EXPECT_NEAR(tank.volume_m3(pool), 0.16 * (0.4 + 0.2), 0.2 * 0.16 * 0.6);
     const TankFrame frame = tank.frame(1, pool);
     EXPECT_GT(frame.milk.at(8, 8, 14), 0.9F);
+}
+
+TEST_P(TankMethod, AViscousJetStaysFinite) {
+    core::ThreadPool pool(2);
+    const double speed_m_s = 8.0;
+    for (const double viscosity_m2_s : {0.01, 1.0, 10.0}) {
+        TankScene scene = dam(16, glm::vec3(0.0F));
+        scene.liquids.clear();
+        scene.method = GetParam();
+        scene.viscosity_m2_s = viscosity_m2_s;
+        scene.jets.push_back({block({0.3F, 0.3F, 0.8F}, {0.7F, 0.7F, 1.0F}),
+                              {0.0F, 0.0F, -static_cast<float>(speed_m_s)},
+                              1.0F,
+                              0.0,
+                              1e9});
+        LiquidTank tank(scene);
+        for (int step = 0; step < 100; ++step) {
+            tank.step(0.05, pool);
+            // Falling a metre adds 4.4 m/s at most; what is squeezed out below turns faster than that.
+            ASSERT_LT(tank.fastest_m_s(), 2.5 * speed_m_s) << viscosity_m2_s << " " << step;
+        }
+        EXPECT_TRUE(cases::is_sound(tank, pool)) << viscosity_m2_s;
+        EXPECT_GT(tank.volume_m3(pool), 0.1) << viscosity_m2_s;
+    }
 }
 
 TEST_P(TankMethod, IsTheSameOnAnyNumberOfThreads) {
