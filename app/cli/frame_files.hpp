@@ -28,6 +28,8 @@ class FrameFiles {
                core::ThreadPool& pool);
 
     Kind kind() const { return kind_; }
+    /// Of pictures: width over height.
+    float aspect() const { return static_cast<float>(width_px_) / static_cast<float>(height_px_); }
 
     /// Whether a file is to be made of this frame, from 1: it is one of every so many, and is not there.
     bool is_wanted(int frame) const;

@@ -1,41 +1,20 @@
 #include "cli/tank_files.hpp"
 
 #include "cli/stopwatch.hpp"
+#include "tank/solid_mesh.hpp"
+#include "trace/tank_scene.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 namespace pastoso::cli {
 namespace {
 
 /// Points of the surface's lattice along a cell.
 constexpr int kParts = 2;
-/// The longest side's worth of liquid lets this much of the light's colours by, as natural exponents.
-constexpr glm::vec3 kTint = {0.3F, 0.08F, 0.04F};
-/// How thick the glass is, against the longest side; how far the liquid reaches into it, in cells.
-constexpr float kGlassShare = 0.02F, kReach_cells = 0.25F;
-
-/// The usual light around a tank on a table, seen from the usual side, from as far as its size asks for.
-trace::Scene scene_around(const glm::vec3& size_m) {
-    trace::Scene scene;
-    const trace::Camera usual = scene.camera;
-    const float longest_m = std::max({size_m.x, size_m.y, size_m.z}), usual_m = 0.1F;
-    const float scale = longest_m / usual_m;
-    scene.cup.reset();
-    scene.tank = trace::Tank{glm::vec3(0.0F), size_m, kGlassShare * longest_m};
-    scene.optics.tea_absorption_per_m = kTint / longest_m;
-    scene.optics.glass_absorption_per_m /= scale;
-    scene.camera.target_m = 0.5F * size_m - glm::vec3(0.0F, 0.0F, 0.05F * longest_m);
-    scene.camera.eye_m = scene.camera.target_m + 1.25F * scale * (usual.eye_m - usual.target_m);
-    scene.camera.lens_radius_m = usual.lens_radius_m * scale;
-    scene.table->height_m = -kGlassShare * longest_m;
-    scene.table->radius_m *= scale;
-    scene.table->fading_per_m2 /= scale * scale;
-    return scene;
-}
+/// Points of the solids' lattice along a cell: they are made once, and edges show.
+constexpr int kSolidParts = 3;
 
 /// The share of liquid at the middles of cells, soft over a cell.
 grid::BoxField density_of(const tank::TankFrame& frame) {
@@ -65,7 +44,10 @@ MeasuredFrame TankMeasures::measured() {
 
 TankFiles::TankFiles(std::filesystem::path folder, const FrameFileOptions& options,
                      const tank::LiquidTank& tank, core::ThreadPool& pool)
-    : tank_(tank), files_(std::move(folder), "liquid", options, pool), surfaces_(tank.room(), pool) {}
+    : tank_(tank),
+      pool_(pool),
+      files_(std::move(folder), "liquid", options, pool),
+      surfaces_(tank.room(), pool) {}
 
 void TankFiles::write(int number, const MeasuredFrame& measured) {
     using enum FrameFiles::Kind;
@@ -83,11 +65,13 @@ void TankFiles::write(int number, const MeasuredFrame& measured) {
 }
 
 void TankFiles::write_picture(int number, const tank::TankFrame& frame) {
-    trace::Scene scene = scene_around(tank_.scene().size_m());
-    files_.costs().surface_s += seconds_of(
-        [&] { surfaces_.make(frame, kReach_cells * tank_.shape().cell_m, scene.clear_liquid); });
-    scene.dissolved = frame.milk;
-    files_.write_picture(number, scene);
+    liquid::TriangleMesh surface;
+    files_.costs().surface_s += seconds_of([&] {
+        surfaces_.make(frame, trace::kTankOverlap_cells * tank_.shape().cell_m, surface);
+        if (!solids_) solids_ = tank::solid_mesh(tank_.scene(), kSolidParts, pool_);
+    });
+    files_.write_picture(number,
+                         trace::tank_scene(frame.milk, std::move(surface), *solids_, files_.aspect()));
 }
 
 void TankFiles::write_volume(int number, const tank::TankFrame& frame) {

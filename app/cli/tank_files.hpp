@@ -6,6 +6,7 @@
 #include "tank/tank_surface.hpp"
 
 #include <filesystem>
+#include <optional>
 
 namespace pastoso::cli {
 
@@ -47,8 +48,10 @@ class TankFiles {
     void write_volume(int number, const tank::TankFrame& frame);
 
     const tank::LiquidTank& tank_;
+    core::ThreadPool& pool_;
     FrameFiles files_;
-    tank::TankSurfaces surfaces_;  ///< that reach into the glass
+    tank::TankSurfaces surfaces_;                 ///< that reach into the glass
+    std::optional<liquid::TriangleMesh> solids_;  ///< of the first picture: they stay where they are
 };
 
 }  // namespace pastoso::cli

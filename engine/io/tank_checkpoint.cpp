@@ -39,11 +39,11 @@ struct Facts {
 static_assert(sizeof(Facts) == 96);
 static_assert(sizeof(Particle) == 28 && sizeof(glm::vec3) == 12);  // as they are written
 
-/// Series; particles; velocity x, y, z; pressure; level, milk, spare milk; places and radii of the
+/// Series; particles; velocity x, y, z; pressure; level, milk; places and radii of the
 /// surface's particles.
 PartFileKind kind() {
     constexpr int kMost = tank::kMaxTankCells;
-    constexpr std::size_t kFields = 7;
+    constexpr std::size_t kFields = 6;
     const std::size_t samples = sample_count({kMost, kMost, kMost, 0.0F}, BoxSamples::All);
     return {
         .what = "checkpoint of a tank",
@@ -104,11 +104,11 @@ bool is_allowed(const Facts& facts, std::uint32_t flags) {
 
 void add_level(PartFileWriter& file, const LevelState* level) {
     if (level == nullptr) {
-        for (int part = 0; part < 5; ++part)
+        for (int part = 0; part < 4; ++part)
             file.add_nothing();
         return;
     }
-    for (const BoxField* field : {&level->level_m, &level->milk, &level->spare_milk})
+    for (const BoxField* field : {&level->level_m, &level->milk})
         add_field(file, *field, BoxSamples::All);
     if (level->particles) {
         file.add(level->particles->positions_m);
@@ -131,7 +131,7 @@ std::vector<Value> next_numbers(PartFileReader& file, std::uint64_t count) {
 
 LevelState next_level(PartFileReader& file, const Facts& facts) {
     LevelState level;
-    for (BoxField* field : {&level.level_m, &level.milk, &level.spare_milk})
+    for (BoxField* field : {&level.level_m, &level.milk})
         *field = next_field(file, facts.shape(), BoxSamples::All);
     level.due_m3 = facts.due_m3;
     level.steps = static_cast<int>(facts.level_steps);

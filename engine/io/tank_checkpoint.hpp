@@ -11,7 +11,7 @@
 
 namespace pastoso::io {
 
-inline constexpr int kTankCheckpointVersion = 1;
+inline constexpr int kTankCheckpointVersion = 2;
 
 /// A tank at a frame, and how it came there: a row for each frame from 0 on.
 struct TankCheckpoint {

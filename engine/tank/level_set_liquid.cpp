@@ -70,7 +70,9 @@ LevelSetLiquid::LevelSetLiquid(const Room& room, Method method, std::uint32_t se
 }
 
 void LevelSetLiquid::add(const LiquidBody& body) {
-    put(ShapeDistance(body.shape), body.velocity_m_s, body.milk);
+    const ShapeDistance exact_m(body.shape);
+    const float reach_m = kLevelSetReach_cells * shape().cell_m;
+    put([&](const glm::vec3& at_m) { return exact_m(at_m, reach_m); }, body.velocity_m_s, body.milk);
     reshaped_ = true;
 }
 
@@ -285,8 +287,7 @@ void LevelSetLiquid::find_fastest(core::ThreadPool& pool) {
 }
 
 LiquidState LevelSetLiquid::state() const {
-    LevelState level = {
-        samples_alone(surface_.level_m()), milk_, advected_milk_, due_m3_, steps_, std::nullopt};
+    LevelState level = {samples_alone(surface_.level_m()), milk_, due_m3_, steps_, std::nullopt};
     if (particles_) level.particles = particles_->state();
     return {velocity_, surface_.pressure(), fastest_m_s_, {}, 0, std::move(level)};
 }
@@ -296,7 +297,7 @@ void LevelSetLiquid::set_state(LiquidState state, core::ThreadPool& pool) {
         throw core::InputError("This is the state of a tank that is followed in another way.");
     LevelState& level = *state.level;
     check_shapes(std::array{&state.velocity.x, &state.velocity.y, &state.velocity.z, &state.pressure,
-                            &level.level_m, &level.milk, &level.spare_milk},
+                            &level.level_m, &level.milk},
                  shape());
     if (particles_) particles_->set_state(std::move(*level.particles));
     velocity_ = std::move(state.velocity);
@@ -304,7 +305,6 @@ void LevelSetLiquid::set_state(LiquidState state, core::ThreadPool& pool) {
     fastest_m_s_ = state.fastest_m_s;
     level_m() = std::move(level.level_m);
     milk_ = std::move(level.milk);
-    advected_milk_ = std::move(level.spare_milk);
     due_m3_ = level.due_m3;
     steps_ = level.steps;
     last_m3_ = volume_m3(pool);

@@ -18,16 +18,20 @@ grid::BoxShape shape_of(const TankScene& scene) {
     return {scene.cells.x, scene.cells.y, scene.cells.z, static_cast<float>(scene.cell_m)};
 }
 
+/// Farther than liquid at a solid's surface feels it.
+constexpr float kSolidReach_cells = 8.0F;
+
+/// Exact where less than that reach, which it does not exceed.
 liquid::SignedDistance solid_distance(const TankScene& scene) {
     std::vector<ShapeDistance> solids;
     for (const Shape& solid : scene.solids)
         solids.emplace_back(solid);
-    const float far_m = glm::length(scene.size_m());
+    const float far_m = kSolidReach_cells * static_cast<float>(scene.cell_m);
     return [solids, far_m](const glm::vec3& point_m) {
         float nearest_m = far_m;
         for (const ShapeDistance& solid : solids)
-            nearest_m = std::min(nearest_m, solid(point_m));
-        return nearest_m;
+            nearest_m = std::min(nearest_m, solid(point_m, far_m));
+        return std::max(nearest_m, -far_m);
     };
 }
 

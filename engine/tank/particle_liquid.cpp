@@ -41,13 +41,16 @@ ParticleLiquid::ParticleLiquid(const Room& room, std::uint32_t seed)
 
 void ParticleLiquid::add(const LiquidBody& body) {
     Octants octants(shape(), particles_);
-    const liquid::SignedDistance distance = ShapeDistance(body.shape);
+    const ShapeDistance exact_m(body.shape);
+    const float reach_m = shape().cell_m;  // no particle of a cell is further from its middle
+    const liquid::SignedDistance distance = [&](const glm::vec3& at_m) {
+        return exact_m(at_m, reach_m);
+    };
     const Filling filling = {*room_, distance, {glm::vec3(0.0F), body.milk, body.velocity_m_s}, seed_};
-    const float far_m = shape().cell_m;  // no particle of a cell is further from its middle
     for (int k = 0; k < shape().nz; ++k)
         for (int j = 0; j < shape().ny; ++j)
             for (int i = 0; i < shape().nx; ++i)
-                if (distance((glm::vec3(i, j, k) + 0.5F) * shape().cell_m) < far_m)
+                if (distance((glm::vec3(i, j, k) + 0.5F) * shape().cell_m) < reach_m)
                     fill_cell({i, j, k}, filling, kParticlesPerCell, octants, particles_, made_);
     in_order_ = false;
 }
@@ -185,8 +188,8 @@ void ParticleLiquid::find_known(core::ThreadPool& pool) {
                 float* known = known_.along(axis).row(j, k);
                 for (int i = row.begin; i < row.end; ++i) {
                     const int at = axis == 0 ? i : axis == 1 ? j : k;
-                    const bool passable =
-                        open[i] >= kTrustedShare || at == 0 || at == last[static_cast<std::size_t>(axis)];
+                    const bool passable = open[i] >= kTrustedShare || at == 0 ||
+                                          at == last[static_cast<std::size_t>(axis)];
                     const bool is_beside = liquid[i] > 0.0F || liquid[i - step] > 0.0F;
                     known[i] = !passable         ? kUnknownFace
                                : is_beside       ? kLiquidFace

@@ -24,9 +24,6 @@ struct SurfaceParticleState {
 /// What a level set has besides velocity and pressure.
 struct LevelState {
     grid::BoxField level_m, milk;
-    /// What the milk's next advection writes into: beyond the liquid that is seen after the next step
-    /// but one.
-    grid::BoxField spare_milk;
     double due_m3 = 0.0;
     int steps = 0;
     std::optional<SurfaceParticleState> particles;  ///< of Method::ParticleLevelSet

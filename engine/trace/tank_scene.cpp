@@ -1,8 +1,6 @@
 #include "trace/tank_scene.hpp"
 
 #include "core/check.hpp"
-#include "liquid/marching_cubes.hpp"
-#include "liquid/slices.hpp"
 #include "trace/numbers.hpp"
 
 #include <algorithm>
@@ -63,26 +61,6 @@ Camera camera_for(const Tank& tank, float aspect) {
 }
 
 }  // namespace
-
-liquid::TriangleMesh tank_liquid_mesh(const liquid::SampledField& level_m, const grid::BoxShape& room,
-                                      core::ThreadPool& pool) {
-    const liquid::Lattice& lattice = level_m.lattice();
-    const float overlap_m = kTankOverlap_cells * room.cell_m;
-    const glm::vec3 half_m = 0.5F * size_of(room);
-    liquid::SampledField depth_m(lattice);
-    liquid::for_slices(pool, 0, lattice.nz, [&](int k) {
-        for (int j = 0; j < lattice.ny; ++j)
-            for (int i = 0; i < lattice.nx; ++i) {
-                const glm::vec3 at_m = lattice.point_m(i, j, k);
-                const glm::vec3 beyond_m = glm::abs(at_m - half_m) - half_m - overlap_m;
-                // At the top there is no glass: what stands there ends a little below its edge.
-                const float over_m = at_m.z - 2.0F * half_m.z + overlap_m;
-                depth_m.at(i, j, k) =
-                    -std::max({level_m.at(i, j, k), beyond_m.x, beyond_m.y, beyond_m.z, over_m});
-            }
-    });
-    return liquid::marching_cubes(depth_m.view(), 0.0F, pool);
-}
 
 Scene tank_scene(const grid::BoxField& milk, liquid::TriangleMesh liquid, liquid::TriangleMesh solids,
                  float aspect) {

@@ -1,9 +1,8 @@
 // The picture of a glass tank of clear liquid, milk and solids at one moment.
 #pragma once
 
-#include "core/thread_pool.hpp"
 #include "grid/box_field.hpp"
-#include "liquid/sampled_field.hpp"
+#include "liquid/triangle_mesh.hpp"
 #include "trace/scene.hpp"
 
 namespace pastoso::trace {
@@ -19,10 +18,5 @@ Scene tank_scene(const grid::BoxField& milk, liquid::TriangleMesh liquid, liquid
                  float aspect);
 inline constexpr float kTankOverlap_cells = 0.25F;
 inline constexpr float kTankModel_m = 0.3F;  ///< the longest side of the room
-
-/// Such a liquid's surface from a signed distance, negative within, whose points go on beyond the walls
-/// for at least the overlap as if liquid did.
-liquid::TriangleMesh tank_liquid_mesh(const liquid::SampledField& level_m, const grid::BoxShape& room,
-                                      core::ThreadPool& pool);
 
 }  // namespace pastoso::trace

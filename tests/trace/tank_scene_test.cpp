@@ -1,9 +1,13 @@
 #include "trace/tank_scene.hpp"
 
+#include "liquid/marching_cubes.hpp"
 #include "trace/camera_rays.hpp"
 #include "trace/scenes.hpp"
 #include "trace/world.hpp"
 
+#include <algorithm>
+
+#include <glm/common.hpp>
 #include <gtest/gtest.h>
 
 namespace pastoso::trace {
@@ -11,41 +15,25 @@ namespace {
 
 const grid::BoxShape kRoom = {12, 8, 10, 0.05F};
 
-/// Flat at a height, two points along a cell, a cell beyond the walls.
-liquid::SampledField level_at(float height_m) {
+/// Liquid up to a height, a little into the glass.
+liquid::TriangleMesh liquid_to(float height_m) {
+    core::ThreadPool pool(2);
     const liquid::Lattice lattice = {28, 20, 24, 0.025F, glm::vec3(0.0125F - 0.05F)};
-    liquid::SampledField level_m(lattice);
+    const float overlap_m = kTankOverlap_cells * kRoom.cell_m;
+    const glm::vec3 low_m(-overlap_m), high_m(0.6F + overlap_m, 0.4F + overlap_m, height_m);
+    liquid::SampledField depth_m(lattice);
     for (int k = 0; k < lattice.nz; ++k)
         for (int j = 0; j < lattice.ny; ++j)
-            for (int i = 0; i < lattice.nx; ++i)
-                level_m.at(i, j, k) = lattice.point_m(i, j, k).z - height_m;
-    return level_m;
+            for (int i = 0; i < lattice.nx; ++i) {
+                const glm::vec3 at_m = lattice.point_m(i, j, k);
+                const glm::vec3 within_m = glm::min(at_m - low_m, high_m - at_m);
+                depth_m.at(i, j, k) = std::min({within_m.x, within_m.y, within_m.z});
+            }
+    return liquid::marching_cubes(depth_m.view(), 0.0F, pool);
 }
 
 Scene scene_at(float height_m, float aspect = 1.0F) {
-    core::ThreadPool pool(2);
-    return tank_scene(grid::BoxField(kRoom, 0.5F), tank_liquid_mesh(level_at(height_m), kRoom, pool), {},
-                      aspect);
-}
-
-TEST(TankScene, TheLiquidReachesALittleIntoTheGlass) {
-    core::ThreadPool pool(2);
-    const liquid::TriangleMesh mesh = tank_liquid_mesh(level_at(0.22F), kRoom, pool);
-    glm::vec3 low(9.0F), high(-9.0F);
-    for (const glm::vec3& position : mesh.positions_m)
-        low = glm::min(low, position), high = glm::max(high, position);
-    const glm::vec3 low_m(-0.0125F), high_m(0.6125F, 0.4125F, 0.22F);
-    for (int axis = 0; axis < 3; ++axis) {
-        // Both the cut and the level are linear: rounding, and vertices kept off the points.
-        EXPECT_NEAR(low[axis], low_m[axis], 1e-5F);
-        EXPECT_NEAR(high[axis], high_m[axis], 1e-5F);
-    }
-}
-
-TEST(TankScene, ATankFullToTheBrimEndsBelowIt) {
-    core::ThreadPool pool(2);
-    for (const glm::vec3& position : tank_liquid_mesh(level_at(2.0F), kRoom, pool).positions_m)
-        EXPECT_LT(position.z, 0.5F);
+    return tank_scene(grid::BoxField(kRoom, 0.5F), liquid_to(height_m), {}, aspect);
 }
 
 TEST(TankScene, IsAModelWithGlassBetweenLiquidAndAir) {
@@ -98,7 +86,7 @@ TEST(TankScene, TheWholeTankIsInThePictureAndFillsIt) {
 
 TEST(TankScene, MoreMilkMakesTheLiquidLighter) {
     core::ThreadPool pool(2);
-    const liquid::TriangleMesh liquid = tank_liquid_mesh(level_at(0.4F), kRoom, pool);
+    const liquid::TriangleMesh liquid = liquid_to(0.4F);
     double seen[2];
     for (const int milky : {0, 1}) {
         const grid::BoxField milk(kRoom, 0.3F * static_cast<float>(milky));
