@@ -106,14 +106,28 @@ struct DissolvedMilk::Walk {
     std::array<float, 3> exit_m{}, step_m{};
 };
 
+/// How far it is along a ray to where milk ends.
+float DissolvedMilk::way_out_m(const glm::vec3& origin_m, const glm::vec3& direction) const {
+    const float cell_m = 1.0F / per_cell_;
+    float way_m = kFar;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(direction[axis]) < 1e-9F) continue;
+        const float border_m =
+            direction[axis] > 0.0F ? cell_m * static_cast<float>(cells_[axis] + 1) : -cell_m;
+        way_m = std::min(way_m, (border_m - origin_m[axis]) / direction[axis]);
+    }
+    return way_m;
+}
+
 float DissolvedMilk::free_path_m(const glm::vec3& origin_m, const glm::vec3& direction, float limit_m,
                                  Sampler& sampler) const {
+    const float milk_ends_m = std::min(limit_m, way_out_m(origin_m, direction));
     Walk walk(*this, origin_m, direction);
     // Optical depth up to the next event, spent block by block.
     float depth = -fast_log(1.0F - sampler.next());
     for (float at = 0.0F;;) {
         const int axis = walk.axis_of_exit();
-        const float end = std::min(walk.exit_m[axis], limit_m);
+        const float end = std::min(walk.exit_m[axis], milk_ends_m);
         const float bound = bound_per_m_[walk.index];
         while (depth < bound * (end - at)) {
             at += depth / bound;
@@ -121,7 +135,7 @@ float DissolvedMilk::free_path_m(const glm::vec3& origin_m, const glm::vec3& dir
             if (sampler.next() * bound < scattering) return std::min(at, limit_m);
             depth = -fast_log(1.0F - sampler.next());
         }
-        if (!(end < limit_m)) return limit_m;
+        if (!(end < milk_ends_m)) return limit_m;
         depth -= bound * std::max(0.0F, end - at);
         at = std::max(at, end);
         walk.leave(axis);

@@ -23,7 +23,8 @@ class DissolvedMilk {
     float fraction(const glm::vec3& point_m) const;
 
     /// How far a ray gets before it is scattered, or `limit_m`: delta tracking (Woodcock et al. 1965)
-    /// with a bound of the scattering for each block of cells.
+    /// with a bound of the scattering for each block of cells. There is milk up to a cell beyond the
+    /// field, and no farther.
     float free_path_m(const glm::vec3& origin_m, const glm::vec3& direction, float limit_m,
                       Sampler& sampler) const;
 
@@ -35,6 +36,7 @@ class DissolvedMilk {
   private:
     struct Walk;
     int block_index(const glm::vec3& point_m) const;
+    float way_out_m(const glm::vec3& origin_m, const glm::vec3& direction) const;
 
     glm::ivec3 cells_{0}, blocks_{0};
     float per_cell_ = 0.0F, block_m_ = 0.0F, scattering_per_m_ = 0.0F, spacing_m_ = 0.0F;

@@ -39,6 +39,17 @@ TEST(DissolvedMilk, EvenMilkLetsThroughWhatBeersLawSays) {
     }
 }
 
+TEST(DissolvedMilk, MilkEndsACellBeyondItsField) {
+    const grid::BoxField field = tests::even_milk(0.01F);
+    const DissolvedMilk milk(field, 3000.0F);
+    const float size_m = static_cast<float>(field.shape().nx) * field.shape().cell_m;
+    const double exact = std::exp(-30.0 * static_cast<double>(0.02F + field.shape().cell_m));
+    for (const float length : {1.0F, 1e6F, kFar})
+        EXPECT_NEAR(share_through(milk, {size_m - 0.02F, 0.03F, 0.04F}, {1.0F, 0.0F, 0.0F}, length),
+                    exact, five_errors(exact))
+            << length;
+}
+
 TEST(DissolvedMilk, VaryingMilkLetsThroughTheExponentialOfItsIntegral) {
     grid::BoxField field = tests::even_milk(0.0F, 32);
     for (int k = 0; k < 32; ++k)
