@@ -16,10 +16,14 @@ constexpr int kParts = 2;
 /// Points of the solids' lattice along a cell: they are made once, and edges show.
 constexpr int kSolidParts = 3;
 
-/// The share of liquid at the middles of cells, soft over a cell.
+/// A volume's edge goes over so much; particles know less than a cell of how deep liquid is.
+constexpr float kSoftEdge_cells = 0.5F;
+
+/// The share of liquid at the middles of cells.
 grid::BoxField density_of(const tank::TankFrame& frame) {
     grid::BoxField density(frame.milk.shape());
     const grid::BoxShape& box = density.shape();
+    const float soft_m = kSoftEdge_cells * box.cell_m;
     for (int k = 0; k < box.nz; ++k)
         for (int j = 0; j < box.ny; ++j)
             for (int i = 0; i < box.nx; ++i) {
@@ -28,7 +32,7 @@ grid::BoxField density_of(const tank::TankFrame& frame) {
                     sum_m += frame.level_m.at(kParts * (i + 1) + (corner & 1),
                                               kParts * (j + 1) + (corner >> 1 & 1),
                                               kParts * (k + 1) + (corner >> 2));
-                density.at(i, j, k) = glm::clamp(0.5F - sum_m / (8.0F * box.cell_m), 0.0F, 1.0F);
+                density.at(i, j, k) = glm::clamp(0.5F - sum_m / (8.0F * soft_m), 0.0F, 1.0F);
             }
     return density;
 }
