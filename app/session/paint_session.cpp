@@ -34,6 +34,13 @@ std::vector<std::string> known_paints(const document::Recording& past) {
     return names;
 }
 
+/// Until the painting's present tick; of a new painting, nothing.
+document::Recording past_of(const document::Painting& painting, document::Recording past) {
+    if (past.events.empty()) past.canvas = painting.settings();
+    past.end_tick = painting.tick();
+    return past;
+}
+
 }  // namespace
 
 PaintSession::PaintSession(std::unique_ptr<core::ThreadPool> pool,
@@ -44,12 +51,11 @@ PaintSession::PaintSession(std::unique_ptr<core::ThreadPool> pool,
       pool_(std::move(pool)),
       painting_(std::move(painting)),
       journal_(std::move(journal)),
-      clock_(WallClock::now()) {
+      clock_(WallClock::now()),
+      paints_used_(known_paints(past)),
+      recorder_(past_of(*painting_, std::move(past))) {
     paused_ = status_.paused = paused;
-    recording_ = std::move(past);
-    if (recording_.events.empty()) recording_.canvas = painting_->settings();
-    paints_used_ = known_paints(recording_);
-    recording_.end_tick = status_.tick = painting_->tick();
+    status_.tick = painting_->tick();
     snapshot_ = std::make_shared<const document::Snapshot>(painting_->snapshot());
     thread_ = std::thread([this] { run(); });
 }
@@ -163,7 +169,7 @@ std::vector<std::string> PaintSession::take_errors() {
 
 document::Recording PaintSession::recording() const {
     const std::lock_guard lock(mutex_);
-    return recording_;
+    return recorder_.recording();
 }
 
 std::vector<std::string> PaintSession::paints_used() const {
@@ -191,8 +197,8 @@ void PaintSession::hand_out_capture() {
     if (painting_->stroke_in_progress()) apply(document::PenUp{});
     Capture capture{painting_->state(), {}, changes_, journal_ ? journal_->events() : 0};
     const std::lock_guard lock(mutex_);
-    capture.recording = recording_;
-    capture.recording.end_tick = painting_->tick();
+    recorder_.note_tick(painting_->tick());
+    capture.recording = recorder_.recording();
     std::exchange(wanted_capture_, nullptr)->set_value(std::move(capture));
 }
 
@@ -313,7 +319,7 @@ void PaintSession::apply(const document::Action& action) {
         changes_ += journal::changes_painting(action) ? 1 : 0;
         if (journal_) journal_->note({painting_->tick(), action});
         const std::lock_guard lock(mutex_);
-        recording_.events.push_back({painting_->tick(), action});
+        recorder_.add(painting_->tick(), action);
         document::note_paints(action, paints_used_);
     } catch (const core::InputError& error) {
         const std::lock_guard lock(mutex_);
@@ -364,7 +370,7 @@ void PaintSession::publish() {
         if (steps) steps_ = std::move(steps);
         snapshot_.swap(snapshot);
         measure_publication(snapshot_.get());
-        recording_.end_tick = painting_->tick();
+        recorder_.note_tick(painting_->tick());
         status_ = {.tick = painting_->tick(),
                    .steps = report.steps,
                    .strokes = strokes_,

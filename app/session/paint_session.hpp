@@ -6,6 +6,7 @@
 #include "document/events.hpp"
 #include "document/painting.hpp"
 #include "document/painting_state.hpp"
+#include "document/recorder.hpp"
 #include "journal/journal_writer.hpp"
 #include "session/frame_times.hpp"
 #include "session/tick_clock.hpp"
@@ -170,8 +171,8 @@ class PaintSession {
     bool replay_is_hurried_ = false;
     bool replay_undoes_ = false;
     std::vector<std::string> errors_;
-    document::Recording recording_;
     std::vector<std::string> paints_used_;
+    document::Recorder recorder_;
     std::shared_ptr<const document::Snapshot> snapshot_;
     Status status_;
     std::shared_ptr<const Steps> steps_ = std::make_shared<Steps>();

@@ -4,17 +4,45 @@
 
 namespace pastoso::document {
 
-void Recorder::add(std::int64_t tick, const Action& action) {
-    PASTOSO_CHECK_OP(tick, >=, recording_.end_tick);
-    recording_.events.push_back({tick, action});
-    recording_.end_tick = tick;
+Recorder::Recorder(const Recording& past) : canvas_(past.canvas), end_tick_(past.end_tick) {
+    for (const Event& event : past.events)
+        append(event);
 }
 
-Recording Recorder::recording(std::int64_t end_tick) const {
-    PASTOSO_CHECK_OP(end_tick, >=, recording_.end_tick);
-    Recording copy = recording_;
-    copy.end_tick = end_tick;
-    return copy;
+void Recorder::add(std::int64_t tick, const Action& action) {
+    note_tick(tick);
+    append({tick, action});
+}
+
+void Recorder::append(const Event& event) {
+    if (const auto* move = std::get_if<PenMove>(&event.action))
+        moves_.add({event.tick, move->sample});
+    else
+        others_.push_back({moves_.size(), event});
+}
+
+void Recorder::note_tick(std::int64_t tick) {
+    PASTOSO_CHECK_OP(tick, >=, end_tick_);
+    end_tick_ = tick;
+}
+
+Recording Recorder::recording() const {
+    Recording recording{canvas_, {}, end_tick_};
+    recording.events.reserve(moves_.size() + others_.size());
+    PackedMoves::Reader moves(moves_);
+    std::size_t read = 0;
+    const auto add_moves_until = [&](std::size_t end) {
+        for (; read < end; ++read) {
+            const TimedSample move = moves.next();
+            recording.events.push_back({move.tick, PenMove{move.sample}});
+        }
+    };
+    for (const Other& other : others_) {
+        add_moves_until(other.moves_before);
+        recording.events.push_back(other.event);
+    }
+    add_moves_until(moves_.size());
+    return recording;
 }
 
 }  // namespace pastoso::document

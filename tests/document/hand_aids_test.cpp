@@ -203,7 +203,8 @@ Recording aided_session(std::uint64_t& hash) {
     }
     painting.advance_tick();
     hash = painting.state_hash();
-    return recorder.recording(painting.tick());
+    recorder.note_tick(painting.tick());
+    return recorder.recording();
 }
 
 TEST(HandAidsReplay, GivesTheSameBitsOnAnyNumberOfThreads) {
