@@ -6,6 +6,7 @@
 
 #include <QContextMenuEvent>
 #include <QMouseEvent>
+#include <QOpenGLPaintDevice>
 #include <QPainter>
 #include <QPainterPath>
 #include <QTabletEvent>
@@ -92,11 +93,7 @@ void GlassView::paintGL() {
     else if (pass_ < kPasses && !resting_.isActive())
         refine(size);
     present(size);
-    {
-        QPainter painter(this);
-        painter.setRenderHint(QPainter::Antialiasing);
-        draw_marks(painter, does_ == Does::Nothing ? pointer_ : std::nullopt);
-    }
+    put_marks_over(size);
     if (pass_ < kPasses && !resting_.isActive()) update();
 }
 
@@ -145,6 +142,16 @@ void GlassView::present(QSize size) {
     const QRect part(0, size.height() - ready, size.width(), ready);
     if (ready > 0) copy(*still_, part, part);
     gl().glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+}
+
+/// Into the frame, not onto the widget: where a picture of the window is taken, a painter of the widget
+/// would draw into that picture, which the frame then covers.
+void GlassView::put_marks_over(QSize size) {
+    QOpenGLPaintDevice frame(size);
+    frame.setDevicePixelRatio(devicePixelRatioF());
+    QPainter painter(&frame);
+    painter.setRenderHint(QPainter::Antialiasing);
+    draw_marks(painter, does_ == Does::Nothing ? pointer_ : std::nullopt);
 }
 
 // ---- the hand

@@ -68,6 +68,7 @@ class GlassView : public graphics::GraphicsWidget {
     void draw_draft(QSize size);
     void refine(QSize size);
     void present(QSize size);
+    void put_marks_over(QSize size);
     QSize device_size() const;
     void press(const QPointF& place, Qt::MouseButton button);
     void drag(const QPointF& place);

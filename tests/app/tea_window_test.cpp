@@ -284,5 +284,21 @@ TEST_F(TeaWindow, TheGlassIsDrawn) {
     EXPECT_GT(table.red(), 180);
 }
 
+/// What the hand would do is seen in it as on the screen.
+TEST_F(TeaWindow, APictureOfTheWindowHasTheMarks) {
+    enter();
+    pause();
+    wait_for([&] { return view().finished(); });
+    const QImage bare = view().grabFramebuffer();
+    mouse(QEvent::MouseMove, view().widget_position({0.05F, 0.05F}), Qt::NoButton, Qt::NoButton);
+    const QImage marked = view().grabFramebuffer();
+    EXPECT_GT(difference(marked.convertToFormat(QImage::Format_RGB888),
+                         bare.convertToFormat(QImage::Format_RGB888))
+                  .largest,
+              20);
+    EXPECT_EQ(view().grab().toImage().convertToFormat(QImage::Format_RGB888),
+              marked.convertToFormat(QImage::Format_RGB888));
+}
+
 }  // namespace
 }  // namespace pastoso::tests
