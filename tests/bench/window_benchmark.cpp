@@ -1,13 +1,15 @@
 // How long a painter waits: the real window of 1280 x 800 is painted on with a brush of 60 pixels by a
 // pen that reports 200 times a second. Each minute, and at the end, it tells the times of FrameTimes,
-// the processor seconds of that minute (which stay the same where only other programs make it wait) and
-// the memory that the program holds; at the end also how many of the pen events reached the painting.
+// the processor seconds of that minute (which stay the same where only other programs make it wait), the
+// memory that the program holds and how much of it is in use (the rest is kept for what comes next); at
+// the end also how many of the pen events reached the painting.
 //
 //     LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb xvfb-run -a build/bin/window_benchmark [SECONDS
-//     [WIDTH_PX]]
+//     [WIDTH_PX [EVENTS_PER_S [HISTORY_MIB]]]]
 
 #include "appearance/theme.hpp"
 #include "core/memory.hpp"
+#include "document/history.hpp"
 #include "main/main_window.hpp"
 
 #include <algorithm>
@@ -15,6 +17,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <malloc.h>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -33,15 +36,15 @@ namespace {
 
 using namespace pastoso;
 
-constexpr int kEvent_ms = 5;
 constexpr int kStroke_ms = 900, kLift_ms = 100;
+constexpr int kMinute_ms = 60000;
 
-const QPointingDevice* pen() {
+std::unique_ptr<QPointingDevice> pen() {
     using Capability = QInputDevice::Capability;
-    auto* stylus = new QPointingDevice(
+    auto stylus = std::make_unique<QPointingDevice>(
         QStringLiteral("pen"), 77, QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Pen,
         Capability::Position | Capability::Pressure | Capability::Hover, 1, 1);
-    QWindowSystemInterface::registerInputDevice(stylus);
+    QWindowSystemInterface::registerInputDevice(stylus.get());
     return stylus;
 }
 
@@ -59,9 +62,9 @@ class Painter {
         QWindow* handle = window_.windowHandle();
         const QPointF global = window_.canvas().mapToGlobal(window_.canvas().widget_position(mm));
         QWindowSystemInterface::handleTabletEvent(
-            handle, static_cast<ulong>(1000 + time_ms), pen_, handle->mapFromGlobal(global), global,
-            down ? Qt::LeftButton : Qt::NoButton, down ? 0.5 + 0.3 * std::sin(turn) : 0.0, 0, 0, 0.0,
-            0.0, 0);
+            handle, static_cast<ulong>(1000 + time_ms), pen_.get(), handle->mapFromGlobal(global),
+            global, down ? Qt::LeftButton : Qt::NoButton, down ? 0.5 + 0.3 * std::sin(turn) : 0.0, 0, 0,
+            0.0, 0.0, 0);
         sent_ += down ? 1 : 0;
     }
 
@@ -69,7 +72,7 @@ class Painter {
 
   private:
     main::MainWindow& window_;
-    const QPointingDevice* pen_;
+    std::unique_ptr<QPointingDevice> pen_;
     int sent_ = 0;
 };
 
@@ -86,9 +89,15 @@ double processor_s() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
+std::size_t bytes_in_use() {
+    const struct mallinfo2 memory = ::mallinfo2();
+    return memory.uordblks + memory.hblkhd;
+}
+
 void tell(const session::FrameTimes& times, int until_s, double used_s) {
-    std::printf("%d s: %zu MiB, %.1f processor seconds\n%s", until_s,
-                core::resident_memory_bytes() >> 20, used_s, times.table().c_str());
+    std::printf("%d s: %zu MiB, %zu MiB of it in use, %.1f processor seconds\n%s", until_s,
+                core::resident_memory_bytes() >> 20, bytes_in_use() >> 20, used_s,
+                times.table().c_str());
     std::fflush(stdout);
 }
 
@@ -103,17 +112,34 @@ void use_own_folders(const QTemporaryDir& home) {
         qputenv(variable, home.path().toLocal8Bit());
 }
 
+/// What the command line asks for.
+struct Load {
+    int seconds = 30;
+    double width_px = 60.0;
+    int event_ms = 5;
+    std::size_t history_bytes = document::History::kDefaultBudget_bytes;
+};
+
+Load load_of(int argc, char** argv) {
+    Load load;
+    if (argc > 1) load.seconds = std::atoi(argv[1]);
+    if (argc > 2) load.width_px = std::atof(argv[2]);
+    if (argc > 3) load.event_ms = 1000 / std::max(1, std::atoi(argv[3]));
+    if (argc > 4) load.history_bytes = static_cast<std::size_t>(std::atoi(argv[4])) << 20;
+    return load;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    core::keep_freed_memory();  // as the program does
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
     QSurfaceFormat::setDefaultFormat(format);
     QApplication application(argc, argv);
     appearance::apply_theme(application, appearance::Theme::Dark);
-    const int seconds = argc > 1 ? std::atoi(argv[1]) : 30;
-    const double width_px = argc > 2 ? std::atof(argv[2]) : 60.0;
+    const Load load = load_of(argc, argv);
     const QTemporaryDir home;
     use_own_folders(home);
 
@@ -121,7 +147,8 @@ int main(int argc, char** argv) {
     window.resize(1280, 800);
     window.show();
     if (!QTest::qWaitForWindowExposed(&window)) return EXIT_FAILURE;
-    window.easel().set_brush_width(width_px / window.session().canvas().px_per_mm);
+    window.easel().set_brush_width(load.width_px / window.session().canvas().px_per_mm);
+    window.session().set_history_budget(load.history_bytes);
     QTest::qWait(5000);
 
     Painter painter(window);
@@ -131,13 +158,15 @@ int main(int argc, char** argv) {
     double told_s = processor_s();
     QElapsedTimer clock;
     clock.start();
-    for (int next_ms = 0; next_ms < 1000 * seconds; next_ms += kEvent_ms) {
-        while (clock.elapsed() < next_ms)
-            QApplication::processEvents(QEventLoop::AllEvents, 1);
-        painter.paint_at(next_ms);
-        const int until_ms = next_ms + kEvent_ms;
-        if (until_ms % 60000 != 0 && until_ms != 1000 * seconds) continue;
-        tell(*times, until_ms / 1000, processor_s() - told_s);
+    const int end_ms = 1000 * load.seconds;
+    for (int next_ms = 0, told_ms = 0; next_ms < end_ms;) {
+        QApplication::processEvents(QEventLoop::AllEvents, 1);
+        const int due_ms = std::min(static_cast<int>(clock.elapsed()), end_ms);
+        for (; next_ms < due_ms; next_ms += load.event_ms)
+            painter.paint_at(next_ms);
+        if (next_ms < std::min(told_ms + kMinute_ms, end_ms)) continue;
+        told_ms = next_ms;
+        tell(*times, told_ms / 1000, processor_s() - told_s);
         told_s = processor_s();
         times = std::make_shared<session::FrameTimes>();
         window.measure(times);
