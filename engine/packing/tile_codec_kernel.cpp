@@ -1,5 +1,6 @@
 // Compiled once per instruction set; see pastoso_add_kernels.
 #include "core/check.hpp"
+#include "packing/amount_guess.hpp"
 #include "packing/tile_codec.hpp"
 
 #include <algorithm>
@@ -25,43 +26,14 @@ constexpr int neighbour_of(int cell) {
     return cell % kTileSize != 0 ? cell - 1 : cell - kTileSize;
 }
 
-/// amount / neighbour's amount; 1 where the neighbour has none.
-double growth(const std::int32_t* amount, int cell, int neighbour) {
-    if (amount[neighbour] == 0) return 1.0;
-    return static_cast<double>(amount[cell]) / static_cast<double>(amount[neighbour]);
-}
-
-std::uint32_t rounded(double exact) {
-    constexpr double kLeast = -2147483648.0, kMost = 2147483647.0;
-    return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::clamp(exact, kLeast, kMost)));
-}
-
-/// The first of the numbers that are farthest from 0. Their magnitudes are compared as bits, which are
-/// in the same order, so that the compiler takes several at once.
-template <std::size_t kCount>
-int place_of_largest(const std::array<double, kCount>& numbers) {
-    std::array<std::int64_t, kCount> bits;
-    for (std::size_t k = 0; k < kCount; ++k)
-        bits[k] = std::bit_cast<std::int64_t>(std::abs(numbers[k]));
-    std::int64_t largest = bits[0];
-    for (std::size_t k = 1; k < kCount; ++k)
-        largest = std::max(largest, bits[k]);
-    return static_cast<int>(std::find(bits.begin(), bits.end(), largest) - bits.begin());
-}
-
-double number(std::uint32_t word) {
-    return static_cast<double>(static_cast<std::int32_t>(word));
-}
-
-/// What a cell is expected to hold where its words are no amounts: the neighbour's words.
+/// What a cell is expected to hold where its words are no amounts (amount_guess.hpp): the neighbour's
+/// words.
 template <int kChannels>
 class PlainGuess {
   public:
-    PlainGuess(const std::uint32_t* words, const std::int32_t*, int cell)
+    PlainGuess(const std::uint32_t* words, int cell)
         : known_(cell == 0 ? nullptr : words + neighbour_of(cell) * kChannels) {}
 
-    int first() const { return 0; }
-    void learn(std::uint32_t) {}
     std::uint32_t operator[](int channel) const { return known_ == nullptr ? 0U : known_[channel]; }
 
   private:
@@ -73,7 +45,7 @@ class PlainGuess {
 template <int kChannels>
 class SmoothGuess {
   public:
-    SmoothGuess(const std::uint32_t* words, const std::int32_t*, int cell) {
+    SmoothGuess(const std::uint32_t* words, int cell) {
         static_assert(kChannels == 1);
         if (cell == 0) return;
         guess_ = words[neighbour_of(cell)];
@@ -90,53 +62,20 @@ class SmoothGuess {
             guess_ = words[cell - 1] + words[cell - kTileSize] - words[cell - kTileSize - 1];
     }
 
-    int first() const { return 0; }
-    void learn(std::uint32_t) {}
     std::uint32_t operator[](int) const { return guess_; }
 
   private:
     std::uint32_t guess_ = 0;
 };
 
-/// The same of amounts. Where there are a cell to the left and one above, paints mix on the line between
-/// the two: how far along it the cell lies is learned of the channel in which they differ most.
-template <int kChannels>
-class AmountGuess {
-  public:
-    AmountGuess(const std::uint32_t* words, const std::int32_t* amount, int cell) {
-        if (cell == 0) return;
-        const int neighbour = neighbour_of(cell), above = cell - kTileSize;
-        scale(words + neighbour * kChannels, growth(amount, cell, neighbour), guess_);
-        if (above < 0 || above == neighbour) return;
-        scale(words + above * kChannels, growth(amount, cell, above), way_);
-        for (int k = 0; k < kChannels; ++k)
-            way_[k] -= guess_[k];
-        first_ = place_of_largest(way_);
-    }
-
-    int first() const { return first_; }
-    void learn(std::uint32_t word) {
-        if (way_[first_] == 0.0) return;
-        const double share = std::clamp((number(word) - guess_[first_]) / way_[first_], -1.0, 1.0);
-        for (int k = 0; k < kChannels; ++k)
-            guess_[k] += share * way_[k];
-    }
-    std::uint32_t operator[](int channel) const { return rounded(guess_[channel]); }
-
-  private:
-    static void scale(const std::uint32_t* words, double factor, std::array<double, kChannels>& out) {
-        for (int k = 0; k < kChannels; ++k)
-            out[k] = number(words[k]) * factor;
-    }
-
-    std::array<double, kChannels> guess_{}, way_{};
-    int first_ = 0;
-};
-
 /// The codes of a row of cells, channel by channel: planes are written and read by whole rows, since
 /// their single bytes lie a page apart.
 template <int kChannels>
 using CodeRow = std::array<std::array<std::uint32_t, kTileSize>, kChannels>;
+
+/// The same, cell by cell.
+template <int kChannels>
+using CellRow = std::array<std::array<std::uint32_t, kChannels>, kTileSize>;
 
 template <int kChannels>
 void store_row(const CodeRow<kChannels>& codes, int row, std::byte* out) {
@@ -162,57 +101,117 @@ void load_row(const std::byte* in, int row, CodeRow<kChannels>& codes) {
 }
 
 template <template <int> class Guess, int kChannels>
-void encode(const std::uint32_t* words, const std::int32_t* amount, std::byte* out) {
+void encode(const std::uint32_t* words, std::byte* out) {
     CodeRow<kChannels> codes;
     for (int cell = 0; cell < kTileCells; ++cell) {
         const int x = cell % kTileSize;
-        Guess<kChannels> guess(words, amount, cell);
-        const std::uint32_t* here = words + cell * kChannels;
-        const int first = guess.first();
-        const std::uint32_t first_code = folded(here[first] - guess[first]);
-        guess.learn(here[first]);
+        const Guess<kChannels> guess(words, cell);
         for (int k = 0; k < kChannels; ++k)
-            codes[k][x] = folded(here[k] - guess[k]);
-        codes[first][x] = first_code;
+            codes[k][x] = folded(words[cell * kChannels + k] - guess[k]);
         if (x == kTileSize - 1) store_row<kChannels>(codes, cell / kTileSize, out);
     }
 }
 
 template <template <int> class Guess, int kChannels>
-void decode(const std::byte* in, const std::int32_t* amount, std::uint32_t* words) {
+void decode(const std::byte* in, std::uint32_t* words) {
     CodeRow<kChannels> codes;
     for (int cell = 0; cell < kTileCells; ++cell) {
         const int x = cell % kTileSize;
         if (x == 0) load_row<kChannels>(in, cell / kTileSize, codes);
-        Guess<kChannels> guess(words, amount, cell);
-        std::uint32_t* here = words + cell * kChannels;
-        const int first = guess.first();
-        const std::uint32_t first_word = guess[first] + unfolded(codes[first][x]);
-        guess.learn(first_word);
+        const Guess<kChannels> guess(words, cell);
         for (int k = 0; k < kChannels; ++k)
-            here[k] = guess[k] + unfolded(codes[k][x]);
-        here[first] = first_word;
+            words[cell * kChannels + k] = guess[k] + unfolded(codes[k][x]);
+    }
+}
+
+template <int kChannels>
+Cell<Words, kChannels> amount_codes(const std::uint32_t* words, const std::int32_t* amount, int cell) {
+    const std::uint32_t* here = words + cell * kChannels;
+    AmountGuess<kChannels> guess(words, amount, cell);
+    const std::uint32_t first_word = here[guess.first()];
+    const std::uint32_t first_code = folded(first_word - guess.first_word());
+    guess.learn(first_word);
+    Cell<Words, kChannels> codes = load<kChannels>(here);
+    const Cell<Words, kChannels> guessed = guess.words();
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+        const Words difference = codes[i] - guessed[i];
+        codes[i] = (difference << 1) ^ -(difference >> 31);
+    }
+    guess.put_first(first_code, codes);
+    return codes;
+}
+
+template <int kChannels>
+void encode_amounts(const std::uint32_t* words, const std::int32_t* amount, std::byte* out) {
+    CellRow<kChannels> cells;
+    CodeRow<kChannels> codes;
+    for (int row = 0; row < kTileSize; ++row) {
+        for (int x = 0; x < kTileSize; ++x)
+            store<kChannels>(amount_codes<kChannels>(words, amount, row * kTileSize + x),
+                             cells[x].data());
+        for (int k = 0; k < kChannels; ++k)
+            for (int x = 0; x < kTileSize; ++x)
+                codes[k][x] = cells[x][k];
+        store_row<kChannels>(codes, row, out);
+    }
+}
+
+template <int kChannels>
+void decode_amount(const std::uint32_t* codes, const std::int32_t* amount, int cell,
+                   std::uint32_t* words) {
+    AmountGuess<kChannels> guess(words, amount, cell);
+    const std::uint32_t first_word = guess.first_word() + unfolded(codes[guess.first()]);
+    guess.learn(first_word);
+    const Cell<Words, kChannels> differences = load<kChannels>(codes);
+    Cell<Words, kChannels> found = guess.words();
+    for (std::size_t i = 0; i < found.size(); ++i)
+        found[i] += (differences[i] >> 1) ^ -(differences[i] & 1);
+    guess.put_first(first_word, found);
+    store<kChannels>(found, words + cell * kChannels);
+}
+
+/// A cell has to wait for the words of its neighbours. Rows are decoded several together, each one cell
+/// behind the row above, so that the processor has others to work on meanwhile.
+template <int kChannels>
+void decode_amounts(const std::byte* in, const std::int32_t* amount, std::uint32_t* words) {
+    constexpr int kTogether = 4;
+    CodeRow<kChannels> codes;
+    std::array<CellRow<kChannels>, kTogether> rows;
+    for (int top = 0; top < kTileSize; top += kTogether) {
+        for (int row = 0; row < kTogether; ++row) {
+            load_row<kChannels>(in, top + row, codes);
+            for (int x = 0; x < kTileSize; ++x)
+                for (int k = 0; k < kChannels; ++k)
+                    rows[row][x][k] = codes[k][x];
+        }
+        for (int step = 0; step < kTileSize + kTogether - 1; ++step)
+            for (int row = 0; row < kTogether; ++row) {
+                const int x = step - row;
+                if (x < 0 || x >= kTileSize) continue;
+                decode_amount<kChannels>(rows[row][x].data(), amount, (top + row) * kTileSize + x,
+                                         words);
+            }
     }
 }
 
 template <int kChannels>
 void encode(const std::uint32_t* words, const Expectation& expected, std::byte* out) {
     if constexpr (kChannels == 1)
-        if (expected.smooth) return encode<SmoothGuess, 1>(words, nullptr, out);
+        if (expected.smooth) return encode<SmoothGuess, 1>(words, out);
     if (expected.amount == nullptr)
-        encode<PlainGuess, kChannels>(words, nullptr, out);
+        encode<PlainGuess, kChannels>(words, out);
     else
-        encode<AmountGuess, kChannels>(words, expected.amount, out);
+        encode_amounts<kChannels>(words, expected.amount, out);
 }
 
 template <int kChannels>
 void decode(const std::byte* in, const Expectation& expected, std::uint32_t* words) {
     if constexpr (kChannels == 1)
-        if (expected.smooth) return decode<SmoothGuess, 1>(in, nullptr, words);
+        if (expected.smooth) return decode<SmoothGuess, 1>(in, words);
     if (expected.amount == nullptr)
-        decode<PlainGuess, kChannels>(in, nullptr, words);
+        decode<PlainGuess, kChannels>(in, words);
     else
-        decode<AmountGuess, kChannels>(in, expected.amount, words);
+        decode_amounts<kChannels>(in, expected.amount, words);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <sys/resource.h>
 #include <thread>
 
 #include <benchmark/benchmark.h>
@@ -19,6 +20,13 @@ double seconds_of(const auto& work) {
     const auto begin = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// Pages of memory that were new to this process until now.
+double new_pages() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_minflt);
 }
 
 /// All its tiles sleep.
@@ -92,6 +100,7 @@ void undo_many(benchmark::State& state) {
         ++packed;
     }
     double undo_s = 0.0, longest_s = 0.0;
+    const double pages = new_pages();
     for (auto _ : state)
         for (int i = 0; i < kStrokes; ++i) {
             const double one_s = seconds_of([&] { painting->apply(document::Undo{}); });
@@ -101,6 +110,7 @@ void undo_many(benchmark::State& state) {
         }
     state.counters["undo_ms"] = 1e3 * undo_s / kStrokes;
     state.counters["longest_ms"] = 1e3 * longest_s;
+    state.counters["new_pages"] = (new_pages() - pages) / kStrokes;
     state.counters["packed_steps"] = static_cast<double>(packed);
     state.counters["packed_MB"] = 1e-6 * static_cast<double>(packed_bytes);
 }

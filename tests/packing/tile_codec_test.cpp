@@ -55,15 +55,25 @@ TEST(TileCodec, AnyBytesGiveSomeWordsThatEncodeToThem) {
     EXPECT_EQ(encoded(words, 16, {}), bytes);
 }
 
-TEST(TileCodec, AllInstructionSetsGiveTheSameBytes) {
-    const auto words = random_words(16 * kTileCells, 5, 0x00ffffffU);
-    const auto random = random_words(kTileCells, 6, 0x0fffffffU);
-    const std::vector<std::int32_t> amount(random.begin(), random.end());
-    for (const core::Isa isa : {core::Isa::Avx2, core::Isa::Avx512}) {
-        if (isa > core::best_isa()) continue;
-        std::vector<std::byte> bytes(tile_bytes(16));
-        tile_codec(isa).encode(words.data(), 16, {amount.data()}, bytes.data());
-        EXPECT_EQ(bytes, encoded(words, 16, {amount.data()}));
+TEST(TileCodec, AllInstructionSetsGiveTheSameBytesAndWords) {
+    for (const int channels : {1, 6, 9, 12, 16}) {
+        // Amounts that are mostly alike lie on the line between their neighbours, others far from it.
+        auto words = random_words(channels * kTileCells, 5, 0x00ffffffU);
+        for (std::size_t i = words.size() / 2; i < words.size(); ++i)
+            words[i] = (words[i] & 0xffU) + 1000 * static_cast<std::uint32_t>(i % channels);
+        const auto random = random_words(kTileCells, 6, 0x0fffffffU);
+        std::vector<std::int32_t> amount(random.begin(), random.end());
+        std::fill_n(amount.begin(), 200, 0);
+        const auto bytes = encoded(words, channels, {amount.data()});
+        for (const core::Isa isa : {core::Isa::Baseline, core::Isa::Avx2, core::Isa::Avx512}) {
+            if (isa > core::best_isa()) continue;
+            std::vector<std::byte> same(bytes.size());
+            tile_codec(isa).encode(words.data(), channels, {amount.data()}, same.data());
+            EXPECT_EQ(same, bytes) << channels;
+            std::vector<std::uint32_t> back(words.size());
+            tile_codec(isa).decode(bytes.data(), channels, {amount.data()}, back.data());
+            EXPECT_EQ(back, words) << channels;
+        }
     }
 }
 
