@@ -622,7 +622,7 @@ LargeStepper::LargeStepper(grid::Shape shape, Edge edge_x, Edge edge_y, int thre
 LargeStepper::Memory LargeStepper::remember() const {
     Memory memory(tiles_.size());
     for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
-        if (tiles_[tile]) memory[tile] = tiles_[tile]->last_pressure;
+        if (tiles_[tile]) memory[tile] = std::make_unique<const CellArray>(tiles_[tile]->last_pressure);
     return memory;
 }
 

@@ -8,7 +8,6 @@
 #include "film/tile_window.hpp"
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace pastoso::film {
@@ -42,8 +41,8 @@ class LargeStepper {
     /// Forgets a tile that fell asleep.
     void forget(int tile) { tiles_[tile].reset(); }
 
-    /// What a step leaves for the next one: the pressure of each tile's surface.
-    using Memory = std::vector<std::optional<CellArray>>;
+    /// What a step leaves for the next one: the pressure of each tile's surface, where there was one.
+    using Memory = std::vector<std::unique_ptr<const CellArray>>;
     Memory remember() const;
     void recall(const Memory& memory);
 

@@ -411,7 +411,7 @@ void Solver::restore(const SolverMemory& memory) {
     parts_->activity.restore(memory.calls, std::move(tiles));
     LargeStepper::Memory pressures(parts_->window_start.size());
     for (const SolverMemory::TilePressure& known : memory.pressures)
-        pressures[known.tile] = known.pressure_mm2_s2;
+        pressures[known.tile] = std::make_unique<const CellArray>(known.pressure_mm2_s2);
     parts_->large.recall(pressures);
     parts_->runoff = memory.runoff;
 }
