@@ -3,6 +3,8 @@
 #include "packing/packed_bytes.hpp"
 #include "packing/tile_values.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <future>
 
 namespace pastoso::document {
@@ -117,18 +119,26 @@ HeightBlock unpacked(packing::Unpacker& unpacker, const Bytes& frame, const std:
                                           {amount});
 }
 
-/// Different ranges may be put at the same time.
+/// Unpacks a tile of a field if it is in the set. Different tiles may be put at the same time.
 template <class Amount, class Field>
-void put_range(const TileSet<Bytes>& set, std::size_t first, std::size_t end, Amount amount,
-               const FilmState& film, Field& field) {
-    packing::Unpacker unpacker;
-    for (std::size_t i = first; i < end; ++i) {
-        const int tile = set.tiles[i];
-        if (set.blocks[i].empty())
-            field.reset(tile);
-        else
-            field.replace(tile, unpacked(unpacker, set.blocks[i], amount.of(film, tile), field));
-    }
+void put_tile(const TileSet<Bytes>& set, int tile, Amount amount, packing::Unpacker& unpacker,
+              const FilmState& film, Field& field) {
+    const auto found = std::lower_bound(set.tiles.begin(), set.tiles.end(), tile);
+    if (found == set.tiles.end() || *found != tile) return;
+    const Bytes& frame = set.blocks[static_cast<std::size_t>(found - set.tiles.begin())];
+    if (frame.empty())
+        field.reset(tile);
+    else
+        field.replace(tile, unpacked(unpacker, frame, amount.of(film, tile), field));
+}
+
+std::vector<int> tiles_of_any(const std::vector<TileSet<Bytes>>& fields) {
+    std::vector<int> tiles;
+    for (const TileSet<Bytes>& field : fields)
+        tiles.insert(tiles.end(), field.tiles.begin(), field.tiles.end());
+    std::sort(tiles.begin(), tiles.end());
+    tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+    return tiles;
 }
 
 template <class Block>
@@ -181,18 +191,24 @@ PackedFilmTiles::PackedFilmTiles(const FilmTiles& tiles, const FilmState& older)
         tiles);
 }
 
+/// All fields of a tile by one thread, since some are in proportion to others.
 void PackedFilmTiles::put_into(FilmState& film) const {
-    std::size_t next = 0;
-    for_each_field(
-        [&](auto amount, auto& field) {
-            const TileSet<Bytes>& set = fields_[next++];
-            const std::size_t middle = set.tiles.size() / 2;
-            auto first_half =
-                std::async(std::launch::async, [&] { put_range(set, 0, middle, amount, film, field); });
-            put_range(set, middle, set.tiles.size(), amount, film, field);
-            first_half.get();
-        },
-        film);
+    const std::vector<int> tiles = tiles_of_any(fields_);
+    std::atomic<std::size_t> next = 0;
+    const auto put_tiles = [&] {
+        packing::Unpacker unpacker;
+        for (std::size_t i = next++; i < tiles.size(); i = next++) {
+            auto set = fields_.begin();
+            for_each_field(
+                [&](auto amount, auto& field) {
+                    put_tile(*set++, tiles[i], amount, unpacker, film, field);
+                },
+                film);
+        }
+    };
+    auto others = std::async(std::launch::async, put_tiles);
+    put_tiles();
+    others.get();
     put(levels_, film.support_mm);
     put(sums_, film);
 }
