@@ -18,6 +18,7 @@ void History::keep_steps(std::size_t count) {
 
 void History::set_limits(std::size_t budget_bytes, std::size_t packed_bytes, std::size_t most_moments) {
     finish_packing();
+    budget_bytes_ = budget_bytes;
     packed_bytes_ = packed_bytes;
     waiting_bytes_ = budget_bytes / 4;
     most_moments_ = most_moments;
@@ -37,6 +38,7 @@ void History::remember(Moment before, Step step) {
     past_.push(std::move(before));
     past_.limit_waiting(waiting_bytes_);
     drop_oldest();
+    limit_unpacked();
 }
 
 Moment History::step_back(Moment now) {
@@ -46,6 +48,7 @@ Moment History::step_back(Moment now) {
     Moment moment = past_.pop();
     now.step = moment.step;
     future_.push(std::move(now));
+    limit_unpacked();
     return moment;
 }
 
@@ -55,16 +58,33 @@ Moment History::step_forward(Moment now) {
     now.step = moment.step;
     past_.push(std::move(now));
     drop_oldest();
+    limit_unpacked();
     return moment;
 }
 
 void History::finish_packing() {
     past_.finish_packing();
     drop_oldest();
+    limit_unpacked();
+}
+
+std::size_t History::bytes() const {
+    return past_.packed_bytes() + past_.unpacked_bytes() + future_.packed_bytes() +
+           future_.unpacked_bytes();
 }
 
 void History::drop_oldest() {
     past_.drop_lowest(packed_bytes_, most_moments_);
+}
+
+/// What is to be undone comes before what may be done again.
+void History::limit_unpacked() {
+    const auto left = [](std::size_t bytes, std::size_t taken) {
+        return bytes - std::min(bytes, taken);
+    };
+    const std::size_t room = left(budget_bytes_, past_.packed_bytes() + future_.packed_bytes());
+    past_.limit_unpacked(room);
+    future_.limit_unpacked(left(room, past_.unpacked_bytes()));
 }
 
 }  // namespace pastoso::document

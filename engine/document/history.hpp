@@ -11,8 +11,10 @@ namespace pastoso::document {
 
 /// A moment costs the tiles that were changed until the next one. The latest steps are kept as they are,
 /// in an eighth of the budget; older ones are packed by a thread of low priority, and the
-/// oldest are dropped when they take more than the rest. What is dropped depends on the moments alone,
-/// never on how far the packing has come: where Undo has to know, it packs what is left itself.
+/// oldest are dropped when they take more than the rest. As long as that leaves room in the budget, the
+/// latest of the packed ones stay as they are beside it: Undo has nothing to unpack then. What is
+/// dropped depends on the moments alone, never on how far the packing has come: where Undo has to know,
+/// it packs what is left itself.
 class History {
   public:
     static constexpr std::size_t kDefaultBudget_bytes = std::size_t{512} << 20;
@@ -45,10 +47,15 @@ class History {
     /// Packs at once all that is to be packed.
     void finish_packing();
 
+    /// What all steps take, both ways, but for the ones next in turn.
+    std::size_t bytes() const;
+
   private:
     void set_limits(std::size_t budget_bytes, std::size_t packed_bytes, std::size_t most_moments);
     void drop_oldest();
+    void limit_unpacked();
 
+    std::size_t budget_bytes_ = 0;
     std::size_t packed_bytes_ = 0;   ///< that may be kept
     std::size_t waiting_bytes_ = 0;  ///< that may wait for being packed
     std::size_t most_moments_ = kMostMoments;

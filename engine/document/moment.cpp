@@ -122,36 +122,32 @@ void put(const AllFilms<Tiles>& films, const grid::Shape& shape, const Moment& n
 
 }  // namespace
 
-/// Either as they are or packed.
+/// As they are, packed, or both.
 struct MomentDifference::Tiles {
-    struct Raw {
-        AllFilms<FilmTiles> tiles;
-        Moment older;  ///< for what the tiles are packed with
-    };
+    using Raw = AllFilms<FilmTiles>;
     using Packed = AllFilms<PackedFilmTiles>;
 
     static std::shared_ptr<const Raw> taken(const Moment& older, const Moment& newer) {
         auto raw = std::make_shared<Raw>();
-        raw->older = older;
         for (std::size_t place = 0; place < older.layers.layers.size(); ++place) {
-            auto& tiles = raw->tiles.layers.emplace_back();
+            auto& tiles = raw->layers.emplace_back();
             if (is_shared(older, place, newer)) continue;
             const Layer& layer = older.layers.layers[place];
             tiles.emplace(film_of(older, place),
                           counterpart(layer, is_active(older, place), older.canvas.film.shape, newer));
         }
-        if (older.well) raw->tiles.well.emplace(older.well->film, well_of(newer, bare_well()));
+        if (older.well) raw->well.emplace(older.well->film, well_of(newer, bare_well()));
         return raw;
     }
 
-    static std::shared_ptr<const Packed> packed_of(const Raw& raw) {
+    static std::shared_ptr<const Packed> packed_of(const Raw& raw, const Moment& older) {
         auto packed = std::make_shared<Packed>();
-        for (std::size_t place = 0; place < raw.tiles.layers.size(); ++place) {
-            const auto& tiles = raw.tiles.layers[place];
+        for (std::size_t place = 0; place < raw.layers.size(); ++place) {
+            const auto& tiles = raw.layers[place];
             auto& layer = packed->layers.emplace_back();
-            if (tiles) layer.emplace(*tiles, film_of(raw.older, place));
+            if (tiles) layer.emplace(*tiles, film_of(older, place));
         }
-        if (raw.tiles.well) packed->well.emplace(*raw.tiles.well, raw.older.well->film);
+        if (raw.well) packed->well.emplace(*raw.well, older.well->film);
         return packed;
     }
 
@@ -163,17 +159,21 @@ struct MomentDifference::Tiles {
 
     /// Two threads may do this at once: the first that is ready has done it.
     void pack() {
-        const auto source = locked(&Tiles::raw);
-        if (source == nullptr) return;
-        auto result = packed_of(*source);
-        const std::lock_guard lock(mutex);
+        std::unique_lock lock(mutex);
+        const auto source = raw;
+        const auto whole = older;
+        if (whole == nullptr) return;
+        lock.unlock();
+        auto result = packed_of(*source, *whole);
+        lock.lock();
         if (packed == nullptr) packed = std::move(result);
-        raw.reset();
+        older.reset();
     }
 
     mutable std::mutex mutex;
-    std::shared_ptr<const Raw> raw;        ///< null once they are packed
+    std::shared_ptr<const Raw> raw;        ///< may be null once they are packed
     std::shared_ptr<const Packed> packed;  ///< null until then
+    std::shared_ptr<const Moment> older;   ///< for what the tiles are packed with; null once they are
 };
 
 MomentDifference::MomentDifference(const Moment& older, const Moment& newer)
@@ -183,13 +183,14 @@ MomentDifference::MomentDifference(const Moment& older, const Moment& newer)
                   unshared_picture_bytes(older, newer)),
       tiles_(std::make_shared<Tiles>()) {
     tiles_->raw = Tiles::taken(older, newer);
-    bytes_ = rest_bytes_ + tiles_->raw->tiles.bytes();
+    tiles_->older = std::make_shared<const Moment>(older);
+    bytes_ = rest_bytes_ + tiles_->raw->bytes();
 }
 
 Moment MomentDifference::applied_to(const Moment& newer) const {
     Moment older = rest_;
     if (const auto raw = tiles_->locked(&Tiles::raw))
-        put(raw->tiles, shape_, newer, older);
+        put(*raw, shape_, newer, older);
     else
         put(*tiles_->locked(&Tiles::packed), shape_, newer, older);
     return older;
@@ -205,6 +206,16 @@ void MomentDifference::pack_on(core::BackgroundThread& thread) {
 
 void MomentDifference::pack() {
     tiles_->pack();
+}
+
+bool MomentDifference::is_unpacked() const {
+    return tiles_->locked(&Tiles::raw) != nullptr;
+}
+
+void MomentDifference::give_up_unpacked() {
+    std::shared_ptr<const Tiles::Raw> unused;  // freed after the lock
+    const std::lock_guard lock(tiles_->mutex);
+    if (tiles_->packed != nullptr) unused = std::exchange(tiles_->raw, nullptr);
 }
 
 std::optional<std::size_t> MomentDifference::packed_bytes() const {

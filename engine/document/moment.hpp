@@ -57,8 +57,11 @@ class MomentDifference {
 
     /// Has the tiles packed as soon as there is time; once is enough.
     void pack_on(core::BackgroundThread& thread);
-    /// Packs them at once, unless they are; the same bytes either way.
+    /// Packs them at once, unless they are; the same bytes either way. They stand unpacked as well.
     void pack();
+    bool is_unpacked() const;
+    /// Keeps what is packed alone, if it is packed.
+    void give_up_unpacked();
     /// None: not packed yet.
     std::optional<std::size_t> packed_bytes() const;
 

@@ -33,7 +33,7 @@ Moment MomentStack::pop() {
     MomentDifference next = std::move(below_.back());
     below_.pop_back();
     coming_step_ = next.step();
-    if (next.packed_bytes())
+    if (!next.is_unpacked())
         coming_top_ = std::async(std::launch::async, [next = std::move(next), newer = moment] {
             return next.applied_to(newer);
         });
@@ -108,6 +108,26 @@ void MomentStack::limit_waiting(std::size_t bytes) {
 void MomentStack::finish_packing() {
     for (std::size_t i = packed_count(); i-- > 0;)
         below_[i].pack();
+}
+
+std::size_t MomentStack::packed_bytes() const {
+    std::size_t sum = 0;
+    for (const MomentDifference& difference : below_)
+        sum += difference.packed_bytes().value_or(0);
+    return sum;
+}
+
+std::size_t MomentStack::unpacked_bytes() const {
+    std::size_t sum = 0;
+    for (const MomentDifference& difference : below_)
+        if (difference.is_unpacked()) sum += difference.bytes();
+    return sum;
+}
+
+void MomentStack::limit_unpacked(std::size_t bytes) {
+    std::size_t sum = 0;
+    for (std::size_t i = below_.size(); i-- > 0;)
+        if (below_[i].is_unpacked() && (sum += below_[i].bytes()) > bytes) below_[i].give_up_unpacked();
 }
 
 std::vector<KeptStep> MomentStack::steps() const {

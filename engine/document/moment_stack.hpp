@@ -14,7 +14,7 @@
 namespace pastoso::document {
 
 /// The uppermost differences stay as they are as long as they have at most `unpacked_bytes` together;
-/// those below are packed.
+/// those below are packed, and stay unpacked beside it until limit_unpacked().
 class MomentStack {
   public:
     explicit MomentStack(core::BackgroundThread& packer) : packer_(packer) {}
@@ -40,6 +40,13 @@ class MomentStack {
 
     /// Packs at once all that is to be packed.
     void finish_packing();
+
+    /// What is packed takes; what is unpacked, whether packed as well or not, comes on top.
+    std::size_t packed_bytes() const;
+    std::size_t unpacked_bytes() const;
+    /// Keeps of the packed ones only the upper as they are as well: as long as all unpacked ones have
+    /// at most so many bytes.
+    void limit_unpacked(std::size_t bytes);
 
     /// From the lowest on.
     std::vector<KeptStep> steps() const;

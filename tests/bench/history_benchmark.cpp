@@ -119,6 +119,7 @@ BENCHMARK(undo_many)
     ->Args({8, 60, 64, 0})
     ->Args({20, 200, 512, 0})
     ->Args({20, 410, 512, 0})
+    ->Args({20, 410, 256, 0})
     ->Args({20, 410, 512, 400})
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond);

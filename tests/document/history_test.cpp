@@ -112,6 +112,62 @@ TEST(MomentStack, WhatWaitsForAThreadThatHasNoTimeIsPackedAtOnceBeyondALimit) {
     has_time.set_value();
 }
 
+TEST(MomentStack, KeepsTheUpperPackedOnesAsTheyAreUpToALimit) {
+    NoisyFilm film;
+    core::BackgroundThread packer;
+    MomentStack stack(packer);
+    std::vector<std::uint64_t> hashes;
+    for (int i = 0; i < 10; ++i) {
+        hashes.push_back(film.hash());
+        stack.push(film.moment());
+        film.change(i);
+    }
+    stack.finish_packing();
+    EXPECT_GT(stack.unpacked_bytes(), 9 * kTileBytes);
+    const std::size_t packed_bytes = stack.packed_bytes();
+    stack.limit_unpacked(5 * kTileBytes);
+    EXPECT_LE(stack.unpacked_bytes(), 5 * kTileBytes);
+    EXPECT_GT(stack.unpacked_bytes(), 4 * kTileBytes);
+    EXPECT_EQ(stack.packed_bytes(), packed_bytes);
+    for (std::size_t i = hashes.size(); i-- > 0;)
+        EXPECT_EQ(hash_of(stack.pop()), hashes[i]);
+}
+
+TEST(MomentStack, KeepsWhatIsNotPackedYetWhateverTheLimit) {
+    NoisyFilm film;
+    std::promise<void> has_time;
+    core::BackgroundThread packer;
+    packer.add([&] { has_time.get_future().wait(); });
+    MomentStack stack(packer);
+    const std::uint64_t first = film.hash();
+    for (int i = 0; i < 3; ++i) {
+        stack.push(film.moment());
+        film.change(i);
+    }
+    stack.limit_unpacked(0);
+    EXPECT_GT(stack.unpacked_bytes(), 2 * kTileBytes);
+    stack.pop();
+    stack.pop();
+    EXPECT_EQ(hash_of(stack.pop()), first);
+    has_time.set_value();
+}
+
+TEST(History, PackedStepsStayAsTheyAreWhereTheBudgetHasRoom) {
+    NoisyFilm film;
+    History history;
+    const std::size_t budget = 48 * kTileBytes;
+    history.set_budget(budget);
+    for (int i = 0; i < 60; ++i) {
+        change_and_remember(film, history, i % 16);
+        history.finish_packing();
+        EXPECT_LE(history.bytes(), budget);
+        // Of 19 steps below the next one six are not packed; thirteen are, and stay as they are.
+        if (i == 19) {
+            EXPECT_GT(history.bytes(), 30 * kTileBytes);
+        }
+    }
+}
+
 TEST(History, ANewChangeForgetsWhatWasUndone) {
     NoisyFilm film;
     History history;
