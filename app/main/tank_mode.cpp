@@ -42,7 +42,7 @@ io::ExportStatus write_surface(const session::TankPlace& place, const session::T
                                const std::atomic<bool>& stops) {
     io::MeshExportOptions options;
     options.what = "liquid";
-    return io::export_mesh(file, session::liquid_surface(place, seen, pool), options,
+    return io::export_mesh(file, session::liquid_surface(place, seen, 0.0F, pool), options,
                            [&stops](double) { return !stops; });
 }
 

@@ -1,7 +1,7 @@
 #include "session/tank_session.hpp"
 
-#include "liquid/marching_cubes.hpp"
 #include "session/far_level.hpp"
+#include "tank/tank_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,17 +27,6 @@ TankWind wind_of(const tank::TankScene& scene) {
     wind.direction_deg = scene.wind.direction_deg;
     wind.drag_per_s = scene.wind.drag_per_s;
     return wind;
-}
-
-/// The middles of the room's cells and of those around it are the points of a frame.
-liquid::SampledField solids_of(const tank::Room& room) {
-    liquid::SampledField solids_m(tank::frame_lattice(room.shape(), 1));
-    const liquid::Lattice& lattice = solids_m.lattice();
-    for (int k = 0; k < lattice.nz; ++k)
-        for (int j = 0; j < lattice.ny; ++j)
-            for (int i = 0; i < lattice.nx; ++i)
-                solids_m.at(i, j, k) = room.distance_m().at(i - 1, j - 1, k - 1);
-    return solids_m;
 }
 
 std::vector<FlowArrow> arrows_of(const tank::LiquidTank& tank, const tank::TankFrame& frame) {
@@ -100,7 +89,7 @@ void TankSession::make_tank(const tank::TankScene& scene) {
     tank_ = std::move(made);
     drains_open_ = !scene.drains.empty();
     tank_->open_drains(drains_open_);
-    place_ = std::make_shared<const TankPlace>(TankPlace{used, solids_of(tank_->room())});
+    place_ = std::make_shared<const TankPlace>(TankPlace{used, tank_->shared_room()});
     wind_ = wind_of(scene);
     moments_ = 0;
     frames_.clear();
@@ -184,20 +173,13 @@ void TankSession::give_moment() {
     seen_.volume_m3 = moment_ != nullptr ? moment_->seen.volume_m3 : 0.0;
 }
 
-liquid::TriangleMesh liquid_surface(const TankPlace& place, const TankSeen& seen,
+liquid::TriangleMesh liquid_surface(const TankPlace& place, const TankSeen& seen, float reach_m,
                                     core::ThreadPool& pool) {
-    liquid::SampledField inside_m = seen.level_m;
-    const liquid::Lattice& lattice = inside_m.lattice();
-    const glm::vec3 size_m = place.scene.size_m();
-    for (int k = 0; k < lattice.nz; ++k)
-        for (int j = 0; j < lattice.ny; ++j)
-            for (int i = 0; i < lattice.nx; ++i) {
-                const glm::vec3 at_m = lattice.point_m(i, j, k);
-                const glm::vec3 from_walls_m = glm::min(at_m, size_m - at_m);
-                inside_m.at(i, j, k) = std::min({-seen.level_m.at(i, j, k), place.solids_m.at(i, j, k),
-                                                 from_walls_m.x, from_walls_m.y, from_walls_m.z});
-            }
-    return liquid::marching_cubes(inside_m.view(), 0.0F, pool);
+    tank::TankFrame frame;
+    frame.level_m = seen.level_m;
+    liquid::TriangleMesh mesh;
+    tank::TankSurfaces(*place.room, pool).make(frame, reach_m, mesh);
+    return mesh;
 }
 
 float rest_level_m(const TankMoment& moment) {
@@ -208,14 +190,6 @@ float rest_level_m(const TankMoment& moment) {
 float longest_side_m(const tank::TankScene& scene) {
     const glm::vec3 size_m = scene.size_m();
     return std::max({size_m.x, size_m.y, size_m.z});
-}
-
-float wall_m(const tank::TankScene& scene) {
-    return 0.02F * longest_side_m(scene);
-}
-
-glm::vec3 liquid_absorption_per_m(const tank::TankScene& scene) {
-    return glm::vec3(1.5F, 0.42F, 0.26F) / longest_side_m(scene);
 }
 
 tank::TankScene with_drain(tank::TankScene scene) {

@@ -14,8 +14,8 @@ inline constexpr double kTankMoment_s = 1.0 / 60.0;  ///< between moments that a
 
 /// What stays while the liquid moves.
 struct TankPlace {
-    tank::TankScene scene;          ///< with a drain in any case
-    liquid::SampledField solids_m;  ///< distance from the solids at the points of the level, < 0 within
+    tank::TankScene scene;  ///< with a drain in any case
+    std::shared_ptr<const tank::Room> room;
 };
 
 /// The wind as the hand sets it.
@@ -95,18 +95,15 @@ class TankSession : public LiquidSession {
     TankStatus seen_;  ///< but for what all liquids have
 };
 
-/// The surface of the liquid as triangles, closed where the liquid meets solids and the tank's walls.
-liquid::TriangleMesh liquid_surface(const TankPlace& place, const TankSeen& seen,
+/// The surface of the liquid as triangles, closed where the liquid meets solids and the tank's walls, or
+/// `reach_m` within those (tank::TankSurfaces).
+liquid::TriangleMesh liquid_surface(const TankPlace& place, const TankSeen& seen, float reach_m,
                                     core::ThreadPool& pool);
 
 /// Liquid at rest would stand so high, about.
 float rest_level_m(const TankMoment& moment);
 
 float longest_side_m(const tank::TankScene& scene);
-/// Of the tank's glass.
-float wall_m(const tank::TankScene& scene);
-/// Of the liquid where it is clear, along a metre: about as dark in a tank of any size.
-glm::vec3 liquid_absorption_per_m(const tank::TankScene& scene);
 
 /// The scene with a drain in its floor, where it has none and there is room for one.
 tank::TankScene with_drain(tank::TankScene scene);

@@ -1,6 +1,7 @@
 #include "tea/tank_renderer.hpp"
 
 #include "tea/tank_shader.hpp"
+#include "trace/tank_scene.hpp"
 
 #include <algorithm>
 
@@ -30,22 +31,31 @@ void TankRenderer::release() {
     gl_ = nullptr;
 }
 
-void TankRenderer::upload(GLuint texture, const liquid::SampledField& field, bool anew) {
-    const liquid::Lattice& lattice = field.lattice();
+void TankRenderer::upload_level(bool anew) {
+    const liquid::SampledField& level_m = moment_->far_m;
+    const liquid::Lattice& lattice = level_m.lattice();
     upload_volume(
-        *gl_, texture,
-        {field.row(0, 0), lattice.nx, lattice.ny, lattice.nz, field.stride_y(), field.stride_z()}, anew);
+        *gl_, level_,
+        {level_m.row(0, 0), lattice.nx, lattice.ny, lattice.nz, level_m.stride_y(), level_m.stride_z()},
+        anew);
+}
+
+/// At the same points as the level: the middles of the cells, and of those around the box.
+void TankRenderer::upload_solids(const tank::Room& room) {
+    has_solids_ = room.has_solids();
+    const grid::BoxShape& shape = room.shape();
+    upload_volume(*gl_, solids_,
+                  {room.distance_m().row(-1, -1) - 1, shape.nx + 2, shape.ny + 2, shape.nz + 2,
+                   shape.stride_y(), shape.stride_z()},
+                  true);
 }
 
 void TankRenderer::show(std::shared_ptr<const session::TankMoment> moment) {
     const bool anew = moment_ == nullptr || moment_->place != moment->place;
     moment_ = std::move(moment);
     gl_->glActiveTexture(GL_TEXTURE0 + kLevelUnit);
-    upload(level_, moment_->far_m, anew);
-    if (anew) {
-        has_solids_ = !moment_->place->scene.solids.empty();
-        upload(solids_, moment_->place->solids_m, true);
-    }
+    upload_level(anew);
+    if (anew) upload_solids(*moment_->place->room);
     const grid::BoxField& milk = moment_->seen.milk;
     const grid::BoxShape& shape = milk.shape();
     upload_volume(*gl_, milk_,
@@ -62,10 +72,11 @@ void TankRenderer::draw(QOpenGLFramebufferObject& target, const QRect& part, con
     program_->setUniformValue("size_m", vector(scene.size_m()));
     program_->setUniformValue("cells", vector(glm::vec3(scene.cells)));
     program_->setUniformValue("cell_m", static_cast<float>(scene.cell_m));
-    program_->setUniformValue("wall_m", session::wall_m(scene));
+    program_->setUniformValue("wall_m", trace::tank_wall_m(moment_->seen.milk.shape()));
     program_->setUniformValue("unit_m", session::longest_side_m(scene));
     program_->setUniformValue("rest_m", session::rest_level_m(*moment_));
-    program_->setUniformValue("liquid_per_m", vector(session::liquid_absorption_per_m(scene)));
+    program_->setUniformValue("liquid_per_m",
+                              vector(trace::tank_absorption_per_m(moment_->seen.milk.shape())));
     program_->setUniformValue("has_milk", has_milk_);
     program_->setUniformValue("has_solids", has_solids_);
     program_->setUniformValue("most_steps", quality == Quality::Draft ? kDraftSteps : kFullSteps);

@@ -23,7 +23,8 @@ class TankRenderer {
               Quality quality);
 
   private:
-    void upload(GLuint texture, const liquid::SampledField& field, bool anew);
+    void upload_level(bool anew);
+    void upload_solids(const tank::Room& room);
 
     QOpenGLExtraFunctions* gl_ = nullptr;
     std::unique_ptr<QOpenGLShaderProgram> program_;

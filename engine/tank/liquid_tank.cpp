@@ -48,7 +48,7 @@ std::unique_ptr<LiquidMethod> method_of(const TankScene& scene, const Room& room
 
 LiquidTank::LiquidTank(const TankScene& scene)
     : scene_((check_tank(scene), scene)),
-      room_(std::make_unique<Room>(shape_of(scene), solid_distance(scene))),
+      room_(std::make_shared<const Room>(shape_of(scene), solid_distance(scene))),
       method_(method_of(scene, *room_)) {
     for (const Drain& drain : scene_.drains)
         drains_.emplace_back(shape(), ShapeDistance(drain.shape));

@@ -14,6 +14,8 @@ namespace {
 /// Plates are this share of the room's longest side, but no thinner than what reaches into them.
 constexpr float kWallShare = 0.013F;
 constexpr float kLeastWall_cells = 0.5F;
+/// What the liquid absorbs along the room's longest side.
+constexpr glm::vec3 kAbsorption(1.35F, 0.33F, 0.135F);
 
 /// From the middle of the tank to the eye; any length.
 const glm::vec3 kTowardsEye(0.42F, -1.0F, 0.42F);
@@ -62,12 +64,23 @@ Camera camera_for(const Tank& tank, float aspect) {
 
 }  // namespace
 
+float tank_wall_m(const grid::BoxShape& room) {
+    return std::max(kWallShare * largest(size_of(room)), kLeastWall_cells * room.cell_m);
+}
+
+glm::vec3 tank_absorption_per_m(const grid::BoxShape& room) {
+    return kAbsorption / largest(size_of(room));
+}
+
+float tank_model_scale(const grid::BoxShape& room) {
+    return kTankModel_m / largest(size_of(room));
+}
+
 Scene tank_scene(const grid::BoxField& milk, liquid::TriangleMesh liquid, liquid::TriangleMesh solids,
                  float aspect) {
     PASTOSO_CHECK_OP(aspect, >, 0.0F);
     const grid::BoxShape& room = milk.shape();
-    const glm::vec3 size_m = size_of(room);
-    const float model = kTankModel_m / largest(size_m);
+    const float model = tank_model_scale(room);
     Scene scene;
     scene.cup.reset();
     scene.clear_liquid = std::move(liquid);
@@ -78,10 +91,10 @@ Scene tank_scene(const grid::BoxField& milk, liquid::TriangleMesh liquid, liquid
     scene.dissolved.values() = milk.values();
     Tank tank;
     tank.inner_low_m = glm::vec3(0.0F);
-    tank.inner_high_m = size_m * model;
-    tank.wall_m = std::max(kWallShare * kTankModel_m, kLeastWall_cells * room.cell_m * model);
+    tank.inner_high_m = size_of(room) * model;
+    tank.wall_m = tank_wall_m(room) * model;
     scene.tank = tank;
-    scene.optics.tea_absorption_per_m = {4.5F, 1.1F, 0.45F};
+    scene.optics.tea_absorption_per_m = tank_absorption_per_m(room) / model;
     scene.optics.milk_scattering_per_m = 1200.0F;
     scene.table->height_m = -tank.wall_m;
     scene.table->radius_m = 4.0F;

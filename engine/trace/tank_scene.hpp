@@ -19,4 +19,10 @@ Scene tank_scene(const grid::BoxField& milk, liquid::TriangleMesh liquid, liquid
 inline constexpr float kTankOverlap_cells = 0.25F;
 inline constexpr float kTankModel_m = 0.3F;  ///< the longest side of the room
 
+/// The same tank as it stands, before it becomes a model: how thick its plates are, how much its clear
+/// liquid absorbs along a metre, and how many metres of the model are one of the room.
+float tank_wall_m(const grid::BoxShape& room);
+glm::vec3 tank_absorption_per_m(const grid::BoxShape& room);
+float tank_model_scale(const grid::BoxShape& room);
+
 }  // namespace pastoso::trace

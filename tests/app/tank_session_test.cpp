@@ -51,7 +51,7 @@ TEST(TankSession, TheSurfaceHoldsTheLiquidWithinTheTank) {
     session.wait_until_applied();
     core::ThreadPool pool;
     const auto moment = session.moment();
-    const liquid::TriangleMesh mesh = liquid_surface(*moment->place, moment->seen, pool);
+    const liquid::TriangleMesh mesh = liquid_surface(*moment->place, moment->seen, 0.0F, pool);
     // Samples a cell apart cut the edges off, and see the level a third of a cell too low: one twelfth
     // of four cells.
     EXPECT_NEAR(liquid::volume_m3(mesh), moment->seen.volume_m3, 0.1 * moment->seen.volume_m3);
