@@ -80,7 +80,8 @@ void GlassView::free_graphics() {
 /// A draft at once, as coarse as it must be; once nothing moves, strips of the picture in full quality
 /// follow, one for each frame.
 void GlassView::paintGL() {
-    if (!graphics_ready() || !has_moment()) return;
+    if (!graphics_ready()) return;
+    if (!has_moment()) return QPainter(this).fillRect(rect(), palette().window());
     const QSize size = device_size();
     if (!shows_latest()) show_latest();
     if (still_ == nullptr || still_->size() != size) {

@@ -114,10 +114,13 @@ Meeting march(vec3 from, vec3 way, float most, bool wet, vec3 from_normal, float
               inout vec3 light) {
     float side = wet ? -1.0 : 1.0;
     float at = 0.12 * cell_m, before = 0.0;
+    bool settled = false;  // the normal is smoother than the surface: a bent ray may begin just beyond it
     vec3 lit = milk_light(from_normal);
     for (int i = 0; i < most_steps && at < most; ++i) {
         vec3 here = from + way * at;
         float to_level = side * level_at(here), to_solid = solid_at(here);
+        settled = settled || to_level > 0.0 || at > 0.8 * cell_m;
+        if (!settled) to_level = 0.0;
         if (to_level < 0.0 || to_solid < 0.0) {
             float low = before, high = at;
             bool solid = to_solid < 0.0;
@@ -150,16 +153,19 @@ Meeting march(vec3 from, vec3 way, float most, bool wet, vec3 from_normal, float
     return Meeting(most, vec3(0.0), 0);
 }
 
-/// Bends the ray at a surface; true where it went through.
-bool bend(inout vec3 way, vec3 normal, float here, float there, vec3 from, bool shines, inout vec3 weight,
+/// The ray goes where most of its light goes; true where that is through the surface. What is given back
+/// is the sky's where the surface shines, and otherwise goes the same way, so that none is lost.
+bool bend(inout vec3 way, vec3 normal, float here, float there, bool shines, inout vec3 weight,
           inout vec3 light) {
-    float back = fresnel(min(-dot(way, normal), 1.0), here, there);
-    if (back > 0.999) {
+    float back = fresnel(clamp(-dot(way, normal), 0.0, 1.0), here, there);
+    if (back > 0.5) {
         way = reflect(way, normal);
         return false;
     }
-    if (shines) light += weight * back * sky(reflect(way, normal));
-    weight *= 1.0 - back;
+    if (shines) {
+        light += weight * back * sky(reflect(way, normal));
+        weight *= 1.0 - back;
+    }
     way = normalize(refract(way, normal, here / there));
     return true;
 }
@@ -174,7 +180,7 @@ vec3 trace(vec3 from, vec3 way, float grain_here) {
     bool wet = false;
     vec2 inside = abs(from.xy - 0.5 * size_m.xy) - 0.5 * size_m.xy;
     if (normal.z > 0.5 && max(inside.x, inside.y) < 0.0) region = ROOM;
-    else bend(way, normal, 1.0, GLASS_IOR, from, true, weight, light);
+    else if (!bend(way, normal, 1.0, GLASS_IOR, true, weight, light)) return surroundings(from, way);
     normal = up;
     for (int event = 0; event < 12; ++event) {
         if (max(weight.r, max(weight.g, weight.b)) < 0.004) return light;
@@ -191,11 +197,11 @@ vec3 trace(vec3 from, vec3 way, float grain_here) {
                 wet = level_at(within) < 0.0 && from.z < size_m.z;
                 if (solid_at(within) < 0.0 && from.z < size_m.z)
                     return light + weight * solid_light(within, in_normal);
-                if (bend(way, in_normal, GLASS_IOR, wet ? LIQUID_IOR : 1.0, from, false, weight, light)) {
+                if (bend(way, in_normal, GLASS_IOR, wet ? LIQUID_IOR : 1.0, false, weight, light)) {
                     region = ROOM;
                     normal = in_normal;
                 }
-            } else if (bend(way, -out_normal, GLASS_IOR, 1.0, from, false, weight, light)) {
+            } else if (bend(way, -out_normal, GLASS_IOR, 1.0, false, weight, light)) {
                 return light + weight * surroundings(from + way * 1e-5, way);
             }
         } else {
@@ -207,10 +213,10 @@ vec3 trace(vec3 from, vec3 way, float grain_here) {
             float here = wet ? LIQUID_IOR : 1.0;
             if (next.what == 1) {
                 normal = next.normal;
-                if (bend(way, normal, here, wet ? 1.0 : LIQUID_IOR, from, !wet && event < 4, weight, light)) wet = !wet;
+                if (bend(way, normal, here, wet ? 1.0 : LIQUID_IOR, !wet && event < 4, weight, light)) wet = !wet;
             } else if (out_normal.z > 0.5) {
                 return light + weight * surroundings(from, way);
-            } else if (bend(way, -out_normal, here, GLASS_IOR, from, false, weight, light)) {
+            } else if (bend(way, -out_normal, here, GLASS_IOR, false, weight, light)) {
                 region = GLASS;
             } else {
                 normal = -out_normal;
