@@ -148,6 +148,9 @@ enum class Command {
     TankWindWeaker,
     TankVelocity,
     TankExportAll,
+    TankRender,
+    TankRecordPictures,
+    TankRecordSurfaces,
 };
 
 /// What the window is about: the painting, or a liquid in its place. A command is given in one of them,

@@ -156,6 +156,9 @@ constexpr Name kNames[] = {
     {Command::TankWindWeaker, "tank_wind_weaker"},
     {Command::TankVelocity, "tank_velocity"},
     {Command::TankExportAll, "tank_export_all"},
+    {Command::TankRender, "tank_render"},
+    {Command::TankRecordPictures, "tank_record_pictures"},
+    {Command::TankRecordSurfaces, "tank_record_surfaces"},
 };
 
 }  // namespace

@@ -72,7 +72,7 @@ struct MainWindow::Parts {
           preferences(studio, undo),
           place(studio, panels.readings),
           tea(studio, pictures, place),
-          tank(studio, place) {}
+          tank(studio, pictures, place) {}
 
     CanvasSizing sizing;
     LayerCommands layers;

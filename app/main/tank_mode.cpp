@@ -3,8 +3,11 @@
 #include "core/error.hpp"
 #include "io/mesh_export.hpp"
 #include "io/tank_json.hpp"
+#include "main/picture_layers.hpp"
 #include "main/queued_refresh.hpp"
+#include "main/tank_surface_file.hpp"
 #include "tea/glass_chooser.hpp"
+#include "tea/liquid_picture_dialog.hpp"
 #include "tea/tank_page.hpp"
 
 #include <algorithm>
@@ -35,35 +38,34 @@ constexpr std::pair<Command, const char*> kButtonWords[] = {
     {Command::TankWind, QT_TR_NOOP("Wind")},
     {Command::TankVelocity, QT_TR_NOOP("Velocities")},
     {Command::TankExportAll, QT_TR_NOOP("Export all moments...")},
+    {Command::TankRender, QT_TR_NOOP("Render a picture...")},
+    {Command::TankRecordPictures, QT_TR_NOOP("Pictures")},
+    {Command::TankRecordSurfaces, QT_TR_NOOP("Surfaces")},
 };
 
-io::ExportStatus write_surface(const session::TankPlace& place, const session::TankSeen& seen,
-                               const std::filesystem::path& file, core::ThreadPool& pool,
-                               const std::atomic<bool>& stops) {
-    io::MeshExportOptions options;
-    options.what = "liquid";
-    return io::export_mesh(file, session::liquid_surface(place, seen, 0.0F, pool), options,
-                           [&stops](double) { return !stops; });
+Command command_of(Recorded what) {
+    return what == Recorded::Pictures ? Command::TankRecordPictures : Command::TankRecordSurfaces;
 }
 
 }  // namespace
 
-TankMode::TankMode(Studio& studio, CanvasPlace& place)
-    : studio_(studio), place_(place), export_(studio) {
+TankMode::TankMode(Studio& studio, PictureLayers& pictures, CanvasPlace& place)
+    : studio_(studio), pictures_(pictures), place_(place), export_(studio) {
     connect_commands();
+    connect_exports();
     connect_wind();
 }
 
-TankMode::~TankMode() = default;
+TankMode::~TankMode() {
+    delete picture_;
+}
 
 void TankMode::connect_commands() {
     commands::CommandRegistry& commands = studio_.commands();
     for (const auto& [command, words] : kButtonWords)
         commands.action(command)->setIconText(QCoreApplication::translate("pastoso::main", words));
-    const auto here = [&](Command command, std::function<void(bool)> what) {
-        commands.on(command, [this, what = std::move(what)](bool on) {
-            if (active_) what(on);
-        });
+    const auto here = [this](Command command, std::function<void(bool)> what) {
+        on_here(command, std::move(what));
     };
     commands.on(Command::GlassTank, [this](bool tank) { tank ? enter() : leave(); });
     here(Command::TankFalling, [this](bool) { choose(QString::fromLatin1(kFalling)); });
@@ -73,11 +75,27 @@ void TankMode::connect_commands() {
     here(Command::TankBall, [this](bool) { drop_ball(0.5F * glm::vec2(scene_.size_m())); });
     here(Command::TankDrain, [this](bool open) { session_->open_drains(open); });
     here(Command::TankVelocity, [this](bool shown) { page_->view().show_velocity(shown); });
-    here(Command::TankExportAll, [this](bool) { ask_export_all(); });
-    here(Command::TeaExportMesh, [this](bool) { ask_export(); });
     here(Command::TeaPause, [this](bool paused) { session_->set_paused(paused); });
     here(Command::TeaFullSpeed, [this](bool full) { session_->set_full_speed(full); });
     here(Command::TeaFrontView, [this](bool) { page_->view().look_from_front(); });
+}
+
+void TankMode::on_here(Command command, std::function<void(bool)> what) {
+    studio_.commands().on(command, [this, what = std::move(what)](bool on) {
+        if (active_) what(on);
+    });
+}
+
+void TankMode::connect_exports() {
+    on_here(Command::TeaExportMesh, [this](bool) { ask_export(); });
+    on_here(Command::TankExportAll, [this](bool) { ask_export_all(); });
+    on_here(Command::TankRender, [this](bool) {
+        picture().show();
+        picture().raise();
+    });
+    for (const Recorded what : kRecorded)
+        on_here(command_of(what),
+                [this, what](bool on) { on ? ask_record(what) : recorder_->stop(what); });
 }
 
 void TankMode::connect_wind() {
@@ -111,6 +129,9 @@ void TankMode::make_page() {
                                .velocity = action(Command::TankVelocity),
                                .export_mesh = action(Command::TeaExportMesh),
                                .export_all = action(Command::TankExportAll),
+                               .render = action(Command::TankRender),
+                               .record_pictures = action(Command::TankRecordPictures),
+                               .record_surfaces = action(Command::TankRecordSurfaces),
                                .pause = action(Command::TeaPause),
                                .full_speed = action(Command::TeaFullSpeed),
                                .front = action(Command::TeaFrontView)});
@@ -149,11 +170,22 @@ void TankMode::enter() {
     studio_.commands().action(Command::TeaPause)->setChecked(paused_);
     page_->panel().chooser().show_choice(key_);
     if (session_ == nullptr)
-        session_ = std::make_unique<session::TankSession>(
-            scene_, paused_, queued_refresh(this, [this] { show_published(); }));
+        begin_session();
     else
         session_->set_paused(paused_);
     page_->view().setFocus();
+}
+
+void TankMode::begin_session() {
+    session_ = std::make_unique<session::TankSession>(
+        scene_, paused_, queued_refresh(this, [this] { show_published(); }));
+    recorder_ = std::make_unique<TankRecorder>(*session_, page_->view());
+    connect(recorder_.get(), &TankRecorder::progressed, this, &TankMode::show_recorded);
+    connect(recorder_.get(), &TankRecorder::ended, this, [this](Recorded what, const QString& told) {
+        studio_.commands().action(command_of(what))->setChecked(false);
+        show_recorded();
+        studio_.report_refusal(told);
+    });
 }
 
 void TankMode::leave() {
@@ -165,6 +197,9 @@ void TankMode::put_away() {
     active_ = false;
     paused_ = studio_.commands().action(Command::TeaPause)->isChecked();
     session_->set_paused(true);
+    for (const Recorded what : kRecorded)
+        recorder_->stop(what);
+    if (picture_ != nullptr) picture_->hide();
     studio_.commands().action(Command::GlassTank)->setChecked(false);
 }
 
@@ -208,6 +243,7 @@ void TankMode::show_published() {
     }
     if (const auto moment = session_->moment()) {
         page_->view().show_moment(moment);
+        recorder_->look(moment);
         // What was refused is not to be read as if it held.
         if (refused || status.glass != shown_glass_) show_tank(status);
     }
@@ -259,6 +295,62 @@ void TankMode::blow_harder(double by_m_s) {
     use_wind(wind);
 }
 
+// ---- pictures
+
+tea::LiquidPictureDialog& TankMode::picture() {
+    if (picture_ != nullptr) return *picture_;
+    picture_ = new tea::LiquidPictureDialog(
+        {.name = QStringLiteral("tank_picture"),
+         .title = tr("Picture of the tank"),
+         .hint = tr("The tank as it is seen in the window, traced along the light's ways through "
+                    "glass and liquid. Choose a size and press Render."),
+         .file = QStringLiteral("tank.png"),
+         .size = {960, 720},
+         .has_milk_body = false},
+        [this] {
+            session::LiquidPictureOrder order;
+            if (const auto moment = session_->moment())
+                order.scene = [moment,
+                               camera = page_->view().camera().traced()](core::ThreadPool& pool) {
+                    return session::traced_tank(*moment, camera, pool);
+                };
+            return order;
+        },
+        &studio_.window());
+    connect(picture_, &tea::LiquidPictureDialog::rendering_begins, this,
+            [this] { session_->set_paused(true); });
+    connect(picture_, &tea::LiquidPictureDialog::wanted_on_canvas, this,
+            [this](const layers::Picture& picture) {
+                leave();
+                pictures_.paint_picture(picture, tr("Glass tank"));
+            });
+    return *picture_;
+}
+
+void TankMode::ask_record(Recorded what) {
+    const QString folder = QFileDialog::getExistingDirectory(
+        &studio_.window(), what == Recorded::Pictures ? tr("A folder for pictures of every step")
+                                                      : tr("A folder for surfaces of every step"));
+    if (folder.isEmpty())
+        studio_.commands().action(command_of(what))->setChecked(false);
+    else
+        record(what, folder);
+}
+
+void TankMode::record(Recorded what, const QString& folder) {
+    studio_.commands().action(command_of(what))->setChecked(true);
+    recorder_->start(what, folder);
+}
+
+void TankMode::show_recorded() {
+    QStringList parts;
+    if (recorder_->records(Recorded::Pictures))
+        parts << tr("%n picture(s) written", nullptr, recorder_->written(Recorded::Pictures));
+    if (recorder_->records(Recorded::Surfaces))
+        parts << tr("%n surface(s) written", nullptr, recorder_->written(Recorded::Surfaces));
+    page_->panel().show_recorded(parts.join(QLatin1Char('\n')));
+}
+
 // ---- surfaces
 
 void TankMode::ask_export() {
@@ -290,7 +382,7 @@ void TankMode::export_mesh(const QString& path) {
     export_.start([moment, file, told = tr("The liquid's surface is in %1.").arg(path)](
                       const std::atomic<bool>& stops) {
         core::ThreadPool pool;
-        const auto status = write_surface(*moment->place, moment->seen, file, pool, stops);
+        const auto status = write_tank_surface(*moment->place, moment->seen, file, pool, stops);
         return status == io::ExportStatus::Stopped ? QString() : told;
     });
 }
@@ -306,7 +398,7 @@ void TankMode::export_all(const QString& folder) {
         for (const int step : steps) {
             const QString name = QStringLiteral("/liquid_%1.obj").arg(++number, 4, 10, QLatin1Char('0'));
             const std::filesystem::path file = (folder + name).toStdString();
-            if (write_surface(*kept.place, kept.frames.at(step), file, pool, stops) ==
+            if (write_tank_surface(*kept.place, kept.frames.at(step), file, pool, stops) ==
                 io::ExportStatus::Stopped)
                 return QString();
         }

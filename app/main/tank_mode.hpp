@@ -3,20 +3,24 @@
 
 #include "main/background_export.hpp"
 #include "main/canvas_place.hpp"
+#include "main/tank_recorder.hpp"
 #include "session/tank_session.hpp"
 
 #include <memory>
 
 namespace pastoso::tea {
+class LiquidPictureDialog;
 class TankPage;
 }  // namespace pastoso::tea
 
 namespace pastoso::main {
 
+class PictureLayers;
+
 class TankMode : public QObject {
     Q_OBJECT
   public:
-    TankMode(Studio& studio, CanvasPlace& place);
+    TankMode(Studio& studio, PictureLayers& pictures, CanvasPlace& place);
     ~TankMode() override;
 
     bool active() const { return active_; }
@@ -38,6 +42,15 @@ class TankMode : public QObject {
     void export_all(const QString& folder);
     bool exporting() const { return export_.busy(); }
 
+    /// From now on every moment goes into the folder, until the command is given again, the tank is left
+    /// or a file cannot be written.
+    void record(Recorded what, const QString& folder);
+
+    const TankRecorder& recorder() const { return *recorder_; }
+
+    /// Where a picture is rendered; it is made when it is first wanted.
+    tea::LiquidPictureDialog& picture();
+
     /// A ball of liquid falls there from the top.
     void drop_ball(const glm::vec2& at_m);
 
@@ -46,8 +59,11 @@ class TankMode : public QObject {
 
   private:
     void connect_commands();
+    void connect_exports();
     void connect_wind();
+    void on_here(commands::Command command, std::function<void(bool)> what);
     void make_page();
+    void begin_session();
     void put_away();
     void show_published();
     void show_tank(const session::TankStatus& status);
@@ -57,13 +73,18 @@ class TankMode : public QObject {
     void ask_open();
     void ask_export();
     void ask_export_all();
+    void ask_record(Recorded what);
+    void show_recorded();
 
     Studio& studio_;
+    PictureLayers& pictures_;
     CanvasPlace& place_;
     tea::TankPage* page_ = nullptr;
+    tea::LiquidPictureDialog* picture_ = nullptr;
     std::unique_ptr<session::TankSession> session_;
-    tank::TankScene scene_;  ///< as it begins
-    QString key_;            ///< of the chooser
+    std::unique_ptr<TankRecorder> recorder_;  ///< as long as the session
+    tank::TankScene scene_;                   ///< as it begins
+    QString key_;                             ///< of the chooser
     session::TankWind wind_;
     int shown_glass_ = 0;
     bool active_ = false, paused_ = false;

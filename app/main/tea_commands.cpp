@@ -6,8 +6,8 @@
 #include "io/tea_json.hpp"
 #include "main/tea_mode.hpp"
 #include "main/wait_cursor.hpp"
+#include "tea/liquid_picture_dialog.hpp"
 #include "tea/tea_page.hpp"
-#include "tea/tea_picture_dialog.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -3,8 +3,8 @@
 #include "main/picture_layers.hpp"
 #include "main/queued_refresh.hpp"
 #include "tea/glass_chooser.hpp"
+#include "tea/liquid_picture_dialog.hpp"
 #include "tea/tea_page.hpp"
-#include "tea/tea_picture_dialog.hpp"
 
 #include <utility>
 
@@ -123,19 +123,27 @@ void TeaMode::show_published() {
     studio_.commands().action(Command::TeaFullSpeed)->setChecked(status.full_speed);
 }
 
-tea::TeaPictureDialog& TeaMode::picture() {
+tea::LiquidPictureDialog& TeaMode::picture() {
     if (picture_ != nullptr) return *picture_;
-    picture_ = new tea::TeaPictureDialog(
+    picture_ = new tea::LiquidPictureDialog(
+        {.name = QStringLiteral("tea_picture"),
+         .title = tr("Picture of the glass"),
+         .hint = tr("The glass as it is seen in the window, traced along the light's ways through "
+                    "glass, tea and milk. Choose a size and press Render."),
+         .file = QStringLiteral("milk_tea.png")},
         [this] {
-            session::TeaPictureOrder order;
-            order.moment = session_->moment();
-            order.camera = page_->view().camera().traced();
+            session::LiquidPictureOrder order;
+            if (const auto moment = session_->moment())
+                order.scene = [moment,
+                               camera = page_->view().camera().traced()](core::ThreadPool& pool) {
+                    return session::traced_tea(*moment, camera, pool);
+                };
             return order;
         },
         &studio_.window());
-    connect(picture_, &tea::TeaPictureDialog::rendering_begins, this,
+    connect(picture_, &tea::LiquidPictureDialog::rendering_begins, this,
             [this] { session_->set_paused(true); });
-    connect(picture_, &tea::TeaPictureDialog::wanted_on_canvas, this,
+    connect(picture_, &tea::LiquidPictureDialog::wanted_on_canvas, this,
             [this](const layers::Picture& picture) {
                 leave();
                 pictures_.paint_picture(picture, tr("Milk tea"));

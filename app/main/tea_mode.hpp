@@ -11,7 +11,7 @@
 
 namespace pastoso::tea {
 class TeaPage;
-class TeaPictureDialog;
+class LiquidPictureDialog;
 }  // namespace pastoso::tea
 
 namespace pastoso::main {
@@ -43,7 +43,7 @@ class TeaMode : public QObject {
     bool exporting() const { return export_.busy(); }
 
     /// Where a picture is rendered; it is made when it is first wanted.
-    tea::TeaPictureDialog& picture();
+    tea::LiquidPictureDialog& picture();
 
   Q_SIGNALS:
     /// Something else shall be in the glass, as GlassChooser::chosen().
@@ -66,7 +66,7 @@ class TeaMode : public QObject {
     PictureLayers& pictures_;
     CanvasPlace& place_;
     tea::TeaPage* page_ = nullptr;
-    tea::TeaPictureDialog* picture_ = nullptr;
+    tea::LiquidPictureDialog* picture_ = nullptr;
     std::unique_ptr<session::TeaSession> session_;
     session::TeaForce force_;
     bool active_ = false, paused_ = false;

@@ -79,6 +79,8 @@ class LiquidSession {
     /// Returns the seconds that passed in the liquid.
     virtual double step_liquid() = 0;
     virtual bool owes_step() const { return false; }
+    /// No step is made until something else is said.
+    virtual bool waits() const { return false; }
     virtual int last_step() const = 0;
     /// Makes what is to be shown, and says its step, times and what is kept. Only with a liquid.
     virtual void make_moment(LiquidStatus& status) = 0;
@@ -100,7 +102,7 @@ class LiquidSession {
     bool wait_for_work();
     bool apply_next();
     void step();
-    bool runs() const { return has_liquid() && !paused_; }
+    bool runs() const { return has_liquid() && !paused_ && !waits(); }
     bool may_wait() const;
     void publish();
 

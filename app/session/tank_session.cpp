@@ -92,6 +92,7 @@ void TankSession::make_tank(const tank::TankScene& scene) {
     place_ = std::make_shared<const TankPlace>(TankPlace{used, tank_->shared_room()});
     wind_ = wind_of(scene);
     moments_ = 0;
+    taken_ = false;
     frames_.clear();
     frames_.keep(seen_now());
     glass_made();
@@ -129,11 +130,29 @@ void TankSession::set_numbers(const tank::TankScene& numbers) {
     }});
 }
 
+void TankSession::set_waiting(bool waits) {
+    post({[this, waits] {
+        waits_ = waits;
+        taken_ = false;
+    }});
+}
+
+void TankSession::take(const std::shared_ptr<const TankMoment>& moment) {
+    post({[this, moment] {
+        if (moment->place == place_ && moment->seen.step == moments_) taken_ = true;
+    }});
+}
+
+bool TankSession::stands_at_moment() const {
+    return tank_->time_s() - moments_ * kTankMoment_s < kRounding_s;
+}
+
 double TankSession::step_liquid() {
     const double before_s = tank_->time_s(), next_s = (moments_ + 1) * kTankMoment_s;
     tank_->step(next_s - before_s, pool());
     if (next_s - tank_->time_s() < kRounding_s) {
         ++moments_;
+        taken_ = false;
         if (frames_.wants(moments_)) frames_.keep(seen_now());
     }
     return tank_->time_s() - before_s;
@@ -156,6 +175,7 @@ void TankSession::make_moment(LiquidStatus& status) {
     moment->seen = shown_step() ? frames_.at(*shown_step()) : seen_now();
     moment->far_m = far_level(moment->seen.level_m);
     moment->drains_open = drains_open_;
+    moment->waits = waits() && !shown_step();
     status.step = moment->seen.step;
     status.last_step = moments_;
     status.time_s = moment->seen.time_s;

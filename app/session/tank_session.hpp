@@ -33,6 +33,7 @@ struct TankMoment {
     TankSeen seen;
     liquid::SampledField far_m;  ///< as far_level()
     bool drains_open = false;
+    bool waits = false;  ///< until it is taken (TankSession::set_waiting)
 };
 
 struct TankStatus : LiquidStatus {
@@ -60,6 +61,12 @@ class TankSession : public LiquidSession {
     /// All of tank_numbers() that may change while the liquid moves.
     void set_numbers(const tank::TankScene& numbers);
 
+    /// Whether the liquid waits at every moment, kTankMoment_s apart, until that is taken: so that none
+    /// is missed, however slow what is done with it. What the hand does holds meanwhile.
+    void set_waiting(bool waits);
+    /// Goes on; nothing happens when another moment waits.
+    void take(const std::shared_ptr<const TankMoment>& moment);
+
     std::shared_ptr<const TankMoment> moment() const;  ///< null before the first
     TankStatus status() const;
 
@@ -72,6 +79,7 @@ class TankSession : public LiquidSession {
 
   private:
     bool has_liquid() const override { return tank_ != nullptr; }
+    bool waits() const override { return waits_ && !taken_ && stands_at_moment(); }
     double step_liquid() override;
     int last_step() const override { return moments_; }
     void make_moment(LiquidStatus& status) override;
@@ -79,6 +87,7 @@ class TankSession : public LiquidSession {
 
     void make_tank(const tank::TankScene& scene);
     TankSeen seen_now();
+    bool stands_at_moment() const;
 
     // Of the session's thread alone.
     std::unique_ptr<tank::LiquidTank> tank_;
@@ -86,7 +95,8 @@ class TankSession : public LiquidSession {
     TankFrames frames_;
     TankWind wind_;
     bool drains_open_ = false;
-    int moments_ = 0;  ///< that were reached
+    int moments_ = 0;                     ///< that were reached
+    bool waits_ = false, taken_ = false;  ///< at every moment; this one is taken
     std::shared_ptr<const TankMoment> made_;
 
     // Under the mutex.

@@ -19,6 +19,7 @@ namespace {
 constexpr double kDraft_s = 0.035, kRefinement_s = 0.045;
 constexpr int kCoarsest = 3;  ///< device pixels a side of a pixel of a draft
 constexpr int kPasses = 8;    ///< of a picture at rest
+constexpr int kHurriedPasses = 3;
 constexpr int kRest_ms = 140;
 constexpr double kOrbit_deg_per_px = 0.35;
 
@@ -30,7 +31,7 @@ QOpenGLFramebufferObjectFormat fine_format() {
 
 }  // namespace
 
-GlassView::GlassView(QWidget* parent) : GraphicsWidget(parent) {
+GlassView::GlassView(QWidget* parent) : GraphicsWidget(parent), passes_(kPasses) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setTabletTracking(true);
@@ -48,7 +49,20 @@ void GlassView::set_camera(const TeaCamera& camera) {
 }
 
 bool GlassView::finished() const {
-    return graphics_ready() && shows_latest() && !draft_is_due_ && pass_ == kPasses;
+    return graphics_ready() && shows_latest() && !draft_is_due_ && pass_ >= passes_;
+}
+
+QImage GlassView::picture() {
+    const auto pointer = std::exchange(pointer_, std::nullopt);
+    QImage picture = grabFramebuffer();
+    pointer_ = pointer;
+    return picture;
+}
+
+void GlassView::set_hurried(bool hurried) {
+    resting_.setInterval(hurried ? 0 : kRest_ms);
+    passes_ = hurried ? kHurriedPasses : kPasses;
+    update();
 }
 
 void GlassView::begin_anew() {
@@ -91,11 +105,11 @@ void GlassView::paintGL() {
     }
     if (draft_is_due_)
         draw_draft(size);
-    else if (pass_ < kPasses && !resting_.isActive())
+    else if (pass_ < passes_ && !resting_.isActive())
         refine(size);
     present(size);
     put_marks_over(size);
-    if (pass_ < kPasses && !resting_.isActive()) update();
+    if (pass_ < passes_ && !resting_.isActive()) update();
 }
 
 void GlassView::draw_draft(QSize size) {
@@ -126,7 +140,7 @@ void GlassView::refine(QSize size) {
     row_ = end;
     if (row_ < size.height()) return;
     row_ = 0;
-    ++pass_;
+    if (++pass_ == passes_) Q_EMIT picture_finished();
 }
 
 void GlassView::present(QSize size) {

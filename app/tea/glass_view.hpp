@@ -9,6 +9,7 @@
 #include <optional>
 
 #include <QElapsedTimer>
+#include <QImage>
 #include <QTimer>
 
 class QPainter;
@@ -26,9 +27,16 @@ class GlassView : public graphics::GraphicsWidget {
 
     /// Whether the frame on the screen is the final one of the latest moment.
     bool finished() const;
+    /// That frame as a picture, without the pointer's mark.
+    QImage picture();
+    /// Whether the final frame follows a draft at once, and not only when nothing has moved for a while;
+    /// its edges are then a little less smooth.
+    void set_hurried(bool hurried);
 
   Q_SIGNALS:
     void camera_changed();
+    /// While the frame is drawn with which finished() comes true.
+    void picture_finished();
 
   protected:
     // What is shown; called with the current context.
@@ -80,6 +88,7 @@ class GlassView : public graphics::GraphicsWidget {
     double pixel_cost_s_ = 0.4e-6;  ///< learnt from the frames so far
     bool draft_is_due_ = true;
     int pass_ = 0, row_ = 0;  ///< of the still picture: what comes next
+    int passes_;              ///< that it has
     QTimer resting_;          ///< nothing has moved for a while
     enum class Does { Nothing, Pour, Orbit };
     Does does_ = Does::Nothing;

@@ -11,6 +11,7 @@
 #include <QAction>
 #include <QCoreApplication>
 #include <QGridLayout>
+#include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -73,6 +74,7 @@ TankPanel::TankPanel(const TankActions& actions, QWidget* parent) : QWidget(pare
     column->addWidget(ball_section(actions));
     column->addWidget(wind_section(actions));
     column->addWidget(looks_section(actions));
+    column->addWidget(steps_section(actions));
     column->addWidget(numbers());
     column->addStretch(1);
     show_scene({});
@@ -140,9 +142,26 @@ QWidget* TankPanel::looks_section(const TankActions& actions) {
     auto* widget = new QWidget;
     auto* column = panels::section(widget, tr("Look and export"));
     column->addWidget(panels::button_row({actions.velocity}));
+    column->addWidget(panels::button_row({actions.render}));
     column->addWidget(panels::button_row({actions.export_mesh}));
     column->addWidget(panels::button_row({actions.export_all}));
     return widget;
+}
+
+QWidget* TankPanel::steps_section(const TankActions& actions) {
+    auto* widget = new QWidget;
+    auto* column = panels::section(widget, tr("Every step into a folder"));
+    column->addWidget(panels::button_row({actions.record_pictures, actions.record_surfaces}));
+    recorded_ = new QLabel;
+    recorded_->setObjectName(QStringLiteral("reading"));
+    recorded_->hide();
+    column->addWidget(recorded_);
+    return widget;
+}
+
+void TankPanel::show_recorded(const QString& words) {
+    recorded_->setText(words);
+    recorded_->setVisible(!words.isEmpty());
 }
 
 QWidget* TankPanel::numbers() {

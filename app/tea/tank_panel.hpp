@@ -8,6 +8,7 @@
 #include <QWidget>
 
 class QAction;
+class QLabel;
 
 namespace pastoso::tea {
 
@@ -19,6 +20,7 @@ struct TankActions {
     QAction *back, *restart, *open, *ball, *drain, *wind;
     QAction *left, *right, *stronger, *weaker;
     QAction *velocity, *export_mesh, *export_all;
+    QAction *render, *record_pictures, *record_surfaces;
     QAction *pause, *full_speed, *front;
 };
 
@@ -39,6 +41,8 @@ class TankPanel : public QWidget {
     void show_scene(const tank::TankScene& scene);
     void show_wind(const session::TankWind& wind);
     const TankBall& ball() const { return ball_; }
+    /// What is written of every step by now; nothing: none is.
+    void show_recorded(const QString& words);
 
   Q_SIGNALS:
     void numbers_changed(const pastoso::tank::TankScene& numbers);
@@ -50,6 +54,7 @@ class TankPanel : public QWidget {
     QWidget* ball_section(const TankActions& actions);
     QWidget* wind_section(const TankActions& actions);
     QWidget* looks_section(const TankActions& actions);
+    QWidget* steps_section(const TankActions& actions);
     QWidget* numbers();
 
     tank::TankScene scene_;
@@ -57,6 +62,7 @@ class TankPanel : public QWidget {
     TankBall ball_;
     GlassChooser* chooser_ = nullptr;
     NumberRow *radius_ = nullptr, *milk_ = nullptr;
+    QLabel* recorded_ = nullptr;
     NumberRow *speed_ = nullptr, *direction_ = nullptr, *drag_ = nullptr;
     std::vector<NumberRow*> shown_;
 };

@@ -2042,6 +2042,26 @@
         <source>Arrows show where the liquid flows, and how fast</source>
         <translation>Arrows show where the liquid flows, and how fast</translation>
     </message>
+    <message>
+        <source>Render a pic&amp;ture...</source>
+        <translation>Render a pic&amp;ture...</translation>
+    </message>
+    <message>
+        <source>Pi&amp;ctures of every step...</source>
+        <translation>Pi&amp;ctures of every step...</translation>
+    </message>
+    <message>
+        <source>While the liquid moves, a picture of every moment, as you see the tank, goes into a folder</source>
+        <translation>While the liquid moves, a picture of every moment, as you see the tank, goes into a folder</translation>
+    </message>
+    <message>
+        <source>S&amp;urfaces of every step...</source>
+        <translation>S&amp;urfaces of every step...</translation>
+    </message>
+    <message>
+        <source>While the liquid moves, its surface at every moment goes into a folder</source>
+        <translation>While the liquid moves, its surface at every moment goes into a folder</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -3142,6 +3162,14 @@
         <source>Export all moments...</source>
         <translation>Export all moments...</translation>
     </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Pictures</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Surfaces</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
@@ -3651,6 +3679,57 @@
         <source>All surfaces are in %1.</source>
         <translation>All surfaces are in %1.</translation>
     </message>
+    <message>
+        <source>Picture of the tank</source>
+        <translation>Picture of the tank</translation>
+    </message>
+    <message>
+        <source>The tank as it is seen in the window, traced along the light&apos;s ways through glass and liquid. Choose a size and press Render.</source>
+        <translation>The tank as it is seen in the window, traced along the light&apos;s ways through glass and liquid. Choose a size and press Render.</translation>
+    </message>
+    <message>
+        <source>Glass tank</source>
+        <translation>Glass tank</translation>
+    </message>
+    <message>
+        <source>A folder for pictures of every step</source>
+        <translation>A folder for pictures of every step</translation>
+    </message>
+    <message>
+        <source>A folder for surfaces of every step</source>
+        <translation>A folder for surfaces of every step</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n picture(s) written</source>
+        <translation>
+            <numerusform>%n picture written</numerusform>
+            <numerusform>%n pictures written</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n surface(s) written</source>
+        <translation>
+            <numerusform>%n surface written</numerusform>
+            <numerusform>%n surfaces written</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::TankRecorder</name>
+    <message numerus="yes">
+        <source>%n picture(s) are in %1.</source>
+        <translation>
+            <numerusform>%n picture is in %1.</numerusform>
+            <numerusform>%n pictures are in %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n surface(s) are in %1.</source>
+        <translation>
+            <numerusform>%n surface is in %1.</numerusform>
+            <numerusform>%n surfaces are in %1.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::TeaMode</name>
@@ -3685,6 +3764,14 @@
     <message>
         <source>Milk tea</source>
         <translation>Milk tea</translation>
+    </message>
+    <message>
+        <source>Picture of the glass</source>
+        <translation>Picture of the glass</translation>
+    </message>
+    <message>
+        <source>The glass as it is seen in the window, traced along the light&apos;s ways through glass, tea and milk. Choose a size and press Render.</source>
+        <translation>The glass as it is seen in the window, traced along the light&apos;s ways through glass, tea and milk. Choose a size and press Render.</translation>
     </message>
 </context>
 <context>
@@ -5445,6 +5532,105 @@ Drag: move the picture
     </message>
 </context>
 <context>
+    <name>pastoso::tea::LiquidPictureDialog</name>
+    <message>
+        <source>Pixels from left to right</source>
+        <translation>Pixels from left to right</translation>
+    </message>
+    <message>
+        <source>Pixels from top to bottom</source>
+        <translation>Pixels from top to bottom</translation>
+    </message>
+    <message>
+        <source>Ways of light for each pixel: four times as many, half the noise</source>
+        <translation>Ways of light for each pixel: four times as many, half the noise</translation>
+    </message>
+    <message>
+        <source>As a surface</source>
+        <translation>As a surface</translation>
+    </message>
+    <message>
+        <source>As a cloud</source>
+        <translation>As a cloud</translation>
+    </message>
+    <message>
+        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
+        <translation>How milk that has not dissolved is seen: a cloud is softer and takes longer</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Width</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Height</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Samples</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>Milk</translation>
+    </message>
+    <message>
+        <source>Use on the canvas</source>
+        <translation>Use on the canvas</translation>
+    </message>
+    <message>
+        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
+        <translation>Puts the picture onto the painting as a layer of dry paint, and goes there</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Save...</translation>
+    </message>
+    <message>
+        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
+        <translation>As PNG and others as it is shown, or as EXR with the light itself</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Close</translation>
+    </message>
+    <message>
+        <source>Taking the noise out...</source>
+        <translation>Taking the noise out...</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stop</translation>
+    </message>
+    <message>
+        <source>Render</source>
+        <translation>Render</translation>
+    </message>
+    <message>
+        <source>Keep the picture as fine as it is by now</source>
+        <translation>Keep the picture as fine as it is by now</translation>
+    </message>
+    <message>
+        <source>%1 samples in %2 s, without noise</source>
+        <translation>%1 samples in %2 s, without noise</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples</source>
+        <translation>%1 of %2 samples</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Save the picture</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Pictures (%1)</translation>
+    </message>
+    <message>
+        <source>Finding the surface...</source>
+        <translation>Finding the surface...</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::tea::TankPage</name>
     <message>
         <source>Moment of the tank</source>
@@ -5549,6 +5735,10 @@ Drag: move the picture
         <source>Liquid</source>
         <translation>Liquid</translation>
     </message>
+    <message>
+        <source>Every step into a folder</source>
+        <translation>Every step into a folder</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::tea::TeaPage</name>
@@ -5626,113 +5816,6 @@ Drag: move the picture
     <message>
         <source>A push down along the axis; below 0 it goes up</source>
         <translation>A push down along the axis; below 0 it goes up</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TeaPictureDialog</name>
-    <message>
-        <source>Picture of the glass</source>
-        <translation>Picture of the glass</translation>
-    </message>
-    <message>
-        <source>The glass as it is seen in the window, traced along the light&apos;s ways through glass, tea and milk. Choose a size and press Render.</source>
-        <translation>The glass as it is seen in the window, traced along the light&apos;s ways through glass, tea and milk. Choose a size and press Render.</translation>
-    </message>
-    <message>
-        <source>Pixels from left to right</source>
-        <translation>Pixels from left to right</translation>
-    </message>
-    <message>
-        <source>Pixels from top to bottom</source>
-        <translation>Pixels from top to bottom</translation>
-    </message>
-    <message>
-        <source>Ways of light for each pixel: four times as many, half the noise</source>
-        <translation>Ways of light for each pixel: four times as many, half the noise</translation>
-    </message>
-    <message>
-        <source>As a surface</source>
-        <translation>As a surface</translation>
-    </message>
-    <message>
-        <source>As a cloud</source>
-        <translation>As a cloud</translation>
-    </message>
-    <message>
-        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
-        <translation>How milk that has not dissolved is seen: a cloud is softer and takes longer</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Width</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Height</translation>
-    </message>
-    <message>
-        <source>Samples</source>
-        <translation>Samples</translation>
-    </message>
-    <message>
-        <source>Milk</source>
-        <translation>Milk</translation>
-    </message>
-    <message>
-        <source>Use on the canvas</source>
-        <translation>Use on the canvas</translation>
-    </message>
-    <message>
-        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
-        <translation>Puts the picture onto the painting as a layer of dry paint, and goes there</translation>
-    </message>
-    <message>
-        <source>Save...</source>
-        <translation>Save...</translation>
-    </message>
-    <message>
-        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
-        <translation>As PNG and others as it is shown, or as EXR with the light itself</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Close</translation>
-    </message>
-    <message>
-        <source>Taking the noise out...</source>
-        <translation>Taking the noise out...</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Stop</translation>
-    </message>
-    <message>
-        <source>Render</source>
-        <translation>Render</translation>
-    </message>
-    <message>
-        <source>Keep the picture as fine as it is by now</source>
-        <translation>Keep the picture as fine as it is by now</translation>
-    </message>
-    <message>
-        <source>%1 samples in %2 s, without noise</source>
-        <translation>%1 samples in %2 s, without noise</translation>
-    </message>
-    <message>
-        <source>Finding the milk&apos;s surface...</source>
-        <translation>Finding the milk&apos;s surface...</translation>
-    </message>
-    <message>
-        <source>%1 of %2 samples</source>
-        <translation>%1 of %2 samples</translation>
-    </message>
-    <message>
-        <source>Save the picture</source>
-        <translation>Save the picture</translation>
-    </message>
-    <message>
-        <source>Pictures (%1)</source>
-        <translation>Pictures (%1)</translation>
     </message>
 </context>
 <context>

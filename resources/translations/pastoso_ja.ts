@@ -2042,6 +2042,26 @@
         <source>Arrows show where the liquid flows, and how fast</source>
         <translation>液体がどこへどれだけ速く流れるかを矢印で示します</translation>
     </message>
+    <message>
+        <source>Render a pic&amp;ture...</source>
+        <translation>画像をレンダリング(&amp;T)...</translation>
+    </message>
+    <message>
+        <source>Pi&amp;ctures of every step...</source>
+        <translation>各ステップの画像(&amp;C)...</translation>
+    </message>
+    <message>
+        <source>While the liquid moves, a picture of every moment, as you see the tank, goes into a folder</source>
+        <translation>液体が動く間、見えているままの水槽の画像を、すべての瞬間についてフォルダーに保存します</translation>
+    </message>
+    <message>
+        <source>S&amp;urfaces of every step...</source>
+        <translation>各ステップの表面(&amp;U)...</translation>
+    </message>
+    <message>
+        <source>While the liquid moves, its surface at every moment goes into a folder</source>
+        <translation>液体が動く間、その表面をすべての瞬間についてフォルダーに保存します</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -3139,6 +3159,14 @@
         <source>Export all moments...</source>
         <translation>すべての瞬間を書き出す...</translation>
     </message>
+    <message>
+        <source>Pictures</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>表面</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
@@ -3648,6 +3676,53 @@
         <source>All surfaces are in %1.</source>
         <translation>すべての表面は %1 にあります。</translation>
     </message>
+    <message>
+        <source>Picture of the tank</source>
+        <translation>水槽の画像</translation>
+    </message>
+    <message>
+        <source>The tank as it is seen in the window, traced along the light&apos;s ways through glass and liquid. Choose a size and press Render.</source>
+        <translation>ウィンドウに見える水槽を、ガラスと液体を通る光の道筋をたどって描きます。大きさを選んで「レンダリング」を押してください。</translation>
+    </message>
+    <message>
+        <source>Glass tank</source>
+        <translation>ガラスの水槽</translation>
+    </message>
+    <message>
+        <source>A folder for pictures of every step</source>
+        <translation>各ステップの画像のためのフォルダー</translation>
+    </message>
+    <message>
+        <source>A folder for surfaces of every step</source>
+        <translation>各ステップの表面のためのフォルダー</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n picture(s) written</source>
+        <translation>
+            <numerusform>画像 %n 枚を保存</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n surface(s) written</source>
+        <translation>
+            <numerusform>表面 %n 個を保存</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::TankRecorder</name>
+    <message numerus="yes">
+        <source>%n picture(s) are in %1.</source>
+        <translation>
+            <numerusform>画像 %n 枚は %1 にあります。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n surface(s) are in %1.</source>
+        <translation>
+            <numerusform>表面 %n 個は %1 にあります。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::TeaMode</name>
@@ -3682,6 +3757,14 @@
     <message>
         <source>Milk tea</source>
         <translation>ミルクティー</translation>
+    </message>
+    <message>
+        <source>Picture of the glass</source>
+        <translation>グラスの画像</translation>
+    </message>
+    <message>
+        <source>The glass as it is seen in the window, traced along the light&apos;s ways through glass, tea and milk. Choose a size and press Render.</source>
+        <translation>ウィンドウに見えるグラスを、ガラス・紅茶・ミルクを通る光の道筋をたどって描きます。大きさを選んで「レンダリング」を押してください。</translation>
     </message>
 </context>
 <context>
@@ -5442,6 +5525,105 @@ Drag: move the picture
     </message>
 </context>
 <context>
+    <name>pastoso::tea::LiquidPictureDialog</name>
+    <message>
+        <source>Pixels from left to right</source>
+        <translation>左から右までのピクセル数</translation>
+    </message>
+    <message>
+        <source>Pixels from top to bottom</source>
+        <translation>上から下までのピクセル数</translation>
+    </message>
+    <message>
+        <source>Ways of light for each pixel: four times as many, half the noise</source>
+        <translation>ピクセルごとの光の道筋: 4 倍でノイズは半分になります</translation>
+    </message>
+    <message>
+        <source>As a surface</source>
+        <translation>表面として</translation>
+    </message>
+    <message>
+        <source>As a cloud</source>
+        <translation>雲として</translation>
+    </message>
+    <message>
+        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
+        <translation>溶けていないミルクの見え方。雲のほうが柔らかく、時間がかかります</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>サンプル数</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>ミルク</translation>
+    </message>
+    <message>
+        <source>Use on the canvas</source>
+        <translation>キャンバスに使う</translation>
+    </message>
+    <message>
+        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
+        <translation>画像を乾いた絵具のレイヤーとして絵に置き、絵に戻ります</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>保存...</translation>
+    </message>
+    <message>
+        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
+        <translation>PNG などは見えるとおりに、EXR は光そのものを保存します</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Taking the noise out...</source>
+        <translation>ノイズを取り除いています...</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>止める</translation>
+    </message>
+    <message>
+        <source>Render</source>
+        <translation>レンダリング</translation>
+    </message>
+    <message>
+        <source>Keep the picture as fine as it is by now</source>
+        <translation>今の細かさの画像で止めます</translation>
+    </message>
+    <message>
+        <source>%1 samples in %2 s, without noise</source>
+        <translation>%1 サンプル、%2 秒、ノイズ除去済み</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples</source>
+        <translation>%1 / %2 サンプル</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>画像を保存</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>画像 (%1)</translation>
+    </message>
+    <message>
+        <source>Finding the surface...</source>
+        <translation>表面を求めています...</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::tea::TankPage</name>
     <message>
         <source>Moment of the tank</source>
@@ -5546,6 +5728,10 @@ Drag: move the picture
         <source>Liquid</source>
         <translation>液体</translation>
     </message>
+    <message>
+        <source>Every step into a folder</source>
+        <translation>すべてのステップをフォルダーへ</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::tea::TeaPage</name>
@@ -5623,113 +5809,6 @@ Drag: move the picture
     <message>
         <source>A push down along the axis; below 0 it goes up</source>
         <translation>軸に沿って下へ押す力。0 未満は上向きです</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TeaPictureDialog</name>
-    <message>
-        <source>Picture of the glass</source>
-        <translation>グラスの画像</translation>
-    </message>
-    <message>
-        <source>The glass as it is seen in the window, traced along the light&apos;s ways through glass, tea and milk. Choose a size and press Render.</source>
-        <translation>ウィンドウに見えるグラスを、ガラス・紅茶・ミルクを通る光の道筋をたどって描きます。大きさを選んで「レンダリング」を押してください。</translation>
-    </message>
-    <message>
-        <source>Pixels from left to right</source>
-        <translation>左から右までのピクセル数</translation>
-    </message>
-    <message>
-        <source>Pixels from top to bottom</source>
-        <translation>上から下までのピクセル数</translation>
-    </message>
-    <message>
-        <source>Ways of light for each pixel: four times as many, half the noise</source>
-        <translation>ピクセルごとの光の道筋: 4 倍でノイズは半分になります</translation>
-    </message>
-    <message>
-        <source>As a surface</source>
-        <translation>表面として</translation>
-    </message>
-    <message>
-        <source>As a cloud</source>
-        <translation>雲として</translation>
-    </message>
-    <message>
-        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
-        <translation>溶けていないミルクの見え方。雲のほうが柔らかく、時間がかかります</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>幅</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>高さ</translation>
-    </message>
-    <message>
-        <source>Samples</source>
-        <translation>サンプル数</translation>
-    </message>
-    <message>
-        <source>Milk</source>
-        <translation>ミルク</translation>
-    </message>
-    <message>
-        <source>Use on the canvas</source>
-        <translation>キャンバスに使う</translation>
-    </message>
-    <message>
-        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
-        <translation>画像を乾いた絵具のレイヤーとして絵に置き、絵に戻ります</translation>
-    </message>
-    <message>
-        <source>Save...</source>
-        <translation>保存...</translation>
-    </message>
-    <message>
-        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
-        <translation>PNG などは見えるとおりに、EXR は光そのものを保存します</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>閉じる</translation>
-    </message>
-    <message>
-        <source>Taking the noise out...</source>
-        <translation>ノイズを取り除いています...</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>止める</translation>
-    </message>
-    <message>
-        <source>Render</source>
-        <translation>レンダリング</translation>
-    </message>
-    <message>
-        <source>Keep the picture as fine as it is by now</source>
-        <translation>今の細かさの画像で止めます</translation>
-    </message>
-    <message>
-        <source>%1 samples in %2 s, without noise</source>
-        <translation>%1 サンプル、%2 秒、ノイズ除去済み</translation>
-    </message>
-    <message>
-        <source>Finding the milk&apos;s surface...</source>
-        <translation>ミルクの表面を求めています...</translation>
-    </message>
-    <message>
-        <source>%1 of %2 samples</source>
-        <translation>%1 / %2 サンプル</translation>
-    </message>
-    <message>
-        <source>Save the picture</source>
-        <translation>画像を保存</translation>
-    </message>
-    <message>
-        <source>Pictures (%1)</source>
-        <translation>画像 (%1)</translation>
     </message>
 </context>
 <context>

@@ -2042,6 +2042,26 @@
         <source>Arrows show where the liquid flows, and how fast</source>
         <translation>Pilar visar vart vätskan strömmar, och hur fort</translation>
     </message>
+    <message>
+        <source>Render a pic&amp;ture...</source>
+        <translation>Rendera en bil&amp;d...</translation>
+    </message>
+    <message>
+        <source>Pi&amp;ctures of every step...</source>
+        <translation>Bil&amp;der av varje steg...</translation>
+    </message>
+    <message>
+        <source>While the liquid moves, a picture of every moment, as you see the tank, goes into a folder</source>
+        <translation>Medan vätskan rör sig läggs en bild av varje ögonblick, som du ser tanken, i en mapp</translation>
+    </message>
+    <message>
+        <source>S&amp;urfaces of every step...</source>
+        <translation>&amp;Ytor av varje steg...</translation>
+    </message>
+    <message>
+        <source>While the liquid moves, its surface at every moment goes into a folder</source>
+        <translation>Medan vätskan rör sig läggs dess yta i varje ögonblick i en mapp</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -3142,6 +3162,14 @@
         <source>Export all moments...</source>
         <translation>Exportera alla ögonblick...</translation>
     </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Ytor</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
@@ -3651,6 +3679,57 @@
         <source>All surfaces are in %1.</source>
         <translation>Alla ytor finns i %1.</translation>
     </message>
+    <message>
+        <source>Picture of the tank</source>
+        <translation>Bild av tanken</translation>
+    </message>
+    <message>
+        <source>The tank as it is seen in the window, traced along the light&apos;s ways through glass and liquid. Choose a size and press Render.</source>
+        <translation>Tanken som den syns i fönstret, spårad längs ljusets vägar genom glas och vätska. Välj en storlek och tryck på Rendera.</translation>
+    </message>
+    <message>
+        <source>Glass tank</source>
+        <translation>Glastank</translation>
+    </message>
+    <message>
+        <source>A folder for pictures of every step</source>
+        <translation>En mapp för bilder av varje steg</translation>
+    </message>
+    <message>
+        <source>A folder for surfaces of every step</source>
+        <translation>En mapp för ytor av varje steg</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n picture(s) written</source>
+        <translation>
+            <numerusform>%n bild skriven</numerusform>
+            <numerusform>%n bilder skrivna</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n surface(s) written</source>
+        <translation>
+            <numerusform>%n yta skriven</numerusform>
+            <numerusform>%n ytor skrivna</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::TankRecorder</name>
+    <message numerus="yes">
+        <source>%n picture(s) are in %1.</source>
+        <translation>
+            <numerusform>%n bild finns i %1.</numerusform>
+            <numerusform>%n bilder finns i %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n surface(s) are in %1.</source>
+        <translation>
+            <numerusform>%n yta finns i %1.</numerusform>
+            <numerusform>%n ytor finns i %1.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::TeaMode</name>
@@ -3685,6 +3764,14 @@
     <message>
         <source>Milk tea</source>
         <translation>Mjölkte</translation>
+    </message>
+    <message>
+        <source>Picture of the glass</source>
+        <translation>Bild av glaset</translation>
+    </message>
+    <message>
+        <source>The glass as it is seen in the window, traced along the light&apos;s ways through glass, tea and milk. Choose a size and press Render.</source>
+        <translation>Glaset som det syns i fönstret, spårat längs ljusets vägar genom glas, te och mjölk. Välj en storlek och tryck på Rendera.</translation>
     </message>
 </context>
 <context>
@@ -5445,6 +5532,105 @@ Dra: flytta bilden
     </message>
 </context>
 <context>
+    <name>pastoso::tea::LiquidPictureDialog</name>
+    <message>
+        <source>Pixels from left to right</source>
+        <translation>Bildpunkter från vänster till höger</translation>
+    </message>
+    <message>
+        <source>Pixels from top to bottom</source>
+        <translation>Bildpunkter uppifrån och ner</translation>
+    </message>
+    <message>
+        <source>Ways of light for each pixel: four times as many, half the noise</source>
+        <translation>Ljusvägar för varje bildpunkt: fyra gånger så många, halva bruset</translation>
+    </message>
+    <message>
+        <source>As a surface</source>
+        <translation>Som en yta</translation>
+    </message>
+    <message>
+        <source>As a cloud</source>
+        <translation>Som ett moln</translation>
+    </message>
+    <message>
+        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
+        <translation>Hur mjölk som inte löst sig syns: ett moln är mjukare och tar längre tid</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Bredd</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höjd</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Sampel</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>Mjölk</translation>
+    </message>
+    <message>
+        <source>Use on the canvas</source>
+        <translation>Använd på duken</translation>
+    </message>
+    <message>
+        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
+        <translation>Lägger bilden på målningen som ett lager torr färg, och går dit</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Spara...</translation>
+    </message>
+    <message>
+        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
+        <translation>Som PNG med flera som den visas, eller som EXR med ljuset självt</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Stäng</translation>
+    </message>
+    <message>
+        <source>Taking the noise out...</source>
+        <translation>Bruset tas bort...</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stoppa</translation>
+    </message>
+    <message>
+        <source>Render</source>
+        <translation>Rendera</translation>
+    </message>
+    <message>
+        <source>Keep the picture as fine as it is by now</source>
+        <translation>Behåll bilden så fin som den är nu</translation>
+    </message>
+    <message>
+        <source>%1 samples in %2 s, without noise</source>
+        <translation>%1 sampel på %2 s, utan brus</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples</source>
+        <translation>%1 av %2 sampel</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Spara bilden</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>Finding the surface...</source>
+        <translation>Söker ytan...</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::tea::TankPage</name>
     <message>
         <source>Moment of the tank</source>
@@ -5549,6 +5735,10 @@ Dra: flytta bilden
         <source>Liquid</source>
         <translation>Vätska</translation>
     </message>
+    <message>
+        <source>Every step into a folder</source>
+        <translation>Varje steg till en mapp</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::tea::TeaPage</name>
@@ -5626,113 +5816,6 @@ Dra: flytta bilden
     <message>
         <source>A push down along the axis; below 0 it goes up</source>
         <translation>En knuff nedåt längs axeln; under 0 går den uppåt</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TeaPictureDialog</name>
-    <message>
-        <source>Picture of the glass</source>
-        <translation>Bild av glaset</translation>
-    </message>
-    <message>
-        <source>The glass as it is seen in the window, traced along the light&apos;s ways through glass, tea and milk. Choose a size and press Render.</source>
-        <translation>Glaset som det syns i fönstret, spårat längs ljusets vägar genom glas, te och mjölk. Välj en storlek och tryck på Rendera.</translation>
-    </message>
-    <message>
-        <source>Pixels from left to right</source>
-        <translation>Bildpunkter från vänster till höger</translation>
-    </message>
-    <message>
-        <source>Pixels from top to bottom</source>
-        <translation>Bildpunkter uppifrån och ner</translation>
-    </message>
-    <message>
-        <source>Ways of light for each pixel: four times as many, half the noise</source>
-        <translation>Ljusvägar för varje bildpunkt: fyra gånger så många, halva bruset</translation>
-    </message>
-    <message>
-        <source>As a surface</source>
-        <translation>Som en yta</translation>
-    </message>
-    <message>
-        <source>As a cloud</source>
-        <translation>Som ett moln</translation>
-    </message>
-    <message>
-        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
-        <translation>Hur mjölk som inte löst sig syns: ett moln är mjukare och tar längre tid</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Bredd</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Höjd</translation>
-    </message>
-    <message>
-        <source>Samples</source>
-        <translation>Sampel</translation>
-    </message>
-    <message>
-        <source>Milk</source>
-        <translation>Mjölk</translation>
-    </message>
-    <message>
-        <source>Use on the canvas</source>
-        <translation>Använd på duken</translation>
-    </message>
-    <message>
-        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
-        <translation>Lägger bilden på målningen som ett lager torr färg, och går dit</translation>
-    </message>
-    <message>
-        <source>Save...</source>
-        <translation>Spara...</translation>
-    </message>
-    <message>
-        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
-        <translation>Som PNG med flera som den visas, eller som EXR med ljuset självt</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Stäng</translation>
-    </message>
-    <message>
-        <source>Taking the noise out...</source>
-        <translation>Bruset tas bort...</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Stoppa</translation>
-    </message>
-    <message>
-        <source>Render</source>
-        <translation>Rendera</translation>
-    </message>
-    <message>
-        <source>Keep the picture as fine as it is by now</source>
-        <translation>Behåll bilden så fin som den är nu</translation>
-    </message>
-    <message>
-        <source>%1 samples in %2 s, without noise</source>
-        <translation>%1 sampel på %2 s, utan brus</translation>
-    </message>
-    <message>
-        <source>Finding the milk&apos;s surface...</source>
-        <translation>Mjölkens yta tas fram...</translation>
-    </message>
-    <message>
-        <source>%1 of %2 samples</source>
-        <translation>%1 av %2 sampel</translation>
-    </message>
-    <message>
-        <source>Save the picture</source>
-        <translation>Spara bilden</translation>
-    </message>
-    <message>
-        <source>Pictures (%1)</source>
-        <translation>Bilder (%1)</translation>
     </message>
 </context>
 <context>

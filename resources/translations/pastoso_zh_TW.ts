@@ -2042,6 +2042,26 @@
         <source>Arrows show where the liquid flows, and how fast</source>
         <translation>箭頭顯示液體流向與快慢</translation>
     </message>
+    <message>
+        <source>Render a pic&amp;ture...</source>
+        <translation>算繪圖片(&amp;T)...</translation>
+    </message>
+    <message>
+        <source>Pi&amp;ctures of every step...</source>
+        <translation>每一步的圖片(&amp;C)...</translation>
+    </message>
+    <message>
+        <source>While the liquid moves, a picture of every moment, as you see the tank, goes into a folder</source>
+        <translation>液體流動時，依您所見的水槽，將每個時刻的圖片存入資料夾</translation>
+    </message>
+    <message>
+        <source>S&amp;urfaces of every step...</source>
+        <translation>每一步的表面(&amp;U)...</translation>
+    </message>
+    <message>
+        <source>While the liquid moves, its surface at every moment goes into a folder</source>
+        <translation>液體流動時，將每個時刻的表面存入資料夾</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -3139,6 +3159,14 @@
         <source>Export all moments...</source>
         <translation>匯出所有時刻...</translation>
     </message>
+    <message>
+        <source>Pictures</source>
+        <translation>圖片</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>表面</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
@@ -3648,6 +3676,53 @@
         <source>All surfaces are in %1.</source>
         <translation>所有表面都在 %1。</translation>
     </message>
+    <message>
+        <source>Picture of the tank</source>
+        <translation>水槽的圖片</translation>
+    </message>
+    <message>
+        <source>The tank as it is seen in the window, traced along the light&apos;s ways through glass and liquid. Choose a size and press Render.</source>
+        <translation>依視窗中所見的水槽，沿光線穿過玻璃與液體的路徑追蹤。選擇大小並按「算繪」。</translation>
+    </message>
+    <message>
+        <source>Glass tank</source>
+        <translation>玻璃水槽</translation>
+    </message>
+    <message>
+        <source>A folder for pictures of every step</source>
+        <translation>存放每一步圖片的資料夾</translation>
+    </message>
+    <message>
+        <source>A folder for surfaces of every step</source>
+        <translation>存放每一步表面的資料夾</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n picture(s) written</source>
+        <translation>
+            <numerusform>已寫入 %n 張圖片</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n surface(s) written</source>
+        <translation>
+            <numerusform>已寫入 %n 個表面</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::TankRecorder</name>
+    <message numerus="yes">
+        <source>%n picture(s) are in %1.</source>
+        <translation>
+            <numerusform>%n 張圖片在 %1。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n surface(s) are in %1.</source>
+        <translation>
+            <numerusform>%n 個表面在 %1。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::TeaMode</name>
@@ -3682,6 +3757,14 @@
     <message>
         <source>Milk tea</source>
         <translation>奶茶</translation>
+    </message>
+    <message>
+        <source>Picture of the glass</source>
+        <translation>杯子的圖片</translation>
+    </message>
+    <message>
+        <source>The glass as it is seen in the window, traced along the light&apos;s ways through glass, tea and milk. Choose a size and press Render.</source>
+        <translation>依視窗中所見的杯子，沿光線穿過玻璃、茶與牛奶的路徑追蹤。選擇大小並按「算繪」。</translation>
     </message>
 </context>
 <context>
@@ -5442,6 +5525,105 @@ Drag: move the picture
     </message>
 </context>
 <context>
+    <name>pastoso::tea::LiquidPictureDialog</name>
+    <message>
+        <source>Pixels from left to right</source>
+        <translation>由左至右的像素數</translation>
+    </message>
+    <message>
+        <source>Pixels from top to bottom</source>
+        <translation>由上至下的像素數</translation>
+    </message>
+    <message>
+        <source>Ways of light for each pixel: four times as many, half the noise</source>
+        <translation>每個像素的光路數：四倍的數量，一半的雜訊</translation>
+    </message>
+    <message>
+        <source>As a surface</source>
+        <translation>作為表面</translation>
+    </message>
+    <message>
+        <source>As a cloud</source>
+        <translation>作為雲霧</translation>
+    </message>
+    <message>
+        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
+        <translation>未溶解的牛奶的呈現方式：雲霧較柔和，但較費時</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>寬度</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>取樣數</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>牛奶</translation>
+    </message>
+    <message>
+        <source>Use on the canvas</source>
+        <translation>用於畫布</translation>
+    </message>
+    <message>
+        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
+        <translation>將圖片作為一層乾顏料放到畫作上，並回到畫作</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>儲存...</translation>
+    </message>
+    <message>
+        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
+        <translation>PNG 等格式依所見儲存，EXR 則儲存光本身</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>關閉</translation>
+    </message>
+    <message>
+        <source>Taking the noise out...</source>
+        <translation>正在去除雜訊...</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Render</source>
+        <translation>算繪</translation>
+    </message>
+    <message>
+        <source>Keep the picture as fine as it is by now</source>
+        <translation>保留目前細緻程度的圖片</translation>
+    </message>
+    <message>
+        <source>%1 samples in %2 s, without noise</source>
+        <translation>%1 次取樣，%2 秒，已去除雜訊</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples</source>
+        <translation>%1 / %2 次取樣</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>儲存圖片</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>圖片 (%1)</translation>
+    </message>
+    <message>
+        <source>Finding the surface...</source>
+        <translation>正在尋找表面...</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::tea::TankPage</name>
     <message>
         <source>Moment of the tank</source>
@@ -5546,6 +5728,10 @@ Drag: move the picture
         <source>Liquid</source>
         <translation>液體</translation>
     </message>
+    <message>
+        <source>Every step into a folder</source>
+        <translation>每一步存入資料夾</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::tea::TeaPage</name>
@@ -5623,113 +5809,6 @@ Drag: move the picture
     <message>
         <source>A push down along the axis; below 0 it goes up</source>
         <translation>沿軸向下的推力；低於 0 則向上</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TeaPictureDialog</name>
-    <message>
-        <source>Picture of the glass</source>
-        <translation>杯子的圖片</translation>
-    </message>
-    <message>
-        <source>The glass as it is seen in the window, traced along the light&apos;s ways through glass, tea and milk. Choose a size and press Render.</source>
-        <translation>依視窗中所見的杯子，沿光線穿過玻璃、茶與牛奶的路徑追蹤。選擇大小並按「算繪」。</translation>
-    </message>
-    <message>
-        <source>Pixels from left to right</source>
-        <translation>由左至右的像素數</translation>
-    </message>
-    <message>
-        <source>Pixels from top to bottom</source>
-        <translation>由上至下的像素數</translation>
-    </message>
-    <message>
-        <source>Ways of light for each pixel: four times as many, half the noise</source>
-        <translation>每個像素的光路數：四倍的數量，一半的雜訊</translation>
-    </message>
-    <message>
-        <source>As a surface</source>
-        <translation>作為表面</translation>
-    </message>
-    <message>
-        <source>As a cloud</source>
-        <translation>作為雲霧</translation>
-    </message>
-    <message>
-        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
-        <translation>未溶解的牛奶的呈現方式：雲霧較柔和，但較費時</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>寬度</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>高度</translation>
-    </message>
-    <message>
-        <source>Samples</source>
-        <translation>取樣數</translation>
-    </message>
-    <message>
-        <source>Milk</source>
-        <translation>牛奶</translation>
-    </message>
-    <message>
-        <source>Use on the canvas</source>
-        <translation>用於畫布</translation>
-    </message>
-    <message>
-        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
-        <translation>將圖片作為一層乾顏料放到畫作上，並回到畫作</translation>
-    </message>
-    <message>
-        <source>Save...</source>
-        <translation>儲存...</translation>
-    </message>
-    <message>
-        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
-        <translation>PNG 等格式依所見儲存，EXR 則儲存光本身</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>關閉</translation>
-    </message>
-    <message>
-        <source>Taking the noise out...</source>
-        <translation>正在去除雜訊...</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>停止</translation>
-    </message>
-    <message>
-        <source>Render</source>
-        <translation>算繪</translation>
-    </message>
-    <message>
-        <source>Keep the picture as fine as it is by now</source>
-        <translation>保留目前細緻程度的圖片</translation>
-    </message>
-    <message>
-        <source>%1 samples in %2 s, without noise</source>
-        <translation>%1 次取樣，%2 秒，已去除雜訊</translation>
-    </message>
-    <message>
-        <source>Finding the milk&apos;s surface...</source>
-        <translation>正在求取牛奶的表面...</translation>
-    </message>
-    <message>
-        <source>%1 of %2 samples</source>
-        <translation>%1 / %2 次取樣</translation>
-    </message>
-    <message>
-        <source>Save the picture</source>
-        <translation>儲存圖片</translation>
-    </message>
-    <message>
-        <source>Pictures (%1)</source>
-        <translation>圖片 (%1)</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,8 @@
 
 #include "io/tank_json.hpp"
 #include "session/far_level.hpp"
+#include "session/liquid_picture.hpp"
+#include "trace/tank_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -178,6 +180,70 @@ TEST(TankSession, AnyMomentIsShownAgainAndTheLastGoesOn) {
     session.set_paused(false);
     wait_for_moment(session, last + 1);
     EXPECT_TRUE(session.status().shows_last);
+}
+
+/// The moment that waits at that step, when it has come.
+std::shared_ptr<const TankMoment> waiting_moment(const TankSession& session, int step) {
+    for (int i = 0; i < 6000; ++i) {
+        const auto moment = session.moment();
+        if (moment != nullptr && moment->waits && moment->seen.step == step) return moment;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return nullptr;
+}
+
+TEST(TankSession, EveryMomentWaitsUntilItIsTaken) {
+    TankSession session(small_tank(), false, [] {});
+    session.set_waiting(true);
+    session.set_full_speed(true);
+    session.wait_until_applied();
+    const int first = session.status().last_step + (session.moment()->waits ? 0 : 1);
+    for (int step = first; step < first + 4; ++step) {
+        const auto moment = waiting_moment(session, step);
+        ASSERT_NE(moment, nullptr) << step;
+        EXPECT_NEAR(moment->seen.time_s, step * kTankMoment_s, 1e-6);
+        session.take(moment);
+    }
+    // Another one is none that waits.
+    const auto last = waiting_moment(session, first + 4);
+    ASSERT_NE(last, nullptr);
+    TankMoment other = *last;
+    other.seen.step = first;
+    session.take(std::make_shared<const TankMoment>(other));
+    session.add_sphere({{0.08F, 0.08F, 0.12F}, 0.03F}, 0.0F);
+    session.wait_until_applied();
+    EXPECT_EQ(session.moment()->seen.step, first + 4);
+    EXPECT_TRUE(session.moment()->waits);
+    EXPECT_GT(session.status().volume_m3, last->seen.volume_m3 + 1e-5);
+    session.set_waiting(false);
+    wait_for_moment(session, first + 8);
+    EXPECT_FALSE(session.moment()->waits);
+}
+
+/// In a model of the usual size, seen from where the window sees it.
+TEST(TankSession, APictureShowsTheTankAsItIsSeen) {
+    TankSession session(small_tank(), true, [] {});
+    session.wait_until_applied();
+    core::ThreadPool pool;
+    trace::Camera camera;
+    camera.eye_m = {0.3F, -0.5F, 0.2F};
+    camera.target_m = {0.08F, 0.08F, 0.07F};
+    camera.field_of_view_deg = 31.0F;
+    const trace::Scene scene = traced_tank(*session.moment(), camera, pool);
+    const float model = trace::kTankModel_m / 0.16F;
+    EXPECT_NEAR(glm::distance(scene.camera.eye_m, model * camera.eye_m), 0.0F, 1e-6F);
+    EXPECT_NEAR(glm::distance(scene.camera.target_m, model * camera.target_m), 0.0F, 1e-6F);
+    EXPECT_EQ(scene.camera.field_of_view_deg, 31.0F);
+    ASSERT_TRUE(scene.tank.has_value());
+    EXPECT_NEAR(scene.tank->inner_high_m.x, trace::kTankModel_m, 1e-6F);
+    // It reaches into the glass below it, so that no gap is seen, by a quarter of a cell at most.
+    float lowest_m = 1.0F;
+    for (const glm::vec3& at_m : scene.clear_liquid.positions_m)
+        lowest_m = std::min(lowest_m, at_m.z);
+    EXPECT_LT(lowest_m, 0.0F);
+    EXPECT_GT(lowest_m, -0.251F * 0.01F * model);
+    EXPECT_TRUE(scene.solids.positions_m.empty());
+    EXPECT_NO_THROW(trace::check_scene(scene));
 }
 
 TEST(TankSession, StartingAgainBeginsAtNothing) {

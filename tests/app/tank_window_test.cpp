@@ -6,13 +6,20 @@
 #include "main/tank_mode.hpp"
 #include "main/tea_mode.hpp"
 #include "tea/glass_chooser.hpp"
+#include "tea/liquid_picture_dialog.hpp"
 #include "tea/tank_page.hpp"
 #include "tea/tea_page.hpp"
 #include "window_fixture.hpp"
 
+#include <csignal>
+#include <fstream>
+#include <sys/resource.h>
+
 #include <QAction>
 #include <QApplication>
+#include <QPushButton>
 #include <QSlider>
+#include <QSpinBox>
 #include <QTest>
 
 namespace pastoso::tests {
@@ -46,6 +53,12 @@ class TankWindow : public WindowTest {
             [&] { return view().shown() != nullptr && view().shown()->seen.milk.shape().nx == 16; });
     }
 
+    /// So small that a frame takes little without a graphics card.
+    void make_view_small() {
+        view().setFixedSize(320, 240);
+        QApplication::processEvents();
+    }
+
     void pause() {
         if (!liquid().status().paused) action(Command::TeaPause)->trigger();
         liquid().wait_until_applied();
@@ -65,7 +78,27 @@ class TankWindow : public WindowTest {
         Q_EMIT chooser.activated(chooser.currentIndex());
     }
 
+    QString folder() const { return QString::fromStdString(folder_.path().string()); }
+    std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
+
     TemporaryFolder folder_;
+};
+
+/// While it lives, no file of this process grows beyond that: as on a disk that is full.
+class FileLimit {
+  public:
+    explicit FileLimit(rlim_t bytes) {
+        std::signal(SIGXFSZ, SIG_IGN);
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limit{bytes, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FileLimit() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+    FileLimit(const FileLimit&) = delete;
+    FileLimit& operator=(const FileLimit&) = delete;
+
+  private:
+    rlimit before_{};
 };
 
 TEST_F(TankWindow, TheChooserGoesFromTeaToTankAndBack) {
@@ -208,6 +241,95 @@ TEST_F(TankWindow, SurfacesAreExported) {
     EXPECT_EQ(found, liquid().status().kept.size());
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "liquid_0001.obj"));
     EXPECT_THROW(tank().export_mesh(QStringLiteral("liquid.doc")), std::runtime_error);
+}
+
+TEST_F(TankWindow, APictureIsRenderedAndBecomesALayer) {
+    open_small_tank();
+    key(Qt::Key_F8);
+    tea::LiquidPictureDialog& dialog = tank().picture();
+    EXPECT_TRUE(dialog.isVisible());
+    dialog.findChild<QSpinBox*>(QStringLiteral("picture_width"))->setValue(32);
+    dialog.findChild<QSpinBox*>(QStringLiteral("picture_height"))->setValue(24);
+    dialog.findChild<QSpinBox*>(QStringLiteral("picture_samples"))->setValue(2);
+    dialog.findChild<QPushButton*>(QStringLiteral("picture_start"))->click();
+    liquid().wait_until_applied();
+    EXPECT_TRUE(liquid().status().paused);
+    wait_for([&] { return !dialog.rendering() && dialog.has_picture(); });
+    dialog.save(QString::fromStdString(file("tank.png").string()));
+    EXPECT_EQ(QImage(QString::fromStdString(file("tank.png").string())).size(), QSize(32, 24));
+    const std::size_t layers = session().snapshot()->layers->layers.size();
+    dialog.findChild<QPushButton*>(QStringLiteral("picture_use"))->click();
+    EXPECT_FALSE(tank().active());
+    settle();
+    EXPECT_EQ(session().snapshot()->layers->layers.size(), layers + 1);
+    EXPECT_EQ(told(), "");
+}
+
+/// Without a gap, however much faster the liquid would be.
+TEST_F(TankWindow, PicturesAndSurfacesOfEveryStepAreWritten) {
+    open_small_tank();
+    make_view_small();
+    std::ofstream(file("liquid_0006.png")) << "from before";
+    action(Command::TeaFullSpeed)->trigger();
+    tank().record(main::Recorded::Pictures, folder());
+    tank().record(main::Recorded::Surfaces, folder());
+    const main::TankRecorder& recorder = tank().recorder();
+    wait_for([&] { return recorder.written(main::Recorded::Pictures) >= 3; });
+    action(Command::TankRecordPictures)->trigger();
+    wait_for([&] { return !recorder.records(main::Recorded::Pictures); });
+    EXPECT_NE(told().find("picture(s) are in " + folder_.path().string()), std::string::npos) << told();
+    wait_for([&] { return recorder.written(main::Recorded::Surfaces) >= 5; });
+    EXPECT_TRUE(action(Command::TankRecordSurfaces)->isChecked());
+    action(Command::TankRecordSurfaces)->trigger();
+    wait_for([&] { return !recorder.records(main::Recorded::Surfaces); });
+    EXPECT_NE(told().find("surface(s) are in " + folder_.path().string()), std::string::npos) << told();
+    for (const char* name : {"liquid_0001.obj", "liquid_0005.obj", "liquid_0007.png", "liquid_0009.png"})
+        EXPECT_GT(std::filesystem::file_size(file(name)), 1000U) << name;
+    // What was there stays, and numbers go on after it.
+    EXPECT_EQ(std::filesystem::file_size(file("liquid_0006.png")), 11U);
+    const QImage picture(QString::fromStdString(file("liquid_0007.png").string()));
+    EXPECT_EQ(picture.size(), view().grabFramebuffer().size());
+    const int step = liquid().status().last_step;
+    wait_for([&] { return liquid().status().last_step > step + 5; });
+}
+
+TEST_F(TankWindow, AFolderThatIsNoneEndsTheRecording) {
+    open_small_tank();
+    make_view_small();
+    tank().record(main::Recorded::Pictures, folder() + QStringLiteral("/none"));
+    EXPECT_TRUE(action(Command::TankRecordPictures)->isChecked());
+    wait_for([&] { return !tank().recorder().records(main::Recorded::Pictures); });
+    EXPECT_NE(told().find("none/liquid_0001.png: cannot be written"), std::string::npos) << told();
+    EXPECT_FALSE(action(Command::TankRecordPictures)->isChecked());
+    const int step = liquid().status().last_step;
+    wait_for([&] { return liquid().status().last_step > step + 2; });
+}
+
+TEST_F(TankWindow, AFullDiskEndsTheRecordingAndWhatIsWrittenStays) {
+    open_small_tank();
+    tank().record(main::Recorded::Surfaces, folder());
+    wait_for([&] { return tank().recorder().written(main::Recorded::Surfaces) >= 2; });
+    {
+        const FileLimit full(1000);
+        wait_for([&] { return !tank().recorder().records(main::Recorded::Surfaces); });
+    }
+    EXPECT_NE(told().find(": cannot be written ("), std::string::npos) << told();
+    EXPECT_FALSE(action(Command::TankRecordSurfaces)->isChecked());
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
+        if (entry.path().extension() != ".json") {
+            EXPECT_EQ(entry.path().extension(), ".obj") << entry.path();
+            EXPECT_GT(entry.file_size(), 1000U) << entry.path();
+        }
+    EXPECT_TRUE(std::filesystem::exists(file("liquid_0002.obj")));
+}
+
+TEST_F(TankWindow, LeavingTheTankEndsTheRecording) {
+    open_small_tank();
+    tank().record(main::Recorded::Surfaces, folder());
+    wait_for([&] { return tank().recorder().written(main::Recorded::Surfaces) >= 1; });
+    action(Command::GlassTank)->trigger();
+    wait_for([&] { return !tank().recorder().records(main::Recorded::Surfaces); });
+    EXPECT_FALSE(action(Command::TankRecordSurfaces)->isChecked());
 }
 
 /// Liquid takes more of the red than of the blue light; the table before it is pale.

@@ -1,7 +1,7 @@
 // A glass of milk tea on a thread of its own, and what is kept of it.
 #include "session/tea_session.hpp"
 
-#include "session/tea_picture.hpp"
+#include "session/liquid_picture.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -178,15 +178,17 @@ TEST(TeaFrames, KeepsToItsMemoryByKeepingFewer) {
     EXPECT_EQ(frames.at(50).step, 50 / frames.interval() * frames.interval());
 }
 
-TEST(TeaPicture, IsTracedAndEndsWhenItIsTold) {
+TEST(LiquidPicture, IsTracedAndEndsWhenItIsTold) {
     TeaSession session(small_glass(), true, [] {});
     session.wait_until_applied();
-    TeaPictureOrder order;
-    order.moment = session.moment();
+    LiquidPictureOrder order;
+    order.scene = [moment = session.moment()](core::ThreadPool& pool) {
+        return traced_tea(*moment, {}, pool);
+    };
     order.width = order.height = 24;
     order.samples = 3;
     std::atomic<int> notes = 0;
-    TeaPicture picture(order, [&] { ++notes; });
+    LiquidPicture picture(order, [&] { ++notes; });
     for (int i = 0; i < 6000 && !picture.progress().finished; ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     ASSERT_TRUE(picture.progress().finished);
@@ -200,7 +202,7 @@ TEST(TeaPicture, IsTracedAndEndsWhenItIsTold) {
               *std::min_element(shown.begin(), shown.end()));
 
     order.samples = 1000000;
-    TeaPicture endless(order, [] {});
+    LiquidPicture endless(order, [] {});
     endless.stop();
     for (int i = 0; i < 6000 && !endless.progress().finished; ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -208,13 +210,15 @@ TEST(TeaPicture, IsTracedAndEndsWhenItIsTold) {
     EXPECT_LT(endless.progress().samples, 1000000);
 }
 
-TEST(TeaPicture, TellsWhyThereIsNone) {
+TEST(LiquidPicture, TellsWhyThereIsNone) {
     TeaSession session(small_glass(), true, [] {});
     session.wait_until_applied();
-    TeaPictureOrder order;
-    order.moment = session.moment();
+    LiquidPictureOrder order;
+    order.scene = [moment = session.moment()](core::ThreadPool& pool) {
+        return traced_tea(*moment, {}, pool);
+    };
     order.width = 0;
-    TeaPicture picture(order, [] {});
+    LiquidPicture picture(order, [] {});
     for (int i = 0; i < 6000 && !picture.progress().finished; ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     EXPECT_NE(picture.progress().error, "");

@@ -1,8 +1,8 @@
 // Milk tea in the window: it comes in place of the canvas, and the painting waits.
 #include "document/painting_state.hpp"
 #include "main/tea_mode.hpp"
+#include "tea/liquid_picture_dialog.hpp"
 #include "tea/tea_page.hpp"
-#include "tea/tea_picture_dialog.hpp"
 #include "window_fixture.hpp"
 
 #include <fstream>
@@ -247,7 +247,7 @@ TEST_F(TeaWindow, APictureIsRenderedAndBecomesALayer) {
     enter();
     wait_for([&] { return glass().status().last_step > 3; });
     action(Command::TeaRender)->trigger();
-    tea::TeaPictureDialog& dialog = tea().picture();
+    tea::LiquidPictureDialog& dialog = tea().picture();
     EXPECT_TRUE(dialog.isVisible());
     dialog.findChild<QSpinBox*>(QStringLiteral("picture_width"))->setValue(32);
     dialog.findChild<QSpinBox*>(QStringLiteral("picture_height"))->setValue(24);

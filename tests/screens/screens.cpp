@@ -45,6 +45,7 @@ bool take_all(const QString& painting, const QString& folder) {
     screens::take_accidents(camera);
     screens::take_light_theme(camera);
     screens::take_tea(camera);
+    screens::take_tank(camera);
     screens::take_panels(camera);
     screens::take_fresh_canvas(camera, camera.path_of(QStringLiteral("painting")));
     return camera.complete();

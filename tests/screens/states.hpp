@@ -18,6 +18,7 @@ void take_replay(Camera& camera);
 void take_accidents(Camera& camera);
 void take_light_theme(Camera& camera);
 void take_tea(Camera& camera);
+void take_tank(Camera& camera);
 
 /// Puts up a bare canvas, and paints on it.
 void take_fresh_canvas(Camera& camera, const QString& traced);

@@ -1,7 +1,8 @@
-// A picture of a glass of milk tea, traced on a thread of its own while the window shows how it gets
-// finer.
+// A picture of a glass of milk tea or a tank of liquid, traced on a thread of its own while the window
+// shows how it gets finer.
 #pragma once
 
+#include "session/tank_session.hpp"
 #include "session/tea_session.hpp"
 #include "shade/render.hpp"
 #include "trace/tracer.hpp"
@@ -15,15 +16,15 @@
 
 namespace pastoso::session {
 
-struct TeaPictureOrder {
-    std::shared_ptr<const TeaMoment> moment;  ///< not null
-    trace::Camera camera;
+struct LiquidPictureOrder {
+    /// What is seen; called once, on the picture's thread. What it throws of core::InputError is told.
+    std::function<trace::Scene(core::ThreadPool&)> scene;
     int width = 800, height = 800;  ///< as trace::TraceSettings
     int samples = 48;               ///< of a pixel, 1 and more
     trace::MilkBody body = trace::MilkBody::Surface;
 };
 
-class TeaPicture {
+class LiquidPicture {
   public:
     struct Progress {
         int samples = 0;
@@ -33,10 +34,10 @@ class TeaPicture {
     };
 
     /// Begins at once. `notify` is called on the picture's thread; it must return at once.
-    TeaPicture(TeaPictureOrder order, std::function<void()> notify);
-    ~TeaPicture();
-    TeaPicture(const TeaPicture&) = delete;
-    TeaPicture& operator=(const TeaPicture&) = delete;
+    LiquidPicture(LiquidPictureOrder order, std::function<void()> notify);
+    ~LiquidPicture();
+    LiquidPicture(const LiquidPicture&) = delete;
+    LiquidPicture& operator=(const LiquidPicture&) = delete;
 
     /// Ends it with the samples that there are.
     void stop() { stopping_ = true; }
@@ -54,7 +55,7 @@ class TeaPicture {
     void trace();
     void publish(trace::Picture radiance, int samples, bool finished);
 
-    const TeaPictureOrder order_;
+    const LiquidPictureOrder order_;
     const std::function<void()> notify_;
     const std::chrono::steady_clock::time_point began_;
     std::atomic<bool> stopping_ = false, dropped_ = false;
@@ -64,5 +65,11 @@ class TeaPicture {
     std::shared_ptr<const shade::Image8> shown_;
     std::thread thread_;
 };
+
+/// The glass at one moment, its milk with all the volume of the parcels, twice as fine as the cells.
+trace::Scene traced_tea(const TeaMoment& moment, const trace::Camera& camera, core::ThreadPool& pool);
+
+/// The tank at one moment, as trace::tank_scene() draws it. The camera stands in the tank's own metres.
+trace::Scene traced_tank(const TankMoment& moment, const trace::Camera& camera, core::ThreadPool& pool);
 
 }  // namespace pastoso::session

@@ -1,4 +1,4 @@
-#include "tea/tea_picture_dialog.hpp"
+#include "tea/liquid_picture_dialog.hpp"
 
 #include "core/error.hpp"
 #include "io/traced_picture.hpp"
@@ -20,7 +20,7 @@
 namespace pastoso::tea {
 namespace {
 
-constexpr int kSmallest_px = 16, kLargest_px = 8192, kFirstSide_px = 800;
+constexpr int kSmallest_px = 16, kLargest_px = 8192;
 constexpr int kMostSamples = 4096, kFirstSamples = 48;
 
 QSpinBox* number(const char* name, int least, int most, int value, const QString& hint) {
@@ -35,13 +35,11 @@ QSpinBox* number(const char* name, int least, int most, int value, const QString
 
 }  // namespace
 
-TeaPictureDialog::TeaPictureDialog(Subject subject, QWidget* parent)
-    : QDialog(parent), subject_(std::move(subject)) {
-    setObjectName(QStringLiteral("tea_picture"));
-    setWindowTitle(tr("Picture of the glass"));
-    picture_ =
-        new QLabel(tr("The glass as it is seen in the window, traced along the light's ways "
-                      "through glass, tea and milk. Choose a size and press Render."));
+LiquidPictureDialog::LiquidPictureDialog(LiquidPictureWords words, Subject subject, QWidget* parent)
+    : QDialog(parent), words_(std::move(words)), subject_(std::move(subject)) {
+    setObjectName(words_.name);
+    setWindowTitle(words_.title);
+    picture_ = new QLabel(words_.hint);
     picture_->setAlignment(Qt::AlignCenter);
     picture_->setWordWrap(true);
     picture_->setMinimumSize(420, 420);
@@ -60,31 +58,26 @@ TeaPictureDialog::TeaPictureDialog(Subject subject, QWidget* parent)
     show_progress();
 }
 
-TeaPictureDialog::~TeaPictureDialog() = default;
+LiquidPictureDialog::~LiquidPictureDialog() = default;
 
-QWidget* TeaPictureDialog::controls() {
+QWidget* LiquidPictureDialog::controls() {
     auto* widget = new QWidget;
     auto* form = new QFormLayout(widget);
     form->setContentsMargins(0, 0, 0, 0);
-    width_ = number("picture_width", kSmallest_px, kLargest_px, kFirstSide_px,
+    width_ = number("picture_width", kSmallest_px, kLargest_px, words_.size.width(),
                     tr("Pixels from left to right"));
-    height_ = number("picture_height", kSmallest_px, kLargest_px, kFirstSide_px,
+    height_ = number("picture_height", kSmallest_px, kLargest_px, words_.size.height(),
                      tr("Pixels from top to bottom"));
     samples_ = number("picture_samples", 1, kMostSamples, kFirstSamples,
                       tr("Ways of light for each pixel: four times as many, half the noise"));
-    body_ = new QComboBox;
-    body_->setObjectName(QStringLiteral("picture_body"));
-    body_->addItem(tr("As a surface"), static_cast<int>(trace::MilkBody::Surface));
-    body_->addItem(tr("As a cloud"), static_cast<int>(trace::MilkBody::Volume));
-    body_->setToolTip(tr("How milk that has not dissolved is seen: a cloud is softer and takes longer"));
     form->addRow(tr("Width"), width_);
     form->addRow(tr("Height"), height_);
     form->addRow(tr("Samples"), samples_);
-    form->addRow(tr("Milk"), body_);
+    if (words_.has_milk_body) form->addRow(tr("Milk"), milk_body());
     start_ = new QPushButton;
     start_->setObjectName(QStringLiteral("picture_start"));
     start_->setDefault(true);
-    connect(start_, &QPushButton::clicked, this, &TeaPictureDialog::start_or_stop);
+    connect(start_, &QPushButton::clicked, this, &LiquidPictureDialog::start_or_stop);
     progress_ = new QLabel;
     progress_->setObjectName(QStringLiteral("picture_progress"));
     progress_->setWordWrap(true);
@@ -94,7 +87,16 @@ QWidget* TeaPictureDialog::controls() {
     return widget;
 }
 
-QWidget* TeaPictureDialog::uses() {
+QWidget* LiquidPictureDialog::milk_body() {
+    body_ = new QComboBox;
+    body_->setObjectName(QStringLiteral("picture_body"));
+    body_->addItem(tr("As a surface"), static_cast<int>(trace::MilkBody::Surface));
+    body_->addItem(tr("As a cloud"), static_cast<int>(trace::MilkBody::Volume));
+    body_->setToolTip(tr("How milk that has not dissolved is seen: a cloud is softer and takes longer"));
+    return body_;
+}
+
+QWidget* LiquidPictureDialog::uses() {
     auto* widget = new QWidget;
     auto* column = new QVBoxLayout(widget);
     column->setContentsMargins(0, 0, 0, 0);
@@ -105,8 +107,8 @@ QWidget* TeaPictureDialog::uses() {
     save_->setObjectName(QStringLiteral("picture_save"));
     save_->setToolTip(tr("As PNG and others as it is shown, or as EXR with the light itself"));
     auto* close = new QPushButton(tr("Close"));
-    connect(use_, &QPushButton::clicked, this, &TeaPictureDialog::put_on_canvas);
-    connect(save_, &QPushButton::clicked, this, &TeaPictureDialog::ask_save);
+    connect(use_, &QPushButton::clicked, this, &LiquidPictureDialog::put_on_canvas);
+    connect(save_, &QPushButton::clicked, this, &LiquidPictureDialog::ask_save);
     connect(close, &QPushButton::clicked, this, &QDialog::hide);
     for (QPushButton* button : {use_, save_, close}) {
         button->setAutoDefault(false);
@@ -115,35 +117,35 @@ QWidget* TeaPictureDialog::uses() {
     return widget;
 }
 
-bool TeaPictureDialog::rendering() const {
+bool LiquidPictureDialog::rendering() const {
     return work_ != nullptr && !work_->progress().finished;
 }
 
-void TeaPictureDialog::start_or_stop() {
+void LiquidPictureDialog::start_or_stop() {
     if (rendering()) {
         work_->stop();
         return progress_->setText(tr("Taking the noise out..."));
     }
-    session::TeaPictureOrder order = subject_();
-    if (order.moment == nullptr) return;
+    session::LiquidPictureOrder order = subject_();
+    if (!order.scene) return;
     order.width = width_->value();
     order.height = height_->value();
     order.samples = wanted_samples_ = samples_->value();
-    order.body = static_cast<trace::MilkBody>(body_->currentData().toInt());
+    if (body_ != nullptr) order.body = static_cast<trace::MilkBody>(body_->currentData().toInt());
     Q_EMIT rendering_begins();
     work_.reset();
-    work_ = std::make_unique<session::TeaPicture>(std::move(order), [this] {
-        QMetaObject::invokeMethod(this, &TeaPictureDialog::show_progress, Qt::QueuedConnection);
+    work_ = std::make_unique<session::LiquidPicture>(std::move(order), [this] {
+        QMetaObject::invokeMethod(this, &LiquidPictureDialog::show_progress, Qt::QueuedConnection);
     });
     show_progress();
 }
 
-void TeaPictureDialog::show_progress() {
+void LiquidPictureDialog::show_progress() {
     const bool busy = rendering();
     start_->setText(busy ? tr("Stop") : tr("Render"));
     start_->setToolTip(busy ? tr("Keep the picture as fine as it is by now") : QString());
     if (work_ != nullptr) {
-        const session::TeaPicture::Progress progress = work_->progress();
+        const session::LiquidPicture::Progress progress = work_->progress();
         if (!progress.error.empty())
             progress_->setText(QString::fromStdString(progress.error));
         else if (progress.finished)
@@ -151,7 +153,7 @@ void TeaPictureDialog::show_progress() {
                                    .arg(progress.samples)
                                    .arg(progress.seconds, 0, 'f', 1));
         else if (progress.samples == 0)
-            progress_->setText(tr("Finding the milk's surface..."));
+            progress_->setText(tr("Finding the surface..."));
         else
             progress_->setText(tr("%1 of %2 samples").arg(progress.samples).arg(wanted_samples_));
         if (const auto shown = work_->shown()) {
@@ -165,7 +167,7 @@ void TeaPictureDialog::show_progress() {
         button->setEnabled(has_picture());
 }
 
-void TeaPictureDialog::show_picture() {
+void LiquidPictureDialog::show_picture() {
     if (shown_.isNull()) return;
     const double ratio = devicePixelRatioF();
     QPixmap pixmap = QPixmap::fromImage(
@@ -174,20 +176,20 @@ void TeaPictureDialog::show_picture() {
     picture_->setPixmap(pixmap);
 }
 
-void TeaPictureDialog::resizeEvent(QResizeEvent* event) {
+void LiquidPictureDialog::resizeEvent(QResizeEvent* event) {
     QDialog::resizeEvent(event);
     show_picture();
 }
 
-void TeaPictureDialog::save(const QString& path) const {
+void LiquidPictureDialog::save(const QString& path) const {
     const auto radiance = work_ != nullptr ? work_->radiance() : nullptr;
     if (radiance == nullptr) throw core::InputError("There is no picture yet that could be saved.");
     io::write_traced_picture(path.toStdString(), *radiance);
 }
 
-void TeaPictureDialog::ask_save() {
+void LiquidPictureDialog::ask_save() {
     const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save the picture"), QStringLiteral("milk_tea.png"),
+        this, tr("Save the picture"), words_.file,
         tr("Pictures (%1)").arg(QStringLiteral("*.png *.exr *.tif *.tiff *.jpg *.jpeg *.webp")));
     if (path.isEmpty()) return;
     try {
@@ -197,7 +199,7 @@ void TeaPictureDialog::ask_save() {
     }
 }
 
-void TeaPictureDialog::put_on_canvas() {
+void LiquidPictureDialog::put_on_canvas() {
     const QImage rgba = shown_.convertToFormat(QImage::Format_RGBA8888);
     layers::Picture picture{rgba.width(), rgba.height(), {}};
     for (int y = 0; y < rgba.height(); ++y)

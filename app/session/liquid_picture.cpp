@@ -1,0 +1,103 @@
+#include "session/liquid_picture.hpp"
+
+#include "core/error.hpp"
+#include "io/traced_picture.hpp"
+#include "tank/solid_mesh.hpp"
+#include "trace/tank_scene.hpp"
+#include "trace/tea_scene.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace pastoso::session {
+LiquidPicture::LiquidPicture(LiquidPictureOrder order, std::function<void()> notify)
+    : order_(std::move(order)), notify_(std::move(notify)), began_(std::chrono::steady_clock::now()) {
+    thread_ = std::thread([this] { run(); });
+}
+
+LiquidPicture::~LiquidPicture() {
+    stopping_ = dropped_ = true;
+    thread_.join();
+}
+
+LiquidPicture::Progress LiquidPicture::progress() const {
+    const std::lock_guard lock(mutex_);
+    return progress_;
+}
+
+std::shared_ptr<const trace::Picture> LiquidPicture::radiance() const {
+    const std::lock_guard lock(mutex_);
+    return radiance_;
+}
+
+std::shared_ptr<const shade::Image8> LiquidPicture::shown() const {
+    const std::lock_guard lock(mutex_);
+    return shown_;
+}
+
+void LiquidPicture::run() {
+    try {
+        trace();
+    } catch (const core::InputError& error) {
+        {
+            const std::lock_guard lock(mutex_);
+            progress_.error = error.what();
+            progress_.finished = true;
+        }
+        notify_();
+    }
+}
+
+/// More samples are made at a time as the picture gets finer: each time some of them are twice as many.
+void LiquidPicture::trace() {
+    core::ThreadPool pool;
+    trace::Scene scene = order_.scene(pool);
+    scene.milk_body = order_.body;
+    trace::TeaTracer tracer(scene, {.width = order_.width, .height = order_.height}, pool);
+    while (tracer.samples() < order_.samples && !stopping_) {
+        const int wanted = std::clamp(tracer.samples() / 2, 1, order_.samples - tracer.samples());
+        tracer.add_samples(wanted, [this] { return stopping_.load(); });
+        if (tracer.samples() < order_.samples) publish(tracer.radiance(), tracer.samples(), false);
+    }
+    if (!dropped_) publish(tracer.denoised(), tracer.samples(), true);
+}
+
+void LiquidPicture::publish(trace::Picture radiance, int samples, bool finished) {
+    auto shown = std::make_shared<const shade::Image8>(shade::encode_srgb8(io::shown_image(radiance)));
+    auto shared = std::make_shared<const trace::Picture>(std::move(radiance));
+    {
+        const std::lock_guard lock(mutex_);
+        shown_ = std::move(shown);
+        radiance_ = std::move(shared);
+        progress_.samples = samples;
+        progress_.finished = finished;
+        progress_.seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+    }
+    notify_();
+}
+
+trace::Scene traced_tea(const TeaMoment& moment, const trace::Camera& camera, core::ThreadPool& pool) {
+    const liquid::Cup& cup = moment.settings.cup;
+    liquid::MilkSurfaces surfaces(pool);
+    liquid::MilkSurface milk = surfaces.make(moment.seen.parcels, cup, moment.seen.dissolved.shape());
+    trace::Scene scene = trace::tea_scene(cup, moment.seen.dissolved, std::move(milk.mesh));
+    scene.camera = camera;
+    return scene;
+}
+
+trace::Scene traced_tank(const TankMoment& moment, const trace::Camera& camera, core::ThreadPool& pool) {
+    constexpr int kSolidParts = 3;  // samples along a cell: edges stay sharp
+    const grid::BoxField& milk = moment.seen.milk;
+    const float overlap_m = trace::kTankOverlap_cells * milk.shape().cell_m;
+    trace::Scene scene =
+        trace::tank_scene(milk, liquid_surface(*moment.place, moment.seen, overlap_m, pool),
+                          tank::solid_mesh(moment.place->scene, kSolidParts, pool), 1.0F);
+    const float model = trace::tank_model_scale(milk.shape());
+    scene.camera.eye_m = model * camera.eye_m;
+    scene.camera.target_m = model * camera.target_m;
+    scene.camera.field_of_view_deg = camera.field_of_view_deg;
+    return scene;
+}
+
+}  // namespace pastoso::session
