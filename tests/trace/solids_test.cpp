@@ -141,6 +141,21 @@ TEST(MilkInATank, DimsStraightLightByItsShareOfTheLiquidAlone) {
               clear_world.straight_transmittance(above, kAir, sampler, rays));
 }
 
+/// By rounding, a ray may slip between two triangles. Beyond the box the outermost cells' milk goes on,
+/// of which there is none: nothing would ever end its way.
+TEST(MilkInATank, IsNotLookedForOnAnEndlessWay) {
+    Scene scene = ball_in_a_tank(0.0F);
+    scene.table.reset();
+    scene.dissolved = tests::even_milk(0.0F);
+    const grid::BoxShape& shape = scene.dissolved.shape();
+    scene.dissolved.at(shape.nx - 2, shape.ny - 2, shape.nz - 2) = 1.0F;
+    const Ray slipped = {{0.095F, 0.095F, 0.2F}, {0, 0, 1}};
+    Sampler sampler(1, 1, 1);
+    const World::Event event = World(scene).next_event(slipped, kLiquid, sampler);
+    EXPECT_FALSE(event.is_scattering);
+    EXPECT_EQ(event.hit.kind, SurfaceKind::None);
+}
+
 TEST(Solids, AreCheckedLikeOtherMeshes) {
     Scene scene = ball_in_a_tank();
     scene.solids.positions_m[3].y = std::numeric_limits<float>::quiet_NaN();
