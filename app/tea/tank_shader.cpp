@@ -16,7 +16,7 @@ uniform sampler3D level, solids, milk_share;
 const float FAR = 1e9;
 const int OUTSIDE = 0, GLASS = 1, ROOM = 2;
 const float GLASS_IOR = 1.5, LIQUID_IOR = 1.335;
-const vec3 SOLID = vec3(0.74, 0.70, 0.64);
+const vec3 SOLID = vec3(0.70, 0.32, 0.20);  // as trace::Optics
 
 float level_at(vec3 at) { return texture(level, (at / cell_m + 1.0) / (cells + 2.0)).r; }
 float solid_at(vec3 at) { return has_solids ? texture(solids, (at / cell_m + 1.0) / (cells + 2.0)).r : FAR; }
