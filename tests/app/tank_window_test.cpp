@@ -293,6 +293,16 @@ TEST_F(TankWindow, PicturesAndSurfacesOfEveryStepAreWritten) {
     wait_for([&] { return liquid().status().last_step > step + 5; });
 }
 
+TEST_F(TankWindow, APictureOfTheViewHoldsTheMarks) {
+    open_small_tank();
+    make_view_small();
+    pause();
+    wait_for([&] { return view().finished(); });
+    const QImage before = view().picture();
+    action(Command::TankWind)->trigger();
+    EXPECT_NE(view().picture(), before);
+}
+
 TEST_F(TankWindow, AFolderThatIsNoneEndsTheRecording) {
     open_small_tank();
     make_view_small();

@@ -8,6 +8,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QPainter>
 #include <QPushButton>
 
 namespace pastoso::screens {
@@ -39,6 +40,13 @@ void take_picture(Camera& camera, tea::LiquidPictureDialog& picture, const QStri
     pass_time();
     camera.save(picture.grab(), name);
     picture.hide();
+}
+
+/// The window as it is seen: grabbed alone it has not what is drawn over the liquid.
+QPixmap with_marks(main::MainWindow& window, tea::GlassView& view) {
+    QPixmap picture = window.grab();
+    QPainter(&picture).drawImage(QRect(view.mapTo(&window, QPoint()), view.size()), view.picture());
+    return picture;
 }
 
 }  // namespace
@@ -76,7 +84,7 @@ void take_tank(Camera& camera) {
     for (const Command command : {Command::TankWind, Command::TankWindLeft, Command::TankVelocity})
         window.commands().action(command)->trigger();
     wait_for_liquid(camera, tank, 0.3, QStringLiteral("glass-tank-wind"));
-    camera.save(window.grab(), QStringLiteral("glass-tank-wind"));
+    camera.save(with_marks(window, tank.page().view()), QStringLiteral("glass-tank-wind"));
     window.commands().action(Command::TankVelocity)->trigger();
     tank.leave();
     pass_time();
