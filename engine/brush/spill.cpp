@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace pastoso::brush {
 namespace {
@@ -18,20 +20,24 @@ constexpr double kOverhang = 0.75;
 /// Bristles this close to the edge of the stroke spill inwards.
 constexpr double kEdge_radii = 5.0;
 
-double heap_height(const CellBatch& batch, int i, double spread_mm) {
-    const double distance2 = batch.dx_mm[i] * batch.dx_mm[i] + batch.dy_mm[i] * batch.dy_mm[i];
-    return std::max(0.0, 1.0 - distance2 / (spread_mm * spread_mm));
+/// The heap 1 - (d / spread)^2 at the batch's cells.
+std::vector<double> heap_heights(double spread_mm, const CellBatch& batch) {
+    std::vector<double> heights(static_cast<std::size_t>(batch.count()));
+    for (int i = 0; i < batch.count(); ++i) {
+        const double distance2 = batch.dx_mm[i] * batch.dx_mm[i] + batch.dy_mm[i] * batch.dy_mm[i];
+        heights[i] = std::max(0.0, 1.0 - distance2 / (spread_mm * spread_mm));
+    }
+    return heights;
 }
 
 /// Fills the batch's changes with a heap of `quanta` in all. Returns what it wants.
 WantedSums plan_heap(double quanta, double spread_mm, CellBatch& batch) {
-    double heap = 0.0;
-    for (int i = 0; i < batch.count(); ++i)
-        heap += heap_height(batch, i, spread_mm);
+    const std::vector<double> heights = heap_heights(spread_mm, batch);
+    const double heap = std::accumulate(heights.begin(), heights.end(), 0.0);
     WantedSums wanted;
     for (int i = 0; i < batch.count(); ++i) {
         const double room = film::room_quanta(batch.thickness[i]);
-        const double gain = heap > 0.0 ? quanta * heap_height(batch, i, spread_mm) / heap : 0.0;
+        const double gain = heap > 0.0 ? quanta * heights[i] / heap : 0.0;
         batch.change[i] = static_cast<std::int32_t>(std::min(gain, room));
         batch.swap[i] = 0;
         wanted.deposit += batch.change[i];
