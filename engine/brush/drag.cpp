@@ -83,7 +83,6 @@ void PaintDrag::Shares::set(int x, int y, float share, const grid::Rect& all) {
 
 void PaintDrag::find_shares(const ExchangeRule& rule, const DragRates& rates, const CellBatch& touched,
                             const film::FilmState& film) {
-    shares_.any = false;
     const double most_viscous = stiffest(touched, rates.speed_mm_s);
     if (most_viscous <= 1.0) return;
     const float above = logarithm_above(most_viscous);
@@ -108,11 +107,14 @@ void PaintDrag::find_shares(const ExchangeRule& rule, const DragRates& rates, co
     }
 }
 
-grid::Rect PaintDrag::drag(const ExchangeRule& rule, const DragRates& rates, const CellBatch& touched,
-                           film::FilmState& film) {
-    if (rates.share <= 0.0F || touched.count() == 0) return {};
-    find_shares(rule, rates, touched, film);
-    if (!shares_.any) return {};
+bool PaintDrag::find(const ExchangeRule& rule, const DragRates& rates, const CellBatch& touched,
+                     const film::FilmState& film) {
+    shares_.any = false;
+    if (rates.share > 0.0F && touched.count() > 0) find_shares(rule, rates, touched, film);
+    return shares_.any;
+}
+
+grid::Rect PaintDrag::apply(const DragRates& rates, film::FilmState& film) {
     const grid::Rect& cells = shares_.cells;
     const auto between = [&](int x, int y, int next_x, int next_y) {
         const float a = shares_.at(x, y), b = shares_.at(next_x, next_y);

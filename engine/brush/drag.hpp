@@ -29,12 +29,15 @@ DragRates drag_rates(const Brush& brush, const HandPose& hand, double step_mm, d
 ///
 ///     u_tip h^2 / 3 nu,
 ///
-/// is left alone. `touched` are the cells as they were gathered for the rule. Returns the cells whose
-/// motion may have changed.
+/// is left alone. `touched` are the cells as they were gathered for the rule.
 class PaintDrag {
   public:
-    grid::Rect drag(const ExchangeRule& rule, const DragRates& rates, const CellBatch& touched,
-                    film::FilmState& film);
+    /// Finds s. Returns whether any paint is dragged along.
+    bool find(const ExchangeRule& rule, const DragRates& rates, const CellBatch& touched,
+              const film::FilmState& film);
+
+    /// Draws the paint along by what was found. Returns the cells whose motion may have changed.
+    grid::Rect apply(const DragRates& rates, film::FilmState& film);
 
   private:
     /// s of the cells of a rectangle.

@@ -12,19 +12,18 @@ PASTOSO_KERNEL_INLINE int whole_below(double x) {
     return truncated - (truncated > x ? 1 : 0);
 }
 
-/// Begins a pass where none is under way and writes what was found. Leaves what lies beyond the row's
-/// end as it is.
-template <class Floats, class Ints>
-PASTOSO_KERNEL_INLINE void find(const PassTile& pass, const GatherRow& row, int i, Ints quanta,
-                                Ints number, std::int32_t* found_column) {
-    const Floats begun = load<Floats>(pass.begun_mm + row.cell + i);
-    const Ints before = load<Ints>(pass.found + row.cell + i);
-    const auto anew = (begun < pass.expired_mm) & (number < row.count);
-    if (!may_have_any(anew)) return store(found_column + i, before);
+/// Begins a pass over those cells within the row that are in none, and writes what was found.
+template <class Floats, class Ints, class Inside>
+PASTOSO_KERNEL_INLINE void find(const PassTile& pass, int cell, Ints quanta, Inside inside,
+                                std::int32_t* found_column) {
+    const auto begun = load_chosen<Floats>(pass.begun_mm + cell, inside);
+    const auto before = load_chosen<Ints>(pass.found + cell, inside);
+    const auto anew = (begun < pass.expired_mm) & inside;
+    if (!may_have_any(anew)) return store(found_column, before);
     const Ints found = anew ? quanta : before;
-    store(pass.begun_mm + row.cell + i, anew ? Floats{} + pass.travel_mm : begun);
-    store(pass.found + row.cell + i, found);
-    store(found_column + i, found);
+    store_to_chosen(pass.begun_mm + cell, anew ? Floats{} + pass.travel_mm : begun, anew);
+    store_to_chosen(pass.found + cell, found, anew);
+    store(found_column, found);
 }
 
 /// How a tile's support is stored.
@@ -44,31 +43,35 @@ struct InLevels {
     }
 };
 
-/// Gathers cell `i` of a row, or as many from there on as a register holds.
+/// Gathers cell `i` of a row, or as many from there on as a register holds. Thickness and pass beyond
+/// the row's end are neither read nor written where registers have masks: another thread may change
+/// them.
 template <class Floats, class Ints, class Shorts, class Support>
 PASTOSO_KERNEL_INLINE void gather_cells(const GatherSource& tile, const Support& support,
                                         const GatherRow& row, int i, float cell_mm,
                                         const GatherColumns& to) {
     const Ints number = load<Ints>(kCounting) + i;
-    const Ints quanta = load<Ints>(tile.thickness + row.cell + i);
+    const auto inside = number < row.count;
+    const auto quanta = load_chosen<Ints>(tile.thickness + row.cell + i, inside);
     store(to.thickness + i, quanta);
     store(to.support_mm + i, support.template at<Floats, Shorts>(row.cell + i));
     store(to.dx_mm + i, row.x_mm + as_floats(number) * cell_mm);
     store(to.dy_mm + i, Floats{} + row.y_mm);
     store(to.cell + i, number + row.cell);
     if (tile.pass.found != nullptr)
-        find<Floats>(tile.pass, row, i, quanta, number, to.found);
+        find<Floats>(tile.pass, row.cell + i, quanta, inside, to.found + i);
     else
         store(to.found + i, quanta);
 }
 
-/// In whole registers, as long as they do not reach beyond the tile; what is too much in the columns is
-/// overwritten by the next row.
+/// In whole registers, as long as they do not reach beyond the tile (without masks: beyond the row);
+/// what is too much in the columns is overwritten by the next row.
 template <class Support>
 PASTOSO_KERNEL_INLINE void gather_row(const GatherSource& tile, const Support& support,
                                       const GatherRow& row, float cell_mm, const GatherColumns& to) {
+    const int end = kMasked ? grid::kTileCells : row.cell + row.count;
     int i = 0;
-    for (; i < row.count && row.cell + i + kLanes <= grid::kTileCells; i += kLanes)
+    for (; i < row.count && row.cell + i + kLanes <= end; i += kLanes)
         gather_cells<FloatLanes, IntLanes, ShortLanes>(tile, support, row, i, cell_mm, to);
     for (; i < row.count; ++i)
         gather_cells<float, std::int32_t, std::uint16_t>(tile, support, row, i, cell_mm, to);

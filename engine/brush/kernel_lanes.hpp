@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#if defined(__AVX512F__)
+#if defined(__AVX512F__) || defined(__AVX2__)
 #include <immintrin.h>
 #endif
 
@@ -70,10 +70,59 @@ PASTOSO_KERNEL_INLINE FloatLanes all_lanes(float value) {
     return FloatLanes{} + value;
 }
 
+/// Whether load_chosen() and store_to_chosen() leave the memory of the other lanes alone.
+#if defined(__AVX512F__) || defined(__AVX2__)
+constexpr bool kMasked = true;
+#else
+constexpr bool kMasked = false;
+#endif
+
+/// Those of consecutive values whose lane of `chosen` is -1 (the others have 0), in the other lanes
+/// anything.
+template <class Lanes, class Value>
+PASTOSO_KERNEL_INLINE Lanes load_chosen(const Value* from, [[maybe_unused]] IntLanes chosen) {
+    static_assert(sizeof(Value) == 4 && sizeof(Lanes) == sizeof(IntLanes));
+#if defined(__AVX512F__)
+    const __mmask16 mask = _mm512_movepi32_mask(reinterpret_cast<__m512i>(chosen));
+    return reinterpret_cast<Lanes>(_mm512_maskz_loadu_epi32(mask, from));
+#elif defined(__AVX2__)
+    const auto* ints = reinterpret_cast<const int*>(from);
+    return reinterpret_cast<Lanes>(_mm256_maskload_epi32(ints, reinterpret_cast<__m256i>(chosen)));
+#else
+    return load<Lanes>(from);
+#endif
+}
+template <class Value>
+PASTOSO_KERNEL_INLINE Value load_chosen(const Value* from, bool) {
+    return *from;
+}
+
+/// Writes them. The other lanes hold what is there already.
+template <class Lanes, class Value>
+PASTOSO_KERNEL_INLINE void store_to_chosen(Value* to, const Lanes& values,
+                                           [[maybe_unused]] IntLanes chosen) {
+    static_assert(sizeof(Value) == 4 && sizeof(Lanes) == sizeof(IntLanes));
+#if defined(__AVX512F__)
+    const __mmask16 mask = _mm512_movepi32_mask(reinterpret_cast<__m512i>(chosen));
+    _mm512_mask_storeu_epi32(to, mask, reinterpret_cast<__m512i>(values));
+#elif defined(__AVX2__)
+    _mm256_maskstore_epi32(reinterpret_cast<int*>(to), reinterpret_cast<__m256i>(chosen),
+                           reinterpret_cast<__m256i>(values));
+#else
+    store(to, values);
+#endif
+}
+template <class Value>
+PASTOSO_KERNEL_INLINE void store_to_chosen(Value* to, Value value, bool chosen) {
+    if (chosen) *to = value;
+}
+
 /// Whether a lane is -1 (the others have 0); true as well where finding out takes longer than it saves.
 PASTOSO_KERNEL_INLINE bool may_have_any([[maybe_unused]] IntLanes chosen) {
 #if defined(__AVX512F__)
     return _mm512_movepi32_mask(reinterpret_cast<__m512i>(chosen)) != 0;
+#elif defined(__AVX2__)
+    return _mm256_movemask_ps(reinterpret_cast<__m256>(chosen)) != 0;
 #else
     return true;
 #endif

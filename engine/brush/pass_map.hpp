@@ -20,6 +20,16 @@ class PassMap {
     /// Where the tip is from now on, in travel since the stroke began.
     void set_travel(double travel_mm) { travel_mm_ = static_cast<float>(travel_mm); }
 
+    /// Lets several threads gather these cells at once, as long as none gathers those of another.
+    void prepare(const grid::Rect& cells) {
+        const grid::Shape& canvas = found_.shape();
+        const grid::Rect tiles = canvas.tiles_touching(cells);
+        for (int row = tiles.y0; row < tiles.y1; ++row) {
+            for (int column = tiles.x0; column < tiles.x1; ++column)
+                tile(row * canvas.tiles_x() + column);
+        }
+    }
+
     /// What a gathering of cells of a tile reads and, where the tip comes anew, writes.
     PassTile tile(int tile) {
         return {begun_mm_.write(tile), found_.write(tile), travel_mm_, travel_mm_ - length_mm_};

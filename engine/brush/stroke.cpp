@@ -42,6 +42,17 @@ std::uint32_t turns_of(const Brush& brush) {
     return brush.tip.rigid ? 1 : kTurns;
 }
 
+bool mixes(const Brush& brush) {
+    return brush.preset.exchange.mix > 0.0;
+}
+
+/// The elements of a knife wait for each other from one end to the other, and what is thrown away is
+/// summed in their order.
+int most_strips(const Brush& brush, const core::ThreadPool* pool) {
+    const bool alone = pool == nullptr || brush.tip.rigid || brush.preset.exchange.absorbs;
+    return alone ? 1 : pool->thread_count();
+}
+
 double step_length_mm(const Brush& brush) {
     const StrokePreset& stroke = brush.preset.stroke;
     return std::max(stroke.spacing * std::max(brush.tip.radius_mm, kLeastStepRadius_mm),
@@ -77,6 +88,20 @@ float smooth_ramp(double from, double to, double x) {
     return t * t * (3.0F - 2.0F * t);
 }
 
+/// A rectangle around all cells that the footprints may reach.
+grid::Rect cells_below(const std::vector<StripPlace>& places, double radius_mm, double cell_mm) {
+    const auto cell = [cell_mm](double place_mm) {
+        return static_cast<int>(std::clamp(std::floor(place_mm / cell_mm), -1e6, 1e6));
+    };
+    grid::Rect cells;
+    for (const StripPlace& place : places) {
+        cells = grid::bounding_box(cells,
+                                   {cell(place.x_mm - radius_mm), cell(place.y_mm - radius_mm),
+                                    cell(place.x_mm + radius_mm) + 1, cell(place.y_mm + radius_mm) + 1});
+    }
+    return cells;
+}
+
 /// 1 at both edges of the swath, 0 further in than 12% of its half width.
 float edge_share(double side_mm, const Swath& swath) {
     const double half_mm = 0.5 * (swath.high_mm - swath.low_mm);
@@ -88,7 +113,7 @@ float edge_share(double side_mm, const Swath& swath) {
 }  // namespace
 
 Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const Placement& placement,
-               const grid::Mask* limit)
+               const grid::Mask* limit, core::ThreadPool* pool)
     : brush_(brush),
       film_(film),
       limit_(limit),
@@ -101,6 +126,7 @@ Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const 
       poses_(brush.tip.bristles.size()),
       cells_(limit),
       pass_(film.shape, pass_length_mm(brush)),
+      pool_(pool),
       droplets_(brush, film, limit) {}
 
 void Stroke::begin(const PenSample& sample) {
@@ -209,13 +235,17 @@ void Stroke::paint_step(const PathStep& step) {
     ++step_count_;
     pass_.set_travel(step_count_ * step_mm_);
     if (step_count_ % kPloughTurns == 0) plough(hand, swath);
+    touching_.clear();
     for (auto i = static_cast<int>(step_count_ % turns_); i < static_cast<int>(poses_.size());
          i += static_cast<int>(turns_)) {
-        if (!poses_[i].down) continue;
-        touch(i, hand, swath, rates, drag);
-        note_changed(spill_overflow(brush_, i, poses_[i], hand, swath,
-                                    {rates.radius_mm, turn_mm, jitter_seed_}, dither_seed(i), film_,
-                                    cells_));
+        const BristlePose& pose = poses_[i];
+        if (pose.down) touching_.push_back({i, pose.x_mm, pose.y_mm, side_mm(pose, hand)});
+    }
+    touch_all({hand, swath, rates, drag});
+    for (const StripPlace& place : touching_) {
+        note_changed(spill_overflow(brush_, place.element, poses_[place.element], hand, swath,
+                                    {rates.radius_mm, turn_mm, jitter_seed_}, dither_seed(place.element),
+                                    film_, cells_));
     }
     since_wick_mm_ += step_mm_;
     if (since_wick_mm_ < kWickInterval_mm) return;
@@ -229,23 +259,51 @@ void Stroke::plough(const HandPose& hand, const Swath& swath) {
         plough_.push({brush_, poses_, hand, swath, rates, dither_seed(kPloughSeed), film_, cells_}));
 }
 
-void Stroke::touch(int bristle, const HandPose& hand, const Swath& swath, const StepRates& rates,
-                   const DragRates& drag) {
+void Stroke::touch_all(const Touch& touch) {
+    strips_.divide(touching_, touch.rates.radius_mm, most_strips(brush_, pool_));
+    while (static_cast<int>(tools_.size()) < strips_.count())
+        tools_.emplace_back(limit_);
+    const auto act = [&](int bristle, int strip) { return touch_one(bristle, touch, tools_[strip]); };
+    if (strips_.count() > 1 && mixes(brush_))
+        pass_.prepare(cells_below(touching_, touch.rates.radius_mm, film_.cell_mm));
+    while (!strips_.run(pool_, act)) {
+        for (const int strip : strips_.hindered())
+            own_planned_tiles(tools_[strip].cells, film_);
+    }
+    for (StripTools& tools : tools_)
+        note_changed(std::exchange(tools.changed, {}));
+}
+
+Contact Stroke::contact(int bristle, const Touch& touch) const {
     const BristlePose& pose = poses_[bristle];
+    const HandPose& hand = touch.hand;
     const auto rigidity = static_cast<float>(brush_.preset.flex.rigidity);
     Contact contact;
     contact.x_mm = pose.x_mm;
     contact.y_mm = pose.y_mm;
-    contact.support_mm = pose.support_mm + rigidity * (swath.edge_support_mm - pose.support_mm);
+    contact.support_mm = pose.support_mm + rigidity * (touch.swath.edge_support_mm - pose.support_mm);
     contact.press = pose.press;
     contact.freshness = pose.freshness;
-    contact.edge = brush_.tip.rigid ? 0.0F : edge_share(side_mm(pose, hand), swath);
+    contact.edge = brush_.tip.rigid ? 0.0F : edge_share(side_mm(pose, hand), touch.swath);
     contact.across_x = brush_.tip.rigid ? hand.cos_rotation : -hand.travel_y;
     contact.across_y = brush_.tip.rigid ? hand.sin_rotation : hand.travel_x;
-    const ExchangeRule rule = exchange_rule(brush_, bristle, contact, rates);
-    note_changed(exchange_paint(brush_, bristle, contact, rule, rates, dither_seed(bristle), film_,
-                                cells_, brush_.preset.exchange.mix > 0.0 ? &pass_ : nullptr));
-    note_changed(drag_.drag(rule, drag, cells_, film_));
+    return contact;
+}
+
+bool Stroke::touch_one(int bristle, const Touch& touch, StripTools& tools) {
+    const Contact below = contact(bristle, touch);
+    const ExchangeRule rule = exchange_rule(brush_, bristle, below, touch.rates);
+    PassMap* const pass = mixes(brush_) ? &pass_ : nullptr;
+    const WantedSums wanted = plan_touch(rule, below, touch.rates, film_, tools.cells, pass);
+    if (strips_.count() > 1 && !owns_planned_tiles(tools.cells, film_)) return false;
+    const grid::Rect painted =
+        apply_touch(brush_, bristle, wanted, dither_seed(bristle), film_, tools.cells);
+    tools.changed = grid::bounding_box(tools.changed, painted);
+    if (tools.drag.find(rule, touch.drag, tools.cells, film_)) {
+        const std::lock_guard lock(velocities_);
+        tools.changed = grid::bounding_box(tools.changed, tools.drag.apply(touch.drag, film_));
+    }
+    return true;
 }
 
 void Stroke::leave_paint() {

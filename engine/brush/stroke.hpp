@@ -11,12 +11,16 @@
 #include "brush/pen_guide.hpp"
 #include "brush/pen_resampler.hpp"
 #include "brush/plough.hpp"
+#include "brush/strips.hpp"
 #include "brush/stroke_path.hpp"
 #include "brush/symmetry.hpp"
 #include "brush/transfer.hpp"
+#include "core/thread_pool.hpp"
 #include "film/air_jet.hpp"
 #include "film/state.hpp"
 
+#include <deque>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -38,9 +42,11 @@ class Stroke {
   public:
     /// `placement` says where the brush stands for the hand. A straight line has to be straight already.
     /// Tools change the cells of `limit` alone, which outlives the stroke (null: all of them), and those
-    /// of air blow only where the middle of their jet is on one.
+    /// of air blow only where the middle of their jet is on one. The bits do not depend on the threads
+    /// of `pool`, which outlives the stroke as well (null: one thread).
     Stroke(Brush& brush, film::FilmState& film, const HandAids& aids = {},
-           const Placement& placement = {}, const grid::Mask* limit = nullptr);
+           const Placement& placement = {}, const grid::Mask* limit = nullptr,
+           core::ThreadPool* pool = nullptr);
 
     /// The pen touches down. All numbers of samples must be finite, pressures 0 to 1; far off the canvas
     /// they cost time and do nothing.
@@ -62,6 +68,21 @@ class Stroke {
     grid::Rect take_changed_cells();
 
   private:
+    /// What all elements that touch in one step have in common.
+    struct Touch {
+        const HandPose& hand;
+        const Swath& swath;
+        const StepRates& rates;
+        const DragRates& drag;
+    };
+    /// What the thread on a strip works with, apart from what others write.
+    struct alignas(64) StripTools {
+        explicit StripTools(const grid::Mask* limit) : cells(limit) {}
+        CellBatch cells;
+        PaintDrag drag;
+        grid::Rect changed;
+    };
+
     void follow(const std::vector<PenSample>& samples);
     PenSample led(const PenSample& sample);
     HandPose pose(const PathStep& step) const;
@@ -70,8 +91,10 @@ class Stroke {
     void take_step(const PathStep& step);
     void paint_step(const PathStep& step);
     void plough(const HandPose& hand, const Swath& swath);
-    void touch(int bristle, const HandPose& hand, const Swath& swath, const StepRates& rates,
-               const DragRates& drag);
+    void touch_all(const Touch& touch);
+    Contact contact(int bristle, const Touch& touch) const;
+    /// False: other threads may be at work on tiles that the film shares with other states.
+    bool touch_one(int bristle, const Touch& touch, StripTools& tools);
     void leave_paint();
     void note_changed(const grid::Rect& cells);
     std::uint32_t dither_seed(int bristle) const;
@@ -91,7 +114,11 @@ class Stroke {
     CellBatch cells_;
     PassMap pass_;
     Plough plough_;
-    PaintDrag drag_;
+    core::ThreadPool* pool_;
+    std::vector<StripPlace> touching_;  ///< in this step, in their order
+    Strips strips_;
+    std::deque<StripTools> tools_;  ///< of every strip
+    std::mutex velocities_;         ///< of the film
     Droplets droplets_;
     std::optional<HandPose> blowing_;  ///< how a tool of air is held, before it is placed
     double time_s_ = 0.0;              ///< that the stroke has lasted

@@ -5,16 +5,16 @@
 namespace pastoso::brush {
 
 StrokeGroup::StrokeGroup(Brush& brush, film::FilmState& film, const HandAids& aids,
-                         const Symmetry& symmetry, const grid::Mask* limit)
+                         const Symmetry& symmetry, const grid::Mask* limit, core::ThreadPool* pool)
     : aids_(aids), brush_(brush) {
     for (const Placement& placement : placements(symmetry)) {
         if (strokes_.empty()) {
-            strokes_.emplace_back(brush, film, aids, placement, limit);
+            strokes_.emplace_back(brush, film, aids, placement, limit, pool);
             continue;
         }
         Brush& copy = copies_.emplace_back(brush);
         if (placement.mirrored) copy.tip = mirrored(std::move(copy.tip));
-        strokes_.emplace_back(copy, film, aids, placement, limit);
+        strokes_.emplace_back(copy, film, aids, placement, limit, pool);
     }
 }
 

@@ -16,7 +16,7 @@ namespace pastoso::brush {
 class StrokeGroup {
   public:
     StrokeGroup(Brush& brush, film::FilmState& film, const HandAids& aids, const Symmetry& symmetry,
-                const grid::Mask* limit = nullptr);
+                const grid::Mask* limit = nullptr, core::ThreadPool* pool = nullptr);
 
     void begin(const PenSample& sample);
     void add(const PenSample& sample);

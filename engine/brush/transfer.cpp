@@ -103,7 +103,7 @@ void take_from(Contents& held, const ChangeSums& gained, double cell_area_mm2) {
 
 bool changes_anything(const CellBatch& batch, const CellBatch::TilePart& part) {
     for (int i = part.begin; i < part.end; ++i) {
-        if (batch.change[i] != 0 || batch.swap[i] != 0) return true;
+        if ((batch.change[i] != 0 || batch.swap[i] != 0) && batch.may_change(part, i)) return true;
     }
     return false;
 }
@@ -185,18 +185,37 @@ WantedSums plan_exchange(const ExchangeRule& rule, CellBatch& batch) {
                batch.support_mm.data(), batch.change.data(), batch.swap.data(), batch.padded_count()});
 }
 
-grid::Rect exchange_paint(Brush& brush, int index, const Contact& contact, const ExchangeRule& rule,
-                          const StepRates& rates, std::uint32_t dither_seed, film::FilmState& film,
-                          CellBatch& scratch, PassMap* pass) {
+WantedSums plan_touch(const ExchangeRule& rule, const Contact& contact, const StepRates& rates,
+                      const film::FilmState& film, CellBatch& batch, PassMap* pass) {
     const double reach_mm = rule.lane ? std::hypot(rates.radius_mm, rates.lane_mm) : rates.radius_mm;
-    scratch.gather(film, contact.x_mm, contact.y_mm, reach_mm, pass);
-    if (scratch.count() == 0) return {};
-    const WantedSums wanted = plan_exchange(rule, scratch);
+    batch.gather(film, contact.x_mm, contact.y_mm, reach_mm, pass);
+    return batch.count() > 0 ? plan_exchange(rule, batch) : WantedSums{};
+}
+
+grid::Rect apply_touch(Brush& brush, int index, WantedSums wanted, std::uint32_t dither_seed,
+                       film::FilmState& film, CellBatch& batch) {
+    if (batch.count() == 0) return {};
     const double deposit_share = brush.tip.rigid ? kLargestKnifeDeposit : kLargestDeposit;
     const grid::Rect changed =
-        apply_batch(scratch, wanted, deposit_share, kLargestSwap, dither_seed, film, brush.held[index]);
+        apply_batch(batch, wanted, deposit_share, kLargestSwap, dither_seed, film, brush.held[index]);
     if (brush.preset.exchange.absorbs) brush.thrown_away += std::exchange(brush.held[index], Contents{});
     return changed;
+}
+
+bool owns_planned_tiles(const CellBatch& batch, const film::FilmState& film) {
+    return std::all_of(batch.parts().begin(), batch.parts().end(), [&](const auto& part) {
+        const bool owned =
+            film.thickness.block(part.tile).unique() && film.paint.block(part.tile).unique();
+        return owned || !changes_anything(batch, part);
+    });
+}
+
+void own_planned_tiles(const CellBatch& batch, film::FilmState& film) {
+    for (const CellBatch::TilePart& part : batch.parts()) {
+        if (!changes_anything(batch, part)) continue;
+        film.thickness.write(part.tile);
+        film.paint.write(part.tile);
+    }
 }
 
 grid::Rect apply_batch(CellBatch& batch, WantedSums wanted, double deposit_share, double swap_share,

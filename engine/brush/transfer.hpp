@@ -68,11 +68,21 @@ ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact
 /// Fills the changes and swaps of a gathered batch. Returns their sums.
 WantedSums plan_exchange(const ExchangeRule& rule, CellBatch& batch);
 
-/// Lets bristle `index` exchange paint with the film by its rule. Returns the cells that may
-/// have changed, empty if none; `scratch` holds the cells below it as they were.
-grid::Rect exchange_paint(Brush& brush, int index, const Contact& contact, const ExchangeRule& rule,
-                          const StepRates& rates, std::uint32_t dither_seed, film::FilmState& film,
-                          CellBatch& scratch, PassMap* pass = nullptr);
+/// Gathers the cells below an element and plans its exchange with them. Returns what it wants.
+WantedSums plan_touch(const ExchangeRule& rule, const Contact& contact, const StepRates& rates,
+                      const film::FilmState& film, CellBatch& batch, PassMap* pass = nullptr);
+
+/// Lets bristle `index` do what plan_touch() planned. Returns the cells that may have changed, empty if
+/// none; `batch` goes on holding the cells as they were.
+grid::Rect apply_touch(Brush& brush, int index, WantedSums wanted, std::uint32_t dither_seed,
+                       film::FilmState& film, CellBatch& batch);
+
+/// Whether no other state shares the tiles that a planned batch is going to change. If so, several
+/// threads may apply batches of different cells at once.
+bool owns_planned_tiles(const CellBatch& batch, const film::FilmState& film);
+
+/// Makes it so, for one thread alone.
+void own_planned_tiles(const CellBatch& batch, film::FilmState& film);
 
 /// Applies the changes and swaps planned in `batch` and takes what the film gained from `held`, or gives
 /// it what the film lost. At most `deposit_share` of the held volume is deposited and `swap_share`

@@ -127,10 +127,11 @@ void Painting::Parts::begin_stroke_on(Surface surface) {
     if (surface == Surface::Canvas) {
         share_varied();
         touched = &solver;
-        stroke.emplace(*brush, film, aids, symmetry, selection.get());
+        stroke.emplace(*brush, film, aids, symmetry, selection.get(), &pool);
     } else {
         touched = &used_well().solver;
-        stroke.emplace(*brush, well->film, brush::HandAids{aids.stabiliser, {}}, brush::Symmetry{});
+        stroke.emplace(*brush, well->film, brush::HandAids{aids.stabiliser, {}}, brush::Symmetry{},
+                       nullptr, &pool);
     }
 }
 

@@ -63,7 +63,8 @@ TEST(Drag, GivesTheMomentumThatTheRuleSays) {
     CellBatch touched;
     touched.gather(film, contact.x_mm, contact.y_mm, rates.radius_mm);
     PaintDrag drag;
-    drag.drag(rule, drag_rates(brush, hand, step_mm, rates.radius_mm), touched, film);
+    const DragRates drag_by = drag_rates(brush, hand, step_mm, rates.radius_mm);
+    if (drag.find(rule, drag_by, touched, film)) drag.apply(drag_by, film);
 
     // chi = 1 in a pool that deep; w = 1 - rho^4, at a face the mean of both cells within the footprint.
     const double share = 0.7 * (1.0 - std::exp(-step_mm / rates.radius_mm));

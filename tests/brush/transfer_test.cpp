@@ -36,8 +36,8 @@ StepRates rates_of(const Brush& brush, double step_mm = 0.2) {
 grid::Rect touch(Brush& brush, film::FilmState& film, const Contact& contact) {
     CellBatch scratch;
     const StepRates rates = rates_of(brush);
-    return exchange_paint(brush, 0, contact, exchange_rule(brush, 0, contact, rates), rates, 1, film,
-                          scratch);
+    const ExchangeRule rule = exchange_rule(brush, 0, contact, rates);
+    return apply_touch(brush, 0, plan_touch(rule, contact, rates, film, scratch), 1, film, scratch);
 }
 
 TEST(Exchange, GivesTheFilmWhatTheBristleLoses) {
