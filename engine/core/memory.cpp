@@ -36,7 +36,8 @@ std::size_t peak_memory_bytes() {
 
 void keep_freed_memory() {
     constexpr int kMiB = 1 << 20;
-    ::mallopt(M_TRIM_THRESHOLD, 128 * kMiB);
+    // A canvas of 4096 x 4096 cells that flows all over frees 200 MB in each step.
+    ::mallopt(M_TRIM_THRESHOLD, 512 * kMiB);
     ::mallopt(M_MMAP_THRESHOLD, 32 * kMiB);
     // What one thread frees another can take.
     ::mallopt(M_ARENA_MAX, 1);

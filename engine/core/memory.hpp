@@ -13,7 +13,7 @@ std::size_t available_memory_bytes();
 std::size_t resident_memory_bytes();
 std::size_t peak_memory_bytes();
 
-/// From now on the process keeps up to 128 MiB that were freed for what it allocates next,
+/// From now on the process keeps up to 512 MiB that were freed for what it allocates next,
 /// instead of handing it back to the machine at once: tiles come and go by the megabyte, and new pages
 /// cost more than what is done with them. For a whole program, at its start.
 void keep_freed_memory();

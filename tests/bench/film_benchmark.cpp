@@ -1,5 +1,6 @@
 // Cost of a film step per cell, explicit and large, all cells wet and flowing. Rates are of processor
 // time, summed over the threads, so that other work on the machine counts little.
+#include "core/memory.hpp"
 #include "film/solver.hpp"
 
 #include <cmath>
@@ -57,6 +58,7 @@ void vary(FilmState& state) {
 }
 
 void step_film(benchmark::State& run, const Flow& flow) {
+    core::keep_freed_memory();  // as the programs do
     const int n = static_cast<int>(run.range(0));
     core::ThreadPool pool(static_cast<int>(run.range(1)));
     FilmState state = wavy_film(n, flow.pigment);
