@@ -261,9 +261,7 @@ void expect_calm(const RandomRuns& runs) {
         "thickest allowed\n",
         static_cast<long long>(runs.large_steps), per(runs.sweeps, runs.large_steps),
         per(runs.rejected_steps, runs.large_steps), per(runs.limited_cells, runs.cells), runs.fullest);
-    // Millimetres of noise in paint that thins are thrown about by their own tension: one such paint
-    // among sixty touches the clamp at 1.5 % of its faces before it calms down.
-    EXPECT_LE(static_cast<double>(runs.early_clamps), 3e-4 * static_cast<double>(runs.early_faces));
+    EXPECT_LE(static_cast<double>(runs.early_clamps), 1e-4 * static_cast<double>(runs.early_faces));
     EXPECT_LE(static_cast<double>(runs.late_clamps), 1e-7 * static_cast<double>(runs.late_faces));
     EXPECT_LE(runs.paints_clamped_late, runs.paints / 20);
     EXPECT_LE(per(runs.sweeps, runs.large_steps), 4.0);
