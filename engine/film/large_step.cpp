@@ -175,12 +175,12 @@ struct LargeStepper::Pass {
     /// The same for coordinates that may be one beyond the canvas: periodic edges lead to the other
     /// side.
     LargeTile* neighbour(int tile_x, int tile_y) const {
-        const auto wrapped = [](int index, int count, bool periodic) {
-            return periodic ? (index + count) % count : index;
+        const auto wrapped = [](int index, int count, Edge edge) {
+            return edge == Edge::Periodic ? (index + count) % count : index;
         };
         const int count_x = state.shape.tiles_x(), count_y = state.shape.tiles_y();
-        const int x = wrapped(tile_x, count_x, stepper.periodic_x_);
-        const int y = wrapped(tile_y, count_y, stepper.periodic_y_);
+        const int x = wrapped(tile_x, count_x, stepper.edge_x_);
+        const int y = wrapped(tile_y, count_y, stepper.edge_y_);
         return x < 0 || y < 0 || x >= count_x || y >= count_y ? nullptr : partner(x, y);
     }
     auto cells(CellArray LargeTile::*field) const {
@@ -218,6 +218,7 @@ struct LargeStepper::Pass {
                  WorkerScratch& worker) const;
     void assemble_all();
     std::array<LargeTile*, 4> beside(const TilePlace& place) const;
+    grid::Rect patch_within_open_edges(const TilePlace& place) const;
     void gather_x_faces(const TilePlace& place, FaceArray<float> LargeFaces::*field,
                         WindowArray& out) const;
     void gather_y_faces(const TilePlace& place, FaceArray<float> LargeFaces::*field,
@@ -277,6 +278,23 @@ void LargeStepper::Pass::assemble_all() {
 std::array<LargeTile*, 4> LargeStepper::Pass::beside(const TilePlace& place) const {
     const int x = place.tile_x, y = place.tile / state.shape.tiles_x();
     return {neighbour(x - 1, y), neighbour(x + 1, y), neighbour(x, y - 1), neighbour(x, y + 1)};
+}
+
+/// The cells of a tile's patch within the canvas' open edges. Other edges let nothing pass anyway.
+grid::Rect LargeStepper::Pass::patch_within_open_edges(const TilePlace& place) const {
+    constexpr int kPatchBegin = kWindowMargin - kOverlap;
+    grid::Rect cells{0, 0, kPatchSize, kPatchSize};
+    if (stepper.edge_x_ == Edge::Open) {
+        const std::vector<WindowRun>& runs = columns(place).patch;
+        cells.x0 = std::max(cells.x0, runs.front().position - kPatchBegin);
+        cells.x1 = std::min(cells.x1, runs.back().position + runs.back().count - kPatchBegin);
+    }
+    if (stepper.edge_y_ == Edge::Open) {
+        const std::vector<WindowRun>& runs = rows(place).patch;
+        cells.y0 = std::max(cells.y0, runs.front().position - kPatchBegin);
+        cells.y1 = std::min(cells.y1, runs.back().position + runs.back().count - kPatchBegin);
+    }
+    return cells;
 }
 
 /// The window of a coefficient of the x faces. Those on the left of a tile that has none beside it are
@@ -442,7 +460,8 @@ void LargeStepper::Pass::correct(bool first) {
         gather_y_faces(place, &LargeFaces::mobility, large.mobility_y);
         gather_x_faces(place, &LargeFaces::weight, large.weight_x);
         gather_y_faces(place, &LargeFaces::weight, large.weight_y);
-        kernels.correct_patch(constants, tile.stubborn ? kMostCycles : 1, large, tile.correction);
+        kernels.correct_patch(constants, tile.stubborn ? kMostCycles : 1, patch_within_open_edges(place),
+                              large, tile.correction);
     };
     for_each_of(places_to_correct(first), solve_patch);
 }
@@ -535,9 +554,8 @@ Shortage LargeStepper::Pass::share_inflow() {
     return total(shortages);
 }
 
-/// Solves, and again with less mobility out of the cells that would have run empty.
+/// Solves again, with less mobility out of the cells that would have run empty.
 void LargeStepper::Pass::solve_within_supply(LargeStepReport& report) {
-    solve_yielding(report);
     for (int attempt = 0;; ++attempt) {
         Shortage shortage = find_velocities(report);
         for (int pass = 0; pass < kMostSharePasses && shortage.cells > 0; ++pass)
@@ -603,10 +621,7 @@ void LargeStepper::settle(FilmState& state, const std::vector<TilePlace>& places
 }
 
 LargeStepper::LargeStepper(grid::Shape shape, Edge edge_x, Edge edge_y, int thread_count)
-    : periodic_x_(edge_x == Edge::Periodic),
-      periodic_y_(edge_y == Edge::Periodic),
-      tiles_(shape.tile_count()),
-      taking_part_(shape.tile_count(), 0) {
+    : edge_x_(edge_x), edge_y_(edge_y), tiles_(shape.tile_count()), taking_part_(shape.tile_count(), 0) {
     for (int x = 0; x < shape.tiles_x(); ++x)
         columns_.push_back({window_runs(x, shape.width, edge_x, 1),
                             window_runs(x, shape.width, edge_x, kWindowMargin),
@@ -644,12 +659,15 @@ std::vector<TileResult> LargeStepper::step(const FilmState& state, const std::ve
         taking_part_[place.tile] = 1;
         if (!tiles_[place.tile]) tiles_[place.tile] = std::make_unique<LargeTile>();
     }
+    const auto is_usable = [&] { return report.residual <= kUsable || accept_any; };
     Pass pass{*this, state, places, step, pool, workers};
     report = {};
     pass.assemble_all();
+    pass.solve_yielding(report);
+    if (!is_usable()) return {};
     pass.solve_within_supply(report);
-    const bool usable = report.residual <= kUsable;
-    return usable || accept_any ? pass.finish() : std::vector<TileResult>{};
+    if (!is_usable()) return {};
+    return pass.finish();
 }
 
 }  // namespace pastoso::film

@@ -54,7 +54,7 @@ class LargeStepper {
     };
     struct Pass;
 
-    bool periodic_x_, periodic_y_;
+    Edge edge_x_, edge_y_;
     std::vector<Windows> columns_, rows_;
     std::vector<std::unique_ptr<LargeTile>> tiles_;
     std::vector<char> taking_part_;

@@ -106,7 +106,8 @@ class LevelValues {
 /// begin at a cache line.
 struct MultigridLevel {
     int size = 0;
-    LevelValues pressure, change;                ///< the unknowns p and d
+    grid::Rect within;             ///< cells within open edges of the canvas, in whole or in part
+    LevelValues pressure, change;  ///< the unknowns p and d
     LevelValues pressure_source, change_source;  ///< right-hand sides; the finest level's second is zero
     LevelValues mobility_x, mobility_y;          ///< of the face behind the cell
     LevelValues weight_x, weight_y;
@@ -117,6 +118,7 @@ struct MultigridLevel {
     int stride() const { return (size / 2 / 16 + 1) * 16; }
     /// The index of the first cell of a row's colour (0: even x + y), -1 <= y <= size.
     int row(int y, int colour) const { return ((y + 1) * 2 + colour) * stride() + 16; }
+    int cell(int x, int y) const { return row(y, (x + y) & 1) + x / 2; }
     int count() const { return row(size + 1, 0); }
 };
 

@@ -26,8 +26,9 @@ struct LargeKernels {
     float (*find_residual)(const StepConstants& step, int columns, int rows,
                            const std::int32_t* thickness, const LargeScratch& large, LargeTile& tile);
     /// The correction of the patch's pressure that removes the gathered residual, by that many V-cycles.
-    void (*correct_patch)(const StepConstants& step, int cycles, LargeScratch& scratch,
-                          PatchArray& correction);
+    /// `within` holds the cells of the patch within the canvas' open edges.
+    void (*correct_patch)(const StepConstants& step, int cycles, const grid::Rect& within,
+                          LargeScratch& scratch, PatchArray& correction);
     /// Adds the corrections of all patches that cover a tile, each with a weight that falls smoothly to
     /// nothing towards its patch's edge: where patches meet, no kink is left, which surface tension
     /// would resent.

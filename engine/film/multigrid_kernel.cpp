@@ -1,7 +1,7 @@
 // One V-cycle for the pressure p and the change of thickness d of a patch,
 //     d + A p = f1,   p - S d = f2,   A = -div m grad,   S = g - (sigma/rho) div w grad,
-// both zero outside the patch. The two unknowns of a cell are relaxed together, in checkerboard order.
-// Compiled once per instruction set; see pastoso_add_kernels.
+// both zero outside the patch and beyond the canvas' open edges. The two unknowns of a cell are relaxed
+// together, in checkerboard order. Compiled once per instruction set; see pastoso_add_kernels.
 #include "film/lane_groups.hpp"
 #include "film/large_kernels.hpp"
 #include "film/multigrid_rows.hpp"
@@ -103,6 +103,14 @@ template <class V>
             V(stiffness.gravity) + tension * ((w_east + w_west) + (w_below + w_above))};
 }
 
+void clear_beyond(const MultigridLevel& level, LevelValues& values) {
+    for_each_cell_beyond(level, [&](int x, int y) { values[level.cell(x, y)] = 0.0F; });
+}
+void hold_beyond(MultigridLevel& level) {
+    clear_beyond(level, level.pressure);
+    clear_beyond(level, level.change);
+}
+
 /// p = (q2 + s q1) / (1 + a s), d = q1 - a p in all cells of a colour.
 void relax(MultigridLevel& level, const Stiffness& stiffness, int colour) {
     for (int y = 0; y < level.size; ++y) {
@@ -115,6 +123,7 @@ void relax(MultigridLevel& level, const Stiffness& stiffness, int colour) {
             store_as(&level.change[at.own + k], V(cell.change - cell.mobility * p));
         });
     }
+    hold_beyond(level);
 }
 
 /// The same where p and d are zero all around, whatever the level holds there.
@@ -130,6 +139,7 @@ void relax_from_zero(MultigridLevel& level, const Stiffness& stiffness, int colo
             store_as(&level.change[at.own + k], V(change - sums.mobility * p));
         });
     }
+    hold_beyond(level);
 }
 
 /// The colour that a sweep relaxes first, and the one it leaves without residual.
@@ -160,6 +170,8 @@ void find_residual(MultigridLevel& level, const Stiffness& stiffness) {
             store_as(&level.pressure_residual[at.own + k], V(cell.pressure - (p - cell.stiffness * d)));
         });
     }
+    clear_beyond(level, level.change_residual);
+    clear_beyond(level, level.pressure_residual);
 }
 
 using PlainRow = std::array<float, kPatchSize + 2>;
@@ -207,6 +219,7 @@ void prolong(const MultigridLevel& coarse, MultigridLevel& fine) {
         change[0] = change[1];
         change[1] = change[2];
     }
+    hold_beyond(fine);
 }
 
 /// Coarse coefficients at the faces behind coarse cells -1 .. size - 1: a quarter of the mean over the
@@ -266,9 +279,10 @@ void invert_cells(MultigridLevel& level, const Stiffness& stiffness) {
 
 }  // namespace
 
-void prepare_multigrid(const StepConstants& step, LargeScratch& scratch) {
+void prepare_multigrid(const StepConstants& step, const grid::Rect& within, LargeScratch& scratch) {
     const Stiffness stiffness(step);
     MultigridLevel& finest = scratch.levels[0];
+    finest.within = within;
     for (int y = -1; y < finest.size; ++y) {
         const int from = window_index(-kOverlap, y - kOverlap);
         split_row(finest, y, &scratch.mobility_y[from], finest.mobility_y);
@@ -284,6 +298,8 @@ void prepare_multigrid(const StepConstants& step, LargeScratch& scratch) {
     for (int depth = 1; depth < kMultigridLevels; ++depth) {
         const MultigridLevel& fine = scratch.levels[depth - 1];
         MultigridLevel& coarse = scratch.levels[depth];
+        coarse.within = {fine.within.x0 / 2, fine.within.y0 / 2, (fine.within.x1 + 1) / 2,
+                         (fine.within.y1 + 1) / 2};
         coarsen_x<true>(fine, fine.mobility_x, coarse, coarse.mobility_x);
         coarsen_y<true>(fine, fine.mobility_y, coarse, coarse.mobility_y);
         coarsen_x<false>(fine, fine.weight_x, coarse, coarse.weight_x);

@@ -126,6 +126,9 @@ void respond(const StepConstants& step, LargeScratch& scratch) {
         quad_difference(scratch.mobility_x, scratch.mobility_y, scratch.direction, i)
             .copy_to(&scratch.flow[i], lanes::stdx::element_aligned);
     });
+    for_each_cell_beyond(scratch.levels[0], [&](int x, int y) {
+        scratch.flow[window_index(x - kOverlap, y - kOverlap)] = 0.0F;
+    });
     for_each_patch_group([&](int i) {
         const Quad bend = quad_difference(scratch.weight_x, scratch.weight_y, scratch.flow, i);
         const Quad response =
@@ -186,9 +189,9 @@ void descend(const StepConstants& step, int cycles, LargeScratch& scratch, Windo
 
 }  // namespace
 
-void correct_patch(const StepConstants& step, int cycles, LargeScratch& scratch,
-                   PatchArray& correction) {
-    prepare_multigrid(step, scratch);
+void correct_patch(const StepConstants& step, int cycles, const grid::Rect& within,
+                   LargeScratch& scratch, PatchArray& correction) {
+    prepare_multigrid(step, within, scratch);
     const WindowArray* found = &scratch.direction;
     if (cycles == 1) {
         find_direction(step, scratch);

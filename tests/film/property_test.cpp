@@ -2,6 +2,8 @@
 // each scheme, and as many others and fresh ones in the long set (long_property_test.cpp).
 #include "film/random_paint.hpp"
 
+#include <random>
+
 #include <gtest/gtest.h>
 
 namespace pastoso::film::test {
@@ -18,6 +20,37 @@ TEST_P(AnyPaint, StaysFiniteExactAndCalm) {
 }
 INSTANTIATE_TEST_SUITE_P(Schemes, AnyPaint, testing::ValuesIn(all_paint_cases()),
                          [](const auto& test) { return name_of(test.param); });
+
+/// Sweeps that a large step of thick noise takes, so thin-bodied that its surface answers as one from
+/// edge to edge of a small canvas.
+int sweeps_of_thick_noise(std::uint32_t seed, Edge edge_x) {
+    Scene scene{.width = 40,
+                .height = 40,
+                .gravity = 2.0,
+                .viscosity = 0.2,
+                .tension = 8.0,
+                .yield = 1.3,
+                .edge_x = edge_x,
+                .edge_y = Edge::Wall,
+                .full_curvature = true};
+    scene.solver.scheme = film::Scheme::LargeStep;
+    Bench bench(scene);
+    std::mt19937 random(seed);
+    bench.fill([&](int, int) { return 5.0 * std::uniform_real_distribution<double>()(random); });
+    const AdvanceReport report = bench.solver->advance(0.8);
+    EXPECT_EQ(report.rejected_steps, 0);
+    EXPECT_LE(bench.max_h(), 8.0);
+    EXPECT_LE(report.largest_speed_mm_s, 10.0);
+    return report.sweeps;
+}
+
+// Nothing answers beyond an open edge. A patch that lets the cells there take up paint swings ever
+// further, by a factor of two with each sweep.
+TEST(ThickNoise, IsSolvedBesideOpenEdgesAsBesideWalls) {
+    for (const std::uint32_t seed : {1, 2, 3, 4, 5})
+        EXPECT_LE(sweeps_of_thick_noise(seed, Edge::Open), 2 * sweeps_of_thick_noise(seed, Edge::Wall))
+            << seed;
+}
 
 }  // namespace
 }  // namespace pastoso::film::test
