@@ -45,7 +45,7 @@ class Looks : public WindowTest {
 
     void give(Command command) { action(command)->trigger(); }
 
-    const film::FilmState& film() { return session().snapshot()->film; }
+    film::FilmState film() { return session().snapshot()->film; }
 
     /// Cells that are seen, some of them painted.
     static std::vector<glm::ivec2> some_cells() {

@@ -55,7 +55,7 @@ class TurnedView : public WindowTest {
     /// Where the wet paint lies, in millimetres.
     glm::dvec2 paint_centre_mm() {
         session().wait_until_applied();
-        const film::FilmState& film = session().snapshot()->film;
+        const film::FilmState film = session().snapshot()->film;
         glm::dvec2 sum{};
         double volume = 0.0;
         for (int y = 0; y < film.shape.height; ++y) {

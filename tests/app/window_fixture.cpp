@@ -216,7 +216,7 @@ std::string WindowTest::told() const {
 
 double WindowTest::volume_mm3() {
     session().wait_until_applied();
-    const film::FilmState& film = session().snapshot()->film;
+    const film::FilmState film = session().snapshot()->film;
     return film::volume_mm3(film::totals(film).thickness, film.cell_mm);
 }
 
