@@ -120,7 +120,8 @@ BENCHMARK(undo_many)
     ->Args({20, 200, 512, 0})
     ->Args({20, 410, 512, 0})
     ->Args({20, 410, 256, 0})
-    ->Args({20, 410, 512, 400})
+    ->Args({20, 410, 512, 100})
+    ->Args({20, 410, 256, 100})
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond);
 
