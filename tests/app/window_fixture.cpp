@@ -206,7 +206,7 @@ void WindowTest::settle() {
         // What is shown may make the window post more: then a later one of the same tick stands there.
         const bool there = shown == latest.get() || shown == session().snapshot().get() ||
                            (shown != nullptr && shown->tick > latest->tick);
-        return there && canvas().finished();
+        return there;
     });
 }
 
@@ -222,6 +222,7 @@ double WindowTest::volume_mm3() {
 
 QImage WindowTest::picture() {
     settle();
+    wait_for([this] { return canvas().finished(); });
     QEvent leave(QEvent::Leave);
     QApplication::sendEvent(&canvas(), &leave);
     return canvas().grabFramebuffer().convertToFormat(QImage::Format_RGB888);

@@ -48,12 +48,13 @@ class WindowTest : public ::testing::Test {
     /// Handles events until the condition holds; fails the test when it does not within a minute.
     void wait_for(const std::function<bool()>& condition);
 
-    /// Until everything posted is applied and the canvas is shown in its final quality. Paint that moves
-    /// has to be paused before.
+    /// Until everything posted is applied and the canvas shows it.
     void settle();
 
     double volume_mm3();
-    QImage picture();  ///< of the canvas view, after settle(); the pointer's outline is not in it
+    /// Of the canvas view, after settle() and in its final quality: paint that moves has to be paused
+    /// before. The pointer's outline is not in it.
+    QImage picture();
 
     main::MainWindow& window() { return *window_; }
     view::CanvasView& canvas() { return window_->canvas(); }
