@@ -1,14 +1,9 @@
 #include "main/tank_mode.hpp"
 
-#include "core/error.hpp"
-#include "io/mesh_export.hpp"
 #include "io/tank_json.hpp"
-#include "main/picture_layers.hpp"
 #include "main/queued_refresh.hpp"
 #include "main/tank_surface_file.hpp"
 #include "tea/glass_chooser.hpp"
-#include "tea/liquid_picture_dialog.hpp"
-#include "tea/tank_page.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +13,6 @@
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QMainWindow>
-#include <QMessageBox>
 #include <glm/common.hpp>
 
 namespace pastoso::main {
@@ -50,59 +44,46 @@ Command command_of(Recorded what) {
 }  // namespace
 
 TankMode::TankMode(Studio& studio, PictureLayers& pictures, CanvasPlace& place)
-    : studio_(studio), pictures_(pictures), place_(place), export_(studio) {
+    : GlassMode(studio, pictures, place, {commands::Mode::Tank, Command::GlassTank, Command::TankRender},
+                words()) {
     connect_commands();
-    connect_exports();
     connect_wind();
 }
 
-TankMode::~TankMode() {
-    delete picture_;
+GlassWords TankMode::words() {
+    return {
+        .picture = {.name = QStringLiteral("tank_picture"),
+                    .title = tr("Picture of the tank"),
+                    .hint = tr("The tank as it is seen in the window, traced along the light's ways "
+                               "through glass and liquid. Choose a size and press Render."),
+                    .file = QStringLiteral("tank.png"),
+                    .size = {960, 720},
+                    .has_milk_body = false},
+        .layer = tr("Glass tank"),
+        .export_title = tr("Export the liquid's surface"),
+        .export_file = QStringLiteral("liquid_0001.obj"),
+        .exported = tr("The liquid's surface is in %1."),
+    };
 }
 
 void TankMode::connect_commands() {
-    commands::CommandRegistry& commands = studio_.commands();
     for (const auto& [command, words] : kButtonWords)
-        commands.action(command)->setIconText(QCoreApplication::translate("pastoso::main", words));
-    const auto here = [this](Command command, std::function<void(bool)> what) {
-        on_here(command, std::move(what));
-    };
-    commands.on(Command::GlassTank, [this](bool tank) { tank ? enter() : leave(); });
-    here(Command::TankFalling, [this](bool) { choose(QString::fromLatin1(kFalling)); });
-    here(Command::TankTwoLiquids, [this](bool) { choose(QString::fromLatin1(kTwoLiquids)); });
-    here(Command::TankOpenScene, [this](bool) { ask_open(); });
-    here(Command::TankRestart, [this](bool) { session_->new_tank(scene_); });
-    here(Command::TankBall, [this](bool) { drop_ball(0.5F * glm::vec2(scene_.size_m())); });
-    here(Command::TankDrain, [this](bool open) { session_->open_drains(open); });
-    here(Command::TankVelocity, [this](bool shown) { page_->view().show_velocity(shown); });
-    here(Command::TeaPause, [this](bool paused) { session_->set_paused(paused); });
-    here(Command::TeaFullSpeed, [this](bool full) { session_->set_full_speed(full); });
-    here(Command::TeaFrontView, [this](bool) { page_->view().look_from_front(); });
-}
-
-void TankMode::on_here(Command command, std::function<void(bool)> what) {
-    studio_.commands().on(command, [this, what = std::move(what)](bool on) {
-        if (active_) what(on);
-    });
-}
-
-void TankMode::connect_exports() {
-    on_here(Command::TeaExportMesh, [this](bool) { ask_export(); });
+        action(command)->setIconText(QCoreApplication::translate("pastoso::main", words));
+    on_here(Command::TankFalling, [this](bool) { choose(QString::fromLatin1(kFalling)); });
+    on_here(Command::TankTwoLiquids, [this](bool) { choose(QString::fromLatin1(kTwoLiquids)); });
+    on_here(Command::TankOpenScene, [this](bool) { ask_open(); });
+    on_here(Command::TankRestart, [this](bool) { session_->new_tank(scene_); });
+    on_here(Command::TankBall, [this](bool) { drop_ball(0.5F * glm::vec2(scene_.size_m())); });
+    on_here(Command::TankDrain, [this](bool open) { session_->open_drains(open); });
+    on_here(Command::TankVelocity, [this](bool shown) { page_->view().show_velocity(shown); });
     on_here(Command::TankExportAll, [this](bool) { ask_export_all(); });
-    on_here(Command::TankRender, [this](bool) {
-        picture().show();
-        picture().raise();
-    });
     for (const Recorded what : kRecorded)
         on_here(command_of(what),
                 [this, what](bool on) { on ? ask_record(what) : recorder_->stop(what); });
 }
 
 void TankMode::connect_wind() {
-    const commands::CommandRegistry& commands = studio_.commands();
-    for (const Command arrow : {Command::TankWindLeft, Command::TankWindRight, Command::TankWindStronger,
-                                Command::TankWindWeaker})
-        commands.action(arrow)->setShortcutContext(Qt::WidgetShortcut);
+    const commands::CommandRegistry& commands = studio().commands();
     commands.on(Command::TankWind, [this](bool on) {
         session::TankWind wind = wind_;
         wind.on = on;
@@ -115,7 +96,6 @@ void TankMode::connect_wind() {
 }
 
 void TankMode::make_page() {
-    const auto action = [&](Command command) { return studio_.commands().action(command); };
     page_ = new tea::TankPage({.back = action(Command::GlassTank),
                                .restart = action(Command::TankRestart),
                                .open = action(Command::TankOpenScene),
@@ -135,11 +115,8 @@ void TankMode::make_page() {
                                .pause = action(Command::TeaPause),
                                .full_speed = action(Command::TeaFullSpeed),
                                .front = action(Command::TeaFrontView)});
-    place_.add(page_);
-    // Elsewhere the arrows go from value to value.
-    for (const Command arrow : {Command::TankWindLeft, Command::TankWindRight, Command::TankWindStronger,
-                                Command::TankWindWeaker})
-        page_->view().addAction(action(arrow));
+    add_page({Command::TankWindLeft, Command::TankWindRight, Command::TankWindStronger,
+              Command::TankWindWeaker});
     tea::TankPanel& panel = page_->panel();
     connect(&panel.chooser(), &tea::GlassChooser::chosen, this, &TankMode::choose);
     connect(&panel, &tea::TankPanel::wind_changed, this, &TankMode::use_wind);
@@ -151,56 +128,36 @@ void TankMode::make_page() {
     connect(&panel, &tea::TankPanel::ball_changed, this,
             [this](const tea::TankBall& ball) { page_->view().set_ball_radius(ball.radius_m); });
     connect(&page_->view(), &tea::TankView::ball_wanted, this, &TankMode::drop_ball);
-    connect(&page_->view(), &tea::TankView::failed, &studio_, &Studio::report);
-    connect(page_, &tea::TankPage::step_wanted, this, [this](int step) { session_->show(step); });
 }
 
 // ---- coming and going
 
-void TankMode::enter() {
-    if (active_) return;
+void TankMode::make_ready() {
     if (page_ == nullptr) make_page();
-    if (session_ == nullptr && key_.isEmpty()) {
+    if (key_.isEmpty()) {
         key_ = QString::fromLatin1(kFalling);
         scene_ = io::read_tank(kFalling);
     }
-    place_.take(page_, commands::Mode::Tank, [this] { put_away(); });
-    active_ = true;
-    studio_.commands().action(Command::GlassTank)->setChecked(true);
-    studio_.commands().action(Command::TeaPause)->setChecked(paused_);
+    if (session_ == nullptr) begin_session();
     page_->panel().chooser().show_choice(key_);
-    if (session_ == nullptr)
-        begin_session();
-    else
-        session_->set_paused(paused_);
-    page_->view().setFocus();
 }
 
 void TankMode::begin_session() {
     session_ = std::make_unique<session::TankSession>(
-        scene_, paused_, queued_refresh(this, [this] { show_published(); }));
+        scene_, false, queued_refresh(this, [this] { show_published(); }));
     recorder_ = std::make_unique<TankRecorder>(*session_, page_->view());
     connect(recorder_.get(), &TankRecorder::progressed, this, &TankMode::show_recorded);
     connect(recorder_.get(), &TankRecorder::ended, this, [this](Recorded what, const QString& told) {
-        studio_.commands().action(command_of(what))->setChecked(false);
+        action(command_of(what))->setChecked(false);
         show_recorded();
-        studio_.report_refusal(told);
+        studio().report_refusal(told);
     });
 }
 
-void TankMode::leave() {
-    if (active_) place_.give_back();
-}
-
-/// The hand finds the pause as it left it; only time stands still while nobody looks.
 void TankMode::put_away() {
-    active_ = false;
-    paused_ = studio_.commands().action(Command::TeaPause)->isChecked();
-    session_->set_paused(true);
+    GlassMode::put_away();
     for (const Recorded what : kRecorded)
         recorder_->stop(what);
-    if (picture_ != nullptr) picture_->hide();
-    studio_.commands().action(Command::GlassTank)->setChecked(false);
 }
 
 void TankMode::choose(const QString& key) {
@@ -209,12 +166,8 @@ void TankMode::choose(const QString& key) {
         return;
     }
     if (key.isEmpty()) return ask_open();
-    try {
-        open_scene(key);
-    } catch (const core::InputError& error) {
-        if (page_ != nullptr) page_->panel().chooser().show_choice(key_);
-        QMessageBox::warning(&studio_.window(), tr("Open a tank"), QString::fromUtf8(error.what()));
-    }
+    if (page_ != nullptr) page_->panel().chooser().show_choice(key_);
+    try_to(tr("Open a tank"), [&] { open_scene(key); });
 }
 
 void TankMode::open_scene(const QString& path_or_name) {
@@ -227,7 +180,7 @@ void TankMode::open_scene(const QString& path_or_name) {
 }
 
 void TankMode::ask_open() {
-    const QString path = QFileDialog::getOpenFileName(&studio_.window(), tr("Open a tank"), {},
+    const QString path = QFileDialog::getOpenFileName(&studio().window(), tr("Open a tank"), {},
                                                       tr("Scenes of a tank (*.json);;All files (*)"));
     if (!path.isEmpty()) choose(path);
 }
@@ -236,11 +189,7 @@ void TankMode::ask_open() {
 
 void TankMode::show_published() {
     const session::TankStatus status = session_->status();
-    bool refused = false;
-    for (const std::string& error : session_->take_errors()) {
-        studio_.report_refusal(QString::fromStdString(error));
-        refused = true;
-    }
+    const bool refused = tell_refusals();
     if (const auto moment = session_->moment()) {
         page_->view().show_moment(moment);
         recorder_->look(moment);
@@ -248,10 +197,7 @@ void TankMode::show_published() {
         if (refused || status.glass != shown_glass_) show_tank(status);
     }
     page_->show_status(status);
-    if (!active_) return;
-    // Scrubbing pauses.
-    studio_.commands().action(Command::TeaPause)->setChecked(status.paused);
-    studio_.commands().action(Command::TeaFullSpeed)->setChecked(status.full_speed);
+    show_running(status);
 }
 
 void TankMode::show_tank(const session::TankStatus& status) {
@@ -261,8 +207,8 @@ void TankMode::show_tank(const session::TankStatus& status) {
     wind_ = status.wind;
     page_->panel().show_wind(wind_);
     page_->view().show_wind(wind_);
-    studio_.commands().action(Command::TankWind)->setChecked(wind_.on);
-    studio_.commands().action(Command::TankDrain)->setChecked(status.drains_open);
+    action(Command::TankWind)->setChecked(wind_.on);
+    action(Command::TankDrain)->setChecked(status.drains_open);
 }
 
 // ---- what is done to the liquid
@@ -280,7 +226,7 @@ void TankMode::use_wind(const session::TankWind& wind) {
     session_->set_wind(wind);
     page_->panel().show_wind(wind);
     page_->view().show_wind(wind);
-    studio_.commands().action(Command::TankWind)->setChecked(wind.on);
+    action(Command::TankWind)->setChecked(wind.on);
 }
 
 void TankMode::turn_wind(double by_deg) {
@@ -297,48 +243,27 @@ void TankMode::blow_harder(double by_m_s) {
 
 // ---- pictures
 
-tea::LiquidPictureDialog& TankMode::picture() {
-    if (picture_ != nullptr) return *picture_;
-    picture_ = new tea::LiquidPictureDialog(
-        {.name = QStringLiteral("tank_picture"),
-         .title = tr("Picture of the tank"),
-         .hint = tr("The tank as it is seen in the window, traced along the light's ways through "
-                    "glass and liquid. Choose a size and press Render."),
-         .file = QStringLiteral("tank.png"),
-         .size = {960, 720},
-         .has_milk_body = false},
-        [this] {
-            session::LiquidPictureOrder order;
-            if (const auto moment = session_->moment())
-                order.scene = [moment,
-                               camera = page_->view().camera().traced()](core::ThreadPool& pool) {
-                    return session::traced_tank(*moment, camera, pool);
-                };
-            return order;
-        },
-        &studio_.window());
-    connect(picture_, &tea::LiquidPictureDialog::rendering_begins, this,
-            [this] { session_->set_paused(true); });
-    connect(picture_, &tea::LiquidPictureDialog::wanted_on_canvas, this,
-            [this](const layers::Picture& picture) {
-                leave();
-                pictures_.paint_picture(picture, tr("Glass tank"));
-            });
-    return *picture_;
+session::LiquidPictureOrder TankMode::picture_order() const {
+    session::LiquidPictureOrder order;
+    if (const auto moment = session_->moment())
+        order.scene = [moment, camera = page_->view().camera().traced()](core::ThreadPool& pool) {
+            return session::traced_tank(*moment, camera, pool);
+        };
+    return order;
 }
 
 void TankMode::ask_record(Recorded what) {
     const QString folder = QFileDialog::getExistingDirectory(
-        &studio_.window(), what == Recorded::Pictures ? tr("A folder for pictures of every step")
-                                                      : tr("A folder for surfaces of every step"));
+        &studio().window(), what == Recorded::Pictures ? tr("A folder for pictures of every step")
+                                                       : tr("A folder for surfaces of every step"));
     if (folder.isEmpty())
-        studio_.commands().action(command_of(what))->setChecked(false);
+        action(command_of(what))->setChecked(false);
     else
         record(what, folder);
 }
 
 void TankMode::record(Recorded what, const QString& folder) {
-    studio_.commands().action(command_of(what))->setChecked(true);
+    action(command_of(what))->setChecked(true);
     recorder_->start(what, folder);
 }
 
@@ -353,38 +278,19 @@ void TankMode::show_recorded() {
 
 // ---- surfaces
 
-void TankMode::ask_export() {
-    const QString path = QFileDialog::getSaveFileName(
-        &studio_.window(), tr("Export the liquid's surface"), QStringLiteral("liquid_0001.obj"),
-        tr("Surfaces (*.pbrt *.obj *.ply *.stl)"));
-    if (path.isEmpty()) return;
-    try {
-        export_mesh(path);
-    } catch (const core::InputError& error) {
-        QMessageBox::warning(&studio_.window(), tr("Export the liquid's surface"),
-                             QString::fromUtf8(error.what()));
-    }
+GlassMode::MeshWriter TankMode::mesh_writer() const {
+    const auto moment = session_->moment();
+    if (moment == nullptr) return {};
+    return [moment](const std::filesystem::path& file, const std::atomic<bool>& stops) {
+        core::ThreadPool pool;
+        return write_tank_surface(*moment->place, moment->seen, file, pool, stops);
+    };
 }
 
 void TankMode::ask_export_all() {
     const QString folder =
-        QFileDialog::getExistingDirectory(&studio_.window(), tr("A folder for all moments"));
+        QFileDialog::getExistingDirectory(&studio().window(), tr("A folder for all moments"));
     if (!folder.isEmpty()) export_all(folder);
-}
-
-void TankMode::export_mesh(const QString& path) {
-    const std::filesystem::path file = path.toStdString();
-    if (!io::is_mesh_path(file))
-        throw core::InputError(file.string() +
-                               ": the name must end in .pbrt, .obj, .ply or .stl. Choose one of them.");
-    const auto moment = session_->moment();
-    if (moment == nullptr) return;
-    export_.start([moment, file, told = tr("The liquid's surface is in %1.").arg(path)](
-                      const std::atomic<bool>& stops) {
-        core::ThreadPool pool;
-        const auto status = write_tank_surface(*moment->place, moment->seen, file, pool, stops);
-        return status == io::ExportStatus::Stopped ? QString() : told;
-    });
 }
 
 void TankMode::export_all(const QString& folder) {
@@ -392,7 +298,7 @@ void TankMode::export_all(const QString& folder) {
     if (kept.place == nullptr) return;
     const std::vector<int> steps = kept.frames.steps();
     const QString told = tr("All surfaces are in %1.").arg(folder);
-    export_.start([kept, steps, told, folder](const std::atomic<bool>& stops) {
+    background().start([kept, steps, told, folder](const std::atomic<bool>& stops) {
         core::ThreadPool pool;
         int number = 0;
         for (const int step : steps) {

@@ -1,22 +1,16 @@
 // What the commands of the Milk Tea mode do.
 
-#include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "io/mesh_export.hpp"
 #include "io/tea_json.hpp"
 #include "main/tea_mode.hpp"
-#include "main/wait_cursor.hpp"
-#include "tea/liquid_picture_dialog.hpp"
-#include "tea/tea_page.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include <QAction>
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QMainWindow>
-#include <QMessageBox>
 #include <glm/geometric.hpp>
 
 namespace pastoso::main {
@@ -36,50 +30,19 @@ constexpr std::pair<Command, const char*> kButtonWords[] = {
     {Command::TeaExportMesh, QT_TR_NOOP("Export the surface...")},
 };
 
-/// A moment's surface with all its volume, into a file.
-io::ExportStatus write_mesh(const session::TeaMoment& moment, const std::filesystem::path& path,
-                            const std::atomic<bool>& stops) {
-    core::ThreadPool pool;
-    liquid::MilkSurfaces surfaces(pool);
-    const liquid::MilkSurface milk =
-        surfaces.make(moment.seen.parcels, moment.settings.cup, moment.seen.dissolved.shape());
-    return io::export_mesh(path, milk.mesh, {}, [&stops](double) { return !stops; });
-}
-
 }  // namespace
 
 void TeaMode::connect_commands() {
-    commands::CommandRegistry& commands = studio_.commands();
     for (const auto& [command, words] : kButtonWords)
-        commands.action(command)->setIconText(QCoreApplication::translate("pastoso::main", words));
-    commands.on(Command::MilkTea, [this](bool tea) { tea ? enter() : leave(); });
-    commands.on(Command::TeaNewGlass, [this](bool) { session_->new_glass(page_->panel().settings()); });
-    commands.on(Command::TeaOpenScene, [this](bool) { ask_open(); });
-    commands.on(Command::TeaSaveScene, [this](bool) { ask_save(); });
-    commands.on(Command::TeaExportMesh, [this](bool) {
-        if (active_) ask_export();
-    });
-    commands.on(Command::TeaRender, [this](bool) {
-        picture().show();
-        picture().raise();
-    });
-    commands.on(Command::TeaPause, [this](bool paused) {
-        if (active_) session_->set_paused(paused);
-    });
-    commands.on(Command::TeaFullSpeed, [this](bool full) {
-        if (active_) session_->set_full_speed(full);
-    });
-    commands.on(Command::TeaFrontView, [this](bool) {
-        if (active_) page_->view().look_from_front();
-    });
+        action(command)->setIconText(QCoreApplication::translate("pastoso::main", words));
+    on_here(Command::TeaNewGlass, [this](bool) { session_->new_glass(page_->panel().settings()); });
+    on_here(Command::TeaOpenScene, [this](bool) { ask_open(); });
+    on_here(Command::TeaSaveScene, [this](bool) { ask_save(); });
     connect_force();
 }
 
 void TeaMode::connect_force() {
-    const commands::CommandRegistry& commands = studio_.commands();
-    for (const Command arrow :
-         {Command::TeaAxisLeft, Command::TeaAxisRight, Command::TeaAxisAway, Command::TeaAxisNear})
-        commands.action(arrow)->setShortcutContext(Qt::WidgetShortcut);
+    const commands::CommandRegistry& commands = studio().commands();
     commands.on(Command::TeaForce, [this](bool on) {
         session::TeaForce force = force_;
         force.on = on;
@@ -106,7 +69,7 @@ void TeaMode::use_force(const session::TeaForce& force) {
     session_->set_force(force);
     page_->panel().show_force(force);
     page_->view().show_force(force);
-    studio_.commands().action(Command::TeaForce)->setChecked(force.on);
+    action(Command::TeaForce)->setChecked(force.on);
 }
 
 /// As it is seen, and not out of the glass.
@@ -148,48 +111,33 @@ void TeaMode::save_scene(const QString& path) const {
     core::write_text_file(path.toStdString(), io::tea_to_json(settings));
 }
 
-void TeaMode::try_to(const QString& title, const std::function<void()>& what) {
-    try {
-        what();
-    } catch (const core::InputError& error) {
-        QMessageBox::warning(&studio_.window(), title, QString::fromUtf8(error.what()));
-    }
-}
-
 void TeaMode::ask_open() {
     const QString path =
-        QFileDialog::getOpenFileName(&studio_.window(), tr("Open a scene of milk tea"), {},
+        QFileDialog::getOpenFileName(&studio().window(), tr("Open a scene of milk tea"), {},
                                      tr("Scenes of milk tea (*.json);;All files (*)"));
     if (!path.isEmpty()) try_to(tr("Open a scene of milk tea"), [&] { open_scene(path); });
 }
 
 void TeaMode::ask_save() {
     const QString path =
-        QFileDialog::getSaveFileName(&studio_.window(), tr("Save the scene"),
+        QFileDialog::getSaveFileName(&studio().window(), tr("Save the scene"),
                                      QStringLiteral("milk_tea.json"), tr("Scenes of milk tea (*.json)"));
     if (!path.isEmpty()) try_to(tr("Save the scene"), [&] { save_scene(path); });
 }
 
 // ---- the surface
 
-void TeaMode::ask_export() {
-    const QString path = QFileDialog::getSaveFileName(&studio_.window(), tr("Export the milk's surface"),
-                                                      QStringLiteral("milk_0001.pbrt"),
-                                                      tr("Surfaces (*.pbrt *.obj *.ply *.stl)"));
-    if (!path.isEmpty()) try_to(tr("Export the milk's surface"), [&] { export_mesh(path); });
-}
-
-void TeaMode::export_mesh(const QString& path) {
-    const std::filesystem::path file = path.toStdString();
-    if (!io::is_mesh_path(file))
-        throw core::InputError(file.string() +
-                               ": the name must end in .pbrt, .obj, .ply or .stl. Choose one of them.");
+/// With all its volume.
+GlassMode::MeshWriter TeaMode::mesh_writer() const {
     const auto moment = session_->moment();
-    if (moment == nullptr) return;
-    export_.start([moment, file,
-                   told = tr("The milk's surface is in %1.").arg(path)](const std::atomic<bool>& stops) {
-        return write_mesh(*moment, file, stops) == io::ExportStatus::Stopped ? QString() : told;
-    });
+    if (moment == nullptr) return {};
+    return [moment](const std::filesystem::path& file, const std::atomic<bool>& stops) {
+        core::ThreadPool pool;
+        liquid::MilkSurfaces surfaces(pool);
+        const liquid::MilkSurface milk =
+            surfaces.make(moment->seen.parcels, moment->settings.cup, moment->seen.dissolved.shape());
+        return io::export_mesh(file, milk.mesh, {}, [&stops](double) { return !stops; });
+    };
 }
 
 }  // namespace pastoso::main

@@ -1,6 +1,7 @@
 #include "tea/glass_page.hpp"
 
 #include "panels/section.hpp"
+#include "tea/glass_view.hpp"
 
 #include <algorithm>
 
@@ -16,7 +17,7 @@
 
 namespace pastoso::tea {
 
-GlassPage::GlassPage(QWidget* view, QWidget* panel, const std::vector<QAction*>& buttons,
+GlassPage::GlassPage(GlassView* view, QWidget* panel, const std::vector<QAction*>& buttons,
                      const TimelineWords& words, QWidget* parent)
     : QWidget(parent), busy_(words.busy) {
     setObjectName(words.name + QStringLiteral("_page"));

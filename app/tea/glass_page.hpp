@@ -14,6 +14,8 @@ class QSlider;
 
 namespace pastoso::tea {
 
+class GlassView;
+
 /// Of the timeline.
 struct TimelineWords {
     QString name;  ///< of its widgets: NAME_time, NAME_time_words
@@ -27,8 +29,10 @@ class GlassPage : public QWidget {
     Q_OBJECT
   public:
     /// `buttons` stand before the timeline.
-    GlassPage(QWidget* view, QWidget* panel, const std::vector<QAction*>& buttons,
+    GlassPage(GlassView* view, QWidget* panel, const std::vector<QAction*>& buttons,
               const TimelineWords& words, QWidget* parent = nullptr);
+
+    virtual GlassView& view() = 0;
 
   Q_SIGNALS:
     /// The moment at that step is to be shown.

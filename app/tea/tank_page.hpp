@@ -12,7 +12,7 @@ class TankPage : public GlassPage {
   public:
     explicit TankPage(const TankActions& actions, QWidget* parent = nullptr);
 
-    TankView& view() { return *view_; }
+    TankView& view() override { return *view_; }
     TankPanel& panel() { return *panel_; }
 
     void show_status(const session::TankStatus& status);

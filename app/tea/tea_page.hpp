@@ -12,7 +12,7 @@ class TeaPage : public GlassPage {
   public:
     explicit TeaPage(const TeaActions& actions, QWidget* parent = nullptr);
 
-    TeaView& view() { return *view_; }
+    TeaView& view() override { return *view_; }
     TeaPanel& panel() { return *panel_; }
 
     void show_status(const session::TeaStatus& status);

@@ -3355,6 +3355,13 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::GlassMode</name>
+    <message>
+        <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
+        <translation>Ytor (*.pbrt *.obj *.ply *.stl)</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::GuideCommands</name>
     <message>
         <source>Strokes around the middle: %1</source>
@@ -3664,10 +3671,6 @@
         <translation>Exportera vätskans yta</translation>
     </message>
     <message>
-        <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
-        <translation>Ytor (*.pbrt *.obj *.ply *.stl)</translation>
-    </message>
-    <message>
         <source>A folder for all moments</source>
         <translation>En mapp för alla ögonblick</translation>
     </message>
@@ -3752,10 +3755,6 @@
     <message>
         <source>Export the milk&apos;s surface</source>
         <translation>Exportera mjölkens yta</translation>
-    </message>
-    <message>
-        <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
-        <translation>Ytor (*.pbrt *.obj *.ply *.stl)</translation>
     </message>
     <message>
         <source>The milk&apos;s surface is in %1.</source>

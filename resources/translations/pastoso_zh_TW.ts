@@ -3352,6 +3352,13 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::GlassMode</name>
+    <message>
+        <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
+        <translation>表面 (*.pbrt *.obj *.ply *.stl)</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::GuideCommands</name>
     <message>
         <source>Strokes around the middle: %1</source>
@@ -3661,10 +3668,6 @@
         <translation>匯出液體表面</translation>
     </message>
     <message>
-        <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
-        <translation>表面 (*.pbrt *.obj *.ply *.stl)</translation>
-    </message>
-    <message>
         <source>A folder for all moments</source>
         <translation>存放所有時刻的資料夾</translation>
     </message>
@@ -3745,10 +3748,6 @@
     <message>
         <source>Export the milk&apos;s surface</source>
         <translation>匯出牛奶的表面</translation>
-    </message>
-    <message>
-        <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
-        <translation>表面 (*.pbrt *.obj *.ply *.stl)</translation>
     </message>
     <message>
         <source>The milk&apos;s surface is in %1.</source>
