@@ -46,6 +46,13 @@ void GlassMode::on_here(Command command, std::function<void(bool)> what) {
     });
 }
 
+tea::GlassActions GlassMode::page_actions() const {
+    return {.back = action(commands_.enter),
+            .pause = action(Command::TeaPause),
+            .full_speed = action(Command::TeaFullSpeed),
+            .front = action(Command::TeaFrontView)};
+}
+
 void GlassMode::add_page(std::initializer_list<Command> arrows) {
     place_.add(&page());
     for (const Command arrow : arrows) {

@@ -72,6 +72,7 @@ class GlassMode : public QObject {
 
     Studio& studio() { return studio_; }
     QAction* action(commands::Command command) const { return studio_.commands().action(command); }
+    tea::GlassActions page_actions() const;
     BackgroundExport& background() { return export_; }
 
     /// What a command does while the mode is there.

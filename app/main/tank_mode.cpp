@@ -96,7 +96,7 @@ void TankMode::connect_wind() {
 }
 
 void TankMode::make_page() {
-    page_ = new tea::TankPage({.back = action(Command::GlassTank),
+    page_ = new tea::TankPage({.glass = page_actions(),
                                .restart = action(Command::TankRestart),
                                .open = action(Command::TankOpenScene),
                                .ball = action(Command::TankBall),
@@ -111,10 +111,7 @@ void TankMode::make_page() {
                                .export_all = action(Command::TankExportAll),
                                .render = action(Command::TankRender),
                                .record_pictures = action(Command::TankRecordPictures),
-                               .record_surfaces = action(Command::TankRecordSurfaces),
-                               .pause = action(Command::TeaPause),
-                               .full_speed = action(Command::TeaFullSpeed),
-                               .front = action(Command::TeaFrontView)});
+                               .record_surfaces = action(Command::TankRecordSurfaces)});
     add_page({Command::TankWindLeft, Command::TankWindRight, Command::TankWindStronger,
               Command::TankWindWeaker});
     tea::TankPanel& panel = page_->panel();

@@ -36,7 +36,7 @@ void TeaMode::make_ready() {
 }
 
 void TeaMode::make_page() {
-    page_ = new tea::TeaPage({.back = action(Command::MilkTea),
+    page_ = new tea::TeaPage({.glass = page_actions(),
                               .new_glass = action(Command::TeaNewGlass),
                               .open = action(Command::TeaOpenScene),
                               .save = action(Command::TeaSaveScene),
@@ -48,10 +48,7 @@ void TeaMode::make_page() {
                               .away = action(Command::TeaAxisAway),
                               .near = action(Command::TeaAxisNear),
                               .render = action(Command::TeaRender),
-                              .export_mesh = action(Command::TeaExportMesh),
-                              .pause = action(Command::TeaPause),
-                              .full_speed = action(Command::TeaFullSpeed),
-                              .front = action(Command::TeaFrontView)});
+                              .export_mesh = action(Command::TeaExportMesh)});
     add_page({Command::TeaAxisLeft, Command::TeaAxisRight, Command::TeaAxisAway, Command::TeaAxisNear});
     page_->panel().chooser().show_choice(tea::GlassChooser::tea_key());
     connect(&page_->panel().chooser(), &tea::GlassChooser::chosen, this, [this](const QString& key) {

@@ -2,10 +2,10 @@
 
 #include "io/tank_json.hpp"
 #include "panels/section.hpp"
+#include "tea/panel_parts.hpp"
 
 #include <utility>
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QSignalBlocker>
 
@@ -21,7 +21,7 @@ constexpr std::pair<const char*, const char*> kTanks[] = {
 
 QString tank_words(const QString& key) {
     for (const auto& [name, words] : kTanks)
-        if (key == QLatin1String(name)) return QCoreApplication::translate("pastoso::tea", words);
+        if (key == QLatin1String(name)) return words_of(words);
     return QFileInfo(key).completeBaseName();
 }
 

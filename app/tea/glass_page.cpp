@@ -17,14 +17,14 @@
 
 namespace pastoso::tea {
 
-GlassPage::GlassPage(GlassView* view, QWidget* panel, const std::vector<QAction*>& buttons,
+GlassPage::GlassPage(GlassView* view, QWidget* panel, const GlassActions& actions,
                      const TimelineWords& words, QWidget* parent)
     : QWidget(parent), busy_(words.busy) {
     setObjectName(words.name + QStringLiteral("_page"));
     auto* left = new QVBoxLayout;
     left->setSpacing(0);
     left->addWidget(view, 1);
-    left->addWidget(timeline(buttons, words));
+    left->addWidget(timeline(actions, words));
     auto* scrolled = new QScrollArea;
     scrolled->setFrameShape(QFrame::NoFrame);
     scrolled->setFocusPolicy(Qt::NoFocus);
@@ -41,12 +41,12 @@ GlassPage::GlassPage(GlassView* view, QWidget* panel, const std::vector<QAction*
     setFocusProxy(view);
 }
 
-QWidget* GlassPage::timeline(const std::vector<QAction*>& buttons, const TimelineWords& words) {
+QWidget* GlassPage::timeline(const GlassActions& actions, const TimelineWords& words) {
     auto* bar = new QWidget;
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(10, 6, 10, 6);
     row->setSpacing(8);
-    for (QAction* action : buttons) {
+    for (QAction* action : {actions.pause, actions.full_speed, actions.front}) {
         auto* button = new QToolButton;
         button->setDefaultAction(action);
         button->setToolButtonStyle(Qt::ToolButtonIconOnly);

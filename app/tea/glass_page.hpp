@@ -3,12 +3,10 @@
 #pragma once
 
 #include "session/liquid_session.hpp"
-
-#include <vector>
+#include "tea/panel_parts.hpp"
 
 #include <QWidget>
 
-class QAction;
 class QLabel;
 class QSlider;
 
@@ -28,9 +26,8 @@ struct TimelineWords {
 class GlassPage : public QWidget {
     Q_OBJECT
   public:
-    /// `buttons` stand before the timeline.
-    GlassPage(GlassView* view, QWidget* panel, const std::vector<QAction*>& buttons,
-              const TimelineWords& words, QWidget* parent = nullptr);
+    GlassPage(GlassView* view, QWidget* panel, const GlassActions& actions, const TimelineWords& words,
+              QWidget* parent = nullptr);
 
     virtual GlassView& view() = 0;
 
@@ -43,7 +40,7 @@ class GlassPage : public QWidget {
     void show_time(const session::LiquidStatus& status, const QString& readings, int decimals);
 
   private:
-    QWidget* timeline(const std::vector<QAction*>& buttons, const TimelineWords& words);
+    QWidget* timeline(const GlassActions& actions, const TimelineWords& words);
 
     QSlider* time_ = nullptr;
     QLabel *time_words_ = nullptr, *readings_ = nullptr;

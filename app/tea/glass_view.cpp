@@ -49,7 +49,7 @@ void GlassView::set_camera(const TeaCamera& camera) {
 }
 
 bool GlassView::finished() const {
-    return graphics_ready() && shows_latest() && !draft_is_due_ && pass_ >= passes_;
+    return graphics_ready() && shows_latest_ && !draft_is_due_ && pass_ >= passes_;
 }
 
 QImage GlassView::picture() {
@@ -65,6 +65,13 @@ void GlassView::set_hurried(bool hurried) {
     update();
 }
 
+void GlassView::take_moment() {
+    has_moment_ = true;
+    shows_latest_ = false;
+    begin_anew();
+}
+
+/// Something else is to be seen.
 void GlassView::begin_anew() {
     draft_is_due_ = true;
     pass_ = row_ = 0;
@@ -81,12 +88,13 @@ QSize GlassView::device_size() const {
 // ---- drawing
 
 void GlassView::make_graphics() {
-    initialise_renderer();
+    renderer().initialise(&gl());
     begin_anew();
 }
 
 void GlassView::free_graphics() {
-    release_renderer();
+    renderer().release();
+    shows_latest_ = false;
     draft_.reset();
     still_.reset();
 }
@@ -95,9 +103,10 @@ void GlassView::free_graphics() {
 /// follow, one for each frame.
 void GlassView::paintGL() {
     if (!graphics_ready()) return;
-    if (!has_moment()) return QPainter(this).fillRect(rect(), palette().window());
+    if (!has_moment_) return QPainter(this).fillRect(rect(), palette().window());
     const QSize size = device_size();
-    if (!shows_latest()) show_latest();
+    if (!shows_latest_) show_latest();
+    shows_latest_ = true;
     if (still_ == nullptr || still_->size() != size) {
         still_ = std::make_unique<QOpenGLFramebufferObject>(size, fine_format());
         draft_is_due_ = true;
@@ -121,7 +130,7 @@ void GlassView::draw_draft(QSize size) {
         draft_ = std::make_unique<QOpenGLFramebufferObject>(draft, fine_format());
     QElapsedTimer timer;
     timer.start();
-    draw_liquid(*draft_, QRect(QPoint(0, 0), draft), 0, Quality::Draft);
+    renderer().draw(*draft_, QRect(QPoint(0, 0), draft), camera_, 0, Quality::Draft);
     gl().glFinish();
     const double cost_s =
         1e-9 * static_cast<double>(timer.nsecsElapsed()) / (draft.width() * draft.height());
@@ -135,7 +144,8 @@ void GlassView::refine(QSize size) {
     const int rows = static_cast<int>(std::clamp(kRefinement_s / row_cost_s, 8.0, 1e5));
     const int end = std::min(row_ + rows, size.height());
     // From above, as pictures are read; OpenGL counts from below.
-    draw_liquid(*still_, QRect(0, size.height() - end, size.width(), end - row_), pass_, Quality::Full);
+    renderer().draw(*still_, QRect(0, size.height() - end, size.width(), end - row_), camera_, pass_,
+                    Quality::Full);
     gl().glFinish();
     row_ = end;
     if (row_ < size.height()) return;
@@ -167,6 +177,19 @@ void GlassView::put_marks_over(QSize size) {
     QPainter painter(&frame);
     painter.setRenderHint(QPainter::Antialiasing);
     draw_marks(painter, does_ == Does::Nothing ? pointer_ : std::nullopt);
+}
+
+QPainterPath GlassView::seen_ring(const glm::vec3& middle_m, double radius_m, double from_rad,
+                                  double to_rad) const {
+    constexpr int kCorners = 48;
+    QPainterPath path;
+    for (int i = 0; i <= kCorners; ++i) {
+        const double angle = std::lerp(from_rad, to_rad, static_cast<double>(i) / kCorners);
+        const glm::dvec2 way_m = radius_m * glm::dvec2(std::cos(angle), std::sin(angle));
+        const QPointF at = seen(middle_m + glm::vec3(way_m, 0.0F));
+        i == 0 ? path.moveTo(at) : path.lineTo(at);
+    }
+    return path;
 }
 
 // ---- the hand

@@ -3,8 +3,9 @@
 // strip. Dragging beside the liquid, or with another button, turns around it; the wheel comes closer.
 #pragma once
 
+#include "core/units.hpp"
 #include "graphics/graphics_widget.hpp"
-#include "tea/ray_program.hpp"
+#include "tea/liquid_renderer.hpp"
 
 #include <optional>
 
@@ -39,14 +40,9 @@ class GlassView : public graphics::GraphicsWidget {
     void picture_finished();
 
   protected:
-    // What is shown; called with the current context.
-    virtual void initialise_renderer() = 0;
-    virtual void release_renderer() = 0;
-    virtual bool has_moment() const = 0;
-    virtual bool shows_latest() const = 0;
+    virtual LiquidRenderer& renderer() = 0;
+    /// Has the renderer show the latest moment; called with the current context.
     virtual void show_latest() = 0;
-    virtual void draw_liquid(QOpenGLFramebufferObject& target, const QRect& part, int pass,
-                             Quality quality) = 0;
     /// Over the picture. `pointer`: where the hand is that does nothing yet.
     virtual void draw_marks(QPainter& painter, const std::optional<QPointF>& pointer) = 0;
 
@@ -56,8 +52,13 @@ class GlassView : public graphics::GraphicsWidget {
     virtual void drag_liquid(const QPointF&) {}
     virtual void lift_from_liquid() {}
 
-    /// Something else is to be seen.
-    void begin_anew();
+    /// There is another moment to be seen.
+    void take_moment();
+
+    /// Where a point is seen on the widget, and a ring or a part of one that lies level in the liquid.
+    QPointF seen(const glm::vec3& at_m) const { return camera_.seen_at(at_m, size()); }
+    QPainterPath seen_ring(const glm::vec3& middle_m, double radius_m, double from_rad = 0.0,
+                           double to_rad = 2.0 * core::kPi) const;
 
     void make_graphics() override;
     void free_graphics() override;
@@ -73,6 +74,7 @@ class GlassView : public graphics::GraphicsWidget {
     void hideEvent(QHideEvent* event) override;
 
   private:
+    void begin_anew();
     void draw_draft(QSize size);
     void refine(QSize size);
     void present(QSize size);
@@ -84,6 +86,7 @@ class GlassView : public graphics::GraphicsWidget {
     void set_cursor(const QPointF& place);
 
     TeaCamera camera_;
+    bool has_moment_ = false, shows_latest_ = false;
     std::unique_ptr<QOpenGLFramebufferObject> draft_, still_;
     double pixel_cost_s_ = 0.4e-6;  ///< learnt from the frames so far
     bool draft_is_due_ = true;

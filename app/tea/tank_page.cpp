@@ -8,7 +8,7 @@ TankPage::TankPage(const TankActions& actions, QWidget* parent)
     : TankPage(new TankView, new TankPanel(actions), actions, parent) {}
 
 TankPage::TankPage(TankView* view, TankPanel* panel, const TankActions& actions, QWidget* parent)
-    : GlassPage(view, panel, {actions.pause, actions.full_speed, actions.front},
+    : GlassPage(view, panel, actions.glass,
                 {QStringLiteral("tank"), tr("Moment of the tank"),
                  tr("Drag to any moment of the tank; going on goes on from its last"),
                  tr("Liquid in the tank, and how many steps a second are computed"),

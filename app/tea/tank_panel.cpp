@@ -3,16 +3,13 @@
 #include "panels/section.hpp"
 #include "tea/glass_chooser.hpp"
 #include "tea/number_row.hpp"
-#include "tea/panel_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <QAction>
-#include <QCoreApplication>
 #include <QGridLayout>
 #include <QLabel>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace pastoso::tea {
@@ -22,13 +19,7 @@ using S = tank::TankScene;
 
 struct TankRow {
     double S::*value;
-    const char* words;
-    const char* hint;
-    const char* unit;  ///< with the space before it
-    double scale;      ///< shown = scale times SI
-    int decimals;
-    double usual_least, usual_most;  ///< as shown
-    bool logarithmic = false;
+    NumberWords shown;
 };
 
 constexpr TankRow kRows[] = {
@@ -53,10 +44,6 @@ constexpr TankRow kRows[] = {
 
 constexpr double kBallShare = 0.11;  ///< of the shortest side: the radius of a usual ball
 
-QString words_of(const char* text) {
-    return QCoreApplication::translate("pastoso::tea", text);
-}
-
 const tank::TankNumber& number_of(const TankRow& row) {
     const auto numbers = tank::tank_numbers();
     return *std::find_if(numbers.begin(), numbers.end(),
@@ -67,35 +54,28 @@ const tank::TankNumber& number_of(const TankRow& row) {
 
 TankPanel::TankPanel(const TankActions& actions, QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("tank_panel"));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(10, 8, 10, 8);
-    column->setSpacing(12);
-    column->addWidget(tank_section(actions));
-    column->addWidget(ball_section(actions));
-    column->addWidget(wind_section(actions));
-    column->addWidget(looks_section(actions));
-    column->addWidget(steps_section(actions));
-    column->addWidget(numbers());
+    QVBoxLayout* column = column_of(this);
+    add_tank(column, actions);
+    add_balls(column, actions);
+    add_wind(column, actions);
+    add_looks(column, actions);
+    add_steps(column, actions);
+    add_numbers(column);
     column->addStretch(1);
     show_scene({});
     show_wind({});
 }
 
-QWidget* TankPanel::tank_section(const TankActions& actions) {
-    auto* widget = new QWidget;
-    auto* column = panels::section(widget, tr("Tank"));
-    column->insertWidget(0, back_button(actions.back));
+void TankPanel::add_tank(QVBoxLayout* column, const TankActions& actions) {
     chooser_ = new GlassChooser;
-    column->addWidget(chooser_);
-    column->addWidget(panels::button_row({actions.restart, actions.open}));
-    return widget;
+    QVBoxLayout* section = glass_section_under(column, tr("Tank"), actions.glass.back, chooser_);
+    section->addWidget(panels::button_row({actions.restart, actions.open}));
 }
 
-QWidget* TankPanel::ball_section(const TankActions& actions) {
-    auto* widget = new QWidget;
-    auto* column = panels::section(widget, tr("Balls and drain"));
-    column->addWidget(panels::button_row({actions.ball, actions.drain}));
-    QGridLayout* grid = rows_under(column);
+void TankPanel::add_balls(QVBoxLayout* column, const TankActions& actions) {
+    QVBoxLayout* section = section_under(column, tr("Balls and drain"));
+    section->addWidget(panels::button_row({actions.ball, actions.drain}));
+    QGridLayout* grid = rows_under(section);
     radius_ = new NumberRow(grid, QStringLiteral("ball_radius"), tr("Ball's radius"),
                             tr("How large the ball is that falls where you press"),
                             {0.1, 1e4, 5.0, 100.0, 1, tr(" mm"), true});
@@ -109,15 +89,14 @@ QWidget* TankPanel::ball_section(const TankActions& actions) {
         ball_.milk = static_cast<float>(1e-2 * value);
         Q_EMIT ball_changed(ball_);
     });
-    return widget;
 }
 
-QWidget* TankPanel::wind_section(const TankActions& actions) {
-    auto* widget = new QWidget;
-    auto* column = panels::section(widget, tr("Wind"));
-    column->addWidget(panels::button_row({actions.wind}));
-    column->addWidget(panels::icon_row({actions.left, actions.right, actions.stronger, actions.weaker}));
-    QGridLayout* grid = rows_under(column);
+void TankPanel::add_wind(QVBoxLayout* column, const TankActions& actions) {
+    QVBoxLayout* section = section_under(column, tr("Wind"));
+    section->addWidget(panels::button_row({actions.wind}));
+    section->addWidget(
+        panels::icon_row({actions.left, actions.right, actions.stronger, actions.weaker}));
+    QGridLayout* grid = rows_under(section);
     speed_ = new NumberRow(grid, QStringLiteral("wind_speed"), tr("Speed"), tr("How fast the air goes"),
                            {0.0, tank::kMostSpeed_m_s, 0.0, 20.0, 1, tr(" m/s")});
     direction_ = new NumberRow(grid, QStringLiteral("wind_direction"), tr("Blows to"),
@@ -135,28 +114,23 @@ QWidget* TankPanel::wind_section(const TankActions& actions) {
     take(speed_, &session::TankWind::speed_m_s);
     take(direction_, &session::TankWind::direction_deg);
     take(drag_, &session::TankWind::drag_per_s);
-    return widget;
 }
 
-QWidget* TankPanel::looks_section(const TankActions& actions) {
-    auto* widget = new QWidget;
-    auto* column = panels::section(widget, tr("Look and export"));
-    column->addWidget(panels::button_row({actions.velocity}));
-    column->addWidget(panels::button_row({actions.render}));
-    column->addWidget(panels::button_row({actions.export_mesh}));
-    column->addWidget(panels::button_row({actions.export_all}));
-    return widget;
+void TankPanel::add_looks(QVBoxLayout* column, const TankActions& actions) {
+    QVBoxLayout* section = section_under(column, tr("Look and export"));
+    section->addWidget(panels::button_row({actions.velocity}));
+    section->addWidget(panels::button_row({actions.render}));
+    section->addWidget(panels::button_row({actions.export_mesh}));
+    section->addWidget(panels::button_row({actions.export_all}));
 }
 
-QWidget* TankPanel::steps_section(const TankActions& actions) {
-    auto* widget = new QWidget;
-    auto* column = panels::section(widget, tr("Every step into a folder"));
-    column->addWidget(panels::button_row({actions.record_pictures, actions.record_surfaces}));
+void TankPanel::add_steps(QVBoxLayout* column, const TankActions& actions) {
+    QVBoxLayout* section = section_under(column, tr("Every step into a folder"));
+    section->addWidget(panels::button_row({actions.record_pictures, actions.record_surfaces}));
     recorded_ = new QLabel;
     recorded_->setObjectName(QStringLiteral("reading"));
     recorded_->hide();
-    column->addWidget(recorded_);
-    return widget;
+    section->addWidget(recorded_);
 }
 
 void TankPanel::show_recorded(const QString& words) {
@@ -164,29 +138,24 @@ void TankPanel::show_recorded(const QString& words) {
     recorded_->setVisible(!words.isEmpty());
 }
 
-QWidget* TankPanel::numbers() {
-    auto* widget = new QWidget;
-    QGridLayout* grid = rows_under(panels::section(widget, tr("Liquid")));
+void TankPanel::add_numbers(QVBoxLayout* column) {
+    QGridLayout* grid = rows_under(section_under(column, tr("Liquid")));
     for (const TankRow& row : kRows) {
-        const tank::TankNumber& limits = number_of(row);
-        auto* shown =
-            new NumberRow(grid, QString::fromLatin1(limits.key), words_of(row.words), words_of(row.hint),
-                          {row.scale * limits.least, row.scale * limits.most, row.usual_least,
-                           row.usual_most, row.decimals, words_of(row.unit), row.logarithmic});
+        const tank::TankNumber& number = number_of(row);
+        NumberRow* shown = add_number(grid, row.shown, number.key, number.least, number.most);
         connect(shown, &NumberRow::chosen, this, [this, &row](double value) {
-            scene_.*row.value = value / row.scale;
+            scene_.*row.value = value / row.shown.scale;
             Q_EMIT numbers_changed(scene_);
         });
         shown_.push_back(shown);
     }
-    return widget;
 }
 
 void TankPanel::show_scene(const tank::TankScene& scene) {
     const bool other_size = scene.size_m() != scene_.size_m() || ball_.radius_m <= 0.0F;
     scene_ = scene;
     for (std::size_t i = 0; i < shown_.size(); ++i)
-        shown_[i]->show_value(kRows[i].scale * scene.*kRows[i].value);
+        shown_[i]->show_value(kRows[i].shown.scale * scene.*kRows[i].value);
     if (other_size) {
         const glm::vec3 size_m = scene.size_m();
         ball_.radius_m = static_cast<float>(kBallShare) * std::min({size_m.x, size_m.y, size_m.z});

@@ -2,26 +2,23 @@
 #pragma once
 
 #include "session/tank_session.hpp"
+#include "tea/panel_parts.hpp"
 
 #include <vector>
 
 #include <QWidget>
 
-class QAction;
 class QLabel;
 
 namespace pastoso::tea {
 
-class GlassChooser;
-class NumberRow;
-
 /// The actions that stand on its buttons and beside the timeline.
 struct TankActions {
-    QAction *back, *restart, *open, *ball, *drain, *wind;
+    GlassActions glass;
+    QAction *restart, *open, *ball, *drain, *wind;
     QAction *left, *right, *stronger, *weaker;
     QAction *velocity, *export_mesh, *export_all;
     QAction *render, *record_pictures, *record_surfaces;
-    QAction *pause, *full_speed, *front;
 };
 
 /// What a press lets fall.
@@ -50,12 +47,12 @@ class TankPanel : public QWidget {
     void ball_changed(const pastoso::tea::TankBall& ball);
 
   private:
-    QWidget* tank_section(const TankActions& actions);
-    QWidget* ball_section(const TankActions& actions);
-    QWidget* wind_section(const TankActions& actions);
-    QWidget* looks_section(const TankActions& actions);
-    QWidget* steps_section(const TankActions& actions);
-    QWidget* numbers();
+    void add_tank(QVBoxLayout* column, const TankActions& actions);
+    void add_balls(QVBoxLayout* column, const TankActions& actions);
+    void add_wind(QVBoxLayout* column, const TankActions& actions);
+    void add_looks(QVBoxLayout* column, const TankActions& actions);
+    void add_steps(QVBoxLayout* column, const TankActions& actions);
+    void add_numbers(QVBoxLayout* column);
 
     tank::TankScene scene_;
     session::TankWind wind_;

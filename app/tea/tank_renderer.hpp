@@ -1,26 +1,23 @@
-// Draws a moment of a tank with OpenGL 3.3.
+// Draws a moment of a tank.
 #pragma once
 
 #include "session/tank_session.hpp"
-#include "tea/ray_program.hpp"
+#include "tea/liquid_renderer.hpp"
 
 #include <memory>
 
 namespace pastoso::tea {
 
-/// All calls need the current context that initialise() was called in.
-class TankRenderer {
+class TankRenderer : public LiquidRenderer {
   public:
-    /// Throws core::InputError when the driver refuses the program.
-    void initialise(QOpenGLExtraFunctions* gl);
-    void release();
+    void initialise(QOpenGLExtraFunctions* gl) override;
+    void release() override;
 
     /// What draw() shows from now on.
     void show(std::shared_ptr<const session::TankMoment> moment);
 
-    /// As draw_rays().
     void draw(QOpenGLFramebufferObject& target, const QRect& part, const TeaCamera& camera, int pass,
-              Quality quality);
+              Quality quality) override;
 
   private:
     void upload_level(bool anew);

@@ -39,7 +39,7 @@ void TankView::show_moment(std::shared_ptr<const session::TankMoment> moment) {
         wanted_ == nullptr || wanted_->place->scene.size_m() != moment->place->scene.size_m();
     wanted_ = std::move(moment);
     if (other) look_from_front();
-    begin_anew();
+    take_moment();
 }
 
 void TankView::show_wind(const session::TankWind& wind) {
@@ -61,23 +61,13 @@ void TankView::look_from_front() {
     if (wanted_ != nullptr) set_camera(camera_for(wanted_->place->scene));
 }
 
-void TankView::release_renderer() {
-    renderer_.release();
-    shown_.reset();
-}
-
 void TankView::show_latest() {
     renderer_.show(wanted_);
     shown_ = wanted_;
 }
 
-void TankView::draw_liquid(QOpenGLFramebufferObject& target, const QRect& part, int pass,
-                           Quality quality) {
-    renderer_.draw(target, part, camera(), pass, quality);
-}
-
-QPointF TankView::widget_position(const glm::vec2& on_liquid_m) const {
-    return seen(glm::vec3(on_liquid_m, wanted_ != nullptr ? session::rest_level_m(*wanted_) : 0.0F));
+glm::vec3 TankView::on_surface(const glm::vec2& on_liquid_m) const {
+    return {on_liquid_m, wanted_ != nullptr ? session::rest_level_m(*wanted_) : 0.0F};
 }
 
 std::optional<glm::vec2> TankView::on_liquid(const QPointF& place) const {
@@ -97,17 +87,6 @@ void TankView::press_liquid(const QPointF& place) {
 
 // ---- marks
 
-QPainterPath TankView::ring(const glm::vec3& middle_m, float radius_m) const {
-    constexpr int kCorners = 48;
-    QPainterPath path;
-    for (int i = 0; i <= kCorners; ++i) {
-        const auto angle = static_cast<float>(2.0 * core::kPi * i / kCorners);
-        const QPointF at = seen(middle_m + radius_m * glm::vec3(std::cos(angle), std::sin(angle), 0.0F));
-        i == 0 ? path.moveTo(at) : path.lineTo(at);
-    }
-    return path;
-}
-
 void TankView::draw_marks(QPainter& painter, const std::optional<QPointF>& pointer) {
     if (wanted_ == nullptr) return;
     draw_drains(painter);
@@ -115,8 +94,7 @@ void TankView::draw_marks(QPainter& painter, const std::optional<QPointF>& point
     if (wind_.on) draw_wind(painter);
     if (!pointer) return;
     if (const auto at_m = on_liquid(*pointer))
-        stroke_mark(painter, ring(glm::vec3(*at_m, session::rest_level_m(*wanted_)), ball_radius_m_),
-                    0.55);
+        stroke_mark(painter, seen_ring(on_surface(*at_m), ball_radius_m_), 0.55);
 }
 
 /// Slow ones are blue, the fastest red; the fastest is as long as they lie apart.
@@ -149,9 +127,10 @@ void TankView::draw_drains(QPainter& painter) const {
     for (const tank::Drain& drain : wanted_->place->scene.drains)
         if (const auto* form = std::get_if<tank::Cylinder>(&drain.shape.form)) {
             const glm::vec3 middle_m(form->to_m.x, form->to_m.y, 0.0F);
-            const QPainterPath outer = ring(middle_m, form->radius_m);
+            const QPainterPath outer = seen_ring(middle_m, form->radius_m);
             stroke_mark(painter, outer, wanted_->drains_open ? 0.9 : 0.3);
-            if (wanted_->drains_open) stroke_mark(painter, ring(middle_m, 0.55F * form->radius_m), 0.9);
+            if (wanted_->drains_open)
+                stroke_mark(painter, seen_ring(middle_m, 0.55F * form->radius_m), 0.9);
         }
 }
 

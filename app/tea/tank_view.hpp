@@ -27,28 +27,22 @@ class TankView : public GlassView {
     const session::TankMoment* shown() const { return shown_.get(); }
 
     /// Where a place of the liquid at rest is seen on the widget.
-    QPointF widget_position(const glm::vec2& on_liquid_m) const;
+    QPointF widget_position(const glm::vec2& on_liquid_m) const { return seen(on_surface(on_liquid_m)); }
 
   Q_SIGNALS:
     /// A ball shall fall there.
     void ball_wanted(const glm::vec2& at_m);
 
   protected:
-    void initialise_renderer() override { renderer_.initialise(&gl()); }
-    void release_renderer() override;
-    bool has_moment() const override { return wanted_ != nullptr; }
-    bool shows_latest() const override { return shown_ == wanted_; }
+    LiquidRenderer& renderer() override { return renderer_; }
     void show_latest() override;
-    void draw_liquid(QOpenGLFramebufferObject& target, const QRect& part, int pass,
-                     Quality quality) override;
     void draw_marks(QPainter& painter, const std::optional<QPointF>& pointer) override;
     bool is_over_liquid(const QPointF& place) const override { return on_liquid(place).has_value(); }
     void press_liquid(const QPointF& place) override;
 
   private:
     std::optional<glm::vec2> on_liquid(const QPointF& place) const;
-    QPointF seen(const glm::vec3& at_m) const { return camera().seen_at(at_m, size()); }
-    QPainterPath ring(const glm::vec3& middle_m, float radius_m) const;
+    glm::vec3 on_surface(const glm::vec2& on_liquid_m) const;
     void draw_velocity(QPainter& painter) const;
     void draw_drains(QPainter& painter) const;
     void draw_wind(QPainter& painter) const;

@@ -8,7 +8,7 @@ TeaPage::TeaPage(const TeaActions& actions, QWidget* parent)
     : TeaPage(new TeaView, new TeaPanel(actions), actions, parent) {}
 
 TeaPage::TeaPage(TeaView* view, TeaPanel* panel, const TeaActions& actions, QWidget* parent)
-    : GlassPage(view, panel, {actions.pause, actions.full_speed, actions.front},
+    : GlassPage(view, panel, actions.glass,
                 {QStringLiteral("tea"), tr("Moment of the tea"),
                  tr("Drag to any moment of the glass; going on goes on from its last"),
                  tr("Milk poured so far, and how many steps of 1/30 s a second are computed"),

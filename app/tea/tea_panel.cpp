@@ -3,19 +3,16 @@
 #include "panels/section.hpp"
 #include "tea/glass_chooser.hpp"
 #include "tea/number_row.hpp"
-#include "tea/panel_parts.hpp"
 #include "tea/tea_words.hpp"
 
 #include <utility>
 
 #include <QAction>
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QGridLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace pastoso::tea {
@@ -23,51 +20,33 @@ namespace {
 
 constexpr int kCells[] = {32, 48, 64, 96, 128};
 
-QString words_of(const char* text) {
-    return QCoreApplication::translate("pastoso::tea", text);
-}
-
-NumberRange range_of(const TeaRow& row) {
-    const liquid::TeaNumber& limits = number_of(row);
-    return {
-        row.scale * limits.least, row.scale * limits.most, row.usual_least, row.usual_most, row.decimals,
-        words_of(row.unit),       row.logarithmic};
-}
-
 NumberRow* add_row(QGridLayout* grid, const TeaRow& row) {
-    return new NumberRow(grid, QString::fromLatin1(number_of(row).key), words_of(row.words),
-                         words_of(row.hint), range_of(row));
+    const liquid::TeaNumber& number = number_of(row);
+    return add_number(grid, row.shown, number.key, number.least, number.most);
 }
 
 }  // namespace
 
 TeaPanel::TeaPanel(const TeaActions& actions, QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("tea_panel"));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(10, 8, 10, 8);
-    column->setSpacing(12);
-    column->addWidget(glass_section(actions));
-    column->addWidget(force_section(actions));
-    auto* pictures = new QWidget;
-    auto* uses = panels::section(pictures, tr("Pictures"));
-    uses->addWidget(panels::button_row({actions.render}));
-    uses->addWidget(panels::button_row({actions.export_mesh}));
-    column->addWidget(pictures);
+    QVBoxLayout* column = column_of(this);
+    add_glass(column, actions);
+    add_force(column, actions);
+    QVBoxLayout* pictures = section_under(column, tr("Pictures"));
+    pictures->addWidget(panels::button_row({actions.render}));
+    pictures->addWidget(panels::button_row({actions.export_mesh}));
     for (const TeaSection& section : tea_sections())
-        column->addWidget(numbers(section));
+        add_numbers(column, section);
     column->addStretch(1);
     show_settings({});
     show_force({});
 }
 
-QWidget* TeaPanel::glass_section(const TeaActions& actions) {
-    auto* widget = new QWidget;
-    auto* column = panels::section(widget, tr("Glass"));
-    column->insertWidget(0, back_button(actions.back));
+void TeaPanel::add_glass(QVBoxLayout* column, const TeaActions& actions) {
     chooser_ = new GlassChooser;
-    column->addWidget(chooser_);
-    column->addWidget(panels::button_row({actions.new_glass, actions.open, actions.save}));
-    QGridLayout* grid = rows_under(column);
+    QVBoxLayout* section = glass_section_under(column, tr("Glass"), actions.glass.back, chooser_);
+    section->addWidget(panels::button_row({actions.new_glass, actions.open, actions.save}));
+    QGridLayout* grid = rows_under(section);
     cells_ = new QComboBox;
     cells_->setObjectName(QStringLiteral("cells"));
     cells_->setToolTip(
@@ -99,17 +78,15 @@ QWidget* TeaPanel::glass_section(const TeaActions& actions) {
             [this] { settings_.cells = cells_->currentData().toInt(); });
     connect(parcels_, &QSpinBox::valueChanged, this, [this](int count) { settings_.parcels = count; });
     connect(milk_, &NumberRow::chosen, this,
-            [this](double ml) { settings_.milk_m3 = ml / poured_milk().scale; });
-    return widget;
+            [this](double ml) { settings_.milk_m3 = ml / poured_milk().shown.scale; });
 }
 
-QWidget* TeaPanel::force_section(const TeaActions& actions) {
-    auto* widget = new QWidget;
-    auto* column = panels::section(widget, tr("Force"));
-    column->addWidget(panels::button_row({actions.force, actions.reverse}));
-    column->addWidget(
+void TeaPanel::add_force(QVBoxLayout* column, const TeaActions& actions) {
+    QVBoxLayout* section = section_under(column, tr("Force"));
+    section->addWidget(panels::button_row({actions.force, actions.reverse}));
+    section->addWidget(
         panels::icon_row({actions.left, actions.right, actions.away, actions.near, actions.recentre}));
-    QGridLayout* grid = rows_under(column);
+    QGridLayout* grid = rows_under(section);
     swirl_ = new NumberRow(grid, QStringLiteral("swirl_rad_s2"), tr("Around the axis"),
                            tr("How fast the stirring gets faster; below 0 it goes the other way round"),
                            {-1e3, 1e3, -20.0, 20.0, 1, tr(" rad/s²")});
@@ -124,21 +101,18 @@ QWidget* TeaPanel::force_section(const TeaActions& actions) {
         force_.push_m_s2 = value;
         Q_EMIT force_changed(force_);
     });
-    return widget;
 }
 
-QWidget* TeaPanel::numbers(const TeaSection& part) {
-    auto* widget = new QWidget;
-    QGridLayout* grid = rows_under(panels::section(widget, words_of(part.heading)));
-    for (const TeaRow& row : part.rows) {
+void TeaPanel::add_numbers(QVBoxLayout* column, const TeaSection& section) {
+    QGridLayout* grid = rows_under(section_under(column, words_of(section.heading)));
+    for (const TeaRow& row : section.rows) {
         NumberRow* shown = add_row(grid, row);
         connect(shown, &NumberRow::chosen, this, [this, &row](double value) {
-            settings_.*row.value = value / row.scale;
+            settings_.*row.value = value / row.shown.scale;
             Q_EMIT numbers_changed(settings_);
         });
         shown_.push_back({&row, shown});
     }
-    return widget;
 }
 
 void TeaPanel::show_settings(const liquid::TeaSettings& settings) {
@@ -148,9 +122,9 @@ void TeaPanel::show_settings(const liquid::TeaSettings& settings) {
         cells_->addItem(QString::number(settings.cells), settings.cells);
     cells_->setCurrentIndex(cells_->findData(settings.cells));
     parcels_->setValue(settings.parcels);
-    milk_->show_value(poured_milk().scale * settings.milk_m3);
+    milk_->show_value(poured_milk().shown.scale * settings.milk_m3);
     for (const Shown& shown : shown_)
-        shown.widget->show_value(shown.row->scale * settings.*shown.row->value);
+        shown.widget->show_value(shown.row->shown.scale * settings.*shown.row->value);
 }
 
 void TeaPanel::show_force(const session::TeaForce& force) {

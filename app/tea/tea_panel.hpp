@@ -2,28 +2,27 @@
 #pragma once
 
 #include "session/tea_session.hpp"
+#include "tea/panel_parts.hpp"
 
 #include <vector>
 
 #include <QWidget>
 
-class QAction;
 class QComboBox;
 class QSpinBox;
 class QVBoxLayout;
 
 namespace pastoso::tea {
 
-class GlassChooser;
-class NumberRow;
 struct TeaRow;
 struct TeaSection;
 
-/// The actions that stand on its buttons.
+/// The actions that stand on its buttons and beside the timeline.
 struct TeaActions {
-    QAction *back, *new_glass, *open, *save, *force, *recentre, *reverse;
+    GlassActions glass;
+    QAction *new_glass, *open, *save, *force, *recentre, *reverse;
     QAction *left, *right, *away, *near;
-    QAction *render, *export_mesh, *pause, *full_speed, *front;
+    QAction *render, *export_mesh;
 };
 
 class TeaPanel : public QWidget {
@@ -46,9 +45,9 @@ class TeaPanel : public QWidget {
     void force_changed(const session::TeaForce& force);
 
   private:
-    QWidget* glass_section(const TeaActions& actions);
-    QWidget* force_section(const TeaActions& actions);
-    QWidget* numbers(const TeaSection& section);
+    void add_glass(QVBoxLayout* column, const TeaActions& actions);
+    void add_force(QVBoxLayout* column, const TeaActions& actions);
+    void add_numbers(QVBoxLayout* column, const TeaSection& section);
 
     struct Shown {
         const TeaRow* row;

@@ -1,28 +1,25 @@
-// Draws a moment of the glass with OpenGL 3.3.
+// Draws a moment of the glass of tea.
 #pragma once
 
 #include "session/tea_session.hpp"
-#include "tea/ray_program.hpp"
+#include "tea/liquid_renderer.hpp"
 
 #include <memory>
 
 namespace pastoso::tea {
 
-/// All calls need the current context that initialise() was called in.
-class TeaRenderer {
+class TeaRenderer : public LiquidRenderer {
   public:
-    /// Throws core::InputError when the driver refuses a program.
-    void initialise(QOpenGLExtraFunctions* gl);
-    void release();
+    void initialise(QOpenGLExtraFunctions* gl) override;
+    void release() override;
 
     /// What draw() shows from now on.
     void show(const session::TeaMoment& moment);
 
-    /// Draws the rows of `part` (counted from below) of a picture into `target`, as the `pass`-th of
-    /// several that are blended to their mean. Milk is drawn anew when the camera or the moment is
-    /// another than before, or all of it when `target` has another size.
+    /// Milk is drawn anew when the camera or the moment is another than before, or all of it when
+    /// `target` has another size.
     void draw(QOpenGLFramebufferObject& target, const QRect& part, const TeaCamera& camera, int pass,
-              Quality quality);
+              Quality quality) override;
 
   private:
     void upload_milk(const liquid::TriangleMesh& milk);

@@ -21,7 +21,7 @@ TeaView::~TeaView() {
 void TeaView::show_moment(std::shared_ptr<const session::TeaMoment> moment) {
     if (moment == wanted_) return;
     wanted_ = std::move(moment);
-    begin_anew();
+    take_moment();
 }
 
 void TeaView::show_force(const session::TeaForce& force) {
@@ -34,40 +34,19 @@ void TeaView::look_from_front() {
     set_camera(wanted_ != nullptr ? TeaCamera(wanted_->settings.cup) : TeaCamera());
 }
 
-void TeaView::release_renderer() {
-    renderer_.release();
-    shown_.reset();
-}
-
 void TeaView::show_latest() {
     renderer_.show(*wanted_);
     shown_ = wanted_;
 }
 
-void TeaView::draw_liquid(QOpenGLFramebufferObject& target, const QRect& part, int pass,
-                          Quality quality) {
-    renderer_.draw(target, part, camera(), pass, quality);
-}
-
 /// Where milk would be poured, and the axis with the way the force turns.
 void TeaView::draw_marks(QPainter& painter, const std::optional<QPointF>& pointer) {
-    const auto ring = [&](const glm::vec2& middle_m, double radius_m, double from, double to) {
-        constexpr int kCorners = 48;
-        QPainterPath path;
-        for (int i = 0; i <= kCorners; ++i) {
-            const double angle = std::lerp(from, to, static_cast<double>(i) / kCorners);
-            const glm::vec2 at =
-                middle_m + glm::vec2(radius_m * std::cos(angle), radius_m * std::sin(angle));
-            const QPointF seen = widget_position(at);
-            i == 0 ? path.moveTo(seen) : path.lineTo(seen);
-        }
-        return path;
-    };
     if (force_.on) {
         constexpr double kRadius_m = 0.009, kGap = 0.9;
         const glm::vec2 axis(force_.axis_m);
         const double turns = force_.swirl_rad_s2 < 0.0 ? -1.0 : 1.0;
-        QPainterPath mark = ring(axis, kRadius_m, turns * kGap, turns * 2.0 * core::kPi);
+        QPainterPath mark =
+            seen_ring(on_surface(axis), kRadius_m, turns * kGap, turns * 2.0 * core::kPi);
         const glm::vec2 tip = axis + glm::vec2(kRadius_m, 0.0);
         for (const double side : {-0.0028, 0.0028}) {
             mark.moveTo(widget_position(tip));
@@ -78,12 +57,11 @@ void TeaView::draw_marks(QPainter& painter, const std::optional<QPointF>& pointe
     }
     if (!pointer) return;
     if (const auto at = on_tea(*pointer))
-        stroke_mark(painter, ring(*at, shown_->settings.pour_radius_m, 0.0, 2.0 * core::kPi), 0.55);
+        stroke_mark(painter, seen_ring(on_surface(*at), shown_->settings.pour_radius_m), 0.55);
 }
 
-QPointF TeaView::widget_position(const glm::vec2& on_tea_m) const {
-    const float level_m = wanted_ != nullptr ? wanted_->settings.cup.level_m : liquid::Cup{}.level_m;
-    return camera().seen_at(glm::vec3(on_tea_m, level_m), size());
+glm::vec3 TeaView::on_surface(const glm::vec2& on_tea_m) const {
+    return {on_tea_m, wanted_ != nullptr ? wanted_->settings.cup.level_m : liquid::Cup{}.level_m};
 }
 
 std::optional<glm::vec2> TeaView::on_tea(const QPointF& place) const {

@@ -28,20 +28,15 @@ class TeaView : public GlassView {
     const session::TeaMoment* shown() const { return shown_.get(); }
 
     /// Where a place of the tea's surface is seen on the widget.
-    QPointF widget_position(const glm::vec2& on_tea_m) const;
+    QPointF widget_position(const glm::vec2& on_tea_m) const { return seen(on_surface(on_tea_m)); }
 
   Q_SIGNALS:
     void poured(const glm::vec2& at_m);
     void pouring_ended();
 
   protected:
-    void initialise_renderer() override { renderer_.initialise(&gl()); }
-    void release_renderer() override;
-    bool has_moment() const override { return wanted_ != nullptr; }
-    bool shows_latest() const override { return shown_ == wanted_; }
+    LiquidRenderer& renderer() override { return renderer_; }
     void show_latest() override;
-    void draw_liquid(QOpenGLFramebufferObject& target, const QRect& part, int pass,
-                     Quality quality) override;
     void draw_marks(QPainter& painter, const std::optional<QPointF>& pointer) override;
     bool is_over_liquid(const QPointF& place) const override { return on_tea(place).has_value(); }
     void press_liquid(const QPointF& place) override;
@@ -51,6 +46,7 @@ class TeaView : public GlassView {
 
   private:
     std::optional<glm::vec2> on_tea(const QPointF& place) const;
+    glm::vec3 on_surface(const glm::vec2& on_tea_m) const;
 
     TeaRenderer renderer_;
     std::shared_ptr<const session::TeaMoment> wanted_, shown_;

@@ -1,7 +1,8 @@
-// The numbers of the tea as the panel shows them: in which group, in which words and units.
+// The numbers of the tea as the panel shows them: in which group and how.
 #pragma once
 
 #include "liquid/tea_settings.hpp"
+#include "tea/panel_parts.hpp"
 
 #include <span>
 
@@ -9,13 +10,7 @@ namespace pastoso::tea {
 
 struct TeaRow {
     double liquid::TeaSettings::*value;
-    const char* words;
-    const char* hint;
-    const char* unit;  ///< with the space before it
-    double scale;      ///< shown = scale times SI
-    int decimals;
-    double usual_least, usual_most;  ///< as shown
-    bool logarithmic = false;
+    NumberWords shown;
 };
 
 struct TeaSection {
