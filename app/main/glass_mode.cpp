@@ -1,8 +1,8 @@
 #include "main/glass_mode.hpp"
 
 #include "core/error.hpp"
+#include "glass/glass_view.hpp"
 #include "main/picture_layers.hpp"
-#include "tea/glass_view.hpp"
 
 #include <utility>
 
@@ -46,7 +46,7 @@ void GlassMode::on_here(Command command, std::function<void(bool)> what) {
     });
 }
 
-tea::GlassActions GlassMode::page_actions() const {
+glass::GlassActions GlassMode::page_actions() const {
     return {.back = action(commands_.enter),
             .pause = action(Command::TeaPause),
             .full_speed = action(Command::TeaFullSpeed),
@@ -59,8 +59,8 @@ void GlassMode::add_page(std::initializer_list<Command> arrows) {
         action(arrow)->setShortcutContext(Qt::WidgetShortcut);
         page().view().addAction(action(arrow));
     }
-    connect(&page().view(), &tea::GlassView::failed, &studio_, &Studio::report);
-    connect(&page(), &tea::GlassPage::step_wanted, this, [this](int step) { session().show(step); });
+    connect(&page().view(), &glass::GlassView::failed, &studio_, &Studio::report);
+    connect(&page(), &glass::GlassPage::step_wanted, this, [this](int step) { session().show(step); });
 }
 
 // ---- coming and going
@@ -106,13 +106,13 @@ void GlassMode::show_running(const session::LiquidStatus& status) {
 
 // ---- pictures and surfaces
 
-tea::LiquidPictureDialog& GlassMode::picture() {
+glass::LiquidPictureDialog& GlassMode::picture() {
     if (picture_ != nullptr) return *picture_;
-    picture_ = std::make_unique<tea::LiquidPictureDialog>(
+    picture_ = std::make_unique<glass::LiquidPictureDialog>(
         words_.picture, [this] { return picture_order(); }, &studio_.window());
-    connect(picture_.get(), &tea::LiquidPictureDialog::rendering_begins, this,
+    connect(picture_.get(), &glass::LiquidPictureDialog::rendering_begins, this,
             [this] { session().set_paused(true); });
-    connect(picture_.get(), &tea::LiquidPictureDialog::wanted_on_canvas, this,
+    connect(picture_.get(), &glass::LiquidPictureDialog::wanted_on_canvas, this,
             [this](const layers::Picture& picture) {
                 leave();
                 pictures_.paint_picture(picture, words_.layer);

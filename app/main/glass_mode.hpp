@@ -2,12 +2,12 @@
 // its surface are taken along. What the modes of the glass of tea and of the tank have in common.
 #pragma once
 
+#include "glass/glass_page.hpp"
+#include "glass/liquid_picture_dialog.hpp"
 #include "io/mesh_export.hpp"
 #include "main/background_export.hpp"
 #include "main/canvas_place.hpp"
 #include "session/liquid_picture.hpp"
-#include "tea/glass_page.hpp"
-#include "tea/liquid_picture_dialog.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -28,7 +28,7 @@ struct GlassCommands {
 
 /// What a mode calls its liquid.
 struct GlassWords {
-    tea::LiquidPictureWords picture;
+    glass::LiquidPictureWords picture;
     QString layer;  ///< of the picture on the canvas
     QString export_title, export_file;
     QString exported;  ///< a sentence with %1 for the file
@@ -45,7 +45,7 @@ class GlassMode : public QObject {
 
     // There are none before the first enter().
     virtual session::LiquidSession& session() = 0;
-    virtual tea::GlassPage& page() = 0;
+    virtual glass::GlassPage& page() = 0;
 
     /// Writes the liquid's surface as it is seen now, in the background; how it ends is told. Throws
     /// core::InputError when the name is none of a surface.
@@ -53,7 +53,7 @@ class GlassMode : public QObject {
     bool exporting() const { return export_.busy(); }
 
     /// Where a picture is rendered; it is made when it is first wanted.
-    tea::LiquidPictureDialog& picture();
+    glass::LiquidPictureDialog& picture();
 
   protected:
     using MeshWriter = std::function<io::ExportStatus(const std::filesystem::path& file,
@@ -72,7 +72,7 @@ class GlassMode : public QObject {
 
     Studio& studio() { return studio_; }
     QAction* action(commands::Command command) const { return studio_.commands().action(command); }
-    tea::GlassActions page_actions() const;
+    glass::GlassActions page_actions() const;
     BackgroundExport& background() { return export_; }
 
     /// What a command does while the mode is there.
@@ -100,7 +100,7 @@ class GlassMode : public QObject {
     CanvasPlace& place_;
     const GlassCommands commands_;
     const GlassWords words_;
-    std::unique_ptr<tea::LiquidPictureDialog> picture_;
+    std::unique_ptr<glass::LiquidPictureDialog> picture_;
     bool active_ = false;
     bool paused_ = false;  ///< as the hand left it
     BackgroundExport export_;

@@ -1,9 +1,9 @@
 #include "main/tank_mode.hpp"
 
+#include "glass/glass_chooser.hpp"
 #include "io/tank_json.hpp"
 #include "main/queued_refresh.hpp"
 #include "main/tank_surface_file.hpp"
-#include "tea/glass_chooser.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -96,35 +96,35 @@ void TankMode::connect_wind() {
 }
 
 void TankMode::make_page() {
-    page_ = new tea::TankPage({.glass = page_actions(),
-                               .restart = action(Command::TankRestart),
-                               .open = action(Command::TankOpenScene),
-                               .ball = action(Command::TankBall),
-                               .drain = action(Command::TankDrain),
-                               .wind = action(Command::TankWind),
-                               .left = action(Command::TankWindLeft),
-                               .right = action(Command::TankWindRight),
-                               .stronger = action(Command::TankWindStronger),
-                               .weaker = action(Command::TankWindWeaker),
-                               .velocity = action(Command::TankVelocity),
-                               .export_mesh = action(Command::TeaExportMesh),
-                               .export_all = action(Command::TankExportAll),
-                               .render = action(Command::TankRender),
-                               .record_pictures = action(Command::TankRecordPictures),
-                               .record_surfaces = action(Command::TankRecordSurfaces)});
+    page_ = new glass::TankPage({.glass = page_actions(),
+                                 .restart = action(Command::TankRestart),
+                                 .open = action(Command::TankOpenScene),
+                                 .ball = action(Command::TankBall),
+                                 .drain = action(Command::TankDrain),
+                                 .wind = action(Command::TankWind),
+                                 .left = action(Command::TankWindLeft),
+                                 .right = action(Command::TankWindRight),
+                                 .stronger = action(Command::TankWindStronger),
+                                 .weaker = action(Command::TankWindWeaker),
+                                 .velocity = action(Command::TankVelocity),
+                                 .export_mesh = action(Command::TeaExportMesh),
+                                 .export_all = action(Command::TankExportAll),
+                                 .render = action(Command::TankRender),
+                                 .record_pictures = action(Command::TankRecordPictures),
+                                 .record_surfaces = action(Command::TankRecordSurfaces)});
     add_page({Command::TankWindLeft, Command::TankWindRight, Command::TankWindStronger,
               Command::TankWindWeaker});
-    tea::TankPanel& panel = page_->panel();
-    connect(&panel.chooser(), &tea::GlassChooser::chosen, this, &TankMode::choose);
-    connect(&panel, &tea::TankPanel::wind_changed, this, &TankMode::use_wind);
-    connect(&panel, &tea::TankPanel::numbers_changed, this, [this](const tank::TankScene& numbers) {
+    glass::TankPanel& panel = page_->panel();
+    connect(&panel.chooser(), &glass::GlassChooser::chosen, this, &TankMode::choose);
+    connect(&panel, &glass::TankPanel::wind_changed, this, &TankMode::use_wind);
+    connect(&panel, &glass::TankPanel::numbers_changed, this, [this](const tank::TankScene& numbers) {
         for (const tank::TankNumber& number : tank::tank_numbers())
             scene_.*number.value = numbers.*number.value;
         session_->set_numbers(numbers);
     });
-    connect(&panel, &tea::TankPanel::ball_changed, this,
-            [this](const tea::TankBall& ball) { page_->view().set_ball_radius(ball.radius_m); });
-    connect(&page_->view(), &tea::TankView::ball_wanted, this, &TankMode::drop_ball);
+    connect(&panel, &glass::TankPanel::ball_changed, this,
+            [this](const glass::TankBall& ball) { page_->view().set_ball_radius(ball.radius_m); });
+    connect(&page_->view(), &glass::TankView::ball_wanted, this, &TankMode::drop_ball);
 }
 
 // ---- coming and going
@@ -158,7 +158,7 @@ void TankMode::put_away() {
 }
 
 void TankMode::choose(const QString& key) {
-    if (key == tea::GlassChooser::tea_key()) {
+    if (key == glass::GlassChooser::tea_key()) {
         Q_EMIT tea_wanted();
         return;
     }
@@ -211,7 +211,7 @@ void TankMode::show_tank(const session::TankStatus& status) {
 // ---- what is done to the liquid
 
 void TankMode::drop_ball(const glm::vec2& at_m) {
-    const tea::TankBall& ball = page_->panel().ball();
+    const glass::TankBall& ball = page_->panel().ball();
     const glm::vec3 size_m = scene_.size_m();
     const glm::vec3 margin_m = glm::min(glm::vec3(1.02F * ball.radius_m), 0.5F * size_m);
     const glm::vec3 centre_m = glm::clamp(glm::vec3(at_m, size_m.z), margin_m, size_m - margin_m);

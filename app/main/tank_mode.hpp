@@ -1,10 +1,10 @@
 // The tank of liquid in place of the canvas.
 #pragma once
 
+#include "glass/tank_page.hpp"
 #include "main/glass_mode.hpp"
 #include "main/tank_recorder.hpp"
 #include "session/tank_session.hpp"
-#include "tea/tank_page.hpp"
 
 namespace pastoso::main {
 
@@ -14,7 +14,7 @@ class TankMode : public GlassMode {
     TankMode(Studio& studio, PictureLayers& pictures, CanvasPlace& place);
 
     session::TankSession& session() override { return *session_; }
-    tea::TankPage& page() override { return *page_; }
+    glass::TankPage& page() override { return *page_; }
 
     /// As GlassChooser::chosen(); what cannot be opened is told.
     void choose(const QString& key);
@@ -59,7 +59,7 @@ class TankMode : public GlassMode {
     void ask_record(Recorded what);
     void show_recorded();
 
-    tea::TankPage* page_ = nullptr;
+    glass::TankPage* page_ = nullptr;
     std::unique_ptr<session::TankSession> session_;
     std::unique_ptr<TankRecorder> recorder_;  ///< as long as the session
     tank::TankScene scene_;                   ///< as it begins

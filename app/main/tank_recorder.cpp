@@ -1,9 +1,9 @@
 #include "main/tank_recorder.hpp"
 
 #include "core/error.hpp"
+#include "glass/tank_view.hpp"
 #include "io/image.hpp"
 #include "main/tank_surface_file.hpp"
-#include "tea/tank_view.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -41,10 +41,10 @@ bool is_same(const session::TankMoment& a, const session::TankMoment& b) {
 
 }  // namespace
 
-TankRecorder::TankRecorder(session::TankSession& session, tea::TankView& view)
+TankRecorder::TankRecorder(session::TankSession& session, glass::TankView& view)
     : session_(session), view_(view) {
     // It comes while a frame is drawn.
-    connect(&view_, &tea::TankView::picture_finished, this, &TankRecorder::proceed,
+    connect(&view_, &glass::TankView::picture_finished, this, &TankRecorder::proceed,
             Qt::QueuedConnection);
 }
 

@@ -15,7 +15,7 @@
 #include <QObject>
 #include <QString>
 
-namespace pastoso::tea {
+namespace pastoso::glass {
 class TankView;
 }
 
@@ -30,7 +30,7 @@ inline constexpr Recorded kRecorded[] = {Recorded::Pictures, Recorded::Surfaces}
 class TankRecorder : public QObject {
     Q_OBJECT
   public:
-    TankRecorder(session::TankSession& session, tea::TankView& view);
+    TankRecorder(session::TankSession& session, glass::TankView& view);
     ~TankRecorder() override;
 
     /// Begins with the moment at which the liquid stands. Files that are in the folder stay: numbers go
@@ -72,7 +72,7 @@ class TankRecorder : public QObject {
     void end(Recorded what, const QString& told);
 
     session::TankSession& session_;
-    tea::TankView& view_;
+    glass::TankView& view_;
     std::array<std::optional<Series>, 2> series_;
     std::shared_ptr<const session::TankMoment> moment_;  ///< the latest one
     std::atomic<bool> dropped_ = false;

@@ -1,7 +1,7 @@
 #include "main/tea_mode.hpp"
 
+#include "glass/glass_chooser.hpp"
 #include "main/queued_refresh.hpp"
-#include "tea/glass_chooser.hpp"
 
 namespace pastoso::main {
 
@@ -36,32 +36,32 @@ void TeaMode::make_ready() {
 }
 
 void TeaMode::make_page() {
-    page_ = new tea::TeaPage({.glass = page_actions(),
-                              .new_glass = action(Command::TeaNewGlass),
-                              .open = action(Command::TeaOpenScene),
-                              .save = action(Command::TeaSaveScene),
-                              .force = action(Command::TeaForce),
-                              .recentre = action(Command::TeaRecentre),
-                              .reverse = action(Command::TeaReverse),
-                              .left = action(Command::TeaAxisLeft),
-                              .right = action(Command::TeaAxisRight),
-                              .away = action(Command::TeaAxisAway),
-                              .near = action(Command::TeaAxisNear),
-                              .render = action(Command::TeaRender),
-                              .export_mesh = action(Command::TeaExportMesh)});
+    page_ = new glass::TeaPage({.glass = page_actions(),
+                                .new_glass = action(Command::TeaNewGlass),
+                                .open = action(Command::TeaOpenScene),
+                                .save = action(Command::TeaSaveScene),
+                                .force = action(Command::TeaForce),
+                                .recentre = action(Command::TeaRecentre),
+                                .reverse = action(Command::TeaReverse),
+                                .left = action(Command::TeaAxisLeft),
+                                .right = action(Command::TeaAxisRight),
+                                .away = action(Command::TeaAxisAway),
+                                .near = action(Command::TeaAxisNear),
+                                .render = action(Command::TeaRender),
+                                .export_mesh = action(Command::TeaExportMesh)});
     add_page({Command::TeaAxisLeft, Command::TeaAxisRight, Command::TeaAxisAway, Command::TeaAxisNear});
-    page_->panel().chooser().show_choice(tea::GlassChooser::tea_key());
-    connect(&page_->panel().chooser(), &tea::GlassChooser::chosen, this, [this](const QString& key) {
-        if (key == tea::GlassChooser::tea_key()) return;
-        page_->panel().chooser().show_choice(tea::GlassChooser::tea_key());
+    page_->panel().chooser().show_choice(glass::GlassChooser::tea_key());
+    connect(&page_->panel().chooser(), &glass::GlassChooser::chosen, this, [this](const QString& key) {
+        if (key == glass::GlassChooser::tea_key()) return;
+        page_->panel().chooser().show_choice(glass::GlassChooser::tea_key());
         Q_EMIT other_wanted(key);
     });
-    connect(&page_->view(), &tea::TeaView::poured, this,
+    connect(&page_->view(), &glass::TeaView::poured, this,
             [this](const glm::vec2& at_m) { session_->pour(at_m); });
-    connect(&page_->view(), &tea::TeaView::pouring_ended, this,
+    connect(&page_->view(), &glass::TeaView::pouring_ended, this,
             [this] { session_->pour(std::nullopt); });
-    connect(&page_->panel(), &tea::TeaPanel::force_changed, this, &TeaMode::use_force);
-    connect(&page_->panel(), &tea::TeaPanel::numbers_changed, this,
+    connect(&page_->panel(), &glass::TeaPanel::force_changed, this, &TeaMode::use_force);
+    connect(&page_->panel(), &glass::TeaPanel::numbers_changed, this,
             [this](const liquid::TeaSettings& settings) {
                 // What only the next glass can have is none of this one's.
                 const auto moment = session_->moment();

@@ -1,9 +1,9 @@
 // The glass of milk tea in place of the canvas.
 #pragma once
 
+#include "glass/tea_page.hpp"
 #include "main/glass_mode.hpp"
 #include "session/tea_session.hpp"
-#include "tea/tea_page.hpp"
 
 namespace pastoso::main {
 
@@ -13,7 +13,7 @@ class TeaMode : public GlassMode {
     TeaMode(Studio& studio, PictureLayers& pictures, CanvasPlace& place);
 
     session::TeaSession& session() override { return *session_; }
-    tea::TeaPage& page() override { return *page_; }
+    glass::TeaPage& page() override { return *page_; }
 
     /// Another glass with the numbers of a file, and the numbers of this one into a file. Throw
     /// core::InputError.
@@ -41,7 +41,7 @@ class TeaMode : public GlassMode {
     void ask_open();
     void ask_save();
 
-    tea::TeaPage* page_ = nullptr;
+    glass::TeaPage* page_ = nullptr;
     std::unique_ptr<session::TeaSession> session_;
     session::TeaForce force_;
 };

@@ -2909,6 +2909,682 @@
     </message>
 </context>
 <context>
+    <name>pastoso::glass</name>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source> mm²/s</source>
+        <translation> mm²/s</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Pours for</source>
+        <translation>Pours for</translation>
+    </message>
+    <message>
+        <source>How long the milk of a new glass is poured</source>
+        <translation>How long the milk of a new glass is poured</translation>
+    </message>
+    <message>
+        <source>Stream</source>
+        <translation>Stream</translation>
+    </message>
+    <message>
+        <source>Radius of the stream</source>
+        <translation>Radius of the stream</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Speed</translation>
+    </message>
+    <message>
+        <source>Speed of the stream, downwards</source>
+        <translation>Speed of the stream, downwards</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Fat lifts</source>
+        <translation>Fat lifts</translation>
+    </message>
+    <message>
+        <source>How fast fat lets milk rise</source>
+        <translation>How fast fat lets milk rise</translation>
+    </message>
+    <message>
+        <source>Cold sinks</source>
+        <translation>Cold sinks</translation>
+    </message>
+    <message>
+        <source>How fast cold lets milk sink</source>
+        <translation>How fast cold lets milk sink</translation>
+    </message>
+    <message>
+        <source>Milky tea sinks</source>
+        <translation>Milky tea sinks</translation>
+    </message>
+    <message>
+        <source>How fast tea with milk in it sinks</source>
+        <translation>How fast tea with milk in it sinks</translation>
+    </message>
+    <message>
+        <source>Warms at rest in</source>
+        <translation>Warms at rest in</translation>
+    </message>
+    <message>
+        <source>Time in which milk at rest warms</source>
+        <translation>Time in which milk at rest warms</translation>
+    </message>
+    <message>
+        <source>A ball warms in</source>
+        <translation>A ball warms in</translation>
+    </message>
+    <message>
+        <source>Time in which a ball warms</source>
+        <translation>Time in which a ball warms</translation>
+    </message>
+    <message>
+        <source>Cold given on</source>
+        <translation>Cold given on</translation>
+    </message>
+    <message>
+        <source>Share of the milk&apos;s cold that the tea gets</source>
+        <translation>Share of the milk&apos;s cold that the tea gets</translation>
+    </message>
+    <message>
+        <source>First ball after</source>
+        <translation>First ball after</translation>
+    </message>
+    <message>
+        <source>When the first ball forms</source>
+        <translation>When the first ball forms</translation>
+    </message>
+    <message>
+        <source>A ball every</source>
+        <translation>A ball every</translation>
+    </message>
+    <message>
+        <source>Time between two balls, in the mean</source>
+        <translation>Time between two balls, in the mean</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>Ball&apos;s radius</translation>
+    </message>
+    <message>
+        <source>Radius of a ball, in the mean</source>
+        <translation>Radius of a ball, in the mean</translation>
+    </message>
+    <message>
+        <source>Sizes differ by</source>
+        <translation>Sizes differ by</translation>
+    </message>
+    <message>
+        <source>How much balls differ in size</source>
+        <translation>How much balls differ in size</translation>
+    </message>
+    <message>
+        <source>Draws together in</source>
+        <translation>Draws together in</translation>
+    </message>
+    <message>
+        <source>Time in which a ball draws its milk back</source>
+        <translation>Time in which a ball draws its milk back</translation>
+    </message>
+    <message>
+        <source>Lets go to</source>
+        <translation>Lets go to</translation>
+    </message>
+    <message>
+        <source>How far it lets its milk, in its radii</source>
+        <translation>How far it lets its milk, in its radii</translation>
+    </message>
+    <message>
+        <source> radii</source>
+        <translation> radii</translation>
+    </message>
+    <message>
+        <source>Torn off at</source>
+        <translation>Torn off at</translation>
+    </message>
+    <message>
+        <source>Distance at which milk is torn off</source>
+        <translation>Distance at which milk is torn off</translation>
+    </message>
+    <message>
+        <source>Bursts at</source>
+        <translation>Bursts at</translation>
+    </message>
+    <message>
+        <source>Depth at which a ball bursts</source>
+        <translation>Depth at which a ball bursts</translation>
+    </message>
+    <message>
+        <source>A warm ball in</source>
+        <translation>A warm ball in</translation>
+    </message>
+    <message>
+        <source>Time in which a warm ball dissolves</source>
+        <translation>Time in which a warm ball dissolves</translation>
+    </message>
+    <message>
+        <source>On top in</source>
+        <translation>On top in</translation>
+    </message>
+    <message>
+        <source>Time in which milk under the surface dissolves</source>
+        <translation>Time in which milk under the surface dissolves</translation>
+    </message>
+    <message>
+        <source>On top is</source>
+        <translation>On top is</translation>
+    </message>
+    <message>
+        <source>How far down that is</source>
+        <translation>How far down that is</translation>
+    </message>
+    <message>
+        <source>At rest in</source>
+        <translation>At rest in</translation>
+    </message>
+    <message>
+        <source>Time in which milk at rest dissolves</source>
+        <translation>Time in which milk at rest dissolves</translation>
+    </message>
+    <message>
+        <source>All from</source>
+        <translation>All from</translation>
+    </message>
+    <message>
+        <source>When all milk begins to dissolve</source>
+        <translation>When all milk begins to dissolve</translation>
+    </message>
+    <message>
+        <source>Warm below</source>
+        <translation>Warm below</translation>
+    </message>
+    <message>
+        <source>Coldness below which a ball dissolves</source>
+        <translation>Coldness below which a ball dissolves</translation>
+    </message>
+    <message>
+        <source>Milk spreads</source>
+        <translation>Milk spreads</translation>
+    </message>
+    <message>
+        <source>How dissolved milk spreads</source>
+        <translation>How dissolved milk spreads</translation>
+    </message>
+    <message>
+        <source>Viscosity</source>
+        <translation>Viscosity</translation>
+    </message>
+    <message>
+        <source>Kinematic viscosity: water 1, oil 80, honey 5000</source>
+        <translation>Kinematic viscosity: water 1, oil 80, honey 5000</translation>
+    </message>
+    <message>
+        <source>Heat spreads</source>
+        <translation>Heat spreads</translation>
+    </message>
+    <message>
+        <source>How heat spreads</source>
+        <translation>How heat spreads</translation>
+    </message>
+    <message>
+        <source>Whirls kept</source>
+        <translation>Whirls kept</translation>
+    </message>
+    <message>
+        <source>Force that keeps small whirls alive</source>
+        <translation>Force that keeps small whirls alive</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Time step</translation>
+    </message>
+    <message>
+        <source>Length of a time step</source>
+        <translation>Length of a time step</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Pressure within</source>
+        <translation>Pressure within</translation>
+    </message>
+    <message>
+        <source>How exact the pressure is solved</source>
+        <translation>How exact the pressure is solved</translation>
+    </message>
+    <message>
+        <source>Pouring</source>
+        <translation>Pouring</translation>
+    </message>
+    <message>
+        <source>Sinking and rising</source>
+        <translation>Sinking and rising</translation>
+    </message>
+    <message>
+        <source>Balls of milk</source>
+        <translation>Balls of milk</translation>
+    </message>
+    <message>
+        <source>Dissolving</source>
+        <translation>Dissolving</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Flow</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>Milk</translation>
+    </message>
+    <message>
+        <source>How much milk is poured into a new glass by itself</source>
+        <translation>How much milk is poured into a new glass by itself</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>Force reaches</source>
+        <translation>Force reaches</translation>
+    </message>
+    <message>
+        <source>How far the force reaches from its axis</source>
+        <translation>How far the force reaches from its axis</translation>
+    </message>
+    <message>
+        <source>Tank: liquid falls</source>
+        <translation>Tank: liquid falls</translation>
+    </message>
+    <message>
+        <source>Tank: two liquids meet</source>
+        <translation>Tank: two liquids meet</translation>
+    </message>
+    <message>
+        <source>Back to the painting</source>
+        <translation>Back to the painting</translation>
+    </message>
+    <message>
+        <source>The glass waits as it is, and so did the painting</source>
+        <translation>The glass waits as it is, and so did the painting</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Gravity</translation>
+    </message>
+    <message>
+        <source>How fast what falls gets faster</source>
+        <translation>How fast what falls gets faster</translation>
+    </message>
+    <message>
+        <source>Lively</source>
+        <translation>Lively</translation>
+    </message>
+    <message>
+        <source>What of its own velocity a drop keeps from step to step: less is calmer</source>
+        <translation>What of its own velocity a drop keeps from step to step: less is calmer</translation>
+    </message>
+    <message>
+        <source>Volume mended</source>
+        <translation>Volume mended</translation>
+    </message>
+    <message>
+        <source>How much of a wrong density a step mends</source>
+        <translation>How much of a wrong density a step mends</translation>
+    </message>
+    <message>
+        <source>Way of a step</source>
+        <translation>Way of a step</translation>
+    </message>
+    <message>
+        <source>The longest way of a step, in cells: longer is faster and coarser</source>
+        <translation>The longest way of a step, in cells: longer is faster and coarser</translation>
+    </message>
+    <message>
+        <source> cells</source>
+        <translation> cells</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::GlassChooser</name>
+    <message>
+        <source>What is in the glass</source>
+        <translation>What is in the glass</translation>
+    </message>
+    <message>
+        <source>What is in the glass: milk tea, or a tank of liquid</source>
+        <translation>What is in the glass: milk tea, or a tank of liquid</translation>
+    </message>
+    <message>
+        <source>Milk tea</source>
+        <translation>Milk tea</translation>
+    </message>
+    <message>
+        <source>Open a tank...</source>
+        <translation>Open a tank...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::GlassPage</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 of %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::LiquidPictureDialog</name>
+    <message>
+        <source>Pixels from left to right</source>
+        <translation>Pixels from left to right</translation>
+    </message>
+    <message>
+        <source>Pixels from top to bottom</source>
+        <translation>Pixels from top to bottom</translation>
+    </message>
+    <message>
+        <source>Ways of light for each pixel: four times as many, half the noise</source>
+        <translation>Ways of light for each pixel: four times as many, half the noise</translation>
+    </message>
+    <message>
+        <source>As a surface</source>
+        <translation>As a surface</translation>
+    </message>
+    <message>
+        <source>As a cloud</source>
+        <translation>As a cloud</translation>
+    </message>
+    <message>
+        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
+        <translation>How milk that has not dissolved is seen: a cloud is softer and takes longer</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Width</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Height</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Samples</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>Milk</translation>
+    </message>
+    <message>
+        <source>Use on the canvas</source>
+        <translation>Use on the canvas</translation>
+    </message>
+    <message>
+        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
+        <translation>Puts the picture onto the painting as a layer of dry paint, and goes there</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Save...</translation>
+    </message>
+    <message>
+        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
+        <translation>As PNG and others as it is shown, or as EXR with the light itself</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Close</translation>
+    </message>
+    <message>
+        <source>Taking the noise out...</source>
+        <translation>Taking the noise out...</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stop</translation>
+    </message>
+    <message>
+        <source>Render</source>
+        <translation>Render</translation>
+    </message>
+    <message>
+        <source>Keep the picture as fine as it is by now</source>
+        <translation>Keep the picture as fine as it is by now</translation>
+    </message>
+    <message>
+        <source>%1 samples in %2 s, without noise</source>
+        <translation>%1 samples in %2 s, without noise</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples</source>
+        <translation>%1 of %2 samples</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Save the picture</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Pictures (%1)</translation>
+    </message>
+    <message>
+        <source>Finding the surface...</source>
+        <translation>Finding the surface...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::TankPage</name>
+    <message>
+        <source>Moment of the tank</source>
+        <translation>Moment of the tank</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the tank; going on goes on from its last</source>
+        <translation>Drag to any moment of the tank; going on goes on from its last</translation>
+    </message>
+    <message>
+        <source>Liquid in the tank, and how many steps a second are computed</source>
+        <translation>Liquid in the tank, and how many steps a second are computed</translation>
+    </message>
+    <message>
+        <source>Filling the tank...</source>
+        <translation>Filling the tank...</translation>
+    </message>
+    <message>
+        <source>%1 l   %2 steps/s</source>
+        <translation>%1 l   %2 steps/s</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::TankPanel</name>
+    <message>
+        <source>Tank</source>
+        <translation>Tank</translation>
+    </message>
+    <message>
+        <source>Balls and drain</source>
+        <translation>Balls and drain</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>Ball&apos;s radius</translation>
+    </message>
+    <message>
+        <source>How large the ball is that falls where you press</source>
+        <translation>How large the ball is that falls where you press</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Milk in it</source>
+        <translation>Milk in it</translation>
+    </message>
+    <message>
+        <source>How much of the ball is milk</source>
+        <translation>How much of the ball is milk</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Wind</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Speed</translation>
+    </message>
+    <message>
+        <source>How fast the air goes</source>
+        <translation>How fast the air goes</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Blows to</source>
+        <translation>Blows to</translation>
+    </message>
+    <message>
+        <source>0 to the right along the front, 90 away from it</source>
+        <translation>0 to the right along the front, 90 away from it</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Drags</source>
+        <translation>Drags</translation>
+    </message>
+    <message>
+        <source>How firmly it takes the liquid&apos;s surface along</source>
+        <translation>How firmly it takes the liquid&apos;s surface along</translation>
+    </message>
+    <message>
+        <source> /s</source>
+        <translation> /s</translation>
+    </message>
+    <message>
+        <source>Look and export</source>
+        <translation>Look and export</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>Liquid</translation>
+    </message>
+    <message>
+        <source>Every step into a folder</source>
+        <translation>Every step into a folder</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::TeaPage</name>
+    <message>
+        <source>Moment of the tea</source>
+        <translation>Moment of the tea</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the glass; going on goes on from its last</source>
+        <translation>Drag to any moment of the glass; going on goes on from its last</translation>
+    </message>
+    <message>
+        <source>Milk poured so far, and how many steps of 1/30 s a second are computed</source>
+        <translation>Milk poured so far, and how many steps of 1/30 s a second are computed</translation>
+    </message>
+    <message>
+        <source>Filling the glass...</source>
+        <translation>Filling the glass...</translation>
+    </message>
+    <message>
+        <source>%1 ml of milk   %2 steps/s</source>
+        <translation>%1 ml of milk   %2 steps/s</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::TeaPanel</name>
+    <message>
+        <source>Pictures</source>
+        <translation>Pictures</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>Glass</translation>
+    </message>
+    <message>
+        <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>
+        <translation>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</translation>
+    </message>
+    <message>
+        <source>Drops that the next glass&apos; milk is made of</source>
+        <translation>Drops that the next glass&apos; milk is made of</translation>
+    </message>
+    <message>
+        <source>Cells a side</source>
+        <translation>Cells a side</translation>
+    </message>
+    <message>
+        <source>Drops of milk</source>
+        <translation>Drops of milk</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>Around the axis</source>
+        <translation>Around the axis</translation>
+    </message>
+    <message>
+        <source>How fast the stirring gets faster; below 0 it goes the other way round</source>
+        <translation>How fast the stirring gets faster; below 0 it goes the other way round</translation>
+    </message>
+    <message>
+        <source> rad/s²</source>
+        <translation> rad/s²</translation>
+    </message>
+    <message>
+        <source>Downwards</source>
+        <translation>Downwards</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source>A push down along the axis; below 0 it goes up</source>
+        <translation>A push down along the axis; below 0 it goes up</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main</name>
     <message>
         <source>OpenGL</source>
@@ -5139,682 +5815,6 @@ Drag: move the picture
     <message>
         <source>Recover</source>
         <translation>Recover</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea</name>
-    <message>
-        <source> s</source>
-        <translation> s</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> m/s²</source>
-        <translation> m/s²</translation>
-    </message>
-    <message>
-        <source> mm²/s</source>
-        <translation> mm²/s</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Pours for</source>
-        <translation>Pours for</translation>
-    </message>
-    <message>
-        <source>How long the milk of a new glass is poured</source>
-        <translation>How long the milk of a new glass is poured</translation>
-    </message>
-    <message>
-        <source>Stream</source>
-        <translation>Stream</translation>
-    </message>
-    <message>
-        <source>Radius of the stream</source>
-        <translation>Radius of the stream</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Speed</translation>
-    </message>
-    <message>
-        <source>Speed of the stream, downwards</source>
-        <translation>Speed of the stream, downwards</translation>
-    </message>
-    <message>
-        <source> m/s</source>
-        <translation> m/s</translation>
-    </message>
-    <message>
-        <source>Fat lifts</source>
-        <translation>Fat lifts</translation>
-    </message>
-    <message>
-        <source>How fast fat lets milk rise</source>
-        <translation>How fast fat lets milk rise</translation>
-    </message>
-    <message>
-        <source>Cold sinks</source>
-        <translation>Cold sinks</translation>
-    </message>
-    <message>
-        <source>How fast cold lets milk sink</source>
-        <translation>How fast cold lets milk sink</translation>
-    </message>
-    <message>
-        <source>Milky tea sinks</source>
-        <translation>Milky tea sinks</translation>
-    </message>
-    <message>
-        <source>How fast tea with milk in it sinks</source>
-        <translation>How fast tea with milk in it sinks</translation>
-    </message>
-    <message>
-        <source>Warms at rest in</source>
-        <translation>Warms at rest in</translation>
-    </message>
-    <message>
-        <source>Time in which milk at rest warms</source>
-        <translation>Time in which milk at rest warms</translation>
-    </message>
-    <message>
-        <source>A ball warms in</source>
-        <translation>A ball warms in</translation>
-    </message>
-    <message>
-        <source>Time in which a ball warms</source>
-        <translation>Time in which a ball warms</translation>
-    </message>
-    <message>
-        <source>Cold given on</source>
-        <translation>Cold given on</translation>
-    </message>
-    <message>
-        <source>Share of the milk&apos;s cold that the tea gets</source>
-        <translation>Share of the milk&apos;s cold that the tea gets</translation>
-    </message>
-    <message>
-        <source>First ball after</source>
-        <translation>First ball after</translation>
-    </message>
-    <message>
-        <source>When the first ball forms</source>
-        <translation>When the first ball forms</translation>
-    </message>
-    <message>
-        <source>A ball every</source>
-        <translation>A ball every</translation>
-    </message>
-    <message>
-        <source>Time between two balls, in the mean</source>
-        <translation>Time between two balls, in the mean</translation>
-    </message>
-    <message>
-        <source>Ball&apos;s radius</source>
-        <translation>Ball&apos;s radius</translation>
-    </message>
-    <message>
-        <source>Radius of a ball, in the mean</source>
-        <translation>Radius of a ball, in the mean</translation>
-    </message>
-    <message>
-        <source>Sizes differ by</source>
-        <translation>Sizes differ by</translation>
-    </message>
-    <message>
-        <source>How much balls differ in size</source>
-        <translation>How much balls differ in size</translation>
-    </message>
-    <message>
-        <source>Draws together in</source>
-        <translation>Draws together in</translation>
-    </message>
-    <message>
-        <source>Time in which a ball draws its milk back</source>
-        <translation>Time in which a ball draws its milk back</translation>
-    </message>
-    <message>
-        <source>Lets go to</source>
-        <translation>Lets go to</translation>
-    </message>
-    <message>
-        <source>How far it lets its milk, in its radii</source>
-        <translation>How far it lets its milk, in its radii</translation>
-    </message>
-    <message>
-        <source> radii</source>
-        <translation> radii</translation>
-    </message>
-    <message>
-        <source>Torn off at</source>
-        <translation>Torn off at</translation>
-    </message>
-    <message>
-        <source>Distance at which milk is torn off</source>
-        <translation>Distance at which milk is torn off</translation>
-    </message>
-    <message>
-        <source>Bursts at</source>
-        <translation>Bursts at</translation>
-    </message>
-    <message>
-        <source>Depth at which a ball bursts</source>
-        <translation>Depth at which a ball bursts</translation>
-    </message>
-    <message>
-        <source>A warm ball in</source>
-        <translation>A warm ball in</translation>
-    </message>
-    <message>
-        <source>Time in which a warm ball dissolves</source>
-        <translation>Time in which a warm ball dissolves</translation>
-    </message>
-    <message>
-        <source>On top in</source>
-        <translation>On top in</translation>
-    </message>
-    <message>
-        <source>Time in which milk under the surface dissolves</source>
-        <translation>Time in which milk under the surface dissolves</translation>
-    </message>
-    <message>
-        <source>On top is</source>
-        <translation>On top is</translation>
-    </message>
-    <message>
-        <source>How far down that is</source>
-        <translation>How far down that is</translation>
-    </message>
-    <message>
-        <source>At rest in</source>
-        <translation>At rest in</translation>
-    </message>
-    <message>
-        <source>Time in which milk at rest dissolves</source>
-        <translation>Time in which milk at rest dissolves</translation>
-    </message>
-    <message>
-        <source>All from</source>
-        <translation>All from</translation>
-    </message>
-    <message>
-        <source>When all milk begins to dissolve</source>
-        <translation>When all milk begins to dissolve</translation>
-    </message>
-    <message>
-        <source>Warm below</source>
-        <translation>Warm below</translation>
-    </message>
-    <message>
-        <source>Coldness below which a ball dissolves</source>
-        <translation>Coldness below which a ball dissolves</translation>
-    </message>
-    <message>
-        <source>Milk spreads</source>
-        <translation>Milk spreads</translation>
-    </message>
-    <message>
-        <source>How dissolved milk spreads</source>
-        <translation>How dissolved milk spreads</translation>
-    </message>
-    <message>
-        <source>Viscosity</source>
-        <translation>Viscosity</translation>
-    </message>
-    <message>
-        <source>Kinematic viscosity: water 1, oil 80, honey 5000</source>
-        <translation>Kinematic viscosity: water 1, oil 80, honey 5000</translation>
-    </message>
-    <message>
-        <source>Heat spreads</source>
-        <translation>Heat spreads</translation>
-    </message>
-    <message>
-        <source>How heat spreads</source>
-        <translation>How heat spreads</translation>
-    </message>
-    <message>
-        <source>Whirls kept</source>
-        <translation>Whirls kept</translation>
-    </message>
-    <message>
-        <source>Force that keeps small whirls alive</source>
-        <translation>Force that keeps small whirls alive</translation>
-    </message>
-    <message>
-        <source>Time step</source>
-        <translation>Time step</translation>
-    </message>
-    <message>
-        <source>Length of a time step</source>
-        <translation>Length of a time step</translation>
-    </message>
-    <message>
-        <source> ms</source>
-        <translation> ms</translation>
-    </message>
-    <message>
-        <source>Pressure within</source>
-        <translation>Pressure within</translation>
-    </message>
-    <message>
-        <source>How exact the pressure is solved</source>
-        <translation>How exact the pressure is solved</translation>
-    </message>
-    <message>
-        <source>Pouring</source>
-        <translation>Pouring</translation>
-    </message>
-    <message>
-        <source>Sinking and rising</source>
-        <translation>Sinking and rising</translation>
-    </message>
-    <message>
-        <source>Balls of milk</source>
-        <translation>Balls of milk</translation>
-    </message>
-    <message>
-        <source>Dissolving</source>
-        <translation>Dissolving</translation>
-    </message>
-    <message>
-        <source>Flow</source>
-        <translation>Flow</translation>
-    </message>
-    <message>
-        <source>Milk</source>
-        <translation>Milk</translation>
-    </message>
-    <message>
-        <source>How much milk is poured into a new glass by itself</source>
-        <translation>How much milk is poured into a new glass by itself</translation>
-    </message>
-    <message>
-        <source> ml</source>
-        <translation> ml</translation>
-    </message>
-    <message>
-        <source>Force reaches</source>
-        <translation>Force reaches</translation>
-    </message>
-    <message>
-        <source>How far the force reaches from its axis</source>
-        <translation>How far the force reaches from its axis</translation>
-    </message>
-    <message>
-        <source>Tank: liquid falls</source>
-        <translation>Tank: liquid falls</translation>
-    </message>
-    <message>
-        <source>Tank: two liquids meet</source>
-        <translation>Tank: two liquids meet</translation>
-    </message>
-    <message>
-        <source>Back to the painting</source>
-        <translation>Back to the painting</translation>
-    </message>
-    <message>
-        <source>The glass waits as it is, and so did the painting</source>
-        <translation>The glass waits as it is, and so did the painting</translation>
-    </message>
-    <message>
-        <source>Gravity</source>
-        <translation>Gravity</translation>
-    </message>
-    <message>
-        <source>How fast what falls gets faster</source>
-        <translation>How fast what falls gets faster</translation>
-    </message>
-    <message>
-        <source>Lively</source>
-        <translation>Lively</translation>
-    </message>
-    <message>
-        <source>What of its own velocity a drop keeps from step to step: less is calmer</source>
-        <translation>What of its own velocity a drop keeps from step to step: less is calmer</translation>
-    </message>
-    <message>
-        <source>Volume mended</source>
-        <translation>Volume mended</translation>
-    </message>
-    <message>
-        <source>How much of a wrong density a step mends</source>
-        <translation>How much of a wrong density a step mends</translation>
-    </message>
-    <message>
-        <source>Way of a step</source>
-        <translation>Way of a step</translation>
-    </message>
-    <message>
-        <source>The longest way of a step, in cells: longer is faster and coarser</source>
-        <translation>The longest way of a step, in cells: longer is faster and coarser</translation>
-    </message>
-    <message>
-        <source> cells</source>
-        <translation> cells</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::GlassChooser</name>
-    <message>
-        <source>What is in the glass</source>
-        <translation>What is in the glass</translation>
-    </message>
-    <message>
-        <source>What is in the glass: milk tea, or a tank of liquid</source>
-        <translation>What is in the glass: milk tea, or a tank of liquid</translation>
-    </message>
-    <message>
-        <source>Milk tea</source>
-        <translation>Milk tea</translation>
-    </message>
-    <message>
-        <source>Open a tank...</source>
-        <translation>Open a tank...</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::GlassPage</name>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>%1 of %2 s</source>
-        <translation>%1 of %2 s</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::LiquidPictureDialog</name>
-    <message>
-        <source>Pixels from left to right</source>
-        <translation>Pixels from left to right</translation>
-    </message>
-    <message>
-        <source>Pixels from top to bottom</source>
-        <translation>Pixels from top to bottom</translation>
-    </message>
-    <message>
-        <source>Ways of light for each pixel: four times as many, half the noise</source>
-        <translation>Ways of light for each pixel: four times as many, half the noise</translation>
-    </message>
-    <message>
-        <source>As a surface</source>
-        <translation>As a surface</translation>
-    </message>
-    <message>
-        <source>As a cloud</source>
-        <translation>As a cloud</translation>
-    </message>
-    <message>
-        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
-        <translation>How milk that has not dissolved is seen: a cloud is softer and takes longer</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Width</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Height</translation>
-    </message>
-    <message>
-        <source>Samples</source>
-        <translation>Samples</translation>
-    </message>
-    <message>
-        <source>Milk</source>
-        <translation>Milk</translation>
-    </message>
-    <message>
-        <source>Use on the canvas</source>
-        <translation>Use on the canvas</translation>
-    </message>
-    <message>
-        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
-        <translation>Puts the picture onto the painting as a layer of dry paint, and goes there</translation>
-    </message>
-    <message>
-        <source>Save...</source>
-        <translation>Save...</translation>
-    </message>
-    <message>
-        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
-        <translation>As PNG and others as it is shown, or as EXR with the light itself</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Close</translation>
-    </message>
-    <message>
-        <source>Taking the noise out...</source>
-        <translation>Taking the noise out...</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Stop</translation>
-    </message>
-    <message>
-        <source>Render</source>
-        <translation>Render</translation>
-    </message>
-    <message>
-        <source>Keep the picture as fine as it is by now</source>
-        <translation>Keep the picture as fine as it is by now</translation>
-    </message>
-    <message>
-        <source>%1 samples in %2 s, without noise</source>
-        <translation>%1 samples in %2 s, without noise</translation>
-    </message>
-    <message>
-        <source>%1 of %2 samples</source>
-        <translation>%1 of %2 samples</translation>
-    </message>
-    <message>
-        <source>Save the picture</source>
-        <translation>Save the picture</translation>
-    </message>
-    <message>
-        <source>Pictures (%1)</source>
-        <translation>Pictures (%1)</translation>
-    </message>
-    <message>
-        <source>Finding the surface...</source>
-        <translation>Finding the surface...</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TankPage</name>
-    <message>
-        <source>Moment of the tank</source>
-        <translation>Moment of the tank</translation>
-    </message>
-    <message>
-        <source>Drag to any moment of the tank; going on goes on from its last</source>
-        <translation>Drag to any moment of the tank; going on goes on from its last</translation>
-    </message>
-    <message>
-        <source>Liquid in the tank, and how many steps a second are computed</source>
-        <translation>Liquid in the tank, and how many steps a second are computed</translation>
-    </message>
-    <message>
-        <source>Filling the tank...</source>
-        <translation>Filling the tank...</translation>
-    </message>
-    <message>
-        <source>%1 l   %2 steps/s</source>
-        <translation>%1 l   %2 steps/s</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TankPanel</name>
-    <message>
-        <source>Tank</source>
-        <translation>Tank</translation>
-    </message>
-    <message>
-        <source>Balls and drain</source>
-        <translation>Balls and drain</translation>
-    </message>
-    <message>
-        <source>Ball&apos;s radius</source>
-        <translation>Ball&apos;s radius</translation>
-    </message>
-    <message>
-        <source>How large the ball is that falls where you press</source>
-        <translation>How large the ball is that falls where you press</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Milk in it</source>
-        <translation>Milk in it</translation>
-    </message>
-    <message>
-        <source>How much of the ball is milk</source>
-        <translation>How much of the ball is milk</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Wind</source>
-        <translation>Wind</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Speed</translation>
-    </message>
-    <message>
-        <source>How fast the air goes</source>
-        <translation>How fast the air goes</translation>
-    </message>
-    <message>
-        <source> m/s</source>
-        <translation> m/s</translation>
-    </message>
-    <message>
-        <source>Blows to</source>
-        <translation>Blows to</translation>
-    </message>
-    <message>
-        <source>0 to the right along the front, 90 away from it</source>
-        <translation>0 to the right along the front, 90 away from it</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>Drags</source>
-        <translation>Drags</translation>
-    </message>
-    <message>
-        <source>How firmly it takes the liquid&apos;s surface along</source>
-        <translation>How firmly it takes the liquid&apos;s surface along</translation>
-    </message>
-    <message>
-        <source> /s</source>
-        <translation> /s</translation>
-    </message>
-    <message>
-        <source>Look and export</source>
-        <translation>Look and export</translation>
-    </message>
-    <message>
-        <source>Liquid</source>
-        <translation>Liquid</translation>
-    </message>
-    <message>
-        <source>Every step into a folder</source>
-        <translation>Every step into a folder</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TeaPage</name>
-    <message>
-        <source>Moment of the tea</source>
-        <translation>Moment of the tea</translation>
-    </message>
-    <message>
-        <source>Drag to any moment of the glass; going on goes on from its last</source>
-        <translation>Drag to any moment of the glass; going on goes on from its last</translation>
-    </message>
-    <message>
-        <source>Milk poured so far, and how many steps of 1/30 s a second are computed</source>
-        <translation>Milk poured so far, and how many steps of 1/30 s a second are computed</translation>
-    </message>
-    <message>
-        <source>Filling the glass...</source>
-        <translation>Filling the glass...</translation>
-    </message>
-    <message>
-        <source>%1 ml of milk   %2 steps/s</source>
-        <translation>%1 ml of milk   %2 steps/s</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TeaPanel</name>
-    <message>
-        <source>Pictures</source>
-        <translation>Pictures</translation>
-    </message>
-    <message>
-        <source>Glass</source>
-        <translation>Glass</translation>
-    </message>
-    <message>
-        <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>
-        <translation>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</translation>
-    </message>
-    <message>
-        <source>Drops that the next glass&apos; milk is made of</source>
-        <translation>Drops that the next glass&apos; milk is made of</translation>
-    </message>
-    <message>
-        <source>Cells a side</source>
-        <translation>Cells a side</translation>
-    </message>
-    <message>
-        <source>Drops of milk</source>
-        <translation>Drops of milk</translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation>Force</translation>
-    </message>
-    <message>
-        <source>Around the axis</source>
-        <translation>Around the axis</translation>
-    </message>
-    <message>
-        <source>How fast the stirring gets faster; below 0 it goes the other way round</source>
-        <translation>How fast the stirring gets faster; below 0 it goes the other way round</translation>
-    </message>
-    <message>
-        <source> rad/s²</source>
-        <translation> rad/s²</translation>
-    </message>
-    <message>
-        <source>Downwards</source>
-        <translation>Downwards</translation>
-    </message>
-    <message>
-        <source> m/s²</source>
-        <translation> m/s²</translation>
-    </message>
-    <message>
-        <source>A push down along the axis; below 0 it goes up</source>
-        <translation>A push down along the axis; below 0 it goes up</translation>
     </message>
 </context>
 <context>

@@ -2906,6 +2906,682 @@
     </message>
 </context>
 <context>
+    <name>pastoso::glass</name>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source> mm²/s</source>
+        <translation> mm²/s</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Pours for</source>
+        <translation>注ぐ時間</translation>
+    </message>
+    <message>
+        <source>How long the milk of a new glass is poured</source>
+        <translation>新しいグラスにミルクを注ぐ長さ</translation>
+    </message>
+    <message>
+        <source>Stream</source>
+        <translation>流れ</translation>
+    </message>
+    <message>
+        <source>Radius of the stream</source>
+        <translation>流れの半径</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速さ</translation>
+    </message>
+    <message>
+        <source>Speed of the stream, downwards</source>
+        <translation>流れが落ちる速さ</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Fat lifts</source>
+        <translation>脂肪の浮力</translation>
+    </message>
+    <message>
+        <source>How fast fat lets milk rise</source>
+        <translation>脂肪でミルクが浮き上がる速さ</translation>
+    </message>
+    <message>
+        <source>Cold sinks</source>
+        <translation>冷たさの重み</translation>
+    </message>
+    <message>
+        <source>How fast cold lets milk sink</source>
+        <translation>冷たさでミルクが沈む速さ</translation>
+    </message>
+    <message>
+        <source>Milky tea sinks</source>
+        <translation>ミルク入りは沈む</translation>
+    </message>
+    <message>
+        <source>How fast tea with milk in it sinks</source>
+        <translation>ミルクの溶けた紅茶が沈む速さ</translation>
+    </message>
+    <message>
+        <source>Warms at rest in</source>
+        <translation>静止時に温まる</translation>
+    </message>
+    <message>
+        <source>Time in which milk at rest warms</source>
+        <translation>静止したミルクが温まる時間</translation>
+    </message>
+    <message>
+        <source>A ball warms in</source>
+        <translation>玉が温まる</translation>
+    </message>
+    <message>
+        <source>Time in which a ball warms</source>
+        <translation>玉が温まる時間</translation>
+    </message>
+    <message>
+        <source>Cold given on</source>
+        <translation>渡す冷たさ</translation>
+    </message>
+    <message>
+        <source>Share of the milk&apos;s cold that the tea gets</source>
+        <translation>ミルクの冷たさのうち紅茶に移る割合</translation>
+    </message>
+    <message>
+        <source>First ball after</source>
+        <translation>最初の玉まで</translation>
+    </message>
+    <message>
+        <source>When the first ball forms</source>
+        <translation>最初の玉ができる時刻</translation>
+    </message>
+    <message>
+        <source>A ball every</source>
+        <translation>玉の間隔</translation>
+    </message>
+    <message>
+        <source>Time between two balls, in the mean</source>
+        <translation>玉と玉の間の平均時間</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>玉の半径</translation>
+    </message>
+    <message>
+        <source>Radius of a ball, in the mean</source>
+        <translation>玉の平均半径</translation>
+    </message>
+    <message>
+        <source>Sizes differ by</source>
+        <translation>大きさの違い</translation>
+    </message>
+    <message>
+        <source>How much balls differ in size</source>
+        <translation>玉の大きさのばらつき</translation>
+    </message>
+    <message>
+        <source>Draws together in</source>
+        <translation>まとまる時間</translation>
+    </message>
+    <message>
+        <source>Time in which a ball draws its milk back</source>
+        <translation>玉がミルクを引き戻す時間</translation>
+    </message>
+    <message>
+        <source>Lets go to</source>
+        <translation>許す広がり</translation>
+    </message>
+    <message>
+        <source>How far it lets its milk, in its radii</source>
+        <translation>ミルクが離れてよい距離 (半径の倍数)</translation>
+    </message>
+    <message>
+        <source> radii</source>
+        <translation> 半径</translation>
+    </message>
+    <message>
+        <source>Torn off at</source>
+        <translation>ちぎれる距離</translation>
+    </message>
+    <message>
+        <source>Distance at which milk is torn off</source>
+        <translation>ミルクがちぎれる距離</translation>
+    </message>
+    <message>
+        <source>Bursts at</source>
+        <translation>はじける深さ</translation>
+    </message>
+    <message>
+        <source>Depth at which a ball bursts</source>
+        <translation>玉がはじける深さ</translation>
+    </message>
+    <message>
+        <source>A warm ball in</source>
+        <translation>温かい玉</translation>
+    </message>
+    <message>
+        <source>Time in which a warm ball dissolves</source>
+        <translation>温まった玉が溶ける時間</translation>
+    </message>
+    <message>
+        <source>On top in</source>
+        <translation>水面の下</translation>
+    </message>
+    <message>
+        <source>Time in which milk under the surface dissolves</source>
+        <translation>水面のすぐ下でミルクが溶ける時間</translation>
+    </message>
+    <message>
+        <source>On top is</source>
+        <translation>水面の深さ</translation>
+    </message>
+    <message>
+        <source>How far down that is</source>
+        <translation>それがどの深さまでか</translation>
+    </message>
+    <message>
+        <source>At rest in</source>
+        <translation>静止時</translation>
+    </message>
+    <message>
+        <source>Time in which milk at rest dissolves</source>
+        <translation>静止したミルクが溶ける時間</translation>
+    </message>
+    <message>
+        <source>All from</source>
+        <translation>すべて溶け始め</translation>
+    </message>
+    <message>
+        <source>When all milk begins to dissolve</source>
+        <translation>すべてのミルクが溶け始める時刻</translation>
+    </message>
+    <message>
+        <source>Warm below</source>
+        <translation>温かいとみなす</translation>
+    </message>
+    <message>
+        <source>Coldness below which a ball dissolves</source>
+        <translation>これより冷たくなければ玉は溶けます</translation>
+    </message>
+    <message>
+        <source>Milk spreads</source>
+        <translation>ミルクの広がり</translation>
+    </message>
+    <message>
+        <source>How dissolved milk spreads</source>
+        <translation>溶けたミルクの広がり方</translation>
+    </message>
+    <message>
+        <source>Viscosity</source>
+        <translation>粘度</translation>
+    </message>
+    <message>
+        <source>Kinematic viscosity: water 1, oil 80, honey 5000</source>
+        <translation>動粘度: 水 1、油 80、蜂蜜 5000</translation>
+    </message>
+    <message>
+        <source>Heat spreads</source>
+        <translation>熱の広がり</translation>
+    </message>
+    <message>
+        <source>How heat spreads</source>
+        <translation>熱の広がり方</translation>
+    </message>
+    <message>
+        <source>Whirls kept</source>
+        <translation>渦の保持</translation>
+    </message>
+    <message>
+        <source>Force that keeps small whirls alive</source>
+        <translation>小さな渦を保つ力</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>時間刻み</translation>
+    </message>
+    <message>
+        <source>Length of a time step</source>
+        <translation>一歩の時間の長さ</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ミリ秒</translation>
+    </message>
+    <message>
+        <source>Pressure within</source>
+        <translation>圧力の誤差</translation>
+    </message>
+    <message>
+        <source>How exact the pressure is solved</source>
+        <translation>圧力を解く精度</translation>
+    </message>
+    <message>
+        <source>Pouring</source>
+        <translation>注ぐ</translation>
+    </message>
+    <message>
+        <source>Sinking and rising</source>
+        <translation>沈む・浮く</translation>
+    </message>
+    <message>
+        <source>Balls of milk</source>
+        <translation>ミルクの玉</translation>
+    </message>
+    <message>
+        <source>Dissolving</source>
+        <translation>溶ける</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>流れ</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>ミルク</translation>
+    </message>
+    <message>
+        <source>How much milk is poured into a new glass by itself</source>
+        <translation>新しいグラスに自動で注がれるミルクの量</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>Force reaches</source>
+        <translation>力の届く範囲</translation>
+    </message>
+    <message>
+        <source>How far the force reaches from its axis</source>
+        <translation>力が軸からどこまで届くか</translation>
+    </message>
+    <message>
+        <source>Tank: liquid falls</source>
+        <translation>水槽: 液体が落ちる</translation>
+    </message>
+    <message>
+        <source>Tank: two liquids meet</source>
+        <translation>水槽: 二つの液体が出会う</translation>
+    </message>
+    <message>
+        <source>Back to the painting</source>
+        <translation>作品に戻る</translation>
+    </message>
+    <message>
+        <source>The glass waits as it is, and so did the painting</source>
+        <translation>グラスはそのまま待ちます。絵もそのまま待っていました</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>重力</translation>
+    </message>
+    <message>
+        <source>How fast what falls gets faster</source>
+        <translation>落ちるものがどれだけ速くなるか</translation>
+    </message>
+    <message>
+        <source>Lively</source>
+        <translation>活発さ</translation>
+    </message>
+    <message>
+        <source>What of its own velocity a drop keeps from step to step: less is calmer</source>
+        <translation>しずくがステップごとに保つ自分の速度の割合。小さいほど穏やか</translation>
+    </message>
+    <message>
+        <source>Volume mended</source>
+        <translation>体積の修正</translation>
+    </message>
+    <message>
+        <source>How much of a wrong density a step mends</source>
+        <translation>1 ステップで直す密度の誤りの割合</translation>
+    </message>
+    <message>
+        <source>Way of a step</source>
+        <translation>ステップの距離</translation>
+    </message>
+    <message>
+        <source>The longest way of a step, in cells: longer is faster and coarser</source>
+        <translation>1 ステップの最長距離（セル単位）。長いほど速く粗い</translation>
+    </message>
+    <message>
+        <source> cells</source>
+        <translation> セル</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::GlassChooser</name>
+    <message>
+        <source>What is in the glass</source>
+        <translation>グラスの中身</translation>
+    </message>
+    <message>
+        <source>What is in the glass: milk tea, or a tank of liquid</source>
+        <translation>グラスの中身: ミルクティーまたは液体の水槽</translation>
+    </message>
+    <message>
+        <source>Milk tea</source>
+        <translation>ミルクティー</translation>
+    </message>
+    <message>
+        <source>Open a tank...</source>
+        <translation>水槽を開く...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::GlassPage</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 / %2 秒</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::LiquidPictureDialog</name>
+    <message>
+        <source>Pixels from left to right</source>
+        <translation>左から右までのピクセル数</translation>
+    </message>
+    <message>
+        <source>Pixels from top to bottom</source>
+        <translation>上から下までのピクセル数</translation>
+    </message>
+    <message>
+        <source>Ways of light for each pixel: four times as many, half the noise</source>
+        <translation>ピクセルごとの光の道筋: 4 倍でノイズは半分になります</translation>
+    </message>
+    <message>
+        <source>As a surface</source>
+        <translation>表面として</translation>
+    </message>
+    <message>
+        <source>As a cloud</source>
+        <translation>雲として</translation>
+    </message>
+    <message>
+        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
+        <translation>溶けていないミルクの見え方。雲のほうが柔らかく、時間がかかります</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>サンプル数</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>ミルク</translation>
+    </message>
+    <message>
+        <source>Use on the canvas</source>
+        <translation>キャンバスに使う</translation>
+    </message>
+    <message>
+        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
+        <translation>画像を乾いた絵具のレイヤーとして絵に置き、絵に戻ります</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>保存...</translation>
+    </message>
+    <message>
+        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
+        <translation>PNG などは見えるとおりに、EXR は光そのものを保存します</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Taking the noise out...</source>
+        <translation>ノイズを取り除いています...</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>止める</translation>
+    </message>
+    <message>
+        <source>Render</source>
+        <translation>レンダリング</translation>
+    </message>
+    <message>
+        <source>Keep the picture as fine as it is by now</source>
+        <translation>今の細かさの画像で止めます</translation>
+    </message>
+    <message>
+        <source>%1 samples in %2 s, without noise</source>
+        <translation>%1 サンプル、%2 秒、ノイズ除去済み</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples</source>
+        <translation>%1 / %2 サンプル</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>画像を保存</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>画像 (%1)</translation>
+    </message>
+    <message>
+        <source>Finding the surface...</source>
+        <translation>表面を求めています...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::TankPage</name>
+    <message>
+        <source>Moment of the tank</source>
+        <translation>水槽の時点</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the tank; going on goes on from its last</source>
+        <translation>任意の時点へドラッグします。再開すると最後から続きます</translation>
+    </message>
+    <message>
+        <source>Liquid in the tank, and how many steps a second are computed</source>
+        <translation>水槽の液体の量と、毎秒計算されるステップ数</translation>
+    </message>
+    <message>
+        <source>Filling the tank...</source>
+        <translation>水槽を満たしています...</translation>
+    </message>
+    <message>
+        <source>%1 l   %2 steps/s</source>
+        <translation>%1 l   %2 ステップ/秒</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::TankPanel</name>
+    <message>
+        <source>Tank</source>
+        <translation>水槽</translation>
+    </message>
+    <message>
+        <source>Balls and drain</source>
+        <translation>球と排水口</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>玉の半径</translation>
+    </message>
+    <message>
+        <source>How large the ball is that falls where you press</source>
+        <translation>押したところに落ちる球の大きさ</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Milk in it</source>
+        <translation>含まれるミルク</translation>
+    </message>
+    <message>
+        <source>How much of the ball is milk</source>
+        <translation>球のうちミルクの割合</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>風</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速さ</translation>
+    </message>
+    <message>
+        <source>How fast the air goes</source>
+        <translation>空気の速さ</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Blows to</source>
+        <translation>風の行き先</translation>
+    </message>
+    <message>
+        <source>0 to the right along the front, 90 away from it</source>
+        <translation>0 は手前に沿って右へ、90 は奥へ</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Drags</source>
+        <translation>引きずる強さ</translation>
+    </message>
+    <message>
+        <source>How firmly it takes the liquid&apos;s surface along</source>
+        <translation>液体の表面をどれだけ強く引きずるか</translation>
+    </message>
+    <message>
+        <source> /s</source>
+        <translation> /秒</translation>
+    </message>
+    <message>
+        <source>Look and export</source>
+        <translation>表示と書き出し</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>液体</translation>
+    </message>
+    <message>
+        <source>Every step into a folder</source>
+        <translation>すべてのステップをフォルダーへ</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::TeaPage</name>
+    <message>
+        <source>Moment of the tea</source>
+        <translation>紅茶の時点</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the glass; going on goes on from its last</source>
+        <translation>ドラッグしてグラスのどの時点でも見られます。再開すると最後の時点から進みます</translation>
+    </message>
+    <message>
+        <source>Milk poured so far, and how many steps of 1/30 s a second are computed</source>
+        <translation>これまでに注いだミルクと、1 秒間に計算される 1/30 秒の歩数</translation>
+    </message>
+    <message>
+        <source>Filling the glass...</source>
+        <translation>グラスに注いでいます...</translation>
+    </message>
+    <message>
+        <source>%1 ml of milk   %2 steps/s</source>
+        <translation>ミルク %1 ml   %2 歩/秒</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::TeaPanel</name>
+    <message>
+        <source>Pictures</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>グラス</translation>
+    </message>
+    <message>
+        <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>
+        <translation>次のグラスの一辺のセル数: 細かいほど 4 乗で時間がかかります。玉が浮くのは 64 からです</translation>
+    </message>
+    <message>
+        <source>Drops that the next glass&apos; milk is made of</source>
+        <translation>次のグラスのミルクを作る滴の数</translation>
+    </message>
+    <message>
+        <source>Cells a side</source>
+        <translation>一辺のセル数</translation>
+    </message>
+    <message>
+        <source>Drops of milk</source>
+        <translation>ミルクの滴</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Around the axis</source>
+        <translation>軸まわり</translation>
+    </message>
+    <message>
+        <source>How fast the stirring gets faster; below 0 it goes the other way round</source>
+        <translation>かき混ぜが速くなる度合い。0 未満は逆回りです</translation>
+    </message>
+    <message>
+        <source> rad/s²</source>
+        <translation> rad/s²</translation>
+    </message>
+    <message>
+        <source>Downwards</source>
+        <translation>下向き</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source>A push down along the axis; below 0 it goes up</source>
+        <translation>軸に沿って下へ押す力。0 未満は上向きです</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main</name>
     <message>
         <source>OpenGL</source>
@@ -5132,682 +5808,6 @@ Drag: move the picture
     <message>
         <source>Recover</source>
         <translation>復元</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea</name>
-    <message>
-        <source> s</source>
-        <translation> 秒</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> m/s²</source>
-        <translation> m/s²</translation>
-    </message>
-    <message>
-        <source> mm²/s</source>
-        <translation> mm²/s</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Pours for</source>
-        <translation>注ぐ時間</translation>
-    </message>
-    <message>
-        <source>How long the milk of a new glass is poured</source>
-        <translation>新しいグラスにミルクを注ぐ長さ</translation>
-    </message>
-    <message>
-        <source>Stream</source>
-        <translation>流れ</translation>
-    </message>
-    <message>
-        <source>Radius of the stream</source>
-        <translation>流れの半径</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>速さ</translation>
-    </message>
-    <message>
-        <source>Speed of the stream, downwards</source>
-        <translation>流れが落ちる速さ</translation>
-    </message>
-    <message>
-        <source> m/s</source>
-        <translation> m/s</translation>
-    </message>
-    <message>
-        <source>Fat lifts</source>
-        <translation>脂肪の浮力</translation>
-    </message>
-    <message>
-        <source>How fast fat lets milk rise</source>
-        <translation>脂肪でミルクが浮き上がる速さ</translation>
-    </message>
-    <message>
-        <source>Cold sinks</source>
-        <translation>冷たさの重み</translation>
-    </message>
-    <message>
-        <source>How fast cold lets milk sink</source>
-        <translation>冷たさでミルクが沈む速さ</translation>
-    </message>
-    <message>
-        <source>Milky tea sinks</source>
-        <translation>ミルク入りは沈む</translation>
-    </message>
-    <message>
-        <source>How fast tea with milk in it sinks</source>
-        <translation>ミルクの溶けた紅茶が沈む速さ</translation>
-    </message>
-    <message>
-        <source>Warms at rest in</source>
-        <translation>静止時に温まる</translation>
-    </message>
-    <message>
-        <source>Time in which milk at rest warms</source>
-        <translation>静止したミルクが温まる時間</translation>
-    </message>
-    <message>
-        <source>A ball warms in</source>
-        <translation>玉が温まる</translation>
-    </message>
-    <message>
-        <source>Time in which a ball warms</source>
-        <translation>玉が温まる時間</translation>
-    </message>
-    <message>
-        <source>Cold given on</source>
-        <translation>渡す冷たさ</translation>
-    </message>
-    <message>
-        <source>Share of the milk&apos;s cold that the tea gets</source>
-        <translation>ミルクの冷たさのうち紅茶に移る割合</translation>
-    </message>
-    <message>
-        <source>First ball after</source>
-        <translation>最初の玉まで</translation>
-    </message>
-    <message>
-        <source>When the first ball forms</source>
-        <translation>最初の玉ができる時刻</translation>
-    </message>
-    <message>
-        <source>A ball every</source>
-        <translation>玉の間隔</translation>
-    </message>
-    <message>
-        <source>Time between two balls, in the mean</source>
-        <translation>玉と玉の間の平均時間</translation>
-    </message>
-    <message>
-        <source>Ball&apos;s radius</source>
-        <translation>玉の半径</translation>
-    </message>
-    <message>
-        <source>Radius of a ball, in the mean</source>
-        <translation>玉の平均半径</translation>
-    </message>
-    <message>
-        <source>Sizes differ by</source>
-        <translation>大きさの違い</translation>
-    </message>
-    <message>
-        <source>How much balls differ in size</source>
-        <translation>玉の大きさのばらつき</translation>
-    </message>
-    <message>
-        <source>Draws together in</source>
-        <translation>まとまる時間</translation>
-    </message>
-    <message>
-        <source>Time in which a ball draws its milk back</source>
-        <translation>玉がミルクを引き戻す時間</translation>
-    </message>
-    <message>
-        <source>Lets go to</source>
-        <translation>許す広がり</translation>
-    </message>
-    <message>
-        <source>How far it lets its milk, in its radii</source>
-        <translation>ミルクが離れてよい距離 (半径の倍数)</translation>
-    </message>
-    <message>
-        <source> radii</source>
-        <translation> 半径</translation>
-    </message>
-    <message>
-        <source>Torn off at</source>
-        <translation>ちぎれる距離</translation>
-    </message>
-    <message>
-        <source>Distance at which milk is torn off</source>
-        <translation>ミルクがちぎれる距離</translation>
-    </message>
-    <message>
-        <source>Bursts at</source>
-        <translation>はじける深さ</translation>
-    </message>
-    <message>
-        <source>Depth at which a ball bursts</source>
-        <translation>玉がはじける深さ</translation>
-    </message>
-    <message>
-        <source>A warm ball in</source>
-        <translation>温かい玉</translation>
-    </message>
-    <message>
-        <source>Time in which a warm ball dissolves</source>
-        <translation>温まった玉が溶ける時間</translation>
-    </message>
-    <message>
-        <source>On top in</source>
-        <translation>水面の下</translation>
-    </message>
-    <message>
-        <source>Time in which milk under the surface dissolves</source>
-        <translation>水面のすぐ下でミルクが溶ける時間</translation>
-    </message>
-    <message>
-        <source>On top is</source>
-        <translation>水面の深さ</translation>
-    </message>
-    <message>
-        <source>How far down that is</source>
-        <translation>それがどの深さまでか</translation>
-    </message>
-    <message>
-        <source>At rest in</source>
-        <translation>静止時</translation>
-    </message>
-    <message>
-        <source>Time in which milk at rest dissolves</source>
-        <translation>静止したミルクが溶ける時間</translation>
-    </message>
-    <message>
-        <source>All from</source>
-        <translation>すべて溶け始め</translation>
-    </message>
-    <message>
-        <source>When all milk begins to dissolve</source>
-        <translation>すべてのミルクが溶け始める時刻</translation>
-    </message>
-    <message>
-        <source>Warm below</source>
-        <translation>温かいとみなす</translation>
-    </message>
-    <message>
-        <source>Coldness below which a ball dissolves</source>
-        <translation>これより冷たくなければ玉は溶けます</translation>
-    </message>
-    <message>
-        <source>Milk spreads</source>
-        <translation>ミルクの広がり</translation>
-    </message>
-    <message>
-        <source>How dissolved milk spreads</source>
-        <translation>溶けたミルクの広がり方</translation>
-    </message>
-    <message>
-        <source>Viscosity</source>
-        <translation>粘度</translation>
-    </message>
-    <message>
-        <source>Kinematic viscosity: water 1, oil 80, honey 5000</source>
-        <translation>動粘度: 水 1、油 80、蜂蜜 5000</translation>
-    </message>
-    <message>
-        <source>Heat spreads</source>
-        <translation>熱の広がり</translation>
-    </message>
-    <message>
-        <source>How heat spreads</source>
-        <translation>熱の広がり方</translation>
-    </message>
-    <message>
-        <source>Whirls kept</source>
-        <translation>渦の保持</translation>
-    </message>
-    <message>
-        <source>Force that keeps small whirls alive</source>
-        <translation>小さな渦を保つ力</translation>
-    </message>
-    <message>
-        <source>Time step</source>
-        <translation>時間刻み</translation>
-    </message>
-    <message>
-        <source>Length of a time step</source>
-        <translation>一歩の時間の長さ</translation>
-    </message>
-    <message>
-        <source> ms</source>
-        <translation> ミリ秒</translation>
-    </message>
-    <message>
-        <source>Pressure within</source>
-        <translation>圧力の誤差</translation>
-    </message>
-    <message>
-        <source>How exact the pressure is solved</source>
-        <translation>圧力を解く精度</translation>
-    </message>
-    <message>
-        <source>Pouring</source>
-        <translation>注ぐ</translation>
-    </message>
-    <message>
-        <source>Sinking and rising</source>
-        <translation>沈む・浮く</translation>
-    </message>
-    <message>
-        <source>Balls of milk</source>
-        <translation>ミルクの玉</translation>
-    </message>
-    <message>
-        <source>Dissolving</source>
-        <translation>溶ける</translation>
-    </message>
-    <message>
-        <source>Flow</source>
-        <translation>流れ</translation>
-    </message>
-    <message>
-        <source>Milk</source>
-        <translation>ミルク</translation>
-    </message>
-    <message>
-        <source>How much milk is poured into a new glass by itself</source>
-        <translation>新しいグラスに自動で注がれるミルクの量</translation>
-    </message>
-    <message>
-        <source> ml</source>
-        <translation> ml</translation>
-    </message>
-    <message>
-        <source>Force reaches</source>
-        <translation>力の届く範囲</translation>
-    </message>
-    <message>
-        <source>How far the force reaches from its axis</source>
-        <translation>力が軸からどこまで届くか</translation>
-    </message>
-    <message>
-        <source>Tank: liquid falls</source>
-        <translation>水槽: 液体が落ちる</translation>
-    </message>
-    <message>
-        <source>Tank: two liquids meet</source>
-        <translation>水槽: 二つの液体が出会う</translation>
-    </message>
-    <message>
-        <source>Back to the painting</source>
-        <translation>作品に戻る</translation>
-    </message>
-    <message>
-        <source>The glass waits as it is, and so did the painting</source>
-        <translation>グラスはそのまま待ちます。絵もそのまま待っていました</translation>
-    </message>
-    <message>
-        <source>Gravity</source>
-        <translation>重力</translation>
-    </message>
-    <message>
-        <source>How fast what falls gets faster</source>
-        <translation>落ちるものがどれだけ速くなるか</translation>
-    </message>
-    <message>
-        <source>Lively</source>
-        <translation>活発さ</translation>
-    </message>
-    <message>
-        <source>What of its own velocity a drop keeps from step to step: less is calmer</source>
-        <translation>しずくがステップごとに保つ自分の速度の割合。小さいほど穏やか</translation>
-    </message>
-    <message>
-        <source>Volume mended</source>
-        <translation>体積の修正</translation>
-    </message>
-    <message>
-        <source>How much of a wrong density a step mends</source>
-        <translation>1 ステップで直す密度の誤りの割合</translation>
-    </message>
-    <message>
-        <source>Way of a step</source>
-        <translation>ステップの距離</translation>
-    </message>
-    <message>
-        <source>The longest way of a step, in cells: longer is faster and coarser</source>
-        <translation>1 ステップの最長距離（セル単位）。長いほど速く粗い</translation>
-    </message>
-    <message>
-        <source> cells</source>
-        <translation> セル</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::GlassChooser</name>
-    <message>
-        <source>What is in the glass</source>
-        <translation>グラスの中身</translation>
-    </message>
-    <message>
-        <source>What is in the glass: milk tea, or a tank of liquid</source>
-        <translation>グラスの中身: ミルクティーまたは液体の水槽</translation>
-    </message>
-    <message>
-        <source>Milk tea</source>
-        <translation>ミルクティー</translation>
-    </message>
-    <message>
-        <source>Open a tank...</source>
-        <translation>水槽を開く...</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::GlassPage</name>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
-    </message>
-    <message>
-        <source>%1 of %2 s</source>
-        <translation>%1 / %2 秒</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::LiquidPictureDialog</name>
-    <message>
-        <source>Pixels from left to right</source>
-        <translation>左から右までのピクセル数</translation>
-    </message>
-    <message>
-        <source>Pixels from top to bottom</source>
-        <translation>上から下までのピクセル数</translation>
-    </message>
-    <message>
-        <source>Ways of light for each pixel: four times as many, half the noise</source>
-        <translation>ピクセルごとの光の道筋: 4 倍でノイズは半分になります</translation>
-    </message>
-    <message>
-        <source>As a surface</source>
-        <translation>表面として</translation>
-    </message>
-    <message>
-        <source>As a cloud</source>
-        <translation>雲として</translation>
-    </message>
-    <message>
-        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
-        <translation>溶けていないミルクの見え方。雲のほうが柔らかく、時間がかかります</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>幅</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>高さ</translation>
-    </message>
-    <message>
-        <source>Samples</source>
-        <translation>サンプル数</translation>
-    </message>
-    <message>
-        <source>Milk</source>
-        <translation>ミルク</translation>
-    </message>
-    <message>
-        <source>Use on the canvas</source>
-        <translation>キャンバスに使う</translation>
-    </message>
-    <message>
-        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
-        <translation>画像を乾いた絵具のレイヤーとして絵に置き、絵に戻ります</translation>
-    </message>
-    <message>
-        <source>Save...</source>
-        <translation>保存...</translation>
-    </message>
-    <message>
-        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
-        <translation>PNG などは見えるとおりに、EXR は光そのものを保存します</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>閉じる</translation>
-    </message>
-    <message>
-        <source>Taking the noise out...</source>
-        <translation>ノイズを取り除いています...</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>止める</translation>
-    </message>
-    <message>
-        <source>Render</source>
-        <translation>レンダリング</translation>
-    </message>
-    <message>
-        <source>Keep the picture as fine as it is by now</source>
-        <translation>今の細かさの画像で止めます</translation>
-    </message>
-    <message>
-        <source>%1 samples in %2 s, without noise</source>
-        <translation>%1 サンプル、%2 秒、ノイズ除去済み</translation>
-    </message>
-    <message>
-        <source>%1 of %2 samples</source>
-        <translation>%1 / %2 サンプル</translation>
-    </message>
-    <message>
-        <source>Save the picture</source>
-        <translation>画像を保存</translation>
-    </message>
-    <message>
-        <source>Pictures (%1)</source>
-        <translation>画像 (%1)</translation>
-    </message>
-    <message>
-        <source>Finding the surface...</source>
-        <translation>表面を求めています...</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TankPage</name>
-    <message>
-        <source>Moment of the tank</source>
-        <translation>水槽の時点</translation>
-    </message>
-    <message>
-        <source>Drag to any moment of the tank; going on goes on from its last</source>
-        <translation>任意の時点へドラッグします。再開すると最後から続きます</translation>
-    </message>
-    <message>
-        <source>Liquid in the tank, and how many steps a second are computed</source>
-        <translation>水槽の液体の量と、毎秒計算されるステップ数</translation>
-    </message>
-    <message>
-        <source>Filling the tank...</source>
-        <translation>水槽を満たしています...</translation>
-    </message>
-    <message>
-        <source>%1 l   %2 steps/s</source>
-        <translation>%1 l   %2 ステップ/秒</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TankPanel</name>
-    <message>
-        <source>Tank</source>
-        <translation>水槽</translation>
-    </message>
-    <message>
-        <source>Balls and drain</source>
-        <translation>球と排水口</translation>
-    </message>
-    <message>
-        <source>Ball&apos;s radius</source>
-        <translation>玉の半径</translation>
-    </message>
-    <message>
-        <source>How large the ball is that falls where you press</source>
-        <translation>押したところに落ちる球の大きさ</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Milk in it</source>
-        <translation>含まれるミルク</translation>
-    </message>
-    <message>
-        <source>How much of the ball is milk</source>
-        <translation>球のうちミルクの割合</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Wind</source>
-        <translation>風</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>速さ</translation>
-    </message>
-    <message>
-        <source>How fast the air goes</source>
-        <translation>空気の速さ</translation>
-    </message>
-    <message>
-        <source> m/s</source>
-        <translation> m/s</translation>
-    </message>
-    <message>
-        <source>Blows to</source>
-        <translation>風の行き先</translation>
-    </message>
-    <message>
-        <source>0 to the right along the front, 90 away from it</source>
-        <translation>0 は手前に沿って右へ、90 は奥へ</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>Drags</source>
-        <translation>引きずる強さ</translation>
-    </message>
-    <message>
-        <source>How firmly it takes the liquid&apos;s surface along</source>
-        <translation>液体の表面をどれだけ強く引きずるか</translation>
-    </message>
-    <message>
-        <source> /s</source>
-        <translation> /秒</translation>
-    </message>
-    <message>
-        <source>Look and export</source>
-        <translation>表示と書き出し</translation>
-    </message>
-    <message>
-        <source>Liquid</source>
-        <translation>液体</translation>
-    </message>
-    <message>
-        <source>Every step into a folder</source>
-        <translation>すべてのステップをフォルダーへ</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TeaPage</name>
-    <message>
-        <source>Moment of the tea</source>
-        <translation>紅茶の時点</translation>
-    </message>
-    <message>
-        <source>Drag to any moment of the glass; going on goes on from its last</source>
-        <translation>ドラッグしてグラスのどの時点でも見られます。再開すると最後の時点から進みます</translation>
-    </message>
-    <message>
-        <source>Milk poured so far, and how many steps of 1/30 s a second are computed</source>
-        <translation>これまでに注いだミルクと、1 秒間に計算される 1/30 秒の歩数</translation>
-    </message>
-    <message>
-        <source>Filling the glass...</source>
-        <translation>グラスに注いでいます...</translation>
-    </message>
-    <message>
-        <source>%1 ml of milk   %2 steps/s</source>
-        <translation>ミルク %1 ml   %2 歩/秒</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TeaPanel</name>
-    <message>
-        <source>Pictures</source>
-        <translation>画像</translation>
-    </message>
-    <message>
-        <source>Glass</source>
-        <translation>グラス</translation>
-    </message>
-    <message>
-        <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>
-        <translation>次のグラスの一辺のセル数: 細かいほど 4 乗で時間がかかります。玉が浮くのは 64 からです</translation>
-    </message>
-    <message>
-        <source>Drops that the next glass&apos; milk is made of</source>
-        <translation>次のグラスのミルクを作る滴の数</translation>
-    </message>
-    <message>
-        <source>Cells a side</source>
-        <translation>一辺のセル数</translation>
-    </message>
-    <message>
-        <source>Drops of milk</source>
-        <translation>ミルクの滴</translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation>力</translation>
-    </message>
-    <message>
-        <source>Around the axis</source>
-        <translation>軸まわり</translation>
-    </message>
-    <message>
-        <source>How fast the stirring gets faster; below 0 it goes the other way round</source>
-        <translation>かき混ぜが速くなる度合い。0 未満は逆回りです</translation>
-    </message>
-    <message>
-        <source> rad/s²</source>
-        <translation> rad/s²</translation>
-    </message>
-    <message>
-        <source>Downwards</source>
-        <translation>下向き</translation>
-    </message>
-    <message>
-        <source> m/s²</source>
-        <translation> m/s²</translation>
-    </message>
-    <message>
-        <source>A push down along the axis; below 0 it goes up</source>
-        <translation>軸に沿って下へ押す力。0 未満は上向きです</translation>
     </message>
 </context>
 <context>

@@ -2909,6 +2909,682 @@
     </message>
 </context>
 <context>
+    <name>pastoso::glass</name>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source> mm²/s</source>
+        <translation> mm²/s</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Pours for</source>
+        <translation>Hälls i</translation>
+    </message>
+    <message>
+        <source>How long the milk of a new glass is poured</source>
+        <translation>Hur länge mjölken hälls i ett nytt glas</translation>
+    </message>
+    <message>
+        <source>Stream</source>
+        <translation>Stråle</translation>
+    </message>
+    <message>
+        <source>Radius of the stream</source>
+        <translation>Strålens radie</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Fart</translation>
+    </message>
+    <message>
+        <source>Speed of the stream, downwards</source>
+        <translation>Strålens fart nedåt</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Fat lifts</source>
+        <translation>Fett lyfter</translation>
+    </message>
+    <message>
+        <source>How fast fat lets milk rise</source>
+        <translation>Hur fort fett får mjölk att stiga</translation>
+    </message>
+    <message>
+        <source>Cold sinks</source>
+        <translation>Kyla sänker</translation>
+    </message>
+    <message>
+        <source>How fast cold lets milk sink</source>
+        <translation>Hur fort kyla får mjölk att sjunka</translation>
+    </message>
+    <message>
+        <source>Milky tea sinks</source>
+        <translation>Mjölkigt te sjunker</translation>
+    </message>
+    <message>
+        <source>How fast tea with milk in it sinks</source>
+        <translation>Hur fort te med mjölk i sjunker</translation>
+    </message>
+    <message>
+        <source>Warms at rest in</source>
+        <translation>Värms i vila på</translation>
+    </message>
+    <message>
+        <source>Time in which milk at rest warms</source>
+        <translation>Tiden det tar för mjölk i vila att bli varm</translation>
+    </message>
+    <message>
+        <source>A ball warms in</source>
+        <translation>En kula värms på</translation>
+    </message>
+    <message>
+        <source>Time in which a ball warms</source>
+        <translation>Tiden det tar för en kula att bli varm</translation>
+    </message>
+    <message>
+        <source>Cold given on</source>
+        <translation>Kyla ges vidare</translation>
+    </message>
+    <message>
+        <source>Share of the milk&apos;s cold that the tea gets</source>
+        <translation>Andel av mjölkens kyla som teet får</translation>
+    </message>
+    <message>
+        <source>First ball after</source>
+        <translation>Första kulan efter</translation>
+    </message>
+    <message>
+        <source>When the first ball forms</source>
+        <translation>När den första kulan bildas</translation>
+    </message>
+    <message>
+        <source>A ball every</source>
+        <translation>En kula var</translation>
+    </message>
+    <message>
+        <source>Time between two balls, in the mean</source>
+        <translation>Tiden mellan två kulor, i medeltal</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>Kulans radie</translation>
+    </message>
+    <message>
+        <source>Radius of a ball, in the mean</source>
+        <translation>En kulas radie, i medeltal</translation>
+    </message>
+    <message>
+        <source>Sizes differ by</source>
+        <translation>Storlek varierar</translation>
+    </message>
+    <message>
+        <source>How much balls differ in size</source>
+        <translation>Hur mycket kulornas storlek varierar</translation>
+    </message>
+    <message>
+        <source>Draws together in</source>
+        <translation>Dras ihop på</translation>
+    </message>
+    <message>
+        <source>Time in which a ball draws its milk back</source>
+        <translation>Tiden en kula tar på sig att dra tillbaka sin mjölk</translation>
+    </message>
+    <message>
+        <source>Lets go to</source>
+        <translation>Släpper till</translation>
+    </message>
+    <message>
+        <source>How far it lets its milk, in its radii</source>
+        <translation>Hur långt den släpper sin mjölk, i sina radier</translation>
+    </message>
+    <message>
+        <source> radii</source>
+        <translation> radier</translation>
+    </message>
+    <message>
+        <source>Torn off at</source>
+        <translation>Slits av vid</translation>
+    </message>
+    <message>
+        <source>Distance at which milk is torn off</source>
+        <translation>Avståndet där mjölk slits av</translation>
+    </message>
+    <message>
+        <source>Bursts at</source>
+        <translation>Brister vid</translation>
+    </message>
+    <message>
+        <source>Depth at which a ball bursts</source>
+        <translation>Djupet där en kula brister</translation>
+    </message>
+    <message>
+        <source>A warm ball in</source>
+        <translation>En varm kula på</translation>
+    </message>
+    <message>
+        <source>Time in which a warm ball dissolves</source>
+        <translation>Tiden det tar för en varm kula att lösas upp</translation>
+    </message>
+    <message>
+        <source>On top in</source>
+        <translation>Överst på</translation>
+    </message>
+    <message>
+        <source>Time in which milk under the surface dissolves</source>
+        <translation>Tiden det tar för mjölk under ytan att lösas upp</translation>
+    </message>
+    <message>
+        <source>On top is</source>
+        <translation>Överst är</translation>
+    </message>
+    <message>
+        <source>How far down that is</source>
+        <translation>Hur långt ner det är</translation>
+    </message>
+    <message>
+        <source>At rest in</source>
+        <translation>I vila på</translation>
+    </message>
+    <message>
+        <source>Time in which milk at rest dissolves</source>
+        <translation>Tiden det tar för mjölk i vila att lösas upp</translation>
+    </message>
+    <message>
+        <source>All from</source>
+        <translation>Allt från</translation>
+    </message>
+    <message>
+        <source>When all milk begins to dissolve</source>
+        <translation>När all mjölk börjar lösas upp</translation>
+    </message>
+    <message>
+        <source>Warm below</source>
+        <translation>Varm under</translation>
+    </message>
+    <message>
+        <source>Coldness below which a ball dissolves</source>
+        <translation>Kyla under vilken en kula löses upp</translation>
+    </message>
+    <message>
+        <source>Milk spreads</source>
+        <translation>Mjölk sprids</translation>
+    </message>
+    <message>
+        <source>How dissolved milk spreads</source>
+        <translation>Hur upplöst mjölk sprids</translation>
+    </message>
+    <message>
+        <source>Viscosity</source>
+        <translation>Viskositet</translation>
+    </message>
+    <message>
+        <source>Kinematic viscosity: water 1, oil 80, honey 5000</source>
+        <translation>Kinematisk viskositet: vatten 1, olja 80, honung 5000</translation>
+    </message>
+    <message>
+        <source>Heat spreads</source>
+        <translation>Värme sprids</translation>
+    </message>
+    <message>
+        <source>How heat spreads</source>
+        <translation>Hur värme sprids</translation>
+    </message>
+    <message>
+        <source>Whirls kept</source>
+        <translation>Virvlar bevaras</translation>
+    </message>
+    <message>
+        <source>Force that keeps small whirls alive</source>
+        <translation>Kraft som håller små virvlar vid liv</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Tidssteg</translation>
+    </message>
+    <message>
+        <source>Length of a time step</source>
+        <translation>Ett tidsstegs längd</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Pressure within</source>
+        <translation>Tryck inom</translation>
+    </message>
+    <message>
+        <source>How exact the pressure is solved</source>
+        <translation>Hur noga trycket löses</translation>
+    </message>
+    <message>
+        <source>Pouring</source>
+        <translation>Hällning</translation>
+    </message>
+    <message>
+        <source>Sinking and rising</source>
+        <translation>Sjunka och stiga</translation>
+    </message>
+    <message>
+        <source>Balls of milk</source>
+        <translation>Mjölkkulor</translation>
+    </message>
+    <message>
+        <source>Dissolving</source>
+        <translation>Upplösning</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Flöde</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>Mjölk</translation>
+    </message>
+    <message>
+        <source>How much milk is poured into a new glass by itself</source>
+        <translation>Hur mycket mjölk som av sig själv hälls i ett nytt glas</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>Force reaches</source>
+        <translation>Kraften når</translation>
+    </message>
+    <message>
+        <source>How far the force reaches from its axis</source>
+        <translation>Hur långt kraften når från sin axel</translation>
+    </message>
+    <message>
+        <source>Tank: liquid falls</source>
+        <translation>Tank: vätska faller</translation>
+    </message>
+    <message>
+        <source>Tank: two liquids meet</source>
+        <translation>Tank: två vätskor möts</translation>
+    </message>
+    <message>
+        <source>Back to the painting</source>
+        <translation>Tillbaka till målningen</translation>
+    </message>
+    <message>
+        <source>The glass waits as it is, and so did the painting</source>
+        <translation>Glaset väntar som det är, och det gjorde målningen också</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Tyngdkraft</translation>
+    </message>
+    <message>
+        <source>How fast what falls gets faster</source>
+        <translation>Hur fort det som faller blir snabbare</translation>
+    </message>
+    <message>
+        <source>Lively</source>
+        <translation>Livlighet</translation>
+    </message>
+    <message>
+        <source>What of its own velocity a drop keeps from step to step: less is calmer</source>
+        <translation>Hur mycket av sin egen hastighet en droppe behåller från steg till steg: mindre är lugnare</translation>
+    </message>
+    <message>
+        <source>Volume mended</source>
+        <translation>Volym lagas</translation>
+    </message>
+    <message>
+        <source>How much of a wrong density a step mends</source>
+        <translation>Hur mycket av en felaktig täthet ett steg rättar till</translation>
+    </message>
+    <message>
+        <source>Way of a step</source>
+        <translation>Stegets väg</translation>
+    </message>
+    <message>
+        <source>The longest way of a step, in cells: longer is faster and coarser</source>
+        <translation>Stegets längsta väg, i celler: längre är snabbare och grövre</translation>
+    </message>
+    <message>
+        <source> cells</source>
+        <translation> celler</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::GlassChooser</name>
+    <message>
+        <source>What is in the glass</source>
+        <translation>Vad som finns i glaset</translation>
+    </message>
+    <message>
+        <source>What is in the glass: milk tea, or a tank of liquid</source>
+        <translation>Vad som finns i glaset: mjölkte eller en tank med vätska</translation>
+    </message>
+    <message>
+        <source>Milk tea</source>
+        <translation>Mjölkte</translation>
+    </message>
+    <message>
+        <source>Open a tank...</source>
+        <translation>Öppna en tank...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::GlassPage</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 av %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::LiquidPictureDialog</name>
+    <message>
+        <source>Pixels from left to right</source>
+        <translation>Bildpunkter från vänster till höger</translation>
+    </message>
+    <message>
+        <source>Pixels from top to bottom</source>
+        <translation>Bildpunkter uppifrån och ner</translation>
+    </message>
+    <message>
+        <source>Ways of light for each pixel: four times as many, half the noise</source>
+        <translation>Ljusvägar för varje bildpunkt: fyra gånger så många, halva bruset</translation>
+    </message>
+    <message>
+        <source>As a surface</source>
+        <translation>Som en yta</translation>
+    </message>
+    <message>
+        <source>As a cloud</source>
+        <translation>Som ett moln</translation>
+    </message>
+    <message>
+        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
+        <translation>Hur mjölk som inte löst sig syns: ett moln är mjukare och tar längre tid</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Bredd</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höjd</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Sampel</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>Mjölk</translation>
+    </message>
+    <message>
+        <source>Use on the canvas</source>
+        <translation>Använd på duken</translation>
+    </message>
+    <message>
+        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
+        <translation>Lägger bilden på målningen som ett lager torr färg, och går dit</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Spara...</translation>
+    </message>
+    <message>
+        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
+        <translation>Som PNG med flera som den visas, eller som EXR med ljuset självt</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Stäng</translation>
+    </message>
+    <message>
+        <source>Taking the noise out...</source>
+        <translation>Bruset tas bort...</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stoppa</translation>
+    </message>
+    <message>
+        <source>Render</source>
+        <translation>Rendera</translation>
+    </message>
+    <message>
+        <source>Keep the picture as fine as it is by now</source>
+        <translation>Behåll bilden så fin som den är nu</translation>
+    </message>
+    <message>
+        <source>%1 samples in %2 s, without noise</source>
+        <translation>%1 sampel på %2 s, utan brus</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples</source>
+        <translation>%1 av %2 sampel</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Spara bilden</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>Finding the surface...</source>
+        <translation>Söker ytan...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::TankPage</name>
+    <message>
+        <source>Moment of the tank</source>
+        <translation>Tankens ögonblick</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the tank; going on goes on from its last</source>
+        <translation>Dra till vilket ögonblick som helst; när du fortsätter går det vidare från det sista</translation>
+    </message>
+    <message>
+        <source>Liquid in the tank, and how many steps a second are computed</source>
+        <translation>Vätska i tanken, och hur många steg i sekunden som beräknas</translation>
+    </message>
+    <message>
+        <source>Filling the tank...</source>
+        <translation>Fyller tanken...</translation>
+    </message>
+    <message>
+        <source>%1 l   %2 steps/s</source>
+        <translation>%1 l   %2 steg/s</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::TankPanel</name>
+    <message>
+        <source>Tank</source>
+        <translation>Tank</translation>
+    </message>
+    <message>
+        <source>Balls and drain</source>
+        <translation>Kulor och avlopp</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>Kulans radie</translation>
+    </message>
+    <message>
+        <source>How large the ball is that falls where you press</source>
+        <translation>Hur stor kulan är som faller där du trycker</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Milk in it</source>
+        <translation>Mjölk i den</translation>
+    </message>
+    <message>
+        <source>How much of the ball is milk</source>
+        <translation>Hur mycket av kulan som är mjölk</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vind</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Hastighet</translation>
+    </message>
+    <message>
+        <source>How fast the air goes</source>
+        <translation>Hur fort luften rör sig</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Blows to</source>
+        <translation>Blåser mot</translation>
+    </message>
+    <message>
+        <source>0 to the right along the front, 90 away from it</source>
+        <translation>0 åt höger längs framsidan, 90 bort från den</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Drags</source>
+        <translation>Drar</translation>
+    </message>
+    <message>
+        <source>How firmly it takes the liquid&apos;s surface along</source>
+        <translation>Hur kraftigt den tar vätskans yta med sig</translation>
+    </message>
+    <message>
+        <source> /s</source>
+        <translation> /s</translation>
+    </message>
+    <message>
+        <source>Look and export</source>
+        <translation>Visa och exportera</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>Vätska</translation>
+    </message>
+    <message>
+        <source>Every step into a folder</source>
+        <translation>Varje steg till en mapp</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::TeaPage</name>
+    <message>
+        <source>Moment of the tea</source>
+        <translation>Teets ögonblick</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the glass; going on goes on from its last</source>
+        <translation>Dra till vilket ögonblick som helst; att fortsätta fortsätter från det sista</translation>
+    </message>
+    <message>
+        <source>Milk poured so far, and how many steps of 1/30 s a second are computed</source>
+        <translation>Mjölk som hällts i hittills, och hur många steg på 1/30 s som beräknas per sekund</translation>
+    </message>
+    <message>
+        <source>Filling the glass...</source>
+        <translation>Glaset fylls...</translation>
+    </message>
+    <message>
+        <source>%1 ml of milk   %2 steps/s</source>
+        <translation>%1 ml mjölk   %2 steg/s</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::TeaPanel</name>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>Glas</translation>
+    </message>
+    <message>
+        <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>
+        <translation>Celler längs varje sida i nästa glas: finare tar längre tid, med fjärde potensen; kulor stiger från 64</translation>
+    </message>
+    <message>
+        <source>Drops that the next glass&apos; milk is made of</source>
+        <translation>Droppar som mjölken i nästa glas består av</translation>
+    </message>
+    <message>
+        <source>Cells a side</source>
+        <translation>Celler per sida</translation>
+    </message>
+    <message>
+        <source>Drops of milk</source>
+        <translation>Mjölkdroppar</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Around the axis</source>
+        <translation>Runt axeln</translation>
+    </message>
+    <message>
+        <source>How fast the stirring gets faster; below 0 it goes the other way round</source>
+        <translation>Hur fort omrörningen ökar; under 0 går den åt andra hållet</translation>
+    </message>
+    <message>
+        <source> rad/s²</source>
+        <translation> rad/s²</translation>
+    </message>
+    <message>
+        <source>Downwards</source>
+        <translation>Nedåt</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source>A push down along the axis; below 0 it goes up</source>
+        <translation>En knuff nedåt längs axeln; under 0 går den uppåt</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main</name>
     <message>
         <source>OpenGL</source>
@@ -5139,682 +5815,6 @@ Dra: flytta bilden
     <message>
         <source>Recover</source>
         <translation>Återskapa</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea</name>
-    <message>
-        <source> s</source>
-        <translation> s</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> m/s²</source>
-        <translation> m/s²</translation>
-    </message>
-    <message>
-        <source> mm²/s</source>
-        <translation> mm²/s</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Pours for</source>
-        <translation>Hälls i</translation>
-    </message>
-    <message>
-        <source>How long the milk of a new glass is poured</source>
-        <translation>Hur länge mjölken hälls i ett nytt glas</translation>
-    </message>
-    <message>
-        <source>Stream</source>
-        <translation>Stråle</translation>
-    </message>
-    <message>
-        <source>Radius of the stream</source>
-        <translation>Strålens radie</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Fart</translation>
-    </message>
-    <message>
-        <source>Speed of the stream, downwards</source>
-        <translation>Strålens fart nedåt</translation>
-    </message>
-    <message>
-        <source> m/s</source>
-        <translation> m/s</translation>
-    </message>
-    <message>
-        <source>Fat lifts</source>
-        <translation>Fett lyfter</translation>
-    </message>
-    <message>
-        <source>How fast fat lets milk rise</source>
-        <translation>Hur fort fett får mjölk att stiga</translation>
-    </message>
-    <message>
-        <source>Cold sinks</source>
-        <translation>Kyla sänker</translation>
-    </message>
-    <message>
-        <source>How fast cold lets milk sink</source>
-        <translation>Hur fort kyla får mjölk att sjunka</translation>
-    </message>
-    <message>
-        <source>Milky tea sinks</source>
-        <translation>Mjölkigt te sjunker</translation>
-    </message>
-    <message>
-        <source>How fast tea with milk in it sinks</source>
-        <translation>Hur fort te med mjölk i sjunker</translation>
-    </message>
-    <message>
-        <source>Warms at rest in</source>
-        <translation>Värms i vila på</translation>
-    </message>
-    <message>
-        <source>Time in which milk at rest warms</source>
-        <translation>Tiden det tar för mjölk i vila att bli varm</translation>
-    </message>
-    <message>
-        <source>A ball warms in</source>
-        <translation>En kula värms på</translation>
-    </message>
-    <message>
-        <source>Time in which a ball warms</source>
-        <translation>Tiden det tar för en kula att bli varm</translation>
-    </message>
-    <message>
-        <source>Cold given on</source>
-        <translation>Kyla ges vidare</translation>
-    </message>
-    <message>
-        <source>Share of the milk&apos;s cold that the tea gets</source>
-        <translation>Andel av mjölkens kyla som teet får</translation>
-    </message>
-    <message>
-        <source>First ball after</source>
-        <translation>Första kulan efter</translation>
-    </message>
-    <message>
-        <source>When the first ball forms</source>
-        <translation>När den första kulan bildas</translation>
-    </message>
-    <message>
-        <source>A ball every</source>
-        <translation>En kula var</translation>
-    </message>
-    <message>
-        <source>Time between two balls, in the mean</source>
-        <translation>Tiden mellan två kulor, i medeltal</translation>
-    </message>
-    <message>
-        <source>Ball&apos;s radius</source>
-        <translation>Kulans radie</translation>
-    </message>
-    <message>
-        <source>Radius of a ball, in the mean</source>
-        <translation>En kulas radie, i medeltal</translation>
-    </message>
-    <message>
-        <source>Sizes differ by</source>
-        <translation>Storlek varierar</translation>
-    </message>
-    <message>
-        <source>How much balls differ in size</source>
-        <translation>Hur mycket kulornas storlek varierar</translation>
-    </message>
-    <message>
-        <source>Draws together in</source>
-        <translation>Dras ihop på</translation>
-    </message>
-    <message>
-        <source>Time in which a ball draws its milk back</source>
-        <translation>Tiden en kula tar på sig att dra tillbaka sin mjölk</translation>
-    </message>
-    <message>
-        <source>Lets go to</source>
-        <translation>Släpper till</translation>
-    </message>
-    <message>
-        <source>How far it lets its milk, in its radii</source>
-        <translation>Hur långt den släpper sin mjölk, i sina radier</translation>
-    </message>
-    <message>
-        <source> radii</source>
-        <translation> radier</translation>
-    </message>
-    <message>
-        <source>Torn off at</source>
-        <translation>Slits av vid</translation>
-    </message>
-    <message>
-        <source>Distance at which milk is torn off</source>
-        <translation>Avståndet där mjölk slits av</translation>
-    </message>
-    <message>
-        <source>Bursts at</source>
-        <translation>Brister vid</translation>
-    </message>
-    <message>
-        <source>Depth at which a ball bursts</source>
-        <translation>Djupet där en kula brister</translation>
-    </message>
-    <message>
-        <source>A warm ball in</source>
-        <translation>En varm kula på</translation>
-    </message>
-    <message>
-        <source>Time in which a warm ball dissolves</source>
-        <translation>Tiden det tar för en varm kula att lösas upp</translation>
-    </message>
-    <message>
-        <source>On top in</source>
-        <translation>Överst på</translation>
-    </message>
-    <message>
-        <source>Time in which milk under the surface dissolves</source>
-        <translation>Tiden det tar för mjölk under ytan att lösas upp</translation>
-    </message>
-    <message>
-        <source>On top is</source>
-        <translation>Överst är</translation>
-    </message>
-    <message>
-        <source>How far down that is</source>
-        <translation>Hur långt ner det är</translation>
-    </message>
-    <message>
-        <source>At rest in</source>
-        <translation>I vila på</translation>
-    </message>
-    <message>
-        <source>Time in which milk at rest dissolves</source>
-        <translation>Tiden det tar för mjölk i vila att lösas upp</translation>
-    </message>
-    <message>
-        <source>All from</source>
-        <translation>Allt från</translation>
-    </message>
-    <message>
-        <source>When all milk begins to dissolve</source>
-        <translation>När all mjölk börjar lösas upp</translation>
-    </message>
-    <message>
-        <source>Warm below</source>
-        <translation>Varm under</translation>
-    </message>
-    <message>
-        <source>Coldness below which a ball dissolves</source>
-        <translation>Kyla under vilken en kula löses upp</translation>
-    </message>
-    <message>
-        <source>Milk spreads</source>
-        <translation>Mjölk sprids</translation>
-    </message>
-    <message>
-        <source>How dissolved milk spreads</source>
-        <translation>Hur upplöst mjölk sprids</translation>
-    </message>
-    <message>
-        <source>Viscosity</source>
-        <translation>Viskositet</translation>
-    </message>
-    <message>
-        <source>Kinematic viscosity: water 1, oil 80, honey 5000</source>
-        <translation>Kinematisk viskositet: vatten 1, olja 80, honung 5000</translation>
-    </message>
-    <message>
-        <source>Heat spreads</source>
-        <translation>Värme sprids</translation>
-    </message>
-    <message>
-        <source>How heat spreads</source>
-        <translation>Hur värme sprids</translation>
-    </message>
-    <message>
-        <source>Whirls kept</source>
-        <translation>Virvlar bevaras</translation>
-    </message>
-    <message>
-        <source>Force that keeps small whirls alive</source>
-        <translation>Kraft som håller små virvlar vid liv</translation>
-    </message>
-    <message>
-        <source>Time step</source>
-        <translation>Tidssteg</translation>
-    </message>
-    <message>
-        <source>Length of a time step</source>
-        <translation>Ett tidsstegs längd</translation>
-    </message>
-    <message>
-        <source> ms</source>
-        <translation> ms</translation>
-    </message>
-    <message>
-        <source>Pressure within</source>
-        <translation>Tryck inom</translation>
-    </message>
-    <message>
-        <source>How exact the pressure is solved</source>
-        <translation>Hur noga trycket löses</translation>
-    </message>
-    <message>
-        <source>Pouring</source>
-        <translation>Hällning</translation>
-    </message>
-    <message>
-        <source>Sinking and rising</source>
-        <translation>Sjunka och stiga</translation>
-    </message>
-    <message>
-        <source>Balls of milk</source>
-        <translation>Mjölkkulor</translation>
-    </message>
-    <message>
-        <source>Dissolving</source>
-        <translation>Upplösning</translation>
-    </message>
-    <message>
-        <source>Flow</source>
-        <translation>Flöde</translation>
-    </message>
-    <message>
-        <source>Milk</source>
-        <translation>Mjölk</translation>
-    </message>
-    <message>
-        <source>How much milk is poured into a new glass by itself</source>
-        <translation>Hur mycket mjölk som av sig själv hälls i ett nytt glas</translation>
-    </message>
-    <message>
-        <source> ml</source>
-        <translation> ml</translation>
-    </message>
-    <message>
-        <source>Force reaches</source>
-        <translation>Kraften når</translation>
-    </message>
-    <message>
-        <source>How far the force reaches from its axis</source>
-        <translation>Hur långt kraften når från sin axel</translation>
-    </message>
-    <message>
-        <source>Tank: liquid falls</source>
-        <translation>Tank: vätska faller</translation>
-    </message>
-    <message>
-        <source>Tank: two liquids meet</source>
-        <translation>Tank: två vätskor möts</translation>
-    </message>
-    <message>
-        <source>Back to the painting</source>
-        <translation>Tillbaka till målningen</translation>
-    </message>
-    <message>
-        <source>The glass waits as it is, and so did the painting</source>
-        <translation>Glaset väntar som det är, och det gjorde målningen också</translation>
-    </message>
-    <message>
-        <source>Gravity</source>
-        <translation>Tyngdkraft</translation>
-    </message>
-    <message>
-        <source>How fast what falls gets faster</source>
-        <translation>Hur fort det som faller blir snabbare</translation>
-    </message>
-    <message>
-        <source>Lively</source>
-        <translation>Livlighet</translation>
-    </message>
-    <message>
-        <source>What of its own velocity a drop keeps from step to step: less is calmer</source>
-        <translation>Hur mycket av sin egen hastighet en droppe behåller från steg till steg: mindre är lugnare</translation>
-    </message>
-    <message>
-        <source>Volume mended</source>
-        <translation>Volym lagas</translation>
-    </message>
-    <message>
-        <source>How much of a wrong density a step mends</source>
-        <translation>Hur mycket av en felaktig täthet ett steg rättar till</translation>
-    </message>
-    <message>
-        <source>Way of a step</source>
-        <translation>Stegets väg</translation>
-    </message>
-    <message>
-        <source>The longest way of a step, in cells: longer is faster and coarser</source>
-        <translation>Stegets längsta väg, i celler: längre är snabbare och grövre</translation>
-    </message>
-    <message>
-        <source> cells</source>
-        <translation> celler</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::GlassChooser</name>
-    <message>
-        <source>What is in the glass</source>
-        <translation>Vad som finns i glaset</translation>
-    </message>
-    <message>
-        <source>What is in the glass: milk tea, or a tank of liquid</source>
-        <translation>Vad som finns i glaset: mjölkte eller en tank med vätska</translation>
-    </message>
-    <message>
-        <source>Milk tea</source>
-        <translation>Mjölkte</translation>
-    </message>
-    <message>
-        <source>Open a tank...</source>
-        <translation>Öppna en tank...</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::GlassPage</name>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>%1 of %2 s</source>
-        <translation>%1 av %2 s</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::LiquidPictureDialog</name>
-    <message>
-        <source>Pixels from left to right</source>
-        <translation>Bildpunkter från vänster till höger</translation>
-    </message>
-    <message>
-        <source>Pixels from top to bottom</source>
-        <translation>Bildpunkter uppifrån och ner</translation>
-    </message>
-    <message>
-        <source>Ways of light for each pixel: four times as many, half the noise</source>
-        <translation>Ljusvägar för varje bildpunkt: fyra gånger så många, halva bruset</translation>
-    </message>
-    <message>
-        <source>As a surface</source>
-        <translation>Som en yta</translation>
-    </message>
-    <message>
-        <source>As a cloud</source>
-        <translation>Som ett moln</translation>
-    </message>
-    <message>
-        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
-        <translation>Hur mjölk som inte löst sig syns: ett moln är mjukare och tar längre tid</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Bredd</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Höjd</translation>
-    </message>
-    <message>
-        <source>Samples</source>
-        <translation>Sampel</translation>
-    </message>
-    <message>
-        <source>Milk</source>
-        <translation>Mjölk</translation>
-    </message>
-    <message>
-        <source>Use on the canvas</source>
-        <translation>Använd på duken</translation>
-    </message>
-    <message>
-        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
-        <translation>Lägger bilden på målningen som ett lager torr färg, och går dit</translation>
-    </message>
-    <message>
-        <source>Save...</source>
-        <translation>Spara...</translation>
-    </message>
-    <message>
-        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
-        <translation>Som PNG med flera som den visas, eller som EXR med ljuset självt</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Stäng</translation>
-    </message>
-    <message>
-        <source>Taking the noise out...</source>
-        <translation>Bruset tas bort...</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Stoppa</translation>
-    </message>
-    <message>
-        <source>Render</source>
-        <translation>Rendera</translation>
-    </message>
-    <message>
-        <source>Keep the picture as fine as it is by now</source>
-        <translation>Behåll bilden så fin som den är nu</translation>
-    </message>
-    <message>
-        <source>%1 samples in %2 s, without noise</source>
-        <translation>%1 sampel på %2 s, utan brus</translation>
-    </message>
-    <message>
-        <source>%1 of %2 samples</source>
-        <translation>%1 av %2 sampel</translation>
-    </message>
-    <message>
-        <source>Save the picture</source>
-        <translation>Spara bilden</translation>
-    </message>
-    <message>
-        <source>Pictures (%1)</source>
-        <translation>Bilder (%1)</translation>
-    </message>
-    <message>
-        <source>Finding the surface...</source>
-        <translation>Söker ytan...</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TankPage</name>
-    <message>
-        <source>Moment of the tank</source>
-        <translation>Tankens ögonblick</translation>
-    </message>
-    <message>
-        <source>Drag to any moment of the tank; going on goes on from its last</source>
-        <translation>Dra till vilket ögonblick som helst; när du fortsätter går det vidare från det sista</translation>
-    </message>
-    <message>
-        <source>Liquid in the tank, and how many steps a second are computed</source>
-        <translation>Vätska i tanken, och hur många steg i sekunden som beräknas</translation>
-    </message>
-    <message>
-        <source>Filling the tank...</source>
-        <translation>Fyller tanken...</translation>
-    </message>
-    <message>
-        <source>%1 l   %2 steps/s</source>
-        <translation>%1 l   %2 steg/s</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TankPanel</name>
-    <message>
-        <source>Tank</source>
-        <translation>Tank</translation>
-    </message>
-    <message>
-        <source>Balls and drain</source>
-        <translation>Kulor och avlopp</translation>
-    </message>
-    <message>
-        <source>Ball&apos;s radius</source>
-        <translation>Kulans radie</translation>
-    </message>
-    <message>
-        <source>How large the ball is that falls where you press</source>
-        <translation>Hur stor kulan är som faller där du trycker</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Milk in it</source>
-        <translation>Mjölk i den</translation>
-    </message>
-    <message>
-        <source>How much of the ball is milk</source>
-        <translation>Hur mycket av kulan som är mjölk</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Wind</source>
-        <translation>Vind</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Hastighet</translation>
-    </message>
-    <message>
-        <source>How fast the air goes</source>
-        <translation>Hur fort luften rör sig</translation>
-    </message>
-    <message>
-        <source> m/s</source>
-        <translation> m/s</translation>
-    </message>
-    <message>
-        <source>Blows to</source>
-        <translation>Blåser mot</translation>
-    </message>
-    <message>
-        <source>0 to the right along the front, 90 away from it</source>
-        <translation>0 åt höger längs framsidan, 90 bort från den</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>Drags</source>
-        <translation>Drar</translation>
-    </message>
-    <message>
-        <source>How firmly it takes the liquid&apos;s surface along</source>
-        <translation>Hur kraftigt den tar vätskans yta med sig</translation>
-    </message>
-    <message>
-        <source> /s</source>
-        <translation> /s</translation>
-    </message>
-    <message>
-        <source>Look and export</source>
-        <translation>Visa och exportera</translation>
-    </message>
-    <message>
-        <source>Liquid</source>
-        <translation>Vätska</translation>
-    </message>
-    <message>
-        <source>Every step into a folder</source>
-        <translation>Varje steg till en mapp</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TeaPage</name>
-    <message>
-        <source>Moment of the tea</source>
-        <translation>Teets ögonblick</translation>
-    </message>
-    <message>
-        <source>Drag to any moment of the glass; going on goes on from its last</source>
-        <translation>Dra till vilket ögonblick som helst; att fortsätta fortsätter från det sista</translation>
-    </message>
-    <message>
-        <source>Milk poured so far, and how many steps of 1/30 s a second are computed</source>
-        <translation>Mjölk som hällts i hittills, och hur många steg på 1/30 s som beräknas per sekund</translation>
-    </message>
-    <message>
-        <source>Filling the glass...</source>
-        <translation>Glaset fylls...</translation>
-    </message>
-    <message>
-        <source>%1 ml of milk   %2 steps/s</source>
-        <translation>%1 ml mjölk   %2 steg/s</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TeaPanel</name>
-    <message>
-        <source>Pictures</source>
-        <translation>Bilder</translation>
-    </message>
-    <message>
-        <source>Glass</source>
-        <translation>Glas</translation>
-    </message>
-    <message>
-        <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>
-        <translation>Celler längs varje sida i nästa glas: finare tar längre tid, med fjärde potensen; kulor stiger från 64</translation>
-    </message>
-    <message>
-        <source>Drops that the next glass&apos; milk is made of</source>
-        <translation>Droppar som mjölken i nästa glas består av</translation>
-    </message>
-    <message>
-        <source>Cells a side</source>
-        <translation>Celler per sida</translation>
-    </message>
-    <message>
-        <source>Drops of milk</source>
-        <translation>Mjölkdroppar</translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation>Kraft</translation>
-    </message>
-    <message>
-        <source>Around the axis</source>
-        <translation>Runt axeln</translation>
-    </message>
-    <message>
-        <source>How fast the stirring gets faster; below 0 it goes the other way round</source>
-        <translation>Hur fort omrörningen ökar; under 0 går den åt andra hållet</translation>
-    </message>
-    <message>
-        <source> rad/s²</source>
-        <translation> rad/s²</translation>
-    </message>
-    <message>
-        <source>Downwards</source>
-        <translation>Nedåt</translation>
-    </message>
-    <message>
-        <source> m/s²</source>
-        <translation> m/s²</translation>
-    </message>
-    <message>
-        <source>A push down along the axis; below 0 it goes up</source>
-        <translation>En knuff nedåt längs axeln; under 0 går den uppåt</translation>
     </message>
 </context>
 <context>

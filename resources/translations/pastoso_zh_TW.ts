@@ -2906,6 +2906,682 @@
     </message>
 </context>
 <context>
+    <name>pastoso::glass</name>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source> mm²/s</source>
+        <translation> mm²/s</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Pours for</source>
+        <translation>倒入時間</translation>
+    </message>
+    <message>
+        <source>How long the milk of a new glass is poured</source>
+        <translation>新的一杯倒入牛奶的時間</translation>
+    </message>
+    <message>
+        <source>Stream</source>
+        <translation>水流</translation>
+    </message>
+    <message>
+        <source>Radius of the stream</source>
+        <translation>水流的半徑</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Speed of the stream, downwards</source>
+        <translation>水流向下的速度</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Fat lifts</source>
+        <translation>脂肪上浮</translation>
+    </message>
+    <message>
+        <source>How fast fat lets milk rise</source>
+        <translation>脂肪使牛奶上升的快慢</translation>
+    </message>
+    <message>
+        <source>Cold sinks</source>
+        <translation>低溫下沉</translation>
+    </message>
+    <message>
+        <source>How fast cold lets milk sink</source>
+        <translation>低溫使牛奶下沉的快慢</translation>
+    </message>
+    <message>
+        <source>Milky tea sinks</source>
+        <translation>含奶茶下沉</translation>
+    </message>
+    <message>
+        <source>How fast tea with milk in it sinks</source>
+        <translation>含牛奶的茶下沉的快慢</translation>
+    </message>
+    <message>
+        <source>Warms at rest in</source>
+        <translation>靜置回溫</translation>
+    </message>
+    <message>
+        <source>Time in which milk at rest warms</source>
+        <translation>靜置的牛奶變暖所需的時間</translation>
+    </message>
+    <message>
+        <source>A ball warms in</source>
+        <translation>奶球回溫</translation>
+    </message>
+    <message>
+        <source>Time in which a ball warms</source>
+        <translation>奶球變暖所需的時間</translation>
+    </message>
+    <message>
+        <source>Cold given on</source>
+        <translation>傳給茶的冷</translation>
+    </message>
+    <message>
+        <source>Share of the milk&apos;s cold that the tea gets</source>
+        <translation>牛奶的冷傳給茶的比例</translation>
+    </message>
+    <message>
+        <source>First ball after</source>
+        <translation>首個奶球</translation>
+    </message>
+    <message>
+        <source>When the first ball forms</source>
+        <translation>第一個奶球形成的時刻</translation>
+    </message>
+    <message>
+        <source>A ball every</source>
+        <translation>奶球間隔</translation>
+    </message>
+    <message>
+        <source>Time between two balls, in the mean</source>
+        <translation>兩個奶球之間的平均時間</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>奶球半徑</translation>
+    </message>
+    <message>
+        <source>Radius of a ball, in the mean</source>
+        <translation>奶球的平均半徑</translation>
+    </message>
+    <message>
+        <source>Sizes differ by</source>
+        <translation>大小差異</translation>
+    </message>
+    <message>
+        <source>How much balls differ in size</source>
+        <translation>奶球大小的差異程度</translation>
+    </message>
+    <message>
+        <source>Draws together in</source>
+        <translation>聚攏時間</translation>
+    </message>
+    <message>
+        <source>Time in which a ball draws its milk back</source>
+        <translation>奶球將牛奶拉回所需的時間</translation>
+    </message>
+    <message>
+        <source>Lets go to</source>
+        <translation>容許距離</translation>
+    </message>
+    <message>
+        <source>How far it lets its milk, in its radii</source>
+        <translation>容許牛奶離開的距離，以半徑計</translation>
+    </message>
+    <message>
+        <source> radii</source>
+        <translation> 倍半徑</translation>
+    </message>
+    <message>
+        <source>Torn off at</source>
+        <translation>脫離距離</translation>
+    </message>
+    <message>
+        <source>Distance at which milk is torn off</source>
+        <translation>牛奶被扯離的距離</translation>
+    </message>
+    <message>
+        <source>Bursts at</source>
+        <translation>破裂深度</translation>
+    </message>
+    <message>
+        <source>Depth at which a ball bursts</source>
+        <translation>奶球破裂的深度</translation>
+    </message>
+    <message>
+        <source>A warm ball in</source>
+        <translation>暖奶球</translation>
+    </message>
+    <message>
+        <source>Time in which a warm ball dissolves</source>
+        <translation>變暖的奶球溶解所需的時間</translation>
+    </message>
+    <message>
+        <source>On top in</source>
+        <translation>頂層</translation>
+    </message>
+    <message>
+        <source>Time in which milk under the surface dissolves</source>
+        <translation>液面下的牛奶溶解所需的時間</translation>
+    </message>
+    <message>
+        <source>On top is</source>
+        <translation>頂層厚度</translation>
+    </message>
+    <message>
+        <source>How far down that is</source>
+        <translation>頂層向下延伸多深</translation>
+    </message>
+    <message>
+        <source>At rest in</source>
+        <translation>靜置時</translation>
+    </message>
+    <message>
+        <source>Time in which milk at rest dissolves</source>
+        <translation>靜置的牛奶溶解所需的時間</translation>
+    </message>
+    <message>
+        <source>All from</source>
+        <translation>全部自</translation>
+    </message>
+    <message>
+        <source>When all milk begins to dissolve</source>
+        <translation>所有牛奶開始溶解的時刻</translation>
+    </message>
+    <message>
+        <source>Warm below</source>
+        <translation>視為暖於</translation>
+    </message>
+    <message>
+        <source>Coldness below which a ball dissolves</source>
+        <translation>冷度低於此值時奶球會溶解</translation>
+    </message>
+    <message>
+        <source>Milk spreads</source>
+        <translation>牛奶擴散</translation>
+    </message>
+    <message>
+        <source>How dissolved milk spreads</source>
+        <translation>溶解的牛奶如何擴散</translation>
+    </message>
+    <message>
+        <source>Viscosity</source>
+        <translation>黏度</translation>
+    </message>
+    <message>
+        <source>Kinematic viscosity: water 1, oil 80, honey 5000</source>
+        <translation>動黏度：水 1、油 80、蜂蜜 5000</translation>
+    </message>
+    <message>
+        <source>Heat spreads</source>
+        <translation>熱擴散</translation>
+    </message>
+    <message>
+        <source>How heat spreads</source>
+        <translation>熱如何擴散</translation>
+    </message>
+    <message>
+        <source>Whirls kept</source>
+        <translation>渦旋保持</translation>
+    </message>
+    <message>
+        <source>Force that keeps small whirls alive</source>
+        <translation>維持小渦旋的力</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>時間步長</translation>
+    </message>
+    <message>
+        <source>Length of a time step</source>
+        <translation>一個時間步的長度</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> 毫秒</translation>
+    </message>
+    <message>
+        <source>Pressure within</source>
+        <translation>壓力誤差</translation>
+    </message>
+    <message>
+        <source>How exact the pressure is solved</source>
+        <translation>求解壓力的精確度</translation>
+    </message>
+    <message>
+        <source>Pouring</source>
+        <translation>倒入</translation>
+    </message>
+    <message>
+        <source>Sinking and rising</source>
+        <translation>下沉與上升</translation>
+    </message>
+    <message>
+        <source>Balls of milk</source>
+        <translation>奶球</translation>
+    </message>
+    <message>
+        <source>Dissolving</source>
+        <translation>溶解</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>流動</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>牛奶</translation>
+    </message>
+    <message>
+        <source>How much milk is poured into a new glass by itself</source>
+        <translation>自動倒入新的一杯的牛奶量</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> 毫升</translation>
+    </message>
+    <message>
+        <source>Force reaches</source>
+        <translation>力的範圍</translation>
+    </message>
+    <message>
+        <source>How far the force reaches from its axis</source>
+        <translation>力從軸心所及的距離</translation>
+    </message>
+    <message>
+        <source>Tank: liquid falls</source>
+        <translation>水槽：液體落下</translation>
+    </message>
+    <message>
+        <source>Tank: two liquids meet</source>
+        <translation>水槽：兩種液體相遇</translation>
+    </message>
+    <message>
+        <source>Back to the painting</source>
+        <translation>回到畫作</translation>
+    </message>
+    <message>
+        <source>The glass waits as it is, and so did the painting</source>
+        <translation>杯子原樣等候，畫作也一直如此</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>重力</translation>
+    </message>
+    <message>
+        <source>How fast what falls gets faster</source>
+        <translation>落下之物加速的快慢</translation>
+    </message>
+    <message>
+        <source>Lively</source>
+        <translation>活潑</translation>
+    </message>
+    <message>
+        <source>What of its own velocity a drop keeps from step to step: less is calmer</source>
+        <translation>水滴在每步之間保留自身速度的比例：越少越平靜</translation>
+    </message>
+    <message>
+        <source>Volume mended</source>
+        <translation>體積修正</translation>
+    </message>
+    <message>
+        <source>How much of a wrong density a step mends</source>
+        <translation>每步修正多少錯誤的密度</translation>
+    </message>
+    <message>
+        <source>Way of a step</source>
+        <translation>每步距離</translation>
+    </message>
+    <message>
+        <source>The longest way of a step, in cells: longer is faster and coarser</source>
+        <translation>每步最長距離，以格計：越長越快也越粗</translation>
+    </message>
+    <message>
+        <source> cells</source>
+        <translation> 格</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::GlassChooser</name>
+    <message>
+        <source>What is in the glass</source>
+        <translation>杯中之物</translation>
+    </message>
+    <message>
+        <source>What is in the glass: milk tea, or a tank of liquid</source>
+        <translation>杯中之物：奶茶，或一缸液體</translation>
+    </message>
+    <message>
+        <source>Milk tea</source>
+        <translation>奶茶</translation>
+    </message>
+    <message>
+        <source>Open a tank...</source>
+        <translation>開啟水槽...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::GlassPage</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 / %2 秒</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::LiquidPictureDialog</name>
+    <message>
+        <source>Pixels from left to right</source>
+        <translation>由左至右的像素數</translation>
+    </message>
+    <message>
+        <source>Pixels from top to bottom</source>
+        <translation>由上至下的像素數</translation>
+    </message>
+    <message>
+        <source>Ways of light for each pixel: four times as many, half the noise</source>
+        <translation>每個像素的光路數：四倍的數量，一半的雜訊</translation>
+    </message>
+    <message>
+        <source>As a surface</source>
+        <translation>作為表面</translation>
+    </message>
+    <message>
+        <source>As a cloud</source>
+        <translation>作為雲霧</translation>
+    </message>
+    <message>
+        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
+        <translation>未溶解的牛奶的呈現方式：雲霧較柔和，但較費時</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>寬度</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>取樣數</translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation>牛奶</translation>
+    </message>
+    <message>
+        <source>Use on the canvas</source>
+        <translation>用於畫布</translation>
+    </message>
+    <message>
+        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
+        <translation>將圖片作為一層乾顏料放到畫作上，並回到畫作</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>儲存...</translation>
+    </message>
+    <message>
+        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
+        <translation>PNG 等格式依所見儲存，EXR 則儲存光本身</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>關閉</translation>
+    </message>
+    <message>
+        <source>Taking the noise out...</source>
+        <translation>正在去除雜訊...</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Render</source>
+        <translation>算繪</translation>
+    </message>
+    <message>
+        <source>Keep the picture as fine as it is by now</source>
+        <translation>保留目前細緻程度的圖片</translation>
+    </message>
+    <message>
+        <source>%1 samples in %2 s, without noise</source>
+        <translation>%1 次取樣，%2 秒，已去除雜訊</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples</source>
+        <translation>%1 / %2 次取樣</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>儲存圖片</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>圖片 (%1)</translation>
+    </message>
+    <message>
+        <source>Finding the surface...</source>
+        <translation>正在尋找表面...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::TankPage</name>
+    <message>
+        <source>Moment of the tank</source>
+        <translation>水槽的時刻</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the tank; going on goes on from its last</source>
+        <translation>拖到水槽的任一時刻；繼續時由最後一刻接下去</translation>
+    </message>
+    <message>
+        <source>Liquid in the tank, and how many steps a second are computed</source>
+        <translation>水槽中的液體，以及每秒計算的步數</translation>
+    </message>
+    <message>
+        <source>Filling the tank...</source>
+        <translation>正在注滿水槽...</translation>
+    </message>
+    <message>
+        <source>%1 l   %2 steps/s</source>
+        <translation>%1 l   %2 步/秒</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::TankPanel</name>
+    <message>
+        <source>Tank</source>
+        <translation>水槽</translation>
+    </message>
+    <message>
+        <source>Balls and drain</source>
+        <translation>球與排水口</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>奶球半徑</translation>
+    </message>
+    <message>
+        <source>How large the ball is that falls where you press</source>
+        <translation>你按下處落下的球有多大</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Milk in it</source>
+        <translation>其中的牛奶</translation>
+    </message>
+    <message>
+        <source>How much of the ball is milk</source>
+        <translation>球中有多少是牛奶</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>風</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>How fast the air goes</source>
+        <translation>空氣的速度</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Blows to</source>
+        <translation>吹向</translation>
+    </message>
+    <message>
+        <source>0 to the right along the front, 90 away from it</source>
+        <translation>0 為沿正面向右，90 為遠離正面</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Drags</source>
+        <translation>拖曳</translation>
+    </message>
+    <message>
+        <source>How firmly it takes the liquid&apos;s surface along</source>
+        <translation>帶動液體表面的力道</translation>
+    </message>
+    <message>
+        <source> /s</source>
+        <translation> /秒</translation>
+    </message>
+    <message>
+        <source>Look and export</source>
+        <translation>檢視與匯出</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>液體</translation>
+    </message>
+    <message>
+        <source>Every step into a folder</source>
+        <translation>每一步存入資料夾</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::TeaPage</name>
+    <message>
+        <source>Moment of the tea</source>
+        <translation>茶的時刻</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the glass; going on goes on from its last</source>
+        <translation>拖曳到任何時刻；繼續時會從最後一刻接續</translation>
+    </message>
+    <message>
+        <source>Milk poured so far, and how many steps of 1/30 s a second are computed</source>
+        <translation>目前倒入的牛奶，以及每秒計算多少個 1/30 秒的步</translation>
+    </message>
+    <message>
+        <source>Filling the glass...</source>
+        <translation>正在斟茶...</translation>
+    </message>
+    <message>
+        <source>%1 ml of milk   %2 steps/s</source>
+        <translation>牛奶 %1 毫升   每秒 %2 步</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::glass::TeaPanel</name>
+    <message>
+        <source>Pictures</source>
+        <translation>圖片</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>杯子</translation>
+    </message>
+    <message>
+        <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>
+        <translation>下一杯每邊的格數：越細越久，按四次方增加；64 起奶球才會上升</translation>
+    </message>
+    <message>
+        <source>Drops that the next glass&apos; milk is made of</source>
+        <translation>組成下一杯牛奶的奶滴數</translation>
+    </message>
+    <message>
+        <source>Cells a side</source>
+        <translation>每邊格數</translation>
+    </message>
+    <message>
+        <source>Drops of milk</source>
+        <translation>奶滴</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Around the axis</source>
+        <translation>繞軸</translation>
+    </message>
+    <message>
+        <source>How fast the stirring gets faster; below 0 it goes the other way round</source>
+        <translation>攪拌加快的程度；低於 0 則反向</translation>
+    </message>
+    <message>
+        <source> rad/s²</source>
+        <translation> rad/s²</translation>
+    </message>
+    <message>
+        <source>Downwards</source>
+        <translation>向下</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source>A push down along the axis; below 0 it goes up</source>
+        <translation>沿軸向下的推力；低於 0 則向上</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main</name>
     <message>
         <source>OpenGL</source>
@@ -5132,682 +5808,6 @@ Drag: move the picture
     <message>
         <source>Recover</source>
         <translation>救回</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea</name>
-    <message>
-        <source> s</source>
-        <translation> 秒</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> m/s²</source>
-        <translation> m/s²</translation>
-    </message>
-    <message>
-        <source> mm²/s</source>
-        <translation> mm²/s</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Pours for</source>
-        <translation>倒入時間</translation>
-    </message>
-    <message>
-        <source>How long the milk of a new glass is poured</source>
-        <translation>新的一杯倒入牛奶的時間</translation>
-    </message>
-    <message>
-        <source>Stream</source>
-        <translation>水流</translation>
-    </message>
-    <message>
-        <source>Radius of the stream</source>
-        <translation>水流的半徑</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>速度</translation>
-    </message>
-    <message>
-        <source>Speed of the stream, downwards</source>
-        <translation>水流向下的速度</translation>
-    </message>
-    <message>
-        <source> m/s</source>
-        <translation> m/s</translation>
-    </message>
-    <message>
-        <source>Fat lifts</source>
-        <translation>脂肪上浮</translation>
-    </message>
-    <message>
-        <source>How fast fat lets milk rise</source>
-        <translation>脂肪使牛奶上升的快慢</translation>
-    </message>
-    <message>
-        <source>Cold sinks</source>
-        <translation>低溫下沉</translation>
-    </message>
-    <message>
-        <source>How fast cold lets milk sink</source>
-        <translation>低溫使牛奶下沉的快慢</translation>
-    </message>
-    <message>
-        <source>Milky tea sinks</source>
-        <translation>含奶茶下沉</translation>
-    </message>
-    <message>
-        <source>How fast tea with milk in it sinks</source>
-        <translation>含牛奶的茶下沉的快慢</translation>
-    </message>
-    <message>
-        <source>Warms at rest in</source>
-        <translation>靜置回溫</translation>
-    </message>
-    <message>
-        <source>Time in which milk at rest warms</source>
-        <translation>靜置的牛奶變暖所需的時間</translation>
-    </message>
-    <message>
-        <source>A ball warms in</source>
-        <translation>奶球回溫</translation>
-    </message>
-    <message>
-        <source>Time in which a ball warms</source>
-        <translation>奶球變暖所需的時間</translation>
-    </message>
-    <message>
-        <source>Cold given on</source>
-        <translation>傳給茶的冷</translation>
-    </message>
-    <message>
-        <source>Share of the milk&apos;s cold that the tea gets</source>
-        <translation>牛奶的冷傳給茶的比例</translation>
-    </message>
-    <message>
-        <source>First ball after</source>
-        <translation>首個奶球</translation>
-    </message>
-    <message>
-        <source>When the first ball forms</source>
-        <translation>第一個奶球形成的時刻</translation>
-    </message>
-    <message>
-        <source>A ball every</source>
-        <translation>奶球間隔</translation>
-    </message>
-    <message>
-        <source>Time between two balls, in the mean</source>
-        <translation>兩個奶球之間的平均時間</translation>
-    </message>
-    <message>
-        <source>Ball&apos;s radius</source>
-        <translation>奶球半徑</translation>
-    </message>
-    <message>
-        <source>Radius of a ball, in the mean</source>
-        <translation>奶球的平均半徑</translation>
-    </message>
-    <message>
-        <source>Sizes differ by</source>
-        <translation>大小差異</translation>
-    </message>
-    <message>
-        <source>How much balls differ in size</source>
-        <translation>奶球大小的差異程度</translation>
-    </message>
-    <message>
-        <source>Draws together in</source>
-        <translation>聚攏時間</translation>
-    </message>
-    <message>
-        <source>Time in which a ball draws its milk back</source>
-        <translation>奶球將牛奶拉回所需的時間</translation>
-    </message>
-    <message>
-        <source>Lets go to</source>
-        <translation>容許距離</translation>
-    </message>
-    <message>
-        <source>How far it lets its milk, in its radii</source>
-        <translation>容許牛奶離開的距離，以半徑計</translation>
-    </message>
-    <message>
-        <source> radii</source>
-        <translation> 倍半徑</translation>
-    </message>
-    <message>
-        <source>Torn off at</source>
-        <translation>脫離距離</translation>
-    </message>
-    <message>
-        <source>Distance at which milk is torn off</source>
-        <translation>牛奶被扯離的距離</translation>
-    </message>
-    <message>
-        <source>Bursts at</source>
-        <translation>破裂深度</translation>
-    </message>
-    <message>
-        <source>Depth at which a ball bursts</source>
-        <translation>奶球破裂的深度</translation>
-    </message>
-    <message>
-        <source>A warm ball in</source>
-        <translation>暖奶球</translation>
-    </message>
-    <message>
-        <source>Time in which a warm ball dissolves</source>
-        <translation>變暖的奶球溶解所需的時間</translation>
-    </message>
-    <message>
-        <source>On top in</source>
-        <translation>頂層</translation>
-    </message>
-    <message>
-        <source>Time in which milk under the surface dissolves</source>
-        <translation>液面下的牛奶溶解所需的時間</translation>
-    </message>
-    <message>
-        <source>On top is</source>
-        <translation>頂層厚度</translation>
-    </message>
-    <message>
-        <source>How far down that is</source>
-        <translation>頂層向下延伸多深</translation>
-    </message>
-    <message>
-        <source>At rest in</source>
-        <translation>靜置時</translation>
-    </message>
-    <message>
-        <source>Time in which milk at rest dissolves</source>
-        <translation>靜置的牛奶溶解所需的時間</translation>
-    </message>
-    <message>
-        <source>All from</source>
-        <translation>全部自</translation>
-    </message>
-    <message>
-        <source>When all milk begins to dissolve</source>
-        <translation>所有牛奶開始溶解的時刻</translation>
-    </message>
-    <message>
-        <source>Warm below</source>
-        <translation>視為暖於</translation>
-    </message>
-    <message>
-        <source>Coldness below which a ball dissolves</source>
-        <translation>冷度低於此值時奶球會溶解</translation>
-    </message>
-    <message>
-        <source>Milk spreads</source>
-        <translation>牛奶擴散</translation>
-    </message>
-    <message>
-        <source>How dissolved milk spreads</source>
-        <translation>溶解的牛奶如何擴散</translation>
-    </message>
-    <message>
-        <source>Viscosity</source>
-        <translation>黏度</translation>
-    </message>
-    <message>
-        <source>Kinematic viscosity: water 1, oil 80, honey 5000</source>
-        <translation>動黏度：水 1、油 80、蜂蜜 5000</translation>
-    </message>
-    <message>
-        <source>Heat spreads</source>
-        <translation>熱擴散</translation>
-    </message>
-    <message>
-        <source>How heat spreads</source>
-        <translation>熱如何擴散</translation>
-    </message>
-    <message>
-        <source>Whirls kept</source>
-        <translation>渦旋保持</translation>
-    </message>
-    <message>
-        <source>Force that keeps small whirls alive</source>
-        <translation>維持小渦旋的力</translation>
-    </message>
-    <message>
-        <source>Time step</source>
-        <translation>時間步長</translation>
-    </message>
-    <message>
-        <source>Length of a time step</source>
-        <translation>一個時間步的長度</translation>
-    </message>
-    <message>
-        <source> ms</source>
-        <translation> 毫秒</translation>
-    </message>
-    <message>
-        <source>Pressure within</source>
-        <translation>壓力誤差</translation>
-    </message>
-    <message>
-        <source>How exact the pressure is solved</source>
-        <translation>求解壓力的精確度</translation>
-    </message>
-    <message>
-        <source>Pouring</source>
-        <translation>倒入</translation>
-    </message>
-    <message>
-        <source>Sinking and rising</source>
-        <translation>下沉與上升</translation>
-    </message>
-    <message>
-        <source>Balls of milk</source>
-        <translation>奶球</translation>
-    </message>
-    <message>
-        <source>Dissolving</source>
-        <translation>溶解</translation>
-    </message>
-    <message>
-        <source>Flow</source>
-        <translation>流動</translation>
-    </message>
-    <message>
-        <source>Milk</source>
-        <translation>牛奶</translation>
-    </message>
-    <message>
-        <source>How much milk is poured into a new glass by itself</source>
-        <translation>自動倒入新的一杯的牛奶量</translation>
-    </message>
-    <message>
-        <source> ml</source>
-        <translation> 毫升</translation>
-    </message>
-    <message>
-        <source>Force reaches</source>
-        <translation>力的範圍</translation>
-    </message>
-    <message>
-        <source>How far the force reaches from its axis</source>
-        <translation>力從軸心所及的距離</translation>
-    </message>
-    <message>
-        <source>Tank: liquid falls</source>
-        <translation>水槽：液體落下</translation>
-    </message>
-    <message>
-        <source>Tank: two liquids meet</source>
-        <translation>水槽：兩種液體相遇</translation>
-    </message>
-    <message>
-        <source>Back to the painting</source>
-        <translation>回到畫作</translation>
-    </message>
-    <message>
-        <source>The glass waits as it is, and so did the painting</source>
-        <translation>杯子原樣等候，畫作也一直如此</translation>
-    </message>
-    <message>
-        <source>Gravity</source>
-        <translation>重力</translation>
-    </message>
-    <message>
-        <source>How fast what falls gets faster</source>
-        <translation>落下之物加速的快慢</translation>
-    </message>
-    <message>
-        <source>Lively</source>
-        <translation>活潑</translation>
-    </message>
-    <message>
-        <source>What of its own velocity a drop keeps from step to step: less is calmer</source>
-        <translation>水滴在每步之間保留自身速度的比例：越少越平靜</translation>
-    </message>
-    <message>
-        <source>Volume mended</source>
-        <translation>體積修正</translation>
-    </message>
-    <message>
-        <source>How much of a wrong density a step mends</source>
-        <translation>每步修正多少錯誤的密度</translation>
-    </message>
-    <message>
-        <source>Way of a step</source>
-        <translation>每步距離</translation>
-    </message>
-    <message>
-        <source>The longest way of a step, in cells: longer is faster and coarser</source>
-        <translation>每步最長距離，以格計：越長越快也越粗</translation>
-    </message>
-    <message>
-        <source> cells</source>
-        <translation> 格</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::GlassChooser</name>
-    <message>
-        <source>What is in the glass</source>
-        <translation>杯中之物</translation>
-    </message>
-    <message>
-        <source>What is in the glass: milk tea, or a tank of liquid</source>
-        <translation>杯中之物：奶茶，或一缸液體</translation>
-    </message>
-    <message>
-        <source>Milk tea</source>
-        <translation>奶茶</translation>
-    </message>
-    <message>
-        <source>Open a tank...</source>
-        <translation>開啟水槽...</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::GlassPage</name>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
-    </message>
-    <message>
-        <source>%1 of %2 s</source>
-        <translation>%1 / %2 秒</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::LiquidPictureDialog</name>
-    <message>
-        <source>Pixels from left to right</source>
-        <translation>由左至右的像素數</translation>
-    </message>
-    <message>
-        <source>Pixels from top to bottom</source>
-        <translation>由上至下的像素數</translation>
-    </message>
-    <message>
-        <source>Ways of light for each pixel: four times as many, half the noise</source>
-        <translation>每個像素的光路數：四倍的數量，一半的雜訊</translation>
-    </message>
-    <message>
-        <source>As a surface</source>
-        <translation>作為表面</translation>
-    </message>
-    <message>
-        <source>As a cloud</source>
-        <translation>作為雲霧</translation>
-    </message>
-    <message>
-        <source>How milk that has not dissolved is seen: a cloud is softer and takes longer</source>
-        <translation>未溶解的牛奶的呈現方式：雲霧較柔和，但較費時</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>寬度</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>高度</translation>
-    </message>
-    <message>
-        <source>Samples</source>
-        <translation>取樣數</translation>
-    </message>
-    <message>
-        <source>Milk</source>
-        <translation>牛奶</translation>
-    </message>
-    <message>
-        <source>Use on the canvas</source>
-        <translation>用於畫布</translation>
-    </message>
-    <message>
-        <source>Puts the picture onto the painting as a layer of dry paint, and goes there</source>
-        <translation>將圖片作為一層乾顏料放到畫作上，並回到畫作</translation>
-    </message>
-    <message>
-        <source>Save...</source>
-        <translation>儲存...</translation>
-    </message>
-    <message>
-        <source>As PNG and others as it is shown, or as EXR with the light itself</source>
-        <translation>PNG 等格式依所見儲存，EXR 則儲存光本身</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>關閉</translation>
-    </message>
-    <message>
-        <source>Taking the noise out...</source>
-        <translation>正在去除雜訊...</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>停止</translation>
-    </message>
-    <message>
-        <source>Render</source>
-        <translation>算繪</translation>
-    </message>
-    <message>
-        <source>Keep the picture as fine as it is by now</source>
-        <translation>保留目前細緻程度的圖片</translation>
-    </message>
-    <message>
-        <source>%1 samples in %2 s, without noise</source>
-        <translation>%1 次取樣，%2 秒，已去除雜訊</translation>
-    </message>
-    <message>
-        <source>%1 of %2 samples</source>
-        <translation>%1 / %2 次取樣</translation>
-    </message>
-    <message>
-        <source>Save the picture</source>
-        <translation>儲存圖片</translation>
-    </message>
-    <message>
-        <source>Pictures (%1)</source>
-        <translation>圖片 (%1)</translation>
-    </message>
-    <message>
-        <source>Finding the surface...</source>
-        <translation>正在尋找表面...</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TankPage</name>
-    <message>
-        <source>Moment of the tank</source>
-        <translation>水槽的時刻</translation>
-    </message>
-    <message>
-        <source>Drag to any moment of the tank; going on goes on from its last</source>
-        <translation>拖到水槽的任一時刻；繼續時由最後一刻接下去</translation>
-    </message>
-    <message>
-        <source>Liquid in the tank, and how many steps a second are computed</source>
-        <translation>水槽中的液體，以及每秒計算的步數</translation>
-    </message>
-    <message>
-        <source>Filling the tank...</source>
-        <translation>正在注滿水槽...</translation>
-    </message>
-    <message>
-        <source>%1 l   %2 steps/s</source>
-        <translation>%1 l   %2 步/秒</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TankPanel</name>
-    <message>
-        <source>Tank</source>
-        <translation>水槽</translation>
-    </message>
-    <message>
-        <source>Balls and drain</source>
-        <translation>球與排水口</translation>
-    </message>
-    <message>
-        <source>Ball&apos;s radius</source>
-        <translation>奶球半徑</translation>
-    </message>
-    <message>
-        <source>How large the ball is that falls where you press</source>
-        <translation>你按下處落下的球有多大</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Milk in it</source>
-        <translation>其中的牛奶</translation>
-    </message>
-    <message>
-        <source>How much of the ball is milk</source>
-        <translation>球中有多少是牛奶</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Wind</source>
-        <translation>風</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>速度</translation>
-    </message>
-    <message>
-        <source>How fast the air goes</source>
-        <translation>空氣的速度</translation>
-    </message>
-    <message>
-        <source> m/s</source>
-        <translation> m/s</translation>
-    </message>
-    <message>
-        <source>Blows to</source>
-        <translation>吹向</translation>
-    </message>
-    <message>
-        <source>0 to the right along the front, 90 away from it</source>
-        <translation>0 為沿正面向右，90 為遠離正面</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>Drags</source>
-        <translation>拖曳</translation>
-    </message>
-    <message>
-        <source>How firmly it takes the liquid&apos;s surface along</source>
-        <translation>帶動液體表面的力道</translation>
-    </message>
-    <message>
-        <source> /s</source>
-        <translation> /秒</translation>
-    </message>
-    <message>
-        <source>Look and export</source>
-        <translation>檢視與匯出</translation>
-    </message>
-    <message>
-        <source>Liquid</source>
-        <translation>液體</translation>
-    </message>
-    <message>
-        <source>Every step into a folder</source>
-        <translation>每一步存入資料夾</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TeaPage</name>
-    <message>
-        <source>Moment of the tea</source>
-        <translation>茶的時刻</translation>
-    </message>
-    <message>
-        <source>Drag to any moment of the glass; going on goes on from its last</source>
-        <translation>拖曳到任何時刻；繼續時會從最後一刻接續</translation>
-    </message>
-    <message>
-        <source>Milk poured so far, and how many steps of 1/30 s a second are computed</source>
-        <translation>目前倒入的牛奶，以及每秒計算多少個 1/30 秒的步</translation>
-    </message>
-    <message>
-        <source>Filling the glass...</source>
-        <translation>正在斟茶...</translation>
-    </message>
-    <message>
-        <source>%1 ml of milk   %2 steps/s</source>
-        <translation>牛奶 %1 毫升   每秒 %2 步</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::tea::TeaPanel</name>
-    <message>
-        <source>Pictures</source>
-        <translation>圖片</translation>
-    </message>
-    <message>
-        <source>Glass</source>
-        <translation>杯子</translation>
-    </message>
-    <message>
-        <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>
-        <translation>下一杯每邊的格數：越細越久，按四次方增加；64 起奶球才會上升</translation>
-    </message>
-    <message>
-        <source>Drops that the next glass&apos; milk is made of</source>
-        <translation>組成下一杯牛奶的奶滴數</translation>
-    </message>
-    <message>
-        <source>Cells a side</source>
-        <translation>每邊格數</translation>
-    </message>
-    <message>
-        <source>Drops of milk</source>
-        <translation>奶滴</translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation>力</translation>
-    </message>
-    <message>
-        <source>Around the axis</source>
-        <translation>繞軸</translation>
-    </message>
-    <message>
-        <source>How fast the stirring gets faster; below 0 it goes the other way round</source>
-        <translation>攪拌加快的程度；低於 0 則反向</translation>
-    </message>
-    <message>
-        <source> rad/s²</source>
-        <translation> rad/s²</translation>
-    </message>
-    <message>
-        <source>Downwards</source>
-        <translation>向下</translation>
-    </message>
-    <message>
-        <source> m/s²</source>
-        <translation> m/s²</translation>
-    </message>
-    <message>
-        <source>A push down along the axis; below 0 it goes up</source>
-        <translation>沿軸向下的推力；低於 0 則向上</translation>
     </message>
 </context>
 <context>

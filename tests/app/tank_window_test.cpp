@@ -2,13 +2,13 @@
 // say.
 #include "core/text_file.hpp"
 #include "document/painting_state.hpp"
+#include "glass/glass_chooser.hpp"
+#include "glass/liquid_picture_dialog.hpp"
+#include "glass/tank_page.hpp"
+#include "glass/tea_page.hpp"
 #include "io/tank_json.hpp"
 #include "main/tank_mode.hpp"
 #include "main/tea_mode.hpp"
-#include "tea/glass_chooser.hpp"
-#include "tea/liquid_picture_dialog.hpp"
-#include "tea/tank_page.hpp"
-#include "tea/tea_page.hpp"
 #include "window_fixture.hpp"
 
 #include <csignal>
@@ -32,7 +32,7 @@ class TankWindow : public WindowTest {
     QAction* action(Command command) { return window().commands().action(command); }
     main::TankMode& tank() { return window().tank(); }
     session::TankSession& liquid() { return tank().session(); }
-    tea::TankView& view() { return tank().page().view(); }
+    glass::TankView& view() { return tank().page().view(); }
 
     /// A quarter full, and so small that a test can wait for it.
     static tank::TankScene small_tank() {
@@ -73,7 +73,7 @@ class TankWindow : public WindowTest {
         QApplication::processEvents();
     }
 
-    void choose(tea::GlassChooser& chooser, const QString& item) {
+    void choose(glass::GlassChooser& chooser, const QString& item) {
         chooser.setCurrentIndex(chooser.findData(item));
         Q_EMIT chooser.activated(chooser.currentIndex());
     }
@@ -119,10 +119,10 @@ TEST_F(TankWindow, TheChooserGoesFromTeaToTankAndBack) {
     liquid().wait_until_applied();
     EXPECT_EQ(liquid().moment()->place->scene.name, "Two liquids");
     EXPECT_TRUE(tea.session().status().paused);
-    choose(tank().page().panel().chooser(), tea::GlassChooser::tea_key());
+    choose(tank().page().panel().chooser(), glass::GlassChooser::tea_key());
     EXPECT_TRUE(tea.page().isVisible());
     EXPECT_FALSE(tank().page().isVisible());
-    EXPECT_EQ(tea.page().panel().chooser().choice(), tea::GlassChooser::tea_key());
+    EXPECT_EQ(tea.page().panel().chooser().choice(), glass::GlassChooser::tea_key());
     liquid().wait_until_applied();
     EXPECT_TRUE(liquid().status().paused);
     tea.session().wait_until_applied();
@@ -246,7 +246,7 @@ TEST_F(TankWindow, SurfacesAreExported) {
 TEST_F(TankWindow, APictureIsRenderedAndBecomesALayer) {
     open_small_tank();
     key(Qt::Key_F8);
-    tea::LiquidPictureDialog& dialog = tank().picture();
+    glass::LiquidPictureDialog& dialog = tank().picture();
     EXPECT_TRUE(dialog.isVisible());
     dialog.findChild<QSpinBox*>(QStringLiteral("picture_width"))->setValue(32);
     dialog.findChild<QSpinBox*>(QStringLiteral("picture_height"))->setValue(24);

@@ -1,8 +1,8 @@
 // Milk tea in the window: it comes in place of the canvas, and the painting waits.
 #include "document/painting_state.hpp"
+#include "glass/liquid_picture_dialog.hpp"
+#include "glass/tea_page.hpp"
 #include "main/tea_mode.hpp"
-#include "tea/liquid_picture_dialog.hpp"
-#include "tea/tea_page.hpp"
 #include "window_fixture.hpp"
 
 #include <fstream>
@@ -27,7 +27,7 @@ class TeaWindow : public WindowTest {
     QAction* action(Command command) { return window().commands().action(command); }
     main::TeaMode& tea() { return window().tea(); }
     session::TeaSession& glass() { return tea().session(); }
-    tea::TeaView& view() { return tea().page().view(); }
+    glass::TeaView& view() { return tea().page().view(); }
 
     /// Enters the mode with a glass that a test can wait for, and pauses it.
     void enter() {
@@ -147,7 +147,7 @@ TEST_F(TeaWindow, APenPoursToo) {
 
 TEST_F(TeaWindow, TheOtherButtonsTurnTheGlass) {
     enter();
-    const tea::TeaCamera before = view().camera();
+    const glass::TeaCamera before = view().camera();
     const QPointF place = view().widget_position({0.05F, 0.05F});
     mouse(QEvent::MouseButtonPress, place, Qt::RightButton, Qt::RightButton);
     mouse(QEvent::MouseMove, place + QPointF(60, 20), Qt::NoButton, Qt::RightButton);
@@ -247,7 +247,7 @@ TEST_F(TeaWindow, APictureIsRenderedAndBecomesALayer) {
     enter();
     wait_for([&] { return glass().status().last_step > 3; });
     action(Command::TeaRender)->trigger();
-    tea::LiquidPictureDialog& dialog = tea().picture();
+    glass::LiquidPictureDialog& dialog = tea().picture();
     EXPECT_TRUE(dialog.isVisible());
     dialog.findChild<QSpinBox*>(QStringLiteral("picture_width"))->setValue(32);
     dialog.findChild<QSpinBox*>(QStringLiteral("picture_height"))->setValue(24);

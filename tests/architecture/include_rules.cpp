@@ -56,10 +56,10 @@ const Rules& app_rules() {
         {"panels", {"appearance", "session", "commands", "tools"}},
         {"dialogs", {"appearance", "session", "commands", "tools"}},
         {"start", {"appearance", "session", "commands", "tools", "dialogs"}},
-        {"tea", {"appearance", "graphics", "session", "commands", "tools", "panels"}},
+        {"glass", {"appearance", "graphics", "session", "commands", "tools", "panels"}},
         {"main",
          {"arguments", "appearance", "crash", "graphics", "session", "commands", "tools", "view",
-          "panels", "dialogs", "start", "tea"}},
+          "panels", "dialogs", "start", "glass"}},
     };
     return rules;
 }

@@ -1,10 +1,10 @@
 #include "appearance/theme.hpp"
+#include "glass/liquid_picture_dialog.hpp"
+#include "glass/tank_page.hpp"
+#include "glass/tea_page.hpp"
 #include "main/tank_mode.hpp"
 #include "main/tea_mode.hpp"
 #include "states.hpp"
-#include "tea/liquid_picture_dialog.hpp"
-#include "tea/tank_page.hpp"
-#include "tea/tea_page.hpp"
 
 #include <QAction>
 #include <QApplication>
@@ -32,7 +32,7 @@ void wait_for_liquid(Camera& camera, Mode& mode, double until_s, const QString& 
     wait_for([&] { return mode.page().view().finished(); });
 }
 
-void take_picture(Camera& camera, tea::LiquidPictureDialog& picture, const QString& name) {
+void take_picture(Camera& camera, glass::LiquidPictureDialog& picture, const QString& name) {
     picture.show();
     picture.findChild<QPushButton*>(QStringLiteral("picture_start"))->click();
     for (int minutes = 0; minutes < 5 && picture.rendering(); ++minutes)
@@ -43,7 +43,7 @@ void take_picture(Camera& camera, tea::LiquidPictureDialog& picture, const QStri
 }
 
 /// The window as it is seen: grabbed alone it has not what is drawn over the liquid.
-QPixmap with_marks(main::MainWindow& window, tea::GlassView& view) {
+QPixmap with_marks(main::MainWindow& window, glass::GlassView& view) {
     QPixmap picture = window.grab();
     QPainter(&picture).drawImage(QRect(view.mapTo(&window, QPoint()), view.size()), view.picture());
     return picture;

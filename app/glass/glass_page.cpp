@@ -1,0 +1,87 @@
+#include "glass/glass_page.hpp"
+
+#include "glass/glass_view.hpp"
+#include "panels/section.hpp"
+
+#include <algorithm>
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace pastoso::glass {
+
+GlassPage::GlassPage(GlassView* view, QWidget* panel, const GlassActions& actions,
+                     const TimelineWords& words, QWidget* parent)
+    : QWidget(parent), busy_(words.busy) {
+    setObjectName(words.name + QStringLiteral("_page"));
+    auto* left = new QVBoxLayout;
+    left->setSpacing(0);
+    left->addWidget(view, 1);
+    left->addWidget(timeline(actions, words));
+    auto* scrolled = new QScrollArea;
+    scrolled->setFrameShape(QFrame::NoFrame);
+    scrolled->setFocusPolicy(Qt::NoFocus);
+    scrolled->setWidgetResizable(true);
+    scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scrolled->setWidget(panel);
+    scrolled->setFixedWidth(std::max(
+        330, panel->minimumSizeHint().width() + scrolled->verticalScrollBar()->sizeHint().width()));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addLayout(left, 1);
+    row->addWidget(scrolled);
+    setFocusProxy(view);
+}
+
+QWidget* GlassPage::timeline(const GlassActions& actions, const TimelineWords& words) {
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(10, 6, 10, 6);
+    row->setSpacing(8);
+    for (QAction* action : {actions.pause, actions.full_speed, actions.front}) {
+        auto* button = new QToolButton;
+        button->setDefaultAction(action);
+        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+        panels::keep_keys_for_canvas(button);
+        row->addWidget(button);
+    }
+    time_ = new QSlider(Qt::Horizontal);
+    time_->setObjectName(words.name + QStringLiteral("_time"));
+    time_->setAccessibleName(words.what);
+    time_->setToolTip(words.hint);
+    panels::keep_keys_for_canvas(time_);
+    panels::keep_own_keys(time_, {Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down});
+    connect(time_, &QSlider::valueChanged, this, &GlassPage::step_wanted);
+    time_words_ = new QLabel;
+    time_words_->setObjectName(words.name + QStringLiteral("_time_words"));
+    readings_ = new QLabel;
+    readings_->setObjectName(QStringLiteral("reading"));
+    readings_->setToolTip(words.readings_hint);
+    row->addWidget(time_, 1);
+    row->addWidget(time_words_);
+    row->addWidget(readings_);
+    return bar;
+}
+
+void GlassPage::show_time(const session::LiquidStatus& status, const QString& readings, int decimals) {
+    const QSignalBlocker quiet(time_);
+    time_->setRange(0, std::max(status.last_step, 1));
+    time_->setPageStep(std::max(1, status.last_step / 20));
+    if (!time_->isSliderDown()) time_->setValue(status.step);
+    time_words_->setText(status.busy         ? busy_
+                         : status.shows_last ? tr("%1 s").arg(status.last_s, 0, 'f', decimals)
+                                             : tr("%1 of %2 s")
+                                                   .arg(status.time_s, 0, 'f', decimals)
+                                                   .arg(status.last_s, 0, 'f', decimals));
+    readings_->setText(readings);
+}
+
+}  // namespace pastoso::glass

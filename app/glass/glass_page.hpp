@@ -1,0 +1,50 @@
+// What stands in the middle of the window in place of the canvas: a liquid, its timeline below it and
+// its panel beside it.
+#pragma once
+
+#include "glass/panel_parts.hpp"
+#include "session/liquid_session.hpp"
+
+#include <QWidget>
+
+class QLabel;
+class QSlider;
+
+namespace pastoso::glass {
+
+class GlassView;
+
+/// Of the timeline.
+struct TimelineWords {
+    QString name;  ///< of its widgets: NAME_time, NAME_time_words
+    QString what;  ///< "Moment of the tea"
+    QString hint;
+    QString readings_hint;
+    QString busy;  ///< while the glass is filled
+};
+
+class GlassPage : public QWidget {
+    Q_OBJECT
+  public:
+    GlassPage(GlassView* view, QWidget* panel, const GlassActions& actions, const TimelineWords& words,
+              QWidget* parent = nullptr);
+
+    virtual GlassView& view() = 0;
+
+  Q_SIGNALS:
+    /// The moment at that step is to be shown.
+    void step_wanted(int step);
+
+  protected:
+    /// The timeline, and beside it what is read of the liquid. Times have that many decimals.
+    void show_time(const session::LiquidStatus& status, const QString& readings, int decimals);
+
+  private:
+    QWidget* timeline(const GlassActions& actions, const TimelineWords& words);
+
+    QSlider* time_ = nullptr;
+    QLabel *time_words_ = nullptr, *readings_ = nullptr;
+    QString busy_;
+};
+
+}  // namespace pastoso::glass

@@ -1,0 +1,52 @@
+// What the liquids' panels are made of.
+#pragma once
+
+#include <QString>
+
+class QAction;
+class QGridLayout;
+class QVBoxLayout;
+class QWidget;
+
+namespace pastoso::glass {
+
+class GlassChooser;
+class NumberRow;
+
+/// The actions on the page of any liquid.
+struct GlassActions {
+    QAction *back, *pause, *full_speed, *front;
+};
+
+/// The column of a panel's sections.
+QVBoxLayout* column_of(QWidget* panel);
+
+/// A section at the end of a column.
+QVBoxLayout* section_under(QVBoxLayout* column, const QString& heading);
+
+/// The same, with the button that brings the painting back above it and the chooser in it.
+QVBoxLayout* glass_section_under(QVBoxLayout* column, const QString& heading, QAction* back,
+                                 GlassChooser* chooser);
+
+/// A grid for numbers at the end of a column.
+QGridLayout* rows_under(QVBoxLayout* column);
+
+/// A number as the panel shows it.
+struct NumberWords {
+    const char* words;
+    const char* hint;
+    const char* unit;  ///< with the space before it
+    double scale;      ///< shown = scale times SI
+    int decimals;
+    double usual_least, usual_most;  ///< as shown
+    bool logarithmic = false;
+};
+
+/// A row for it at the end of a grid; name and limits, in SI, are those that it has in files.
+NumberRow* add_number(QGridLayout* grid, const NumberWords& number, const char* name, double least,
+                      double most);
+
+/// Words of a table in the language of the window.
+QString words_of(const char* text);
+
+}  // namespace pastoso::glass

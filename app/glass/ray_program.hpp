@@ -1,0 +1,48 @@
+// What the programs need that follow a ray for each pixel.
+#pragma once
+
+#include "glass/tea_camera.hpp"
+
+#include <memory>
+
+#include <QByteArray>
+#include <QMatrix4x4>
+#include <QOpenGLExtraFunctions>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLShaderProgram>
+#include <QRect>
+#include <QVector3D>
+
+namespace pastoso::glass {
+
+/// A draft is coarser in what takes long.
+enum class Quality { Draft, Full };
+
+QVector3D vector(const glm::vec3& v);
+QMatrix4x4 matrix(const glm::mat4& m);
+
+/// Throws core::InputError when the driver refuses it.
+std::unique_ptr<QOpenGLShaderProgram> shader_program(const QByteArray& vertex,
+                                                     const QByteArray& fragment);
+
+/// `words` between those that all such programs share (kLightShader, kMainShader).
+std::unique_ptr<QOpenGLShaderProgram> ray_program(const char* words);
+
+/// The camera of the `pass`-th picture of several, whose samples lie elsewhere within a pixel.
+void set_rays(QOpenGLShaderProgram& program, const TeaCamera& camera, QSize size, int pass);
+
+/// Draws the rows of `part` (counted from below) into `target`, which keeps the mean of all passes. The
+/// program and its textures are bound; `empty_array` has no attributes.
+void draw_rays(QOpenGLExtraFunctions& gl, QOpenGLFramebufferObject& target, const QRect& part, int pass,
+               GLuint empty_array);
+
+/// Numbers at the points of a box as a texture of halves, x fastest, with rows in memory that are
+/// `stride_y` long. Allocates it anew when `anew`.
+struct Volume {
+    const float* values;
+    int nx, ny, nz;
+    std::ptrdiff_t stride_y, stride_z;
+};
+void upload_volume(QOpenGLExtraFunctions& gl, GLuint texture, const Volume& volume, bool anew);
+
+}  // namespace pastoso::glass

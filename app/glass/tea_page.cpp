@@ -1,0 +1,28 @@
+#include "glass/tea_page.hpp"
+
+#include <cmath>
+
+namespace pastoso::glass {
+
+TeaPage::TeaPage(const TeaActions& actions, QWidget* parent)
+    : TeaPage(new TeaView, new TeaPanel(actions), actions, parent) {}
+
+TeaPage::TeaPage(TeaView* view, TeaPanel* panel, const TeaActions& actions, QWidget* parent)
+    : GlassPage(view, panel, actions.glass,
+                {QStringLiteral("tea"), tr("Moment of the tea"),
+                 tr("Drag to any moment of the glass; going on goes on from its last"),
+                 tr("Milk poured so far, and how many steps of 1/30 s a second are computed"),
+                 tr("Filling the glass...")},
+                parent),
+      view_(view),
+      panel_(panel) {}
+
+void TeaPage::show_status(const session::TeaStatus& status) {
+    show_time(status,
+              tr("%1 ml of milk   %2 steps/s")
+                  .arg(1e6 * status.milk_m3, 0, 'f', 1)
+                  .arg(std::lround(status.steps_per_s)),
+              1);
+}
+
+}  // namespace pastoso::glass

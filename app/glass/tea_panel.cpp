@@ -1,0 +1,136 @@
+#include "glass/tea_panel.hpp"
+
+#include "glass/glass_chooser.hpp"
+#include "glass/number_row.hpp"
+#include "glass/tea_words.hpp"
+#include "panels/section.hpp"
+
+#include <utility>
+
+#include <QAction>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+namespace pastoso::glass {
+namespace {
+
+constexpr int kCells[] = {32, 48, 64, 96, 128};
+
+NumberRow* add_row(QGridLayout* grid, const TeaRow& row) {
+    const liquid::TeaNumber& number = number_of(row);
+    return add_number(grid, row.shown, number.key, number.least, number.most);
+}
+
+}  // namespace
+
+TeaPanel::TeaPanel(const TeaActions& actions, QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("tea_panel"));
+    QVBoxLayout* column = column_of(this);
+    add_glass(column, actions);
+    add_force(column, actions);
+    QVBoxLayout* pictures = section_under(column, tr("Pictures"));
+    pictures->addWidget(panels::button_row({actions.render}));
+    pictures->addWidget(panels::button_row({actions.export_mesh}));
+    for (const TeaSection& section : tea_sections())
+        add_numbers(column, section);
+    column->addStretch(1);
+    show_settings({});
+    show_force({});
+}
+
+void TeaPanel::add_glass(QVBoxLayout* column, const TeaActions& actions) {
+    chooser_ = new GlassChooser;
+    QVBoxLayout* section = glass_section_under(column, tr("Glass"), actions.glass.back, chooser_);
+    section->addWidget(panels::button_row({actions.new_glass, actions.open, actions.save}));
+    QGridLayout* grid = rows_under(section);
+    cells_ = new QComboBox;
+    cells_->setObjectName(QStringLiteral("cells"));
+    cells_->setToolTip(
+        tr("Cells along each side of the next glass: finer takes longer, by the fourth "
+           "power; balls rise from 64 on"));
+    for (const int cells : kCells)
+        cells_->addItem(QString::number(cells), cells);
+    panels::keep_keys_for_canvas(cells_);
+    parcels_ = new QSpinBox;
+    parcels_->setObjectName(QStringLiteral("parcels"));
+    parcels_->setRange(1, liquid::kMaxParcels);
+    parcels_->setSingleStep(1000);
+    parcels_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    parcels_->setAlignment(Qt::AlignRight);
+    parcels_->setKeyboardTracking(false);
+    parcels_->setToolTip(tr("Drops that the next glass' milk is made of"));
+    const auto add = [&](const QString& words, QWidget* number) {
+        auto* label = new QLabel(words);
+        label->setObjectName(QStringLiteral("reading"));
+        label->setToolTip(number->toolTip());
+        const int row = grid->rowCount();
+        grid->addWidget(label, row, 0);
+        grid->addWidget(number, row, 1, 1, 2);
+    };
+    add(tr("Cells a side"), cells_);
+    add(tr("Drops of milk"), parcels_);
+    milk_ = add_row(grid, poured_milk());
+    connect(cells_, &QComboBox::activated, this,
+            [this] { settings_.cells = cells_->currentData().toInt(); });
+    connect(parcels_, &QSpinBox::valueChanged, this, [this](int count) { settings_.parcels = count; });
+    connect(milk_, &NumberRow::chosen, this,
+            [this](double ml) { settings_.milk_m3 = ml / poured_milk().shown.scale; });
+}
+
+void TeaPanel::add_force(QVBoxLayout* column, const TeaActions& actions) {
+    QVBoxLayout* section = section_under(column, tr("Force"));
+    section->addWidget(panels::button_row({actions.force, actions.reverse}));
+    section->addWidget(
+        panels::icon_row({actions.left, actions.right, actions.away, actions.near, actions.recentre}));
+    QGridLayout* grid = rows_under(section);
+    swirl_ = new NumberRow(grid, QStringLiteral("swirl_rad_s2"), tr("Around the axis"),
+                           tr("How fast the stirring gets faster; below 0 it goes the other way round"),
+                           {-1e3, 1e3, -20.0, 20.0, 1, tr(" rad/s²")});
+    push_ = new NumberRow(grid, QStringLiteral("push_m_s2"), tr("Downwards"),
+                          tr("A push down along the axis; below 0 it goes up"),
+                          {-1e3, 1e3, -2.0, 2.0, 2, tr(" m/s²")});
+    connect(swirl_, &NumberRow::chosen, this, [this](double value) {
+        force_.swirl_rad_s2 = value;
+        Q_EMIT force_changed(force_);
+    });
+    connect(push_, &NumberRow::chosen, this, [this](double value) {
+        force_.push_m_s2 = value;
+        Q_EMIT force_changed(force_);
+    });
+}
+
+void TeaPanel::add_numbers(QVBoxLayout* column, const TeaSection& section) {
+    QGridLayout* grid = rows_under(section_under(column, words_of(section.heading)));
+    for (const TeaRow& row : section.rows) {
+        NumberRow* shown = add_row(grid, row);
+        connect(shown, &NumberRow::chosen, this, [this, &row](double value) {
+            settings_.*row.value = value / row.shown.scale;
+            Q_EMIT numbers_changed(settings_);
+        });
+        shown_.push_back({&row, shown});
+    }
+}
+
+void TeaPanel::show_settings(const liquid::TeaSettings& settings) {
+    settings_ = settings;
+    const QSignalBlocker quiet_cells(cells_), quiet_parcels(parcels_);
+    if (cells_->findData(settings.cells) < 0)
+        cells_->addItem(QString::number(settings.cells), settings.cells);
+    cells_->setCurrentIndex(cells_->findData(settings.cells));
+    parcels_->setValue(settings.parcels);
+    milk_->show_value(poured_milk().shown.scale * settings.milk_m3);
+    for (const Shown& shown : shown_)
+        shown.widget->show_value(shown.row->shown.scale * settings.*shown.row->value);
+}
+
+void TeaPanel::show_force(const session::TeaForce& force) {
+    force_ = force;
+    swirl_->show_value(force.swirl_rad_s2);
+    push_->show_value(force.push_m_s2);
+}
+
+}  // namespace pastoso::glass

@@ -1,0 +1,66 @@
+// Beside the glass: what is done with it, the force, and all its numbers.
+#pragma once
+
+#include "glass/panel_parts.hpp"
+#include "session/tea_session.hpp"
+
+#include <vector>
+
+#include <QWidget>
+
+class QComboBox;
+class QSpinBox;
+class QVBoxLayout;
+
+namespace pastoso::glass {
+
+struct TeaRow;
+struct TeaSection;
+
+/// The actions that stand on its buttons and beside the timeline.
+struct TeaActions {
+    GlassActions glass;
+    QAction *new_glass, *open, *save, *force, *recentre, *reverse;
+    QAction *left, *right, *away, *near;
+    QAction *render, *export_mesh;
+};
+
+class TeaPanel : public QWidget {
+    Q_OBJECT
+  public:
+    explicit TeaPanel(const TeaActions& actions, QWidget* parent = nullptr);
+
+    GlassChooser& chooser() { return *chooser_; }
+
+    /// Shows these numbers, without a signal.
+    void show_settings(const liquid::TeaSettings& settings);
+    void show_force(const session::TeaForce& force);
+
+    /// As they stand there, the next glass' among them.
+    const liquid::TeaSettings& settings() const { return settings_; }
+
+  Q_SIGNALS:
+    /// Numbers that hold from now on.
+    void numbers_changed(const liquid::TeaSettings& settings);
+    void force_changed(const session::TeaForce& force);
+
+  private:
+    void add_glass(QVBoxLayout* column, const TeaActions& actions);
+    void add_force(QVBoxLayout* column, const TeaActions& actions);
+    void add_numbers(QVBoxLayout* column, const TeaSection& section);
+
+    struct Shown {
+        const TeaRow* row;
+        NumberRow* widget;
+    };
+
+    liquid::TeaSettings settings_;
+    session::TeaForce force_;
+    GlassChooser* chooser_ = nullptr;
+    QComboBox* cells_ = nullptr;
+    QSpinBox* parcels_ = nullptr;
+    NumberRow *milk_ = nullptr, *swirl_ = nullptr, *push_ = nullptr;
+    std::vector<Shown> shown_;
+};
+
+}  // namespace pastoso::glass

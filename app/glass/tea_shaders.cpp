@@ -1,0 +1,326 @@
+#include "glass/tea_shaders.hpp"
+
+namespace pastoso::glass {
+
+const char* const kMilkVertexShader = R"(#version 330 core
+layout(location = 0) in vec3 position_m;
+layout(location = 1) in vec3 normal;
+uniform mat4 clip_from_m;
+uniform vec3 eye_m, forward;
+uniform float focus_m;
+out vec3 way_normal;
+out float depth_m;
+void main() {
+    way_normal = normal;
+    depth_m = dot(position_m - eye_m, forward) - focus_m;  // small numbers: halves are exact enough
+    gl_Position = clip_from_m * vec4(position_m, 1.0);
+}
+)";
+
+const char* const kMilkFragmentShader = R"(#version 330 core
+in vec3 way_normal;
+in float depth_m;
+out vec4 layer;
+void main() {
+    layer = vec4(normalize(way_normal), depth_m);
+}
+)";
+
+const char* const kGlassVertexShader = R"(#version 330 core
+out vec2 place;
+void main() {
+    place = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
+    gl_Position = vec4(2.0 * place - 1.0, 0.0, 1.0);
+}
+)";
+
+// Optics, light and tone are those of the tracer (trace/scene.hpp, trace/picture.hpp): a picture that is
+// traced looks like what was seen before, only better.
+const char* const kLightShader = R"(#version 330 core
+in vec2 place;
+out vec4 colour;
+
+uniform vec3 eye_m, forward, right, up;   // right and up: to the edges of the picture, at distance 1
+uniform vec2 shift;                       // within the pixel, in units of place
+uniform float focus_m;
+uniform float grain;                      // of this pass, 0 to 1
+
+const vec3 GLASS_PER_M = vec3(2.2, 0.9, 1.4);
+const float MILK_PER_M = 3000.0;
+const vec3 MILK = vec3(0.97, 0.94, 0.86);
+const vec3 LAMP_WAY = normalize(vec3(-0.55, -0.5, 0.85));
+const vec3 LAMP = vec3(1.35, 1.28, 1.17);  // what white, facing it, gives back
+const vec3 SKY = vec3(0.62, 0.64, 0.68);   // the same of all the sky
+const vec3 TABLE = vec3(0.62, 0.58, 0.54);
+
+vec3 sky(vec3 way) {
+    float height = 0.5 * (way.z + 1.0);
+    vec3 light = mix(vec3(0.44, 0.456, 0.496), vec3(0.76, 0.784, 0.84), height);
+    float window = clamp((dot(way, normalize(vec3(0.9, -0.3, 0.25))) - 0.9003) / (0.9436 - 0.9003), 0.0, 1.0);
+    return light + 1.28 * window * window * (3.0 - 2.0 * window);
+}
+
+float fresnel(float cosine, float from, float to) {
+    float ratio = from / to, sine2 = ratio * ratio * max(0.0, 1.0 - cosine * cosine);
+    if (sine2 >= 1.0) return 1.0;
+    float beyond = sqrt(1.0 - sine2);
+    float s = (from * cosine - to * beyond) / (from * cosine + to * beyond);
+    float p = (to * cosine - from * beyond) / (to * cosine + from * beyond);
+    return 0.5 * (s * s + p * p);
+}
+
+vec3 toned(vec3 light) {
+    vec3 v = 0.95 * max(light, 0.0);
+    v = min(1.25 * v * (1.0 + 0.12 * v) / (1.0 + 0.55 * v), 1.0);
+    return mix(1.055 * pow(v, vec3(1.0 / 2.4)) - 0.055, 12.92 * v, lessThan(v, vec3(0.0031308)));
+}
+)";
+
+const char* const kMainShader = R"(
+void main() {
+    vec2 at = 2.0 * (place + shift) - 1.0;
+    vec3 way = normalize(forward + right * at.x + up * at.y);
+    float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))) + grain);
+    colour = vec4(toned(trace(eye_m, way, noise)), 1.0);
+}
+)";
+
+// What is simplified: a ray does not split but for
+// the first reflections, light in the tea comes straight from the lamp, and milk is met where the eye
+// would see it without the glass, at the place that the refracted ray passes.
+const char* const kGlassFragmentShader = R"(
+uniform vec2 axis_m;
+uniform float floor_m, floor_radius_m, slope, level_m, wall_m, foot_m, rim_m;
+uniform float box_m, table_m;
+uniform int march_steps;
+uniform sampler3D milk_share;
+uniform sampler2D milk_layer;
+uniform vec4 stream;                      // x, y, radius, 1 while it flows
+
+const int AIR = 0, GLASS = 1, TEA = 2, NOTHING = 3;
+const float IOR[3] = float[3](1.0, 1.5, 1.335);
+const vec3 TEA_PER_M = vec3(4.5, 17.0, 48.0);
+const float NEAR_M = 2e-5, FAR = 1e9;
+
+struct Meeting {
+    float way;     // along the ray
+    vec3 normal;   // out of `below`
+    int below, above;
+};
+
+float radius_at(float z) { return floor_radius_m + slope * (z - floor_m); }
+
+// ---- light
+
+// The share of lamplight that the glass leaves on the table, tinted by the tea.
+vec3 under_glass(vec2 at) {
+    vec2 from = at - axis_m;
+    vec2 away = -LAMP_WAY.xy / LAMP_WAY.z;
+    float high = level_m - table_m;
+    float along = clamp(dot(from, away) / dot(away, away), 0.0, high);
+    float radius = radius_at(min(along + table_m, level_m)) + wall_m;
+    float edge = 0.006 + 0.30 * along;
+    float inside = 1.0 - smoothstep(radius - edge, radius + edge, length(from - away * along));
+    vec3 through = mix(vec3(0.80, 0.60, 0.42), vec3(0.62, 0.58, 0.56), smoothstep(0.0, high, along));
+    return mix(vec3(1.0), through, 0.85 * inside);
+}
+
+vec3 table(vec3 at) {
+    vec2 from = at.xy - axis_m;
+    float square = dot(from, from);
+    vec3 stuff = TABLE * (0.55 + 0.45 * exp(-9.0 * square));
+    float foot = radius_at(foot_m) + wall_m;
+    float contact = 1.0 - 0.45 * exp(-max(sqrt(square) - foot, 0.0) / 0.008);
+    return stuff * (LAMP * LAMP_WAY.z * 0.95 * under_glass(at.xy) + SKY * contact) * 0.98;
+}
+
+vec3 surroundings(vec3 from, vec3 way) {
+    float along = (table_m - from.z) / way.z;
+    vec3 at = from + way * along;
+    return along > 0.0 && distance(at.xy, axis_m) < 1.2 ? table(at) : sky(way);
+}
+
+// ---- what is met
+
+void meet_wall(vec3 from, vec3 way, bool inner, inout Meeting first) {
+    float radius0 = floor_radius_m + (inner ? 0.0 : wall_m), bottom = inner ? floor_m : foot_m;
+    vec2 o = from.xy - axis_m;
+    float radius = radius0 + slope * (from.z - floor_m);
+    float a = dot(way.xy, way.xy) - slope * slope * way.z * way.z;
+    float b = dot(o, way.xy) - slope * radius * way.z;
+    float c = dot(o, o) - radius * radius;
+    float in_root = b * b - a * c;
+    if (in_root < 0.0) return;
+    float q = -b - (b < 0.0 ? -1.0 : 1.0) * sqrt(in_root);
+    float t0 = q / a, t1 = c / q;
+    vec2 both = vec2(min(t0, t1), max(t0, t1));
+    for (int i = 0; i < 2; ++i) {
+        float t = both[i];
+        if (!(t > NEAR_M && t < first.way)) continue;
+        float z = from.z + t * way.z;
+        if (z < bottom || z > rim_m) continue;
+        float there = radius0 + slope * (z - floor_m);
+        vec3 out_normal = normalize(vec3((o + t * way.xy) / there, -slope));
+        first = Meeting(t, inner ? -out_normal : out_normal, GLASS, inner && z < level_m ? TEA : AIR);
+        return;
+    }
+}
+
+void meet_disc(vec3 from, vec3 way, float z, float least, float most, float looks, int below, int above,
+               inout Meeting first) {
+    float t = (z - from.z) / way.z;
+    if (!(t > NEAR_M && t < first.way)) return;
+    float r = distance(from.xy + way.xy * t, axis_m);
+    if (r < least || r > most) return;
+    first = Meeting(t, vec3(0.0, 0.0, looks), below, above);
+}
+
+Meeting meet(vec3 from, vec3 way, int here) {
+    Meeting first = Meeting(FAR, vec3(0.0), NOTHING, NOTHING);
+    meet_wall(from, way, true, first);
+    meet_disc(from, way, floor_m, 0.0, floor_radius_m, 1.0, GLASS, TEA, first);
+    if (here != GLASS) meet_disc(from, way, level_m, 0.0, radius_at(level_m), 1.0, TEA, AIR, first);
+    if (here == TEA) return first;
+    meet_wall(from, way, false, first);
+    float rim = radius_at(rim_m);
+    meet_disc(from, way, rim_m, rim, rim + wall_m, 1.0, GLASS, AIR, first);
+    meet_disc(from, way, foot_m, 0.0, radius_at(foot_m) + wall_m, -1.0, GLASS, AIR, first);
+    return first;
+}
+
+/// How far it is through tea towards the lamp.
+float tea_to_lamp(vec3 at) {
+    Meeting end = Meeting((level_m - at.z) / LAMP_WAY.z, vec3(0.0), NOTHING, NOTHING);
+    meet_wall(at, LAMP_WAY, true, end);
+    return clamp(end.way, 0.0, 0.2);
+}
+
+// ---- milk
+
+/// How far a point lies behind what the eye sees of the milk; far before it where there is none.
+float behind(vec3 at, out vec4 layer) {
+    vec3 way = at - eye_m;
+    float depth = dot(way, forward);
+    vec2 seen = 0.5 + 0.5 * vec2(dot(way, right) / dot(right, right), dot(way, up) / dot(up, up)) / depth;
+    layer = texture(milk_layer, seen);
+    return layer.xyz == vec3(0.0) ? -1.0 : depth - focus_m - layer.w;
+}
+
+float share(vec3 at) { return clamp(texture(milk_share, at / box_m).r, 0.0, 1.0); }
+
+vec3 milk_light(vec3 at, vec3 normal, vec3 to_eye) {
+    float wall = max(radius_at(at.z) - distance(at.xy, axis_m), 0.0);
+    float near_m = min(min(wall, level_m - at.z) + 0.002, 0.02);
+    float facing = dot(normal, LAMP_WAY);
+    vec3 lamp = LAMP * max(0.0, (facing + 0.25) / 1.25) * exp(-TEA_PER_M * tea_to_lamp(at)) *
+                exp(-0.25 * MILK_PER_M * 0.02 * share(at + LAMP_WAY * 0.01));
+    float round_about = 0.62 + 0.38 * normal.z;
+    vec3 all = SKY * round_about * exp(-TEA_PER_M * near_m) +
+               0.30 * LAMP * exp(-TEA_PER_M * (near_m + 0.004)) * (0.6 - 0.4 * facing);
+    return MILK * (lamp + all);
+}
+
+/// What thick tea of that much milk gives back (Kubelka and Munk, scattering 3/4 of the reduced one).
+vec3 cloud(float part) {
+    vec3 x = 2.0 * TEA_PER_M / (0.75 * MILK_PER_M * max(part, 1e-5));
+    return 1.0 + x - sqrt(x * x + 2.0 * x);
+}
+
+/// Through tea: true where it ended at milk.
+bool through_tea(vec3 from, vec3 way, float length_m, float grain_here, inout vec3 weight, inout vec3 light) {
+    float part = length_m / float(march_steps);
+    vec4 layer;
+    float before = behind(from, layer), at = 0.0;
+    for (int i = 0; i < march_steps; ++i) {
+        float next = i + 1 == march_steps ? length_m : part * (float(i) + 0.5 + 0.5 * grain_here + 0.25);
+        next = min(next, length_m);
+        float now = behind(from + way * next, layer);
+        bool met = before <= 0.0 && now > 0.0;
+        if (met) {
+            float low = at, high = next;
+            for (int k = 0; k < 6; ++k) {
+                float middle = 0.5 * (low + high);
+                float there = behind(from + way * middle, layer);
+                if (there > 0.0) { high = middle; now = there; } else low = middle;
+            }
+            behind(from + way * high, layer);
+            met = now < 0.0016;
+            if (met) next = high;
+        }
+        before = now;
+        float milk = share(from + way * (0.5 * (at + next)));
+        vec3 left = exp(-(TEA_PER_M + MILK_PER_M * milk) * (next - at));
+        if (milk > 2e-5) {
+            vec3 here = from + way * (0.5 * (at + next));
+            float deep = clamp((level_m - here.z) / (level_m - floor_m), 0.0, 1.0);
+            vec3 lit = (LAMP * 0.62 + SKY) * mix(1.0, 0.80, deep);
+            light += weight * (1.0 - left) * cloud(milk) * lit;
+        }
+        weight *= left;
+        if (met) {
+            vec3 there = from + way * next;
+            light += weight * milk_light(there, normalize(layer.xyz), -way);
+            return true;
+        }
+        at = next;
+    }
+    return false;
+}
+
+/// Milk that falls through the air into the tea.
+bool meets_stream(vec3 from, vec3 way, float most, out vec3 at, out vec3 normal) {
+    if (stream.w < 0.5) return false;
+    vec2 o = from.xy - stream.xy;
+    float a = dot(way.xy, way.xy), b = dot(o, way.xy), c = dot(o, o) - stream.z * stream.z;
+    float in_root = b * b - a * c;
+    if (in_root < 0.0 || a < 1e-9) return false;
+    float t = (-b - sqrt(in_root)) / a;
+    at = from + way * t;
+    normal = vec3((at.xy - stream.xy) / stream.z, 0.0);
+    return t > NEAR_M && t < most && at.z > level_m;
+}
+
+/// Most pixels show the table alone.
+bool passes_by(vec3 from, vec3 way) {
+    float half_height = 0.5 * (rim_m - foot_m);
+    float widest = max(radius_at(rim_m), radius_at(foot_m)) + wall_m;
+    vec3 middle = vec3(axis_m, foot_m + half_height) - from;
+    float along = dot(middle, way);
+    return dot(middle, middle) - along * along > 1.001 * (widest * widest + half_height * half_height);
+}
+
+vec3 trace(vec3 from, vec3 way, float grain_here) {
+    if (stream.w < 0.5 && passes_by(from, way)) return surroundings(from, way);
+    vec3 light = vec3(0.0), weight = vec3(1.0), at, normal;
+    int here = AIR;
+    for (int event = 0; event < 9; ++event) {
+        Meeting next = meet(from, way, here);
+        if (here == AIR && meets_stream(from, way, next.way, at, normal)) {
+            float facing = dot(normal, LAMP_WAY);
+            return light + weight * MILK * (LAMP * max(0.0, (facing + 0.3) / 1.3) + SKY);
+        }
+        if (next.way == FAR) return light + weight * surroundings(from, way);
+        if (here == TEA && through_tea(from, way, next.way, grain_here, weight, light)) return light;
+        if (here == GLASS) weight *= exp(-GLASS_PER_M * next.way);
+        if (max(weight.r, max(weight.g, weight.b)) < 0.004) return light;
+        from += way * next.way;
+        bool inwards = dot(way, next.normal) < 0.0;
+        int there = inwards ? next.below : next.above;
+        here = inwards ? next.above : next.below;
+        normal = inwards ? next.normal : -next.normal;
+        float cosine = min(-dot(way, normal), 1.0), back = fresnel(cosine, IOR[here], IOR[there]);
+        if (back > 0.999) {
+            way = reflect(way, normal);
+        } else {
+            if (event < 3 && here != TEA) light += weight * back * sky(reflect(way, normal));
+            weight *= 1.0 - back;
+            way = normalize(refract(way, normal, IOR[here] / IOR[there]));
+            here = there;
+        }
+        from += way * 2e-6;
+    }
+    return light + weight * SKY * vec3(0.8, 0.55, 0.3);
+}
+)";
+
+}  // namespace pastoso::glass
