@@ -41,7 +41,7 @@ GlassView::GlassView(QWidget* parent) : GraphicsWidget(parent), passes_(kPasses)
     connect(&resting_, &QTimer::timeout, this, [this] { update(); });
 }
 
-void GlassView::set_camera(const TeaCamera& camera) {
+void GlassView::set_camera(const GlassCamera& camera) {
     if (camera == camera_) return;
     camera_ = camera;
     begin_anew();
@@ -212,7 +212,7 @@ void GlassView::drag(const QPointF& place) {
         drag_liquid(place);
     } else if (does_ == Does::Orbit) {
         const QPointF way = place - last_place_;
-        TeaCamera camera = camera_;
+        GlassCamera camera = camera_;
         camera.orbit(-kOrbit_deg_per_px * way.x(), kOrbit_deg_per_px * way.y());
         set_camera(camera);
     }
@@ -246,7 +246,7 @@ void GlassView::mouseReleaseEvent(QMouseEvent* event) {
 
 void GlassView::wheelEvent(QWheelEvent* event) {
     constexpr double kStep = 1.12, kNotch = 120.0;
-    TeaCamera camera = camera_;
+    GlassCamera camera = camera_;
     camera.zoom(std::pow(kStep, event->angleDelta().y() / kNotch));
     set_camera(camera);
     event->accept();

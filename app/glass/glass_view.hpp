@@ -22,8 +22,8 @@ class GlassView : public graphics::GraphicsWidget {
   public:
     explicit GlassView(QWidget* parent = nullptr);
 
-    const TeaCamera& camera() const { return camera_; }
-    void set_camera(const TeaCamera& camera);
+    const GlassCamera& camera() const { return camera_; }
+    void set_camera(const GlassCamera& camera);
     virtual void look_from_front() = 0;
 
     /// Whether the frame on the screen is the final one of the latest moment.
@@ -85,7 +85,7 @@ class GlassView : public graphics::GraphicsWidget {
     void lift();
     void set_cursor(const QPointF& place);
 
-    TeaCamera camera_;
+    GlassCamera camera_;
     bool has_moment_ = false, shows_latest_ = false;
     std::unique_ptr<QOpenGLFramebufferObject> draft_, still_;
     double pixel_cost_s_ = 0.4e-6;  ///< learnt from the frames so far

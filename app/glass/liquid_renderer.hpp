@@ -16,7 +16,7 @@ class LiquidRenderer {
 
     /// Draws the rows of `part` (counted from below) of a picture into `target`, as the `pass`-th of
     /// several that are blended to their mean.
-    virtual void draw(QOpenGLFramebufferObject& target, const QRect& part, const TeaCamera& camera,
+    virtual void draw(QOpenGLFramebufferObject& target, const QRect& part, const GlassCamera& camera,
                       int pass, Quality quality) = 0;
 };
 

@@ -44,7 +44,7 @@ std::unique_ptr<QOpenGLShaderProgram> ray_program(const char* words) {
     return shader_program(kGlassVertexShader, QByteArray(kLightShader) + words + kMainShader);
 }
 
-void set_rays(QOpenGLShaderProgram& program, const TeaCamera& camera, QSize size, int pass) {
+void set_rays(QOpenGLShaderProgram& program, const GlassCamera& camera, QSize size, int pass) {
     const float aspect = static_cast<float>(size.width()) / static_cast<float>(size.height());
     program.setUniformValue("eye_m", vector(camera.eye_m()));
     program.setUniformValue("forward", vector(camera.forward()));

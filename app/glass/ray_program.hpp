@@ -1,7 +1,7 @@
 // What the programs need that follow a ray for each pixel.
 #pragma once
 
-#include "glass/tea_camera.hpp"
+#include "glass/glass_camera.hpp"
 
 #include <memory>
 
@@ -29,7 +29,7 @@ std::unique_ptr<QOpenGLShaderProgram> shader_program(const QByteArray& vertex,
 std::unique_ptr<QOpenGLShaderProgram> ray_program(const char* words);
 
 /// The camera of the `pass`-th picture of several, whose samples lie elsewhere within a pixel.
-void set_rays(QOpenGLShaderProgram& program, const TeaCamera& camera, QSize size, int pass);
+void set_rays(QOpenGLShaderProgram& program, const GlassCamera& camera, QSize size, int pass);
 
 /// Draws the rows of `part` (counted from below) into `target`, which keeps the mean of all passes. The
 /// program and its textures are bound; `empty_array` has no attributes.

@@ -64,7 +64,7 @@ void TankRenderer::show(std::shared_ptr<const session::TankMoment> moment) {
     has_milk_ = std::ranges::any_of(milk.values(), [](float share) { return share > 0.0F; });
 }
 
-void TankRenderer::draw(QOpenGLFramebufferObject& target, const QRect& part, const TeaCamera& camera,
+void TankRenderer::draw(QOpenGLFramebufferObject& target, const QRect& part, const GlassCamera& camera,
                         int pass, Quality quality) {
     const tank::TankScene& scene = moment_->place->scene;
     program_->bind();

@@ -16,7 +16,7 @@ class TankRenderer : public LiquidRenderer {
     /// What draw() shows from now on.
     void show(std::shared_ptr<const session::TankMoment> moment);
 
-    void draw(QOpenGLFramebufferObject& target, const QRect& part, const TeaCamera& camera, int pass,
+    void draw(QOpenGLFramebufferObject& target, const QRect& part, const GlassCamera& camera, int pass,
               Quality quality) override;
 
   private:

@@ -13,11 +13,11 @@
 namespace pastoso::glass {
 namespace {
 
-TeaCamera camera_for(const tank::TankScene& scene) {
+GlassCamera camera_for(const tank::TankScene& scene) {
     const glm::vec3 size_m = scene.size_m();
     const float wide_m = glm::length(glm::vec2(size_m));
-    TeaCamera camera(glm::vec3(0.5F, 0.5F, 0.44F) * size_m,
-                     static_cast<double>(std::max(size_m.z, 0.62F * wide_m)));
+    GlassCamera camera(glm::vec3(0.5F, 0.5F, 0.44F) * size_m,
+                       static_cast<double>(std::max(size_m.z, 0.62F * wide_m)));
     camera.orbit(18.0, 0.0);
     return camera;
 }
@@ -72,7 +72,7 @@ glm::vec3 TankView::on_surface(const glm::vec2& on_liquid_m) const {
 
 std::optional<glm::vec2> TankView::on_liquid(const QPointF& place) const {
     if (wanted_ == nullptr) return std::nullopt;
-    const TeaRay ray = camera().through(place, size());
+    const ViewRay ray = camera().through(place, size());
     const float along = (session::rest_level_m(*wanted_) - ray.origin_m.z) / ray.direction.z;
     if (!(along > 0.0F)) return std::nullopt;
     const glm::vec2 at_m(ray.origin_m + along * ray.direction);

@@ -84,7 +84,7 @@ void TeaRenderer::upload_share(const grid::BoxField& dissolved) {
     share_shape_ = shape;
 }
 
-void TeaRenderer::draw_milk(QSize size, const TeaCamera& camera) {
+void TeaRenderer::draw_milk(QSize size, const GlassCamera& camera) {
     if (milk_layer_ == nullptr || milk_layer_->size() != size) {
         QOpenGLFramebufferObjectFormat format;
         format.setInternalTextureFormat(GL_RGBA16F);
@@ -114,7 +114,7 @@ void TeaRenderer::draw_milk(QSize size, const TeaCamera& camera) {
     gl_->glDisable(GL_DEPTH_TEST);
 }
 
-void TeaRenderer::set_glass(const TeaCamera& camera, QSize size, int pass, Quality quality) {
+void TeaRenderer::set_glass(const GlassCamera& camera, QSize size, int pass, Quality quality) {
     QOpenGLShaderProgram& glass = *glass_program_;
     const liquid::Cup& cup = settings_.cup;
     set_rays(glass, camera, size, pass);
@@ -137,7 +137,7 @@ void TeaRenderer::set_glass(const TeaCamera& camera, QSize size, int pass, Quali
                                     stream_m_ ? 1.0F : 0.0F));
 }
 
-void TeaRenderer::draw(QOpenGLFramebufferObject& target, const QRect& part, const TeaCamera& camera,
+void TeaRenderer::draw(QOpenGLFramebufferObject& target, const QRect& part, const GlassCamera& camera,
                        int pass, Quality quality) {
     const QSize size = target.size();
     draw_milk(size, camera);

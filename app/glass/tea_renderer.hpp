@@ -18,14 +18,14 @@ class TeaRenderer : public LiquidRenderer {
 
     /// Milk is drawn anew when the camera or the moment is another than before, or all of it when
     /// `target` has another size.
-    void draw(QOpenGLFramebufferObject& target, const QRect& part, const TeaCamera& camera, int pass,
+    void draw(QOpenGLFramebufferObject& target, const QRect& part, const GlassCamera& camera, int pass,
               Quality quality) override;
 
   private:
     void upload_milk(const liquid::TriangleMesh& milk);
     void upload_share(const grid::BoxField& dissolved);
-    void draw_milk(QSize size, const TeaCamera& camera);
-    void set_glass(const TeaCamera& camera, QSize size, int pass, Quality quality);
+    void draw_milk(QSize size, const GlassCamera& camera);
+    void set_glass(const GlassCamera& camera, QSize size, int pass, Quality quality);
 
     QOpenGLExtraFunctions* gl_ = nullptr;
     std::unique_ptr<QOpenGLShaderProgram> milk_program_, glass_program_;
@@ -34,7 +34,7 @@ class TeaRenderer : public LiquidRenderer {
     grid::BoxShape share_shape_;
     GLsizei index_count_ = 0;
     bool milk_is_drawn_ = false;
-    TeaCamera milk_camera_;
+    GlassCamera milk_camera_;
     liquid::TeaSettings settings_;
     std::optional<glm::vec2> stream_m_;
 };

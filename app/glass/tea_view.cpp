@@ -31,7 +31,7 @@ void TeaView::show_force(const session::TeaForce& force) {
 }
 
 void TeaView::look_from_front() {
-    set_camera(wanted_ != nullptr ? TeaCamera(wanted_->settings.cup) : TeaCamera());
+    set_camera(wanted_ != nullptr ? GlassCamera(wanted_->settings.cup) : GlassCamera());
 }
 
 void TeaView::show_latest() {

@@ -74,7 +74,7 @@ void TeaMode::use_force(const session::TeaForce& force) {
 
 /// As it is seen, and not out of the glass.
 void TeaMode::move_axis(double right, double away) {
-    const glass::TeaCamera& camera = page_->view().camera();
+    const glass::GlassCamera& camera = page_->view().camera();
     const glm::dvec2 to_the_right(camera.right()), forward(-to_the_right.y, to_the_right.x);
     const liquid::Cup& cup = page_->panel().settings().cup;
     const glm::dvec2 middle(cup.axis_m);

@@ -147,7 +147,7 @@ TEST_F(TeaWindow, APenPoursToo) {
 
 TEST_F(TeaWindow, TheOtherButtonsTurnTheGlass) {
     enter();
-    const glass::TeaCamera before = view().camera();
+    const glass::GlassCamera before = view().camera();
     const QPointF place = view().widget_position({0.05F, 0.05F});
     mouse(QEvent::MouseButtonPress, place, Qt::RightButton, Qt::RightButton);
     mouse(QEvent::MouseMove, place + QPointF(60, 20), Qt::NoButton, Qt::RightButton);

@@ -1,4 +1,4 @@
-#include "glass/tea_camera.hpp"
+#include "glass/glass_camera.hpp"
 
 #include "core/units.hpp"
 
@@ -23,62 +23,62 @@ double radians(double degrees) {
 
 }  // namespace
 
-TeaCamera::TeaCamera(const liquid::Cup& cup)
-    : TeaCamera(glm::vec3(cup.axis_m, 0.47F * (cup.rim_m + cup.foot_m)),
-                static_cast<double>(cup.rim_m - cup.foot_m)) {}
+GlassCamera::GlassCamera(const liquid::Cup& cup)
+    : GlassCamera(glm::vec3(cup.axis_m, 0.47F * (cup.rim_m + cup.foot_m)),
+                  static_cast<double>(cup.rim_m - cup.foot_m)) {}
 
-TeaCamera::TeaCamera(const glm::vec3& middle_m, double height_m)
+GlassCamera::GlassCamera(const glm::vec3& middle_m, double height_m)
     : target_m_(middle_m),
       height_m_(height_m),
       azimuth_deg_(kFirstAzimuth_deg),
       elevation_deg_(kFirstElevation_deg),
       distance_m_(kFirstDistance * height_m) {}
 
-void TeaCamera::orbit(double right_deg, double up_deg) {
+void GlassCamera::orbit(double right_deg, double up_deg) {
     azimuth_deg_ = std::remainder(azimuth_deg_ + right_deg, 360.0);
     elevation_deg_ = std::clamp(elevation_deg_ + up_deg, kLeastElevation_deg, kMostElevation_deg);
 }
 
-void TeaCamera::zoom(double factor) {
+void GlassCamera::zoom(double factor) {
     distance_m_ =
         std::clamp(distance_m_ / factor, kLeastDistance * height_m_, kMostDistance * height_m_);
 }
 
-trace::Camera TeaCamera::traced() const {
+trace::Camera GlassCamera::traced() const {
     return {
         .eye_m = eye_m(), .target_m = target_m_, .field_of_view_deg = static_cast<float>(kField_deg)};
 }
 
-glm::vec3 TeaCamera::forward() const {
+glm::vec3 GlassCamera::forward() const {
     const double level = std::cos(radians(elevation_deg_));
     return -glm::vec3(level * std::cos(radians(azimuth_deg_)), level * std::sin(radians(azimuth_deg_)),
                       std::sin(radians(elevation_deg_)));
 }
 
-glm::vec3 TeaCamera::eye_m() const {
+glm::vec3 GlassCamera::eye_m() const {
     return target_m_ - forward() * static_cast<float>(distance_m_);
 }
 
-glm::vec3 TeaCamera::right() const {
+glm::vec3 GlassCamera::right() const {
     return glm::normalize(glm::cross(forward(), glm::vec3(0.0F, 0.0F, 1.0F)));
 }
 
-glm::vec3 TeaCamera::up() const {
+glm::vec3 GlassCamera::up() const {
     return glm::cross(right(), forward());
 }
 
-float TeaCamera::half_height() const {
+float GlassCamera::half_height() const {
     return static_cast<float>(std::tan(radians(0.5 * kField_deg)));
 }
 
-TeaRay TeaCamera::through(const QPointF& place, const QSizeF& size) const {
+ViewRay GlassCamera::through(const QPointF& place, const QSizeF& size) const {
     const double scale = 2.0 * static_cast<double>(half_height()) / size.height();
     const auto across = static_cast<float>((place.x() - 0.5 * size.width()) * scale);
     const auto down = static_cast<float>((place.y() - 0.5 * size.height()) * scale);
     return {eye_m(), glm::normalize(forward() + right() * across - up() * down)};
 }
 
-QPointF TeaCamera::seen_at(const glm::vec3& point_m, const QSizeF& size) const {
+QPointF GlassCamera::seen_at(const glm::vec3& point_m, const QSizeF& size) const {
     const glm::vec3 way = point_m - eye_m();
     const double scale = size.height() / (2.0 * static_cast<double>(half_height()));
     const double depth = static_cast<double>(std::max(glm::dot(way, forward()), 1e-4F));
@@ -86,13 +86,13 @@ QPointF TeaCamera::seen_at(const glm::vec3& point_m, const QSizeF& size) const {
             0.5 * size.height() - scale * static_cast<double>(glm::dot(way, up())) / depth};
 }
 
-glm::mat4 TeaCamera::clip_from_m(float aspect) const {
+glm::mat4 GlassCamera::clip_from_m(float aspect) const {
     const auto far = static_cast<float>(4.0 * distance_m_);
     return glm::perspective(static_cast<float>(radians(kField_deg)), aspect, 0.004F * far, far) *
            glm::lookAt(eye_m(), target_m_, glm::vec3(0.0F, 0.0F, 1.0F));
 }
 
-std::optional<glm::vec2> place_on_tea(const TeaRay& ray, const liquid::Cup& cup) {
+std::optional<glm::vec2> place_on_tea(const ViewRay& ray, const liquid::Cup& cup) {
     constexpr float kBeside = 1.1F, kOffTheWall = 0.96F;
     const float along = (cup.level_m - ray.origin_m.z) / ray.direction.z;
     if (!(along > 0.0F)) return std::nullopt;

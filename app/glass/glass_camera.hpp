@@ -14,16 +14,16 @@
 
 namespace pastoso::glass {
 
-struct TeaRay {
+struct ViewRay {
     glm::vec3 origin_m, direction;
 };
 
-class TeaCamera {
+class GlassCamera {
   public:
     /// The whole glass from the front, a little from above.
-    explicit TeaCamera(const liquid::Cup& cup = {});
+    explicit GlassCamera(const liquid::Cup& cup = {});
     /// The same of anything that is about so high.
-    TeaCamera(const glm::vec3& middle_m, double height_m);
+    GlassCamera(const glm::vec3& middle_m, double height_m);
 
     /// By angles on the sphere; never from below the table, nor quite from above.
     void orbit(double right_deg, double up_deg);
@@ -42,13 +42,13 @@ class TeaCamera {
     double azimuth_deg() const { return azimuth_deg_; }
 
     /// Places on a widget of that size, from its upper left corner.
-    TeaRay through(const QPointF& place, const QSizeF& size) const;
+    ViewRay through(const QPointF& place, const QSizeF& size) const;
     QPointF seen_at(const glm::vec3& point_m, const QSizeF& size) const;
 
     /// To OpenGL's clip space.
     glm::mat4 clip_from_m(float aspect) const;
 
-    friend bool operator==(const TeaCamera&, const TeaCamera&) = default;
+    friend bool operator==(const GlassCamera&, const GlassCamera&) = default;
 
   private:
     glm::vec3 target_m_;
@@ -58,6 +58,6 @@ class TeaCamera {
 
 /// Where a ray meets the tea's surface, as far as it lies within the glass or a tenth of its radius
 /// beside it, then taken to the wall.
-std::optional<glm::vec2> place_on_tea(const TeaRay& ray, const liquid::Cup& cup);
+std::optional<glm::vec2> place_on_tea(const ViewRay& ray, const liquid::Cup& cup);
 
 }  // namespace pastoso::glass
