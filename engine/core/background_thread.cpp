@@ -36,6 +36,16 @@ void BackgroundThread::add(std::function<void()> job) {
     if (!thread_.joinable()) thread_ = std::thread([this] { work(); });
 }
 
+BackgroundThread::Hold::~Hold() {
+    --thread_.holds_;
+    thread_.holds_.notify_all();
+}
+
+void BackgroundThread::rest_while_held() const {
+    for (int holds = holds_; holds > 0; holds = holds_)
+        holds_.wait(holds);
+}
+
 void BackgroundThread::work() {
     lower_priority(kNice);
     std::unique_lock lock(mutex_);

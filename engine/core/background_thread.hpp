@@ -1,6 +1,7 @@
 // A thread for work that can wait.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -26,6 +27,21 @@ class BackgroundThread {
     /// The job must not throw.
     void add(std::function<void()> job);
 
+    /// While there is one, jobs rest where they ask: what somebody waits for needs the processors. Any
+    /// thread may have one.
+    class Hold {
+      public:
+        explicit Hold(BackgroundThread& thread) : thread_(thread) { ++thread_.holds_; }
+        ~Hold();
+        Hold(const Hold&) = delete;
+        Hold& operator=(const Hold&) = delete;
+
+      private:
+        BackgroundThread& thread_;
+    };
+    /// For jobs that take long, now and then: returns when nobody holds the thread.
+    void rest_while_held() const;
+
   private:
     void work();
 
@@ -33,6 +49,7 @@ class BackgroundThread {
     std::condition_variable changed_;
     std::deque<std::function<void()>> jobs_;
     bool stopping_ = false;
+    std::atomic<int> holds_ = 0;
     std::thread thread_;  ///< started with the first job
 };
 

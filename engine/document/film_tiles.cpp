@@ -176,12 +176,15 @@ void FilmTiles::put_into(FilmState& film) const {
     put(sums, film);
 }
 
-PackedFilmTiles::PackedFilmTiles(const FilmTiles& tiles, const FilmState& older) : sums_(tiles.sums) {
+PackedFilmTiles::PackedFilmTiles(const FilmTiles& tiles, const FilmState& older,
+                                 const std::function<void()>& rest)
+    : sums_(tiles.sums) {
     Bench bench;
     for_each_field(
         [&](auto amount, const auto& set) {
             TileSet<Bytes>& field = fields_.emplace_back();
             for (std::size_t i = 0; i < set.tiles.size(); ++i) {
+                rest();
                 const int tile = set.tiles[i];
                 Bytes frame = bench.packed(set.blocks[i], amount.of(older, tile));
                 bytes_ += frame.size();

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace pastoso::document {
@@ -52,8 +53,9 @@ struct FilmTiles {
 class PackedFilmTiles {
   public:
     PackedFilmTiles() = default;
-    /// `older` is the film that the tiles are of.
-    PackedFilmTiles(const FilmTiles& tiles, const film::FilmState& older);
+    /// `older` is the film that the tiles are of. `rest` is called before each of them.
+    PackedFilmTiles(
+        const FilmTiles& tiles, const film::FilmState& older, const std::function<void()>& rest = [] {});
 
     /// Of the frames; it depends on the values alone.
     std::size_t bytes() const { return bytes_; }

@@ -2,6 +2,7 @@
 
 #include "document/well.hpp"
 
+#include <functional>
 #include <mutex>
 #include <utility>
 
@@ -140,14 +141,15 @@ struct MomentDifference::Tiles {
         return raw;
     }
 
-    static std::shared_ptr<const Packed> packed_of(const Raw& raw, const Moment& older) {
+    static std::shared_ptr<const Packed> packed_of(const Raw& raw, const Moment& older,
+                                                   const std::function<void()>& rest) {
         auto packed = std::make_shared<Packed>();
         for (std::size_t place = 0; place < raw.layers.size(); ++place) {
             const auto& tiles = raw.layers[place];
             auto& layer = packed->layers.emplace_back();
-            if (tiles) layer.emplace(*tiles, film_of(older, place));
+            if (tiles) layer.emplace(*tiles, film_of(older, place), rest);
         }
-        if (raw.well) packed->well.emplace(*raw.well, older.well->film);
+        if (raw.well) packed->well.emplace(*raw.well, older.well->film, rest);
         return packed;
     }
 
@@ -157,14 +159,15 @@ struct MomentDifference::Tiles {
         return this->*form;
     }
 
-    /// Two threads may do this at once: the first that is ready has done it.
-    void pack() {
+    /// Two threads may do this at once: the first that is ready has done it. `rest` is called between
+    /// tiles.
+    void pack(const std::function<void()>& rest) {
         std::unique_lock lock(mutex);
         const auto source = raw;
         const auto whole = older;
         if (whole == nullptr) return;
         lock.unlock();
-        auto result = packed_of(*source, *whole);
+        auto result = packed_of(*source, *whole, rest);
         lock.lock();
         if (packed == nullptr) packed = std::move(result);
         older.reset();
@@ -199,13 +202,13 @@ Moment MomentDifference::applied_to(const Moment& newer) const {
 void MomentDifference::pack_on(core::BackgroundThread& thread) {
     if (packing_) return;
     packing_ = true;
-    thread.add([weak = std::weak_ptr(tiles_)] {
-        if (const auto tiles = weak.lock()) tiles->pack();
+    thread.add([weak = std::weak_ptr(tiles_), &thread] {
+        if (const auto tiles = weak.lock()) tiles->pack([&thread] { thread.rest_while_held(); });
     });
 }
 
 void MomentDifference::pack() {
-    tiles_->pack();
+    tiles_->pack([] {});
 }
 
 bool MomentDifference::is_unpacked() const {

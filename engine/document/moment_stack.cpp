@@ -34,9 +34,11 @@ Moment MomentStack::pop() {
     below_.pop_back();
     coming_step_ = next.step();
     if (!next.is_unpacked())
-        coming_top_ = std::async(std::launch::async, [next = std::move(next), newer = moment] {
-            return next.applied_to(newer);
-        });
+        coming_top_ =
+            std::async(std::launch::async, [next = std::move(next), newer = moment, &packer = packer_] {
+                const core::BackgroundThread::Hold hold(packer);
+                return next.applied_to(newer);
+            });
     else
         top_ = next.applied_to(moment);
     return moment;

@@ -1,6 +1,8 @@
 #include "core/background_thread.hpp"
 
 #include <atomic>
+#include <chrono>
+#include <future>
 #include <thread>
 #include <vector>
 
@@ -42,6 +44,21 @@ TEST(BackgroundThread, WaitsForTheJobUnderWayAtItsEnd) {
         begun.wait(false);
     }
     EXPECT_TRUE(done);
+}
+
+TEST(BackgroundThread, JobsRestWhileItIsHeld) {
+    BackgroundThread thread;
+    std::promise<void> done;
+    std::future<void> end = done.get_future();
+    {
+        const BackgroundThread::Hold one(thread), another(thread);
+        thread.add([&] {
+            thread.rest_while_held();
+            done.set_value();
+        });
+        EXPECT_EQ(end.wait_for(std::chrono::milliseconds(20)), std::future_status::timeout);
+    }
+    end.get();
 }
 
 }  // namespace
