@@ -57,6 +57,18 @@ void revise(LargeTile& tile) {
     tile.revised = true;
 }
 
+struct CellRange {
+    int begin, end;
+};
+
+/// The cells of a patch along an axis, as far as they are on a canvas whose edges there are open.
+CellRange cells_within(Edge edge, const std::vector<WindowRun>& patch) {
+    if (edge != Edge::Open) return {0, kPatchSize};
+    constexpr int kPatchBegin = kWindowMargin - kOverlap;
+    return {std::max(0, patch.front().position - kPatchBegin),
+            std::min(kPatchSize, patch.back().position + patch.back().count - kPatchBegin)};
+}
+
 /// Both tiles hold the same bits of the faces between them, or paint would be lost there. A tile that is
 /// refined beside a steady one puts these faces back as they were.
 class SharedFaces {
@@ -282,19 +294,9 @@ std::array<LargeTile*, 4> LargeStepper::Pass::beside(const TilePlace& place) con
 
 /// The cells of a tile's patch within the canvas' open edges. Other edges let nothing pass anyway.
 grid::Rect LargeStepper::Pass::patch_within_open_edges(const TilePlace& place) const {
-    constexpr int kPatchBegin = kWindowMargin - kOverlap;
-    grid::Rect cells{0, 0, kPatchSize, kPatchSize};
-    if (stepper.edge_x_ == Edge::Open) {
-        const std::vector<WindowRun>& runs = columns(place).patch;
-        cells.x0 = std::max(cells.x0, runs.front().position - kPatchBegin);
-        cells.x1 = std::min(cells.x1, runs.back().position + runs.back().count - kPatchBegin);
-    }
-    if (stepper.edge_y_ == Edge::Open) {
-        const std::vector<WindowRun>& runs = rows(place).patch;
-        cells.y0 = std::max(cells.y0, runs.front().position - kPatchBegin);
-        cells.y1 = std::min(cells.y1, runs.back().position + runs.back().count - kPatchBegin);
-    }
-    return cells;
+    const auto [x0, x1] = cells_within(stepper.edge_x_, columns(place).patch);
+    const auto [y0, y1] = cells_within(stepper.edge_y_, rows(place).patch);
+    return {x0, y0, x1, y1};
 }
 
 /// The window of a coefficient of the x faces. Those on the left of a tile that has none beside it are

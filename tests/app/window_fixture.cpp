@@ -204,9 +204,8 @@ void WindowTest::settle() {
     wait_for([&] {
         const document::Snapshot* shown = canvas().shown();
         // What is shown may make the window post more: then a later one of the same tick stands there.
-        const bool there = shown == latest.get() || shown == session().snapshot().get() ||
-                           (shown != nullptr && shown->tick > latest->tick);
-        return there;
+        return shown == latest.get() || shown == session().snapshot().get() ||
+               (shown != nullptr && shown->tick > latest->tick);
     });
 }
 
