@@ -5,9 +5,9 @@
 #include "cli/stopwatch.hpp"
 #include "cli/usage_error.hpp"
 #include "core/hash.hpp"
-#include "liquid/classic_tea.hpp"
-#include "liquid/marching_cubes.hpp"
-#include "liquid/metaballs.hpp"
+#include "liquid/classic/classic_tea.hpp"
+#include "liquid/surface/marching_cubes.hpp"
+#include "liquid/surface/metaballs.hpp"
 
 #include <optional>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "io/tea_cache.hpp"
-#include "liquid/tea_frame.hpp"
-#include "liquid/tea_state.hpp"
+#include "liquid/tea/tea_frame.hpp"
+#include "liquid/tea/tea_state.hpp"
 
 #include <filesystem>
 #include <optional>

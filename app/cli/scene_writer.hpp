@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/picture.hpp"
-#include "film/simulation.hpp"
+#include "film/laboratory/simulation.hpp"
 #include "io/scene_json.hpp"
 #include "io/series_csv.hpp"
 #include "shade/picture_sheet.hpp"

@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "io/tea_json.hpp"
-#include "liquid/milk_tea.hpp"
+#include "liquid/tea/milk_tea.hpp"
 
 #include <algorithm>
 #include <cmath>

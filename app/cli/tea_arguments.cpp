@@ -2,7 +2,7 @@
 #include "cli/shared_arguments.hpp"
 #include "io/bundled_files.hpp"
 #include "io/tea_json.hpp"
-#include "liquid/tea_settings.hpp"
+#include "liquid/tea/tea_settings.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "cli/frame_files.hpp"
-#include "liquid/cup.hpp"
-#include "liquid/milk_surface.hpp"
-#include "liquid/tea_frame.hpp"
+#include "liquid/tea/cup.hpp"
+#include "liquid/tea/milk_surface.hpp"
+#include "liquid/tea/tea_frame.hpp"
 
 #include <filesystem>
 

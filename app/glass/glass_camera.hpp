@@ -1,7 +1,7 @@
 // Where the glass is looked at from: on a sphere around its middle.
 #pragma once
 
-#include "liquid/cup.hpp"
+#include "liquid/tea/cup.hpp"
 #include "trace/scene.hpp"
 
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "glass/panel_parts.hpp"
 #include "io/tank_json.hpp"
-#include "panels/section.hpp"
+#include "panels/parts/section.hpp"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #include "glass/glass_page.hpp"
 
 #include "glass/glass_view.hpp"
-#include "panels/section.hpp"
+#include "panels/parts/section.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "glass/number_row.hpp"
 
-#include "panels/section.hpp"
+#include "panels/parts/section.hpp"
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>

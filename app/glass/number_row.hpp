@@ -1,7 +1,7 @@
 // A number of the tea: a slider over what is usual, and a field that takes all that is allowed.
 #pragma once
 
-#include "panels/slider_scale.hpp"
+#include "panels/parts/slider_scale.hpp"
 
 #include <QString>
 #include <QWidget>

@@ -2,7 +2,7 @@
 
 #include "glass/glass_chooser.hpp"
 #include "glass/number_row.hpp"
-#include "panels/section.hpp"
+#include "panels/parts/section.hpp"
 
 #include <QAction>
 #include <QCoreApplication>

@@ -3,7 +3,7 @@
 #include "glass/glass_chooser.hpp"
 #include "glass/number_row.hpp"
 #include "glass/tea_words.hpp"
-#include "panels/section.hpp"
+#include "panels/parts/section.hpp"
 
 #include <utility>
 

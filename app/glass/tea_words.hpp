@@ -2,7 +2,7 @@
 #pragma once
 
 #include "glass/panel_parts.hpp"
-#include "liquid/tea_settings.hpp"
+#include "liquid/tea/tea_settings.hpp"
 
 #include <span>
 

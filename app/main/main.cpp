@@ -7,11 +7,11 @@
 #include "dialogs/crash_dialog.hpp"
 #include "io/recording_json.hpp"
 #include "main/arguments.hpp"
-#include "main/display.hpp"
-#include "main/language.hpp"
-#include "main/machine_facts.hpp"
 #include "main/main_window.hpp"
-#include "main/preference_commands.hpp"
+#include "main/program/display.hpp"
+#include "main/program/language.hpp"
+#include "main/program/machine_facts.hpp"
+#include "main/program/preference_commands.hpp"
 #include "project/project.hpp"
 
 #include <cstdio>

@@ -4,8 +4,8 @@
 
 #include "commands/exporter.hpp"
 #include "commands/project_saver.hpp"
-#include "main/kept_preferences.hpp"
 #include "main/panel_set.hpp"
+#include "main/program/kept_preferences.hpp"
 #include "main/studio.hpp"
 #include "tools/export_settings.hpp"
 

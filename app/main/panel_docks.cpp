@@ -2,17 +2,17 @@
 
 #include "main/panel_set.hpp"
 #include "main/studio.hpp"
-#include "panels/colour_panel.hpp"
-#include "panels/curves_panel.hpp"
-#include "panels/guides_panel.hpp"
-#include "panels/history_panel.hpp"
-#include "panels/layer_panel.hpp"
-#include "panels/light_panel.hpp"
-#include "panels/load_panel.hpp"
-#include "panels/medium_panel.hpp"
-#include "panels/navigator_panel.hpp"
-#include "panels/recorder_panel.hpp"
-#include "panels/tracing_panel.hpp"
+#include "panels/canvas/light_panel.hpp"
+#include "panels/canvas/navigator_panel.hpp"
+#include "panels/colour/colour_panel.hpp"
+#include "panels/history/history_panel.hpp"
+#include "panels/history/recorder_panel.hpp"
+#include "panels/layers/layer_panel.hpp"
+#include "panels/layers/tracing_panel.hpp"
+#include "panels/paint/load_panel.hpp"
+#include "panels/paint/medium_panel.hpp"
+#include "panels/pen/curves_panel.hpp"
+#include "panels/pen/guides_panel.hpp"
 
 #include <initializer_list>
 #include <utility>

@@ -1,7 +1,7 @@
 // How far a ray may go without meeting the surface of a liquid.
 #pragma once
 
-#include "liquid/sampled_field.hpp"
+#include "liquid/surface/sampled_field.hpp"
 
 namespace pastoso::session {
 

@@ -1,7 +1,7 @@
 // A tank of liquid that lives on its own thread.
 #pragma once
 
-#include "liquid/triangle_mesh.hpp"
+#include "liquid/surface/triangle_mesh.hpp"
 #include "session/liquid_session.hpp"
 #include "session/tank_frames.hpp"
 #include "tank/liquid_tank.hpp"

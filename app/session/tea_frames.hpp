@@ -2,7 +2,7 @@
 #pragma once
 
 #include "grid/box_field.hpp"
-#include "liquid/parcel.hpp"
+#include "liquid/tea/parcel.hpp"
 #include "session/kept_frames.hpp"
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 // A glass of milk tea that lives on its own thread.
 #pragma once
 
-#include "liquid/milk_surface.hpp"
-#include "liquid/milk_tea.hpp"
+#include "liquid/tea/milk_surface.hpp"
+#include "liquid/tea/milk_tea.hpp"
 #include "session/liquid_session.hpp"
 #include "session/tea_frames.hpp"
 

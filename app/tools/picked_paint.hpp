@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/events.hpp"
-#include "film/paint_sample.hpp"
+#include "film/cell/paint_sample.hpp"
 
 #include <optional>
 #include <span>

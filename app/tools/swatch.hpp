@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/events.hpp"
-#include "film/paint_cell.hpp"
+#include "film/cell/paint_cell.hpp"
 #include "pigment/bands.hpp"
 #include "pigment/hex_colour.hpp"
 

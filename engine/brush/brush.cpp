@@ -2,7 +2,7 @@
 
 #include "core/check.hpp"
 #include "core/random.hpp"
-#include "film/smooth_noise.hpp"
+#include "film/support/smooth_noise.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 // Paint as an amount: its volume and what it carries.
 #pragma once
 
-#include "film/paint_cell.hpp"
+#include "film/cell/paint_cell.hpp"
 
 #include <array>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/isa.hpp"
-#include "film/paint_cell.hpp"
-#include "film/support_heights.hpp"
+#include "film/cell/paint_cell.hpp"
+#include "film/support/support_heights.hpp"
 
 #include <cstdint>
 

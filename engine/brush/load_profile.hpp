@@ -1,7 +1,7 @@
 // What a brush holds, seen across its width: for a picture of the load beside the canvas.
 #pragma once
 
-#include "film/paint_cell.hpp"
+#include "film/cell/paint_cell.hpp"
 
 #include <array>
 

@@ -2,7 +2,7 @@
 
 #include "core/random.hpp"
 #include "core/units.hpp"
-#include "film/smooth_noise.hpp"
+#include "film/support/smooth_noise.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/isa.hpp"
-#include "film/paint_cell.hpp"
+#include "film/cell/paint_cell.hpp"
 
 #include <array>
 #include <cstdint>

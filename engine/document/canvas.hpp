@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/events.hpp"
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 #include "grid/extent.hpp"
 
 #include <cstddef>

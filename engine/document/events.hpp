@@ -10,7 +10,7 @@
 #include "document/layer_events.hpp"
 #include "document/picture_events.hpp"
 #include "document/selection_events.hpp"
-#include "film/drying_air.hpp"
+#include "film/cell/drying_air.hpp"
 #include "film/medium.hpp"
 
 #include <cstdint>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "document/events.hpp"
+#include "film/cell/paint_cell.hpp"
 #include "film/medium.hpp"
-#include "film/paint_cell.hpp"
 
 namespace pastoso::document {
 

@@ -3,7 +3,7 @@
 #include "document/action_checks.hpp"
 #include "document/paint_mixing.hpp"
 #include "document/painting_parts.hpp"
-#include "film/drying.hpp"
+#include "film/cell/drying.hpp"
 
 #include <utility>
 

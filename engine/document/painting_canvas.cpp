@@ -2,7 +2,7 @@
 #include "core/memory.hpp"
 #include "document/canvas.hpp"
 #include "document/painting_parts.hpp"
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 #include "layers/extent.hpp"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include "document/painting.hpp"
 #include "document/painting_state.hpp"
 #include "document/well.hpp"
-#include "film/ageing.hpp"
+#include "film/cell/ageing.hpp"
 
 #include <cstdint>
 #include <memory>

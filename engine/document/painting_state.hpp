@@ -6,7 +6,7 @@
 #include "document/events.hpp"
 #include "document/layers.hpp"
 #include "document/selection.hpp"
-#include "film/ageing.hpp"
+#include "film/cell/ageing.hpp"
 #include "film/solver_memory.hpp"
 #include "film/state.hpp"
 #include "layers/tracing.hpp"

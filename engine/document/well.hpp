@@ -4,8 +4,8 @@
 
 #include "brush/contents.hpp"
 #include "core/thread_pool.hpp"
+#include "film/cell/paint_cell.hpp"
 #include "film/medium.hpp"
-#include "film/paint_cell.hpp"
 #include "film/solver.hpp"
 #include "film/state.hpp"
 

@@ -2,13 +2,13 @@
 
 #include "core/check.hpp"
 #include "core/units.hpp"
-#include "film/halo_block.hpp"
-#include "film/large_step.hpp"
+#include "film/explicit/halo_block.hpp"
+#include "film/explicit/tile_update.hpp"
+#include "film/large/large_step.hpp"
 #include "film/solver_memory.hpp"
 #include "film/step_plan.hpp"
 #include "film/step_setup.hpp"
 #include "film/tile_activity.hpp"
-#include "film/tile_update.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/hash.hpp"
-#include "film/paint_cell.hpp"
-#include "film/strata.hpp"
-#include "film/support_heights.hpp"
+#include "film/cell/paint_cell.hpp"
+#include "film/cell/strata.hpp"
+#include "film/support/support_heights.hpp"
 #include "grid/tiled_field.hpp"
 
 #include <array>

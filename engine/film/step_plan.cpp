@@ -1,6 +1,6 @@
 #include "film/step_plan.hpp"
 
-#include "film/tile_kernels.hpp"
+#include "film/explicit/tile_kernels.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 
 #include "core/thread_pool.hpp"
 #include "film/air_jet.hpp"
+#include "film/explicit/step_length.hpp"
 #include "film/solver.hpp"
-#include "film/step_length.hpp"
 #include "film/tile_activity.hpp"
 
 #include <vector>

@@ -1,9 +1,9 @@
 // What a medium, gravity and the options make of the constants of a step.
 #pragma once
 
+#include "film/explicit/step_length.hpp"
 #include "film/solver.hpp"
 #include "film/step_constants.hpp"
-#include "film/step_length.hpp"
 
 namespace pastoso::film {
 

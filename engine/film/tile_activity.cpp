@@ -1,6 +1,6 @@
 #include "film/tile_activity.hpp"
 
-#include "film/settling.hpp"
+#include "film/large/settling.hpp"
 
 #include <algorithm>
 #include <utility>

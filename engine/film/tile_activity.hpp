@@ -3,7 +3,7 @@
 // step.
 #pragma once
 
-#include "film/tile_step.hpp"
+#include "film/explicit/tile_step.hpp"
 #include "grid/shape.hpp"
 
 #include <array>

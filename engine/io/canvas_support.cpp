@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "document/canvas.hpp"
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 #include "io/image.hpp"
 
 namespace pastoso::io {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/json_place.hpp"
-#include "liquid/cup.hpp"
+#include "liquid/tea/cup.hpp"
 
 namespace pastoso::io {
 

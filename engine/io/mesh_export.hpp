@@ -3,7 +3,7 @@
 #pragma once
 
 #include "io/export_bands.hpp"
-#include "liquid/triangle_mesh.hpp"
+#include "liquid/surface/triangle_mesh.hpp"
 
 #include <filesystem>
 #include <string>

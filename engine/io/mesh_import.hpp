@@ -2,7 +2,7 @@
 // mesh_export.hpp writes them and other programs do (docs/mesh-export.md).
 #pragma once
 
-#include "liquid/triangle_mesh.hpp"
+#include "liquid/surface/triangle_mesh.hpp"
 
 #include <cstddef>
 #include <filesystem>

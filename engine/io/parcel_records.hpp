@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/part_file.hpp"
-#include "liquid/parcel.hpp"
+#include "liquid/tea/parcel.hpp"
 
 #include <cstdint>
 #include <vector>

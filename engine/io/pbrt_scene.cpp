@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "io/pbrt_text.hpp"
-#include "liquid/cup_mesh.hpp"
+#include "liquid/tea/cup_mesh.hpp"
 
 #include <cstddef>
 #include <string>

@@ -4,8 +4,8 @@
 #include "grid/box_field.hpp"
 #include "io/export_bands.hpp"
 #include "io/mesh_export.hpp"
-#include "liquid/cup.hpp"
-#include "liquid/triangle_mesh.hpp"
+#include "liquid/surface/triangle_mesh.hpp"
+#include "liquid/tea/cup.hpp"
 
 #include <array>
 #include <filesystem>

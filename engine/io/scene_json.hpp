@@ -1,7 +1,7 @@
 // Scene files: films without a brush, for experiments and proofs (docs/scene-format.md).
 #pragma once
 
-#include "film/scene.hpp"
+#include "film/laboratory/scene.hpp"
 #include "shade/render.hpp"
 
 #include <filesystem>

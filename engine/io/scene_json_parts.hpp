@@ -1,7 +1,7 @@
 // Parts of a scene file: a run with its support, film, paint and forces.
 #pragma once
 
-#include "film/scene.hpp"
+#include "film/laboratory/scene.hpp"
 #include "io/json_place.hpp"
 #include "io/scene_json.hpp"
 

@@ -1,7 +1,7 @@
 // The course of a scene as tables: comma-separated values with one heading line.
 #pragma once
 
-#include "film/measures.hpp"
+#include "film/laboratory/measures.hpp"
 
 #include <cstdint>
 #include <string>

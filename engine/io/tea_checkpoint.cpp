@@ -3,7 +3,7 @@
 #include "core/check.hpp"
 #include "io/box_values.hpp"
 #include "io/parcel_records.hpp"
-#include "liquid/tea_settings.hpp"
+#include "liquid/tea/tea_settings.hpp"
 
 #include <array>
 #include <cmath>

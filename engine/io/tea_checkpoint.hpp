@@ -2,7 +2,7 @@
 // (docs/tea-cache.md).
 #pragma once
 
-#include "liquid/tea_state.hpp"
+#include "liquid/tea/tea_state.hpp"
 
 #include <cstdint>
 #include <filesystem>

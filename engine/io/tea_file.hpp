@@ -1,7 +1,7 @@
 // One moment of the tea as a compressed file (docs/tea-cache.md).
 #pragma once
 
-#include "liquid/tea_frame.hpp"
+#include "liquid/tea/tea_frame.hpp"
 
 #include <cstdint>
 #include <filesystem>

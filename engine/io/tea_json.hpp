@@ -1,7 +1,7 @@
 // Milk tea scenes as JSON (docs/tea-format.md).
 #pragma once
 
-#include "liquid/tea_settings.hpp"
+#include "liquid/tea/tea_settings.hpp"
 
 #include <string>
 #include <string_view>

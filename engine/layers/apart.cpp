@@ -1,7 +1,7 @@
 #include "layers/apart.hpp"
 
 #include "core/check.hpp"
-#include "film/cell_drying.hpp"
+#include "film/cell/cell_drying.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "layers/flat_paint.hpp"
 
-#include "film/cell_drying.hpp"
+#include "film/cell/cell_drying.hpp"
 #include "layers/picture_means.hpp"
 #include "pigment/rgb_bands.hpp"
 #include "pigment/rgb_paint.hpp"

@@ -2,7 +2,7 @@
 
 #include "core/check.hpp"
 #include "core/units.hpp"
-#include "film/cell_drying.hpp"
+#include "film/cell/cell_drying.hpp"
 #include "layers/apart.hpp"
 #include "layers/cutting.hpp"
 #include "layers/footprint.hpp"

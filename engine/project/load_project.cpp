@@ -3,7 +3,7 @@
 #include "document/action_checks.hpp"
 #include "document/canvas.hpp"
 #include "document/well.hpp"
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 #include "io/image.hpp"
 #include "io/recording_json.hpp"
 #include "project/mask_bits.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/painting_state.hpp"
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 
 #include <cstddef>
 #include <cstdint>

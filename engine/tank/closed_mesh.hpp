@@ -1,7 +1,7 @@
 // What a mesh must be to enclose something.
 #pragma once
 
-#include "liquid/triangle_mesh.hpp"
+#include "liquid/surface/triangle_mesh.hpp"
 
 namespace pastoso::tank {
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "core/thread_pool.hpp"
-#include "liquid/velocity.hpp"
+#include "liquid/flow/velocity.hpp"
 
 #include <array>
 #include <cstdint>

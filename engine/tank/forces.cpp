@@ -1,8 +1,8 @@
 #include "tank/forces.hpp"
 
 #include "core/elementary.hpp"
-#include "liquid/confinement.hpp"
-#include "liquid/slices.hpp"
+#include "liquid/flow/confinement.hpp"
+#include "liquid/flow/slices.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // What moves the liquid of a tank but its pressure.
 #pragma once
 
-#include "liquid/diffusion.hpp"
+#include "liquid/flow/diffusion.hpp"
 #include "tank/free_surface.hpp"
 #include "tank/tank_scene.hpp"
 

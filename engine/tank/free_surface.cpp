@@ -1,6 +1,6 @@
 #include "tank/free_surface.hpp"
 
-#include "liquid/slices.hpp"
+#include "liquid/flow/slices.hpp"
 
 #include <algorithm>
 #include <utility>

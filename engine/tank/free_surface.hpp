@@ -8,7 +8,7 @@
 // theta = phi_a / (phi_a - phi_b) of the way, so that the gradient there is p_a / theta.
 #pragma once
 
-#include "liquid/conjugate_gradients.hpp"
+#include "liquid/pressure/conjugate_gradients.hpp"
 #include "tank/room.hpp"
 
 #include <utility>

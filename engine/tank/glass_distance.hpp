@@ -2,7 +2,7 @@
 // the cup's axis.
 #pragma once
 
-#include "liquid/cup.hpp"
+#include "liquid/tea/cup.hpp"
 
 #include <array>
 

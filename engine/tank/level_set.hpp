@@ -17,7 +17,7 @@
 // changes phi otherwise calls continue_beyond_walls().
 #pragma once
 
-#include "liquid/advection.hpp"
+#include "liquid/flow/advection.hpp"
 
 namespace pastoso::tank {
 

@@ -1,8 +1,8 @@
 #include "tank/level_set_liquid.hpp"
 
 #include "core/error.hpp"
-#include "liquid/sampling.hpp"
-#include "liquid/slices.hpp"
+#include "liquid/flow/sampling.hpp"
+#include "liquid/flow/slices.hpp"
 #include "tank/liquid_volume.hpp"
 #include "tank/sample_rows.hpp"
 

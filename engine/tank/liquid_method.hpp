@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/thread_pool.hpp"
-#include "liquid/conjugate_gradients.hpp"
+#include "liquid/pressure/conjugate_gradients.hpp"
 #include "tank/seeding.hpp"
 #include "tank/tank_frame.hpp"
 #include "tank/tank_scene.hpp"

@@ -1,6 +1,6 @@
 #include "tank/liquid_volume.hpp"
 
-#include "liquid/slices.hpp"
+#include "liquid/flow/slices.hpp"
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 // point slips between two triangles or meets both: the count is exact for every closed mesh.
 #pragma once
 
-#include "liquid/triangle_mesh.hpp"
+#include "liquid/surface/triangle_mesh.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "tank/particle_cells.hpp"
 
 #include "core/check.hpp"
-#include "liquid/slices.hpp"
+#include "liquid/flow/slices.hpp"
 
 #include <algorithm>
 #include <utility>

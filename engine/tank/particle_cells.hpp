@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/thread_pool.hpp"
-#include "liquid/aligned_floats.hpp"
-#include "liquid/row_ranges.hpp"
+#include "liquid/flow/aligned_floats.hpp"
+#include "liquid/flow/row_ranges.hpp"
 #include "tank/particle.hpp"
 
 #include <array>

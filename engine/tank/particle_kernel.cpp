@@ -1,5 +1,5 @@
 // Compiled once per instruction set; see pastoso_add_kernels.
-#include "liquid/sample_lanes.hpp"
+#include "liquid/flow/sample_lanes.hpp"
 #include "tank/particle_kernels.hpp"
 
 namespace pastoso::tank::PASTOSO_ISA {

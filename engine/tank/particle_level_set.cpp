@@ -3,8 +3,8 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
-#include "liquid/sample_lanes.hpp"
-#include "liquid/slices.hpp"
+#include "liquid/flow/sample_lanes.hpp"
+#include "liquid/flow/slices.hpp"
 #include "tank/level_set.hpp"
 
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include "core/thread_pool.hpp"
 #include "grid/box_field.hpp"
-#include "liquid/advection.hpp"
+#include "liquid/flow/advection.hpp"
 #include "tank/tank_state.hpp"
 
 #include <cstdint>

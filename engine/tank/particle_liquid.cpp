@@ -1,7 +1,7 @@
 #include "tank/particle_liquid.hpp"
 
 #include "core/error.hpp"
-#include "liquid/slices.hpp"
+#include "liquid/flow/slices.hpp"
 #include "tank/sample_rows.hpp"
 
 #include <algorithm>

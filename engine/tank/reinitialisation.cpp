@@ -1,7 +1,7 @@
 #include "tank/reinitialisation.hpp"
 
 #include "core/check.hpp"
-#include "liquid/slices.hpp"
+#include "liquid/flow/slices.hpp"
 #include "tank/level_set.hpp"
 #include "tank/zero_set.hpp"
 

@@ -1,7 +1,7 @@
 #include "tank/room.hpp"
 
-#include "liquid/sampling.hpp"
-#include "liquid/slices.hpp"
+#include "liquid/flow/sampling.hpp"
+#include "liquid/flow/slices.hpp"
 
 #include <algorithm>
 #include <cmath>

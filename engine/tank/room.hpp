@@ -1,7 +1,7 @@
 // The room in a tank: the box less the solids that stand in it.
 #pragma once
 
-#include "liquid/walls.hpp"
+#include "liquid/flow/walls.hpp"
 
 #include <functional>
 

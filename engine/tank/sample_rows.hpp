@@ -1,7 +1,7 @@
 // The rows of a box around those that matter.
 #pragma once
 
-#include "liquid/row_ranges.hpp"
+#include "liquid/flow/row_ranges.hpp"
 
 namespace pastoso::tank {
 

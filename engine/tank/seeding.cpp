@@ -1,7 +1,7 @@
 #include "tank/seeding.hpp"
 
 #include "core/random.hpp"
-#include "liquid/sampling.hpp"
+#include "liquid/flow/sampling.hpp"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // combined of them. Metres, z up.
 #pragma once
 
-#include "liquid/cup.hpp"
-#include "liquid/triangle_mesh.hpp"
+#include "liquid/surface/triangle_mesh.hpp"
+#include "liquid/tea/cup.hpp"
 
 #include <limits>
 #include <memory>

@@ -1,8 +1,8 @@
 #include "tank/solid_mesh.hpp"
 
 #include "core/check.hpp"
-#include "liquid/marching_cubes.hpp"
-#include "liquid/slices.hpp"
+#include "liquid/flow/slices.hpp"
+#include "liquid/surface/marching_cubes.hpp"
 
 #include <algorithm>
 

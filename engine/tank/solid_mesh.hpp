@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/thread_pool.hpp"
-#include "liquid/triangle_mesh.hpp"
+#include "liquid/surface/triangle_mesh.hpp"
 #include "tank/tank_scene.hpp"
 
 namespace pastoso::tank {

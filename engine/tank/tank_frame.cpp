@@ -1,7 +1,7 @@
 #include "tank/tank_frame.hpp"
 
-#include "liquid/sampling.hpp"
-#include "liquid/slices.hpp"
+#include "liquid/flow/sampling.hpp"
+#include "liquid/flow/slices.hpp"
 #include "tank/sample_rows.hpp"
 
 #include <algorithm>

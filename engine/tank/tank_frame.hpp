@@ -1,7 +1,7 @@
 // A tank of liquid at one moment: all that is needed to draw it.
 #pragma once
 
-#include "liquid/sampled_field.hpp"
+#include "liquid/surface/sampled_field.hpp"
 #include "tank/particle_surface.hpp"
 #include "tank/room.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "grid/box_field.hpp"
-#include "liquid/velocity.hpp"
+#include "liquid/flow/velocity.hpp"
 #include "tank/particle.hpp"
 
 #include <cstdint>

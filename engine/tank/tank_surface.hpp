@@ -1,7 +1,7 @@
 // The surface of a tank's liquid as triangles, cut where glass and solids begin.
 #pragma once
 
-#include "liquid/marching_cubes.hpp"
+#include "liquid/surface/marching_cubes.hpp"
 #include "tank/tank_frame.hpp"
 
 namespace pastoso::tank {

@@ -1,6 +1,6 @@
 #include "tank/transfer.hpp"
 
-#include "liquid/slices.hpp"
+#include "liquid/flow/slices.hpp"
 #include "tank/sample_rows.hpp"
 
 #include <algorithm>

@@ -9,8 +9,8 @@
 #pragma once
 
 #include "core/thread_pool.hpp"
-#include "liquid/aligned_floats.hpp"
-#include "liquid/velocity.hpp"
+#include "liquid/flow/aligned_floats.hpp"
+#include "liquid/flow/velocity.hpp"
 #include "tank/particle_cells.hpp"
 #include "tank/particle_kernels.hpp"
 

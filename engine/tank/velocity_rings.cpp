@@ -1,7 +1,7 @@
 #include "tank/velocity_rings.hpp"
 
-#include "liquid/slices.hpp"
-#include "liquid/walls.hpp"
+#include "liquid/flow/slices.hpp"
+#include "liquid/flow/walls.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/thread_pool.hpp"
-#include "liquid/row_ranges.hpp"
+#include "liquid/flow/row_ranges.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "tank/zero_set.hpp"
 
-#include "liquid/sample_lanes.hpp"
+#include "liquid/flow/sample_lanes.hpp"
 
 #include <algorithm>
 #include <cmath>

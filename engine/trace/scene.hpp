@@ -3,8 +3,8 @@
 #pragma once
 
 #include "grid/box_field.hpp"
-#include "liquid/cup.hpp"
-#include "liquid/triangle_mesh.hpp"
+#include "liquid/surface/triangle_mesh.hpp"
+#include "liquid/tea/cup.hpp"
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "grid/box_field.hpp"
-#include "liquid/triangle_mesh.hpp"
+#include "liquid/surface/triangle_mesh.hpp"
 #include "trace/scene.hpp"
 
 namespace pastoso::trace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "grid/box_field.hpp"
-#include "liquid/cup.hpp"
+#include "liquid/tea/cup.hpp"
 #include "trace/scene.hpp"
 
 namespace pastoso::trace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/isa.hpp"
-#include "liquid/triangle_mesh.hpp"
+#include "liquid/surface/triangle_mesh.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -3,9 +3,9 @@
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
 #include "document/action_checks.hpp"
-#include "panels/brush_list.hpp"
-#include "panels/curve_editor.hpp"
-#include "panels/load_bar.hpp"
+#include "panels/paint/load_bar.hpp"
+#include "panels/pen/brush_list.hpp"
+#include "panels/pen/curve_editor.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -3,7 +3,7 @@
 
 #include "document/action_checks.hpp"
 #include "document/canvas.hpp"
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,7 +1,7 @@
 #include "view/canvas_layers.hpp"
 
 #include "core/random.hpp"
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 #include "shade/cell_layers.hpp"
 
 #include <gmock/gmock.h>

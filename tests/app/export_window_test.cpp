@@ -5,7 +5,7 @@
 #include "dialogs/export_dialog.hpp"
 #include "io/image.hpp"
 #include "io/video_file.hpp"
-#include "panels/work_progress.hpp"
+#include "panels/parts/work_progress.hpp"
 
 #include <cstdlib>
 

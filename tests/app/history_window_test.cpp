@@ -1,6 +1,6 @@
 // The panel of what was done.
 #include "app/window_fixture.hpp"
-#include "panels/step_words.hpp"
+#include "panels/history/step_words.hpp"
 
 #include <stdexcept>
 

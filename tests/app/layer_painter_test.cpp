@@ -3,7 +3,7 @@
 
 #include "core/thread_pool.hpp"
 #include "document/painting.hpp"
-#include "film/drying.hpp"
+#include "film/cell/drying.hpp"
 
 #include <algorithm>
 #include <future>

@@ -1,8 +1,8 @@
 // The layers panel of the real window: paint on several layers, hide, lock, fade, move, group and name
 // them, by mouse and by keys.
 #include "app/window_fixture.hpp"
-#include "panels/layer_panel.hpp"
-#include "panels/layer_tree.hpp"
+#include "panels/layers/layer_panel.hpp"
+#include "panels/layers/layer_tree.hpp"
 
 #include <QAction>
 #include <QApplication>

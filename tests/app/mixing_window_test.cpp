@@ -3,7 +3,7 @@
 #include "app/window_fixture.hpp"
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
-#include "panels/colour_wheel.hpp"
+#include "panels/colour/colour_wheel.hpp"
 #include "pigment/hex_colour.hpp"
 
 #include <QAction>

@@ -1,6 +1,6 @@
 // The navigator: its frame lies where the window is, and moves it, also turned and mirrored.
 #include "app/window_fixture.hpp"
-#include "panels/navigator_map.hpp"
+#include "panels/canvas/navigator_map.hpp"
 
 #include <algorithm>
 #include <stdexcept>

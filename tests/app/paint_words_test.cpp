@@ -1,4 +1,4 @@
-#include "panels/paint_words.hpp"
+#include "panels/paint/paint_words.hpp"
 
 #include <gtest/gtest.h>
 

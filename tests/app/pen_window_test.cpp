@@ -2,9 +2,9 @@
 // speed.
 #include "app/window_fixture.hpp"
 #include "core/text_file.hpp"
-#include "panels/curve_editor.hpp"
-#include "panels/pen_dialog.hpp"
-#include "panels/pen_pad.hpp"
+#include "panels/pen/curve_editor.hpp"
+#include "panels/pen/pen_dialog.hpp"
+#include "panels/pen/pen_pad.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // The panel of what the paint is like.
 #include "app/window_fixture.hpp"
 #include "film/medium.hpp"
-#include "panels/medium_panel.hpp"
+#include "panels/paint/medium_panel.hpp"
 
 #include <algorithm>
 #include <cstddef>

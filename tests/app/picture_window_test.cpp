@@ -3,7 +3,7 @@
 #include "app/window_fixture.hpp"
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
-#include "panels/light_panel.hpp"
+#include "panels/canvas/light_panel.hpp"
 #include "shade/render.hpp"
 #include "shade/varnish.hpp"
 

@@ -1,8 +1,8 @@
 // The palette that a right click opens around the pointer.
 #include "app/window_fixture.hpp"
-#include "panels/popup_palette.hpp"
-#include "panels/ring_places.hpp"
-#include "panels/round_button.hpp"
+#include "panels/popup/popup_palette.hpp"
+#include "panels/popup/ring_places.hpp"
+#include "panels/popup/round_button.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "app/window_fixture.hpp"
 #include "dialogs/export_dialog.hpp"
 #include "document/painting_state.hpp"
-#include "main/replay_window.hpp"
+#include "main/files/replay_window.hpp"
 
 #include <stdexcept>
 

@@ -9,8 +9,8 @@
 #include "core/thread_count.hpp"
 #include "core/user_data.hpp"
 #include "dialogs/settings_dialog.hpp"
-#include "main/language.hpp"
-#include "main/preference_commands.hpp"
+#include "main/program/language.hpp"
+#include "main/program/preference_commands.hpp"
 
 #include <QAction>
 #include <QApplication>

@@ -1,4 +1,4 @@
-#include "panels/slider_scale.hpp"
+#include "panels/parts/slider_scale.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include "glass/tank_page.hpp"
 #include "glass/tea_page.hpp"
 #include "io/tank_json.hpp"
-#include "main/tank_mode.hpp"
-#include "main/tea_mode.hpp"
+#include "main/liquids/tank_mode.hpp"
+#include "main/liquids/tea_mode.hpp"
 #include "window_fixture.hpp"
 
 #include <csignal>

@@ -2,7 +2,7 @@
 #include "document/painting_state.hpp"
 #include "glass/liquid_picture_dialog.hpp"
 #include "glass/tea_page.hpp"
-#include "main/tea_mode.hpp"
+#include "main/liquids/tea_mode.hpp"
 #include "window_fixture.hpp"
 
 #include <fstream>

@@ -4,8 +4,8 @@
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "io/image.hpp"
-#include "panels/picture_board.hpp"
-#include "panels/tracing_panel.hpp"
+#include "panels/colour/picture_board.hpp"
+#include "panels/layers/tracing_panel.hpp"
 #include "pigment/hex_colour.hpp"
 
 #include <QAction>

@@ -1,7 +1,7 @@
 #include "app/window_fixture.hpp"
 
 #include "appearance/theme.hpp"
-#include "main/display.hpp"
+#include "main/program/display.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Cost of strokes: processor time per pixel of travel for brushes of several sizes and bristle counts.
 #include "brush/stroke.hpp"
 #include "film/medium.hpp"
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 #include "pigment/palette.hpp"
 
 #include <algorithm>

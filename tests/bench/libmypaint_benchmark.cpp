@@ -2,7 +2,7 @@
 #include "brush/stroke.hpp"
 #include "core/units.hpp"
 #include "film/medium.hpp"
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 #include "pigment/palette.hpp"
 
 #include <cmath>

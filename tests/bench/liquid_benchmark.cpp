@@ -1,8 +1,8 @@
 // Cost of the stages of a step of the liquid, in the cup and in a box.
-#include "liquid/cosine_pressure.hpp"
-#include "liquid/cup.hpp"
-#include "liquid/flow.hpp"
-#include "liquid/periodic.hpp"
+#include "liquid/classic/cosine_pressure.hpp"
+#include "liquid/classic/periodic.hpp"
+#include "liquid/flow/flow.hpp"
+#include "liquid/tea/cup.hpp"
 
 #include <cmath>
 

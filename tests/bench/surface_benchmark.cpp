@@ -1,6 +1,6 @@
 // What surfaces cost: marching cubes, fields of metaballs, the milk's surface.
 #include "core/random.hpp"
-#include "liquid/milk_surface.hpp"
+#include "liquid/tea/milk_surface.hpp"
 
 #include <cmath>
 #include <numbers>

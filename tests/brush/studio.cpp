@@ -1,7 +1,7 @@
 #include "brush/studio.hpp"
 
 #include "brush/stroke.hpp"
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 
 #include <algorithm>
 #include <cmath>

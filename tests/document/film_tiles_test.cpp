@@ -1,7 +1,7 @@
 #include "document/film_tiles.hpp"
 
 #include "core/random.hpp"
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "document/painting.hpp"
 #include "document/painting_state.hpp"
 #include "document/scenes.hpp"
-#include "film/measures.hpp"
+#include "film/laboratory/measures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // The drag of the alpha range: how it follows the surface tension, and where it must not.
-#include "film/face_physics.hpp"
+#include "film/face/face_physics.hpp"
 #include "film/film_bench.hpp"
 
 #include <array>

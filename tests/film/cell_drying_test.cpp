@@ -1,4 +1,4 @@
-#include "film/cell_drying.hpp"
+#include "film/cell/cell_drying.hpp"
 
 #include "core/units.hpp"
 #include "film/dry_film.hpp"

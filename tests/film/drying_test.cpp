@@ -1,7 +1,7 @@
-#include "film/drying.hpp"
+#include "film/cell/drying.hpp"
 
-#include "film/ageing.hpp"
-#include "film/dissolving.hpp"
+#include "film/cell/ageing.hpp"
+#include "film/cell/dissolving.hpp"
 #include "film/dry_film.hpp"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 // phase, not growth; where drag rules, the two agree.
 #include "film/film_energy.hpp"
 #include "film/schemes.hpp"
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 
 #include <algorithm>
 #include <cmath>

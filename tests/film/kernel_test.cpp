@@ -1,8 +1,8 @@
 // The vectorised kernels against the same formulas on single floats, and every instruction set against
 // the others.
 #include "core/isa.hpp"
-#include "film/face_physics.hpp"
-#include "film/tile_step.hpp"
+#include "film/explicit/tile_step.hpp"
+#include "film/face/face_physics.hpp"
 
 #include <cmath>
 #include <cstring>

@@ -2,7 +2,7 @@
 // supports, so that floats hold depth, ground and level exactly. It must not move at all.
 #include "film/film_bench.hpp"
 #include "film/schemes.hpp"
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 
 #include <algorithm>
 #include <cmath>

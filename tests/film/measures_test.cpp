@@ -1,7 +1,7 @@
-#include "film/measures.hpp"
+#include "film/laboratory/measures.hpp"
 
 #include "core/units.hpp"
-#include "film/front.hpp"
+#include "film/laboratory/front.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "film/paint_cell.hpp"
+#include "film/cell/paint_cell.hpp"
 
 #include "film/medium.hpp"
 #include "film/state.hpp"

@@ -1,8 +1,8 @@
-#include "film/paint_sample.hpp"
+#include "film/cell/paint_sample.hpp"
 
 #include "core/thread_pool.hpp"
+#include "film/cell/drying.hpp"
 #include "film/dry_film.hpp"
-#include "film/drying.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The product against the recorded results, line by line: within the demanded tolerances of the exact
 // values, and close to what the other implementation of the same scheme gave. What was recorded has five
 // digits; the product met four or five of them where nothing else is said.
+#include "film/explicit/step_length.hpp"
 #include "film/reference_data.hpp"
-#include "film/step_length.hpp"
 #include "film/thin_film_cases.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "film/scene.hpp"
+#include "film/laboratory/scene.hpp"
 
 #include "core/error.hpp"
 #include "core/units.hpp"

@@ -1,4 +1,4 @@
-#include "film/simulation.hpp"
+#include "film/laboratory/simulation.hpp"
 
 #include <cmath>
 

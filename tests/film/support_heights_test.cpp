@@ -1,4 +1,4 @@
-#include "film/support_heights.hpp"
+#include "film/support/support_heights.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 
 #include "core/error.hpp"
 

@@ -1,9 +1,9 @@
 // Paint whose cells differ in viscosity and yield stress. A density of 1000 kg/m3 makes a pascal 1000
 // mm2/s2.
+#include "film/cell/drying.hpp"
 #include "film/dry_film.hpp"
-#include "film/drying.hpp"
+#include "film/explicit/tile_step.hpp"
 #include "film/film_bench.hpp"
-#include "film/tile_step.hpp"
 
 #include <algorithm>
 #include <cmath>

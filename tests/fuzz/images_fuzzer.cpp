@@ -2,7 +2,7 @@
 // first byte chooses the name's ending, by which the format is guessed first.
 #include "core/check.hpp"
 #include "core/error.hpp"
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 #include "io/image.hpp"
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 #include "core/text_file.hpp"
 #include "document/error_of.hpp"
 #include "io/temporary_folder.hpp"
-#include "liquid/cup_mesh.hpp"
+#include "liquid/tea/cup_mesh.hpp"
 
 #include <algorithm>
 #include <sstream>

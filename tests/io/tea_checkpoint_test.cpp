@@ -3,7 +3,7 @@
 #include "core/text_file.hpp"
 #include "document/error_of.hpp"
 #include "io/temporary_folder.hpp"
-#include "liquid/milk_tea.hpp"
+#include "liquid/tea/milk_tea.hpp"
 
 #include <cstring>
 #include <fstream>

@@ -1,7 +1,7 @@
 // Reads files of triangles as another program does that knows their formats.
 #pragma once
 
-#include "liquid/triangle_mesh.hpp"
+#include "liquid/surface/triangle_mesh.hpp"
 
 #include <string>
 

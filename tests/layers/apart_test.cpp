@@ -1,6 +1,6 @@
 #include "layers/apart.hpp"
 
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 #include "layers/random_layer.hpp"
 
 #include <gtest/gtest.h>

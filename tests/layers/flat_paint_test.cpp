@@ -1,7 +1,7 @@
 #include "layers/flat_paint.hpp"
 
 #include "core/random.hpp"
-#include "film/paint_sample.hpp"
+#include "film/cell/paint_sample.hpp"
 #include "layers/sums.hpp"
 #include "pigment/appearance.hpp"
 #include "pigment/hex_colour.hpp"

@@ -3,9 +3,9 @@
 
 #include "core/random.hpp"
 #include "core/thread_pool.hpp"
-#include "film/cell_drying.hpp"
+#include "film/cell/cell_drying.hpp"
+#include "film/cell/drying.hpp"
 #include "film/dry_film.hpp"
-#include "film/drying.hpp"
 
 namespace pastoso::layers::test {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "film/state.hpp"
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "layers/view.hpp"
 
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 #include "layers/apart.hpp"
 #include "layers/merging.hpp"
 #include "layers/random_layer.hpp"

@@ -1,10 +1,10 @@
 // Interpolation and advection against exact answers.
-#include "liquid/advection.hpp"
+#include "liquid/flow/advection.hpp"
 
-#include "liquid/flow.hpp"
+#include "liquid/classic/periodic.hpp"
+#include "liquid/flow/flow.hpp"
+#include "liquid/flow/sampling.hpp"
 #include "liquid/flow_cases.hpp"
-#include "liquid/periodic.hpp"
-#include "liquid/sampling.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "liquid/classic_tea.hpp"
+#include "liquid/classic/classic_tea.hpp"
 
 #include "core/error.hpp"
 

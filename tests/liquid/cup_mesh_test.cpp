@@ -1,4 +1,4 @@
-#include "liquid/cup_mesh.hpp"
+#include "liquid/tea/cup_mesh.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "liquid/cup.hpp"
+#include "liquid/tea/cup.hpp"
 
 #include <cmath>
 #include <numbers>

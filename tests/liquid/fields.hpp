@@ -1,7 +1,7 @@
 // Fields whose surfaces are known.
 #pragma once
 
-#include "liquid/sampled_field.hpp"
+#include "liquid/surface/sampled_field.hpp"
 
 namespace pastoso::liquid::test {
 

@@ -1,8 +1,8 @@
 // Vessels and velocities that several tests of the flow share.
 #pragma once
 
-#include "liquid/cup.hpp"
-#include "liquid/walls.hpp"
+#include "liquid/flow/walls.hpp"
+#include "liquid/tea/cup.hpp"
 
 namespace pastoso::liquid::cases {
 

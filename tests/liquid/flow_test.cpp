@@ -1,8 +1,8 @@
 // The stages of a step in walled vessels.
-#include "liquid/flow.hpp"
+#include "liquid/flow/flow.hpp"
 
 #include "core/error.hpp"
-#include "liquid/confinement.hpp"
+#include "liquid/flow/confinement.hpp"
 #include "liquid/flow_cases.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "liquid/fourier.hpp"
+#include "liquid/classic/fourier.hpp"
 
 #include "core/random.hpp"
 

@@ -1,9 +1,9 @@
-#include "liquid/marching_cubes.hpp"
+#include "liquid/surface/marching_cubes.hpp"
 
 #include "core/random.hpp"
-#include "liquid/cube_table.hpp"
 #include "liquid/fields.hpp"
 #include "liquid/mesh_checks.hpp"
+#include "liquid/surface/cube_table.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,7 +1,7 @@
 // What a surface of triangles is as a whole.
 #pragma once
 
-#include "liquid/triangle_mesh.hpp"
+#include "liquid/surface/triangle_mesh.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "liquid/metaballs.hpp"
+#include "liquid/surface/metaballs.hpp"
 
 #include "core/random.hpp"
 

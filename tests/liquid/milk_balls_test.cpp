@@ -1,4 +1,4 @@
-#include "liquid/milk_balls.hpp"
+#include "liquid/tea/milk_balls.hpp"
 
 #include <numbers>
 

@@ -1,4 +1,4 @@
-#include "liquid/milk_surface.hpp"
+#include "liquid/tea/milk_surface.hpp"
 
 #include "core/random.hpp"
 #include "liquid/mesh_checks.hpp"

@@ -1,6 +1,6 @@
 // A tea that goes on from a state is the one that was not interrupted, bit for bit.
 #include "core/error.hpp"
-#include "liquid/milk_tea.hpp"
+#include "liquid/tea/milk_tea.hpp"
 
 #include <functional>
 #include <limits>

@@ -1,7 +1,7 @@
-#include "liquid/milk_tea.hpp"
+#include "liquid/tea/milk_tea.hpp"
 
 #include "core/error.hpp"
-#include "liquid/sampling.hpp"
+#include "liquid/flow/sampling.hpp"
 
 #include <cmath>
 #include <limits>

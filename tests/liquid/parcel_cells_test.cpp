@@ -1,4 +1,4 @@
-#include "liquid/parcel_cells.hpp"
+#include "liquid/tea/parcel_cells.hpp"
 
 #include <numeric>
 

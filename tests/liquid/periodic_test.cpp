@@ -1,10 +1,10 @@
 // The periodic box and the closed box's direct pressure.
-#include "liquid/periodic.hpp"
+#include "liquid/classic/periodic.hpp"
 
 #include "core/error.hpp"
-#include "liquid/cosine_pressure.hpp"
+#include "liquid/classic/cosine_pressure.hpp"
 #include "liquid/flow_cases.hpp"
-#include "liquid/pressure.hpp"
+#include "liquid/pressure/pressure.hpp"
 
 #include <cmath>
 #include <numbers>

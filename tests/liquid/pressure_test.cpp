@@ -1,5 +1,5 @@
 // The pressure's solver on vessels, boxes and odd shapes.
-#include "liquid/pressure.hpp"
+#include "liquid/pressure/pressure.hpp"
 
 #include "core/error.hpp"
 #include "core/random.hpp"

@@ -1,4 +1,4 @@
-#include "liquid/tea_settings.hpp"
+#include "liquid/tea/tea_settings.hpp"
 
 #include "core/error.hpp"
 

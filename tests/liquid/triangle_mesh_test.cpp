@@ -1,4 +1,4 @@
-#include "liquid/triangle_mesh.hpp"
+#include "liquid/surface/triangle_mesh.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "document/canvas.hpp"
 #include "document/player.hpp"
 #include "document/well_session.hpp"
-#include "film/support.hpp"
+#include "film/support/support.hpp"
 #include "io/canvas_support.hpp"
 #include "io/image.hpp"
 #include "io/temporary_folder.hpp"

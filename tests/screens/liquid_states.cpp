@@ -2,8 +2,8 @@
 #include "glass/liquid_picture_dialog.hpp"
 #include "glass/tank_page.hpp"
 #include "glass/tea_page.hpp"
-#include "main/tank_mode.hpp"
-#include "main/tea_mode.hpp"
+#include "main/liquids/tank_mode.hpp"
+#include "main/liquids/tea_mode.hpp"
 #include "states.hpp"
 
 #include <QAction>

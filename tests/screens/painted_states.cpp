@@ -2,8 +2,8 @@
 
 #include "dialogs/crash_dialog.hpp"
 #include "dialogs/recovery_dialog.hpp"
-#include "main/language.hpp"
-#include "main/replay_window.hpp"
+#include "main/files/replay_window.hpp"
+#include "main/program/language.hpp"
 #include "states.hpp"
 
 #include <chrono>

@@ -8,7 +8,7 @@
 
 #include "appearance/theme.hpp"
 #include "keys_table.hpp"
-#include "main/language.hpp"
+#include "main/program/language.hpp"
 #include "states.hpp"
 
 #include <cstdio>

@@ -2,8 +2,8 @@
 
 #include "appearance/theme.hpp"
 #include "dialogs/settings_dialog.hpp"
-#include "panels/pen_pad.hpp"
-#include "panels/popup_palette.hpp"
+#include "panels/pen/pen_pad.hpp"
+#include "panels/popup/popup_palette.hpp"
 #include "start/start_page.hpp"
 
 #include <cmath>

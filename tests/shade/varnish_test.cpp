@@ -5,7 +5,7 @@
 #include "canvas.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "film/drying.hpp"
+#include "film/cell/drying.hpp"
 #include "pigment/lab.hpp"
 #include "shade/shading_model.hpp"
 

@@ -1,7 +1,7 @@
 // Closed meshes whose shape is known.
 #pragma once
 
-#include "liquid/triangle_mesh.hpp"
+#include "liquid/surface/triangle_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>

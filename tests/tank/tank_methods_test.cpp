@@ -1,6 +1,6 @@
 // What every way to follow the liquid must do: fall, rest, keep its volume, drain, and break a dam as
 // the experiment does.
-#include "liquid/marching_cubes.hpp"
+#include "liquid/surface/marching_cubes.hpp"
 #include "random_scenes.hpp"
 #include "tank/liquid_tank.hpp"
 #include "tank_cases.hpp"

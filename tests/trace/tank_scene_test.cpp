@@ -1,6 +1,6 @@
 #include "trace/tank_scene.hpp"
 
-#include "liquid/marching_cubes.hpp"
+#include "liquid/surface/marching_cubes.hpp"
 #include "trace/camera_rays.hpp"
 #include "trace/scenes.hpp"
 #include "trace/world.hpp"

@@ -1,0 +1,101 @@
+#include "main/canvas/canvas_sizing.hpp"
+
+#include "dialogs/canvas_size_dialog.hpp"
+#include "main/wait_cursor.hpp"
+#include "panels/parts/status_readings.hpp"
+#include "session/layer_painter.hpp"
+#include "tools/canvas_resizing.hpp"
+
+#include <utility>
+
+#include <QMainWindow>
+#include <QPainter>
+
+namespace pastoso::main {
+namespace {
+
+using commands::Command;
+
+constexpr int kPicture_px = 220;
+constexpr QColor kBareCanvas(233, 230, 222);
+
+/// The painting by even light, small.
+QImage small_picture(const document::Snapshot& painting) {
+    const session::LayerPicture found =
+        session::layer_picture(painting.film, painting.ground, kPicture_px, kPicture_px);
+    QImage picture(found.width, found.height, QImage::Format_RGB32);
+    picture.fill(kBareCanvas);
+    QPainter(&picture).drawImage(
+        0, 0,
+        QImage(found.rgba.data(), found.width, found.height, 4 * found.width, QImage::Format_RGBA8888));
+    return picture;
+}
+
+}  // namespace
+
+CanvasSizing::CanvasSizing(Studio& studio, panels::StatusReadings* readings)
+    : studio_(studio), readings_(readings) {
+    studio_.commands().on(Command::CanvasSize, [this](bool) { ask(); });
+    studio_.commands().on(Command::CropToSelection, [this](bool) { crop_to_selection(); });
+    connect(&studio_, &Studio::session_begun, this, [this] { shown_bare_.reset(); });
+    connect(&studio_, &Studio::published, this, [this](const auto& painting) {
+        studio_.canvas().show_snapshot(painting, follow(painting->bare));
+        readings_->show_canvas(painting->bare->settings);
+    });
+}
+
+void CanvasSizing::ask() {
+    if (is_lent()) return;
+    studio_.catch_up();
+    const auto painting = studio_.session().snapshot();
+    dialogs::CanvasSizeDialog dialog(painting->bare->settings, small_picture(*painting),
+                                     &studio_.window());
+    if (dialog.exec() == QDialog::Accepted) resize(dialog.wanted());
+}
+
+/// Says so.
+bool CanvasSizing::is_lent() {
+    if (studio_.easel().brush_is_lent())
+        studio_.report(tr("A recording is being played; the canvas is yours when it has ended."));
+    return studio_.easel().brush_is_lent();
+}
+
+void CanvasSizing::crop_to_selection() {
+    if (is_lent()) return;
+    studio_.session().wait_until_applied();
+    const auto painting = studio_.session().snapshot();
+    const auto cropped = tools::cropped_to(painting->selection, painting->bare->settings);
+    if (cropped)
+        resize(*cropped);
+    else
+        studio_.report(tr("The selection reaches over the whole canvas: there is nothing to cut."));
+}
+
+/// The hand waits until the canvas is there: its millimetres are others then.
+void CanvasSizing::resize(const document::ResizeCanvas& resize) {
+    const WaitCursor waiting;
+    const auto before = shown_bare_;
+    studio_.easel().resize(resize);
+    studio_.catch_up();
+    if (shown_bare_ == before) return;
+    const document::CanvasSettings& canvas = shown_bare_->settings;
+    studio_.report(tr("The canvas is %1 × %2 mm now; Undo brings back what it was.")
+                       .arg(canvas.width_mm)
+                       .arg(canvas.height_mm));
+}
+
+/// Where the same canvas was cut or made larger, guides follow what lies on it, and the shift is told.
+/// What a recording does to them that is being played stands in the recording.
+std::optional<glm::dvec2> CanvasSizing::follow(std::shared_ptr<const document::BareCanvas> bare) {
+    const auto before = std::exchange(shown_bare_, std::move(bare));
+    if (before == nullptr || before->settings == shown_bare_->settings) return std::nullopt;
+    const glm::dvec2 shift_mm = tools::shift_mm(before->settings, shown_bare_->settings);
+    Q_EMIT resized();
+    if (shift_mm != glm::dvec2(0.0) && !studio_.easel().brush_is_lent()) {
+        studio_.easel().move_along(shift_mm);
+        studio_.show_hand();
+    }
+    return shift_mm;
+}
+
+}  // namespace pastoso::main

@@ -1,0 +1,243 @@
+#include "main/files/exporting.hpp"
+
+#include "core/error.hpp"
+#include "core/user_data.hpp"
+#include "dialogs/export_dialog.hpp"
+#include "io/recording_json.hpp"
+#include "journal/undo_reach.hpp"
+#include "main/files/project_files.hpp"
+#include "main/paint/light_choice.hpp"
+#include "panels/parts/work_progress.hpp"
+#include "tools/export_names.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QMainWindow>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <QStatusBar>
+
+namespace pastoso::main {
+namespace {
+
+using commands::Command;
+using tools::ExportForm;
+
+QString text_of(const std::filesystem::path& path) {
+    return QString::fromStdString(path.string());
+}
+
+QString name_of(const std::filesystem::path& path) {
+    return text_of(path.filename());
+}
+
+QString length_mm(double mm) {
+    return QString::number(mm, 'f', 3);
+}
+
+QString words_of(const io::ExportReport& report, const QString& name) {
+    if (report.triangles > 0)
+        return Exporting::tr("Exported %1: %2 triangles, %3 × %4 mm.")
+            .arg(name)
+            .arg(report.triangles)
+            .arg(report.width_mm)
+            .arg(report.height_mm);
+    if (report.files.size() > 1)
+        return Exporting::tr("Exported %1 and %2 more; heights from %3 mm (black) to %4 mm (white).")
+            .arg(name_of(report.files.front()))
+            .arg(report.files.size() - 1)
+            .arg(length_mm(report.heights.black_mm), length_mm(report.heights.white_mm));
+    return Exporting::tr("Exported %1: %2 × %3 pixels.")
+        .arg(name)
+        .arg(report.width_px)
+        .arg(report.height_px);
+}
+
+QString words_of(const io::TimelapseReport& report, const QString& name) {
+    return Exporting::tr("Exported %1: %2 frames of %3 × %4 pixels.")
+        .arg(name)
+        .arg(report.frames)
+        .arg(report.width_px)
+        .arg(report.height_px);
+}
+
+QString words_of(const commands::ExportOutcome& outcome) {
+    const QString name = name_of(outcome.path);
+    if (outcome.status() == io::ExportStatus::Written)
+        return std::visit([&](const auto& report) { return words_of(report, name); }, outcome.report);
+    const auto* film = std::get_if<io::TimelapseReport>(&outcome.report);
+    if (film != nullptr && film->written > 0 && std::filesystem::is_directory(outcome.path))
+        return Exporting::tr("Stopped; %1 holds the pictures that are complete.").arg(name);
+    return Exporting::tr("Stopped; %1 was not written.").arg(name);
+}
+
+bool is_folder(const std::filesystem::path& path) {
+    std::error_code unseen;
+    return !path.empty() && std::filesystem::is_directory(path, unseen);
+}
+
+/// Where pictures usually go; not everybody has such a folder.
+std::filesystem::path first_folder() {
+    const std::filesystem::path pictures =
+        QStandardPaths::writableLocation(QStandardPaths::PicturesLocation).toStdString();
+    return is_folder(pictures) ? pictures : std::filesystem::path(QDir::homePath().toStdString());
+}
+
+}  // namespace
+
+Exporting::Exporting(Studio& studio, const ProjectFiles& files, const LightChoice& light)
+    : studio_(studio),
+      files_(files),
+      light_(light),
+      file_(studio, core::user_config_path("export.json")) {
+    studio_.commands().on(Command::Export, [this](bool) { ask(settings_); });
+    studio_.commands().on(Command::MakeTimelapse, [this](bool) {
+        tools::ExportSettings film = settings_;
+        film.form = ExportForm::Timelapse;
+        ask(film);
+    });
+    studio_.commands().on(Command::ExportAgain, [this](bool) { repeat(); });
+    studio_.commands().on(Command::StopExport, [this](bool) { exporter_.stop(); });
+    studio_.commands().on(Command::SaveRecording, [this](bool) { ask_save_recording(); });
+    studio_.commands().action(Command::StopExport)->setIconText(tr("Stop"));
+    progress_ = new panels::WorkProgress(studio_.commands().action(Command::StopExport));
+    studio_.window().statusBar()->insertPermanentWidget(0, progress_);
+    connect(&exporter_, &commands::Exporter::progressed, progress_, &panels::WorkProgress::show_done);
+    connect(&exporter_, &commands::Exporter::finished, this, &Exporting::end);
+    connect(&studio_, &Studio::session_begun, this, [this] {
+        exported_.reset();
+        show_commands();
+    });
+    show_commands();
+    recall();
+}
+
+void Exporting::show_commands() {
+    studio_.commands().action(Command::ExportAgain)->setEnabled(exported_.has_value());
+    studio_.commands().action(Command::StopExport)->setEnabled(exporter_.busy());
+}
+
+/// A file that cannot be read is told, and left as it is.
+void Exporting::recall() {
+    file_.recall([this](const auto& file) { settings_ = tools::read_export_settings(file); });
+}
+
+void Exporting::remember() {
+    file_.remember([this](const auto& file) { tools::write_export_settings(settings_, file); });
+}
+
+/// Beside the painting, or where the last export went.
+std::filesystem::path Exporting::proposal() const {
+    if (exported_) return exported_->path;
+    const std::filesystem::path painting = files_.path().toStdString();
+    if (!painting.empty()) return std::filesystem::absolute(painting).replace_extension();
+    const std::filesystem::path last = settings_.folder;
+    return (is_folder(last) ? last : first_folder()) / tr("painting").toStdString();
+}
+
+tools::ExportLight Exporting::light() const {
+    return {light_.name().toStdString(), light_.lamp(), light_.varnish()};
+}
+
+bool Exporting::may_begin() {
+    if (exporter_.busy())
+        studio_.report(
+            tr("%1 is still being written; wait for it, or stop it.").arg(name_of(exporter_.path())));
+    return !exporter_.busy();
+}
+
+void Exporting::ask(const tools::ExportSettings& settings) {
+    if (!may_begin()) return;
+    const auto painting = studio_.session().snapshot();
+    dialogs::ExportSubject subject{{painting->film.shape, painting->film.cell_mm},
+                                   studio_.session().recording()};
+    const auto& events = subject.film.events;
+    subject.has_strokes = std::any_of(events.begin(), events.end(), [](const document::Event& event) {
+        return journal::changes_painting(event.action);
+    });
+    subject.film.events.clear();
+    subject.light = light();
+    auto* dialog = new dialogs::ExportDialog(std::move(subject), settings, proposal(),
+                                             exported_.has_value(), &studio_.window());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog] { start(dialog->settings(), dialog->path()); });
+    dialog->open();
+}
+
+/// Numbered pictures go into a folder of their own each time.
+void Exporting::repeat() {
+    if (!exported_ || !may_begin()) return;
+    const Exported last = *exported_;
+    const bool is_sequence = is_folder(last.path);
+    start(last.settings, is_sequence ? tools::untaken(last.path, ExportForm::Timelapse) : last.path);
+    exported_ = last;
+}
+
+void Exporting::start(const tools::ExportSettings& settings, const std::filesystem::path& path) {
+    session::Capture capture = studio_.session().capture();
+    commands::ExportJob job;
+    if (settings.form == ExportForm::Timelapse) {
+        job.recording = std::move(capture.recording);
+        job.choice = tools::timelapse_choice(settings, path, light());
+    } else {
+        job.painting = std::move(capture.painting);
+        job.choice = tools::export_choice(settings, path, light());
+    }
+    exporter_.start(std::move(job));
+    exported_ = {settings, path};
+    settings_ = settings;
+    settings_.folder = path.parent_path().string();
+    remember();
+    progress_->show_work(tr("Exporting %1").arg(name_of(path)), text_of(path));
+    show_commands();
+}
+
+void Exporting::end(const commands::ExportOutcome& outcome) {
+    progress_->hide();
+    show_commands();
+    const bool closes = std::exchange(closes_after_, false);
+    if (!outcome.error.empty()) {
+        QMessageBox::warning(&studio_.window(), tr("Export"), QString::fromStdString(outcome.error));
+        return;
+    }
+    studio_.report(words_of(outcome));
+    if (closes && outcome.status() == io::ExportStatus::Written) studio_.window().close();
+}
+
+/// Whether the window may close as far as an export is concerned.
+bool Exporting::may_stop() {
+    if (!exporter_.busy()) return true;
+    QMessageBox question(QMessageBox::Question, tr("Pastoso"),
+                         tr("%1 is still being written.").arg(name_of(exporter_.path())),
+                         QMessageBox::Cancel, &studio_.window());
+    QPushButton* wait = question.addButton(tr("Close when it is done"), QMessageBox::AcceptRole);
+    QPushButton* stop = question.addButton(tr("Stop it"), QMessageBox::DestructiveRole);
+    question.setDefaultButton(wait);
+    question.exec();
+    if (question.clickedButton() == stop) return true;
+    if (question.clickedButton() != wait) return false;
+    closes_after_ = exporter_.busy();
+    if (closes_after_)
+        studio_.report(tr("The window closes as soon as %1 is written.").arg(name_of(exporter_.path())));
+    return !closes_after_;
+}
+
+void Exporting::ask_save_recording() {
+    const QString path = QFileDialog::getSaveFileName(&studio_.window(), tr("Export recording"),
+                                                      tr("painting.json"), tr("Recordings (*.json)"));
+    if (path.isEmpty()) return;
+    try {
+        io::write_recording_json(path.toStdString(), studio_.session().recording());
+        studio_.report(tr("Saved %1.").arg(path));
+    } catch (const core::InputError& error) {
+        QMessageBox::warning(&studio_.window(), tr("Export recording"), QString::fromUtf8(error.what()));
+    }
+}
+
+}  // namespace pastoso::main

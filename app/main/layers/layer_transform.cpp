@@ -1,0 +1,180 @@
+#include "main/layers/layer_transform.hpp"
+
+#include "core/error.hpp"
+#include "dialogs/transform_dialog.hpp"
+#include "panels/pen/brush_panel.hpp"
+#include "session/layer_painter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QAction>
+#include <QMainWindow>
+#include <QStatusBar>
+
+namespace pastoso::main {
+namespace {
+
+using commands::Command;
+
+constexpr int kMargin_px = 16;
+
+/// As fine as the paint in a frame is shown, along the longer side of the canvas.
+constexpr int kPicture_px = 640;
+
+/// Why the layer that is painted on cannot be changed; empty where it can.
+QString problem_of(const document::LayerStack& layers) {
+    try {
+        document::check_paintable(layers, layers.active);
+        return {};
+    } catch (const core::InputError& error) {
+        return QString::fromUtf8(error.what());
+    }
+}
+
+/// The part of the layer's picture that is in the frame, what is not selected left out.
+QImage picture_in(const tools::TransformFrame& frame, const document::Snapshot& painting) {
+    const film::FilmState& film = painting.active != nullptr ? *painting.active : painting.film;
+    const int longer = std::max(film.shape.width, film.shape.height);
+    const double scale = std::min(1.0, static_cast<double>(kPicture_px) / longer);
+    const session::LayerPicture found = session::layer_picture(
+        film, painting.ground, static_cast<int>(std::lround(scale * film.shape.width)),
+        static_cast<int>(std::lround(scale * film.shape.height)));
+    QImage picture =
+        QImage(found.rgba.data(), found.width, found.height, 4 * found.width, QImage::Format_RGBA8888)
+            .copy();
+    const double cells_x = static_cast<double>(film.shape.width) / found.width;
+    const double cells_y = static_cast<double>(film.shape.height) / found.height;
+    for (int y = 0; painting.selection != nullptr && y < found.height; ++y)
+        for (int x = 0; x < found.width; ++x) {
+            const bool chosen = painting.selection->at(static_cast<int>((x + 0.5) * cells_x),
+                                                       static_cast<int>((y + 0.5) * cells_y)) != 0;
+            if (!chosen) picture.setPixelColor(x, y, Qt::transparent);
+        }
+    const auto pixel = [&](double place_mm, double cells) {
+        return static_cast<int>(std::lround(place_mm / film.cell_mm / cells));
+    };
+    const QPoint first(pixel(frame.corner_mm.x, cells_x), pixel(frame.corner_mm.y, cells_y));
+    const QSize size(pixel(frame.size_mm.x, cells_x), pixel(frame.size_mm.y, cells_y));
+    return picture.copy(QRect(first, size.expandedTo({1, 1})))
+        .convertToFormat(QImage::Format_ARGB32_Premultiplied);
+}
+
+}  // namespace
+
+LayerTransform::LayerTransform(Studio& studio, panels::BrushPanel* brushes) : studio_(studio) {
+    studio_.commands().on(Command::TransformLayer, [this](bool on) {
+        if (on)
+            begin();
+        else
+            give_up();
+    });
+    connect(brushes, &panels::BrushPanel::brush_taken, this, &LayerTransform::give_up);
+    connect(&studio_.canvas(), &view::CanvasView::frame_accepted, this, &LayerTransform::apply);
+    connect(&studio_.canvas(), &view::CanvasView::frame_given_up, this, &LayerTransform::give_up);
+    connect(&studio_, &Studio::session_ends, this, &LayerTransform::end);
+    connect(&studio_, &Studio::published, this,
+            [this](const auto& painting, const auto& status) { follow(*painting, status); });
+}
+
+void LayerTransform::begin() {
+    studio_.commands().action(Command::TransformLayer)->setChecked(false);
+    if (studio_.easel().brush_is_lent())
+        return studio_.report(
+            tr("A recording is being played; the layers are yours when it has ended."));
+    studio_.easel().release();
+    studio_.catch_up();
+    const auto painting = studio_.session().snapshot();
+    const QString problem = problem_of(*painting->layers);
+    if (!problem.isEmpty()) return studio_.report_refusal(problem);
+    const grid::Rect cells = tools::painted_cells(*painting);
+    if (cells.empty())
+        return studio_.report(painting->selection == nullptr
+                                  ? tr("There is no paint on this layer.")
+                                  : tr("There is no paint of this layer in the selection."));
+    transforming_ = {painting->layers->layers[painting->layers->active].id, painting->selection,
+                     painting->bare};
+    studio_.commands().action(Command::TransformLayer)->setChecked(true);
+    show(tools::frame_around(cells, painting->film.cell_mm), *painting);
+}
+
+void LayerTransform::show(const tools::TransformFrame& frame, const document::Snapshot& painting) {
+    studio_.canvas().show_frame(frame);
+    studio_.canvas().show_in_frame(picture_in(frame, painting));
+    const document::CanvasSettings& canvas = painting.bare->settings;
+    open_dialog(frame, {canvas.width_mm, canvas.height_mm});
+    studio_.canvas().setFocus();
+    Q_EMIT changed();
+    studio_.report(
+        tr("Drag inside to move, a handle to scale, outside to turn (Shift: in steps). Enter applies, "
+           "Esc gives up."));
+}
+
+/// In the lower corner that is farther from the frame, where it hides little.
+void LayerTransform::open_dialog(const tools::TransformFrame& frame, const QSizeF& canvas_mm) {
+    auto* dialog = new dialogs::TransformDialog(frame, canvas_mm, &studio_.window());
+    dialog_ = dialog;
+    // The keys stay with the canvas.
+    dialog->setAttribute(Qt::WA_ShowWithoutActivating);
+    connect(dialog, &dialogs::TransformDialog::changed, this,
+            [this](const tools::TransformFrame& changed) { studio_.canvas().show_frame(changed); });
+    connect(&studio_.canvas(), &view::CanvasView::frame_dragged, dialog,
+            &dialogs::TransformDialog::show_frame);
+    connect(dialog, &QDialog::accepted, this, &LayerTransform::apply);
+    connect(dialog, &QDialog::rejected, this, &LayerTransform::give_up);
+    const QSize size = dialog->sizeHint();
+    const bool frame_is_left =
+        studio_.canvas().widget_position(frame.centre_mm()).x() < 0.5 * studio_.canvas().width();
+    const int x = frame_is_left ? studio_.canvas().width() - size.width() - kMargin_px : kMargin_px;
+    const int y = studio_.canvas().height() - size.height() - kMargin_px;
+    dialog->move(studio_.canvas().mapToGlobal(QPoint(x, y)));
+    dialog->show();
+}
+
+/// Nothing of the painting has changed so far, and nothing will.
+bool LayerTransform::end() {
+    if (!transforming_) return false;
+    transforming_.reset();
+    studio_.canvas().show_frame(std::nullopt);
+    if (dialog_ != nullptr) {
+        dialog_->disconnect(this);
+        dialog_->hide();
+        dialog_->deleteLater();
+        dialog_.clear();
+    }
+    studio_.commands().action(Command::TransformLayer)->setChecked(false);
+    Q_EMIT changed();
+    return true;
+}
+
+bool LayerTransform::give_up() {
+    if (!end()) return false;
+    studio_.report(tr("The paint stays as it is."));
+    return true;
+}
+
+void LayerTransform::apply() {
+    if (!transforming_ || !studio_.canvas().frame()) return;
+    const document::LayerId layer = transforming_->layer;
+    const auto wanted =
+        tools::transform_of(*studio_.canvas().frame(), 1.0 / transforming_->bare->settings.px_per_mm);
+    if (!wanted) {
+        give_up();
+        return;
+    }
+    end();
+    studio_.easel().transform({layer, *wanted});
+    studio_.window().statusBar()->clearMessage();
+}
+
+/// A frame around paint of another layer, of what is selected no more or of another canvas is none.
+void LayerTransform::follow(const document::Snapshot& painting, const session::Status& status) {
+    if (!transforming_) return;
+    const document::LayerStack& layers = *painting.layers;
+    const bool same = layers.layers[layers.active].id == transforming_->layer &&
+                      painting.selection == transforming_->selection &&
+                      painting.bare == transforming_->bare && problem_of(layers).isEmpty();
+    if (!same || status.replaying) give_up();
+}
+
+}  // namespace pastoso::main

@@ -1,0 +1,37 @@
+// The painter's own paints, found again at the next start, and palettes to choose from.
+#pragma once
+
+#include "main/program/remembered_file.hpp"
+#include "main/studio.hpp"
+
+#include <QObject>
+#include <QTimer>
+
+namespace pastoso::panels {
+class ColourPanel;
+}
+
+namespace pastoso::main {
+
+class PaintMemory : public QObject {
+    Q_OBJECT
+  public:
+    PaintMemory(Studio& studio, panels::ColourPanel* colours);
+
+    /// A file that cannot be read is told, and left as it is.
+    void recall();
+    void remember();
+
+    /// Shows the colours of a .gpl file to choose from. What is none is told.
+    void open_palette(const QString& path);
+
+  private:
+    void ask_palette();
+
+    Studio& studio_;
+    panels::ColourPanel* colours_;
+    QTimer changed_;  ///< soon after the last of several changes
+    RememberedFile file_;
+};
+
+}  // namespace pastoso::main

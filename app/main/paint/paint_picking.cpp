@@ -1,0 +1,75 @@
+#include "main/paint/paint_picking.hpp"
+
+#include "document/well.hpp"
+#include "panels/paint/paint_words.hpp"
+#include "tools/canvas_colour.hpp"
+#include "tools/colour_paint.hpp"
+
+#include <QAction>
+
+namespace pastoso::main {
+
+using commands::Command;
+
+namespace {
+
+document::Snapshot snapshot_of(const document::Snapshot& painting, document::Surface surface) {
+    if (surface == document::Surface::Canvas) return painting;
+    return {painting.well.value_or(document::bare_well()), painting.ground, painting.tick};
+}
+
+}  // namespace
+
+PaintPicking::PaintPicking(Studio& studio) : studio_(studio) {
+    const auto pick_next = [this](tools::Pick pick) {
+        return
+            [this, pick](bool picks) { pick_at_next_click(picks ? std::optional(pick) : std::nullopt); };
+    };
+    studio_.commands().on(Command::PickPaint, pick_next(tools::Pick::Paint));
+    studio_.commands().on(Command::PickColour, pick_next(tools::Pick::Seen));
+    const auto pick_on = [this](document::Surface surface) {
+        return [this, surface](const QPointF& place_mm, tools::Pick pick) {
+            pick_from(surface, place_mm, pick);
+        };
+    };
+    connect(&studio_.canvas(), &view::CanvasView::picked, this, pick_on(document::Surface::Canvas));
+    connect(&studio_.well(), &view::CanvasView::picked, this, pick_on(document::Surface::Well));
+}
+
+void PaintPicking::pick_at_next_click(std::optional<tools::Pick> pick) {
+    studio_.commands().action(Command::PickPaint)->setChecked(pick == tools::Pick::Paint);
+    studio_.commands().action(Command::PickColour)->setChecked(pick == tools::Pick::Seen);
+    for (view::CanvasView* view : studio_.views())
+        view->pick_next(pick);
+}
+
+/// Where no paint lies, its colour is all there is to pick.
+void PaintPicking::pick_from(document::Surface surface, const QPointF& place_mm, tools::Pick pick) {
+    pick_at_next_click(std::nullopt);
+    const document::Snapshot there = snapshot_of(*studio_.session().snapshot(), surface);
+    const auto paint =
+        pick == tools::Pick::Paint
+            ? tools::paint_at(there.film, studio_.session().paints_used(), place_mm.x(), place_mm.y())
+            : std::nullopt;
+    if (paint)
+        pick_paint(*paint);
+    else
+        pick_colour(there, place_mm);
+}
+
+void PaintPicking::pick_paint(const tools::PickedPaint& paint) {
+    studio_.choose_paint(paint.recipe);
+    const QString words = paint.layer == film::PaintLayer::Wet ? tr("Picked up wet paint: %1")
+                                                               : tr("Picked up dry paint: %1");
+    studio_.report(words.arg(panels::share_words(paint.recipe)));
+}
+
+void PaintPicking::pick_colour(const document::Snapshot& there, const QPointF& place_mm) {
+    const auto colour = tools::colour_at(there, place_mm.x(), place_mm.y());
+    if (!colour) return studio_.report(tr("There is no colour to pick beside the canvas."));
+    studio_.choose_paint(tools::colour_paint(*colour));
+    studio_.report(
+        tr("Picked the colour seen: %1").arg(QString::fromStdString(pigment::hex_colour(*colour))));
+}
+
+}  // namespace pastoso::main

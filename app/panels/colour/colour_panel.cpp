@@ -1,0 +1,255 @@
+#include "panels/colour/colour_panel.hpp"
+
+#include "panels/colour/colour_picker.hpp"
+#include "panels/paint/paint_swatch.hpp"
+#include "panels/paint/paint_words.hpp"
+#include "panels/paint/swatch_grid.hpp"
+#include "panels/parts/section.hpp"
+#include "pigment/paint_name.hpp"
+#include "pigment/recipe.hpp"
+#include "tools/colour_paint.hpp"
+#include "tools/picked_paint.hpp"
+#include "tools/swatch.hpp"
+
+#include <algorithm>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace pastoso::panels {
+namespace {
+
+constexpr int kColumns = 8;
+
+QColor qcolor(const pigment::Srgb8& rgb) {
+    return {rgb[0], rgb[1], rgb[2]};
+}
+
+QString difference_words(double difference) {
+    if (difference < 1.0) return QObject::tr("the same to the eye");
+    if (difference < 2.5) return QObject::tr("close");
+    if (difference < 6.0) return QObject::tr("a little off");
+    return QObject::tr("beyond these tubes");
+}
+
+/// One tube a line, its parts in front; below them in which shares the pigments are in it.
+QString recipe_lines(const document::PaintRecipe& paint) {
+    QStringList lines;
+    for (const document::Ingredient& part : paint.ingredients) {
+        const document::PaintRecipe tube{{{part.pigment, 1.0}}, 1.0};
+        const QString name = recipe_words(tube);
+        const QString parts = QString::number(part.parts);
+        lines += paint.ingredients.size() > 1 ? QStringLiteral("%1 \u00d7 %2").arg(parts, name) : name;
+    }
+    if (paint.ingredients.size() > 1) lines += share_words(paint);
+    return lines.join('\n');
+}
+
+std::vector<SwatchGrid::Patch> patches_of(const std::vector<document::PaintRecipe>& paints,
+                                          const QString& words) {
+    std::vector<SwatchGrid::Patch> patches;
+    for (const document::PaintRecipe& paint : paints)
+        patches.push_back({qcolor(tools::screen_colour(paint)), words.arg(recipe_words(paint))});
+    return patches;
+}
+
+}  // namespace
+
+ColourPanel::ColourPanel(const std::vector<QAction*>& picks, QWidget* parent)
+    : QWidget(parent), picker_(new ColourPicker) {
+    auto* column = section(this, tr("Mix a colour"));
+    column->addWidget(picker_);
+    column->addWidget(button_row(picks));
+    column->addWidget(recipe_part());
+    column->addWidget(kept_part());
+    column->addWidget(recent_part());
+    column->addWidget(palette_part());
+    column->addStretch(1);
+    connect(picker_, &ColourPicker::looked_at, this, &ColourPanel::show_colour);
+    connect(picker_, &ColourPicker::chosen, this,
+            [this](const pigment::Srgb8& colour) { Q_EMIT paint_chosen(tools::colour_paint(colour)); });
+    connect(picker_, &ColourPicker::refused, this, &ColourPanel::refused);
+    show_colour(picker_->colour());
+    show_kept();
+}
+
+QWidget* ColourPanel::recipe_part() {
+    auto* part = new QWidget;
+    auto* column = section(part, tr("Nearest from the tubes"));
+    wanted_ = new PaintSwatch;
+    wanted_->setObjectName(QStringLiteral("wanted_colour"));
+    nearest_ = new PaintSwatch;
+    nearest_->setObjectName(QStringLiteral("nearest_colour"));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(0);
+    row->addWidget(wanted_, 1);
+    row->addWidget(nearest_, 1);
+    words_ = new QLabel;
+    words_->setObjectName(QStringLiteral("recipe"));
+    words_->setWordWrap(true);
+    words_->setMinimumHeight(5 * words_->fontMetrics().lineSpacing() + 2);
+    words_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    use_recipe_ = new QPushButton(tr("Use the recipe"));
+    use_recipe_->setObjectName(QStringLiteral("use_recipe"));
+    use_recipe_->setToolTip(tr("Dip the brush in this mixture from the tubes instead"));
+    keep_keys_for_canvas(use_recipe_);
+    column->addLayout(row);
+    column->addWidget(words_);
+    column->addWidget(use_recipe_);
+    connect(wanted_, &QPushButton::clicked, this,
+            [this] { Q_EMIT paint_chosen(tools::colour_paint(picker_->colour())); });
+    const auto take_recipe = [this] { Q_EMIT paint_chosen(document::PaintRecipe(nearest_paint_)); };
+    connect(nearest_, &QPushButton::clicked, this, take_recipe);
+    connect(use_recipe_, &QPushButton::clicked, this, take_recipe);
+    return part;
+}
+
+QWidget* ColourPanel::recent_part() {
+    auto* part = new QWidget;
+    auto* column = section(part, tr("Used before"));
+    recent_grid_ = new SwatchGrid(kColumns);
+    recent_grid_->setObjectName(QStringLiteral("recent_paints"));
+    column->addWidget(recent_grid_);
+    connect(recent_grid_, &SwatchGrid::patch_clicked, this, [this](int index) {
+        const document::PaintRecipe paint = shelf_.recent.at(static_cast<std::size_t>(index));
+        Q_EMIT paint_chosen(paint);
+    });
+    return part;
+}
+
+QWidget* ColourPanel::kept_part() {
+    auto* part = new QWidget;
+    auto* column = section(part, tr("Your palette"));
+    kept_hint_ = new QLabel(tr("Paints that you keep stay here."));
+    kept_hint_->setObjectName(QStringLiteral("reading"));
+    auto* keep = new QPushButton(tr("Keep"));
+    keep->setObjectName(QStringLiteral("keep_paint"));
+    keep->setToolTip(tr("Lay the paint in hand out on your palette"));
+    keep_keys_for_canvas(keep);
+    auto* row = new QHBoxLayout;
+    row->addWidget(kept_hint_, 1);
+    row->addWidget(keep);
+    kept_grid_ = new SwatchGrid(kColumns);
+    kept_grid_->setObjectName(QStringLiteral("kept_paints"));
+    column->addWidget(kept_grid_);
+    column->addLayout(row);
+    connect(keep, &QPushButton::clicked, this, &ColourPanel::keep_paint_in_hand);
+    connect(kept_grid_, &SwatchGrid::removal_wanted, this, &ColourPanel::remove_kept);
+    connect(kept_grid_, &SwatchGrid::patch_clicked, this, [this](int index) {
+        const document::PaintRecipe paint = shelf_.kept.at(static_cast<std::size_t>(index));
+        Q_EMIT paint_chosen(paint);
+    });
+    return part;
+}
+
+QWidget* ColourPanel::palette_part() {
+    auto* part = new QWidget;
+    auto* column = section(part, tr("From a file"));
+    palette_name_ = new QLabel(tr("none opened"));
+    palette_name_->setObjectName(QStringLiteral("reading"));
+    auto* open = new QPushButton(tr("Open..."));
+    open->setObjectName(QStringLiteral("open_palette"));
+    open->setToolTip(tr("Colours of GIMP, Krita or Inkscape, from a .gpl file"));
+    keep_keys_for_canvas(open);
+    auto* row = new QHBoxLayout;
+    row->addWidget(palette_name_, 1);
+    row->addWidget(open);
+    palette_grid_ = new SwatchGrid(kColumns);
+    palette_grid_->setObjectName(QStringLiteral("palette"));
+    column->addLayout(row);
+    column->addWidget(palette_grid_);
+    connect(open, &QPushButton::clicked, this, &ColourPanel::palette_wanted);
+    connect(palette_grid_, &SwatchGrid::patch_clicked, this, [this](int index) {
+        Q_EMIT paint_chosen(
+            tools::colour_paint(shelf_.opened.colours.at(static_cast<std::size_t>(index)).colour));
+    });
+    return part;
+}
+
+void ColourPanel::show_colour(const pigment::Srgb8& colour) {
+    wanted_->show_paint(qcolor(colour), tr("The colour itself, as a paint of its own: %1")
+                                            .arg(QString::fromStdString(pigment::hex_colour(colour))));
+    const pigment::Recipe recipe = tools::closest_in_box(colour);
+    show_nearest(tools::recipe_paint(recipe), recipe.difference);
+}
+
+void ColourPanel::show_nearest(const document::PaintRecipe& paint, double difference) {
+    nearest_paint_ = paint;
+    nearest_->show_paint(qcolor(tools::screen_colour(paint)), recipe_words(paint));
+    words_->setText(tr("%1\nΔE %2, %3")
+                        .arg(recipe_lines(paint), QString::number(difference, 'f', 1),
+                             difference_words(difference)));
+    use_recipe_->setEnabled(!(paint == in_hand_));
+}
+
+/// What comes from the tubes is its own recipe, whatever else would look the same.
+void ColourPanel::show_paint(const document::PaintRecipe& paint) {
+    if (paint == in_hand_) return;
+    in_hand_ = paint;
+    tools::note_recent(paint, shelf_);
+    show_recent();
+    Q_EMIT shelf_changed();
+    use_recipe_->setEnabled(!(paint == nearest_paint_));
+    const auto& parts = paint.ingredients;
+    if (parts.empty() || paint == nearest_paint_) return;
+    picker_->show_colour(tools::screen_colour(paint));
+    const bool from_tubes = std::none_of(parts.begin(), parts.end(), [](const auto& part) {
+        return pigment::names_a_colour(part.pigment);
+    });
+    if (from_tubes) show_nearest(paint, 0.0);
+}
+
+// ---- the shelf
+
+void ColourPanel::show_shelf(const tools::PaintShelf& shelf) {
+    shelf_ = shelf;
+    show_recent();
+    show_kept();
+    show_opened();
+}
+
+void ColourPanel::keep_paint_in_hand() {
+    if (!tools::keep_paint(in_hand_, shelf_))
+        return void(Q_EMIT refused(tr("Your palette is full: the right button takes a paint away.")));
+    show_kept();
+    Q_EMIT shelf_changed();
+}
+
+void ColourPanel::remove_kept(int index) {
+    shelf_.kept.erase(shelf_.kept.begin() + index);
+    show_kept();
+    Q_EMIT shelf_changed();
+}
+
+void ColourPanel::show_palette(const pigment::ColourPalette& palette) {
+    shelf_.opened = palette;
+    show_opened();
+    Q_EMIT shelf_changed();
+}
+
+void ColourPanel::show_recent() {
+    recent_grid_->show_patches(patches_of(shelf_.recent, QStringLiteral("%1")));
+}
+
+void ColourPanel::show_kept() {
+    kept_grid_->show_patches(
+        patches_of(shelf_.kept, tr("%1\nThe right button, or Delete, takes it away.")));
+    kept_grid_->setVisible(!shelf_.kept.empty());
+    kept_hint_->setVisible(shelf_.kept.empty());
+}
+
+void ColourPanel::show_opened() {
+    const pigment::ColourPalette& palette = shelf_.opened;
+    if (!palette.name.empty()) palette_name_->setText(QString::fromStdString(palette.name));
+    std::vector<SwatchGrid::Patch> patches;
+    for (const pigment::NamedColour& named : palette.colours) {
+        const QString hex = QString::fromStdString(pigment::hex_colour(named.colour));
+        const QString name = QString::fromStdString(named.name);
+        patches.push_back({qcolor(named.colour), name.isEmpty() ? hex : name + ' ' + hex});
+    }
+    palette_grid_->show_patches(patches);
+}
+
+}  // namespace pastoso::panels

@@ -1,0 +1,226 @@
+#include "panels/colour/colour_wheel.hpp"
+
+#include "core/units.hpp"
+#include "panels/colour/wheel_picture.hpp"
+#include "panels/parts/section.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+
+namespace pastoso::panels {
+namespace {
+
+/// In units of the window.
+constexpr double kRingWidth = 17.0, kMargin = 3.0, kGap = 5.0, kMarkRadius = 5.0;
+
+/// What a key moves by.
+constexpr double kHueStep_deg = 5.0, kLightnessStep = 2.0, kChromaStep = 0.01;
+constexpr double kFine = 0.2;
+
+double turn_deg(double angle_deg) {
+    return angle_deg - 360.0 * std::floor(angle_deg / 360.0);
+}
+
+/// A ring that is seen on any colour.
+void paint_mark(QPainter& painter, const QPointF& place, const QColor& colour) {
+    painter.setBrush(colour);
+    painter.setPen(QPen(QColor(20, 20, 22), 3.0));
+    painter.drawEllipse(place, kMarkRadius, kMarkRadius);
+    painter.setPen(QPen(QColor(240, 240, 240), 1.5));
+    painter.drawEllipse(place, kMarkRadius, kMarkRadius);
+}
+
+QColor qcolor(const tools::Channels& oklch) {
+    const pigment::Srgb8 rgb = tools::colour_from(tools::ColourModel::Oklch, oklch);
+    return {rgb[0], rgb[1], rgb[2]};
+}
+
+}  // namespace
+
+ColourWheel::ColourWheel(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("colour_wheel"));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setAccessibleName(tr("Colour wheel"));
+    setToolTip(
+        tr("The ring is the hue. Inside, lightness goes up and chroma to the right, as far as the\n"
+           "screen has it. Keys: arrows, Page Up and Page Down for the hue, with Ctrl finely."));
+    keep_keys_for_canvas(this);
+    keep_own_keys(this, {Qt::Key_PageUp, Qt::Key_PageDown, Qt::CTRL | Qt::Key_PageUp,
+                         Qt::CTRL | Qt::Key_PageDown});
+}
+
+void ColourWheel::show_colour(const tools::Channels& oklch) {
+    const double hue_deg = oklch_[2];
+    oklch_ = oklch;
+    if (oklch[1] == 0.0) oklch_[2] = hue_deg;
+    setAccessibleDescription(tr("Lightness %1 %, chroma %2, hue %3\u00b0")
+                                 .arg(oklch_[0], 0, 'f', 0)
+                                 .arg(oklch_[1], 0, 'f', 2)
+                                 .arg(oklch_[2], 0, 'f', 0));
+    update();
+}
+
+// ---- places
+
+ColourWheel::Measures ColourWheel::measures() const {
+    Measures all{};
+    all.ratio = devicePixelRatioF();
+    const double wide = width() * all.ratio, high = height() * all.ratio;
+    all.side = static_cast<int>(std::min(wide, high));
+    all.left = static_cast<int>((wide - all.side) / 2.0);
+    all.top = static_cast<int>((high - all.side) / 2.0);
+    all.outer = 0.5 * all.side - kMargin * all.ratio;
+    all.inner = all.outer - kRingWidth * all.ratio;
+    all.field_side = static_cast<int>((all.inner - kGap * all.ratio) * std::numbers::sqrt2);
+    all.field_left = all.left + (all.side - all.field_side) / 2;
+    all.field_top = all.top + (all.side - all.field_side) / 2;
+    return all;
+}
+
+QPointF ColourWheel::ring_position(double hue_deg) const {
+    const Measures all = measures();
+    const double radius = 0.5 * (all.inner + all.outer), hue = core::radians(hue_deg);
+    return QPointF(all.left + 0.5 * all.side + radius * std::cos(hue),
+                   all.top + 0.5 * all.side - radius * std::sin(hue)) /
+           all.ratio;
+}
+
+QPointF ColourWheel::field_position(double lightness, double chroma) const {
+    const Measures all = measures();
+    return QPointF(all.field_left + all.field_side * chroma / kFieldChroma,
+                   all.field_top + all.field_side * (1.0 - lightness / 100.0)) /
+           all.ratio;
+}
+
+// ---- changes
+
+/// A colour beyond sRGB is brought to its edge at that lightness.
+void ColourWheel::move_to(tools::Channels oklch) {
+    oklch[0] = std::clamp(oklch[0], 0.0, 100.0);
+    oklch[2] = turn_deg(oklch[2]);
+    oklch[1] = std::clamp(oklch[1], 0.0, tools::most_chroma(oklch[0], oklch[2]));
+    const bool same = oklch == oklch_;
+    show_colour(oklch);
+    if (!same) Q_EMIT moved(oklch_);
+}
+
+void ColourWheel::drag_to(const QPointF& position) {
+    const Measures all = measures();
+    const QPointF at = position * all.ratio;
+    if (drag_ == Drag::Ring) {
+        const double right = at.x() - all.left - 0.5 * all.side, up = all.top + 0.5 * all.side - at.y();
+        move_to({oklch_[0], pressed_chroma_, core::degrees(std::atan2(up, right))});
+    } else if (drag_ == Drag::Field) {
+        const double chroma = kFieldChroma * (at.x() - all.field_left) / all.field_side;
+        const double lightness = 100.0 * (1.0 - (at.y() - all.field_top) / all.field_side);
+        move_to({lightness, chroma, oklch_[2]});
+    }
+}
+
+void ColourWheel::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) return;
+    const Measures all = measures();
+    const QPointF at = event->position() * all.ratio;
+    const double radius =
+        std::hypot(at.x() - all.left - 0.5 * all.side, at.y() - all.top - 0.5 * all.side);
+    drag_ = radius > all.inner - kGap * all.ratio ? Drag::Ring : Drag::Field;
+    pressed_chroma_ = oklch_[1];
+    drag_to(event->position());
+}
+
+void ColourWheel::mouseMoveEvent(QMouseEvent* event) {
+    drag_to(event->position());
+}
+
+void ColourWheel::mouseReleaseEvent(QMouseEvent*) {
+    if (drag_ == Drag::None) return;
+    drag_ = Drag::None;
+    Q_EMIT released();
+}
+
+/// Turns the ring; over a panel that scrolls the wheel would else move both.
+void ColourWheel::wheelEvent(QWheelEvent* event) {
+    if (!hasFocus()) return event->ignore();
+    const double notches = event->angleDelta().y() / 120.0;
+    move_to({oklch_[0], oklch_[1], oklch_[2] + notches * kHueStep_deg});
+}
+
+void ColourWheel::keyPressEvent(QKeyEvent* event) {
+    const double steps = event->modifiers().testFlag(Qt::ControlModifier) ? kFine : 1.0;
+    tools::Channels to = oklch_;
+    switch (event->key()) {
+        case Qt::Key_Left:
+            to[1] -= steps * kChromaStep;
+            break;
+        case Qt::Key_Right:
+            to[1] += steps * kChromaStep;
+            break;
+        case Qt::Key_Up:
+            to[0] += steps * kLightnessStep;
+            break;
+        case Qt::Key_Down:
+            to[0] -= steps * kLightnessStep;
+            break;
+        case Qt::Key_PageUp:
+            to[2] += steps * kHueStep_deg;
+            break;
+        case Qt::Key_PageDown:
+            to[2] -= steps * kHueStep_deg;
+            break;
+        default:
+            return QWidget::keyPressEvent(event);
+    }
+    move_to(to);
+}
+
+// ---- the picture
+
+void ColourWheel::draw_pictures() {
+    const Measures all = measures();
+    if (ring_.width() != all.side || ring_.devicePixelRatio() != all.ratio) {
+        ring_ = hue_ring(all.side, all.inner, all.outer);
+        ring_.setDevicePixelRatio(all.ratio);
+    }
+    if (field_.width() == all.field_side && field_hue_deg_ == oklch_[2]) return;
+    field_ = colour_field(all.field_side, oklch_[2]);
+    field_.setDevicePixelRatio(all.ratio);
+    field_hue_deg_ = oklch_[2];
+}
+
+/// Where sRGB ends, as a line that smooths the field's steps.
+void ColourWheel::paint_boundary(QPainter& painter) const {
+    constexpr int kPoints = 64;
+    QPolygonF line;
+    for (int i = 0; i <= kPoints; ++i) {
+        const double lightness = 100.0 * i / kPoints;
+        line << field_position(lightness, tools::most_chroma(lightness, oklch_[2]));
+    }
+    painter.setPen(QPen(QColor(160, 160, 162, 170), 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(line);
+}
+
+void ColourWheel::paintEvent(QPaintEvent*) {
+    draw_pictures();
+    const Measures all = measures();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.drawImage(QPointF(all.left, all.top) / all.ratio, ring_);
+    const QRectF field(QPointF(all.field_left, all.field_top) / all.ratio,
+                       QSizeF(all.field_side, all.field_side) / all.ratio);
+    painter.setPen(hasFocus() ? QPen(palette().highlight(), 1.0) : QPen(QColor(0, 0, 0, 140), 1.0));
+    painter.setBrush(palette().base());
+    painter.drawRect(field.adjusted(-0.5, -0.5, 0.5, 0.5));
+    painter.drawImage(field.topLeft(), field_);
+    paint_boundary(painter);
+    paint_mark(painter, ring_position(oklch_[2]), qcolor({kRingLightness, kRingChroma, oklch_[2]}));
+    paint_mark(painter, field_position(oklch_[0], oklch_[1]), qcolor(oklch_));
+}
+
+}  // namespace pastoso::panels

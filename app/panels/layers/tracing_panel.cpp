@@ -1,0 +1,118 @@
+#include "panels/layers/tracing_panel.hpp"
+
+#include "document/action_checks.hpp"
+#include "panels/colour/picture_board.hpp"
+#include "panels/parts/section.hpp"
+#include "panels/parts/value_row.hpp"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace pastoso::panels {
+namespace {
+
+constexpr int kRest_ms = 250;
+
+constexpr double kNarrowest_mm = 1.0;
+
+QImage image_of(const layers::Picture& picture) {
+    return QImage(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
+                  QImage::Format_RGBA8888);
+}
+
+}  // namespace
+
+TracingPanel::TracingPanel(const std::vector<QAction*>& picture, const std::vector<QAction*>& place,
+                           QWidget* parent)
+    : QWidget(parent), board_(new PictureBoard) {
+    board_->setObjectName(QStringLiteral("tracing_board"));
+    board_->setAccessibleName(tr("Picture to trace"));
+    board_->setToolTip(
+        tr("Click: paint of that colour\nWheel: closer, farther\nDrag: move the picture\n0: all of it"));
+    auto* column = new QVBoxLayout(this);
+    column->setSpacing(6);
+    column->addWidget(board_, 1);
+    column->addWidget(button_row(picture));
+    auto* values = new QWidget;
+    make_rows(values);
+    column->addWidget(values);
+    column->addWidget(button_row(place));
+    resting_.setSingleShot(true);
+    resting_.setInterval(kRest_ms);
+    connect(&resting_, &QTimer::timeout, this, [this] { Q_EMIT rested(chosen()); });
+    connect(board_, &PictureBoard::colour_picked, this, &TracingPanel::colour_picked);
+    show_values();
+}
+
+void TracingPanel::make_rows(QWidget* parent) {
+    auto* grid = new QGridLayout(parent);
+    grid->setContentsMargins(0, 0, 0, 0);
+    opacity_ = new ValueRow(grid, tr("Opacity"), tr("How strongly it shows below the paint"),
+                            {0.0, 100.0, 0, tr(" %")});
+    opacity_->name(QStringLiteral("tracing_opacity"));
+    connect(opacity_, &ValueRow::chosen, this, &TracingPanel::value_chosen);
+    const auto number = [&](const QString& words, double least_mm, const char* name) {
+        auto* box = new QDoubleSpinBox;
+        box->setObjectName(QString::fromLatin1(name));
+        box->setAccessibleName(words);
+        box->setRange(least_mm, document::kMaxPenPosition_mm);
+        box->setDecimals(1);
+        box->setSuffix(tr(" mm"));
+        box->setKeyboardTracking(false);
+        box->setAlignment(Qt::AlignRight);
+        auto* label = new QLabel(words);
+        label->setObjectName(QStringLiteral("reading"));
+        const int line = grid->rowCount();
+        grid->addWidget(label, line, 0);
+        grid->addWidget(box, line, 1, 1, 2);
+        connect(box, &QDoubleSpinBox::valueChanged, this, &TracingPanel::value_chosen);
+        return box;
+    };
+    x_ = number(tr("From the left"), -document::kMaxPenPosition_mm, "tracing_x");
+    y_ = number(tr("From above"), -document::kMaxPenPosition_mm, "tracing_y");
+    width_ = number(tr("Width"), kNarrowest_mm, "tracing_width");
+    width_->setToolTip(tr("Its height follows in proportion"));
+}
+
+void TracingPanel::show_tracing(const std::shared_ptr<const layers::Tracing>& tracing) {
+    if (tracing == shown_) return;
+    const bool same_picture =
+        tracing != nullptr && shown_ != nullptr && tracing->picture == shown_->picture;
+    shown_ = tracing;
+    if (!same_picture) board_->show_picture(shown_ ? image_of(*shown_->picture) : QImage());
+    if (!resting_.isActive()) show_values();
+}
+
+void TracingPanel::show_values() {
+    opacity_->setEnabled(shown_ != nullptr);
+    for (QDoubleSpinBox* box : {x_, y_, width_})
+        box->setEnabled(shown_ != nullptr);
+    if (shown_ == nullptr) return;
+    opacity_->show_value(100.0 * shown_->opacity);
+    show_number(x_, shown_->place.x_mm);
+    show_number(y_, shown_->place.y_mm);
+    show_number(width_, shown_->place.width_mm);
+}
+
+void TracingPanel::value_chosen() {
+    if (shown_ == nullptr) return;
+    resting_.start();
+    Q_EMIT moved(chosen());
+}
+
+void TracingPanel::finish() {
+    if (!resting_.isActive()) return;
+    resting_.stop();
+    Q_EMIT rested(chosen());
+}
+
+document::SetTracing TracingPanel::chosen() const {
+    if (shown_ == nullptr) return {};
+    const double proportion = shown_->place.height_mm / shown_->place.width_mm;
+    return {{x_->value(), y_->value(), width_->value(), proportion * width_->value()},
+            0.01 * opacity_->value()};
+}
+
+}  // namespace pastoso::panels

@@ -1,0 +1,122 @@
+#include "panels/paint/medium_panel.hpp"
+
+#include "appearance/shown_names.hpp"
+#include "panels/paint/medium_rows.hpp"
+#include "panels/parts/section.hpp"
+#include "panels/parts/value_row.hpp"
+#include "tools/medium_numbers.hpp"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace pastoso::panels {
+namespace {
+
+QString words_of(const char* text) {
+    return QCoreApplication::translate("pastoso::panels", text);
+}
+
+constexpr int kRest_ms = 250;
+
+ValueRange shown_range(const MediumRow& number) {
+    const film::MediumNumber& limits = tools::number_of(number.member);
+    return {number.scale * limits.least, number.scale * limits.most, number.decimals,
+            words_of(number.unit), number.logarithmic};
+}
+
+}  // namespace
+
+MediumPanel::MediumPanel(QWidget* parent)
+    : QWidget(parent),
+      media_(new QComboBox),
+      description_(new QLabel),
+      reset_(new QPushButton(tr("As it comes"))) {
+    setObjectName(QStringLiteral("medium_panel"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    column->addWidget(medium_section());
+    for (const MediumSection& section : medium_sections())
+        column->addWidget(numbers(section));
+    column->addStretch();
+    resting_.setSingleShot(true);
+    resting_.setInterval(kRest_ms);
+    connect(&resting_, &QTimer::timeout, this, [this] { Q_EMIT medium_changed(medium_); });
+    show_medium(film::bundled_media().front());
+}
+
+QWidget* MediumPanel::medium_section() {
+    auto* widget = new QWidget;
+    auto* column = section(widget, tr("Kind of paint"));
+    media_->setObjectName(QStringLiteral("kind_of_paint"));
+    media_->setToolTip(tr("The brush is cleaned, and dipped in paint of this kind"));
+    for (const film::Medium& medium : film::bundled_media())
+        media_->addItem(appearance::shown_name(medium.name), QString::fromStdString(medium.name));
+    keep_keys_for_canvas(media_);
+    description_->setObjectName(QStringLiteral("reading"));
+    description_->setWordWrap(true);
+    reset_->setObjectName(QStringLiteral("medium_reset"));
+    reset_->setToolTip(tr("Takes back what was changed below"));
+    keep_keys_for_canvas(reset_);
+    column->addWidget(media_);
+    column->addWidget(description_);
+    column->addWidget(reset_);
+    connect(media_, &QComboBox::activated, this, [this] { choose(media_->currentData().toString()); });
+    connect(reset_, &QPushButton::clicked, this,
+            [this] { choose(QString::fromStdString(medium_.name)); });
+    return widget;
+}
+
+void MediumPanel::choose(const QString& name) {
+    resting_.stop();
+    Q_EMIT medium_chosen(name);
+}
+
+QWidget* MediumPanel::numbers(const MediumSection& part) {
+    auto* widget = new QWidget;
+    auto* grid_widget = new QWidget;
+    auto* grid = new QGridLayout(grid_widget);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(4);
+    for (const MediumRow& number : part.rows) {
+        auto* row =
+            new ValueRow(grid, words_of(number.words), words_of(number.hint), shown_range(number));
+        row->name(QLatin1String(number.name));
+        connect(row, &ValueRow::chosen, this, [this, &number](double value) {
+            medium_ = tools::with_number(medium_, number.member, value / number.scale);
+            show_numbers(medium_);
+            resting_.start();
+        });
+        shown_.push_back({&number, row});
+    }
+    section(widget, words_of(part.heading))->addWidget(grid_widget);
+    return widget;
+}
+
+void MediumPanel::finish() {
+    if (!resting_.isActive()) return;
+    resting_.stop();
+    Q_EMIT medium_changed(medium_);
+}
+
+void MediumPanel::show_medium(const film::Medium& medium) {
+    if (resting_.isActive() && medium == in_hand_) return;
+    resting_.stop();
+    in_hand_ = medium;
+    show_numbers(medium);
+}
+
+void MediumPanel::show_numbers(const film::Medium& medium) {
+    medium_ = medium;
+    media_->setCurrentIndex(media_->findData(QString::fromStdString(medium.name)));
+    description_->setText(appearance::shown_name(medium.description));
+    reset_->setEnabled(medium != film::find_medium(medium.name));
+    for (const Shown& shown : shown_)
+        shown.row->show_value(shown.number->scale * medium.*shown.number->member);
+}
+
+}  // namespace pastoso::panels

@@ -1,0 +1,20 @@
+#include "panels/parts/labels.hpp"
+
+#include <QLabel>
+
+namespace pastoso::panels {
+
+QLabel* heading(const QString& words) {
+    auto* label = new QLabel(words);
+    label->setObjectName(QStringLiteral("heading"));
+    return label;
+}
+
+QLabel* note(const QString& words) {
+    auto* label = new QLabel(words);
+    label->setObjectName(QStringLiteral("reading"));
+    label->setWordWrap(true);
+    return label;
+}
+
+}  // namespace pastoso::panels

@@ -1,0 +1,116 @@
+#include "panels/pen/brush_list.hpp"
+
+#include "appearance/shown_names.hpp"
+
+#include <QPixmap>
+#include <QScrollBar>
+
+namespace pastoso::panels {
+namespace {
+
+constexpr int kEntryRole = Qt::UserRole, kNameRole = kEntryRole + 1;
+constexpr int kNoEntry = -1;
+
+int entry_of(const QListWidgetItem* item) {
+    return item == nullptr ? kNoEntry : item->data(kEntryRole).toInt();
+}
+
+}  // namespace
+
+BrushList::BrushList(QWidget* parent) : QListWidget(parent) {
+    setIconSize(kThumbnailSize);
+    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setTextElideMode(Qt::ElideRight);
+    const auto take = [this](QListWidgetItem* item) {
+        if (entry_of(item) != kNoEntry) Q_EMIT entry_clicked(entry_of(item));
+    };
+    connect(this, &QListWidget::itemClicked, this, take);
+    connect(this, &QListWidget::itemActivated, this, take);
+    connect(verticalScrollBar(), &QScrollBar::valueChanged, this, &BrushList::ask_for_thumbnails);
+}
+
+void BrushList::show_entries(const std::vector<BrushEntry>& entries) {
+    clear();
+    items_.clear();
+    asked_.assign(entries.size(), false);
+    QString family;
+    for (const BrushEntry& entry : entries) {
+        if (entry.family != family) add_heading(family = entry.family);
+        add_entry(entry);
+        asked_[items_.size() - 1] = !entry.fault.isEmpty();
+    }
+    ask_for_thumbnails();
+}
+
+void BrushList::add_entry(const BrushEntry& entry) {
+    const QString shown = entry.own ? entry.name : appearance::shown_name(entry.name);
+    auto* item = new QListWidgetItem(shown, this);
+    item->setData(kEntryRole, static_cast<int>(items_.size()));
+    item->setData(kNameRole, entry.name);
+    item->setToolTip(!entry.fault.isEmpty() ? entry.fault
+                     : entry.own            ? tr("%1, your own").arg(shown)
+                                            : shown);
+    QFont font = item->font();
+    font.setItalic(entry.own);
+    item->setFont(font);
+    if (entry.fault.isEmpty()) {
+        QPixmap empty(kThumbnailSize);
+        empty.fill(Qt::transparent);
+        item->setIcon(QIcon(empty));
+    } else {
+        item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
+    }
+    items_.push_back(item);
+}
+
+void BrushList::add_heading(const QString& family) {
+    auto* heading = new QListWidgetItem(family, this);
+    heading->setData(kEntryRole, kNoEntry);
+    heading->setFlags(Qt::NoItemFlags);
+}
+
+void BrushList::show_entry(int entry) {
+    if (entry < 0 || entry >= static_cast<int>(items_.size())) return;
+    setCurrentItem(items_[static_cast<std::size_t>(entry)]);
+    scrollToItem(currentItem());
+}
+
+int BrushList::current_entry() const {
+    return entry_of(currentItem());
+}
+
+void BrushList::set_thumbnail(const QString& name, const QImage& image) {
+    for (QListWidgetItem* item : items_) {
+        if (item->data(kNameRole) == name) item->setIcon(QIcon(QPixmap::fromImage(image)));
+    }
+}
+
+void BrushList::showEvent(QShowEvent* event) {
+    QListWidget::showEvent(event);
+    scroll_to_current();
+    ask_for_thumbnails();
+}
+
+void BrushList::resizeEvent(QResizeEvent* event) {
+    QListWidget::resizeEvent(event);
+    scroll_to_current();
+    ask_for_thumbnails();
+}
+
+/// Rows that were measured before the style was known are measured again first.
+void BrushList::scroll_to_current() {
+    doItemsLayout();
+    scrollToItem(currentItem());
+}
+
+void BrushList::ask_for_thumbnails() {
+    if (!isVisible()) return;
+    for (std::size_t entry = 0; entry < items_.size(); ++entry) {
+        if (asked_[entry] || !viewport()->rect().intersects(visualItemRect(items_[entry]))) continue;
+        asked_[entry] = true;
+        Q_EMIT thumbnail_wanted(static_cast<int>(entry));
+    }
+}
+
+}  // namespace pastoso::panels

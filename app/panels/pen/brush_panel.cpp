@@ -1,0 +1,192 @@
+#include "panels/pen/brush_panel.hpp"
+
+#include "panels/parts/section.hpp"
+#include "tools/hand.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QVBoxLayout>
+
+namespace pastoso::panels {
+namespace {
+
+/// The slider is logarithmic: a millimetre counts for more on a small brush.
+constexpr int kSliderSteps = 200;
+
+int slider_from_width(double width_mm) {
+    const double range = std::log(tools::kLargestBrush_mm / tools::kSmallestBrush_mm);
+    return static_cast<int>(
+        std::lround(kSliderSteps * std::log(width_mm / tools::kSmallestBrush_mm) / range));
+}
+
+double width_from_slider(int position) {
+    const double share = static_cast<double>(position) / kSliderSteps;
+    const double width =
+        tools::kSmallestBrush_mm * std::pow(tools::kLargestBrush_mm / tools::kSmallestBrush_mm, share);
+    return std::round(2.0 * width) / 2.0;
+}
+
+/// Enough for half a dozen tools; the others are scrolled to.
+constexpr int kListHeight = 200;
+
+/// Places of the strength's slider.
+constexpr int kSmoothingStep_ms = 5;
+constexpr int kPlacesPerMm = 2;
+
+using tools::SteadyMode;
+
+}  // namespace
+
+BrushPanel::BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent)
+    : QWidget(parent), list_(new BrushList) {
+    keep_keys_for_canvas(list_);
+    list_->setMinimumHeight(kListHeight);
+    connect(list_, &BrushList::entry_clicked, this, [this] { take_next(0); });
+    connect(list_, &BrushList::thumbnail_wanted, this, [this](int entry) {
+        Q_EMIT thumbnail_wanted(brushes_[static_cast<std::size_t>(entry)].name);
+    });
+    auto* column = section(this, tr("Brush"));
+    column->addWidget(list_, 1);
+    column->addWidget(icon_row(own_actions));
+    column->addWidget(make_width_row());
+    column->addWidget(make_stabiliser_rows());
+}
+
+void BrushPanel::show_brushes(std::vector<BrushEntry> brushes) {
+    brushes_ = std::move(brushes);
+    list_->show_entries(brushes_);
+}
+
+QWidget* BrushPanel::make_width_row() {
+    slider_ = new QSlider(Qt::Horizontal);
+    slider_->setRange(0, kSliderSteps);
+    width_ = new QDoubleSpinBox;
+    width_->setRange(tools::kSmallestBrush_mm, tools::kLargestBrush_mm);
+    width_->setDecimals(1);
+    width_->setSuffix(tr(" mm"));
+    width_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    width_->setAlignment(Qt::AlignRight);
+    width_->setFixedWidth(68);
+    width_->setKeyboardTracking(false);
+    width_->setFocusPolicy(Qt::StrongFocus);
+    width_->setToolTip(tr("Width of the brush's tip  ([ and ])"));
+    slider_->setToolTip(width_->toolTip());
+    keep_keys_for_canvas(slider_);
+    connect(slider_, &QSlider::valueChanged, this,
+            [this](int position) { Q_EMIT width_chosen(width_from_slider(position)); });
+    connect(width_, &QDoubleSpinBox::valueChanged, this, &BrushPanel::width_chosen);
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(slider_);
+    layout->addWidget(width_);
+    return row;
+}
+
+QWidget* BrushPanel::make_stabiliser_rows() {
+    auto* rows = new QWidget;
+    auto* grid = new QGridLayout(rows);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(4);
+    auto* label = new QLabel(tr("Steady"));
+    label->setObjectName(QStringLiteral("reading"));
+    steady_mode_ = new QComboBox;
+    steady_mode_->setObjectName(QStringLiteral("steady_mode"));
+    steady_mode_->setAccessibleName(tr("How the hand is steadied"));
+    steady_mode_->setToolTip(tr("How a trembling hand is steadied, besides the brush's own smoothing"));
+    steady_mode_->addItem(tr("off"), static_cast<int>(SteadyMode::Off));
+    steady_mode_->addItem(tr("lags behind"), static_cast<int>(SteadyMode::Time));
+    steady_mode_->addItem(tr("pulled on a string"), static_cast<int>(SteadyMode::String));
+    keep_keys_for_canvas(steady_mode_);
+    strength_ = new QSlider(Qt::Horizontal);
+    strength_->setObjectName(QStringLiteral("steady_strength"));
+    strength_->setAccessibleName(tr("How much the hand is steadied"));
+    keep_keys_for_canvas(strength_);
+    strength_reading_ = new QLabel;
+    strength_reading_->setObjectName(QStringLiteral("reading"));
+    strength_reading_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    strength_reading_->setFixedWidth(54);
+    grid->addWidget(label, 0, 0);
+    grid->addWidget(steady_mode_, 0, 1, 1, 2);
+    grid->addWidget(strength_, 1, 0, 1, 2);
+    grid->addWidget(strength_reading_, 1, 2);
+    grid->setColumnStretch(1, 1);
+    connect(steady_mode_, &QComboBox::activated, this, [this] {
+        steadying_.mode = static_cast<SteadyMode>(steady_mode_->currentData().toInt());
+        write_steadying();
+        Q_EMIT stabiliser_chosen(tools::stabiliser_of(steadying_));
+    });
+    connect(strength_, &QSlider::valueChanged, this, &BrushPanel::take_strength);
+    write_steadying();
+    return rows;
+}
+
+void BrushPanel::take_strength(int place) {
+    if (steadying_.mode == SteadyMode::Time) steadying_.smoothing_ms = place * kSmoothingStep_ms;
+    if (steadying_.mode == SteadyMode::String)
+        steadying_.string_mm = static_cast<double>(place) / kPlacesPerMm;
+    write_steadying();
+    Q_EMIT stabiliser_chosen(tools::stabiliser_of(steadying_));
+}
+
+/// The slider measures what the mode has: milliseconds or millimetres.
+void BrushPanel::write_steadying() {
+    const QSignalBlocker no_mode_signal(steady_mode_);
+    const QSignalBlocker no_strength_signal(strength_);
+    steady_mode_->setCurrentIndex(steady_mode_->findData(static_cast<int>(steadying_.mode)));
+    strength_->setEnabled(steadying_.mode != SteadyMode::Off);
+    if (steadying_.mode == SteadyMode::String) {
+        strength_->setRange(1, static_cast<int>(tools::kLongestString_mm) * kPlacesPerMm);
+        strength_->setValue(static_cast<int>(std::lround(steadying_.string_mm * kPlacesPerMm)));
+        strength_->setToolTip(tr("Length of the string: wide curves without a tremor"));
+        strength_reading_->setText(tr("%1 mm").arg(steadying_.string_mm));
+    } else {
+        strength_->setRange(1, static_cast<int>(tools::kMostSmoothing_ms) / kSmoothingStep_ms);
+        strength_->setValue(static_cast<int>(std::lround(steadying_.smoothing_ms / kSmoothingStep_ms)));
+        strength_->setToolTip(tr("How far the brush lags behind the hand"));
+        strength_reading_->setText(
+            steadying_.mode == SteadyMode::Off ? QString() : tr("%1 ms").arg(steadying_.smoothing_ms));
+    }
+}
+
+void BrushPanel::show_steadying(const tools::Steadying& steadying) {
+    steadying_ = steadying;
+    write_steadying();
+}
+
+void BrushPanel::show_stabiliser(const brush::Stabiliser& stabiliser) {
+    if (stabiliser == tools::stabiliser_of(steadying_)) return;
+    show_steadying(tools::with_stabiliser(steadying_, stabiliser));
+}
+
+void BrushPanel::show_brush(const QString& name, double width_mm) {
+    const QSignalBlocker no_slider_signal(slider_);
+    const QSignalBlocker no_width_signal(width_);
+    slider_->setValue(slider_from_width(width_mm));
+    width_->setValue(width_mm);
+    const auto found = std::find_if(brushes_.begin(), brushes_.end(),
+                                    [&](const BrushEntry& brush) { return brush.name == name; });
+    list_->show_entry(static_cast<int>(found - brushes_.begin()));
+}
+
+void BrushPanel::take_next(int places) {
+    const int count = static_cast<int>(brushes_.size());
+    const int step = places < 0 ? -1 : 1;
+    int entry = list_->current_entry() + places;
+    for (int tried = 0; tried < count; ++tried, entry += step) {
+        const BrushEntry& brush = brushes_[static_cast<std::size_t>((entry % count + count) % count)];
+        if (brush.fault.isEmpty()) return void(Q_EMIT brush_taken(brush.name, brush.width_mm));
+        if (places == 0) return void(Q_EMIT faulty_clicked(brush.fault));
+    }
+}
+
+}  // namespace pastoso::panels

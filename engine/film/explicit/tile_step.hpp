@@ -1,0 +1,125 @@
+// One explicit step of one tile, compiled for every instruction set; the solver calls the one that fits.
+#pragma once
+
+#include "core/isa.hpp"
+#include "film/explicit/halo_block.hpp"
+#include "film/step_constants.hpp"
+
+#include <array>
+#include <limits>
+
+namespace pastoso::film {
+
+/// Faces of a tile along one axis, with the low edge: index (line, i), i = -1..63.
+inline constexpr int kFaceStride = 80;
+inline constexpr int kFaceCount = (grid::kTileSize + 1) * kFaceStride;
+constexpr int face_index(int x, int y) {
+    return (y + 1) * kFaceStride + x + 1;
+}
+
+template <class T>
+using FaceArray = std::array<T, kFaceCount>;
+
+/// What one thread needs to step a tile; reused from tile to tile.
+struct TileScratch {
+    HaloBlock block;
+    bool large_fluxes = false;  ///< fluxes may take more than a quarter of their cell
+    /// With large fluxes: what a cell holds over what leaves it in the step.
+    alignas(64) BlockArray<float> supply;
+    alignas(64) BlockArray<float> normal_x, normal_y;  ///< |n| components of the film's outline
+    alignas(64) BlockArray<float> slope_x, slope_y;    ///< contact-aware surface slopes at the faces
+    alignas(64) BlockArray<float> pressure;            ///< Pi, mm2/s2
+    alignas(64) BlockArray<float> curvature;           ///< kappa, 1/mm
+
+    /// x faces hold (x, y) with x = -1..63, y = 0..63; y faces x = 0..63, y = -1..63.
+    alignas(64) FaceArray<float> velocity_x, velocity_y;
+    alignas(64) FaceArray<std::int32_t> flux_x, flux_y;  ///< quanta of thickness this step
+};
+
+/// Which faces of a tile are shut: a wall, a neighbour that sleeps or has other paint to wait for; and,
+/// where the tile only gives and takes at its edges, all inside.
+struct ClosedFaces {
+    bool left = false, right = false, top = false, bottom = false;
+    bool inside = false;
+};
+
+/// What the step-length control wants to know of a tile.
+struct FlowExtremes {
+    float mobility = 0.0F;      ///< largest h du/da, mm s
+    float thickness_mm = 0.0F;  ///< of flowing film
+    float speed_mm_s = 0.0F;
+    int clamped_faces = 0;  ///< at the largest speed, or cut to the room that is left
+};
+
+/// From scratch.block to velocities and fluxes at all faces of the tile, edges included. `columns` and
+/// `rows` are the tile's cells on the canvas. No flux takes more than a quarter of the cell that it
+/// leaves, nor more than a quarter of the room of the one that it enters, so that no cell can be
+/// overdrawn or overfilled whatever its other faces do.
+using TileFlow = FlowExtremes (*)(const StepConstants& step, int columns, int rows,
+                                  const ClosedFaces& closed, TileScratch& scratch);
+
+/// Moves pigment with the fluxes of scratch: upwind concentration with a minmod slope, scaled so that
+/// the four outflows of a cell cannot exceed what it holds. `after` is the tile's new pigment;
+/// `concentrations` must hold kConcentrationCount floats. Returns what crossed the edges given as open
+/// in `runoff_edges`. Where a channel might overflow (kCrowded), `held` is the old pigment of the tile
+/// with a margin of one cell, and no more enters a cell through a face than a quarter of what its
+/// channel can still count; elsewhere it is null.
+inline constexpr int kConcentrationHalo = 2;
+inline constexpr int kConcentrationSide = grid::kTileSize + 2 * kConcentrationHalo;
+inline constexpr int kConcentrationCount = kConcentrationSide * kConcentrationSide * kPaintChannels;
+constexpr int concentration_index(int x, int y) {
+    return ((y + kConcentrationHalo) * kConcentrationSide + x + kConcentrationHalo) * kPaintChannels;
+}
+struct OpenEdges {
+    bool left = false, right = false, top = false, bottom = false;
+};
+inline constexpr int kHeldSide = grid::kTileSize + 2;
+constexpr int held_index(int x, int y) {
+    return (y + 1) * kHeldSide + x + 1;
+}
+/// No cell can gain more than its four neighbours hold.
+inline constexpr std::int32_t kCrowded = std::numeric_limits<std::int32_t>::max() / 5;
+struct PigmentMoved {
+    std::array<std::int64_t, kPaintChannels> runoff{};
+    int held_back_faces = 0;  ///< where a full channel let only part of the pigment through
+};
+using PigmentTransport = PigmentMoved (*)(const TileScratch& scratch, const float* concentrations,
+                                          const PaintCell* held, int columns, int rows,
+                                          const OpenEdges& runoff_edges, const PaintCell* before,
+                                          PaintCell* after);
+
+/// Pigment quanta per thickness quantum of `count` neighbouring cells, a hair below the exact ratio so
+/// that rounding never overdraws a cell; 0 where there is no paint. Returns the largest amount in any
+/// channel.
+using Concentrate = std::int32_t (*)(const PaintCell* pigment, const std::int32_t* thickness, int count,
+                                     float* out);
+
+/// h_new = h - div(flux) in whole quanta for all 64 x 64 cells; what it writes beyond the canvas means
+/// nothing.
+using ApplyFluxes = void (*)(const TileScratch& scratch, std::int32_t* after);
+
+/// The largest |after - before| of each column over the given rows of a tile.
+using ColumnChanges = std::array<std::int32_t, grid::kTileSize>;
+using LargestChanges = void (*)(const std::int32_t* before, const std::int32_t* after, int first_row,
+                                int last_row, ColumnChanges& changes);
+
+/// nu, mm2/s, and tau_y/rho, mm2/s2, of `count` neighbouring cells.
+using CellRheology = void (*)(const PaintCell* paint, const std::int32_t* thickness, int count,
+                              float yield_per_Pa, float* viscosity, float* yield);
+
+struct TileKernels {
+    TileFlow flow = nullptr;
+    PigmentTransport transport = nullptr;
+    Concentrate concentrate = nullptr;
+    ApplyFluxes apply_fluxes = nullptr;
+    LargestChanges largest_changes = nullptr;
+    CellRheology rheology = nullptr;
+};
+
+/// The kernels for an instruction set, or for the widest one below it that was compiled in.
+TileKernels tile_kernels_for(core::Isa isa);
+
+/// The kernels for core::best_isa().
+const TileKernels& tile_kernels();
+
+}  // namespace pastoso::film

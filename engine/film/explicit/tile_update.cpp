@@ -1,0 +1,177 @@
+#include "film/explicit/tile_update.hpp"
+
+#include "film/explicit/air_block.hpp"
+#include "film/explicit/concentration_block.hpp"
+#include "film/explicit/rheology_block.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pastoso::film {
+namespace {
+
+using grid::kTileSize;
+using grid::TileBlock;
+
+bool any_flux(const FaceArray<std::int32_t>& flux, int first_x, int first_y, int columns, int rows) {
+    for (int y = first_y; y < rows; ++y)
+        for (int x = first_x; x < columns; ++x)
+            if (flux[face_index(x, y)] != 0) return true;
+    return false;
+}
+
+void clear_beyond(std::int32_t* values, int columns, int rows) {
+    for (int y = 0; y < kTileSize; ++y) {
+        const int first = y < rows ? columns : 0;
+        std::fill(values + y * kTileSize + first, values + (y + 1) * kTileSize, 0);
+    }
+}
+
+TileBlock<std::int32_t> apply_fluxes(const TileScratch& scratch, int columns, int rows) {
+    TileBlock<std::int32_t> block = TileBlock<std::int32_t>::uninitialised();
+    tile_kernels().apply_fluxes(scratch, block.write());
+    clear_beyond(block.write(), columns, rows);
+    return block;
+}
+
+/// How far apart two thicknesses of a tile are, anywhere and within a halo's width of each side.
+TileMotion motion_between(const std::int32_t* before, const std::int32_t* after, int columns, int rows) {
+    ColumnChanges changes;
+    const auto largest = [&](int first, int last) {
+        return thickness_mm(
+            *std::max_element(changes.begin() + std::max(first, 0), changes.begin() + last));
+    };
+    TileMotion motion;
+    tile_kernels().largest_changes(before, after, 0, rows, changes);
+    motion.largest_mm = largest(0, columns);
+    motion.near_side_mm[kLeft] = largest(0, std::min(kHalo, columns));
+    motion.near_side_mm[kRight] = largest(columns - kHalo, columns);
+    tile_kernels().largest_changes(before, after, 0, std::min(kHalo, rows), changes);
+    motion.near_side_mm[kTop] = largest(0, columns);
+    tile_kernels().largest_changes(before, after, std::max(rows - kHalo, 0), rows, changes);
+    motion.near_side_mm[kBottom] = largest(0, columns);
+    return motion;
+}
+
+SideSpeeds side_speeds(const TileScratch& scratch, int columns, int rows) {
+    SideSpeeds speeds{};
+    const auto add = [&](Side side, float velocity) {
+        speeds[side] = std::max(speeds[side], std::abs(velocity));
+    };
+    for (const int depth : {0, 1}) {
+        for (int y = 0; y < rows; ++y) {
+            add(kLeft, scratch.velocity_x[face_index(depth - 1, y)]);
+            add(kRight, scratch.velocity_x[face_index(columns - 1 - depth, y)]);
+        }
+        for (int x = 0; x < columns; ++x) {
+            add(kTop, scratch.velocity_y[face_index(x, depth - 1)]);
+            add(kBottom, scratch.velocity_y[face_index(x, rows - 1 - depth)]);
+        }
+    }
+    return speeds;
+}
+
+TileBlock<float> velocity_block(const FaceArray<float>& velocity) {
+    TileBlock<float> block = TileBlock<float>::uninitialised();
+    float* out = block.write();
+    for (int y = 0; y < kTileSize; ++y)
+        std::copy_n(&velocity[face_index(0, y)], kTileSize, out + y * kTileSize);
+    return block;
+}
+
+/// The old velocities but for those of the faces at the tile's right and lower edge, where they are
+/// open.
+void take_edge_velocities(const FilmState& state, const TilePlace& place, const TileScratch& scratch,
+                          TileResult& result) {
+    const int right = place.columns.extent - 1, bottom = place.rows.extent - 1;
+    if (!place.closed.right) {
+        result.velocity_x = TileBlock<float>::copy_of(state.velocity_x.read(place.tile));
+        float* velocity = result.velocity_x.write();
+        for (int y = 0; y <= bottom; ++y)
+            velocity[y * kTileSize + right] = scratch.velocity_x[face_index(right, y)];
+    }
+    if (!place.closed.bottom) {
+        result.velocity_y = TileBlock<float>::copy_of(state.velocity_y.read(place.tile));
+        std::copy_n(&scratch.velocity_y[face_index(0, bottom)], right + 1,
+                    result.velocity_y.write() + bottom * kTileSize);
+    }
+}
+
+std::int64_t thickness_runoff(const TileScratch& scratch, int columns, int rows, const OpenEdges& open) {
+    std::int64_t runoff = 0;
+    for (int y = 0; y < rows; ++y) {
+        if (open.left) runoff -= scratch.flux_x[face_index(-1, y)];
+        if (open.right) runoff += scratch.flux_x[face_index(columns - 1, y)];
+    }
+    for (int x = 0; x < columns; ++x) {
+        if (open.top) runoff -= scratch.flux_y[face_index(x, -1)];
+        if (open.bottom) runoff += scratch.flux_y[face_index(x, rows - 1)];
+    }
+    return runoff;
+}
+
+void move_pigment(const FilmState& state, const TilePlace& place, WorkerScratch& worker,
+                  TileResult& result) {
+    const int columns = place.columns.extent, rows = place.rows.extent;
+    const std::int32_t largest =
+        gather_concentrations(state, place.columns, place.rows, place.tile_x, tile_kernels().concentrate,
+                              worker.concentrations.data());
+    const bool crowded = largest > kCrowded;
+    if (crowded) gather_held(state, place.columns, place.rows, worker.held);
+    const bool whole = columns == kTileSize && rows == kTileSize;
+    result.paint = whole ? TileBlock<PaintCell>::uninitialised() : TileBlock<PaintCell>::filled({});
+    const PigmentMoved moved = tile_kernels().transport(
+        worker.tile, worker.concentrations.data(), crowded ? worker.held.data() : nullptr, columns, rows,
+        place.runoff_edges, state.paint.read(place.tile), result.paint.write());
+    result.runoff.paint = moved.runoff;
+    result.extremes.clamped_faces += moved.held_back_faces;
+}
+
+void move_paint(const FilmState& state, const TilePlace& place, WorkerScratch& worker,
+                TileResult& result) {
+    const int columns = place.columns.extent, rows = place.rows.extent;
+    result.thickness = apply_fluxes(worker.tile, columns, rows);
+    result.motion = motion_between(place.motion_reference, result.thickness.read(), columns, rows);
+    result.runoff.thickness = thickness_runoff(worker.tile, columns, rows, place.runoff_edges);
+    if (place.pigment_in_reach) move_pigment(state, place, worker, result);
+}
+
+}  // namespace
+
+TileResult collect_tile(const FilmState& state, const TilePlace& place, const FlowExtremes& extremes,
+                        WorkerScratch& worker) {
+    const int columns = place.columns.extent, rows = place.rows.extent;
+    TileResult result;
+    result.extremes = extremes;
+    result.side_speeds_mm_s = side_speeds(worker.tile, columns, rows);
+    if (place.closed.inside) {
+        take_edge_velocities(state, place, worker.tile, result);
+    } else if (extremes.speed_mm_s > 0.0F || !state.velocity_x.is_background(place.tile)) {
+        result.velocity_x = velocity_block(worker.tile.velocity_x);
+        result.velocity_y = velocity_block(worker.tile.velocity_y);
+    }
+    if (any_flux(worker.tile.flux_x, -1, 0, columns, rows) ||
+        any_flux(worker.tile.flux_y, 0, -1, columns, rows))
+        move_paint(state, place, worker, result);
+    return result;
+}
+
+void gather_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
+                 WorkerScratch& worker) {
+    gather(state, place.columns, place.rows, place.tile_x, step.wet_mm, worker.tile.block);
+    if (step.varied)
+        gather_rheology(state, place.columns, place.rows, place.tile_x, step.yield_per_Pa,
+                        tile_kernels().rheology, worker.tile.block);
+    press(place.air, place.density_kg_m3, place.columns, place.rows, step.cell_mm, worker.tile.block);
+}
+
+TileResult update_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
+                       WorkerScratch& worker) {
+    gather_tile(state, place, step, worker);
+    worker.tile.large_fluxes = false;
+    const FlowExtremes extremes =
+        tile_kernels().flow(step, place.columns.extent, place.rows.extent, place.closed, worker.tile);
+    return collect_tile(state, place, extremes, worker);
+}
+
+}  // namespace pastoso::film

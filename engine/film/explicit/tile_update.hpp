@@ -1,0 +1,61 @@
+// One step of one tile, from the old state to what is new in it. Reads the state, writes only its
+// result.
+#pragma once
+
+#include "film/air_jet.hpp"
+#include "film/explicit/halo_block.hpp"
+#include "film/explicit/tile_step.hpp"
+#include "film/large/large_tile.hpp"
+#include "film/tile_activity.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace pastoso::film {
+
+/// What a thread needs for the tiles that it steps.
+struct WorkerScratch {
+    TileScratch tile{};
+    std::vector<float> concentrations = std::vector<float>(kConcentrationCount);
+    std::vector<PaintCell> held;  ///< of crowded tiles
+};
+
+/// Where a tile lies and what surrounds it.
+struct TilePlace {
+    int tile = 0, tile_x = 0;
+    const HaloMap& columns;
+    const HaloMap& rows;
+    ClosedFaces closed;
+    OpenEdges runoff_edges;
+    CanvasEdges canvas_edges;
+    std::span<const AirJet> air;  ///< what blows on the canvas
+    double density_kg_m3 = 1000.0;
+    bool pigment_in_reach = true;          ///< false: nothing here or beside it is coloured
+    const std::int32_t* motion_reference;  ///< thickness that the tile's motion is counted from
+};
+
+/// What a step makes of a tile. An empty block means that the field did not change.
+struct TileResult {
+    grid::TileBlock<std::int32_t> thickness;
+    grid::TileBlock<PaintCell> paint;
+    grid::TileBlock<float> velocity_x, velocity_y;
+    FlowExtremes extremes;
+    SideSpeeds side_speeds_mm_s{};
+    std::optional<TileMotion> motion;
+    Totals runoff;
+};
+
+/// What the velocities and fluxes in the worker's scratch, and the block gathered there, make of a tile.
+TileResult collect_tile(const FilmState& state, const TilePlace& place, const FlowExtremes& extremes,
+                        WorkerScratch& worker);
+
+/// Gathers what a step of the tile reads into the worker's scratch.
+void gather_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
+                 WorkerScratch& worker);
+
+/// One explicit step.
+TileResult update_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
+                       WorkerScratch& worker);
+
+}  // namespace pastoso::film

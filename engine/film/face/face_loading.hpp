@@ -1,0 +1,129 @@
+// Faces of a gathered block, a register at a time, and the model that a step asks for: shared by the
+// kernels of one instruction set.
+#pragma once
+
+#include "film/explicit/tile_step.hpp"
+#include "film/face/face_physics.hpp"
+#include "film/face/lane_groups.hpp"
+
+namespace pastoso::film::PASTOSO_ISA {
+namespace {
+
+/// The two directions of faces, told apart by index strides into the block.
+struct Axis {
+    int along, across;
+    const float* velocity;         ///< old, of this component
+    const float* velocity_across;  ///< old, of the other
+    float force, force_across;
+};
+
+template <FaceModel kModel, class Load>
+[[gnu::always_inline]] inline FaceNeighbourhood<Lanes> neighbourhood(const TileScratch& scratch,
+                                                                     const StepConstants& step,
+                                                                     const Axis& axis,
+                                                                     const Load& load_at, int i) {
+    const HaloBlock& block = scratch.block;
+    const int s = axis.along, t = axis.across;
+    const float* eta = block.eta.data();
+    const float* u = axis.velocity;
+    const float* v = axis.velocity_across;
+    FaceNeighbourhood<Lanes> face;
+    face.h_left = load_at(&block.thickness[i]);
+    face.h_right = load_at(&block.thickness[i + s]);
+    face.support_left = load_at(&block.support[i]);
+    face.support_right = load_at(&block.support[i + s]);
+    face.eta_left2 = load_at(eta + i - s);
+    face.eta_left = load_at(eta + i);
+    face.eta_right = load_at(eta + i + s);
+    face.eta_right2 = load_at(eta + i + 2 * s);
+    face.eta_slope_across =
+        Lanes(0.25F * step.inverse_cell) * ((load_at(eta + i + t) - load_at(eta + i - t)) +
+                                            (load_at(eta + i + s + t) - load_at(eta + i + s - t)));
+    face.pressure_left = load_at(&scratch.pressure[i]);
+    face.pressure_right = load_at(&scratch.pressure[i + s]);
+    face.curvature = Lanes(0.5F) * (load_at(&scratch.curvature[i]) + load_at(&scratch.curvature[i + s]));
+    face.normal_left = load_at(&scratch.normal_x[i]) + load_at(&scratch.normal_y[i]);
+    face.normal_right = load_at(&scratch.normal_x[i + s]) + load_at(&scratch.normal_y[i + s]);
+    face.u = load_at(u + i);
+    face.u_back = load_at(u + i - s);
+    face.u_front = load_at(u + i + s);
+    face.u_before = load_at(u + i - t);
+    face.u_after = load_at(u + i + t);
+    face.v = Lanes(0.25F) *
+             ((load_at(v + i) + load_at(v + i + s)) + (load_at(v + i - t) + load_at(v + i + s - t)));
+    if constexpr (kModel.varied) {
+        face.viscosity_left = load_at(&block.viscosity[i]);
+        face.viscosity_right = load_at(&block.viscosity[i + s]);
+        face.yield_left = load_at(&block.yield[i]);
+        face.yield_right = load_at(&block.yield[i + s]);
+    }
+    return face;
+}
+
+/// Calls shut_x(face) and shut_y(face) for all faces between two cells of the tile.
+template <class ShutX, class ShutY>
+void for_each_inner_face(int columns, int rows, const ShutX& shut_x, const ShutY& shut_y) {
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) {
+            if (x + 1 < columns) shut_x(face_index(x, y));
+            if (y + 1 < rows) shut_y(face_index(x, y));
+        }
+}
+
+/// Calls shut_x(face) and shut_y(face) for the faces of a tile through which nothing may flow: those
+/// that are closed and all beyond the canvas.
+template <class ShutX, class ShutY>
+void for_each_shut_face(int columns, int rows, const ClosedFaces& closed, const ShutX& shut_x,
+                        const ShutY& shut_y) {
+    using grid::kTileSize;
+    if (closed.inside) for_each_inner_face(columns, rows, shut_x, shut_y);
+    for (int y = 0; y < kTileSize; ++y) {
+        if (closed.left) shut_x(face_index(-1, y));
+        const int first_shut = y >= rows ? -1 : columns - (closed.right ? 1 : 0);
+        for (int x = first_shut; x < kTileSize; ++x)
+            shut_x(face_index(x, y));
+    }
+    for (int y = -1; y < kTileSize; ++y) {
+        const bool shut_row = (y == -1 && closed.top) || (y == rows - 1 && closed.bottom) || y >= rows;
+        for (int x = shut_row ? 0 : columns; x < kTileSize; ++x)
+            shut_y(face_index(x, y));
+    }
+}
+
+/// The rare terms, horizontal tension and shear thinning, are compiled with the alpha range only.
+template <bool kYield, class Visit>
+auto with_uniform_model(const StepConstants& step, const Visit& visit) {
+    constexpr FaceModel kPlain{.yield = kYield};
+    constexpr FaceModel kAlpha{.yield = kYield, .alpha_range = true};
+    constexpr FaceModel kTension{.yield = kYield, .alpha_range = true, .horizontal_tension = true};
+    constexpr FaceModel kThinning{
+        .yield = kYield, .alpha_range = true, .horizontal_tension = true, .shear_thinning = true};
+    if (step.is_shear_thinning()) return visit.template operator()<kThinning>();
+    if (step.has_horizontal_tension()) return visit.template operator()<kTension>();
+    return step.has_alpha_range() ? visit.template operator()<kAlpha>()
+                                  : visit.template operator()<kPlain>();
+}
+
+/// Each cell may have a yield stress, and many do.
+template <class Visit>
+auto with_varied_model(const StepConstants& step, const Visit& visit) {
+    constexpr FaceModel kVaried{.yield = true, .alpha_range = true, .varied = true};
+    constexpr FaceModel kAll{.yield = true,
+                             .alpha_range = true,
+                             .horizontal_tension = true,
+                             .shear_thinning = true,
+                             .varied = true};
+    const bool rare = step.is_shear_thinning() || step.has_horizontal_tension();
+    return rare ? visit.template operator()<kAll>() : visit.template operator()<kVaried>();
+}
+
+/// Calls visit<kModel>() for the smallest face model that holds all terms of the step.
+template <class Visit>
+auto with_face_model(const StepConstants& step, const Visit& visit) {
+    if (step.varied) return with_varied_model(step, visit);
+    return step.has_yield() ? with_uniform_model<true>(step, visit)
+                            : with_uniform_model<false>(step, visit);
+}
+
+}  // namespace
+}  // namespace pastoso::film::PASTOSO_ISA

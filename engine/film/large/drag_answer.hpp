@@ -1,0 +1,96 @@
+// What the drag law leaves of a velocity in a large step, and how that changes with it: shared by the
+// kernels of one instruction set.
+#pragma once
+
+#include "film/face/face_physics.hpp"
+#include "film/face/lane_groups.hpp"
+#include "film/large/large_tile.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace pastoso::film::PASTOSO_ISA {
+namespace {
+
+/// The flow u = F w that drag leaves of a velocity w along the axis, and du/dw. With s = 1 - 1/x^3 for
+/// the wall shear x of Bingham's law (bingham_drag), the whole velocity's du/dw is s / (s + drag); of a
+/// velocity that has a part across the axis, the part along it changes by that much only as far as it
+/// lengthens the whole.
+struct DragAnswer {
+    Lanes flow, slope;
+};
+/// `drag` is lambda dt and `resistance` the wall stress, in yield stresses, of a unit of velocity.
+template <bool kYield>
+[[gnu::always_inline]] inline DragAnswer drag_answer(Lanes along, Lanes across, Lanes drag,
+                                                     Lanes resistance) {
+    const Lanes one(1.0F);
+    if constexpr (kYield) {
+        const Lanes along2 = along * along, size2 = along2 + across * across + Lanes(1e-30F);
+        const Lanes stress = lanes::sqrt(size2) * resistance;
+        // What the law comes to where all is arrested, which is most of a stiff paint.
+        if (lanes::all(stress <= drag)) return {Lanes(Lanes(0.0F) * along), Lanes(0.0F)};
+        const BinghamDrag<Lanes> law = bingham_drag(drag, stress);
+        const Lanes whole = law.tangent_share / (law.tangent_share + drag + Lanes(1e-12F));
+        return {Lanes(law.factor * along), Lanes(law.factor + (whole - law.factor) * along2 / size2)};
+    }
+    const Lanes factor = one / (one + drag);
+    return {Lanes(factor * along), factor};
+}
+
+/// The share of its last answer's slope that a face keeps at least. Newton's method may swing between an
+/// arrested and a flowing film, whose slopes are 0 and 1: a slope that rises at once and falls in steps
+/// keeps it from overshooting, and the flow found stays the law's.
+constexpr float kKeptSlope = 0.25F;
+
+/// u = u* - D dt grad p for the faces of a row that are not explicit: the tangent of the drag law at the
+/// velocity w that `pressure` (that of the row's cell 0 and its neighbours, `along` the faces' axis)
+/// leaves of the driving one, u* = F - F' (w - driven) and D = F'. The mobility is dt^2 D h / dx^2. With
+/// `kCompare`, returns by what part a flux of the row's last answer to that pressure differs from what
+/// drag leaves; fluxes of less than 1/50 cell a step count as that much, and a thousandth as nothing.
+template <bool kYield, bool kCompare>
+float answer_row(const StepConstants& step, const float* pressure, int along, int first_x, int y,
+                 LargeFaces& faces) {
+    constexpr float kTraceFlux = 0.02F, kNoError = 0.001F;
+    const Lanes zero(0.0F), courant(step.dt_s * step.inverse_cell);
+    const Lanes cells(step.dt_s * step.inverse_cell * step.inverse_cell);
+    Lanes worst(0.0F);
+    // The last group overlaps the one before it, where the row's mobility has been replaced.
+    alignas(64) std::array<float, kFaceStride> last_mobility;
+    if constexpr (kCompare)
+        std::copy_n(&faces.mobility[face_index(-1, y)], kFaceStride, last_mobility.data());
+    for_each_lane_group(first_x, grid::kTileSize, [&](int x) {
+        const int f = face_index(x, y);
+        const Lanes drag = load(&faces.drag[f]);
+        const auto implicit = drag >= zero;
+        if (!lanes::any(implicit)) return;
+        const Lanes push = courant * (load(pressure + x + along) - load(pressure + x));
+        const Lanes driven = load(&faces.driven[f]);
+        const Lanes depth = load(&faces.depth[f]);
+        const Lanes star = load(&faces.star[f]), mobility = load(&faces.mobility[f]);
+        const Lanes velocity = driven - push;
+        DragAnswer answer =
+            drag_answer<kYield>(velocity, load(&faces.across[f]), drag, load(&faces.resistance[f]));
+        if constexpr (kCompare) {
+            const Lanes flux = star * depth * cells - mobility * push * Lanes(1.0F / step.dt_s);
+            const Lanes wrong = lanes::abs(Lanes(answer.flow * depth * cells - flux));
+            const Lanes passing = lanes::abs(flux) + Lanes(kTraceFlux);
+            if (lanes::any(implicit && wrong > Lanes(kNoError) * passing))
+                worst = lanes::max(worst, lanes::select(implicit, Lanes(wrong / passing), zero));
+            // The depth may be another one than the last answer's.
+            const Lanes full = courant * courant * depth + Lanes(1e-30F);
+            const Lanes last = load(&last_mobility[x + 1]);
+            if (lanes::any(last > answer.slope * full)) {
+                const Lanes last_slope = lanes::min(Lanes(1.0F), Lanes(last / full));
+                answer.slope = lanes::max(answer.slope, Lanes(Lanes(kKeptSlope) * last_slope));
+            }
+        }
+        const Lanes tangent = answer.flow - answer.slope * (velocity - driven);
+        store(&faces.star[f], lanes::select(implicit, tangent, star));
+        store(&faces.mobility[f],
+              lanes::select(implicit, Lanes(courant * courant * answer.slope * depth), mobility));
+    });
+    return lanes::stdx::hmax(worst);
+}
+
+}  // namespace
+}  // namespace pastoso::film::PASTOSO_ISA

@@ -1,0 +1,223 @@
+// From the pressure of the new surface to whole quanta of flux. Compiled once per instruction set; see
+// pastoso_add_kernels.
+#include "film/face/lane_groups.hpp"
+#include "film/large/large_kernels.hpp"
+
+namespace pastoso::film::PASTOSO_ISA {
+namespace {
+
+using grid::kTileSize;
+using Ints = lanes::stdx::rebind_simd_t<std::int32_t, Lanes>;
+
+/// What moves the paint. Where drag rules and the velocity changes by less than a factor of two in a
+/// step, that is 2/3 of the new and 1/3 of the old one, which lags half a step behind and so makes slow
+/// changes second order in time. Elsewhere it is the new one.
+[[gnu::always_inline]] inline Lanes carrying_velocity(const StepConstants& step, const LargeFaces& faces,
+                                                      int f, Lanes now) {
+    const Lanes full(0.5F * step.dt_s * step.dt_s * step.inverse_cell * step.inverse_cell);
+    const Lanes old = load(&faces.old[f]), zero(0.0F);
+    const Lanes size = lanes::abs(now), old_size = lanes::abs(old);
+    const auto dragged = load(&faces.mobility[f]) < full * load(&faces.depth[f]);
+    const auto steady = old * now > zero && old_size + old_size > size && old_size < size + size;
+    return now + lanes::select(dragged && steady, Lanes(Lanes(1.0F / 3.0F) * (old - now)), zero);
+}
+
+/// u = u* - (dt/dx) D (p_right - p_left), with dt D h_f / dx = m dx / dt. Paint that a yield stress
+/// holds does not flow against what drives it, as the linear answer may. Returns the largest mobility.
+template <bool kYield>
+Lanes velocity_row(const StepConstants& step, const float* pressure, bool carrying, int along,
+                   int first_x, int y, LargeFaces& faces) {
+    const Lanes cell_per_step(step.cell_mm / step.dt_s), zero(0.0F);
+    const Lanes dt_per_cell(step.dt_s * step.inverse_cell);
+    Lanes largest_mobility(0.0F);
+    for_each_lane_group(first_x, kTileSize, [&](int x) {
+        const int f = face_index(x, y), i = window_index(x, y);
+        const Lanes passing = load(&faces.depth[f]), mobility = load(&faces.mobility[f]);
+        const Lanes rise = load(pressure + i + along) - load(pressure + i);
+        const Lanes pushed = mobility * cell_per_step * rise / passing;
+        largest_mobility = lanes::max(largest_mobility, mobility);
+        Lanes now = load(&faces.star[f]) - lanes::select(passing > zero, pushed, zero);
+        if constexpr (kYield) {
+            const Lanes drive = load(&faces.driven[f]) - dt_per_cell * rise;
+            const auto held = load(&faces.resistance[f]) > zero && load(&faces.drag[f]) >= zero;
+            now = lanes::select(held && now * drive < zero, zero, now);
+        }
+        store(&faces.velocity[f], carrying ? carrying_velocity(step, faces, f, now) : now);
+    });
+    return largest_mobility;
+}
+
+struct Outflow {
+    const StepConstants& step;
+    const LargeTile& tile;
+
+    Lanes x(int f) const { return flow(tile.x, f); }
+    Lanes y(int f) const { return flow(tile.y, f); }
+    /// Thickness that crosses a face in the step, mm.
+    [[gnu::always_inline]] Lanes flow(const LargeFaces& faces, int f) const {
+        return Lanes(step.dt_s * step.inverse_cell) * load(&faces.velocity[f]) * load(&faces.depth[f]);
+    }
+};
+
+[[gnu::always_inline]] inline Lanes rise(Lanes value) {
+    return lanes::max(value, Lanes(0.0F));
+}
+[[gnu::always_inline]] inline Lanes fall(Lanes value) {
+    return lanes::max(Lanes(-value), Lanes(0.0F));
+}
+
+}  // namespace
+
+void find_large_velocities(const StepConstants& step, bool carrying, const LargeScratch& scratch,
+                           LargeTile& tile) {
+    const float* pressure = scratch.pressure.data();
+    const auto find_row = step.has_yield() || step.varied ? velocity_row<true> : velocity_row<false>;
+    Lanes largest(0.0F);
+    for (int y = -1; y < kTileSize; ++y) {
+        largest = lanes::max(largest, find_row(step, pressure, carrying, kWindowStride, 0, y, tile.y));
+        if (y >= 0) largest = lanes::max(largest, find_row(step, pressure, carrying, 1, -1, y, tile.x));
+    }
+    tile.largest_mobility = lanes::stdx::hmax(largest);
+}
+
+namespace {
+
+/// A quarter of what cells can still take, mm: a hair less, so that rounding cannot overfill them.
+Lanes quarter_room(Ints quanta) {
+    const Ints room = lanes::stdx::max(Ints(Ints(kMaxThickness_quanta - 4) - quanta), Ints(0));
+    return lanes::stdx::static_simd_cast<Lanes>(room) *
+           Lanes(0.2499F * static_cast<float>(kThicknessQuantum_mm));
+}
+
+/// What is cut already is left alone, whatever rounding says, so that a face comes out the same however
+/// often it is visited.
+int cut_row(const StepConstants& step, const LargeScratch& scratch, int along, int first_x, int y,
+            LargeFaces& faces) {
+    int count = 0;
+    for_each_lane_group(first_x, kTileSize, [&](int x) {
+        const int f = face_index(x, y), i = window_index(x, y);
+        const Ints left(&scratch.thickness[i], lanes::stdx::element_aligned);
+        const Ints right(&scratch.thickness[i + along], lanes::stdx::element_aligned);
+        const Lanes velocity = load(&faces.velocity[f]);
+        const Lanes per_velocity = Lanes(step.dt_s * step.inverse_cell) * load(&faces.depth[f]);
+        const Lanes crossing = velocity * per_velocity;
+        const Lanes fitting = lanes::clamp(crossing, Lanes(-quarter_room(left)), quarter_room(right));
+        const auto crowded = lanes::stdx::static_simd_cast<Lanes>(lanes::stdx::max(left, right)) >
+                             Lanes(static_cast<float>(kCrowded_quanta));
+        const auto cut = crowded && lanes::abs(crossing) > Lanes(1.00001F) * lanes::abs(fitting);
+        store(&faces.velocity[f], lanes::select(cut, Lanes(fitting / per_velocity), velocity));
+        count += lanes::stdx::popcount(cut);
+    });
+    return count;
+}
+
+}  // namespace
+
+int cut_to_room(const StepConstants& step, const LargeScratch& scratch, LargeTile& tile) {
+    int count = 0;
+    for (int y = -1; y < kTileSize; ++y) {
+        count += cut_row(step, scratch, kWindowStride, 0, y, tile.y);
+        if (y >= 0) count += cut_row(step, scratch, 1, -1, y, tile.x);
+    }
+    return count;
+}
+
+Shortage share_outflow(const StepConstants& step, int columns, int rows, const std::int32_t* thickness,
+                       const LargeScratch& scratch, LargeTile& tile, CellArray& share) {
+    // A hair less than a cell holds and receives, so that the rounding at its four faces cannot overdraw
+    // it.
+    constexpr float kQuantum = static_cast<float>(kThicknessQuantum_mm);
+    const Lanes usable(0.999F * kQuantum), rounding(8.0F * kQuantum), one(1.0F), tiny(1e-30F);
+    const Outflow flow{step, tile};
+    const Lanes lane_number([](auto lane) { return static_cast<float>(lane); });
+    const Lanes last_column(static_cast<float>(columns));
+    Shortage shortage;
+    const Lanes thick(0.05F * step.cell_mm);
+    for (int y = 0; y < kTileSize; ++y)
+        for (int x = 0; x < kTileSize; x += kLanes) {
+            const int f = face_index(x, y), i = window_index(x, y), cell = y * kTileSize + x;
+            const Lanes right = flow.x(f), left = flow.x(f - 1);
+            const Lanes below = flow.y(f), above = flow.y(f - kFaceStride);
+            const float* granted = &scratch.share[i];
+            const Lanes in = (fall(right) * load(granted + 1) + rise(left) * load(granted - 1)) +
+                             (fall(below) * load(granted + kWindowStride) +
+                              rise(above) * load(granted - kWindowStride));
+            const Lanes out = (rise(right) + fall(left)) + (rise(below) + fall(above));
+            const Ints quanta(thickness + cell, lanes::stdx::element_aligned);
+            const Lanes held = lanes::stdx::static_simd_cast<Lanes>(quanta) * usable;
+            const Lanes supply = rise(held + Lanes(0.999F) * in - rounding);
+            const Lanes part = lanes::min(one, Lanes((supply + tiny) / (out + tiny)));
+            store(&share[cell], part);
+            store(&tile.supply[cell], Lanes((rise(held - rounding) + tiny) / (out * part + tiny)));
+            const auto cut =
+                part < Lanes(0.9F) && lane_number + Lanes(static_cast<float>(x)) < last_column;
+            if (y >= rows) continue;
+            shortage.cells += lanes::stdx::popcount(cut);
+            shortage.thick_cells += lanes::stdx::popcount(cut && held > thick);
+        }
+    return shortage;
+}
+
+namespace {
+
+void slow_row(const LargeScratch& large, int along, int first_x, int y, LargeFaces& faces) {
+    for (int x = first_x; x < kTileSize; ++x) {
+        const int f = face_index(x, y), i = window_index(x, y);
+        const float share = faces.velocity[f] > 0.0F ? large.share[i] : large.share[i + along];
+        faces.star[f] *= share;
+        faces.mobility[f] *= share;
+    }
+}
+
+}  // namespace
+
+void slow_limited_faces(const StepConstants& step, const LargeScratch& large, LargeTile& tile) {
+    for (int y = -1; y < kTileSize; ++y) {
+        slow_row(large, kWindowStride, 0, y, tile.y);
+        if (y >= 0) slow_row(large, 1, -1, y, tile.x);
+    }
+    find_source(step, tile);
+}
+
+namespace {
+
+void flux_row(const StepConstants& step, const LargeScratch& large, int along, int first_x, int y,
+              const LargeFaces& faces, FaceArray<float>& velocity, FaceArray<std::int32_t>& flux,
+              FlowExtremes& extremes) {
+    const Lanes scale(step.dt_s * step.inverse_cell * static_cast<float>(1.0 / kThicknessQuantum_mm));
+    const Lanes zero(0.0F);
+    Lanes speed(0.0F), thickness(0.0F);
+    for_each_lane_group(first_x, kTileSize, [&](int x) {
+        const int f = face_index(x, y), i = window_index(x, y);
+        const Lanes here = load(&faces.velocity[f]);
+        const Lanes share =
+            lanes::select(here > zero, load(&large.share[i]), load(&large.share[i + along]));
+        // Nothing flows where no number came out.
+        const Lanes granted = lanes::select(lanes::abs(here) < Lanes(1e30F), Lanes(here * share), zero);
+        const Lanes exact = granted * load(&faces.depth[f]) * scale;
+        const Lanes nearest = exact + lanes::copysign(Lanes(0.5F), exact);
+        lanes::stdx::static_simd_cast<Ints>(nearest).copy_to(&flux[f], lanes::stdx::element_aligned);
+        store(&velocity[f], granted);
+        speed = lanes::max(speed, lanes::abs(granted));
+        thickness = lanes::max(
+            thickness, lanes::select(granted == Lanes(0.0F), Lanes(0.0F), load(&faces.depth[f])));
+    });
+    extremes.speed_mm_s = lanes::max(extremes.speed_mm_s, lanes::stdx::hmax(speed));
+    extremes.thickness_mm = lanes::max(extremes.thickness_mm, lanes::stdx::hmax(thickness));
+}
+
+}  // namespace
+
+FlowExtremes find_large_fluxes(const StepConstants& step, const LargeScratch& large,
+                               const LargeTile& tile, TileScratch& scratch) {
+    FlowExtremes extremes;
+    extremes.mobility = tile.largest_mobility * step.cell_mm * step.cell_mm / step.dt_s;
+    for (int y = -1; y < kTileSize; ++y) {
+        flux_row(step, large, kWindowStride, 0, y, tile.y, scratch.velocity_y, scratch.flux_y, extremes);
+        if (y >= 0)
+            flux_row(step, large, 1, -1, y, tile.x, scratch.velocity_x, scratch.flux_x, extremes);
+    }
+    return extremes;
+}
+
+}  // namespace pastoso::film::PASTOSO_ISA

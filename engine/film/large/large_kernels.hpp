@@ -1,0 +1,38 @@
+// The kernels of a large step as they are called; each instruction set defines them in its own
+// namespace.
+#pragma once
+
+#include "film/large/large_tile.hpp"
+
+#define PASTOSO_DECLARE_LARGE_KERNELS(isa)                                                              \
+    namespace pastoso::film::isa {                                                                      \
+    float assemble_large_tile(const StepConstants& step, int columns, int rows,                         \
+                              const ClosedFaces& closed, const CanvasEdges& edges, bool again,          \
+                              LargeScratch& large, TileScratch& scratch, LargeTile& tile);              \
+    float refine_yielding(const StepConstants& step, const LargeScratch& large, LargeTile& tile);       \
+    void find_source(const StepConstants& step, LargeTile& tile);                                       \
+    void slow_limited_faces(const StepConstants& step, const LargeScratch& large, LargeTile& tile);     \
+    void prepare_multigrid(const StepConstants& step, const grid::Rect& within, LargeScratch& scratch); \
+    void multigrid_cycle(const StepConstants& step, LargeScratch& scratch);                             \
+    void find_change(const LargeScratch& large, LargeTile& tile);                                       \
+    float find_residual(const StepConstants& step, int columns, int rows,                               \
+                        const std::int32_t* thickness, const LargeScratch& large, LargeTile& tile);     \
+    void correct_patch(const StepConstants& step, int cycles, const grid::Rect& within,                 \
+                       LargeScratch& scratch, PatchArray& correction);                                  \
+    void blend_corrections(const PatchCover* covers, int count, CellArray& pressure);                   \
+    void find_large_velocities(const StepConstants& step, bool carrying, const LargeScratch& scratch,   \
+                               LargeTile& tile);                                                        \
+    int cut_to_room(const StepConstants& step, const LargeScratch& scratch, LargeTile& tile);           \
+    Shortage share_outflow(const StepConstants& step, int columns, int rows,                            \
+                           const std::int32_t* thickness, const LargeScratch& scratch, LargeTile& tile, \
+                           CellArray& share);                                                           \
+    FlowExtremes find_large_fluxes(const StepConstants& step, const LargeScratch& large,                \
+                                   const LargeTile& tile, TileScratch& scratch);                        \
+    }
+
+PASTOSO_DECLARE_LARGE_KERNELS(baseline)
+#if defined(__x86_64__)
+PASTOSO_DECLARE_LARGE_KERNELS(avx2)
+PASTOSO_DECLARE_LARGE_KERNELS(avx512)
+#endif
+#undef PASTOSO_DECLARE_LARGE_KERNELS

@@ -1,0 +1,19 @@
+// Motion that paint remembers from one large step to the next.
+#pragma once
+
+#include "film/face/lanes.hpp"
+
+namespace pastoso::film {
+
+/// Paint of more drag (lambda dt) than this forgets its motion within a step.
+inline constexpr float kLightDrag = 10.0F;
+
+/// The share that a velocity keeps where the thickness that it moves changes from one measure to
+/// another: where that grows, it keeps its kinetic energy. It never gets faster, so that thin paint
+/// which runs into thick comes to rest there, as in a hydraulic jump.
+template <class F>
+[[gnu::always_inline]] static inline F settled_share(F from, F to) {
+    return lanes::min(F(1.0F), lanes::sqrt(F(from / (to + F(1e-30F)))));
+}
+
+}  // namespace pastoso::film

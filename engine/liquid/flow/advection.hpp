@@ -1,0 +1,64 @@
+// Carries fields and points along a velocity.
+//     q(x, t + dt) = q(X, t),  X = x - dt u(x - dt/2 u(x))
+// (semi-Lagrangian, the way back by the midpoint rule), with trilinear or cubic interpolation. The way
+// back reads the velocity at cells' middles, fourth order from the faces and interleaved, so that one
+// sample costs eight loads; all fields that lie at the same places share it.
+#pragma once
+
+#include "core/thread_pool.hpp"
+#include "liquid/flow/aligned_floats.hpp"
+#include "liquid/flow/kernels.hpp"
+#include "liquid/flow/row_ranges.hpp"
+#include "liquid/flow/velocity.hpp"
+
+#include <span>
+
+namespace pastoso::liquid {
+
+/// A field and where its advected values go; both have two samples around the box that hold what lies
+/// beyond it.
+struct AdvectedPair {
+    const grid::BoxField* from;
+    grid::BoxField* to;
+};
+
+class Advection {
+  public:
+    /// The samples to advect: of each location, in the order of Location.
+    Advection(const grid::BoxShape& shape, const std::array<RowRanges, 4>& rows, Edges edges,
+              const Kernels& kernels = liquid::kernels());
+
+    /// Other samples to advect, of the same box. The velocity is to be followed anew.
+    void set_rows(const std::array<RowRanges, 4>& rows);
+
+    /// The velocity to follow. It must be known three samples around the rows and, in a periodic box,
+    /// in the ghosts.
+    void follow(const VelocityField& velocity, core::ThreadPool& pool);
+
+    /// Advects fields of one location over dt_s; writes the rows' samples of `to` alone.
+    void advect(std::span<const AdvectedPair> fields, Location location, float dt_s,
+                Interpolation interpolation, core::ThreadPool& pool) const;
+
+  private:
+    void find_centre_rows();
+    RowRange& centre_row(int j, int k) {
+        return centre_rows_[static_cast<std::size_t>((k + 1) * (shape_.ny + 2) + j + 1)];
+    }
+
+    grid::BoxShape shape_;
+    std::array<RowRanges, 4> rows_;
+    Edges edges_;
+    const Kernels* kernels_;
+    AlignedFloats centres_;              ///< x, y, z, 0 of each sample
+    std::vector<RowRange> centre_rows_;  ///< of rows -1 to ny, slices -1 to nz
+};
+
+/// Moves points, in metres, over dt_s along the velocity on faces, by the midpoint rule; those that
+/// leave the box are put onto its edge or, in a periodic one, to the other side. Linear or (unlimited)
+/// Cubic: the cubic keeps evenly spread points from piling up at cells' borders. A point that is not a
+/// number goes to the box's corner.
+void carry_points(std::span<glm::vec3> points_m, const VelocityField& velocity, float dt_s, Edges edges,
+                  Interpolation interpolation, core::ThreadPool& pool,
+                  const Kernels& kernels = liquid::kernels());
+
+}  // namespace pastoso::liquid

@@ -1,0 +1,122 @@
+// Compiled once per instruction set; see pastoso_add_kernels.
+#include "liquid/surface/ball_kernels.hpp"
+
+namespace pastoso::liquid::PASTOSO_ISA {
+namespace {
+
+#define PASTOSO_KERNEL_INLINE [[maybe_unused, gnu::always_inline]] inline
+
+constexpr int kGroup = 8;
+
+PASTOSO_KERNEL_INLINE float larger(float a, float b) {
+    return a > b ? a : b;
+}
+PASTOSO_KERNEL_INLINE float smaller(float a, float b) {
+    return a < b ? a : b;
+}
+
+/// The samples of [least, end) that lie within `reach` of a place.
+struct Range {
+    int first, end;
+};
+PASTOSO_KERNEL_INLINE Range within(float place, float reach, int least, int end) {
+    const float first = larger(__builtin_ceilf(place - reach), static_cast<float>(least));
+    const float last = smaller(__builtin_floorf(place + reach), static_cast<float>(end - 1));
+    if (!(first <= last)) return {0, 0};
+    return {static_cast<int>(first), static_cast<int>(last) + 1};
+}
+
+/// Adds value(q) to the samples of a row; whole groups, since it is 0 beyond the ball.
+template <class Value>
+PASTOSO_KERNEL_INLINE void add_row(float* row, const Range& range, float x, float across,
+                                   const Value& value) {
+    for (int start = range.first; start < range.end; start += kGroup) {
+        const float first = static_cast<float>(start) - x;
+        for (int lane = 0; lane < kGroup; ++lane) {
+            const float along = first + static_cast<float>(lane);
+            row[start + lane] += value(across + along * along);
+        }
+    }
+}
+
+/// Adds value_of(ball)(q) to all samples that a ball reaches, ball by ball.
+template <class ValueOf>
+PASTOSO_KERNEL_INLINE void add_balls(const BallSlab& slab, const Ball* balls, const std::uint32_t* order,
+                                     std::size_t count, const ValueOf& value_of) {
+    for (std::size_t n = 0; n < count; ++n) {
+        const Ball ball = balls[order[n]];
+        const auto value = value_of(ball);
+        const float square = ball.reach * ball.reach;
+        const Range layers = within(ball.z, ball.reach, slab.first, slab.end);
+        const Range rows = within(ball.y, ball.reach, 0, slab.ny);
+        for (int k = layers.first; k < layers.end; ++k) {
+            const float z = static_cast<float>(k) - ball.z;
+            for (int j = rows.first; j < rows.end; ++j) {
+                const float y = static_cast<float>(j) - ball.y;
+                const float across = z * z + y * y;
+                if (!(across < square)) continue;
+                const Range range = within(ball.x, __builtin_sqrtf(square - across), 0, slab.nx);
+                add_row(slab.values + j * slab.stride_y + k * slab.stride_z, range, ball.x, across,
+                        value);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+void add_compact(const BallSlab& slab, const Ball* balls, const std::uint32_t* order,
+                 std::size_t count) {
+    add_balls(slab, balls, order, count, [](const Ball& ball) {
+        const float inverse = 1.0F / (ball.reach * ball.reach), strength = ball.strength;
+        return [=](float q) {
+            const float u = larger(1.0F - q * inverse, 0.0F);
+            return strength * (u * u * u);
+        };
+    });
+}
+
+void add_cut_off(const BallSlab& slab, const Ball* balls, const std::uint32_t* order,
+                 std::size_t count) {
+    add_balls(slab, balls, order, count, [](const Ball& ball) {
+        const float inverse = 1.0F / ball.reach, a = ball.strength;
+        return [=](float q) {
+            const float r = __builtin_sqrtf(q) * inverse;
+            const float left = larger(1.0F - r, 0.0F);
+            const float inner = a * (1.0F - 3.0F * (r * r)), outer = 1.5F * a * (left * left);
+            return r <= 1.0F / 3.0F ? inner : outer;
+        };
+    });
+}
+
+void add_near_inverse_square(const BallSlab& slab, const Ball* balls, const std::uint32_t* order,
+                             std::size_t count) {
+    add_balls(slab, balls, order, count, [least = slab.least_square](const Ball& ball) {
+        const float end = ball.reach * ball.reach, inverse = 1.0F / end, strength = ball.strength;
+        return [=](float square) {
+            const float q = larger(square, least);
+            const float e = q * inverse - 1.0F;
+            const float smooth =
+                inverse * (1.0F - e * (1.0F - e * (1.0F - e * (1.0F - e * (1.0F - e)))));
+            return q < end ? strength * (1.0F / q - smooth) : 0.0F;
+        };
+    });
+}
+
+void add_near_inverse(const BallSlab& slab, const Ball* balls, const std::uint32_t* order,
+                      std::size_t count) {
+    add_balls(slab, balls, order, count, [least = slab.least_square](const Ball& ball) {
+        const float end = ball.reach * ball.reach, inverse = 1.0F / end, strength = ball.strength;
+        const float root = 1.0F / ball.reach;
+        return [=](float square) {
+            const float q = larger(square, least);
+            const float e = q * inverse - 1.0F;
+            const float smooth =
+                root *
+                (1.0F - e * (0.5F - e * (0.375F - e * (0.3125F - e * (0.2734375F - e * 0.24609375F)))));
+            return q < end ? strength * (1.0F / __builtin_sqrtf(q) - smooth) : 0.0F;
+        };
+    });
+}
+
+}  // namespace pastoso::liquid::PASTOSO_ISA

@@ -1,0 +1,56 @@
+// Balls of milk: now and then parcels at the top of what has settled become a ball, which warms, rises
+// as one, and bursts under the surface.
+#pragma once
+
+#include "core/thread_pool.hpp"
+#include "liquid/tea/parcel.hpp"
+#include "liquid/tea/tea_settings.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace pastoso::liquid {
+
+/// The milk of a ball: its middle, weighted by volume, and how much it is.
+struct BallMass {
+    glm::dvec3 middle_m{0.0};
+    double volume_m3 = 0.0;
+};
+
+class MilkBalls {
+  public:
+    /// What the balls were and when the next one comes; which parcels belong to them, those know.
+    struct State {
+        double next_s = 0.0;
+        int count = 0;            ///< 0 and more
+        std::uint32_t draws = 0;  ///< by lot, so far
+        friend bool operator==(const State&, const State&) = default;
+    };
+
+    explicit MilkBalls(const TeaSettings& settings) : state_{.next_s = settings.first_ball_s} {}
+
+    int count() const { return state_.count; }
+    const State& state() const { return state_; }
+    void set_state(const State& state) { state_ = state; }
+
+    /// Turns parcels into a ball when it is time: of some parcels drawn by lot the highest, and all
+    /// around it that belong to no ball yet.
+    void nucleate(double time_s, const TeaSettings& settings, std::span<Parcel> parcels);
+
+    /// The balls as they are now.
+    std::vector<BallMass> masses(std::span<const Parcel> parcels) const;
+
+  private:
+    float drawn(const TeaSettings& settings);
+
+    State state_;
+};
+
+/// Where a parcel of that ball is drawn to over dt_s: one further from the middle than cohesion_reach
+/// radii of a ball of that volume comes back with the time constant cohesion_s. Under the surface, and
+/// where it was torn off, it stays.
+glm::vec3 drawn_back(const glm::vec3& position_m, const BallMass& ball, const TeaSettings& settings,
+                     double dt_s);
+
+}  // namespace pastoso::liquid

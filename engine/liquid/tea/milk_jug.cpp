@@ -1,0 +1,88 @@
+#include "liquid/tea/milk_jug.hpp"
+
+#include "core/elementary.hpp"
+#include "core/random.hpp"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+namespace pastoso::liquid {
+namespace {
+
+/// A glass takes so much milk by hand.
+constexpr double kMostMilkInCup = 0.5;
+/// The stream's speed is given on faces less deep than this; parcels begin a little under the level.
+constexpr float kStreamDepth_m = 0.008F, kStreamStart_m = 0.0015F;
+constexpr double kStreamRise_per_s = 8.0;
+constexpr std::uint32_t kPourStream = 0x3071U;
+
+void push_stream(const glm::vec2& at_m, float speed_m_s, const TeaSettings& settings,
+                 VelocityField& velocity) {
+    const grid::BoxShape& shape = velocity.shape();
+    const float radius_m = static_cast<float>(settings.pour_radius_m), cell_m = shape.cell_m;
+    for (int k = 1; k < shape.nz; ++k) {
+        if (static_cast<float>(k) * cell_m <= settings.cup.level_m - kStreamDepth_m) continue;
+        for (int j = 0; j < shape.ny; ++j)
+            for (int i = 0; i < shape.nx; ++i) {
+                const glm::vec2 middle_m =
+                    cell_m * glm::vec2(static_cast<float>(i) + 0.5F, static_cast<float>(j) + 0.5F);
+                if (glm::distance(middle_m, at_m) < radius_m) velocity.z.at(i, j, k) = -speed_m_s;
+            }
+    }
+}
+
+}  // namespace
+
+void MilkJug::pour(const TeaSettings& settings, std::vector<Parcel>& parcels, VelocityField& velocity) {
+    if (settings.milk_m3 <= 0.0) return;
+    const Pouring into{settings, parcels, velocity};
+    if (state_.recipe.seconds < settings.pour_s)
+        pour_from(state_.recipe, settings.cup.axis_m, settings.parcels, into);
+    if (state_.hand_m)
+        pour_from(state_.hand, *state_.hand_m, kMaxParcels, into);
+    else
+        state_.hand = {};
+}
+
+/// The stream gains speed; at most so many parcels come of it.
+void MilkJug::pour_from(Stream& stream, const glm::vec2& at_m, int most, const Pouring& into) {
+    const TeaSettings& settings = into.settings;
+    stream.seconds += settings.step_s;
+    const double due = settings.parcels * (stream.seconds / settings.pour_s);
+    const int count = std::min(most, static_cast<int>(due)) - stream.parcels;
+    stream.parcels += count;
+    pour_parcels(count, at_m, into);
+    const double speed_m_s =
+        settings.pour_speed_m_s * (1.0 - core::exponential(-kStreamRise_per_s * stream.seconds));
+    push_stream(at_m, static_cast<float>(speed_m_s), settings, into.velocity);
+}
+
+/// Onto a disc below the surface, as far down as the stream comes within the step.
+void MilkJug::pour_parcels(int count, const glm::vec2& at_m, const Pouring& into) {
+    const TeaSettings& settings = into.settings;
+    const double room_m3 = kMostMilkInCup * tea_volume_m3(settings.cup) - state_.poured_m3;
+    const float volume_m3 = milk_per_parcel_m3(settings);
+    const auto fitting = static_cast<int>(room_m3 / static_cast<double>(volume_m3));
+    count = std::min({count, fitting, kMaxParcels - static_cast<int>(into.parcels.size())});
+    const auto radius_m = static_cast<float>(settings.pour_radius_m);
+    const auto way_m = static_cast<float>(settings.pour_speed_m_s * settings.step_s);
+    const float margin_m = kWallMargin_cells * into.velocity.shape().cell_m;
+    for (int i = 0; i < count; ++i) {
+        glm::vec2 on_disc;
+        do
+            on_disc = {2.0F * drawn(settings) - 1.0F, 2.0F * drawn(settings) - 1.0F};
+        while (glm::dot(on_disc, on_disc) > 1.0F);
+        const glm::vec2 across_m = at_m + radius_m * on_disc;
+        const float z_m = settings.cup.level_m - kStreamStart_m - way_m * drawn(settings);
+        into.parcels.push_back(
+            {brought_within(settings.cup, {across_m, z_m}, margin_m), volume_m3, 1.0F, -1});
+        state_.poured_m3 += static_cast<double>(volume_m3);
+    }
+}
+
+float MilkJug::drawn(const TeaSettings& settings) {
+    return core::uniform_noise(state_.draws++, kPourStream ^ core::scramble(settings.seed));
+}
+
+}  // namespace pastoso::liquid

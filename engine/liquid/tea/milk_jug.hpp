@@ -1,0 +1,65 @@
+// Milk on its way into the tea: a stream from above, by the recipe and by the painter's hand.
+#pragma once
+
+#include "liquid/flow/velocity.hpp"
+#include "liquid/tea/parcel.hpp"
+#include "liquid/tea/tea_settings.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace pastoso::liquid {
+
+/// How close to the wall parcels come.
+inline constexpr float kWallMargin_cells = 0.3F;
+
+inline float milk_per_parcel_m3(const TeaSettings& settings) {
+    return static_cast<float>(settings.milk_m3 / settings.parcels);
+}
+
+class MilkJug {
+  public:
+    struct Stream {
+        double seconds = 0.0;  ///< since it began
+        int parcels = 0;       ///< that have come of it
+        friend bool operator==(const Stream&, const Stream&) = default;
+    };
+    struct State {
+        Stream recipe, hand;
+        std::optional<glm::vec2> hand_m;  ///< where the hand pours
+        double poured_m3 = 0.0;
+        std::uint32_t draws = 0;  ///< by lot, so far
+        friend bool operator==(const State&, const State&) = default;
+    };
+
+    const State& state() const { return state_; }
+    void set_state(const State& state) { state_ = state; }
+
+    /// What flows in during a step: parcels on a disc below the level, and the velocity of the stream on
+    /// the faces there.
+    void pour(const TeaSettings& settings, std::vector<Parcel>& parcels, VelocityField& velocity);
+
+    /// See MilkTea::pour_by_hand().
+    void pour_by_hand(std::optional<glm::vec2> at_m) { state_.hand_m = at_m; }
+
+    double poured_m3() const { return state_.poured_m3; }
+
+  private:
+    /// What a step pours into.
+    struct Pouring {
+        const TeaSettings& settings;
+        std::vector<Parcel>& parcels;
+        VelocityField& velocity;
+    };
+
+    void pour_from(Stream& stream, const glm::vec2& at_m, int most, const Pouring& into);
+    void pour_parcels(int count, const glm::vec2& at_m, const Pouring& into);
+    float drawn(const TeaSettings& settings);
+
+    State state_;
+};
+
+}  // namespace pastoso::liquid

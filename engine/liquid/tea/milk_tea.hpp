@@ -1,0 +1,91 @@
+// Milk poured into a glass of tea: it sinks because it is cold, comes back up ball by ball as it warms,
+// bursts under the surface, spreads and dissolves.
+//
+// Milk is either in parcels, which the tea carries along, or dissolved, a share c of each cell. Both
+// together are what has been poured, to rounding. One step of time dt:
+//     pour; u += dt (buoyancy + the painter's force); viscosity, diffusion; make u free of divergence;
+//     carry c, the tea's coldness T and the parcels along u; balls; carry u along u;
+//     parcels warm (giving a share of their cold to T) and dissolve (giving volume to c).
+#pragma once
+
+#include "liquid/flow/flow.hpp"
+#include "liquid/tea/milk_balls.hpp"
+#include "liquid/tea/milk_jug.hpp"
+#include "liquid/tea/parcel_cells.hpp"
+#include "liquid/tea/tea_frame.hpp"
+#include "liquid/tea/tea_settings.hpp"
+#include "liquid/tea/tea_state.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace pastoso::liquid {
+
+/// How the equations of a step were solved: of several solutions the worst.
+struct TeaStep {
+    SolveResult pressure, diffusion;
+    float divergence_per_s = 0.0F;  ///< the largest that pressure left in a cell, where it is measured
+};
+
+enum class MeasureDivergence { No, Yes };
+
+class MilkTea {
+  public:
+    /// Tea at rest, without milk. Throws InputError like check_tea().
+    explicit MilkTea(const TeaSettings& settings);
+
+    const TeaSettings& settings() const { return settings_; }
+    /// Forces, times and diffusion may change while it runs; cup, box, cells and the milk of the recipe
+    /// stay as they are. Throws InputError like check_tea(), and when one of those would change.
+    void set_settings(const TeaSettings& settings);
+
+    TeaStep step(core::ThreadPool& pool, MeasureDivergence measure = MeasureDivergence::No);
+
+    int steps() const { return steps_; }
+    double time_s() const { return steps_ * settings_.step_s; }
+    const std::vector<Parcel>& parcels() const { return parcels_; }
+    const grid::BoxField& dissolved() const { return dissolved_; }  ///< share of milk in open cells
+    const grid::BoxField& coldness() const { return coldness_; }    ///< of the tea, 0 warm, 1 as milk
+    const VesselFlow& flow() const { return flow_; }
+    int ball_count() const { return balls_.count(); }
+    TeaFrame frame() const;
+
+    /// Tea of the same settings that is brought to this state goes on as this one does, to the last bit.
+    TeaState state() const;
+    /// Throws InputError when the state is none of such a glass: fields of another shape, parcels that
+    /// lie nowhere in it or belong to balls there never were, or too many.
+    void set_state(TeaState state);
+
+    double poured_m3() const { return jug_.poured_m3(); }
+    /// In parcels and dissolved.
+    double milk_m3(core::ThreadPool& pool) const;
+
+    /// The painter pours more milk at a place, as fast as the recipe pours its own, until told nullopt.
+    /// A place outside the cup is taken to the wall. None is poured once the tea is half milk or there
+    /// are kMaxParcels.
+    void pour_by_hand(std::optional<glm::vec2> at_m) { jug_.pour_by_hand(at_m); }
+
+  private:
+    /// The parcels' milk and coldness as shares of the cells around them.
+    void spread_parcels(core::ThreadPool& pool);
+    void add_buoyancy(core::ThreadPool& pool);
+    SolveResult diffuse(core::ThreadPool& pool);
+    void carry(core::ThreadPool& pool);
+    void exchange(core::ThreadPool& pool);
+    void erase_dissolved();
+    TeaSettings settings_;
+    VesselFlow flow_;
+    grid::BoxField dissolved_, coldness_;
+    std::vector<Parcel> parcels_;
+    MilkBalls balls_;
+    MilkJug jug_;
+    int steps_ = 0;
+
+    // What a step works with.
+    grid::BoxField parcel_milk_, total_coldness_;
+    std::vector<ParcelShares> shares_;
+    std::vector<float> amounts_, cold_amounts_;
+    std::vector<glm::vec3> positions_m_;
+};
+
+}  // namespace pastoso::liquid
