@@ -1,4 +1,6 @@
 // The files of the translators: all is translated, and nothing that the program fills in is lost.
+#include "source_file.hpp"
+
 #include <string>
 
 #include <QFile>
@@ -27,8 +29,7 @@ void read_translation(QXmlStreamReader& xml, Message& message) {
 }
 
 std::vector<Message> messages_of(const std::string& language) {
-    QFile file(QStringLiteral(PASTOSO_SOURCE_DIR "/resources/translations/pastoso_") +
-               QString::fromStdString(language) + QStringLiteral(".ts"));
+    QFile file(QString::fromStdString(source_file("resources/translations/pastoso_" + language + ".ts")));
     EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << language;
     QXmlStreamReader xml(&file);
     std::vector<Message> messages;

@@ -1,6 +1,7 @@
 // Every source file of the engine and of the programs keeps to the table of ARCHITECTURE.md.
 #include "architecture/include_rules.hpp"
 #include "core/text_file.hpp"
+#include "source_file.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 std::vector<fs::path> source_files() {
     std::vector<fs::path> files;
     for (const char* part : {"engine", "app"}) {
-        for (const auto& entry : fs::recursive_directory_iterator(fs::path(PASTOSO_SOURCE_DIR) / part)) {
+        for (const auto& entry : fs::recursive_directory_iterator(pastoso::tests::source_file(part))) {
             const std::string extension = entry.path().extension().string();
             if (extension == ".cpp" || extension == ".hpp" || extension == ".h")
                 files.push_back(entry.path());
@@ -29,7 +30,7 @@ TEST(Includes, PointDownTheLevels) {
     const std::vector<fs::path> files = source_files();
     EXPECT_GT(files.size(), 20U);
     for (const fs::path& file : files) {
-        const std::string path = fs::relative(file, PASTOSO_SOURCE_DIR).generic_string();
+        const std::string path = fs::relative(file, pastoso::tests::source_file("")).generic_string();
         for (const std::string& violation :
              pastoso::tests::include_violations(path, pastoso::core::read_text_file(file))) {
             ADD_FAILURE() << violation;

@@ -3,6 +3,7 @@
 #include "brush/preset_fields.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
+#include "source_file.hpp"
 
 #include <set>
 #include <string>
@@ -165,7 +166,7 @@ TEST(BundledPresets, UnknownNameListsThoseThereAre) {
 }
 
 TEST(PresetFields, AreAllInTheManual) {
-    const std::string manual = core::read_text_file(PASTOSO_SOURCE_DIR "/docs/brush-format.md");
+    const std::string manual = core::read_text_file(tests::source_file("docs/brush-format.md"));
     for (const PresetField& field : preset_fields()) {
         const std::string row = "| `" + std::string(field.section) + "." + std::string(field.key) +
                                 "` | " + std::string(field.unit) + " | ";

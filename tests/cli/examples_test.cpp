@@ -2,13 +2,14 @@
 #include "core/text_file.hpp"
 #include "document/action_checks.hpp"
 #include "io/recording_json.hpp"
+#include "source_file.hpp"
 
 #include <gmock/gmock.h>
 
 namespace pastoso::cli {
 namespace {
 
-const std::filesystem::path kExamples = PASTOSO_SOURCE_DIR "/resources/strokes";
+const std::filesystem::path kExamples = tests::source_file("resources/strokes");
 
 class CliExamples : public CliTest, public testing::WithParamInterface<const char*> {};
 

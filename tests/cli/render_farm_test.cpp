@@ -2,6 +2,7 @@
 #include "cli/run_program.hpp"
 #include "core/resources.hpp"
 #include "core/text_file.hpp"
+#include "source_file.hpp"
 
 #include <algorithm>
 
@@ -13,9 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-constexpr const char* kScript = PASTOSO_SOURCE_DIR "/packaging/slurm/draw-tea.sh";
+const std::string kScript = tests::source_file("packaging/slurm/draw-tea.sh");
 
-constexpr const char* kSbatch = PASTOSO_SOURCE_DIR "/tests/cli/stand_in_sbatch.sh";
+const std::string kSbatch = tests::source_file("tests/cli/stand_in_sbatch.sh");
 
 class RenderFarm : public CliTest {
   protected:

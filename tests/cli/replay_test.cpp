@@ -1,6 +1,7 @@
 #include "cli/run_program.hpp"
 #include "core/text_file.hpp"
 #include "io/image.hpp"
+#include "source_file.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -166,7 +167,7 @@ TEST_F(CliReplay, InfoDescribesFiles) {
 }
 
 TEST_F(CliReplay, ReplaysARealPenRecording) {
-    const std::string pen = PASTOSO_SOURCE_DIR "/../shared/strokes/painting30sec.dat";
+    const std::string pen = tests::source_file("../shared/strokes/painting30sec.dat");
     if (!std::filesystem::exists(pen)) GTEST_SKIP() << pen << " is not there";
     const auto stats =
         stats_of({"replay", pen, "--fit", "--px-per-mm", "1.5", "--tilt", "60", "--seconds", "1", "-q"});

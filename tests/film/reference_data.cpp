@@ -1,5 +1,7 @@
 #include "film/reference_data.hpp"
 
+#include "source_file.hpp"
+
 #include <fstream>
 
 namespace pastoso::film::test {
@@ -23,7 +25,7 @@ std::vector<std::string> split(const std::string& line) {
 }  // namespace
 
 std::string reference_path(const std::string& file) {
-    return PASTOSO_SOURCE_DIR "/../shared/reference/film/" + file;
+    return tests::source_file("../shared/reference/film/" + file);
 }
 
 ReferenceRow::ReferenceRow(const std::vector<std::string>& names,

@@ -1,6 +1,7 @@
 #include "io/format_page.hpp"
 
 #include "core/text_file.hpp"
+#include "source_file.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -12,7 +13,7 @@ namespace pastoso::io {
 namespace {
 
 std::string page_text(const std::string& name) {
-    return core::read_text_file(PASTOSO_SOURCE_DIR "/docs/" + name);
+    return core::read_text_file(tests::source_file("docs/" + name));
 }
 
 /// Cells of a table's row without the spaces around them.

@@ -3,6 +3,7 @@
 #include "core/text_file.hpp"
 #include "io/format_page.hpp"
 #include "io/tank_json.hpp"
+#include "source_file.hpp"
 
 #include <map>
 #include <set>
@@ -74,7 +75,7 @@ TEST(TankFormatPage, NamesNothingThatTheProgramDoesNotHave) {
         known.insert(key);
     for (const auto& [key, row] : rows_of_page(kPage))
         EXPECT_TRUE(known.contains(key)) << key;
-    const std::string page = core::read_text_file(PASTOSO_SOURCE_DIR "/docs/tank-format.md");
+    const std::string page = core::read_text_file(tests::source_file("docs/tank-format.md"));
     for (const std::string& key : known)
         EXPECT_THAT(page, testing::HasSubstr("`" + key + "`"));
 }
@@ -95,7 +96,7 @@ TEST(TankFormatPage, TheExampleIsRead) {
 }
 
 TEST(TankFormatPage, ScenesThatComeWithTheProgramAreListedAndRead) {
-    const std::string page = core::read_text_file(PASTOSO_SOURCE_DIR "/docs/tank-format.md");
+    const std::string page = core::read_text_file(tests::source_file("docs/tank-format.md"));
     EXPECT_THAT(bundled_tank_names(), testing::ElementsAre("falling-liquid", "two-liquids"));
     for (const std::string& name : bundled_tank_names()) {
         EXPECT_FALSE(read_tank(name).name.empty()) << name;

@@ -3,6 +3,7 @@
 #include "io/format_page.hpp"
 #include "io/json_place.hpp"
 #include "io/tea_json.hpp"
+#include "source_file.hpp"
 
 #include <map>
 #include <set>
@@ -72,7 +73,7 @@ TEST(TeaFormatPage, NamesNothingThatTheProgramDoesNotHave) {
 }
 
 TEST(TeaFormatPage, ScenesThatComeWithTheProgramAreListedAndRead) {
-    const std::string page = core::read_text_file(PASTOSO_SOURCE_DIR "/docs/tea-format.md");
+    const std::string page = core::read_text_file(tests::source_file("docs/tea-format.md"));
     ASSERT_FALSE(bundled_tea_names().empty());
     for (const std::string& name : bundled_tea_names()) {
         EXPECT_NO_THROW(read_tea(name)) << name;

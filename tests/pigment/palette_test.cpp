@@ -1,6 +1,7 @@
 #include "pigment/palette.hpp"
 
 #include "core/error.hpp"
+#include "source_file.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -134,7 +135,7 @@ TEST(BundledPalette, NamesTheNearestOfAnUnknownPaint) {
 
 TEST(BundledPalette, EqualsTheReferenceReduction) {
     const std::filesystem::path path =
-        std::filesystem::path(PASTOSO_SOURCE_DIR) / "../shared/reference/pigment/pigments_6band.csv";
+        tests::source_file("../shared/reference/pigment/pigments_6band.csv");
     std::ifstream file(path);
     if (!file) GTEST_SKIP() << "The reference data is not here: " << path;
     std::string text, cell;

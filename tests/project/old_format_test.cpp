@@ -4,6 +4,7 @@
 #include "io/temporary_folder.hpp"
 #include "project/project.hpp"
 #include "shade/render.hpp"
+#include "source_file.hpp"
 
 #include <gmock/gmock.h>
 
@@ -39,13 +40,13 @@ class OldFormat : public io::TemporaryFolder {
 };
 
 TEST_F(OldFormat, OneShowsThePaintingThatWasSaved) {
-    const LoadedProject old = load_project(PASTOSO_SOURCE_DIR "/tests/project/format-1.pastoso", pool);
+    const LoadedProject old = load_project(tests::source_file("tests/project/format-1.pastoso"), pool);
     EXPECT_FALSE(old.painting.canvas.film.strata.optics.is_background(0));
     expect_looks_as_painted(old);
 }
 
 TEST_F(OldFormat, ThreeShowsThePaintingThatWasSaved) {
-    const LoadedProject old = load_project(PASTOSO_SOURCE_DIR "/tests/project/format-3.pastoso", pool);
+    const LoadedProject old = load_project(tests::source_file("tests/project/format-3.pastoso"), pool);
     EXPECT_TRUE(film::has_wet_paint(old.painting.canvas.film));
     EXPECT_TRUE(old.painting.selection);
     expect_looks_as_painted(old);
@@ -55,7 +56,7 @@ TEST_F(OldFormat, ThreeShowsThePaintingThatWasSaved) {
 class OldFormatTwo : public OldFormat {
   protected:
     LoadedProject loaded() {
-        return load_project(PASTOSO_SOURCE_DIR "/tests/project/format-2.pastoso", pool);
+        return load_project(tests::source_file("tests/project/format-2.pastoso"), pool);
     }
 };
 
