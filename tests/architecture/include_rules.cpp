@@ -1,80 +1,10 @@
 #include "architecture/include_rules.hpp"
 
-#include <algorithm>
-#include <map>
-#include <optional>
 #include <regex>
-#include <set>
 #include <sstream>
 
 namespace pastoso::tests {
 namespace {
-
-using Folders = std::set<std::string, std::less<>>;
-using Rules = std::map<std::string, Folders, std::less<>>;
-
-/// The folders of the project that each engine folder may use besides its own.
-const Rules& engine_rules() {
-    static const Rules rules = {
-        {"core", {}},
-        {"grid", {"core"}},
-        {"packing", {"core", "grid"}},
-        {"pigment", {"core"}},
-        {"film", {"core", "grid", "pigment"}},
-        {"liquid", {"core", "grid"}},
-        {"tank", {"core", "grid", "liquid"}},
-        {"brush", {"core", "grid", "pigment", "film"}},
-        {"layers", {"core", "grid", "pigment", "film"}},
-        {"shade", {"core", "grid", "pigment", "film"}},
-        {"trace", {"core", "grid", "pigment", "liquid"}},
-        {"gpu", {"core", "grid", "pigment", "film", "shade"}},
-        {"document", {"core", "grid", "packing", "pigment", "film", "brush", "layers", "shade"}},
-        {"io",
-         {"core", "grid", "packing", "pigment", "film", "brush", "layers", "shade", "document",
-          "liquid", "tank", "trace"}},
-        {"project",
-         {"core", "grid", "packing", "pigment", "film", "brush", "layers", "shade", "document", "io"}},
-        {"journal",
-         {"core", "grid", "packing", "pigment", "film", "brush", "layers", "shade", "document", "io",
-          "project"}},
-    };
-    return rules;
-}
-
-/// The same for the folders of the window, which may use the whole engine besides.
-const Rules& app_rules() {
-    static const Rules rules = {
-        {"arguments", {}},
-        {"cli", {"arguments"}},
-        {"appearance", {}},
-        {"crash", {}},
-        {"graphics", {}},
-        {"session", {}},
-        {"commands", {"appearance", "session"}},
-        {"tools", {"session"}},
-        {"view", {"appearance", "graphics", "session", "commands", "tools"}},
-        {"panels", {"appearance", "session", "commands", "tools"}},
-        {"dialogs", {"appearance", "session", "commands", "tools"}},
-        {"start", {"appearance", "session", "commands", "tools", "dialogs"}},
-        {"glass", {"appearance", "graphics", "session", "commands", "tools", "panels"}},
-        {"main",
-         {"arguments", "appearance", "crash", "graphics", "session", "commands", "tools", "view",
-          "panels", "dialogs", "start", "glass"}},
-    };
-    return rules;
-}
-
-struct Place {
-    std::string part;    ///< "engine" or "app"
-    std::string folder;  ///< within the part
-};
-
-std::optional<Place> place_of(std::string_view path) {
-    static const std::regex kPlace("(engine|app)/([^/]+)/.+");
-    std::cmatch match;
-    if (!std::regex_match(path.begin(), path.end(), match, kPlace)) return std::nullopt;
-    return Place{match[1], match[2]};
-}
 
 struct Include {
     int line;
@@ -95,56 +25,58 @@ std::vector<Include> includes_of(std::string_view text) {
     return includes;
 }
 
-/// Qt's headers: <QWidget>, <QtCore/qglobal.h>, <qpa/...>, <private/q...>, quoted or not.
-bool is_qt(const std::string& name) {
-    static const std::regex kQt("(Q[A-Zt].*|qpa/.*|private/q.*|q[a-z0-9_]+\\.h)");
-    return std::regex_match(name, kQt);
+/// The folder that a source file of the project lies in; none when it lies in none that has a row.
+const FolderRow* folder_of(const ArchitecturePage& page, std::string_view path) {
+    for (const auto& [name, row] : page.folders)
+        if (path.starts_with(row.path + "/")) return &row;
+    return nullptr;
 }
 
-/// Why the place may not include the name; empty when it may.
-std::string objection(const Place& place, const Include& include) {
-    const bool in_engine = place.part == "engine";
-    if (is_qt(include.name)) {
-        return in_engine || place.folder == "cli" ? "Qt belongs to the window alone" : "";
-    }
-    if (include.name.starts_with("OpenImageIO/")) {
-        return in_engine && place.folder == "io" ? "" : "OpenImageIO belongs to engine/io alone";
-    }
-    if (include.name.starts_with("lcms2")) {
-        return in_engine && place.folder == "io" ? "" : "LittleCMS belongs to engine/io alone";
-    }
-    if (include.name.starts_with("embree3/")) {
-        return in_engine && place.folder == "trace" ? "" : "Embree belongs to engine/trace alone";
-    }
-    if (include.name == "zip.h") {
-        return in_engine && place.folder == "project" ? "" : "libzip belongs to engine/project alone";
-    }
-    if (include.name == "zstd.h") {
-        return in_engine && place.folder == "packing" ? "" : "zstd belongs to engine/packing alone";
-    }
-    if (!include.quoted || include.name.ends_with(".moc")) return "";
+/// Whether the pattern, in which a * stands for any letters, is the name.
+bool matches(std::string_view pattern, std::string_view name) {
+    const std::size_t star = pattern.find('*');
+    if (star == std::string_view::npos) return pattern == name;
+    const std::string_view before = pattern.substr(0, star), after = pattern.substr(star + 1);
+    return name.size() + 1 >= pattern.size() && name.starts_with(before) && name.ends_with(after);
+}
 
+const LibraryRow* library_of(const ArchitecturePage& page, std::string_view header) {
+    for (const LibraryRow& library : page.libraries)
+        for (const std::string& pattern : library.headers)
+            if (matches(pattern, header)) return &library;
+    return nullptr;
+}
+
+/// Headers of C++ have names without a dot: <vector>.
+bool is_cpp(const Include& include) {
+    return !include.quoted && include.name.find_first_of("./") == std::string::npos;
+}
+
+/// Why a file of the folder may not include the name; empty when it may.
+std::string objection(const ArchitecturePage& page, const std::string& folder, const FolderRow& row,
+                      const Include& include) {
+    if (const LibraryRow* library = library_of(page, include.name)) {
+        return library->known_to.contains(folder) ? "" : folder + " may not know " + library->name;
+    }
+    if (is_cpp(include) || include.name.ends_with(".moc")) return "";
+    if (!include.quoted) return "no library of ARCHITECTURE.md has such a header";
     const std::size_t slash = include.name.find('/');
     if (slash == std::string::npos) return "the project's headers are named with their folder";
     const std::string used = include.name.substr(0, slash);
-    if (used == place.folder) return "";
-    if (!in_engine && engine_rules().contains(used)) return "";
-    const Rules& rules = in_engine ? engine_rules() : app_rules();
-    return rules.at(place.folder).contains(used) ? "" : place.folder + " may not use " + used;
+    return used == folder || row.may_use.contains(used) ? "" : folder + " may not use " + used;
 }
 
 }  // namespace
 
-std::vector<std::string> include_violations(std::string_view path, std::string_view text) {
-    const std::optional<Place> place = place_of(path);
-    if (!place) return {std::string(path) + ": lies in no folder of engine or app"};
-    const Rules& rules = place->part == "engine" ? engine_rules() : app_rules();
-    if (!rules.contains(place->folder)) {
-        return {std::string(path) + ": the folder has no entry in the table of include rules"};
-    }
+std::vector<std::string> include_violations(const ArchitecturePage& page, std::string_view path,
+                                            std::string_view text) {
+    const FolderRow* row = folder_of(page, path);
+    if (row == nullptr)
+        return {std::string(path) + ": lies in no folder that ARCHITECTURE.md has a row for"};
+    const std::string folder = row->path.substr(row->path.find('/') + 1);
     std::vector<std::string> violations;
     for (const Include& include : includes_of(text)) {
-        const std::string reason = objection(*place, include);
+        const std::string reason = objection(page, folder, *row, include);
         if (reason.empty()) continue;
         violations.push_back(std::string(path) + ":" + std::to_string(include.line) + ": includes " +
                              include.name + ", but " + reason);

@@ -1,5 +1,7 @@
-// Who may include whom: the table of ARCHITECTURE.md as a check.
+// Who may include whom: the tables of ARCHITECTURE.md as a check.
 #pragma once
+
+#include "architecture/architecture_page.hpp"
 
 #include <string>
 #include <string_view>
@@ -7,8 +9,9 @@
 
 namespace pastoso::tests {
 
-/// One sentence for every #include of a source file that breaks the rules. `path` is the file's path in
-/// the project, for example "engine/film/solver.cpp"; it decides which rules hold.
-std::vector<std::string> include_violations(std::string_view path, std::string_view text);
+/// One sentence for every #include of a source file that breaks the page's rules. `path` is the file's
+/// path in the project, for example "engine/film/solver.cpp"; it decides which rules hold.
+std::vector<std::string> include_violations(const ArchitecturePage& page, std::string_view path,
+                                            std::string_view text);
 
 }  // namespace pastoso::tests
