@@ -2,7 +2,7 @@
 # Installs the Debian packages of packages.txt that are missing; does nothing when all are there.
 #
 # Usage: packaging/install.sh [GROUP...]
-#   GROUP   build, run, test, bench or fuzz; without one: build and run
+#   GROUP   build, run, test, bench or fuzz, with the groups that it needs; without one: build and run
 source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
 groups=()
@@ -15,9 +15,21 @@ for argument in "$@"; do
 done
 [[ ${#groups[@]} -gt 0 ]] || groups=(build run)
 
-wanted_packages() {
-    awk -v groups=" ${groups[*]} " '!/^#/ && NF == 2 && index(groups, " " $1 " ") { print $2 }' \
-        "$root/packaging/packages.txt"
+# What the list has for a group: packages, and groups with an @ before them.
+entries_of() { awk -v group="$1" '$1 == group && NF == 2 { print $2 }' "$root/packaging/packages.txt"; }
+
+# The packages of the groups given and of those that they need.
+packages_of() {
+    local group entry
+    for group in "$@"; do
+        for entry in $(entries_of "$group"); do
+            if [[ $entry == @* ]]; then
+                packages_of "${entry#@}"
+            else
+                printf '%s\n' "$entry"
+            fi
+        done
+    done
 }
 
 # Those of the packages given that are not installed.
@@ -46,7 +58,7 @@ install_packages() {
 
 command -v apt-get >/dev/null ||
     fail "this system has no apt-get; on Debian 12 the script installs what packaging/packages.txt lists."
-mapfile -t wanted < <(wanted_packages)
+mapfile -t wanted < <(packages_of "${groups[@]}" | sort -u)
 mapfile -t missing < <(missing_among "${wanted[@]}")
 if [[ ${#missing[@]} -eq 0 ]]; then
     say "All ${#wanted[@]} packages are installed"
