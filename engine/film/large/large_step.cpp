@@ -25,8 +25,8 @@ constexpr float kLightTolerance = 0.001F;
 /// What a sweep leaves of the error, at most, where the overlap does its work.
 constexpr float kSweepGain = 0.1F;
 constexpr int kMostSweeps = 12;
-/// A tile whose error a sweep does not bring below this share is solved with more care.
-constexpr float kStubbornShare = 0.25F;
+/// A tile is slow when a sweep does not bring its error below this share: it gets several V-cycles.
+constexpr float kSlowShare = 0.25F;
 constexpr int kMostCycles = 8;
 /// An error above this makes the step unfit for use.
 constexpr float kUsable = 0.25F;
@@ -281,7 +281,7 @@ void LargeStepper::Pass::assemble_all() {
         assemble(places[index], false, tile, large, worker);
         tile.answered = true;
         revise(tile);
-        tile.stubborn = false;
+        tile.slow = false;
         tile.unsteady = true;
     });
 }
@@ -437,19 +437,18 @@ void LargeStepper::Pass::find_residuals(bool first) {
 }
 
 /// The tiles that have changed and have an error left; the first time all but those that only give and
-/// take at their edges, where no wave runs whose error would look small. The stubborn ones, which take
+/// take at their edges, where no wave runs whose error would look small. The slow ones, which take
 /// longest, come first.
 LargeStepper::Pass::ChosenPlaces LargeStepper::Pass::places_to_correct(bool first) {
     ChosenPlaces chosen = places_where([&](const TilePlace& place, LargeTile& tile) {
         if (!tile.corrected) return false;
         tile.corrected = (first && !place.closed.inside) || !(tile.error <= tolerance_of(tile));
-        if (tile.corrected)
-            tile.stubborn = tile.stubborn || tile.error > kStubbornShare * tile.corrected_error;
+        if (tile.corrected) tile.slow = tile.slow || tile.error > kSlowShare * tile.corrected_error;
         tile.corrected_error = tile.corrected ? tile.error : std::numeric_limits<float>::max();
         return tile.corrected;
     });
     std::stable_partition(chosen.begin(), chosen.end(),
-                          [&](const TilePlace* place) { return tile_of(*place).stubborn; });
+                          [&](const TilePlace* place) { return tile_of(*place).slow; });
     return chosen;
 }
 
@@ -462,7 +461,7 @@ void LargeStepper::Pass::correct(bool first) {
         gather_y_faces(place, &LargeFaces::mobility, large.mobility_y);
         gather_x_faces(place, &LargeFaces::weight, large.weight_x);
         gather_y_faces(place, &LargeFaces::weight, large.weight_y);
-        kernels.correct_patch(constants, tile.stubborn ? kMostCycles : 1, patch_within_open_edges(place),
+        kernels.correct_patch(constants, tile.slow ? kMostCycles : 1, patch_within_open_edges(place),
                               large, tile.correction);
     };
     for_each_of(places_to_correct(first), solve_patch);

@@ -74,7 +74,7 @@ struct LargeTile {
     bool moved = false;                   ///< the last sweep changed its pressure
     bool answered = false;                ///< its change is the answer to the pressure around it
     bool corrected = false;               ///< whether the last sweep left a correction
-    bool stubborn = false;                ///< a single V-cycle does not get hold of its residual
+    bool slow = false;                    ///< a single V-cycle does not reduce its residual enough
     bool light = false;                   ///< somewhere its paint remembers its motion
     bool crowded = false;                 ///< it or its margin has a cell of more than kCrowded_quanta
     bool unsteady = false;  ///< its drag, or that of a tile beside it, still changes with its flow
