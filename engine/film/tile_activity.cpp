@@ -24,7 +24,7 @@ constexpr int kLongestPace = 1 << 20;
 
 /// Paint of little drag may stand still for a moment, between two swings.
 bool remembers_motion(const FlowExtremes& flow, double seconds) {
-    return flow.thickness_mm * seconds < kLightDrag * flow.mobility;
+    return flow.thickness_mm * seconds < kInertialDrag * flow.mobility;
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ struct LargeFaceRow {
     int first_x, y;
     LargeFaces& faces;
     FaceArray<float>& carried;  ///< momentum that arrives, mm/s
-    bool& light;                ///< set where paint remembers its motion
+    bool& inertial;             ///< set where the old velocity matters for the new one
 
     FaceNeighbourhood<Lanes> face_at(int x) const {
         return neighbourhood<kModel>(scratch, step, axis, AlongRow{}, block_index(x, y));
@@ -150,9 +150,9 @@ struct LargeFaceRow {
         const auto paint = face_paint<kModel>(face, step);
         const Lanes rate = drag_rate_of(face, paint, along, drag_depth);
         const Lanes drag = lanes::min(Lanes(rate * dt), Lanes(1e12F));
-        const auto remembers = inner && drag < Lanes(kLightDrag);
+        const auto remembers = inner && drag < Lanes(kInertialDrag);
         if (lanes::any(remembers)) {
-            light = true;
+            inertial = true;
             const Lanes mean = Lanes(0.5F) * (face.h_left + face.h_right);
             momentum = lanes::select(remembers, momentum * settled_share<Lanes>(mean, depth), momentum);
         }
@@ -280,7 +280,7 @@ float assemble_faces(const StepConstants& step, const float* lag, bool again, Ti
     for (int y = -1; y < kTileSize; ++y) {
         if (y >= first - 1 && y <= last) {
             const LargeFaceRow<kModel> row{
-                scratch, lag, step, y_axis, 0, y, tile.y, scratch.velocity_y, tile.light};
+                scratch, lag, step, y_axis, 0, y, tile.y, scratch.velocity_y, tile.inertial};
             error = lanes::max(error, row.assemble(again));
             weights(scratch, step, 0, y, kBlockStride, 1, scratch.normal_y.data(), tile.y.weight);
         } else {
@@ -288,7 +288,7 @@ float assemble_faces(const StepConstants& step, const float* lag, bool again, Ti
         }
         if (y >= first && y <= last && y >= 0) {
             const LargeFaceRow<kModel> row{
-                scratch, lag, step, x_axis, -1, y, tile.x, scratch.velocity_x, tile.light};
+                scratch, lag, step, x_axis, -1, y, tile.x, scratch.velocity_x, tile.inertial};
             error = lanes::max(error, row.assemble(again));
             weights(scratch, step, -1, y, 1, kBlockStride, scratch.normal_x.data(), tile.x.weight);
         } else {
@@ -402,7 +402,7 @@ float assemble_large_tile(const StepConstants& step, int columns, int rows, cons
                           const CanvasEdges& edges, bool again, LargeScratch& large,
                           TileScratch& scratch, LargeTile& tile) {
     const RestPressure rest(step, scratch);
-    tile.light = false;
+    tile.inertial = false;
     tile.crowded = is_crowded(scratch.block);
     if (rest.wet) prepare_pressure(step, scratch);
     BlockArray<float>& lag = large.lagged_pressure;

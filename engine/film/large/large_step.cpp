@@ -16,12 +16,12 @@ using grid::kTileSize;
 /// A relative error of flux that is not worth another pass with refined drag.
 constexpr float kSteadyFlux = 0.01F;
 constexpr int kMostRefinements = 6;
-/// The same where paint remembers its motion: an error stays in it as energy.
-constexpr float kSteadyLightFlux = 0.005F;
-constexpr int kMostLightRefinements = 40;
+/// The same where paint is inertial: an error stays in it as energy.
+constexpr float kSteadyInertialFlux = 0.005F;
+constexpr int kMostInertialRefinements = 40;
 /// A thickness error below this, relative to the film, needs no further sweep.
 constexpr float kTolerance = 0.01F;
-constexpr float kLightTolerance = 0.001F;
+constexpr float kInertialTolerance = 0.001F;
 /// What a sweep leaves of the error, at most, where the overlap does its work.
 constexpr float kSweepGain = 0.1F;
 constexpr int kMostSweeps = 12;
@@ -43,7 +43,7 @@ Shortage total(const std::vector<Shortage>& shortages) {
 }
 
 float tolerance_of(const LargeTile& tile) {
-    return tile.light ? kLightTolerance : kTolerance;
+    return tile.inertial ? kInertialTolerance : kTolerance;
 }
 
 /// Whether the sweep that found a tile's error has brought it below what is allowed.
@@ -348,8 +348,8 @@ bool LargeStepper::Pass::refine_all(int pass) {
     bool changes = false;
     for (const TilePlace* place : unsteady) {
         LargeTile& tile = tile_of(*place);
-        const bool closely = tile.light && !constants.is_shear_thinning();
-        if (tile.flux_error <= (closely ? kSteadyLightFlux : kSteadyFlux)) continue;
+        const bool closely = tile.inertial && !constants.is_shear_thinning();
+        if (tile.flux_error <= (closely ? kSteadyInertialFlux : kSteadyFlux)) continue;
         changes = true;
         if (!closely && pass + 1 >= kMostRefinements) continue;
         tile.unsteady = true;
@@ -510,7 +510,7 @@ void LargeStepper::Pass::solve(bool from_rest, LargeStepReport& report) {
 void LargeStepper::Pass::solve_yielding(LargeStepReport& report) {
     solve(true, report);
     if (!constants.has_yield() && !constants.varied && !constants.is_shear_thinning()) return;
-    for (int pass = 0; pass < kMostLightRefinements && refine_all(pass); ++pass)
+    for (int pass = 0; pass < kMostInertialRefinements && refine_all(pass); ++pass)
         solve(false, report);
 }
 
@@ -599,7 +599,7 @@ void settle_faces(const HaloBlock& block, int along, const LargeFaces& faces, fl
     for (int y = 0; y < kTileSize; ++y)
         for (int x = 0; x < kTileSize; ++x) {
             const int f = face_index(x, y), i = block_index(x, y);
-            if (faces.drag[f] < 0.0F || faces.drag[f] >= kLightDrag) continue;
+            if (faces.drag[f] < 0.0F || faces.drag[f] >= kInertialDrag) continue;
             const float mean_mm =
                 0.5F * (thickness_mm(block.quanta[i]) + thickness_mm(block.quanta[i + along]));
             velocity[y * kTileSize + x] *= settled_share(faces.depth[f], mean_mm);
@@ -613,7 +613,7 @@ void LargeStepper::settle(FilmState& state, const std::vector<TilePlace>& places
     pool.run(places.size(), [&](std::size_t index, int worker) {
         const TilePlace& place = places[index];
         const LargeTile* tile = tiles_[place.tile].get();
-        if (tile == nullptr || !tile->light) return;
+        if (tile == nullptr || !tile->inertial) return;
         HaloBlock& block = workers[worker]->tile.block;
         gather_quanta(state, place.columns, place.rows, place.tile_x, block);
         settle_faces(block, 1, tile->x, state.velocity_x.write(place.tile));

@@ -75,7 +75,7 @@ struct LargeTile {
     bool answered = false;                ///< its change is the answer to the pressure around it
     bool corrected = false;               ///< whether the last sweep left a correction
     bool slow = false;                    ///< a single V-cycle does not reduce its residual enough
-    bool light = false;                   ///< somewhere its paint remembers its motion
+    bool inertial = false;  ///< the old velocity of some of its paint matters for the new one
     bool crowded = false;                 ///< it or its margin has a cell of more than kCrowded_quanta
     bool unsteady = false;  ///< its drag, or that of a tile beside it, still changes with its flow
 };

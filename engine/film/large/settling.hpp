@@ -1,12 +1,12 @@
-// Motion that paint remembers from one large step to the next.
+// Inertia of paint from one large step to the next.
 #pragma once
 
 #include "film/face/lanes.hpp"
 
 namespace pastoso::film {
 
-/// Paint of more drag (lambda dt) than this forgets its motion within a step.
-inline constexpr float kLightDrag = 10.0F;
+/// Paint is inertial below this drag (lambda dt); above it the old velocity is forgotten within a step.
+inline constexpr float kInertialDrag = 10.0F;
 
 /// The share that a velocity keeps where the thickness that it moves changes from one measure to
 /// another: where that grows, it keeps its kinetic energy. It never gets faster, so that thin paint
