@@ -119,10 +119,10 @@ struct Solver::Parts {
                              std::vector<TileResult>& results);
     AdvanceReport explicit_step(double dt_s);
     AdvanceReport large_step(double dt_s, int halvings = 0);
-    /// False when `give_up` said so before the time had passed. step_group() is for the tiles that take
-    /// part.
-    bool step_group(double seconds, const std::function<bool()>& give_up, AdvanceReport& report);
-    bool advance(double seconds, const std::function<bool()>& give_up, AdvanceReport& report);
+    /// False when it was cancelled before the time had passed. step_group() is for the tiles that
+    /// take part.
+    bool step_group(double seconds, const std::function<bool()>& cancelled, AdvanceReport& report);
+    bool advance(double seconds, const std::function<bool()>& cancelled, AdvanceReport& report);
 
     FilmState& state;
     Medium medium;
@@ -252,11 +252,11 @@ AdvanceReport Solver::Parts::large_step(double dt_s, int halvings) {
     return report;
 }
 
-bool Solver::Parts::step_group(double seconds, const std::function<bool()>& give_up,
+bool Solver::Parts::step_group(double seconds, const std::function<bool()>& cancelled,
                                AdvanceReport& report) {
     double remaining = seconds;
     while (remaining > 0.0 && !activity.stepping_tiles().empty()) {
-        if (give_up()) return false;
+        if (cancelled()) return false;
         const StepPlan next =
             plan_step({state, activity, limits, air, medium.density_kg_m3, pool}, options, remaining);
         // A remainder of one part in a million is rounding, not a step of its own.
@@ -268,11 +268,11 @@ bool Solver::Parts::step_group(double seconds, const std::function<bool()>& give
     return true;
 }
 
-bool Solver::Parts::advance(double seconds, const std::function<bool()>& give_up,
+bool Solver::Parts::advance(double seconds, const std::function<bool()>& cancelled,
                             AdvanceReport& report) {
     activity.let_pass(seconds, options.longest_wait_s);
     while (const std::optional<double> waited_s = activity.begin_group())
-        if (!step_group(*waited_s, give_up, report)) return false;
+        if (!step_group(*waited_s, cancelled, report)) return false;
     report.awake_tiles = activity.awake_count();
     return true;
 }
@@ -351,7 +351,7 @@ AdvanceReport Solver::advance(double seconds) {
     return report;
 }
 
-std::optional<AdvanceReport> Solver::advance_unless(const std::function<bool()>& give_up,
+std::optional<AdvanceReport> Solver::advance_unless(const std::function<bool()>& cancelled,
                                                     double seconds) {
     const FilmState state = parts_->state;
     const ActivityMap activity = parts_->activity;
@@ -359,7 +359,7 @@ std::optional<AdvanceReport> Solver::advance_unless(const std::function<bool()>&
     const Totals runoff = parts_->runoff;
     const LargeStepper::Memory pressures = parts_->large.remember();
     AdvanceReport report;
-    if (parts_->advance(seconds, give_up, report)) return report;
+    if (parts_->advance(seconds, cancelled, report)) return report;
     parts_->state = state;
     parts_->activity = activity;
     parts_->window_start = window_start;

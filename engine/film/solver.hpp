@@ -106,9 +106,9 @@ class Solver {
     /// calls give the same bits on any number of threads.
     AdvanceReport advance(double seconds);
 
-    /// The same, but `give_up` is asked before every step; once it says true, the state is put back as
-    /// it was and nothing is returned. So a waiting pen need not wait for the end of a long advance.
-    std::optional<AdvanceReport> advance_unless(const std::function<bool()>& give_up, double seconds);
+    /// The same, but `cancelled` is asked before every step; once it is true, the state is restored as
+    /// it was and nothing is returned. A pen thus never waits for the end of a long advance.
+    std::optional<AdvanceReport> advance_unless(const std::function<bool()>& cancelled, double seconds);
 
     /// One step of the given length over all awake tiles, whatever the stability limit; implicit if the
     /// scheme is LargeStep.
