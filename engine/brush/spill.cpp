@@ -36,9 +36,9 @@ WantedSums plan_heap(double quanta, double spread_mm, CellBatch& batch) {
     const double heap = std::accumulate(heights.begin(), heights.end(), 0.0);
     WantedSums wanted;
     for (int i = 0; i < batch.count(); ++i) {
-        const double room = film::room_quanta(batch.thickness[i]);
+        const double capacity_left = film::capacity_left_quanta(batch.thickness[i]);
         const double gain = heap > 0.0 ? quanta * heights[i] / heap : 0.0;
-        batch.change[i] = static_cast<std::int32_t>(std::min(gain, room));
+        batch.change[i] = static_cast<std::int32_t>(std::min(gain, capacity_left));
         batch.swap[i] = 0;
         wanted.deposit += batch.change[i];
     }

@@ -106,10 +106,11 @@ PASTOSO_KERNEL_INLINE Wanted wanted_at(const ExchangeRule& rule, const Hairs& ha
     const FloatLanes given = smaller(share * gap, all_lanes(kMost_mm));
     const FloatLanes taken = larger(share * gap * rule.pickup, -kLargestBite * h);
     const IntLanes change = as_ints((gap > none ? given : taken) * kQuantaPerMm);
-    const IntLanes room = larger(IntLanes{}, film::kMaxThickness_quanta - quanta);
+    const IntLanes capacity_left = larger(IntLanes{}, film::kMaxThickness_quanta - quanta);
     const FloatLanes ground = as_floats(smaller(quanta, found)) * kQuantum_mm;
     const FloatLanes swap_mm = rule.mix * share * smaller(ground, all_lanes(rule.mix_depth_mm));
-    return {smaller(change, room), as_ints((room > 0 ? swap_mm : none) * kQuantaPerMm)};
+    return {smaller(change, capacity_left),
+            as_ints((capacity_left > 0 ? swap_mm : none) * kQuantaPerMm)};
 }
 
 /// Adds numbers that are not negative to sums wide enough for all of them.

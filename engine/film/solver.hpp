@@ -63,8 +63,8 @@ struct AdvanceReport {
     std::int64_t steps = 0;
     std::int64_t cells_stepped = 0;
     std::int64_t large_steps = 0;  ///< how many of the steps were implicit
-    /// Face speeds cut to half a cell a step, and fluxes cut to the room of a cell that is almost full
-    /// (kMaxThickness_mm): 0 in a healthy run.
+    /// Face speeds cut to half a cell a step, and fluxes cut to the capacity left of a cell that is
+    /// almost full (kMaxThickness_mm): 0 in a healthy run.
     std::int64_t clamped_faces = 0;
     std::int64_t rejected_steps = 0;  ///< large steps that had to be tried again in halves
     std::int64_t limited_cells = 0;   ///< whose outflow a large step cut to what they held

@@ -25,7 +25,7 @@ inline constexpr auto kMaxThickness_quanta =
     static_cast<std::int32_t>(kMaxThickness_mm / kThicknessQuantum_mm);
 
 /// Thickness quanta that a cell can still take.
-inline constexpr std::int32_t room_quanta(std::int32_t thickness_quanta) {
+inline constexpr std::int32_t capacity_left_quanta(std::int32_t thickness_quanta) {
     return thickness_quanta < kMaxThickness_quanta ? kMaxThickness_quanta - thickness_quanta : 0;
 }
 

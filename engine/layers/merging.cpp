@@ -89,14 +89,14 @@ void lay_strata(const LayerTile& upper, int cell, LayerTile& lower) {
     lower.uppermost.write()[cell] = upper.uppermost.read()[cell];
 }
 
-bool have_room(std::int32_t lower, std::int32_t upper) {
-    return upper <= film::room_quanta(lower);
+bool has_capacity(std::int32_t lower, std::int32_t upper) {
+    return upper <= film::capacity_left_quanta(lower);
 }
 
 /// Lets wet paint of `upper` run into what is wet below.
 void pour(const LayerTile& upper, int cell, LayerTile& lower) {
     const std::int32_t thickness = upper.thickness.read()[cell];
-    if (!have_room(lower.thickness.read()[cell], thickness)) dry(lower, cell);
+    if (!has_capacity(lower.thickness.read()[cell], thickness)) dry(lower, cell);
     lower.thickness.write()[cell] += thickness;
     for (int k = 0; k < film::kPaintChannels; ++k)
         lower.paint.write()[cell][k] += upper.paint.read()[cell][k];

@@ -38,8 +38,9 @@ void dissolve_cell(double seconds, int cell, TileDissolving& tile) {
     const double share = 1.0 - core::exponential(-seconds * solvent / kDissolvingTime_s);
 
     const std::int32_t most = std::numeric_limits<std::int32_t>::max();
-    const std::int32_t room = room_quanta(thickness) / kQuantaPerSupport * kQuantaPerSupport;
-    const std::int32_t moved = share_of(dry, share, kQuantaPerSupport, room);
+    const std::int32_t capacity_left =
+        capacity_left_quanta(thickness) / kQuantaPerSupport * kQuantaPerSupport;
+    const std::int32_t moved = share_of(dry, share, kQuantaPerSupport, capacity_left);
     dry -= moved;
     thickness += moved;
     paint[kSolidsChannel] += static_cast<std::int32_t>(moved / kQuantaPerCarried);

@@ -40,7 +40,7 @@ struct LaneExtremes {
         cell_quanta = lanes::stdx::max(cell_quanta, lanes::stdx::max(left, right));
     }
     /// Whether a cell may be too full for a quarter of another: where none holds more than half of what
-    /// it may, a quarter of one never exceeds a quarter of the other's room.
+    /// it may, a quarter of one never exceeds a quarter of the other's capacity left.
     bool any_full() const { return lanes::stdx::hmax(cell_quanta) > kMaxThickness_quanta / 2; }
     FlowExtremes reduced() const {
         return {.mobility = lanes::stdx::hmax(mobility),
@@ -150,11 +150,11 @@ int count_clamped(const StepConstants& step, const FaceArray<float>& velocity, i
     return count;
 }
 
-/// Cuts the fluxes of one axis to a quarter of the room that the cell behind the face has, so that four
-/// cannot overfill it. Returns how many that were.
-int cut_to_room(const HaloBlock& block, int along, int first_x, int first_y, FaceArray<float>& velocity,
-                FaceArray<std::int32_t>& flux) {
-    const auto quarter_room = [](std::int32_t quanta) {
+/// Cuts the fluxes of one axis to a quarter of the capacity left in the cell behind the face, so that
+/// four cannot overfill it. Returns how many that were.
+int cut_to_capacity(const HaloBlock& block, int along, int first_x, int first_y,
+                    FaceArray<float>& velocity, FaceArray<std::int32_t>& flux) {
+    const auto quarter_capacity = [](std::int32_t quanta) {
         return quanta < kMaxThickness_quanta ? (kMaxThickness_quanta - quanta) >> 2 : 0;
     };
     int count = 0;
@@ -162,8 +162,8 @@ int cut_to_room(const HaloBlock& block, int along, int first_x, int first_y, Fac
         for (int x = first_x; x < kTileSize; ++x) {
             const int f = face_index(x, y), i = block_index(x, y);
             const std::int32_t wanted = flux[f];
-            const std::int32_t forwards = quarter_room(block.quanta[i + along]);
-            const std::int32_t backwards = -quarter_room(block.quanta[i]);
+            const std::int32_t forwards = quarter_capacity(block.quanta[i + along]);
+            const std::int32_t backwards = -quarter_capacity(block.quanta[i]);
             const std::int32_t passing = wanted > forwards    ? forwards
                                          : wanted < backwards ? backwards
                                                               : wanted;
@@ -175,9 +175,9 @@ int cut_to_room(const HaloBlock& block, int along, int first_x, int first_y, Fac
     return count;
 }
 
-int cut_to_room(TileScratch& scratch) {
-    return cut_to_room(scratch.block, 1, -1, 0, scratch.velocity_x, scratch.flux_x) +
-           cut_to_room(scratch.block, kBlockStride, 0, -1, scratch.velocity_y, scratch.flux_y);
+int cut_to_capacity(TileScratch& scratch) {
+    return cut_to_capacity(scratch.block, 1, -1, 0, scratch.velocity_x, scratch.flux_x) +
+           cut_to_capacity(scratch.block, kBlockStride, 0, -1, scratch.velocity_y, scratch.flux_y);
 }
 
 template <FaceModel kModel>
@@ -221,7 +221,7 @@ FlowExtremes tile_flow(const StepConstants& step, int columns, int rows, const C
     if (extremes.speed_mm_s >= 0.5F * step.cell_mm / step.dt_s)
         extremes.clamped_faces = count_clamped(step, scratch.velocity_x, -1, 0) +
                                  count_clamped(step, scratch.velocity_y, 0, -1);
-    if (found.any_full()) extremes.clamped_faces += cut_to_room(scratch);
+    if (found.any_full()) extremes.clamped_faces += cut_to_capacity(scratch);
     return extremes;
 }
 

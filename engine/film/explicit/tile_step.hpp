@@ -48,13 +48,13 @@ struct FlowExtremes {
     float mobility = 0.0F;      ///< largest h du/da, mm s
     float thickness_mm = 0.0F;  ///< of flowing film
     float speed_mm_s = 0.0F;
-    int clamped_faces = 0;  ///< at the largest speed, or cut to the room that is left
+    int clamped_faces = 0;  ///< at the largest speed, or cut to the capacity left
 };
 
 /// From scratch.block to velocities and fluxes at all faces of the tile, edges included. `columns` and
 /// `rows` are the tile's cells on the canvas. No flux takes more than a quarter of the cell that it
-/// leaves, nor more than a quarter of the room of the one that it enters, so that no cell can be
-/// overdrawn or overfilled whatever its other faces do.
+/// leaves, nor more than a quarter of the capacity left in the one that it enters, so that no cell can
+/// be overdrawn or overfilled whatever its other faces do.
 using TileFlow = FlowExtremes (*)(const StepConstants& step, int columns, int rows,
                                   const ClosedFaces& closed, TileScratch& scratch);
 

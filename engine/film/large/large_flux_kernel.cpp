@@ -83,9 +83,9 @@ void find_large_velocities(const StepConstants& step, bool carrying, const Large
 namespace {
 
 /// A quarter of what cells can still take, mm: a hair less, so that rounding cannot overfill them.
-Lanes quarter_room(Ints quanta) {
-    const Ints room = lanes::stdx::max(Ints(Ints(kMaxThickness_quanta - 4) - quanta), Ints(0));
-    return lanes::stdx::static_simd_cast<Lanes>(room) *
+Lanes quarter_capacity(Ints quanta) {
+    const Ints capacity_left = lanes::stdx::max(Ints(Ints(kMaxThickness_quanta - 4) - quanta), Ints(0));
+    return lanes::stdx::static_simd_cast<Lanes>(capacity_left) *
            Lanes(0.2499F * static_cast<float>(kThicknessQuantum_mm));
 }
 
@@ -101,7 +101,8 @@ int cut_row(const StepConstants& step, const LargeScratch& scratch, int along, i
         const Lanes velocity = load(&faces.velocity[f]);
         const Lanes per_velocity = Lanes(step.dt_s * step.inverse_cell) * load(&faces.depth[f]);
         const Lanes crossing = velocity * per_velocity;
-        const Lanes fitting = lanes::clamp(crossing, Lanes(-quarter_room(left)), quarter_room(right));
+        const Lanes fitting =
+            lanes::clamp(crossing, Lanes(-quarter_capacity(left)), quarter_capacity(right));
         const auto crowded = lanes::stdx::static_simd_cast<Lanes>(lanes::stdx::max(left, right)) >
                              Lanes(static_cast<float>(kCrowded_quanta));
         const auto cut = crowded && lanes::abs(crossing) > Lanes(1.00001F) * lanes::abs(fitting);
@@ -113,7 +114,7 @@ int cut_row(const StepConstants& step, const LargeScratch& scratch, int along, i
 
 }  // namespace
 
-int cut_to_room(const StepConstants& step, const LargeScratch& scratch, LargeTile& tile) {
+int cut_to_capacity(const StepConstants& step, const LargeScratch& scratch, LargeTile& tile) {
     int count = 0;
     for (int y = -1; y < kTileSize; ++y) {
         count += cut_row(step, scratch, kWindowStride, 0, y, tile.y);

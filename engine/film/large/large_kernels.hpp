@@ -22,7 +22,7 @@
     void blend_corrections(const PatchCover* covers, int count, CellArray& pressure);                   \
     void find_large_velocities(const StepConstants& step, bool carrying, const LargeScratch& scratch,   \
                                LargeTile& tile);                                                        \
-    int cut_to_room(const StepConstants& step, const LargeScratch& scratch, LargeTile& tile);           \
+    int cut_to_capacity(const StepConstants& step, const LargeScratch& scratch, LargeTile& tile);       \
     Shortage share_outflow(const StepConstants& step, int columns, int rows,                            \
                            const std::int32_t* thickness, const LargeScratch& scratch, LargeTile& tile, \
                            CellArray& share);                                                           \

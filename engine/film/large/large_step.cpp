@@ -533,7 +533,7 @@ Shortage LargeStepper::Pass::find_velocities(LargeStepReport& report) {
         kernels.velocities(constants, true, large, tile);
         if (tile.crowded) {
             gather_next(places[index], thickness_rows(), large.thickness);
-            cut_faces[index] = kernels.cut_to_room(constants, large, tile);
+            cut_faces[index] = kernels.cut_to_capacity(constants, large, tile);
         }
         large.share.fill(0.0F);
         shortages[index] = share_outflow(places[index], tile, large, tile.share);

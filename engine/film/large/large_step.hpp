@@ -17,7 +17,7 @@ struct LargeStepReport {
     int sweeps = 0;  ///< over all tiles, the last one without correction where it found none needed
     float residual = 0.0F;           ///< largest error of thickness before the last sweep, relative
     std::int64_t limited_cells = 0;  ///< thick ones whose outflow was cut by more than a tenth
-    std::int64_t clamped_faces = 0;  ///< whose flux was cut to the room of the cell ahead
+    std::int64_t clamped_faces = 0;  ///< whose flux was cut to the capacity left ahead
 };
 
 /// Keeps what the large step needs of each tile from one step to the next.

@@ -8,7 +8,7 @@ namespace pastoso::film {
     LargeKernels {                                                                                      \
         isa::assemble_large_tile, isa::refine_yielding, isa::find_source, isa::find_change,             \
             isa::find_residual, isa::correct_patch, isa::blend_corrections, isa::find_large_velocities, \
-            isa::cut_to_room, isa::share_outflow, isa::slow_limited_faces, isa::find_large_fluxes       \
+            isa::cut_to_capacity, isa::share_outflow, isa::slow_limited_faces, isa::find_large_fluxes   \
     }
 
 LargeKernels large_kernels_for([[maybe_unused]] core::Isa isa) {

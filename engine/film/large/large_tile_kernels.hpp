@@ -36,9 +36,9 @@ struct LargeKernels {
     /// u = u* - D dt grad p; `carrying` makes of it the velocity that moves the paint.
     void (*velocities)(const StepConstants& step, bool carrying, const LargeScratch& scratch,
                        LargeTile& tile);
-    /// Cuts velocities that would fill the cell ahead by more than a quarter of its room. Returns at how
-    /// many faces. Where both cells hold less than kCrowded_quanta nothing is cut.
-    int (*cut_to_room)(const StepConstants& step, const LargeScratch& scratch, LargeTile& tile);
+    /// Cuts velocities that would fill the cell ahead by more than a quarter of its capacity left.
+    /// Returns at how many faces. Where both cells hold less than kCrowded_quanta nothing is cut.
+    int (*cut_to_capacity)(const StepConstants& step, const LargeScratch& scratch, LargeTile& tile);
     /// The share of each cell's outflow that it can give: what it holds and what its neighbours are
     /// granted to give it. Into `share`.
     Shortage (*share_outflow)(const StepConstants& step, int columns, int rows,
