@@ -77,16 +77,16 @@ float scale_to(double available, std::int64_t wanted) {
                : 1.0F;
 }
 
-/// The held paint as carried quanta per thickness quantum. A trace that the roundings up in
-/// all cells could overdraw stays where it is.
+/// The held paint as carried quanta per thickness quantum. A negligible amount, which the roundings up
+/// in all cells could overdraw, stays where it is.
 film::PaintCoefficients given_paint(const Contents& held, double kept_share, int cells,
                                     double cell_area_mm2) {
     constexpr double kQuantumRatio = film::kThicknessQuantum_mm / film::kPaintQuantum;
-    const double trace = cells * film::kPaintQuantum * cell_area_mm2;
+    const double negligible = cells * film::kPaintQuantum * cell_area_mm2;
     const double per_mm3 = 1.0 / held.volume_mm3;
     film::PaintCoefficients given{};
     for (int k = 0; k < film::kPaintChannels; ++k) {
-        if (kept_share * held.paint[k] <= trace) continue;
+        if (kept_share * held.paint[k] <= negligible) continue;
         const double per_mm = std::min<double>(held.paint[k] * per_mm3, kStrongestPaint_per_mm);
         given[k] = static_cast<float>(per_mm * kQuantumRatio);
     }

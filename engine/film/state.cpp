@@ -78,13 +78,14 @@ double volume_mm3(std::int64_t thickness_quanta, double cell_mm) {
 }
 
 std::int64_t wet_cell_count(const FilmState& state) {
-    const double trace_quanta = 1e-4 * state.cell_mm / kThicknessQuantum_mm;
-    const auto trace = static_cast<std::int32_t>(std::floor(trace_quanta));
+    const double negligible_quanta = 1e-4 * state.cell_mm / kThicknessQuantum_mm;
+    const auto negligible = static_cast<std::int32_t>(std::floor(negligible_quanta));
     std::int64_t wet = 0;
     for (int tile = 0; tile < state.shape.tile_count(); ++tile) {
         if (state.thickness.is_background(tile)) continue;
         for_each_tile_row(state.thickness, tile, [&](const std::int32_t* h, int count) {
-            wet += std::count_if(h, h + count, [trace](std::int32_t quanta) { return quanta > trace; });
+            wet += std::count_if(h, h + count,
+                                 [negligible](std::int32_t quanta) { return quanta > negligible; });
         });
     }
     return wet;

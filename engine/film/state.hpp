@@ -76,7 +76,7 @@ double volume_mm3(std::int64_t thickness_quanta, double cell_mm);
 /// False when no cell can hold wet paint (nothing was painted, or all of it has dried).
 bool has_wet_paint(const FilmState& state);
 
-/// The number of cells that hold more than a trace (1e-4 cell sizes) of wet paint.
+/// The number of cells that hold wet paint thicker than 1e-4 cell sizes; less is negligible.
 std::int64_t wet_cell_count(const FilmState& state);
 
 /// A hash of every field; equal states give equal hashes on every machine.

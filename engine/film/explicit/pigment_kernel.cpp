@@ -47,7 +47,7 @@ struct ChannelInts {
 }
 
 /// Thinner than this (0.03 um), a concentration says nothing.
-constexpr std::int32_t kTraceQuanta = 1 << 10;
+constexpr std::int32_t kNegligible_quanta = 1 << 10;
 
 /// Reads the fluxes and concentrations of a tile and says what pigment passes a face.
 template <bool kLargeFluxes, bool kIsCrowded>
@@ -74,7 +74,7 @@ struct PigmentFluxes {
             concentrations + (forward ? concentration : concentration + concentration_step);
         const float amount = static_cast<float>(forward ? flux : -flux);
         const bool smooth =
-            quanta[downwind_step] > kTraceQuanta && quanta[-downwind_step] > kTraceQuanta;
+            quanta[downwind_step] > kNegligible_quanta && quanta[-downwind_step] > kNegligible_quanta;
         float reach = 0.5F - 2.0F * amount / static_cast<float>(*quanta);
         float own = amount;
         if constexpr (kLargeFluxes) {

@@ -67,8 +67,8 @@ struct FacePaint<F, true> {
 };
 
 /// What flows through a face is taken as an equal mixture of both cells: the mean of ln nu and that of
-/// tau_y, as anywhere else (paint_cell.hpp). At the film's edge it is the wet cell's paint. A trace of
-/// yield stress stands for none.
+/// tau_y, as anywhere else (paint_cell.hpp). At the film's edge it is the wet cell's paint. A
+/// negligible yield stress stands for none.
 template <FaceModel kModel, class F>
 PASTOSO_FACE_FUNCTION FacePaint<F, kModel.varied> face_paint(const FaceNeighbourhood<F>& face,
                                                              const StepConstants& step) {
@@ -180,7 +180,8 @@ PASTOSO_FACE_FUNCTION BinghamDrag<F> bingham_drag(F drag, F speed, F yield_speed
 }
 
 /// A face between wet and dry: the film's edge. It moves out only when the film is thicker than the
-/// contact angle pins, stands above the dry cell (and the trace of film in it), and is driven outwards.
+/// contact angle pins, stands above the dry cell (and the negligible film in it), and is driven
+/// outwards.
 template <class F>
 struct ContactFace {
     F acceleration;  ///< drive, mm/s2, signed along the axis

@@ -88,7 +88,7 @@ void for_each_painted_cell(const FilmState& film, const Visit& visit) {
 Measures measure(const FilmState& film, const Medium& medium, const Gravity& gravity,
                  const SolverOptions& options) {
     const Cells cells(film, options);
-    const double trace_mm = 1e-4 * film.cell_mm;
+    const double negligible_mm = 1e-4 * film.cell_mm;
     const double cos_angle = std::cos(core::radians(medium.advancing_angle_deg));
     const auto eta = [&](int x, int y) { return cells.eta(x, y); };
     const auto support = [&](int x, int y) { return cells.c(x, y); };
@@ -100,7 +100,7 @@ Measures measure(const FilmState& film, const Medium& medium, const Gravity& gra
         sums.moment_y += h * (y + 0.5);
         sums.max_h = std::max(sums.max_h, h);
         sums.gravity += h * (cells.c(x, y) + 0.5 * h);
-        if (h <= trace_mm) return;
+        if (h <= negligible_mm) return;
         const double u = cells.u(x, y), v = cells.v(x, y);
         sums.kinetic += h * (u * u + v * v);
         sums.surface += area_of(cells.slope2(x, y, eta), options.full_curvature) -

@@ -7,9 +7,10 @@
 
 namespace pastoso::film {
 
-/// Cells thinner than a trace, 1e-4 cell sizes, count as dry: the solver does not move them.
+/// A thickness below 1e-4 cell sizes is negligible: the cell counts as dry, and the solver does not move
+/// it.
 struct Measures {
-    double volume_mm3 = 0.0;  ///< dry traces included
+    double volume_mm3 = 0.0;  ///< cells that count as dry included
     double max_h_mm = 0.0;
     Point centroid;  ///< of the volume; not a number without paint
     Area wet_box;    ///< the smallest that holds all wet cells; not a number without any

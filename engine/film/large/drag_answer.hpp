@@ -50,7 +50,7 @@ constexpr float kKeptSlope = 0.25F;
 template <bool kYield, bool kCompare>
 float answer_row(const StepConstants& step, const float* pressure, int along, int first_x, int y,
                  LargeFaces& faces) {
-    constexpr float kTraceFlux = 0.02F, kNoError = 0.001F;
+    constexpr float kNegligibleFlux = 0.02F, kNoError = 0.001F;
     const Lanes zero(0.0F), courant(step.dt_s * step.inverse_cell);
     const Lanes cells(step.dt_s * step.inverse_cell * step.inverse_cell);
     Lanes worst(0.0F);
@@ -73,7 +73,7 @@ float answer_row(const StepConstants& step, const float* pressure, int along, in
         if constexpr (kCompare) {
             const Lanes flux = star * depth * cells - mobility * push * Lanes(1.0F / step.dt_s);
             const Lanes wrong = lanes::abs(Lanes(answer.flow * depth * cells - flux));
-            const Lanes passing = lanes::abs(flux) + Lanes(kTraceFlux);
+            const Lanes passing = lanes::abs(flux) + Lanes(kNegligibleFlux);
             if (lanes::any(implicit && wrong > Lanes(kNoError) * passing))
                 worst = lanes::max(worst, lanes::select(implicit, Lanes(wrong / passing), zero));
             // The depth may be another one than the last answer's.

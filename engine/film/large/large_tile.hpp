@@ -143,8 +143,8 @@ struct PatchCover {
     int patch_x, patch_y;  ///< of its first cell in the patch
 };
 
-/// Cells that can grant less than nine tenths of their outflow, and those of them that hold more than a
-/// trace (a twentieth of a cell size).
+/// Cells that can grant less than nine tenths of their outflow, and those of them that are
+/// thicker than a twentieth of a cell size.
 struct Shortage {
     int cells = 0, thick_cells = 0;
 };
