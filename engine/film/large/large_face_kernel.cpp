@@ -320,7 +320,7 @@ void cut_response(int columns, int rows, const CanvasEdges& edges, LargeTile& ti
 }  // namespace
 
 /// f = -(dt/dx) div(h_f u*)
-void find_source(const StepConstants& step, LargeTile& tile) {
+void compute_source(const StepConstants& step, LargeTile& tile) {
     const Lanes courant(step.dt_s * step.inverse_cell);
     const auto flow = [](const LargeFaces& faces, int f) {
         return load(&faces.star[f]) * load(&faces.depth[f]);
@@ -393,7 +393,7 @@ void start_pressure(const RestPressure& rest, int columns, int rows, const Canva
             store(&tile.pressure[cell], load(&large.pressure[window_index(x, y)]));
         }
     clear_beyond(columns, rows, edges, large.pressure);
-    find_change(large, tile);
+    compute_change(large, tile);
 }
 
 }  // namespace
@@ -417,7 +417,7 @@ float assemble_large_tile(const StepConstants& step, int columns, int rows, cons
     });
     shut_closed_faces(columns, rows, closed, tile);
     cut_response(columns, rows, edges, tile);
-    find_source(step, tile);
+    compute_source(step, tile);
     if (!again) start_pressure(rest, columns, rows, edges, large, tile);
     return error;
 }

@@ -68,14 +68,16 @@ struct Outflow {
 
 }  // namespace
 
-void find_large_velocities(const StepConstants& step, bool carrying, const LargeScratch& scratch,
-                           LargeTile& tile) {
+void compute_large_velocities(const StepConstants& step, bool carrying, const LargeScratch& scratch,
+                              LargeTile& tile) {
     const float* pressure = scratch.pressure.data();
-    const auto find_row = step.has_yield() || step.varied ? velocity_row<true> : velocity_row<false>;
+    const auto compute_row = step.has_yield() || step.varied ? velocity_row<true> : velocity_row<false>;
     Lanes largest(0.0F);
     for (int y = -1; y < kTileSize; ++y) {
-        largest = lanes::max(largest, find_row(step, pressure, carrying, kWindowStride, 0, y, tile.y));
-        if (y >= 0) largest = lanes::max(largest, find_row(step, pressure, carrying, 1, -1, y, tile.x));
+        largest =
+            lanes::max(largest, compute_row(step, pressure, carrying, kWindowStride, 0, y, tile.y));
+        if (y >= 0)
+            largest = lanes::max(largest, compute_row(step, pressure, carrying, 1, -1, y, tile.x));
     }
     tile.largest_mobility = lanes::stdx::hmax(largest);
 }
@@ -177,7 +179,7 @@ void slow_limited_faces(const StepConstants& step, const LargeScratch& large, La
         slow_row(large, kWindowStride, 0, y, tile.y);
         if (y >= 0) slow_row(large, 1, -1, y, tile.x);
     }
-    find_source(step, tile);
+    compute_source(step, tile);
 }
 
 namespace {
@@ -209,8 +211,8 @@ void flux_row(const StepConstants& step, const LargeScratch& large, int along, i
 
 }  // namespace
 
-FlowExtremes find_large_fluxes(const StepConstants& step, const LargeScratch& large,
-                               const LargeTile& tile, TileScratch& scratch) {
+FlowExtremes compute_large_fluxes(const StepConstants& step, const LargeScratch& large,
+                                  const LargeTile& tile, TileScratch& scratch) {
     FlowExtremes extremes;
     extremes.mobility = tile.largest_mobility * step.cell_mm * step.cell_mm / step.dt_s;
     for (int y = -1; y < kTileSize; ++y) {

@@ -14,7 +14,7 @@ float refine_yielding(const StepConstants& step, const LargeScratch& large, Larg
         error = lanes::max(error, answer_row<true, true>(step, pressure, kWindowStride, 0, y, tile.y));
         if (y >= 0) error = lanes::max(error, answer_row<true, true>(step, pressure, 1, -1, y, tile.x));
     }
-    find_source(step, tile);
+    compute_source(step, tile);
     return error;
 }
 

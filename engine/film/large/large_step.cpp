@@ -240,7 +240,7 @@ struct LargeStepper::Pass {
     template <class Test>
     bool any_around(const TilePlace& place, const Test& test) const;
     void answer_pressure();
-    void find_residuals(bool first);
+    void compute_residuals(bool first);
     ChosenPlaces places_to_correct(bool first);
     void correct(bool first);
     void blend();
@@ -251,7 +251,7 @@ struct LargeStepper::Pass {
     void solve(bool from_rest, LargeStepReport& report);
     Shortage share_outflow(const TilePlace& place, LargeTile& tile, LargeScratch& large,
                            CellArray& share) const;
-    Shortage find_velocities(LargeStepReport& report);
+    Shortage compute_velocities(LargeStepReport& report);
     Shortage share_inflow();
     void solve_within_supply(LargeStepReport& report);
     std::vector<TileResult> finish();
@@ -339,8 +339,8 @@ bool LargeStepper::Pass::refine_all(int pass) {
         gather_next(place, cells(&LargeTile::pressure), large.pressure);
         tile.flux_error = refine(place, tile, large, worker);
         revise(tile);
-        if (kept.restore(tile)) kernels.find_source(constants, tile);
-        kernels.find_change(large, tile);
+        if (kept.restore(tile)) kernels.compute_source(constants, tile);
+        kernels.compute_change(large, tile);
         tile.answered = true;
     });
     for (const TilePlace* place : unsteady)
@@ -413,14 +413,14 @@ void LargeStepper::Pass::answer_pressure() {
     for_each_of(stale,
                 [&](const TilePlace& place, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
                     gather_next(place, cells(&LargeTile::pressure), large.pressure);
-                    kernels.find_change(large, tile);
+                    kernels.compute_change(large, tile);
                     tile.answered = true;
                 });
 }
 
 /// The residuals of changes that are new. A tile's error is that of its patch's equations: it counts
 /// where these have changed.
-void LargeStepper::Pass::find_residuals(bool first) {
+void LargeStepper::Pass::compute_residuals(bool first) {
     const auto is_new = [](const LargeTile& tile) { return tile.answered; };
     const auto is_revised = [](const LargeTile& tile) { return tile.revised; };
     const ChosenPlaces stale = places_where([&](const TilePlace& place, LargeTile& tile) {
@@ -430,8 +430,9 @@ void LargeStepper::Pass::find_residuals(bool first) {
     for_each_of(
         stale, [&](const TilePlace& place, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
             gather_next(place, cells(&LargeTile::change), large.change);
-            const float error = kernels.find_residual(constants, place.columns.extent, place.rows.extent,
-                                                      state.thickness.read(place.tile), large, tile);
+            const float error =
+                kernels.compute_residual(constants, place.columns.extent, place.rows.extent,
+                                         state.thickness.read(place.tile), large, tile);
             if (tile.corrected) tile.error = error;
         });
 }
@@ -487,7 +488,7 @@ void LargeStepper::Pass::blend() {
 /// error of a smooth wave looks small to a cell, so that the first sweep is never spared.
 float LargeStepper::Pass::sweep(bool first) {
     if (!first) answer_pressure();
-    find_residuals(first);
+    compute_residuals(first);
     correct(first);
     blend();
     return largest_error();
@@ -525,7 +526,7 @@ Shortage LargeStepper::Pass::share_outflow(const TilePlace& place, LargeTile& ti
 
 /// The velocities that carry the paint, and how much of its outflow each cell can grant, counting on
 /// nothing from its neighbours. Returns how many cannot grant it all.
-Shortage LargeStepper::Pass::find_velocities(LargeStepReport& report) {
+Shortage LargeStepper::Pass::compute_velocities(LargeStepReport& report) {
     std::vector<Shortage> shortages(places.size());
     std::vector<int> cut_faces(places.size());
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
@@ -558,7 +559,7 @@ Shortage LargeStepper::Pass::share_inflow() {
 /// Solves again, with less mobility out of the cells that would have run empty.
 void LargeStepper::Pass::solve_within_supply(LargeStepReport& report) {
     for (int attempt = 0;; ++attempt) {
-        Shortage shortage = find_velocities(report);
+        Shortage shortage = compute_velocities(report);
         for (int pass = 0; pass < kMostSharePasses && shortage.cells > 0; ++pass)
             shortage = share_inflow();
         report.limited_cells = shortage.thick_cells;
@@ -567,7 +568,7 @@ void LargeStepper::Pass::solve_within_supply(LargeStepReport& report) {
             gather_next(places[index], cells(&LargeTile::share), large.share);
             kernels.slow_limited_faces(constants, large, tile);
             gather_next(places[index], cells(&LargeTile::pressure), large.pressure);
-            kernels.find_change(large, tile);
+            kernels.compute_change(large, tile);
             tile.answered = true;
             revise(tile);
         });

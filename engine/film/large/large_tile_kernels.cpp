@@ -4,11 +4,12 @@
 
 namespace pastoso::film {
 
-#define PASTOSO_LARGE_KERNELS_OF(isa)                                                                   \
-    LargeKernels {                                                                                      \
-        isa::assemble_large_tile, isa::refine_yielding, isa::find_source, isa::find_change,             \
-            isa::find_residual, isa::correct_patch, isa::blend_corrections, isa::find_large_velocities, \
-            isa::cut_to_capacity, isa::share_outflow, isa::slow_limited_faces, isa::find_large_fluxes   \
+#define PASTOSO_LARGE_KERNELS_OF(isa)                                                             \
+    LargeKernels {                                                                                \
+        isa::assemble_large_tile, isa::refine_yielding, isa::compute_source, isa::compute_change, \
+            isa::compute_residual, isa::correct_patch, isa::blend_corrections,                    \
+            isa::compute_large_velocities, isa::cut_to_capacity, isa::share_outflow,              \
+            isa::slow_limited_faces, isa::compute_large_fluxes                                    \
     }
 
 LargeKernels large_kernels_for([[maybe_unused]] core::Isa isa) {

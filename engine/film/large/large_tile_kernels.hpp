@@ -18,13 +18,13 @@ struct LargeKernels {
     /// pressure. Returns by what part a flux was wrong.
     float (*refine)(const StepConstants& step, const LargeScratch& large, LargeTile& tile);
     /// f = -(dt/dx) div(h_f u*)
-    void (*find_source)(const StepConstants& step, LargeTile& tile);
+    void (*compute_source)(const StepConstants& step, LargeTile& tile);
     /// d = f - A p from the gathered pressure.
-    void (*find_change)(const LargeScratch& large, LargeTile& tile);
+    void (*compute_change)(const LargeScratch& large, LargeTile& tile);
     /// The residual Pi + S d - p from the gathered change. Returns the largest error of thickness that
     /// it stands for, relative to the film or two cells of it.
-    float (*find_residual)(const StepConstants& step, int columns, int rows,
-                           const std::int32_t* thickness, const LargeScratch& large, LargeTile& tile);
+    float (*compute_residual)(const StepConstants& step, int columns, int rows,
+                              const std::int32_t* thickness, const LargeScratch& large, LargeTile& tile);
     /// The correction of the patch's pressure that removes the gathered residual, by that many V-cycles.
     /// `within` holds the cells of the patch within the canvas' open edges.
     void (*correct_patch)(const StepConstants& step, int cycles, const grid::Rect& within,

@@ -159,7 +159,7 @@ void smooth_from_zero(MultigridLevel& level, const Stiffness& stiffness, int swe
 }
 
 /// The residual that a sweep leaves: none in the cells of its last colour.
-void find_residual(MultigridLevel& level, const Stiffness& stiffness) {
+void compute_residual(MultigridLevel& level, const Stiffness& stiffness) {
     for (int y = 0; y < level.size; ++y) {
         const Neighbours at = neighbours(level, y, kFirstColour);
         for_each_group(level.half(), [&]<class V>(int k) {
@@ -315,7 +315,7 @@ void multigrid_cycle(const StepConstants& step, LargeScratch& scratch) {
         MultigridLevel& fine = scratch.levels[depth];
         MultigridLevel& coarse = scratch.levels[depth + 1];
         smooth_from_zero(fine, stiffness, kSweeps);
-        find_residual(fine, stiffness);
+        compute_residual(fine, stiffness);
         restrict_mean(fine, fine.change_residual, coarse, coarse.change_source);
         restrict_mean(fine, fine.pressure_residual, coarse, coarse.pressure_source);
     }

@@ -35,7 +35,7 @@ Lanes thickness_mm(const std::int32_t* quanta) {
 
 }  // namespace
 
-void find_change(const LargeScratch& large, LargeTile& tile) {
+void compute_change(const LargeScratch& large, LargeTile& tile) {
     for (int y = 0; y < kTileSize; ++y)
         for (int x = 0; x < kTileSize; x += kLanes) {
             const int cell = y * kTileSize + x;
@@ -44,8 +44,8 @@ void find_change(const LargeScratch& large, LargeTile& tile) {
         }
 }
 
-float find_residual(const StepConstants& step, int columns, int rows, const std::int32_t* thickness,
-                    const LargeScratch& large, LargeTile& tile) {
+float compute_residual(const StepConstants& step, int columns, int rows, const std::int32_t* thickness,
+                       const LargeScratch& large, LargeTile& tile) {
     const Lanes gravity(step.gravity_mm_s2),
         tension(step.tension * step.inverse_cell * step.inverse_cell);
     // In thick paint the same relative error would be a ripple that shows.
@@ -87,7 +87,7 @@ void merge_patch(const MultigridLevel& finest, const LevelValues& values, Window
 }
 
 /// The correction that a V-cycle finds for the residual.
-void find_direction(const StepConstants& step, LargeScratch& scratch) {
+void compute_direction(const StepConstants& step, LargeScratch& scratch) {
     MultigridLevel& finest = scratch.levels[0];
     split_patch(scratch.residual, finest, finest.pressure_source);
     multigrid_cycle(step, scratch);
@@ -162,7 +162,7 @@ void descend(const StepConstants& step, int cycles, LargeScratch& scratch, Windo
     constexpr double kSolved = 1e-3;
     double last_curvature = 0.0, first_decrease = 0.0;
     for (int cycle = 0; cycle < cycles; ++cycle) {
-        find_direction(step, scratch);
+        compute_direction(step, scratch);
         respond(step, scratch);
         if (last_curvature > 0.0) {
             const auto overlap =
@@ -194,7 +194,7 @@ void correct_patch(const StepConstants& step, int cycles, const grid::Rect& with
     prepare_multigrid(step, within, scratch);
     const WindowArray* found = &scratch.direction;
     if (cycles == 1) {
-        find_direction(step, scratch);
+        compute_direction(step, scratch);
     } else {
         scratch.correction.fill(0.0F);
         descend(step, cycles, scratch, scratch.correction);
