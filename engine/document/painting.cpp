@@ -104,7 +104,7 @@ PaintingState Painting::Parts::state() const {
     PASTOSO_CHECK(!stroke);
     PaintingState state{.settings = bare->settings,
                         .tick = tick,
-                        .canvas = {film, solver.memory()},
+                        .canvas = {film, solver.state()},
                         .layers = canvas.stack(),
                         .bare_support_mm = canvas.bare_mm(),
                         .medium = used_medium,
@@ -118,7 +118,7 @@ PaintingState Painting::Parts::state() const {
                         .taken = taken,
                         .wiped = wiped,
                         .forgotten_run_off = forgotten_run_off};
-    if (well) state.well = SurfaceState{well->film, well->solver.memory()};
+    if (well) state.well = SurfaceState{well->film, well->solver.state()};
     if (brush) state.brush = BrushState{taken_brush, brush->held, brush->strokes_begun};
     return state;
 }

@@ -7,7 +7,7 @@
 #include "document/layers.hpp"
 #include "document/selection.hpp"
 #include "film/cell/ageing.hpp"
-#include "film/solver_memory.hpp"
+#include "film/solver_state.hpp"
 #include "film/state.hpp"
 #include "layers/tracing.hpp"
 
@@ -18,10 +18,10 @@
 
 namespace pastoso::document {
 
-/// Wet paint and what its solver remembers of it.
+/// Wet paint and the state of its solver.
 struct SurfaceState {
     film::FilmState film;
-    film::SolverMemory solver;
+    film::SolverState solver;
 };
 
 /// The brush in hand.

@@ -5,7 +5,7 @@
 #include "film/explicit/halo_block.hpp"
 #include "film/explicit/tile_update.hpp"
 #include "film/large/large_step.hpp"
-#include "film/solver_memory.hpp"
+#include "film/solver_state.hpp"
 #include "film/step_plan.hpp"
 #include "film/step_setup.hpp"
 #include "film/tile_activity.hpp"
@@ -339,7 +339,7 @@ void Solver::restart(const std::vector<bool>& awake) {
     PASTOSO_CHECK_OP(awake.size(), ==, parts_->window_start.size());
     parts_->activity.restore(parts_->activity.calls(), std::vector<TileActivity>(awake.size()));
     parts_->window_start.assign(awake.size(), {});
-    parts_->large.recall(LargeStepper::Memory(awake.size()));
+    parts_->large.restore(LargeStepper::Pressures(awake.size()));
     for (std::size_t tile = 0; tile < awake.size(); ++tile)
         if (awake[tile]) parts_->activity.wake(static_cast<int>(tile));
 }
@@ -357,14 +357,14 @@ std::optional<AdvanceReport> Solver::advance_unless(const std::function<bool()>&
     const ActivityMap activity = parts_->activity;
     const auto window_start = parts_->window_start;
     const Totals runoff = parts_->runoff;
-    const LargeStepper::Memory pressures = parts_->large.remember();
+    const LargeStepper::Pressures pressures = parts_->large.pressures();
     AdvanceReport report;
     if (parts_->advance(seconds, cancelled, report)) return report;
     parts_->state = state;
     parts_->activity = activity;
     parts_->window_start = window_start;
     parts_->runoff = runoff;
-    parts_->large.recall(pressures);
+    parts_->large.restore(pressures);
     return std::nullopt;
 }
 
@@ -386,34 +386,34 @@ int Solver::awake_tile_count() const {
     return parts_->activity.awake_count();
 }
 
-SolverMemory Solver::memory() const {
-    SolverMemory memory{.calls = parts_->activity.calls(), .runoff = parts_->runoff};
-    const LargeStepper::Memory pressures = parts_->large.remember();
+SolverState Solver::state() const {
+    SolverState state{.calls = parts_->activity.calls(), .runoff = parts_->runoff};
+    const LargeStepper::Pressures pressures = parts_->large.pressures();
     for (int tile = 0; tile < parts_->state.shape.tile_count(); ++tile) {
         const TileActivity& activity = parts_->activity.tile(tile);
         if (activity.awake) {
-            memory.awake.push_back({tile, activity, {}});
-            if (activity.window_s > 0.0F) memory.awake.back().window_start = parts_->window_start[tile];
+            state.awake.push_back({tile, activity, {}});
+            if (activity.window_s > 0.0F) state.awake.back().window_start = parts_->window_start[tile];
         }
-        if (pressures[tile]) memory.pressures.push_back({tile, *pressures[tile]});
+        if (pressures[tile]) state.pressures.push_back({tile, *pressures[tile]});
     }
-    return memory;
+    return state;
 }
 
-void Solver::restore(const SolverMemory& memory) {
+void Solver::restore(const SolverState& state) {
     std::vector<TileActivity> tiles(parts_->state.shape.tile_count());
     parts_->window_start.assign(tiles.size(), {});
-    for (const SolverMemory::AwakeTile& awake : memory.awake) {
+    for (const SolverState::AwakeTile& awake : state.awake) {
         PASTOSO_CHECK(awake.window_start || awake.activity.window_s == 0.0F);
         tiles[awake.tile] = awake.activity;
         parts_->window_start[awake.tile] = awake.window_start;
     }
-    parts_->activity.restore(memory.calls, std::move(tiles));
-    LargeStepper::Memory pressures(parts_->window_start.size());
-    for (const SolverMemory::TilePressure& known : memory.pressures)
+    parts_->activity.restore(state.calls, std::move(tiles));
+    LargeStepper::Pressures pressures(parts_->window_start.size());
+    for (const SolverState::TilePressure& known : state.pressures)
         pressures[known.tile] = std::make_unique<const CellArray>(known.pressure_mm2_s2);
-    parts_->large.recall(pressures);
-    parts_->runoff = memory.runoff;
+    parts_->large.restore(pressures);
+    parts_->runoff = state.runoff;
 }
 
 }  // namespace pastoso::film

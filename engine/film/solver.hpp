@@ -56,7 +56,7 @@ struct SolverOptions {
     double longest_wait_s = 0.0;
 };
 
-struct SolverMemory;
+struct SolverState;
 
 /// What a call of advance() did.
 struct AdvanceReport {
@@ -125,11 +125,11 @@ class Solver {
     const Totals& runoff() const;
     int awake_tile_count() const;
 
-    /// What the next advance() depends on besides the state, the medium, gravity and the air. A solver
-    /// of an equal state that is given it, all else being equal, goes on to the same bits. Tiles are
-    /// those of the state, and no number is infinite.
-    SolverMemory memory() const;
-    void restore(const SolverMemory& memory);
+    /// What the next advance() depends on besides the film, the medium, gravity and the air. A solver of
+    /// an equal film that is given it, all else being equal, goes on to the same bits. Tiles are those
+    /// of the film, and no number is infinite.
+    SolverState state() const;
+    void restore(const SolverState& state);
 
   private:
     struct Parts;

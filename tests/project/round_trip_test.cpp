@@ -28,7 +28,7 @@ class ProjectRoundTrip : public io::TemporaryFolder {
     core::ThreadPool pool{2};
 };
 
-void expect_equal(const film::SolverMemory& a, const film::SolverMemory& b) {
+void expect_equal(const film::SolverState& a, const film::SolverState& b) {
     EXPECT_EQ(a.calls, b.calls);
     EXPECT_EQ(a.runoff.thickness, b.runoff.thickness);
     ASSERT_EQ(a.awake.size(), b.awake.size());

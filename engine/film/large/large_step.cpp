@@ -636,19 +636,20 @@ LargeStepper::LargeStepper(grid::Shape shape, Edge edge_x, Edge edge_y, int thre
         scratch_.push_back(std::make_unique<LargeScratch>());
 }
 
-LargeStepper::Memory LargeStepper::remember() const {
-    Memory memory(tiles_.size());
+LargeStepper::Pressures LargeStepper::pressures() const {
+    Pressures pressures(tiles_.size());
     for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
-        if (tiles_[tile]) memory[tile] = std::make_unique<const CellArray>(tiles_[tile]->last_pressure);
-    return memory;
+        if (tiles_[tile])
+            pressures[tile] = std::make_unique<const CellArray>(tiles_[tile]->last_pressure);
+    return pressures;
 }
 
-void LargeStepper::recall(const Memory& memory) {
+void LargeStepper::restore(const Pressures& pressures) {
     for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
         tiles_[tile].reset();
-        if (!memory[tile]) continue;
+        if (!pressures[tile]) continue;
         tiles_[tile] = std::make_unique<LargeTile>();
-        tiles_[tile]->last_pressure = *memory[tile];
+        tiles_[tile]->last_pressure = *pressures[tile];
     }
 }
 

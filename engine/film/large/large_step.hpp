@@ -42,9 +42,9 @@ class LargeStepper {
     void forget(int tile) { tiles_[tile].reset(); }
 
     /// What a step leaves for the next one: the pressure of each tile's surface, where there was one.
-    using Memory = std::vector<std::unique_ptr<const CellArray>>;
-    Memory remember() const;
-    void recall(const Memory& memory);
+    using Pressures = std::vector<std::unique_ptr<const CellArray>>;
+    Pressures pressures() const;
+    void restore(const Pressures& pressures);
 
   private:
     struct Windows {

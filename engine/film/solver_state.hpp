@@ -1,5 +1,5 @@
-// What a solver knows of a film besides the film itself: which tiles are awake, since when, and the last
-// pressures. A solver that gets it back goes on to the same bits.
+// The state of a solver besides the film itself: which tiles are awake, since when, and the pressures of
+// the last step. A solver that is given it back goes on to the same bits.
 #pragma once
 
 #include "film/state.hpp"
@@ -11,7 +11,7 @@
 
 namespace pastoso::film {
 
-struct SolverMemory {
+struct SolverState {
     /// A tile that is awake.
     struct AwakeTile {
         int tile = 0;
