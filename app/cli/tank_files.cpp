@@ -51,7 +51,7 @@ TankFiles::TankFiles(std::filesystem::path folder, const FrameFileOptions& optio
     : tank_(tank),
       pool_(pool),
       files_(std::move(folder), "liquid", options, pool),
-      surfaces_(tank.room(), pool) {}
+      surfaces_(tank.domain(), pool) {}
 
 void TankFiles::write(int number, const MeasuredFrame& measured) {
     using enum FrameFiles::Kind;

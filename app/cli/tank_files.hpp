@@ -21,7 +21,7 @@ struct MeasuredFrame {
 class TankMeasures {
   public:
     TankMeasures(const tank::LiquidTank& tank, core::ThreadPool& pool)
-        : tank_(tank), pool_(pool), surfaces_(tank.room(), pool) {}
+        : tank_(tank), pool_(pool), surfaces_(tank.domain(), pool) {}
     MeasuredFrame measured();
 
   private:

@@ -41,11 +41,11 @@ void TankRenderer::upload_level(bool anew) {
 }
 
 /// At the same points as the level: the middles of the cells, and of those around the box.
-void TankRenderer::upload_solids(const tank::Room& room) {
-    has_solids_ = room.has_solids();
-    const grid::BoxShape& shape = room.shape();
+void TankRenderer::upload_solids(const tank::Domain& domain) {
+    has_solids_ = domain.has_solids();
+    const grid::BoxShape& shape = domain.shape();
     upload_volume(*gl_, solids_,
-                  {room.distance_m().row(-1, -1) - 1, shape.nx + 2, shape.ny + 2, shape.nz + 2,
+                  {domain.distance_m().row(-1, -1) - 1, shape.nx + 2, shape.ny + 2, shape.nz + 2,
                    shape.stride_y(), shape.stride_z()},
                   true);
 }
@@ -55,7 +55,7 @@ void TankRenderer::show(std::shared_ptr<const session::TankMoment> moment) {
     moment_ = std::move(moment);
     gl_->glActiveTexture(GL_TEXTURE0 + kLevelUnit);
     upload_level(anew);
-    if (anew) upload_solids(*moment_->place->room);
+    if (anew) upload_solids(*moment_->place->domain);
     const grid::BoxField& milk = moment_->seen.milk;
     const grid::BoxShape& shape = milk.shape();
     upload_volume(*gl_, milk_,

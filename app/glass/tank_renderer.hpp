@@ -21,7 +21,7 @@ class TankRenderer : public LiquidRenderer {
 
   private:
     void upload_level(bool anew);
-    void upload_solids(const tank::Room& room);
+    void upload_solids(const tank::Domain& domain);
 
     QOpenGLExtraFunctions* gl_ = nullptr;
     std::unique_ptr<QOpenGLShaderProgram> program_;

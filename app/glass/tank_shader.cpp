@@ -5,7 +5,7 @@ namespace pastoso::glass {
 // What is simplified: a ray does not split but for the first reflections, and light comes straight from
 // the lamp, weakened by the liquid on its way as if that stood still.
 const char* const kTankShader = R"(
-uniform vec3 size_m;                // the room: from the origin
+uniform vec3 size_m;                // the box: from the origin
 uniform float wall_m, cell_m, unit_m, rest_m;
 uniform vec3 cells;
 uniform vec3 liquid_per_m;
@@ -101,15 +101,15 @@ vec3 milk_light(vec3 normal) {
     return LAMP * (0.85 * max(0.0, (facing + 0.3) / 1.3) + 0.10) + SKY * (0.60 + 0.40 * normal.z);
 }
 
-// ---- the room
+// ---- the box
 
 struct Meeting {
     float way;
     vec3 normal;   // against the ray
-    int what;      // 0: the room's end, 1: the liquid's surface, 2: a solid
+    int what;      // 0: the end of the box, 1: the liquid's surface, 2: a solid
 };
 
-/// From a point of the room, in liquid or in air, at most `most` far. Milk on the way dims and lights.
+/// From a point of the box, in liquid or in air, at most `most` far. Milk on the way dims and lights.
 Meeting march(vec3 from, vec3 way, float most, bool wet, vec3 from_normal, float grain_here, inout vec3 weight,
               inout vec3 light) {
     float side = wet ? -1.0 : 1.0;
@@ -187,9 +187,9 @@ vec3 trace(vec3 from, vec3 way, float grain_here) {
         if (region == GLASS) {
             vec3 out_normal, in_normal, unused;
             float leaves = slab(from, way, low, high, unused, out_normal).y;
-            vec2 room = slab(from, way, vec3(0.0), vec3(size_m.xy, size_m.z + unit_m), in_normal, unused);
-            bool enters = room.x < room.y && room.x > 1e-4 * wall_m && room.x < leaves;
-            float along = enters ? room.x : leaves;
+            vec2 span = slab(from, way, vec3(0.0), vec3(size_m.xy, size_m.z + unit_m), in_normal, unused);
+            bool enters = span.x < span.y && span.x > 1e-4 * wall_m && span.x < leaves;
+            float along = enters ? span.x : leaves;
             from += way * max(along, 0.0);
             weight *= exp(-GLASS_PER_M * max(along, 0.0));
             if (enters) {

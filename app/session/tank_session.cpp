@@ -89,7 +89,7 @@ void TankSession::make_tank(const tank::TankScene& scene) {
     tank_ = std::move(made);
     drains_open_ = !scene.drains.empty();
     tank_->open_drains(drains_open_);
-    place_ = std::make_shared<const TankPlace>(TankPlace{used, tank_->shared_room()});
+    place_ = std::make_shared<const TankPlace>(TankPlace{used, tank_->shared_domain()});
     wind_ = wind_of(scene);
     moments_ = 0;
     taken_ = false;
@@ -198,7 +198,7 @@ liquid::TriangleMesh liquid_surface(const TankPlace& place, const TankSeen& seen
     tank::TankFrame frame;
     frame.level_m = seen.level_m;
     liquid::TriangleMesh mesh;
-    tank::TankSurfaces(*place.room, pool).make(frame, reach_m, mesh);
+    tank::TankSurfaces(*place.domain, pool).make(frame, reach_m, mesh);
     return mesh;
 }
 

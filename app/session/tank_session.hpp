@@ -15,7 +15,7 @@ inline constexpr double kTankMoment_s = 1.0 / 60.0;  ///< between moments that a
 /// What stays while the liquid moves.
 struct TankPlace {
     tank::TankScene scene;  ///< with a drain in any case
-    std::shared_ptr<const tank::Room> room;
+    std::shared_ptr<const tank::Domain> domain;
 };
 
 /// The wind as the hand sets it.

@@ -18,19 +18,19 @@ float theta(float level, float level_beyond) {
 
 }  // namespace
 
-FreeSurface::FreeSurface(const Room& room, const liquid::Kernels& kernels)
-    : room_(&room),
-      solver_(room.shape(), kernels),
-      matrix_(room.shape()),
-      near_rows_(room.shape()),
-      rows_(room.shape()),
-      level_m_(room.shape(), room.shape().cell_m),
-      liquid_(room.shape()),
-      pressure_(room.shape()),
-      source_(room.shape()) {}
+FreeSurface::FreeSurface(const Domain& domain, const liquid::Kernels& kernels)
+    : domain_(&domain),
+      solver_(domain.shape(), kernels),
+      matrix_(domain.shape()),
+      near_rows_(domain.shape()),
+      rows_(domain.shape()),
+      level_m_(domain.shape(), domain.shape().cell_m),
+      liquid_(domain.shape()),
+      pressure_(domain.shape()),
+      source_(domain.shape()) {}
 
 void FreeSurface::clear(core::ThreadPool& pool) {
-    const grid::BoxShape& shape = room_->shape();
+    const grid::BoxShape& shape = domain_->shape();
     liquid::for_slices(pool, 0, shape.nz, [&](int k) {
         for (int j = 0; j < shape.ny; ++j) {
             const RowRange row = near_rows_.at(j, k);
@@ -43,14 +43,14 @@ void FreeSurface::clear(core::ThreadPool& pool) {
 }
 
 void FreeSurface::update(const liquid::RowRanges& rows, core::ThreadPool& pool) {
-    const grid::BoxShape& shape = room_->shape();
+    const grid::BoxShape& shape = domain_->shape();
     clear(pool);
     near_rows_ = rows;
     liquid_cells_ = liquid::sum_over_slices(pool, shape.nz, [&](int k) {
         long count = 0;
         for (int j = 0; j < shape.ny; ++j) {
             const RowRange row = near_rows_.at(j, k);
-            const float *level = level_m_.row(j, k), *open = room_->walls().open_cells().row(j, k);
+            const float *level = level_m_.row(j, k), *open = domain_->walls().open_cells().row(j, k);
             float* liquid = liquid_.row(j, k);
             rows_.at(j, k) = {};
             for (int i = row.begin; i < row.end; ++i) {
@@ -69,14 +69,14 @@ void FreeSurface::update(const liquid::RowRanges& rows, core::ThreadPool& pool) 
 }
 
 void FreeSurface::build_row(int j, int k) {
-    const grid::BoxShape& shape = room_->shape();
+    const grid::BoxShape& shape = domain_->shape();
     const RowRange row = rows_.at(j, k);
     const std::ptrdiff_t steps[] = {1, shape.stride_y(), shape.stride_z()};
     const float *liquid = liquid_.row(j, k), *level = level_m_.row(j, k);
     float* boundary = matrix_.boundary.row(j, k);
     for (const int axis : liquid::kAxes) {
         const std::ptrdiff_t step = steps[axis];
-        const float* open = room_->walls().open().along(axis).row(j, k);
+        const float* open = domain_->walls().open().along(axis).row(j, k);
         float* faces = matrix_.faces.along(axis).row(j, k);
         for (int i = row.begin; i < row.end; ++i) {
             if (!(liquid[i] > 0.0F)) continue;
@@ -92,14 +92,14 @@ void FreeSurface::build_row(int j, int k) {
 }
 
 liquid::Region FreeSurface::region() const {
-    const grid::BoxShape& shape = room_->shape();
+    const grid::BoxShape& shape = domain_->shape();
     liquid::VelocityField open(shape);
     for (const int axis : kAxes) {
         const std::ptrdiff_t step = liquid::stride(shape, axis);
         for (int k = 0; k < shape.nz; ++k)
             for (int j = 0; j < shape.ny; ++j) {
                 const RowRange row = near_rows_.at(j, k);
-                const float *share = room_->walls().open().along(axis).row(j, k),
+                const float *share = domain_->walls().open().along(axis).row(j, k),
                             *liquid = liquid_.row(j, k);
                 float* out = open.along(axis).row(j, k);
                 for (int i = row.begin; i < row.end; ++i)
@@ -111,7 +111,7 @@ liquid::Region FreeSurface::region() const {
 
 /// Sum of w u over the faces of a cell.
 float FreeSurface::divergence(const liquid::VelocityField& velocity, int i, int j, int k) const {
-    const liquid::VelocityField& open = room_->walls().open();
+    const liquid::VelocityField& open = domain_->walls().open();
     const auto flux = [&](int axis, int di, int dj, int dk) {
         return open.along(axis).at(i + di, j + dj, k + dk) *
                velocity.along(axis).at(i + di, j + dj, k + dk);
@@ -123,7 +123,7 @@ float FreeSurface::divergence(const liquid::VelocityField& velocity, int i, int 
 liquid::SolveResult FreeSurface::project(liquid::VelocityField& velocity,
                                          const grid::BoxField* growth_m_s,
                                          const liquid::SolveLimits& limits, core::ThreadPool& pool) {
-    const grid::BoxShape& shape = room_->shape();
+    const grid::BoxShape& shape = domain_->shape();
     if (liquid_cells_ == 0) return {};
     liquid::for_slices(pool, 0, shape.nz, [&](int k) {
         for (int j = 0; j < shape.ny; ++j) {
@@ -146,10 +146,10 @@ liquid::SolveResult FreeSurface::project(liquid::VelocityField& velocity,
 }
 
 void FreeSurface::subtract_gradient(int axis, int j, int k, liquid::VelocityField& velocity) const {
-    const grid::BoxShape& shape = room_->shape();
+    const grid::BoxShape& shape = domain_->shape();
     const RowRange row = near_rows_.at(j, k);
     const std::ptrdiff_t step = liquid::stride(shape, axis);
-    const float *open = room_->walls().open().along(axis).row(j, k), *liquid = liquid_.row(j, k),
+    const float *open = domain_->walls().open().along(axis).row(j, k), *liquid = liquid_.row(j, k),
                 *level = level_m_.row(j, k), *p = pressure_.row(j, k);
     float* u = velocity.along(axis).row(j, k);
     for (int i = row.begin; i < row.end; ++i) {

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "liquid/pressure/conjugate_gradients.hpp"
-#include "tank/room.hpp"
+#include "tank/domain.hpp"
 
 #include <utility>
 
@@ -21,7 +21,7 @@ inline constexpr float kLeastTheta = 0.1F;
 
 class FreeSurface {
   public:
-    explicit FreeSurface(const Room& room, const liquid::Kernels& kernels = liquid::kernels());
+    explicit FreeSurface(const Domain& domain, const liquid::Kernels& kernels = liquid::kernels());
 
     /// The signed distance from the surface in metres, negative in the liquid, at cells' middles. Who
     /// changes it calls update().
@@ -46,7 +46,7 @@ class FreeSurface {
     liquid::Region region() const;
     /// p dt / (rho cell), in m/s.
     const grid::BoxField& pressure() const { return pressure_; }
-    /// Where the next solution begins; of the room's shape.
+    /// Where the next solution begins; of the domain's shape.
     void set_pressure(grid::BoxField pressure) { pressure_ = std::move(pressure); }
 
   private:
@@ -55,7 +55,7 @@ class FreeSurface {
     float divergence(const liquid::VelocityField& velocity, int i, int j, int k) const;
     void subtract_gradient(int axis, int j, int k, liquid::VelocityField& velocity) const;
 
-    const Room* room_;
+    const Domain* domain_;
     liquid::ConjugateGradients solver_;
     liquid::CellMatrix matrix_;
     liquid::RowRanges near_rows_, rows_;  ///< those of update(), and what of them is liquid

@@ -34,9 +34,9 @@ float GlassDistance::operator()(const glm::vec3& point_m) const {
     for (std::size_t i = 0; i + 1 < outline_m_.size(); ++i)
         nearest2 = std::min(nearest2, distance2(outline_m_[i], outline_m_[i + 1], {radius, z}));
     const float inner = cup_.inner_radius_m(z);
-    const bool in_room = z >= cup_.floor_m && radius < inner;
+    const bool inside = z >= cup_.floor_m && radius < inner;
     const bool in_glass = z >= cup_.foot_m && z <= cup_.rim_m && radius < inner + cup_.wall_m;
-    return in_glass && !in_room ? -std::sqrt(nearest2) : std::sqrt(nearest2);
+    return in_glass && !inside ? -std::sqrt(nearest2) : std::sqrt(nearest2);
 }
 
 }  // namespace pastoso::tank

@@ -45,22 +45,22 @@ std::array<RowRanges, 4> no_rows(const grid::BoxShape& shape) {
 
 }  // namespace
 
-LevelSetLiquid::LevelSetLiquid(const Room& room, Method method, std::uint32_t seed)
-    : room_(&room),
-      surface_(room),
+LevelSetLiquid::LevelSetLiquid(const Domain& domain, Method method, std::uint32_t seed)
+    : domain_(&domain),
+      surface_(domain),
       scheme_(method == Method::UpwindLevelSet ? LevelSetScheme::Upwind
                                                : LevelSetScheme::SemiLagrangian),
-      level_advection_(room.shape()),
-      reinitialisation_(room.shape()),
-      extension_(room.shape()),
-      advection_(room.shape(), no_rows(room.shape()), liquid::Edges::Walls),
-      velocity_(room.shape()),
-      advected_(room.shape()),
-      known_(room.shape()),
-      milk_(room.shape()),
-      advected_milk_(room.shape()),
-      advected_share_(room.shape()),
-      growth_(room.shape()) {
+      level_advection_(domain.shape()),
+      reinitialisation_(domain.shape()),
+      extension_(domain.shape()),
+      advection_(domain.shape(), no_rows(domain.shape()), liquid::Edges::Walls),
+      velocity_(domain.shape()),
+      advected_(domain.shape()),
+      known_(domain.shape()),
+      milk_(domain.shape()),
+      advected_milk_(domain.shape()),
+      advected_share_(domain.shape()),
+      growth_(domain.shape()) {
     std::ranges::fill(level_m().values(), kLevelSetReach_cells * shape().cell_m);
     if (method == Method::ParticleLevelSet) {
         SurfaceParticleSettings settings;
@@ -146,12 +146,12 @@ void LevelSetLiquid::take_stock(core::ThreadPool& pool) {
 }
 
 double LevelSetLiquid::volume_m3(core::ThreadPool& pool) const {
-    if (!room_->has_solids()) return liquid_volume_m3(surface_.level_m(), pool);
+    if (!domain_->has_solids()) return liquid_volume_m3(surface_.level_m(), pool);
     // What the level set says within solids is no liquid.
     grid::BoxField free_level = surface_.level_m();
-    const std::vector<float>& room = room_->distance_m().values();
-    for (std::size_t n = 0; n < room.size(); ++n)
-        free_level.values()[n] = std::max(free_level.values()[n], -room[n]);
+    const std::vector<float>& domain = domain_->distance_m().values();
+    for (std::size_t n = 0; n < domain.size(); ++n)
+        free_level.values()[n] = std::max(free_level.values()[n], -domain[n]);
     return liquid_volume_m3(free_level, pool);
 }
 
@@ -176,15 +176,15 @@ liquid::SolveResult LevelSetLiquid::step(const TankScene& scene, const Wind* win
     surface_.update(near_, pool);
     add_gravity_and_wind(scene, wind, dt_s, level_m(), kWindReach_cells * shape().cell_m, samples_,
                          velocity_, pool);
-    room_->stop_at_walls(samples_, velocity_, pool);
+    domain_->stop_at_walls(samples_, velocity_, pool);
     inner_forces_.add(scene, surface_, dt_s, velocity_, pool);
     find_growth(scene, dt_s);
     const liquid::SolveResult pressure =
         surface_.project(velocity_, &growth_, pressure_limits(scene), pool);
     find_known(pool);
     extension_.extend(level_m(), known_, kVelocityReach_cells, velocity_, pool);
-    room_->walls().extrapolate(velocity_, pool);
-    room_->stop_at_walls(samples_, velocity_, pool);
+    domain_->walls().extrapolate(velocity_, pool);
+    domain_->stop_at_walls(samples_, velocity_, pool);
     carry_surface(dt_s, pool);
     carry_velocity_and_milk(dt_s, pool);
     last_m3_ = volume_m3(pool);
@@ -209,7 +209,7 @@ void LevelSetLiquid::find_known(core::ThreadPool& pool) {
         for (int j = 0; j <= box.ny; ++j)
             for (const int axis : kAxes) {
                 const std::ptrdiff_t step = liquid::stride(box, axis);
-                const float *open = room_->walls().open().along(axis).row(j, k),
+                const float *open = domain_->walls().open().along(axis).row(j, k),
                             *liquid = surface_.liquid().row(j, k);
                 float* known = known_.along(axis).row(j, k);
                 for (int i = 0; i <= box.nx; ++i) {
@@ -312,7 +312,7 @@ void LevelSetLiquid::set_state(LiquidState state, core::ThreadPool& pool) {
 }
 
 void LevelSetLiquid::show(TankFrame& frame, core::ThreadPool& pool) const {
-    sample_level(surface_.level_m(), *room_, frame.level_m, pool);
+    sample_level(surface_.level_m(), *domain_, frame.level_m, pool);
     frame.milk = milk_;
 }
 

@@ -20,7 +20,7 @@ namespace pastoso::tank {
 class LevelSetLiquid final : public LiquidMethod {
   public:
     /// Any method but Method::Particles.
-    LevelSetLiquid(const Room& room, Method method, std::uint32_t seed);
+    LevelSetLiquid(const Domain& domain, Method method, std::uint32_t seed);
 
     void add(const LiquidBody& body) override;
     void drain(const CellSet& cells) override;
@@ -38,7 +38,7 @@ class LevelSetLiquid final : public LiquidMethod {
     void set_state(LiquidState state, core::ThreadPool& pool) override;
 
   private:
-    const grid::BoxShape& shape() const { return room_->shape(); }
+    const grid::BoxShape& shape() const { return domain_->shape(); }
     grid::BoxField& level_m() { return surface_.level_m(); }
     void put(const liquid::SignedDistance& form_m, const glm::vec3& velocity_m_s, float milk);
     void set_velocity(const glm::ivec3& cell, const glm::vec3& velocity_m_s);
@@ -51,7 +51,7 @@ class LevelSetLiquid final : public LiquidMethod {
     void carry_milk(float dt_s, core::ThreadPool& pool);
     void find_fastest(core::ThreadPool& pool);
 
-    const Room* room_;
+    const Domain* domain_;
     FreeSurface surface_;
     LevelSetScheme scheme_;
     LevelSetAdvection level_advection_;

@@ -9,11 +9,11 @@ constexpr int kMaxIterations = 60;
 
 }  // namespace
 
-Nozzle nozzle_of(const Jet& jet, const Room& room) {
+Nozzle nozzle_of(const Jet& jet, const Domain& domain) {
     Nozzle nozzle = {ShapeDistance(jet.shape), {}, 0};
-    nozzle.cells = CellSet(room.shape(), nozzle.form_m);
+    nozzle.cells = CellSet(domain.shape(), nozzle.form_m);
     nozzle.cells.order_along(jet.velocity_m_s);
-    nozzle.full_count = full_count(nozzle.cells, room, nozzle.form_m);
+    nozzle.full_count = full_count(nozzle.cells, domain, nozzle.form_m);
     return nozzle;
 }
 

@@ -18,7 +18,7 @@ struct Nozzle {
     CellSet cells;       ///< upstream first
     int full_count = 0;  ///< of particles
 };
-Nozzle nozzle_of(const Jet& jet, const Room& room);
+Nozzle nozzle_of(const Jet& jet, const Domain& domain);
 
 /// How exactly a scene wants its pressure solved.
 liquid::SolveLimits pressure_limits(const TankScene& scene);
@@ -55,7 +55,7 @@ class LiquidMethod {
 
     /// Between two steps.
     virtual LiquidState state() const = 0;
-    /// Throws InputError when it is none of this method in this room.
+    /// Throws InputError when it is not a state of this method in this domain.
     virtual void set_state(LiquidState state, core::ThreadPool& pool) = 0;
 };
 

@@ -39,21 +39,21 @@ bool is_between(double time_s, double from_s, double until_s) {
     return time_s >= from_s && time_s < until_s;
 }
 
-std::unique_ptr<LiquidMethod> method_of(const TankScene& scene, const Room& room) {
-    if (scene.method == Method::Particles) return std::make_unique<ParticleLiquid>(room, scene.seed);
-    return std::make_unique<LevelSetLiquid>(room, scene.method, scene.seed);
+std::unique_ptr<LiquidMethod> method_of(const TankScene& scene, const Domain& domain) {
+    if (scene.method == Method::Particles) return std::make_unique<ParticleLiquid>(domain, scene.seed);
+    return std::make_unique<LevelSetLiquid>(domain, scene.method, scene.seed);
 }
 
 }  // namespace
 
 LiquidTank::LiquidTank(const TankScene& scene)
     : scene_((check_tank(scene), scene)),
-      room_(std::make_shared<const Room>(shape_of(scene), solid_distance(scene))),
-      method_(method_of(scene, *room_)) {
+      domain_(std::make_shared<const Domain>(shape_of(scene), solid_distance(scene))),
+      method_(method_of(scene, *domain_)) {
     for (const Drain& drain : scene_.drains)
         drains_.emplace_back(shape(), ShapeDistance(drain.shape));
     for (const Jet& jet : scene_.jets)
-        nozzles_.push_back(nozzle_of(jet, *room_));
+        nozzles_.push_back(nozzle_of(jet, *domain_));
     // The later body counts where two meet: it is there first.
     std::for_each(scene_.liquids.rbegin(), scene_.liquids.rend(),
                   [&](const LiquidBody& body) { method_->add(body); });

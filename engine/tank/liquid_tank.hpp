@@ -21,10 +21,10 @@ class LiquidTank {
     explicit LiquidTank(const TankScene& scene);
 
     const TankScene& scene() const { return scene_; }
-    const grid::BoxShape& shape() const { return room_->shape(); }
-    const Room& room() const { return *room_; }
+    const grid::BoxShape& shape() const { return domain_->shape(); }
+    const Domain& domain() const { return *domain_; }
     /// The same for who needs it longer than the tank.
-    std::shared_ptr<const Room> shared_room() const { return room_; }
+    std::shared_ptr<const Domain> shared_domain() const { return domain_; }
 
     /// One step as long as the Courant number allows, but no longer than `most_s` (> 0).
     TankStep step(double most_s, core::ThreadPool& pool);
@@ -69,7 +69,7 @@ class LiquidTank {
     double longest_step_s() const;
 
     TankScene scene_;
-    std::shared_ptr<const Room> room_;  ///< stays in its place when the tank moves
+    std::shared_ptr<const Domain> domain_;  ///< stays in its place when the tank moves
     std::unique_ptr<LiquidMethod> method_;
     std::vector<CellSet> drains_;
     std::vector<Nozzle> nozzles_;  ///< of the scene's jets

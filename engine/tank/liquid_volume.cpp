@@ -34,7 +34,7 @@ double share_of_box(const Corners& v) {
     return sum / 6.0;
 }
 
-/// What of the room between two neighbouring middles lies in the box: all but outside the first and
+/// What of the volume between two neighbouring middles lies in the box: all but outside the first and
 /// last.
 struct Span {
     double begin = 0.0, end = 1.0;
@@ -75,9 +75,9 @@ double liquid_volume_m3(const grid::BoxField& phi, core::ThreadPool& pool) {
                     negative += value < 0.0F ? 1 : 0;
                 if (negative == 0) continue;
                 const Span in_x = inside(i, shape.nx);
-                const double room = in_x.length() * in_y.length() * in_z.length();
+                const double volume = in_x.length() * in_y.length() * in_z.length();
                 if (negative == 8) {
-                    sum += room;
+                    sum += volume;
                     continue;
                 }
                 Corners corners;
@@ -85,7 +85,7 @@ double liquid_volume_m3(const grid::BoxField& phi, core::ThreadPool& pool) {
                 cut(corners, 1, in_x);
                 cut(corners, 2, in_y);
                 cut(corners, 4, in_z);
-                sum += room * share_of_box(corners);
+                sum += volume * share_of_box(corners);
             }
         }
         return sum;

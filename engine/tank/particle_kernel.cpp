@@ -228,7 +228,7 @@ NearSums sum_near(const PositionRun* runs, int count, float reach2) {
                         y = load_eight(run->y + p) * sign_y + offset_y,
                         z = load_eight(run->z + p) * sign_z + offset_z;
             const Eight way2 = is_one ? (x * x + y * y) + z * z : far2;
-            const Eight room = one - way2 * per_reach2, share = room > none ? room : none,
+            const Eight rest = one - way2 * per_reach2, share = rest > none ? rest : none,
                         weight = share * share * share;
             sum_x += weight * x;
             sum_y += weight * y;

@@ -26,18 +26,18 @@ constexpr float kLeastExcess = -0.2F, kMostExcess = 0.2F;
 
 }  // namespace
 
-ParticleLiquid::ParticleLiquid(const Room& room, std::uint32_t seed)
-    : room_(&room),
+ParticleLiquid::ParticleLiquid(const Domain& domain, std::uint32_t seed)
+    : domain_(&domain),
       seed_(seed),
-      cells_(room.shape()),
-      transfer_(room.shape()),
-      particle_surface_(room),
-      surface_(room),
-      rings_(room.shape()),
-      velocity_(room.shape()),
-      old_velocity_(room.shape()),
-      known_(room.shape()),
-      growth_(room.shape()) {}
+      cells_(domain.shape()),
+      transfer_(domain.shape()),
+      particle_surface_(domain),
+      surface_(domain),
+      rings_(domain.shape()),
+      velocity_(domain.shape()),
+      old_velocity_(domain.shape()),
+      known_(domain.shape()),
+      growth_(domain.shape()) {}
 
 void ParticleLiquid::add(const LiquidBody& body) {
     Octants octants(shape(), particles_);
@@ -46,7 +46,7 @@ void ParticleLiquid::add(const LiquidBody& body) {
     const liquid::SignedDistance distance = [&](const glm::vec3& at_m) {
         return exact_m(at_m, reach_m);
     };
-    const Filling filling = {*room_, distance, {glm::vec3(0.0F), body.milk, body.velocity_m_s}, seed_};
+    const Filling filling = {*domain_, distance, {glm::vec3(0.0F), body.milk, body.velocity_m_s}, seed_};
     for (int k = 0; k < shape().nz; ++k)
         for (int j = 0; j < shape().ny; ++j)
             for (int i = 0; i < shape().nx; ++i)
@@ -70,7 +70,7 @@ void ParticleLiquid::run_jet(const Jet& jet, const Nozzle& nozzle) {
     }
     Octants octants(shape(), particles_);
     const Filling filling = {
-        *room_, nozzle.form_m, {glm::vec3(0.0F), jet.milk, jet.velocity_m_s}, seed_};
+        *domain_, nozzle.form_m, {glm::vec3(0.0F), jet.milk, jet.velocity_m_s}, seed_};
     for (const glm::ivec3& cell : nozzle.cells.cells())
         missing -= fill_cell(cell, filling, missing, octants, particles_, made_);
     in_order_ = false;
@@ -97,18 +97,18 @@ liquid::SolveResult ParticleLiquid::step(const TankScene& scene, const Wind* win
     surface_.update(near, pool);
     add_gravity_and_wind(scene, wind, dt_s, surface_.level_m(), kSurfaceDepth_cells * shape().cell_m,
                          samples_, velocity_, pool);
-    room_->stop_at_walls(samples_, velocity_, pool);
+    domain_->stop_at_walls(samples_, velocity_, pool);
     inner_forces_.add(scene, surface_, dt_s, velocity_, pool);
     find_growth(near, scene.volume_rate, dt_s, pool);
     const liquid::SolveResult pressure =
         surface_.project(velocity_, &growth_, pressure_limits(scene), pool);
     find_known(pool);
     rings_.extend(known_, samples_, kRings, velocity_, pool);
-    room_->stop_at_walls(samples_, velocity_, pool);
+    domain_->stop_at_walls(samples_, velocity_, pool);
     fastest_m_s_ = transfer_.to_particles(old_velocity_, velocity_, samples_,
                                           {static_cast<float>(scene.flip_share), dt_s, kWallGap_cells},
                                           particles_, pool);
-    if (room_->has_solids()) keep_out_of_solids(pool);
+    if (domain_->has_solids()) keep_out_of_solids(pool);
     cells_.sort(particles_, pool);
     return pressure;
 }
@@ -118,7 +118,7 @@ double ParticleLiquid::volume_m3(core::ThreadPool&) const {
 }
 
 void ParticleLiquid::show(TankFrame& frame, core::ThreadPool& pool) const {
-    sample_particles(cells_, *room_, frame.level_m, pool);
+    sample_particles(cells_, *domain_, frame.level_m, pool);
     average_milk(particles_, cells_, frame.milk, pool);
 }
 
@@ -183,7 +183,7 @@ void ParticleLiquid::find_known(core::ThreadPool& pool) {
             if (row.empty()) continue;
             for (const int axis : kAxes) {
                 const std::ptrdiff_t step = liquid::stride(box, axis);
-                const float *open = room_->walls().open().along(axis).row(j, k),
+                const float *open = domain_->walls().open().along(axis).row(j, k),
                             *liquid = surface_.liquid().row(j, k);
                 float* known = known_.along(axis).row(j, k);
                 for (int i = row.begin; i < row.end; ++i) {
@@ -207,7 +207,7 @@ void ParticleLiquid::keep_out_of_solids(core::ThreadPool& pool) {
     pool.run((particles_.size() + kRun - 1) / kRun, [&](std::size_t run, int) {
         const std::size_t end = std::min(particles_.size(), (run + 1) * kRun);
         for (std::size_t p = run * kRun; p < end; ++p)
-            particles_[p].position_m = room_->brought_within(particles_[p].position_m, gap_m);
+            particles_[p].position_m = domain_->brought_within(particles_[p].position_m, gap_m);
     });
 }
 

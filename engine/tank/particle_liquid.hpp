@@ -17,7 +17,7 @@ namespace pastoso::tank {
 
 class ParticleLiquid final : public LiquidMethod {
   public:
-    ParticleLiquid(const Room& room, std::uint32_t seed);
+    ParticleLiquid(const Domain& domain, std::uint32_t seed);
 
     void add(const LiquidBody& body) override;
     void drain(const CellSet& cells) override;
@@ -36,14 +36,14 @@ class ParticleLiquid final : public LiquidMethod {
     void set_state(LiquidState state, core::ThreadPool& pool) override;
 
   private:
-    const grid::BoxShape& shape() const { return room_->shape(); }
+    const grid::BoxShape& shape() const { return domain_->shape(); }
     void copy_velocity(core::ThreadPool& pool);
     void find_growth(const liquid::RowRanges& near, double volume_rate, float dt_s,
                      core::ThreadPool& pool);
     void find_known(core::ThreadPool& pool);
     void keep_out_of_solids(core::ThreadPool& pool);
 
-    const Room* room_;
+    const Domain* domain_;
     std::uint32_t seed_, made_ = 0;  ///< of the particles' places, and how many were made
     std::vector<Particle> particles_;
     bool in_order_ = true;

@@ -83,9 +83,9 @@ float particle_distance_cells(const ParticleCells& cells, const grid::BoxShape& 
     return std::min(to_mean, std::sqrt(sums.nearest2)) - radius;
 }
 
-ParticleSurface::ParticleSurface(const Room& room)
-    : shape_(room.shape()),
-      room_(&room),
+ParticleSurface::ParticleSurface(const Domain& domain)
+    : shape_(domain.shape()),
+      domain_(&domain),
       last_rows_(liquid::RowRanges::whole(shape_, liquid::Location::Cell)),
       filled_(shape_.sample_count(), 1),
       surrounded_(shape_.sample_count(), 0),
@@ -97,10 +97,10 @@ void ParticleSurface::forget_last(grid::BoxField& level_m, core::ThreadPool& poo
         for (int j = 0; j < shape_.ny; ++j) {
             const RowRange row = last_rows_.at(j, k);
             unsigned char* filled = filled_.data() + shape_.index(0, j, k);
-            const float* room = room_->share().row(j, k);
+            const float* domain = domain_->share().row(j, k);
             float* level = level_m.row(j, k);
             for (int i = row.begin; i < row.end; ++i) {
-                filled[i] = room[i] > 0.0F ? 0 : 1;
+                filled[i] = domain[i] > 0.0F ? 0 : 1;
                 counts_.at(i, j, k) = full_.at(i, j, k) = 0.0F;
                 level[i] = shape_.cell_m * (kKernelReach_cells - kParticleRadius_cells);
             }
@@ -154,8 +154,8 @@ void ParticleSurface::find(const ParticleCells& cells, const liquid::RowRanges& 
 
 float ParticleSurface::distance_cells(const ParticleCells& cells, int i, int j, int k) const {
     glm::vec3 at_cells = glm::vec3(i, j, k) + 0.5F;
-    if (room_->distance_m().at(i, j, k) < 0.0F)
-        at_cells = room_->mirrored_out(at_cells * shape_.cell_m) / shape_.cell_m;
+    if (domain_->distance_m().at(i, j, k) < 0.0F)
+        at_cells = domain_->mirrored_out(at_cells * shape_.cell_m) / shape_.cell_m;
     return particle_distance_cells(cells, shape_, at_cells, kKernelReach_cells);
 }
 
@@ -168,14 +168,14 @@ void ParticleSurface::find_excess(const ParticleCells& cells, const liquid::RowR
     liquid::for_slices(pool, 0, shape_.nz, [&](int k) {
         for (int j = 0; j < shape_.ny; ++j) {
             const RowRange row = rows.at(j, k);
-            const float *level = level_m.row(j, k), *room = room_->share().row(j, k);
+            const float *level = level_m.row(j, k), *domain = domain_->share().row(j, k);
             const unsigned char* surrounded = surrounded_.data() + shape_.index(0, j, k);
             float *count = counts_.row(j, k), *full = full_.row(j, k);
             for (int i = row.begin; i < row.end; ++i) {
                 const float share =
                     surrounded[i] != 0 ? 1.0F : std::clamp(0.5F - level[i] / shape_.cell_m, 0.0F, 1.0F);
                 count[i] = static_cast<float>(cells.end(i, j, k) - cells.begin(i, j, k));
-                full[i] = static_cast<float>(kParticlesPerCell) * share * room[i];
+                full[i] = static_cast<float>(kParticlesPerCell) * share * domain[i];
             }
         }
     });
@@ -183,11 +183,11 @@ void ParticleSurface::find_excess(const ParticleCells& cells, const liquid::RowR
         for (int j = 0; j < shape_.ny; ++j) {
             const RowRange row = rows.at(j, k);
             const unsigned char* surrounded = surrounded_.data() + shape_.index(0, j, k);
-            const float *level = level_m.row(j, k), *room = room_->share().row(j, k);
+            const float *level = level_m.row(j, k), *domain = domain_->share().row(j, k);
             float* out = excess.row(j, k);
             for (int i = row.begin; i < row.end; ++i) {
                 out[i] = 0.0F;
-                if (!(room[i] > 0.0F && level[i] < 0.0F)) continue;
+                if (!(domain[i] > 0.0F && level[i] < 0.0F)) continue;
                 const float more =
                     (blurred(counts_.row(j, k) + i) - blurred(full_.row(j, k) + i)) * kPerFullBlur;
                 out[i] = surrounded[i] != 0 ? more : std::max(more, 0.0F);

@@ -7,9 +7,9 @@
 #pragma once
 
 #include "core/thread_pool.hpp"
+#include "tank/domain.hpp"
 #include "tank/particle_cells.hpp"
 #include "tank/particle_kernels.hpp"
-#include "tank/room.hpp"
 
 namespace pastoso::tank {
 
@@ -29,7 +29,7 @@ float particle_distance_cells(const ParticleCells& cells, const grid::BoxShape& 
 
 class ParticleSurface {
   public:
-    explicit ParticleSurface(const Room& room);
+    explicit ParticleSurface(const Domain& domain);
 
     /// Signed distances in metres at the middles of all cells within `rows` (at least the particles'
     /// cells widened by one): -r in cells that particles or solids surround on all sides;
@@ -52,7 +52,7 @@ class ParticleSurface {
                          core::ThreadPool& pool);
 
     grid::BoxShape shape_;
-    const Room* room_;
+    const Domain* domain_;
     liquid::RowRanges last_rows_;
     std::vector<unsigned char> filled_;      ///< has particles, or is a solid or beyond the box
     std::vector<unsigned char> surrounded_;  ///< all 27 around are filled

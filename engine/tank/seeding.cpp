@@ -58,7 +58,7 @@ Octants::Octants(const grid::BoxShape& shape, const std::vector<Particle>& parti
 
 int fill_cell(const glm::ivec3& cell, const Filling& filling, int most, Octants& octants,
               std::vector<Particle>& particles, std::uint32_t& made) {
-    const float cell_m = filling.room.shape().cell_m;
+    const float cell_m = filling.domain.shape().cell_m;
     int filled = 0;
     for (int octant = 0; octant < kParticlesPerCell && filled < most; ++octant) {
         if (octants.is_taken(cell, octant)) continue;
@@ -71,7 +71,8 @@ int fill_cell(const glm::ivec3& cell, const Filling& filling, int most, Octants&
         }
         ++made;
         const glm::vec3 position_m = at_cells * cell_m;
-        if (filling.room.free_m(position_m) < kGap_cells * cell_m || filling.form_m(position_m) >= 0.0F)
+        if (filling.domain.free_m(position_m) < kGap_cells * cell_m ||
+            filling.form_m(position_m) >= 0.0F)
             continue;
         Particle particle = filling.kind;
         particle.position_m = position_m;
@@ -82,15 +83,15 @@ int fill_cell(const glm::ivec3& cell, const Filling& filling, int most, Octants&
     return filled;
 }
 
-int full_count(const CellSet& cells, const Room& room, const liquid::SignedDistance& form_m) {
-    const float cell_m = room.shape().cell_m;
+int full_count(const CellSet& cells, const Domain& domain, const liquid::SignedDistance& form_m) {
+    const float cell_m = domain.shape().cell_m;
     int count = 0;
     for (const glm::ivec3& cell : cells.cells())
         for (int octant = 0; octant < kParticlesPerCell; ++octant) {
             const glm::vec3 middle_m = (glm::vec3(cell) + 0.25F +
                                         0.5F * glm::vec3(octant & 1, octant >> 1 & 1, octant >> 2 & 1)) *
                                        cell_m;
-            if (room.free_m(middle_m) >= 0.0F && form_m(middle_m) < 0.0F) ++count;
+            if (domain.free_m(middle_m) >= 0.0F && form_m(middle_m) < 0.0F) ++count;
         }
     return count;
 }

@@ -1,8 +1,8 @@
 // Making and taking away particles, an octant of a cell at a time: one particle each is full.
 #pragma once
 
+#include "tank/domain.hpp"
 #include "tank/particle.hpp"
-#include "tank/room.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -51,19 +51,19 @@ class Octants {
 
 /// What fills cells with particles, and where.
 struct Filling {
-    const Room& room;
+    const Domain& domain;
     const liquid::SignedDistance& form_m;
     Particle kind;
     std::uint32_t seed;
 };
 
 /// Puts a particle into every octant of the cell that has none, but `most` at most, at a place that seed
-/// and the number of particles made before decide, if that is in the room and within the form. Returns
+/// and the number of particles made before decide, if that is in the domain and within the form. Returns
 /// how many those are.
 int fill_cell(const glm::ivec3& cell, const Filling& filling, int most, Octants& octants,
               std::vector<Particle>& particles, std::uint32_t& made);
 
-/// How many particles fill the cells as far as they are in the room and within a form.
-int full_count(const CellSet& cells, const Room& room, const liquid::SignedDistance& form_m);
+/// How many particles fill the cells as far as they are in the domain and within a form.
+int full_count(const CellSet& cells, const Domain& domain, const liquid::SignedDistance& form_m);
 
 }  // namespace pastoso::tank

@@ -111,16 +111,16 @@ liquid::Lattice frame_lattice(const grid::BoxShape& shape, int parts) {
             glm::vec3(0.5F * spacing_m - shape.cell_m)};
 }
 
-void sample_particles(const ParticleCells& cells, const Room& room, liquid::SampledField& level_m,
+void sample_particles(const ParticleCells& cells, const Domain& domain, liquid::SampledField& level_m,
                       core::ThreadPool& pool) {
-    const grid::BoxShape& shape = room.shape();
+    const grid::BoxShape& shape = domain.shape();
     const liquid::Lattice& lattice = level_m.lattice();
     const liquid::RowRanges near = widened_cells(cells.rows(), shape, 1);
     const float far_m = shape.cell_m * (kFrameReach_cells - particle_radius_cells(kFrameReach_cells));
     liquid::for_slices(pool, 0, lattice.nz, [&](int k) {
         for (int j = 0; j < lattice.ny; ++j)
             for (int i = 0; i < lattice.nx; ++i) {
-                const glm::vec3 at_m = room.mirrored_out(lattice.point_m(i, j, k));
+                const glm::vec3 at_m = domain.mirrored_out(lattice.point_m(i, j, k));
                 const glm::ivec3 cell = glm::clamp(glm::ivec3(at_m / shape.cell_m), glm::ivec3(0),
                                                    glm::ivec3(shape.nx, shape.ny, shape.nz) - 1);
                 const RowRange row = near.at(cell.y, cell.z);
@@ -134,14 +134,14 @@ void sample_particles(const ParticleCells& cells, const Room& room, liquid::Samp
     smooth(shape.cell_m, shape.cell_m * particle_radius_cells(kFrameReach_cells), level_m, pool);
 }
 
-void sample_level(const grid::BoxField& cells_m, const Room& room, liquid::SampledField& level_m,
+void sample_level(const grid::BoxField& cells_m, const Domain& domain, liquid::SampledField& level_m,
                   core::ThreadPool& pool) {
     const liquid::Lattice& lattice = level_m.lattice();
     liquid::for_slices(pool, 0, lattice.nz, [&](int k) {
         for (int j = 0; j < lattice.ny; ++j)
             for (int i = 0; i < lattice.nx; ++i)
                 level_m.at(i, j, k) = liquid::sample(cells_m, liquid::Location::Cell,
-                                                     room.mirrored_out(lattice.point_m(i, j, k)),
+                                                     domain.mirrored_out(lattice.point_m(i, j, k)),
                                                      liquid::Interpolation::Cubic);
     });
 }

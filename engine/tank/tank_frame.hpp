@@ -2,8 +2,8 @@
 #pragma once
 
 #include "liquid/surface/sampled_field.hpp"
+#include "tank/domain.hpp"
 #include "tank/particle_surface.hpp"
-#include "tank/room.hpp"
 
 #include <span>
 
@@ -23,12 +23,12 @@ liquid::Lattice frame_lattice(const grid::BoxShape& shape, int parts);
 
 /// The frame's level around sorted particles: particle_distance_cells() with R = kFrameReach_cells, made
 /// even over the particles' bumps, but so that drops and thin sheets stay.
-void sample_particles(const ParticleCells& cells, const Room& room, liquid::SampledField& level_m,
+void sample_particles(const ParticleCells& cells, const Domain& domain, liquid::SampledField& level_m,
                       core::ThreadPool& pool);
 inline constexpr float kFrameReach_cells = 1.5F;
 
 /// The frame's level from a signed distance at cells' middles, by cubic interpolation.
-void sample_level(const grid::BoxField& cells_m, const Room& room, liquid::SampledField& level_m,
+void sample_level(const grid::BoxField& cells_m, const Domain& domain, liquid::SampledField& level_m,
                   core::ThreadPool& pool);
 
 /// The mean milk of the particles in each cell, and beside them that of the cells next to it.

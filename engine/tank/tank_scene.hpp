@@ -1,5 +1,5 @@
 // A tank of liquid as it stands at the beginning, and what will happen in it, as plain data. Metres,
-// seconds, z up; the tank's room begins at the origin.
+// seconds, z up; the tank's box begins at the origin.
 #pragma once
 
 #include "tank/shape.hpp"
@@ -29,7 +29,7 @@ struct LiquidBody {
     friend bool operator==(const LiquidBody&, const LiquidBody&) = default;
 };
 
-/// Within `shape` liquid appears, as long as there is room for it, and moves with the velocity given.
+/// Within `shape` liquid appears, where there is none yet, and moves with the velocity given.
 struct Jet {
     Shape shape;
     glm::vec3 velocity_m_s{0.0F};

@@ -11,11 +11,11 @@ namespace pastoso::tank {
 using liquid::Lattice;
 
 /// Flat walls come out exact: the distance is linear across them.
-void TankSurfaces::find_room(const Lattice& lattice, float reach_m) {
-    if (room_m_.lattice() == lattice && reach_m_ == reach_m) return;
-    if (room_m_.lattice() != lattice) room_m_.assign(lattice);
+void TankSurfaces::compute_domain(const Lattice& lattice, float reach_m) {
+    if (domain_m_.lattice() == lattice && reach_m_ == reach_m) return;
+    if (domain_m_.lattice() != lattice) domain_m_.assign(lattice);
     reach_m_ = reach_m;
-    const grid::BoxShape& box = room_->shape();
+    const grid::BoxShape& box = domain_->shape();
     const glm::vec3 size_m = glm::vec3(box.nx, box.ny, box.nz) * box.cell_m;
     liquid::for_slices(pool_, 0, lattice.nz, [&](int k) {
         for (int j = 0; j < lattice.ny; ++j)
@@ -23,23 +23,23 @@ void TankSurfaces::find_room(const Lattice& lattice, float reach_m) {
                 const glm::vec3 at_m = lattice.point_m(i, j, k);
                 float inside_m = std::min({at_m.x, at_m.y, at_m.z, size_m.x - at_m.x, size_m.y - at_m.y,
                                            size_m.z - reach_m - at_m.z});
-                if (room_->has_solids()) inside_m = std::min(inside_m, room_->free_m(at_m));
-                room_m_.at(i, j, k) = inside_m + reach_m;
+                if (domain_->has_solids()) inside_m = std::min(inside_m, domain_->free_m(at_m));
+                domain_m_.at(i, j, k) = inside_m + reach_m;
             }
     });
 }
 
 void TankSurfaces::make(const TankFrame& frame, float reach_m, liquid::TriangleMesh& mesh) {
-    PASTOSO_CHECK(reach_m >= 0.0F && reach_m <= 0.5F * room_->shape().cell_m);
+    PASTOSO_CHECK(reach_m >= 0.0F && reach_m <= 0.5F * domain_->shape().cell_m);
     const Lattice& lattice = frame.level_m.lattice();
-    find_room(lattice, reach_m);
+    compute_domain(lattice, reach_m);
     if (cut_m_.lattice() != lattice) cut_m_.assign(lattice);
     liquid::for_slices(pool_, 0, lattice.nz, [&](int k) {
         for (int j = 0; j < lattice.ny; ++j) {
-            const float *level = frame.level_m.row(j, k), *room = room_m_.row(j, k);
+            const float *level = frame.level_m.row(j, k), *domain = domain_m_.row(j, k);
             float* cut = cut_m_.row(j, k);
             for (int i = 0; i < lattice.nx; ++i)
-                cut[i] = std::min(-level[i], room[i]);
+                cut[i] = std::min(-level[i], domain[i]);
         }
     });
     cubes_.run(cut_m_.view(), 0.0F, {}, mesh);

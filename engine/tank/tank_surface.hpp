@@ -9,8 +9,9 @@ namespace pastoso::tank {
 /// Keeps its working memory from one frame to the next.
 class TankSurfaces {
   public:
-    /// The room outlives the surfaces.
-    TankSurfaces(const Room& room, core::ThreadPool& pool) : room_(&room), pool_(pool), cubes_(pool) {}
+    /// The domain outlives the surfaces.
+    TankSurfaces(const Domain& domain, core::ThreadPool& pool)
+        : domain_(&domain), pool_(pool), cubes_(pool) {}
 
     /// The closed surface of the liquid with normals. It ends `reach_m` (0 to half a cell) within the
     /// walls, the floor and the solids, and at the top of the box: with 0 it encloses the liquid there
@@ -24,14 +25,14 @@ class TankSurfaces {
     double front_x_m() const;
 
   private:
-    void find_room(const liquid::Lattice& lattice, float reach_m);
+    void compute_domain(const liquid::Lattice& lattice, float reach_m);
 
-    const Room* room_;
+    const Domain* domain_;
     core::ThreadPool& pool_;
     liquid::MarchingCubes cubes_;
-    liquid::SampledField room_m_;  ///< distance from what cuts the liquid, positive where it may be
+    liquid::SampledField domain_m_;  ///< distance from what cuts the liquid, positive where it may be
     liquid::SampledField cut_m_;
-    float reach_m_ = -1.0F;  ///< of room_m_
+    float reach_m_ = -1.0F;  ///< of domain_m_
 };
 
 }  // namespace pastoso::tank

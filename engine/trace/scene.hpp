@@ -14,7 +14,7 @@ namespace pastoso::trace {
 
 /// An upright box of glass plates, open at the top.
 struct Tank {
-    glm::vec3 inner_low_m{0.0F};   ///< the room's lowest corner
+    glm::vec3 inner_low_m{0.0F};   ///< the lowest corner of what it holds
     glm::vec3 inner_high_m{0.1F};  ///< its highest; the plates end at that height
     float wall_m = 0.002F;         ///< thickness of walls and floor, > 0
     friend bool operator==(const Tank&, const Tank&) = default;

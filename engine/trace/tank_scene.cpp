@@ -11,10 +11,10 @@
 namespace pastoso::trace {
 namespace {
 
-/// Plates are this share of the room's longest side, but no thinner than what reaches into them.
+/// Plates are this share of the box's longest side, but no thinner than what reaches into them.
 constexpr float kWallShare = 0.013F;
 constexpr float kLeastWall_cells = 0.5F;
-/// What the liquid absorbs along the room's longest side.
+/// What the liquid absorbs along the box's longest side.
 constexpr glm::vec3 kAbsorption(1.35F, 0.33F, 0.135F);
 
 /// From the middle of the tank to the eye; any length.
@@ -22,8 +22,8 @@ const glm::vec3 kTowardsEye(0.42F, -1.0F, 0.42F);
 /// The picture's edges are so much farther from its middle than the tank's corners.
 constexpr float kMargin = 1.06F;
 
-glm::vec3 size_of(const grid::BoxShape& room) {
-    return glm::vec3(room.nx, room.ny, room.nz) * room.cell_m;
+glm::vec3 size_of(const grid::BoxShape& box) {
+    return glm::vec3(box.nx, box.ny, box.nz) * box.cell_m;
 }
 
 void scale(liquid::TriangleMesh& mesh, float factor) {
@@ -64,37 +64,37 @@ Camera camera_for(const Tank& tank, float aspect) {
 
 }  // namespace
 
-float tank_wall_m(const grid::BoxShape& room) {
-    return std::max(kWallShare * largest(size_of(room)), kLeastWall_cells * room.cell_m);
+float tank_wall_m(const grid::BoxShape& box) {
+    return std::max(kWallShare * largest(size_of(box)), kLeastWall_cells * box.cell_m);
 }
 
-glm::vec3 tank_absorption_per_m(const grid::BoxShape& room) {
-    return kAbsorption / largest(size_of(room));
+glm::vec3 tank_absorption_per_m(const grid::BoxShape& box) {
+    return kAbsorption / largest(size_of(box));
 }
 
-float tank_model_scale(const grid::BoxShape& room) {
-    return kTankModel_m / largest(size_of(room));
+float tank_model_scale(const grid::BoxShape& box) {
+    return kTankModel_m / largest(size_of(box));
 }
 
 Scene tank_scene(const grid::BoxField& milk, liquid::TriangleMesh liquid, liquid::TriangleMesh solids,
                  float aspect) {
     PASTOSO_CHECK_OP(aspect, >, 0.0F);
-    const grid::BoxShape& room = milk.shape();
-    const float model = tank_model_scale(room);
+    const grid::BoxShape& box = milk.shape();
+    const float model = tank_model_scale(box);
     Scene scene;
     scene.cup.reset();
     scene.clear_liquid = std::move(liquid);
     scene.solids = std::move(solids);
     scale(scene.clear_liquid, model);
     scale(scene.solids, model);
-    scene.dissolved = grid::BoxField({room.nx, room.ny, room.nz, room.cell_m * model});
+    scene.dissolved = grid::BoxField({box.nx, box.ny, box.nz, box.cell_m * model});
     scene.dissolved.values() = milk.values();
     Tank tank;
     tank.inner_low_m = glm::vec3(0.0F);
-    tank.inner_high_m = size_of(room) * model;
-    tank.wall_m = tank_wall_m(room) * model;
+    tank.inner_high_m = size_of(box) * model;
+    tank.wall_m = tank_wall_m(box) * model;
     scene.tank = tank;
-    scene.optics.tea_absorption_per_m = tank_absorption_per_m(room) / model;
+    scene.optics.tea_absorption_per_m = tank_absorption_per_m(box) / model;
     scene.optics.milk_scattering_per_m = 1200.0F;
     scene.table->height_m = -tank.wall_m;
     scene.table->radius_m = 4.0F;

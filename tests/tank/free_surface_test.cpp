@@ -46,10 +46,11 @@ liquid::VelocityField falling() {
 }
 
 /// The fastest of the open faces of cells of liquid.
-float fastest_face(const Room& room, const FreeSurface& surface, const liquid::VelocityField& velocity) {
+float fastest_face(const Domain& domain, const FreeSurface& surface,
+                   const liquid::VelocityField& velocity) {
     float fastest = 0.0F;
     const auto look = [&](int axis, int i, int j, int k) {
-        if (room.walls().open().along(axis).at(i, j, k) > 0.0F)
+        if (domain.walls().open().along(axis).at(i, j, k) > 0.0F)
             fastest = std::max(fastest, std::abs(velocity.along(axis).at(i, j, k)));
     };
     for (int k = 0; k < kBox.nz; ++k)
@@ -68,14 +69,14 @@ float fastest_face(const Room& room, const FreeSurface& surface, const liquid::V
 TEST(FreeSurface, LevelLiquidRests) {
     core::ThreadPool pool(2);
     for (const auto& solid : {no_solid, ball}) {
-        const Room room(kBox, solid);
+        const Domain domain(kBox, solid);
         for (const float height_m : {0.53F, 0.545F, 0.56F, 0.572F}) {
-            FreeSurface surface(room);
+            FreeSurface surface(domain);
             set_level([&](const glm::vec3& at_m) { return at_m.z - height_m; }, surface, pool);
             liquid::VelocityField velocity = falling();
             const auto result = surface.project(velocity, nullptr, {1e-6F, 60}, pool);
             EXPECT_TRUE(result.converged) << result.residual;
-            EXPECT_LT(fastest_face(room, surface, velocity), 5e-4F * kFall_m_s) << height_m;
+            EXPECT_LT(fastest_face(domain, surface, velocity), 5e-4F * kFall_m_s) << height_m;
             // rho g depth, as p dt / (rho cell).
             const float depth_m = height_m - 2.5F * kBox.cell_m;
             EXPECT_NEAR(surface.pressure().at(2, 3, 2), kFall_m_s * depth_m / kBox.cell_m,
@@ -86,8 +87,8 @@ TEST(FreeSurface, LevelLiquidRests) {
 
 TEST(FreeSurface, LiquidInTheAirFallsAsItDid) {
     core::ThreadPool pool(2);
-    const Room room(kBox, no_solid);
-    FreeSurface surface(room);
+    const Domain domain(kBox, no_solid);
+    FreeSurface surface(domain);
     set_level(
         [](const glm::vec3& at_m) {
             return glm::distance(at_m, {0.4F, 0.3F, 0.5F}) - 0.2F;
@@ -101,8 +102,8 @@ TEST(FreeSurface, LiquidInTheAirFallsAsItDid) {
 
 TEST(FreeSurface, LeavesNoDivergenceButTheGrowthAskedFor) {
     core::ThreadPool pool(2);
-    const Room room(kBox, ball);
-    FreeSurface surface(room);
+    const Domain domain(kBox, ball);
+    FreeSurface surface(domain);
     set_level([](const glm::vec3& at_m) { return at_m.z + 0.2F * at_m.x - 0.6F; }, surface, pool);
     liquid::VelocityField velocity(kBox);
     std::uint32_t n = 0;
@@ -113,7 +114,7 @@ TEST(FreeSurface, LeavesNoDivergenceButTheGrowthAskedFor) {
     growth.at(5, 5, 3) = 0.25F;
     const auto result = surface.project(velocity, &growth, {1e-6F, 60}, pool);
     EXPECT_TRUE(result.converged);
-    const liquid::VelocityField& open = room.walls().open();
+    const liquid::VelocityField& open = domain.walls().open();
     for (int k = 0; k < kBox.nz; ++k)
         for (int j = 0; j < kBox.ny; ++j)
             for (int i = 0; i < kBox.nx; ++i) {
@@ -132,19 +133,19 @@ TEST(FreeSurface, LeavesNoDivergenceButTheGrowthAskedFor) {
 /// Without a surface the pressure is known up to a constant only.
 TEST(FreeSurface, AFullTankNeedsNoAir) {
     core::ThreadPool pool(1);
-    const Room room(kBox, no_solid);
-    FreeSurface surface(room);
+    const Domain domain(kBox, no_solid);
+    FreeSurface surface(domain);
     set_level([](const glm::vec3&) { return -1.0F; }, surface, pool);
     EXPECT_EQ(surface.liquid_cells(), 16L * 12 * 20);
     liquid::VelocityField velocity = falling();
     EXPECT_TRUE(surface.project(velocity, nullptr, {1e-5F, 60}, pool).converged);
-    EXPECT_LT(fastest_face(room, surface, velocity), 1e-4F * kFall_m_s);
+    EXPECT_LT(fastest_face(domain, surface, velocity), 1e-4F * kFall_m_s);
 }
 
 TEST(FreeSurface, WithoutLiquidThereIsNothingToDo) {
     core::ThreadPool pool(1);
-    const Room room(kBox, no_solid);
-    FreeSurface surface(room);
+    const Domain domain(kBox, no_solid);
+    FreeSurface surface(domain);
     set_level([](const glm::vec3&) { return 1.0F; }, surface, pool);
     liquid::VelocityField velocity = falling();
     EXPECT_EQ(surface.project(velocity, nullptr, {1e-5F, 60}, pool).iterations, 0);
@@ -154,9 +155,9 @@ TEST(FreeSurface, WithoutLiquidThereIsNothingToDo) {
 /// A surface after another one leaves nothing of it behind.
 TEST(FreeSurface, ForgetsTheLastSurface) {
     core::ThreadPool pool(2);
-    const Room room(kBox, ball);
+    const Domain domain(kBox, ball);
     const auto low = [](const glm::vec3& at_m) { return at_m.z - 0.31F; };
-    FreeSurface used(room), fresh(room);
+    FreeSurface used(domain), fresh(domain);
     set_level([](const glm::vec3& at_m) { return at_m.x - 0.5F; }, used, pool);
     set_level(low, used, pool);
     set_level(low, fresh, pool);
@@ -167,8 +168,8 @@ TEST(FreeSurface, ForgetsTheLastSurface) {
 
 TEST(FreeSurface, IsTheSameOnAnyNumberOfThreads) {
     core::ThreadPool single(1), several(3);
-    const Room room(kBox, ball);
-    FreeSurface a(room), b(room);
+    const Domain domain(kBox, ball);
+    FreeSurface a(domain), b(domain);
     const auto level = [](const glm::vec3& at_m) { return at_m.z + 0.3F * at_m.y - 0.6F; };
     set_level(level, a, single);
     set_level(level, b, several);

@@ -20,8 +20,8 @@ struct Found {
 Found find(std::vector<Particle> particles, core::ThreadPool& pool) {
     ParticleCells cells(kBox);
     cells.sort(particles, pool);
-    const Room room(kBox, [](const glm::vec3&) { return 1.0F; });
-    ParticleSurface surface(room);
+    const Domain domain(kBox, [](const glm::vec3&) { return 1.0F; });
+    ParticleSurface surface(domain);
     Found found;
     const liquid::RowRanges rows = widened_cells(cells.rows(), kBox, 1);
     surface.find(cells, rows, found.level_m, pool);
@@ -115,8 +115,8 @@ TEST(ParticleSurface, ForgetsWhereParticlesWere) {
     core::ThreadPool pool(1);
     std::vector<Particle> first = pool_of(9.0F), second = {{{0.15F, 0.15F, 1.65F}, 0.0F, {}}};
     ParticleCells cells(kBox);
-    const Room room(kBox, [](const glm::vec3&) { return 1.0F; });
-    ParticleSurface surface(room);
+    const Domain domain(kBox, [](const glm::vec3&) { return 1.0F; });
+    ParticleSurface surface(domain);
     grid::BoxField level_m(kBox, 1.0F);
     cells.sort(first, pool);
     surface.find(cells, widened_cells(cells.rows(), kBox, 1), level_m, pool);

@@ -19,9 +19,9 @@ Sampled sampled(std::vector<Particle> particles, int parts, int threads = 2) {
     core::ThreadPool pool(threads);
     ParticleCells cells(kBox);
     cells.sort(particles, pool);
-    const Room room(kBox, [](const glm::vec3&) { return 1.0F; });
+    const Domain domain(kBox, [](const glm::vec3&) { return 1.0F; });
     Sampled found{liquid::SampledField(frame_lattice(kBox, parts))};
-    sample_particles(cells, room, found.level_m, pool);
+    sample_particles(cells, domain, found.level_m, pool);
     average_milk(particles, cells, found.milk, pool);
     return found;
 }

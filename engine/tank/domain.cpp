@@ -1,4 +1,4 @@
-#include "tank/room.hpp"
+#include "tank/domain.hpp"
 
 #include "liquid/flow/sampling.hpp"
 #include "liquid/flow/slices.hpp"
@@ -20,7 +20,7 @@ constexpr float kShutDepth_cells = 3.0F;
 
 }  // namespace
 
-Room::Room(const grid::BoxShape& shape, const liquid::SignedDistance& solid_m)
+Domain::Domain(const grid::BoxShape& shape, const liquid::SignedDistance& solid_m)
     : walls_(shape, [&](const glm::vec3& point_m) { return -solid_m(point_m); }),
       share_(shape),
       distance_m_(shape) {
@@ -41,7 +41,7 @@ Room::Room(const grid::BoxShape& shape, const liquid::SignedDistance& solid_m)
     if (has_solids_) find_shut_faces();
 }
 
-void Room::find_shut_faces() {
+void Domain::find_shut_faces() {
     const grid::BoxShape& box = shape();
     for (const int axis : kAxes) {
         const Location location = liquid::face_across(axis);
@@ -58,11 +58,11 @@ void Room::find_shut_faces() {
     }
 }
 
-float Room::free_m(const glm::vec3& point_m) const {
+float Domain::free_m(const glm::vec3& point_m) const {
     return liquid::sample(distance_m_, Location::Cell, point_m, liquid::Interpolation::Linear);
 }
 
-glm::vec3 Room::normal_at(const glm::vec3& point_m) const {
+glm::vec3 Domain::normal_at(const glm::vec3& point_m) const {
     const float step_m = 0.5F * shape().cell_m;
     glm::vec3 slope;
     for (const int axis : kAxes) {
@@ -76,7 +76,7 @@ glm::vec3 Room::normal_at(const glm::vec3& point_m) const {
     return length > 0.0F ? slope / length : glm::vec3(0.0F);
 }
 
-glm::vec3 Room::brought_within(glm::vec3 point_m, float margin_m) const {
+glm::vec3 Domain::brought_within(glm::vec3 point_m, float margin_m) const {
     constexpr int kPushes = 3;  // as many solids may meet in a corner
     const grid::BoxShape& box = shape();
     const glm::vec3 high_m = glm::vec3(box.nx, box.ny, box.nz) * box.cell_m - margin_m;
@@ -91,7 +91,7 @@ glm::vec3 Room::brought_within(glm::vec3 point_m, float margin_m) const {
     return point_m;
 }
 
-glm::vec3 Room::mirrored_out(glm::vec3 point_m) const {
+glm::vec3 Domain::mirrored_out(glm::vec3 point_m) const {
     const grid::BoxShape& box = shape();
     const glm::vec3 high_m = glm::vec3(box.nx, box.ny, box.nz) * box.cell_m;
     point_m = high_m - glm::abs(high_m - glm::abs(point_m));
@@ -101,8 +101,8 @@ glm::vec3 Room::mirrored_out(glm::vec3 point_m) const {
     return glm::clamp(point_m - 2.0F * distance_m * normal_at(point_m), glm::vec3(0.0F), high_m);
 }
 
-void Room::stop_at_walls(const liquid::RowRanges& samples, liquid::VelocityField& velocity,
-                         core::ThreadPool& pool) const {
+void Domain::stop_at_walls(const liquid::RowRanges& samples, liquid::VelocityField& velocity,
+                           core::ThreadPool& pool) const {
     const grid::BoxShape& box = shape();
     liquid::for_slices(pool, 0, box.nz + 1, [&](int k) {
         for (int j = 0; j <= box.ny; ++j) {
