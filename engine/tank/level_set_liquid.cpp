@@ -125,7 +125,7 @@ void LevelSetLiquid::drain(const CellSet& cells) {
         particles_->remove_where([&](const glm::vec3& at_m) { return cells.holds(at_m); });
 }
 
-void LevelSetLiquid::take_stock(core::ThreadPool& pool) {
+void LevelSetLiquid::apply_changes(core::ThreadPool& pool) {
     if (!changed_) return;
     continue_beyond_walls(level_m());
     if (reshaped_) {

@@ -25,7 +25,7 @@ class LevelSetLiquid final : public LiquidMethod {
     void add(const LiquidBody& body) override;
     void drain(const CellSet& cells) override;
     void run_jet(const Jet& jet, const Nozzle& nozzle) override;
-    void take_stock(core::ThreadPool& pool) override;
+    void apply_changes(core::ThreadPool& pool) override;
     liquid::SolveResult step(const TankScene& scene, const Wind* wind, float dt_s,
                              core::ThreadPool& pool) override;
 
@@ -64,7 +64,7 @@ class LevelSetLiquid final : public LiquidMethod {
     grid::BoxField milk_, advected_milk_, advected_share_, growth_;
     liquid::RowRanges near_, samples_;         ///< cells and samples that a step works on
     double due_m3_ = 0.0, last_m3_ = 0.0;      ///< the volume that there should be, and what there is
-    bool changed_ = false, reshaped_ = false;  ///< since take_stock(): at all, by more than a jet
+    bool changed_ = false, reshaped_ = false;  ///< since apply_changes(): at all, by more than a jet
     float fastest_m_s_ = 0.0F;
     int steps_ = 0;
 };

@@ -36,8 +36,8 @@ class LiquidMethod {
     virtual void drain(const CellSet& cells) = 0;
     /// What is in the nozzle moves as the jet does; what left it is made up for.
     virtual void run_jet(const Jet& jet, const Nozzle& nozzle) = 0;
-    /// Called after those three, before a step.
-    virtual void take_stock(core::ThreadPool& pool) = 0;
+    /// Brings surface and volume up to date after those three. To be called before a step.
+    virtual void apply_changes(core::ThreadPool& pool) = 0;
 
     /// One step of dt_s (> 0), after which nothing shall move by more than a cell; the scene's numbers
     /// and its wind, if that blows now.

@@ -58,7 +58,7 @@ LiquidTank::LiquidTank(const TankScene& scene)
     std::for_each(scene_.liquids.rbegin(), scene_.liquids.rend(),
                   [&](const LiquidBody& body) { method_->add(body); });
     core::ThreadPool this_thread(1);
-    method_->take_stock(this_thread);
+    method_->apply_changes(this_thread);
 }
 
 void LiquidTank::add(const LiquidBody& body, core::ThreadPool& pool) {
@@ -67,7 +67,7 @@ void LiquidTank::add(const LiquidBody& body, core::ThreadPool& pool) {
     check_tank(alone);
     const double before_m3 = volume_m3(pool);
     method_->add(body);
-    method_->take_stock(pool);
+    method_->apply_changes(pool);
     brought_m3_ += volume_m3(pool) - before_m3;
 }
 
@@ -133,7 +133,7 @@ TankStep LiquidTank::step(double most_s, core::ThreadPool& pool) {
     const double before_m3 = changes ? volume_m3(pool) : 0.0;
     drain();
     run_jets();
-    method_->take_stock(pool);
+    method_->apply_changes(pool);
     if (changes) brought_m3_ += volume_m3(pool) - before_m3;
     const double dt_s = most_s / std::ceil(most_s / longest_step_s());
     const Wind& wind = scene_.wind;

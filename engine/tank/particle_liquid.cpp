@@ -77,7 +77,7 @@ void ParticleLiquid::run_jet(const Jet& jet, const Nozzle& nozzle) {
 }
 
 /// The order of the particles is part of the state: it does not depend on who looks at them in between.
-void ParticleLiquid::take_stock(core::ThreadPool& pool) {
+void ParticleLiquid::apply_changes(core::ThreadPool& pool) {
     if (in_order_) return;
     cells_.sort(particles_, pool);
     in_order_ = true;

@@ -22,7 +22,7 @@ class ParticleLiquid final : public LiquidMethod {
     void add(const LiquidBody& body) override;
     void drain(const CellSet& cells) override;
     void run_jet(const Jet& jet, const Nozzle& nozzle) override;
-    void take_stock(core::ThreadPool& pool) override;
+    void apply_changes(core::ThreadPool& pool) override;
     liquid::SolveResult step(const TankScene& scene, const Wind* wind, float dt_s,
                              core::ThreadPool& pool) override;
 
