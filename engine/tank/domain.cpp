@@ -38,10 +38,10 @@ Domain::Domain(const grid::BoxShape& shape, const liquid::SignedDistance& solid_
                 share_.at(i, j, k) = walls_.open_cells().at(i, j, k) > 0.0F ? share : 0.0F;
                 has_solids_ = has_solids_ || share < 1.0F;
             }
-    if (has_solids_) find_shut_faces();
+    if (has_solids_) compute_shut_faces();
 }
 
-void Domain::find_shut_faces() {
+void Domain::compute_shut_faces() {
     const grid::BoxShape& box = shape();
     for (const int axis : kAxes) {
         const Location location = liquid::face_across(axis);

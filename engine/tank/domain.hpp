@@ -46,7 +46,7 @@ class Domain {
         int i, j, k;
         glm::vec3 normal;  ///< into the domain
     };
-    void find_shut_faces();
+    void compute_shut_faces();
     glm::vec3 normal_at(const glm::vec3& point_m) const;
 
     liquid::Walls walls_;

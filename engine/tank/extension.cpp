@@ -41,7 +41,7 @@ void VelocityExtension::extend(const grid::BoxField& phi, const liquid::Velocity
         const int axis = static_cast<int>(n);
         Component& component = components_[n];
         const float reach_m = reach_cells * shape_.cell_m;
-        find_faces(component, axis, phi, known.along(axis), reach_m);
+        compute_faces(component, axis, phi, known.along(axis), reach_m);
         sort(component);
         settle(component, velocity.along(axis));
         settle_left(component, velocity.along(axis));
@@ -49,8 +49,8 @@ void VelocityExtension::extend(const grid::BoxField& phi, const liquid::Velocity
     });
 }
 
-void VelocityExtension::find_faces(Component& component, int axis, const grid::BoxField& phi,
-                                   const grid::BoxField& known, float reach_m) const {
+void VelocityExtension::compute_faces(Component& component, int axis, const grid::BoxField& phi,
+                                      const grid::BoxField& known, float reach_m) const {
     const std::ptrdiff_t back = liquid::stride(shape_, axis);
     const auto [nx, ny, nz] = liquid::sample_counts(shape_, liquid::face_across(axis));
     // Less rounding: beyond its own reach phi is that reach.

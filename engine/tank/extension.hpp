@@ -52,8 +52,8 @@ class VelocityExtension {
         kOutside,  ///< of the box
     };
 
-    void find_faces(Component& component, int axis, const grid::BoxField& phi,
-                    const grid::BoxField& known, float reach_m) const;
+    void compute_faces(Component& component, int axis, const grid::BoxField& phi,
+                       const grid::BoxField& known, float reach_m) const;
     static void sort(Component& component);
     void settle(Component& component, grid::BoxField& values) const;
     void settle_left(Component& component, grid::BoxField& values) const;

@@ -142,7 +142,7 @@ void LevelSetLiquid::apply_changes(core::ThreadPool& pool) {
     const double now_m3 = volume_m3(pool);
     due_m3_ += now_m3 - last_m3_;
     last_m3_ = now_m3;
-    find_fastest(pool);
+    compute_fastest(pool);
 }
 
 double LevelSetLiquid::volume_m3(core::ThreadPool& pool) const {
@@ -156,7 +156,7 @@ double LevelSetLiquid::volume_m3(core::ThreadPool& pool) const {
 }
 
 /// Cells and samples around the liquid, as far as the level set is known.
-void LevelSetLiquid::find_rows(core::ThreadPool& pool) {
+void LevelSetLiquid::compute_rows(core::ThreadPool& pool) {
     const grid::BoxShape& box = shape();
     near_ = RowRanges(box);
     const float reach_m = 0.999F * kLevelSetReach_cells * box.cell_m;
@@ -172,28 +172,28 @@ void LevelSetLiquid::find_rows(core::ThreadPool& pool) {
 
 liquid::SolveResult LevelSetLiquid::step(const TankScene& scene, const Wind* wind, float dt_s,
                                          core::ThreadPool& pool) {
-    find_rows(pool);
+    compute_rows(pool);
     surface_.update(near_, pool);
     add_gravity_and_wind(scene, wind, dt_s, level_m(), kWindReach_cells * shape().cell_m, samples_,
                          velocity_, pool);
     domain_->stop_at_walls(samples_, velocity_, pool);
     inner_forces_.add(scene, surface_, dt_s, velocity_, pool);
-    find_growth(scene, dt_s);
+    compute_growth(scene, dt_s);
     const liquid::SolveResult pressure =
         surface_.project(velocity_, &growth_, pressure_limits(scene), pool);
-    find_known(pool);
+    compute_known(pool);
     extension_.extend(level_m(), known_, kVelocityReach_cells, velocity_, pool);
     domain_->walls().extrapolate(velocity_, pool);
     domain_->stop_at_walls(samples_, velocity_, pool);
     carry_surface(dt_s, pool);
     carry_velocity_and_milk(dt_s, pool);
     last_m3_ = volume_m3(pool);
-    find_fastest(pool);
+    compute_fastest(pool);
     return pressure;
 }
 
 /// The source's way to keep the volume: a little of what is missing appears everywhere in the liquid.
-void LevelSetLiquid::find_growth(const TankScene& scene, float dt_s) {
+void LevelSetLiquid::compute_growth(const TankScene& scene, float dt_s) {
     const double volume = last_m3_;
     if (!(volume > 0.0)) return;
     const double missing = std::clamp((due_m3_ - volume) / volume, -kMostGrowth, kMostGrowth);
@@ -202,7 +202,7 @@ void LevelSetLiquid::find_growth(const TankScene& scene, float dt_s) {
 }
 
 /// 1 on open faces beside the liquid and on the box's own.
-void LevelSetLiquid::find_known(core::ThreadPool& pool) {
+void LevelSetLiquid::compute_known(core::ThreadPool& pool) {
     const grid::BoxShape& box = shape();
     const std::array<int, 3> last = {box.nx, box.ny, box.nz};
     liquid::for_slices(pool, 0, box.nz + 1, [&](int k) {
@@ -270,7 +270,7 @@ void LevelSetLiquid::carry_milk(float dt_s, core::ThreadPool& pool) {
     });
 }
 
-void LevelSetLiquid::find_fastest(core::ThreadPool& pool) {
+void LevelSetLiquid::compute_fastest(core::ThreadPool& pool) {
     const grid::BoxShape& box = shape();
     std::vector<float> fastest(static_cast<std::size_t>(box.nz), 0.0F);
     liquid::for_slices(pool, 0, box.nz, [&](int k) {

@@ -43,13 +43,13 @@ class LevelSetLiquid final : public LiquidMethod {
     void put(const liquid::SignedDistance& form_m, const glm::vec3& velocity_m_s, float milk);
     void set_velocity(const glm::ivec3& cell, const glm::vec3& velocity_m_s);
     float kept_within_cells() const { return particles_ ? 0.0F : kKeptWithin_cells; }
-    void find_rows(core::ThreadPool& pool);
-    void find_growth(const TankScene& scene, float dt_s);
-    void find_known(core::ThreadPool& pool);
+    void compute_rows(core::ThreadPool& pool);
+    void compute_growth(const TankScene& scene, float dt_s);
+    void compute_known(core::ThreadPool& pool);
     void carry_surface(float dt_s, core::ThreadPool& pool);
     void carry_velocity_and_milk(float dt_s, core::ThreadPool& pool);
     void carry_milk(float dt_s, core::ThreadPool& pool);
-    void find_fastest(core::ThreadPool& pool);
+    void compute_fastest(core::ThreadPool& pool);
 
     const Domain* domain_;
     FreeSurface surface_;

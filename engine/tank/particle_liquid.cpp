@@ -99,10 +99,10 @@ liquid::SolveResult ParticleLiquid::step(const TankScene& scene, const Wind* win
                          samples_, velocity_, pool);
     domain_->stop_at_walls(samples_, velocity_, pool);
     inner_forces_.add(scene, surface_, dt_s, velocity_, pool);
-    find_growth(near, scene.volume_rate, dt_s, pool);
+    compute_growth(near, scene.volume_rate, dt_s, pool);
     const liquid::SolveResult pressure =
         surface_.project(velocity_, &growth_, pressure_limits(scene), pool);
-    find_known(pool);
+    compute_known(pool);
     rings_.extend(known_, samples_, kRings, velocity_, pool);
     domain_->stop_at_walls(samples_, velocity_, pool);
     fastest_m_s_ = transfer_.to_particles(old_velocity_, velocity_, samples_,
@@ -159,9 +159,9 @@ void ParticleLiquid::copy_velocity(core::ThreadPool& pool) {
 }
 
 /// Share of a cell's volume that must appear in this step, as a velocity through its faces.
-void ParticleLiquid::find_growth(const liquid::RowRanges& near, double volume_rate, float dt_s,
-                                 core::ThreadPool& pool) {
-    particle_surface_.find_excess(cells_, near, surface_.level_m(), growth_, pool);
+void ParticleLiquid::compute_growth(const liquid::RowRanges& near, double volume_rate, float dt_s,
+                                    core::ThreadPool& pool) {
+    particle_surface_.compute_excess(cells_, near, surface_.level_m(), growth_, pool);
     const float per_step = static_cast<float>(volume_rate) * shape().cell_m / dt_s;
     liquid::for_slices(pool, 0, shape().nz, [&](int k) {
         for (int j = 0; j < shape().ny; ++j) {
@@ -174,7 +174,7 @@ void ParticleLiquid::find_growth(const liquid::RowRanges& near, double volume_ra
 }
 
 /// Turns the sums of weights into what is known of the faces: nothing on shut ones but the box's own.
-void ParticleLiquid::find_known(core::ThreadPool& pool) {
+void ParticleLiquid::compute_known(core::ThreadPool& pool) {
     const grid::BoxShape& box = shape();
     const std::array<int, 3> last = {box.nx, box.ny, box.nz};
     liquid::for_slices(pool, 0, box.nz + 1, [&](int k) {

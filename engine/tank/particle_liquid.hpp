@@ -38,9 +38,9 @@ class ParticleLiquid final : public LiquidMethod {
   private:
     const grid::BoxShape& shape() const { return domain_->shape(); }
     void copy_velocity(core::ThreadPool& pool);
-    void find_growth(const liquid::RowRanges& near, double volume_rate, float dt_s,
-                     core::ThreadPool& pool);
-    void find_known(core::ThreadPool& pool);
+    void compute_growth(const liquid::RowRanges& near, double volume_rate, float dt_s,
+                        core::ThreadPool& pool);
+    void compute_known(core::ThreadPool& pool);
     void keep_out_of_solids(core::ThreadPool& pool);
 
     const Domain* domain_;

@@ -108,8 +108,8 @@ void ParticleSurface::forget_last(grid::BoxField& level_m, core::ThreadPool& poo
     });
 }
 
-void ParticleSurface::find_surrounded(const ParticleCells& cells, const liquid::RowRanges& rows,
-                                      core::ThreadPool& pool) {
+void ParticleSurface::compute_surrounded(const ParticleCells& cells, const liquid::RowRanges& rows,
+                                         core::ThreadPool& pool) {
     const std::ptrdiff_t y = shape_.stride_y(), z = shape_.stride_z();
     liquid::for_slices(pool, 0, shape_.nz, [&](int k) {
         for (int j = 0; j < shape_.ny; ++j) {
@@ -139,7 +139,7 @@ void ParticleSurface::find(const ParticleCells& cells, const liquid::RowRanges& 
                            grid::BoxField& level_m, core::ThreadPool& pool) {
     forget_last(level_m, pool);
     last_rows_ = rows;
-    find_surrounded(cells, rows, pool);
+    compute_surrounded(cells, rows, pool);
     liquid::for_slices(pool, 0, shape_.nz, [&](int k) {
         for (int j = 0; j < shape_.ny; ++j) {
             const RowRange row = rows.at(j, k);
@@ -162,9 +162,9 @@ float ParticleSurface::distance_cells(const ParticleCells& cells, int i, int j, 
 /// What blurred() gives where all cells are full.
 constexpr float kPerFullBlur = 1.0F / (64.0F * static_cast<float>(kParticlesPerCell));
 
-void ParticleSurface::find_excess(const ParticleCells& cells, const liquid::RowRanges& rows,
-                                  const grid::BoxField& level_m, grid::BoxField& excess,
-                                  core::ThreadPool& pool) {
+void ParticleSurface::compute_excess(const ParticleCells& cells, const liquid::RowRanges& rows,
+                                     const grid::BoxField& level_m, grid::BoxField& excess,
+                                     core::ThreadPool& pool) {
     liquid::for_slices(pool, 0, shape_.nz, [&](int k) {
         for (int j = 0; j < shape_.ny; ++j) {
             const RowRange row = rows.at(j, k);

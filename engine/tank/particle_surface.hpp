@@ -41,15 +41,15 @@ class ParticleSurface {
     /// After find(): by how much more volume the particles in and around a cell stand for than there is
     /// liquid, as a share of a cell, within `rows`; cells at the surface are full as far as their level
     /// says. In cells that are not surrounded no less than 0: spray may be thin.
-    void find_excess(const ParticleCells& cells, const liquid::RowRanges& rows,
-                     const grid::BoxField& level_m, grid::BoxField& excess, core::ThreadPool& pool);
+    void compute_excess(const ParticleCells& cells, const liquid::RowRanges& rows,
+                        const grid::BoxField& level_m, grid::BoxField& excess, core::ThreadPool& pool);
 
   private:
     float distance_cells(const ParticleCells& cells, int i, int j, int k) const;
     float blurred(const float* at) const;
     void forget_last(grid::BoxField& level_m, core::ThreadPool& pool);
-    void find_surrounded(const ParticleCells& cells, const liquid::RowRanges& rows,
-                         core::ThreadPool& pool);
+    void compute_surrounded(const ParticleCells& cells, const liquid::RowRanges& rows,
+                            core::ThreadPool& pool);
 
     grid::BoxShape shape_;
     const Domain* domain_;

@@ -58,7 +58,7 @@ void Reinitialisation::apply(grid::BoxField& phi, float reach_cells, float kept_
     PASTOSO_CHECK(phi.shape() == shape_);
     PASTOSO_CHECK_OP(reach_cells, >=, 1.0F);
     continue_beyond_walls(phi);
-    find_first_ring(phi, pool);
+    compute_first_ring(phi, pool);
     // A cell at distance d has a neighbour at d - 1 or less, among the 26.
     const int rings = static_cast<int>(std::ceil(reach_cells));
     for (int ring = 1; ring <= rings; ++ring)
@@ -69,7 +69,7 @@ void Reinitialisation::apply(grid::BoxField& phi, float reach_cells, float kept_
     continue_beyond_walls(phi);
 }
 
-void Reinitialisation::find_first_ring(const grid::BoxField& phi, core::ThreadPool& pool) {
+void Reinitialisation::compute_first_ring(const grid::BoxField& phi, core::ThreadPool& pool) {
     liquid::for_slices(pool, 0, shape_.nz, [&](int k) {
         Slice& slice = slices_[static_cast<std::size_t>(k)];
         slice.clear();

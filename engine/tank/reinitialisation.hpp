@@ -36,7 +36,7 @@ class Reinitialisation {
     };
     using Slice = std::vector<Cell>;
 
-    void find_first_ring(const grid::BoxField& phi, core::ThreadPool& pool);
+    void compute_first_ring(const grid::BoxField& phi, core::ThreadPool& pool);
     void add_ring(int ring, float reach_cells, core::ThreadPool& pool);
     void look_around(core::ThreadPool& pool);
     void seek(const grid::BoxField& phi, float reach_cells, core::ThreadPool& pool);

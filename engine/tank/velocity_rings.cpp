@@ -29,7 +29,7 @@ void VelocityRings::extend(const liquid::VelocityField& known, const liquid::Row
     used_ = samples;
     for (int ring = 0; ring < rings; ++ring) {
         for_components([&](int axis, int k, Component& component) {
-            find_targets(velocity.along(axis), samples, k, component);
+            compute_targets(velocity.along(axis), samples, k, component);
         });
         for_components([&](int axis, int k, Component& component) {
             apply(velocity.along(axis), k, component);
@@ -60,8 +60,8 @@ void VelocityRings::add_flying(const grid::BoxField& known, int k, Component& co
     }
 }
 
-void VelocityRings::find_targets(const grid::BoxField& field, const liquid::RowRanges& samples, int k,
-                                 Component& component) const {
+void VelocityRings::compute_targets(const grid::BoxField& field, const liquid::RowRanges& samples, int k,
+                                    Component& component) const {
     auto& targets = component.targets[static_cast<std::size_t>(k)];
     targets.clear();
     const std::ptrdiff_t y = shape_.stride_y(), z = shape_.stride_z();

@@ -38,8 +38,8 @@ class VelocityRings {
     void load(const grid::BoxField& known, const liquid::RowRanges& samples, int k,
               Component& component) const;
     void add_flying(const grid::BoxField& known, int k, Component& component) const;
-    void find_targets(const grid::BoxField& field, const liquid::RowRanges& samples, int k,
-                      Component& component) const;
+    void compute_targets(const grid::BoxField& field, const liquid::RowRanges& samples, int k,
+                         Component& component) const;
     static void apply(grid::BoxField& field, int k, Component& component);
 
     grid::BoxShape shape_;

@@ -12,7 +12,7 @@ const grid::BoxShape kShape{6, 5, 4, 0.01F};
 std::vector<ParcelShares> shares_of(const Parcel& parcel, const grid::BoxField& open) {
     core::ThreadPool pool(1);
     std::vector<ParcelShares> shares;
-    find_shares({&parcel, 1}, open, pool, shares);
+    compute_shares({&parcel, 1}, open, pool, shares);
     return shares;
 }
 

@@ -25,7 +25,7 @@ Found find(std::vector<Particle> particles, core::ThreadPool& pool) {
     Found found;
     const liquid::RowRanges rows = widened_cells(cells.rows(), kBox, 1);
     surface.find(cells, rows, found.level_m, pool);
-    surface.find_excess(cells, rows, found.level_m, found.excess, pool);
+    surface.compute_excess(cells, rows, found.level_m, found.excess, pool);
     return found;
 }
 

@@ -61,10 +61,10 @@ CosinePressure::CosinePressure(const grid::BoxShape& shape)
             axes_[axis].turn.emplace_back(static_cast<float>(std::cos(0.5 * angle)),
                                           static_cast<float>(-half_sine));
         }
-    find_frequencies_x();
+    compute_frequencies_x();
 }
 
-void CosinePressure::find_frequencies_x() {
+void CosinePressure::compute_frequencies_x() {
     const auto& [eigenvalue, turn] = axes_[0];
     const auto count = static_cast<std::size_t>(2 * spectrum_.extent().row_stride());
     // What pads a row divides nothing by one.

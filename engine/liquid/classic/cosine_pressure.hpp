@@ -32,7 +32,7 @@ class CosinePressure {
     };
     using Slice = std::vector<float>;  ///< nx ny values
 
-    void find_frequencies_x();
+    void compute_frequencies_x();
     /// A row of cells, to and from where it is transformed.
     void load_row(const float* source, int j, int k);
     void store_row(int j, int k, float* pressure);

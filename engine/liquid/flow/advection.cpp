@@ -19,16 +19,16 @@ Advection::Advection(const grid::BoxShape& shape, const std::array<RowRanges, 4>
       kernels_(&kernels),
       centres_(4 * shape.sample_count(), 0.0F),
       centre_rows_(static_cast<std::size_t>(shape.ny + 2) * static_cast<std::size_t>(shape.nz + 2)) {
-    find_centre_rows();
+    compute_centre_rows();
 }
 
 void Advection::set_rows(const std::array<RowRanges, 4>& rows) {
     rows_ = rows;
     centre_rows_.assign(centre_rows_.size(), RowRange{});
-    find_centre_rows();
+    compute_centre_rows();
 }
 
-void Advection::find_centre_rows() {
+void Advection::compute_centre_rows() {
     const RowRanges& cells = rows_[static_cast<std::size_t>(Location::Cell)];
     for (int k = 0; k < shape_.nz; ++k)
         for (int j = 0; j < shape_.ny; ++j) {

@@ -40,7 +40,7 @@ class Advection {
                 Interpolation interpolation, core::ThreadPool& pool) const;
 
   private:
-    void find_centre_rows();
+    void compute_centre_rows();
     RowRange& centre_row(int j, int k) {
         return centre_rows_[static_cast<std::size_t>((k + 1) * (shape_.ny + 2) + j + 1)];
     }

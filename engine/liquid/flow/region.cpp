@@ -7,11 +7,11 @@ namespace pastoso::liquid {
 Region::Region(VelocityField open) : open_(std::move(open)), open_cells_(shape()) {
     for (RowRanges& rows : rows_)
         rows = RowRanges(shape());
-    find_face_rows();
-    find_open_cells();
+    compute_face_rows();
+    compute_open_cells();
 }
 
-void Region::find_face_rows() {
+void Region::compute_face_rows() {
     for (const int axis : kAxes)
         for (int k = 0; k < shape().nz; ++k)
             for (int j = 0; j < shape().ny; ++j)
@@ -20,7 +20,7 @@ void Region::find_face_rows() {
                         rows_[static_cast<std::size_t>(axis)].include(i, j, k);
 }
 
-void Region::find_open_cells() {
+void Region::compute_open_cells() {
     RowRanges& rows = rows_[static_cast<std::size_t>(Location::Cell)];
     for (int k = 0; k < shape().nz; ++k)
         for (int j = 0; j < shape().ny; ++j)

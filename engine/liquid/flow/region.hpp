@@ -22,8 +22,8 @@ class Region {
     long open_cell_count() const { return open_cell_count_; }
 
   private:
-    void find_open_cells();
-    void find_face_rows();
+    void compute_open_cells();
+    void compute_face_rows();
 
     VelocityField open_;
     grid::BoxField open_cells_;

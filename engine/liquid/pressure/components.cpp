@@ -50,8 +50,8 @@ class Labels {
 
 }  // namespace
 
-void find_closed_components(const CellMatrix& matrix, const RowRanges& rows,
-                            ClosedComponents& components) {
+void compute_closed_components(const CellMatrix& matrix, const RowRanges& rows,
+                               ClosedComponents& components) {
     const grid::BoxShape& shape = matrix.shape();
     const std::ptrdiff_t to_y = shape.nx, to_z = to_y * shape.ny;
     components.of_cell.assign(static_cast<std::size_t>(to_z * shape.nz), 0);

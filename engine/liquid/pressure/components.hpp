@@ -19,7 +19,7 @@ struct ClosedComponents {
 
 /// The cells of the matrix that take part must lie within `rows`. `components` is overwritten; its
 /// memory is used again.
-void find_closed_components(const CellMatrix& matrix, const RowRanges& rows,
-                            ClosedComponents& components);
+void compute_closed_components(const CellMatrix& matrix, const RowRanges& rows,
+                               ClosedComponents& components);
 
 }  // namespace pastoso::liquid

@@ -98,7 +98,7 @@ float largest_coefficient(const CellMatrix& matrix, const RowRanges& rows) {
 }
 
 /// The first run of plain groups of a row.
-void find_plain_groups(const CellMatrix& matrix, int j, int k, MultigridLevel& level) {
+void compute_plain_groups(const CellMatrix& matrix, int j, int k, MultigridLevel& level) {
     if (!(level.plain.diagonal > kLeastDiagonal)) return;
     const auto is_plain = [&](int group) {
         if (2 * (group + kGroup) > level.extent.nx) return false;
@@ -146,7 +146,7 @@ long fill_row(const CellMatrix& matrix, RowRange row, int j, int k, MultigridLev
         ++count;
     }
     level.rows[static_cast<std::size_t>(k * level.extent.ny + j)] = groups_of(used);
-    find_plain_groups(matrix, j, k, level);
+    compute_plain_groups(matrix, j, k, level);
     return count;
 }
 
@@ -200,7 +200,7 @@ MultigridLevels::MultigridLevels(const grid::BoxShape& shape) {
 void MultigridLevels::set_matrix(const CellMatrix& matrix, const RowRanges& rows,
                                  core::ThreadPool& pool) {
     fill_level(matrix, rows, levels_.front(), pool);
-    find_closed_components(matrix, rows, levels_.front().closed);
+    compute_closed_components(matrix, rows, levels_.front().closed);
     const CellMatrix* fine = &matrix;
     const RowRanges* fine_rows = &rows;
     core::ThreadPool this_thread(1);
@@ -220,7 +220,7 @@ void MultigridLevels::set_matrix(const CellMatrix& matrix, const RowRanges& rows
         fine = &coarse;
         fine_rows = &rows_[n];
     }
-    if (!coarse_.empty()) find_closed_components(coarse_.back(), rows_.back(), levels_.back().closed);
+    if (!coarse_.empty()) compute_closed_components(coarse_.back(), rows_.back(), levels_.back().closed);
 }
 
 }  // namespace pastoso::liquid

@@ -143,7 +143,7 @@ void MarchingCubes::place_row(const SampleView& samples, int j, int k, float iso
         const VertexColumns columns = columns_in(scratch.numbers, lattice.nx);
         scratch.places.resize(static_cast<std::size_t>(lattice.nx));
         const int count =
-            kernels.find_edges(bits(row), bits(others[axis]), lattice.nx, scratch.places.data());
+            kernels.compute_edges(bits(row), bits(others[axis]), lattice.nx, scratch.places.data());
         kernels.place(edge_row(samples, j, k, axis, iso), scratch.places.data(), count, options.normals,
                       columns);
         gather_columns(columns.position, count, mesh.positions_m.data() + vertex);

@@ -195,7 +195,7 @@ void mark(const float* values, int count, float iso, std::uint32_t* words) {
     *words = 0;
 }
 
-int find_edges(const std::uint32_t* row, const std::uint32_t* other, int nx, std::int32_t* places) {
+int compute_edges(const std::uint32_t* row, const std::uint32_t* other, int nx, std::int32_t* places) {
     int count = 0;
     for_edge_words(row, other, nx, [&](std::uint32_t word, int w) {
         for (; word != 0; word &= word - 1)

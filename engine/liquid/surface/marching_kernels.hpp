@@ -51,8 +51,8 @@ struct MarchingKernels {
 
     /// The bits where two rows differ, or a row from itself one sample on (`other` == `row`): their
     /// places. Returns how many.
-    int (*find_edges)(const std::uint32_t* row, const std::uint32_t* other, int nx,
-                      std::int32_t* places);
+    int (*compute_edges)(const std::uint32_t* row, const std::uint32_t* other, int nx,
+                         std::int32_t* places);
 
     /// How many there are.
     std::uint32_t (*count_edges)(const std::uint32_t* row, const std::uint32_t* other, int nx);

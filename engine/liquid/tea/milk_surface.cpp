@@ -87,7 +87,7 @@ void MilkSurfaces::sample_cup(const Cup& cup, const Lattice& lattice, float gap_
 }
 
 /// Rows at the lattice's border count as empty.
-void MilkSurfaces::find_milk() {
+void MilkSurfaces::compute_milk() {
     const Lattice& lattice = field_.lattice();
     has_milk_.assign(static_cast<std::size_t>(lattice.ny) * static_cast<std::size_t>(lattice.nz), 0);
     pool_.run(static_cast<std::size_t>(lattice.nz), [&](std::size_t layer, int) {
@@ -144,7 +144,7 @@ MilkSurface MilkSurfaces::make(std::span<const Parcel> parcels, const Cup& cup,
     balls_.fill(parcels, widened(settings.balls, settings.least_reach * lattice.spacing_m), field_,
                 settings.isa);
     sample_cup(cup, lattice, settings.gap_m);
-    find_milk();
+    compute_milk();
     Search search(std::log(kFirstGuess));
     double best = -1.0;
     while (milk.tries < settings.most_tries && best != 0.0 && !search.is_out_of_reach()) {

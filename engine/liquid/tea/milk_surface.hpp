@@ -48,7 +48,7 @@ class MilkSurfaces {
 
   private:
     void sample_cup(const Cup& cup, const Lattice& lattice, float gap_m);
-    void find_milk();
+    void compute_milk();
     void cut(float threshold);
     double volume_at(float threshold, const MilkSurfaceSettings& settings, TriangleMesh& mesh);
 

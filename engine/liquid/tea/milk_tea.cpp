@@ -104,7 +104,7 @@ double MilkTea::milk_m3(core::ThreadPool& pool) const {
 
 void MilkTea::spread_parcels(core::ThreadPool& pool) {
     const auto per_m3 = static_cast<float>(1.0 / flow_.shape().cell_volume_m3());
-    find_shares(parcels_, flow_.walls().open_cells(), pool, shares_);
+    compute_shares(parcels_, flow_.walls().open_cells(), pool, shares_);
     amounts_.resize(parcels_.size());
     cold_amounts_.resize(parcels_.size());
     for (std::size_t i = 0; i < parcels_.size(); ++i) {
@@ -195,7 +195,7 @@ void MilkTea::exchange(core::ThreadPool& pool) {
         return rests ? dissolving_at_rest : dissolving;
     };
 
-    find_shares(parcels_, flow_.walls().open_cells(), pool, shares_);
+    compute_shares(parcels_, flow_.walls().open_cells(), pool, shares_);
     const auto per_m3 = static_cast<float>(1.0 / flow_.shape().cell_volume_m3());
     const float least_m3 = kLeastParcel * milk_per_parcel_m3(settings_);
     for (std::size_t i = 0; i < parcels_.size(); ++i) {

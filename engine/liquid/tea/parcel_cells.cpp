@@ -64,8 +64,8 @@ bool ParcelShares::any() const {
     return std::any_of(shares.begin(), shares.end(), [](float share) { return share > 0.0F; });
 }
 
-void find_shares(std::span<const Parcel> parcels, const grid::BoxField& open_cells,
-                 core::ThreadPool& pool, std::vector<ParcelShares>& shares) {
+void compute_shares(std::span<const Parcel> parcels, const grid::BoxField& open_cells,
+                    core::ThreadPool& pool, std::vector<ParcelShares>& shares) {
     shares.resize(parcels.size());
     const auto offsets = corner_offsets(open_cells.shape());
     pool.run((parcels.size() + kParcelsAtOnce - 1) / kParcelsAtOnce, [&](std::size_t batch, int) {

@@ -23,8 +23,8 @@ struct ParcelShares {
 
 /// Of all parcels; their positions must be finite and in the box. `open_cells` is 1 in open cells, 0 in
 /// others.
-void find_shares(std::span<const Parcel> parcels, const grid::BoxField& open_cells,
-                 core::ThreadPool& pool, std::vector<ParcelShares>& shares);
+void compute_shares(std::span<const Parcel> parcels, const grid::BoxField& open_cells,
+                    core::ThreadPool& pool, std::vector<ParcelShares>& shares);
 
 /// field += amount[p] times p's shares, for one parcel after the other.
 void scatter(std::span<const ParcelShares> shares, std::span<const float> amounts,
