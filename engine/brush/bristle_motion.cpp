@@ -11,7 +11,7 @@ namespace pastoso::brush {
 #define PASTOSO_DECLARE_KERNELS(isa)                                                   \
     namespace isa {                                                                    \
     void move(const StepFlex& flex, const FerrulePose& hand, MotionColumns& bristles); \
-    void find_tufts(const TuftGrid&, const MotionColumns&, TuftCells&);                \
+    void compute_tufts(const TuftGrid&, const MotionColumns&, TuftCells&);             \
     }
 
 PASTOSO_DECLARE_KERNELS(baseline)
@@ -148,10 +148,10 @@ float edge_support_mm(const std::vector<BristlePose>& poses) {
 
 MotionKernels motion_kernels_for([[maybe_unused]] core::Isa isa) {
 #ifdef PASTOSO_MULTIPLE_ISAS
-    if (isa == core::Isa::Avx512) return {avx512::move, avx512::find_tufts};
-    if (isa == core::Isa::Avx2) return {avx2::move, avx2::find_tufts};
+    if (isa == core::Isa::Avx512) return {avx512::move, avx512::compute_tufts};
+    if (isa == core::Isa::Avx2) return {avx2::move, avx2::compute_tufts};
 #endif
-    return {baseline::move, baseline::find_tufts};
+    return {baseline::move, baseline::compute_tufts};
 }
 
 const MotionKernels& motion_kernels() {
@@ -193,7 +193,7 @@ Swath move_bristles(const Brush& brush, const HandPose& hand, double step_mm,
         const int count = std::min(MotionColumns::kCount, all - first);
         fill_columns(&brush.tip.bristles[first], &poses[first], count, columns);
         motion_kernels().move(flex, ferrule, columns);
-        motion_kernels().find_tufts(grid, columns, tufts);
+        motion_kernels().compute_tufts(grid, columns, tufts);
         for (int i = 0; i < count; ++i) {
             BristlePose& pose = poses[first + i];
             if (columns.depth_mm[i] > 0.0) {

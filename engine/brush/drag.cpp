@@ -81,8 +81,8 @@ void PaintDrag::Shares::set(int x, int y, float share, const grid::Rect& all) {
     at(x, y) = share;
 }
 
-void PaintDrag::find_shares(const ExchangeRule& rule, const DragRates& rates, const CellBatch& touched,
-                            const film::FilmState& film) {
+void PaintDrag::compute_shares(const ExchangeRule& rule, const DragRates& rates,
+                               const CellBatch& touched, const film::FilmState& film) {
     const double most_viscous = stiffest(touched, rates.speed_mm_s);
     if (most_viscous <= 1.0) return;
     const float above = logarithm_above(most_viscous);
@@ -110,7 +110,7 @@ void PaintDrag::find_shares(const ExchangeRule& rule, const DragRates& rates, co
 bool PaintDrag::find(const ExchangeRule& rule, const DragRates& rates, const CellBatch& touched,
                      const film::FilmState& film) {
     shares_.any = false;
-    if (rates.share > 0.0F && touched.count() > 0) find_shares(rule, rates, touched, film);
+    if (rates.share > 0.0F && touched.count() > 0) compute_shares(rule, rates, touched, film);
     return shares_.any;
 }
 

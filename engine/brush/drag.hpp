@@ -51,8 +51,8 @@ class PaintDrag {
         /// The first call makes room for `all`.
         void set(int x, int y, float share, const grid::Rect& all);
     };
-    void find_shares(const ExchangeRule& rule, const DragRates& rates, const CellBatch& touched,
-                     const film::FilmState& film);
+    void compute_shares(const ExchangeRule& rule, const DragRates& rates, const CellBatch& touched,
+                        const film::FilmState& film);
 
     Shares shares_;
 };

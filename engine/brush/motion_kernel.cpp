@@ -48,7 +48,7 @@ void move(const StepFlex& flex, const FerrulePose& hand, MotionColumns& bristles
     }
 }
 
-void find_tufts(const TuftGrid& grid, const MotionColumns& bristles, TuftCells& cells) {
+void compute_tufts(const TuftGrid& grid, const MotionColumns& bristles, TuftCells& cells) {
     const double d = grid.tuft_cells;
     for (int i = 0; i < MotionColumns::kCount; ++i) {
         const double x = bristles.x_mm[i] * grid.cells_per_mm;

@@ -45,7 +45,7 @@ struct TuftCells {
 struct MotionKernels {
     /// Moves the bristles by one step; bristle_motion.hpp says how.
     void (*move)(const StepFlex&, const FerrulePose&, MotionColumns&);
-    void (*find_tufts)(const TuftGrid&, const MotionColumns&, TuftCells&);
+    void (*compute_tufts)(const TuftGrid&, const MotionColumns&, TuftCells&);
 };
 
 /// The kernels for an instruction set that the processor has (the baseline's where no others were

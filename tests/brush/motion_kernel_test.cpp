@@ -58,8 +58,8 @@ TEST_P(MotionOnEverySet, GivesTheSameBitsAsTheBaseline) {
         kernels.move(kFlex, kHand, actual);
         EXPECT_EQ(std::memcmp(&actual, &expected, sizeof actual), 0) << "seed " << seed;
         TuftCells expected_cells{}, cells{};
-        baseline.find_tufts(kGrid, expected, expected_cells);
-        kernels.find_tufts(kGrid, expected, cells);
+        baseline.compute_tufts(kGrid, expected, expected_cells);
+        kernels.compute_tufts(kGrid, expected, cells);
         EXPECT_EQ(std::memcmp(&cells, &expected_cells, sizeof cells), 0) << "seed " << seed;
     }
 }
@@ -92,7 +92,7 @@ TEST(Motion, TuftsBeyondTheCanvasLieOnItsEdge) {
     columns.y_mm[0] = 1e9;
     columns.x_mm[1] = 4.06;
     TuftCells cells;
-    motion_kernels().find_tufts({8.0, 2.2, 255.0, 159.0}, columns, cells);
+    motion_kernels().compute_tufts({8.0, 2.2, 255.0, 159.0}, columns, cells);
     EXPECT_EQ(cells.x[0], 0);
     EXPECT_EQ(cells.right[0], 0);
     EXPECT_EQ(cells.above[0], 159);
