@@ -93,7 +93,7 @@ liquid::SolveResult ParticleLiquid::step(const TankScene& scene, const Wind* win
     samples_ = widened_samples(cells_.rows(), shape(), kRings + 1);
     transfer_.to_faces(particles_, cells_, samples_, velocity_, known_, pool);
     copy_velocity(pool);
-    particle_surface_.find(cells_, near, surface_.level_m(), pool);
+    particle_surface_.compute(cells_, near, surface_.level_m(), pool);
     surface_.update(near, pool);
     add_gravity_and_wind(scene, wind, dt_s, surface_.level_m(), kSurfaceDepth_cells * shape().cell_m,
                          samples_, velocity_, pool);

@@ -135,8 +135,8 @@ void ParticleSurface::compute_surrounded(const ParticleCells& cells, const liqui
     });
 }
 
-void ParticleSurface::find(const ParticleCells& cells, const liquid::RowRanges& rows,
-                           grid::BoxField& level_m, core::ThreadPool& pool) {
+void ParticleSurface::compute(const ParticleCells& cells, const liquid::RowRanges& rows,
+                              grid::BoxField& level_m, core::ThreadPool& pool) {
     forget_last(level_m, pool);
     last_rows_ = rows;
     compute_surrounded(cells, rows, pool);

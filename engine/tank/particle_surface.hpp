@@ -35,12 +35,12 @@ class ParticleSurface {
     /// cells widened by one): -r in cells that particles or solids surround on all sides;
     /// within solids what a mirror there would show. R - r in all
     /// others that an earlier call has written. Particles must be sorted.
-    void find(const ParticleCells& cells, const liquid::RowRanges& rows, grid::BoxField& level_m,
-              core::ThreadPool& pool);
+    void compute(const ParticleCells& cells, const liquid::RowRanges& rows, grid::BoxField& level_m,
+                 core::ThreadPool& pool);
 
-    /// After find(): by how much more volume the particles in and around a cell stand for than there is
-    /// liquid, as a share of a cell, within `rows`; cells at the surface are full as far as their level
-    /// says. In cells that are not surrounded no less than 0: spray may be thin.
+    /// After compute(): by how much more volume the particles in and around a cell stand for than there
+    /// is liquid, as a share of a cell, within `rows`; cells at the surface are full as far as their
+    /// level says. In cells that are not surrounded no less than 0: spray may be thin.
     void compute_excess(const ParticleCells& cells, const liquid::RowRanges& rows,
                         const grid::BoxField& level_m, grid::BoxField& excess, core::ThreadPool& pool);
 

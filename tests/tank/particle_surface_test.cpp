@@ -24,7 +24,7 @@ Found find(std::vector<Particle> particles, core::ThreadPool& pool) {
     ParticleSurface surface(domain);
     Found found;
     const liquid::RowRanges rows = widened_cells(cells.rows(), kBox, 1);
-    surface.find(cells, rows, found.level_m, pool);
+    surface.compute(cells, rows, found.level_m, pool);
     surface.compute_excess(cells, rows, found.level_m, found.excess, pool);
     return found;
 }
@@ -119,10 +119,10 @@ TEST(ParticleSurface, ForgetsWhereParticlesWere) {
     ParticleSurface surface(domain);
     grid::BoxField level_m(kBox, 1.0F);
     cells.sort(first, pool);
-    surface.find(cells, widened_cells(cells.rows(), kBox, 1), level_m, pool);
+    surface.compute(cells, widened_cells(cells.rows(), kBox, 1), level_m, pool);
     EXPECT_LT(level_m.at(8, 8, 2), 0.0F);
     cells.sort(second, pool);
-    surface.find(cells, widened_cells(cells.rows(), kBox, 1), level_m, pool);
+    surface.compute(cells, widened_cells(cells.rows(), kBox, 1), level_m, pool);
     EXPECT_GT(level_m.at(8, 8, 2), 0.0F);
     EXPECT_LT(level_m.at(1, 1, 16), 0.0F);
 }

@@ -5,10 +5,10 @@
 namespace pastoso::liquid {
 namespace {
 
-constexpr int kRowRoom = 8, kLine = 16;
+constexpr int kRowPadding = 8, kLine = 16;
 
 std::ptrdiff_t row_stride(int nx) {
-    return (nx + kRowRoom + kLine - 1) / kLine * kLine;
+    return (nx + kRowPadding + kLine - 1) / kLine * kLine;
 }
 
 }  // namespace

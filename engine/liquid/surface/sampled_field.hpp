@@ -36,7 +36,7 @@ struct SampleView {
     float at(int i, int j, int k) const { return row(j, k)[i]; }
 };
 
-/// Samples with memory of their own. Rows end in room for half a cache line more, so that loops may work
+/// Samples with memory of their own. Rows are padded by half a cache line, so that loops may work
 /// on whole registers; what stands there means nothing.
 class SampledField {
   public:

@@ -20,11 +20,11 @@ struct Cup {
     friend bool operator==(const Cup&, const Cup&) = default;
 };
 
-/// The signed distance from the surface of the tea's room, up to the level, negative within; beyond its
+/// The signed distance from the surface of the tea at rest, up to the level, negative within; beyond its
 /// edges a lower bound of the distance.
 float tea_distance_m(const Cup& cup, const glm::vec3& point_m);
 
-/// A point that is not at least `margin_m` (> 0) within the tea's room, pushed along its wall's normal
+/// A point that is not at least `margin_m` (> 0) within the tea, pushed along its wall's normal
 /// until it is; one in a corner between wall, floor and level may end a little less within.
 glm::vec3 brought_within(const Cup& cup, glm::vec3 point_m, float margin_m);
 

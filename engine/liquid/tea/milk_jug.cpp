@@ -61,9 +61,9 @@ void MilkJug::pour_from(Stream& stream, const glm::vec2& at_m, int most, const P
 /// Onto a disc below the surface, as far down as the stream comes within the step.
 void MilkJug::pour_parcels(int count, const glm::vec2& at_m, const Pouring& into) {
     const TeaSettings& settings = into.settings;
-    const double room_m3 = kMostMilkInCup * tea_volume_m3(settings.cup) - state_.poured_m3;
+    const double capacity_left_m3 = kMostMilkInCup * tea_volume_m3(settings.cup) - state_.poured_m3;
     const float volume_m3 = milk_per_parcel_m3(settings);
-    const auto fitting = static_cast<int>(room_m3 / static_cast<double>(volume_m3));
+    const auto fitting = static_cast<int>(capacity_left_m3 / static_cast<double>(volume_m3));
     count = std::min({count, fitting, kMaxParcels - static_cast<int>(into.parcels.size())});
     const auto radius_m = static_cast<float>(settings.pour_radius_m);
     const auto way_m = static_cast<float>(settings.pour_speed_m_s * settings.step_s);

@@ -71,15 +71,15 @@ double total_volume(std::span<const Parcel> parcels) {
 }  // namespace
 
 void MilkSurfaces::sample_cup(const Cup& cup, const Lattice& lattice, float gap_m) {
-    if (room_.lattice() == lattice && cup_ == cup && gap_m_ == gap_m) return;
-    room_.assign(lattice);
+    if (inside_.lattice() == lattice && cup_ == cup && gap_m_ == gap_m) return;
+    inside_.assign(lattice);
     cup_ = cup;
     gap_m_ = gap_m;
     const float scale = kCutSlope / lattice.spacing_m;
     pool_.run(static_cast<std::size_t>(lattice.nz), [&](std::size_t layer, int) {
         const int k = static_cast<int>(layer);
         for (int j = 0; j < lattice.ny; ++j) {
-            float* row = room_.row(j, k);
+            float* row = inside_.row(j, k);
             for (int i = 0; i < lattice.nx; ++i)
                 row[i] = -scale * (tea_distance_m(cup, lattice.point_m(i, j, k)) + gap_m);
         }
@@ -105,7 +105,7 @@ void MilkSurfaces::compute_milk() {
     cut_.assign(lattice);
 }
 
-/// min(f, threshold (1 + room)): above the threshold where there is milk and room. Linear interpolation
+/// min(f, threshold (1 + inside)): above the threshold where there is milk, within the cup. Linear interpolation
 /// between two samples ends at the cup or before it.
 void MilkSurfaces::cut(float threshold) {
     const Lattice& lattice = field_.lattice();
@@ -115,10 +115,10 @@ void MilkSurfaces::cut(float threshold) {
             if (has_milk_[layer * static_cast<std::size_t>(lattice.ny) + static_cast<std::size_t>(j)] ==
                 0)
                 continue;
-            const float *field = field_.row(j, k), *room = room_.row(j, k);
+            const float *field = field_.row(j, k), *inside = inside_.row(j, k);
             float* out = cut_.row(j, k);
             for (int i = 1; i + 1 < lattice.nx; ++i) {
-                const float most = threshold * (1.0F + room[i]);
+                const float most = threshold * (1.0F + inside[i]);
                 out[i] = field[i] < most ? field[i] : most;
             }
         }

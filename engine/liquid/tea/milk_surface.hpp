@@ -55,7 +55,7 @@ class MilkSurfaces {
     core::ThreadPool& pool_;
     MetaballField balls_;
     MarchingCubes cubes_;
-    SampledField field_, room_, cut_;  ///< of the balls; within the cup > 0; their intersection
+    SampledField field_, inside_, cut_;  ///< of the balls; within the cup > 0; their intersection
     std::vector<char> has_milk_;       ///< of each row
     Cup cup_;
     float gap_m_ = -1.0F;

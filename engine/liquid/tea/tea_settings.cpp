@@ -61,10 +61,10 @@ void check_cup(const Cup& cup, double box_m) {
                 static_cast<double>(cup.floor_m) - 1e-5);
     for (const int axis : {0, 1}) {
         const auto middle = static_cast<double>(cup.axis_m[axis]);
-        const double room = std::min(middle, box - middle);
-        check_range("cup.floor_radius_m", static_cast<double>(cup.floor_radius_m), 1e-4, room);
+        const double to_wall = std::min(middle, box - middle);
+        check_range("cup.floor_radius_m", static_cast<double>(cup.floor_radius_m), 1e-4, to_wall);
         check_range("The cup's radius at its level",
-                    static_cast<double>(cup.inner_radius_m(cup.level_m)), 1e-4, room);
+                    static_cast<double>(cup.inner_radius_m(cup.level_m)), 1e-4, to_wall);
     }
 }
 
