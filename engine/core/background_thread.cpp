@@ -1,7 +1,7 @@
 #include "core/background_thread.hpp"
 
-#include <sys/resource.h>
-#include <unistd.h>
+#include "core/thread.hpp"
+
 #include <utility>
 
 namespace pastoso::core {
@@ -11,10 +11,6 @@ namespace {
 constexpr int kNice = 6;
 
 }  // namespace
-
-void lower_priority(int nice) {
-    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), nice);
-}
 
 BackgroundThread::~BackgroundThread() {
     if (!thread_.joinable()) return;
@@ -46,6 +42,8 @@ void BackgroundThread::rest_while_held() const {
         holds_.wait(holds);
 }
 
+/// A job whose outcome somebody needs is done again by who needs it: what it throws here is thrown there
+/// too.
 void BackgroundThread::work() {
     lower_priority(kNice);
     std::unique_lock lock(mutex_);
@@ -55,7 +53,7 @@ void BackgroundThread::work() {
         std::function<void()> job = std::move(jobs_.front());
         jobs_.pop_front();
         lock.unlock();
-        job();
+        fault_of(job);
         job = nullptr;
         lock.lock();
     }

@@ -3,6 +3,8 @@
 #include "core/check.hpp"
 #include "core/thread_count.hpp"
 
+#include <exception>
+
 namespace pastoso::core {
 namespace {
 
@@ -24,6 +26,30 @@ void wait_while(const std::atomic<T>& value, T old) {
     }
     value.wait(old, std::memory_order_acquire);
 }
+
+/// A loop's body that no exception leaves on the pool's threads: the first is thrown where run() was called,
+/// and indices that have not begun by then are left out.
+class Kept {
+  public:
+    explicit Kept(const std::function<void(std::size_t, int)>& body) : body_(body) {}
+
+    void call(std::size_t index, int worker) noexcept {
+        if (failed_.load(std::memory_order_relaxed)) return;
+        try {
+            body_(index, worker);
+        } catch (...) {
+            if (!failed_.exchange(true)) thrown_ = std::current_exception();
+        }
+    }
+    void throw_what_was_thrown() const {
+        if (thrown_) std::rethrow_exception(thrown_);
+    }
+
+  private:
+    const std::function<void(std::size_t, int)>& body_;
+    std::atomic<bool> failed_ = false;
+    std::exception_ptr thrown_;
+};
 
 }  // namespace
 
@@ -48,7 +74,11 @@ void ThreadPool::run(std::size_t count, const std::function<void(std::size_t, in
             body(index, 0);
         return;
     }
-    body_ = &body;
+    Kept kept(body);
+    const std::function<void(std::size_t, int)> kept_body = [&kept](std::size_t index, int worker) {
+        kept.call(index, worker);
+    };
+    body_ = &kept_body;
     count_ = count;
     next_ = 0;
     workers_inside_.store(0, std::memory_order_release);
@@ -58,6 +88,7 @@ void ThreadPool::run(std::size_t count, const std::function<void(std::size_t, in
     for (; inside != kClosed; inside = workers_inside_.load(std::memory_order_acquire))
         wait_while(workers_inside_, inside);
     body_ = nullptr;
+    kept.throw_what_was_thrown();
 }
 
 void ThreadPool::start_workers() {

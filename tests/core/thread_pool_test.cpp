@@ -3,6 +3,7 @@
 #include <atomic>
 #include <numeric>
 #include <set>
+#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -47,6 +48,19 @@ TEST_P(Pool, ManyShortRunsFollowEachOther) {
         });
     }
     EXPECT_EQ(values, std::vector<int>(8, kRuns));
+}
+
+TEST_P(Pool, ThrowsWhatItsBodyThrowsAndGoesOn) {
+    for (int run = 0; run < 100; ++run) {
+        EXPECT_THROW(pool_.run(64,
+                               [&](std::size_t index, int) {
+                                   if (index % 8 == 7) throw std::runtime_error("broken");
+                               }),
+                     std::runtime_error);
+        std::atomic<int> calls = 0;
+        pool_.run(64, [&](std::size_t, int) { ++calls; });
+        EXPECT_EQ(calls, 64);
+    }
 }
 
 TEST_P(Pool, TheCallersMemoryIsSeenByTheWorkersAndBack) {
