@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <numeric>
 
 namespace pastoso::film {
@@ -25,8 +24,7 @@ constexpr float kInertialTolerance = 0.001F;
 /// What a sweep leaves of the error, at most, where the overlap does its work.
 constexpr float kSweepGain = 0.1F;
 constexpr int kMostSweeps = 12;
-/// A tile is slow when a sweep does not bring its error below this share: it gets several V-cycles.
-constexpr float kSlowShare = 0.25F;
+/// Of a slow tile.
 constexpr int kMostCycles = 8;
 /// An error above this makes the step unfit for use.
 constexpr float kUsable = 0.25F;
@@ -48,13 +46,7 @@ float tolerance_of(const LargeTile& tile) {
 
 /// Whether the sweep that found a tile's error has brought it below what is allowed.
 bool is_close(const LargeTile& tile) {
-    return tile.error * kSweepGain <= tolerance_of(tile);
-}
-
-/// Notes that the equations of a tile have changed.
-void revise(LargeTile& tile) {
-    tile.corrected_error = std::numeric_limits<float>::max();
-    tile.revised = true;
+    return tile.state.error() * kSweepGain <= tolerance_of(tile);
 }
 
 struct CellRange {
@@ -77,7 +69,7 @@ class SharedFaces {
     SharedFaces(const TilePlace& place, const std::array<LargeTile*, 4>& beside, const LargeTile& tile) {
         const int right = place.columns.extent - 1, bottom = place.rows.extent - 1;
         const auto is_steady = [&](int side) {
-            return beside[side] != nullptr && !beside[side]->unsteady;
+            return beside[side] != nullptr && !beside[side]->state.is_unsteady();
         };
         for (int k = 0; k < kTileSize; ++k) {
             if (is_steady(0)) keep(tile.x, face_index(-1, k), x_faces_);
@@ -279,10 +271,7 @@ float LargeStepper::Pass::refine(const TilePlace& place, LargeTile& tile, LargeS
 void LargeStepper::Pass::assemble_all() {
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch& worker) {
         assemble(places[index], false, tile, large, worker);
-        tile.answered = true;
-        revise(tile);
-        tile.slow = false;
-        tile.unsteady = true;
+        tile.state.begin_step();
     });
 }
 
@@ -332,19 +321,18 @@ void LargeStepper::Pass::gather_y_faces(const TilePlace& place, FaceArray<float>
 /// much.
 bool LargeStepper::Pass::refine_all(int pass) {
     const ChosenPlaces unsteady =
-        places_where([](const TilePlace&, const LargeTile& tile) { return tile.unsteady; });
+        places_where([](const TilePlace&, const LargeTile& tile) { return tile.state.is_unsteady(); });
     for_each_of(unsteady, [&](const TilePlace& place, LargeTile& tile, LargeScratch& large,
                               WorkerScratch& worker) {
         const SharedFaces kept(place, beside(place), tile);
         gather_next(place, cells(&LargeTile::pressure), large.pressure);
         tile.flux_error = refine(place, tile, large, worker);
-        revise(tile);
         if (kept.restore(tile)) kernels.compute_source(constants, tile);
         kernels.compute_change(large, tile);
-        tile.answered = true;
+        tile.state.change_equations();
     });
     for (const TilePlace* place : unsteady)
-        tile_of(*place).unsteady = false;
+        tile_of(*place).state.steady_drag();
     bool changes = false;
     for (const TilePlace* place : unsteady) {
         LargeTile& tile = tile_of(*place);
@@ -352,9 +340,9 @@ bool LargeStepper::Pass::refine_all(int pass) {
         if (tile.flux_error <= (closely ? kSteadyInertialFlux : kSteadyFlux)) continue;
         changes = true;
         if (!closely && pass + 1 >= kMostRefinements) continue;
-        tile.unsteady = true;
+        tile.state.unsettle_drag();
         for (LargeTile* neighbour : beside(*place))
-            if (neighbour != nullptr) neighbour->unsteady = true;
+            if (neighbour != nullptr) neighbour->state.unsettle_drag();
     }
     return changes;
 }
@@ -372,7 +360,7 @@ bool LargeStepper::Pass::any_around(const TilePlace& place, const Test& test) co
 float LargeStepper::Pass::largest_error() const {
     float result = 0.0F;
     for (const TilePlace& place : places) {
-        const float error = stepper.tiles_[place.tile]->error;
+        const float error = stepper.tiles_[place.tile]->state.error();
         if (!(error <= result)) result = error;
     }
     return result;
@@ -383,7 +371,8 @@ std::vector<PatchCover> LargeStepper::Pass::patch_covers(const TilePlace& place)
     std::vector<PatchCover> covers;
     for (const WindowRun& row : rows(place).covers)
         for (const WindowRun& column : columns(place).covers)
-            if (const LargeTile* tile = partner(column.tile, row.tile); tile && tile->corrected)
+            if (const LargeTile* tile = partner(column.tile, row.tile);
+                tile && tile->state.is_corrected())
                 covers.push_back({.correction = &tile->correction,
                                   .x = column.cell,
                                   .y = row.cell,
@@ -399,57 +388,52 @@ bool LargeStepper::Pass::has_rough_cover(const TilePlace& place) const {
     for (const WindowRun& row : rows(place).covers)
         for (const WindowRun& column : columns(place).covers)
             if (const LargeTile* tile = partner(column.tile, row.tile);
-                tile && tile->corrected && !is_close(*tile))
+                tile && tile->state.is_corrected() && !is_close(*tile))
                 return true;
     return false;
 }
 
 /// The changes of thickness where the last sweep moved the pressure.
 void LargeStepper::Pass::answer_pressure() {
-    const auto has_moved = [](const LargeTile& tile) { return tile.moved; };
-    const ChosenPlaces stale = places_where([&](const TilePlace& place, const LargeTile& tile) {
-        return !tile.answered && any_around(place, has_moved);
-    });
+    const ChosenPlaces stale = places_where(
+        [](const TilePlace&, const LargeTile& tile) { return tile.state.change_is_stale(); });
     for_each_of(stale,
                 [&](const TilePlace& place, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
                     gather_next(place, cells(&LargeTile::pressure), large.pressure);
                     kernels.compute_change(large, tile);
-                    tile.answered = true;
+                    tile.state.answer_pressure();
                 });
 }
 
 /// The residuals of changes that are new. A tile's error is that of its patch's equations: it counts
 /// where these have changed.
 void LargeStepper::Pass::compute_residuals(bool first) {
-    const auto is_new = [](const LargeTile& tile) { return tile.answered; };
-    const auto is_revised = [](const LargeTile& tile) { return tile.revised; };
-    const ChosenPlaces stale = places_where([&](const TilePlace& place, LargeTile& tile) {
-        tile.corrected = first || any_around(place, is_revised);
-        return any_around(place, is_new);
+    const auto has_changed = [](const LargeTile& tile) { return tile.state.equations_changed(); };
+    for (const TilePlace& place : places)
+        tile_of(place).state.enter_sweep(first || any_around(place, has_changed));
+    const auto is_new = [](const LargeTile& tile) { return tile.state.change_is_new(); };
+    const ChosenPlaces stale = places_where(
+        [&](const TilePlace& place, const LargeTile&) { return any_around(place, is_new); });
+    for_each_of(stale, [&](const TilePlace& place, LargeTile& tile, LargeScratch& large,
+                           WorkerScratch&) {
+        gather_next(place, cells(&LargeTile::change), large.change);
+        tile.state.note_error(kernels.compute_residual(constants, place.columns.extent, place.rows.extent,
+                                                    state.thickness.read(place.tile), large, tile));
     });
-    for_each_of(
-        stale, [&](const TilePlace& place, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
-            gather_next(place, cells(&LargeTile::change), large.change);
-            const float error =
-                kernels.compute_residual(constants, place.columns.extent, place.rows.extent,
-                                         state.thickness.read(place.tile), large, tile);
-            if (tile.corrected) tile.error = error;
-        });
 }
 
 /// The tiles that have changed and have an error left; the first time all but those that only give and
 /// take at their edges, where no wave runs whose error would look small. The slow ones, which take
 /// longest, come first.
 LargeStepper::Pass::ChosenPlaces LargeStepper::Pass::places_to_correct(bool first) {
-    ChosenPlaces chosen = places_where([&](const TilePlace& place, LargeTile& tile) {
-        if (!tile.corrected) return false;
-        tile.corrected = (first && !place.closed.inside) || !(tile.error <= tolerance_of(tile));
-        if (tile.corrected) tile.slow = tile.slow || tile.error > kSlowShare * tile.corrected_error;
-        tile.corrected_error = tile.corrected ? tile.error : std::numeric_limits<float>::max();
-        return tile.corrected;
-    });
+    for (const TilePlace& place : places) {
+        LargeTile& tile = tile_of(place);
+        tile.state.choose_correction(first && !place.closed.inside, tolerance_of(tile));
+    }
+    ChosenPlaces chosen =
+        places_where([](const TilePlace&, const LargeTile& tile) { return tile.state.is_corrected(); });
     std::stable_partition(chosen.begin(), chosen.end(),
-                          [&](const TilePlace* place) { return tile_of(*place).slow; });
+                          [&](const TilePlace* place) { return tile_of(*place).state.is_slow(); });
     return chosen;
 }
 
@@ -462,21 +446,24 @@ void LargeStepper::Pass::correct(bool first) {
         gather_y_faces(place, &LargeFaces::mobility, large.mobility_y);
         gather_x_faces(place, &LargeFaces::weight, large.weight_x);
         gather_y_faces(place, &LargeFaces::weight, large.weight_y);
-        kernels.correct_patch(constants, tile.slow ? kMostCycles : 1, patch_within_open_edges(place),
-                              large, tile.correction);
+        kernels.correct_patch(constants, tile.state.is_slow() ? kMostCycles : 1,
+                              patch_within_open_edges(place), large, tile.correction);
     };
     for_each_of(places_to_correct(first), solve_patch);
 }
 
 /// Adds the corrections to the pressure.
 void LargeStepper::Pass::blend() {
-    const auto is_corrected = [](const LargeTile& tile) { return tile.corrected; };
-    const ChosenPlaces covered = places_where([&](const TilePlace& place, LargeTile& tile) {
-        tile.revised = has_rough_cover(place);
-        tile.moved = any_around(place, is_corrected);
-        tile.answered = false;
-        return tile.moved;
-    });
+    const auto is_corrected = [](const LargeTile& tile) { return tile.state.is_corrected(); };
+    for (const TilePlace& place : places)
+        tile_of(place).state.blend(any_around(place, is_corrected), has_rough_cover(place));
+    const auto has_moved = [](const LargeTile& tile) { return tile.state.pressure_moved(); };
+    for (const TilePlace& place : places) {
+        LargeTileState& tile = tile_of(place).state;
+        if (!tile.change_is_stale() && any_around(place, has_moved)) tile.join_moved();
+    }
+    const ChosenPlaces covered =
+        places_where([&](const TilePlace&, const LargeTile& tile) { return has_moved(tile); });
     for_each_of(covered, [&](const TilePlace& place, LargeTile& tile, LargeScratch&, WorkerScratch&) {
         const std::vector<PatchCover> covers = patch_covers(place);
         kernels.blend(covers.data(), static_cast<int>(covers.size()), tile.pressure);
@@ -569,8 +556,7 @@ void LargeStepper::Pass::solve_within_supply(LargeStepReport& report) {
             kernels.slow_limited_faces(constants, large, tile);
             gather_next(places[index], cells(&LargeTile::pressure), large.pressure);
             kernels.compute_change(large, tile);
-            tile.answered = true;
-            revise(tile);
+            tile.state.change_equations();
         });
         solve(false, report);
     }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "film/explicit/tile_step.hpp"
+#include "film/large/large_tile_state.hpp"
 
 #include <algorithm>
 #include <array>
@@ -67,17 +68,10 @@ struct LargeTile {
     alignas(64) CellArray next_share;     ///< the same after the pass under way
     alignas(64) CellArray supply;         ///< what a cell holds over what leaves it in the step
     float largest_mobility = 0.0F;        ///< of its faces
-    float error = 0.0F;                   ///< of thickness, relative, found by the last sweep
-    float corrected_error = 0.0F;         ///< the one that the last correction was for
     float flux_error = 0.0F;              ///< by what part its last drag got a flux wrong
-    bool revised = false;                 ///< its equations or pressure changed since
-    bool moved = false;                   ///< the last sweep changed its pressure
-    bool answered = false;                ///< its change is the answer to the pressure around it
-    bool corrected = false;               ///< whether the last sweep left a correction
-    bool slow = false;                    ///< a single V-cycle does not reduce its residual enough
     bool inertial = false;  ///< the old velocity of some of its paint matters for the new one
-    bool crowded = false;                 ///< it or its margin has a cell of more than kCrowded_quanta
-    bool unsteady = false;  ///< its drag, or that of a tile beside it, still changes with its flow
+    bool crowded = false;  ///< the same: a cell, or one of its margin, has more than kCrowded_quanta
+    LargeTileState state;
 };
 
 /// Multigrid on a patch: 80, 40, 20 and 10 cells a side.
