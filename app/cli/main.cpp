@@ -12,11 +12,10 @@
 #include "cli/tea.hpp"
 #include "cli/timelapse.hpp"
 #include "cli/usage_error.hpp"
-#include "core/error.hpp"
+#include "core/fault.hpp"
 #include "core/memory.hpp"
 
 #include <cstdio>
-#include <new>
 #include <string>
 #include <utility>
 
@@ -104,13 +103,9 @@ int main(int argc, char** argv) {
         return run(argc, argv);
     } catch (const UsageError& error) {
         return fail(error.what(), kBadUsage);
-    } catch (const pastoso::core::InputError& error) {
-        return fail(error.what(), kBadInput);
     } catch (const Interrupted&) {
         return fail("stopped.", kStopped);
-    } catch (const std::bad_alloc&) {
-        return fail("there is not enough memory for this.", kBadInput);
-    } catch (const std::exception& error) {
-        return fail(error.what(), kBadInput);
+    } catch (...) {
+        return fail(pastoso::core::caught_fault(), kBadInput);
     }
 }

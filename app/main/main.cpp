@@ -1,6 +1,6 @@
 // pastoso: the window.
 
-#include "core/error.hpp"
+#include "core/fault.hpp"
 #include "core/memory.hpp"
 #include "crash/crash_guard.hpp"
 #include "crash/crash_reports.hpp"
@@ -8,6 +8,7 @@
 #include "io/recording_json.hpp"
 #include "main/arguments.hpp"
 #include "main/main_window.hpp"
+#include "main/program/application.hpp"
 #include "main/program/display.hpp"
 #include "main/program/language.hpp"
 #include "main/program/machine_facts.hpp"
@@ -118,15 +119,12 @@ int run(QApplication& application, const Arguments& arguments,
     return exit_status;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    pastoso::core::keep_freed_memory();
+int start(int argc, char** argv) {
     const auto [arguments, exit_status] = pastoso::main::parse_arguments(argc, argv);
     if (exit_status) return *exit_status;
     ask_for_opengl();
     pastoso::main::expect_display();
-    QApplication application(argc, argv);
+    pastoso::main::Application application(argc, argv);
     pastoso::main::display_found();
     QApplication::setApplicationName(QStringLiteral("pastoso"));
     QApplication::setApplicationDisplayName(QStringLiteral("Pastoso"));
@@ -135,9 +133,14 @@ int main(int argc, char** argv) {
     const pastoso::main::KeptPreferences preferences = pastoso::main::kept_preferences();
     use(preferences.values);
     guard_against_crashes();
-    try {
-        return run(application, arguments, preferences);
-    } catch (const pastoso::core::InputError& error) {
-        return fail(error.what());
-    }
+    return run(application, arguments, preferences);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    pastoso::core::keep_freed_memory();
+    int exit_status = EXIT_FAILURE;
+    const std::string fault = pastoso::core::fault_of([&] { exit_status = start(argc, argv); });
+    return fault.empty() ? exit_status : fail(fault);
 }

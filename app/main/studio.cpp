@@ -1,5 +1,6 @@
 #include "main/studio.hpp"
 
+#include "main/program/application.hpp"
 #include "main/queued_refresh.hpp"
 
 #include <utility>
@@ -17,7 +18,10 @@ Studio::Studio(QMainWindow& window)
           tools::Hand{}, [this](document::Action action) { session_->post(std::move(action)); },
           [this] { session_->note_hand(); })),
       canvas_(new view::CanvasView(easel_.get())),
-      well_(new view::CanvasView(easel_.get(), document::Surface::Well)) {}
+      well_(new view::CanvasView(easel_.get(), document::Surface::Well)) {
+    if (auto* application = qobject_cast<Application*>(QCoreApplication::instance()))
+        connect(application, &Application::failed, this, &Studio::report_refusal, Qt::QueuedConnection);
+}
 
 void Studio::put_up(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<document::Painting> painting,
                     document::Recording past, std::unique_ptr<journal::JournalWriter> journal) {
@@ -46,6 +50,7 @@ void Studio::show_published() {
     const session::Status status = session_->status();
     Q_EMIT published(snapshot, status);
     easel_->lend_brush(status.replaying);
+    if (status.failed) commands_.action(commands::Command::Pause)->setChecked(true);
     for (const std::string& error : session_->take_errors())
         report_refusal(QString::fromStdString(error));
 }
@@ -68,6 +73,14 @@ void Studio::report(const QString& sentence) {
 void Studio::report_refusal(QString sentence) {
     if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
     report(sentence);
+}
+
+core::Tell Studio::teller() {
+    return [this](const std::string& sentence) {
+        QMetaObject::invokeMethod(
+            this, [this, told = QString::fromStdString(sentence)] { report_refusal(told); },
+            Qt::QueuedConnection);
+    };
 }
 
 }  // namespace pastoso::main

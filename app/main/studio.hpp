@@ -3,6 +3,7 @@
 #pragma once
 
 #include "commands/command_registry.hpp"
+#include "core/fault.hpp"
 #include "session/paint_session.hpp"
 #include "tools/easel.hpp"
 #include "view/canvas_view.hpp"
@@ -58,6 +59,8 @@ class Studio : public QObject {
     void report(const QString& sentence);
     /// The same of the engine's, which begin small, since many stand behind the name of a file.
     void report_refusal(QString sentence);
+    /// The same from any thread, a little later.
+    core::Tell teller();
 
   Q_SIGNALS:
     void session_ends();   ///< another painting comes

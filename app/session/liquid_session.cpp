@@ -1,7 +1,6 @@
 #include "session/liquid_session.hpp"
 
 #include "core/check.hpp"
-#include "core/error.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -13,11 +12,12 @@ LiquidSession::LiquidSession(bool paused, Notify notify) : notify_(std::move(not
 }
 
 LiquidSession::~LiquidSession() {
-    PASTOSO_CHECK(!thread_.joinable());
+    PASTOSO_CHECK(!thread_.exists());
 }
 
 void LiquidSession::begin() {
-    thread_ = std::thread([this] { run(); });
+    thread_ =
+        core::Thread([this] { run(); }, [this](const std::string& fault) { stop_at_fault(fault); });
 }
 
 void LiquidSession::end() {
@@ -81,12 +81,33 @@ void LiquidSession::glass_made() {
 }
 
 void LiquidSession::run() {
-    while (wait_for_work()) {
-        while (apply_next()) {
-        }
-        if (runs() && (full_speed_ || Clock::now() >= due_)) step();
-        if (changed_ && !may_wait()) publish();
+    while (wait_for_work())
+        core::guarded([this] { work(); }, [this](const std::string& fault) { stop_at_fault(fault); });
+}
+
+void LiquidSession::work() {
+    while (apply_next()) {
     }
+    if (runs() && (full_speed_ || Clock::now() >= due_)) step();
+    if (changed_ && !may_wait()) publish();
+}
+
+void LiquidSession::refuse(const std::string& sentence) {
+    const std::lock_guard lock(mutex_);
+    errors_.push_back(sentence);
+}
+
+/// What fails once would fail again with every step. Whoever waits has waited long enough.
+void LiquidSession::stop_at_fault(const std::string& sentence) {
+    refuse(sentence);
+    paused_ = true;
+    {
+        const std::lock_guard lock(mutex_);
+        status_.paused = true;
+        published_count_ = applied_count_;
+    }
+    published_.notify_all();
+    if (notify_) notify_();
 }
 
 /// Sleeps until something is said, a step is due or the session ends; false at the end.
@@ -112,12 +133,7 @@ bool LiquidSession::apply_next() {
         ++applied_count_;
     }
     changed_ = true;
-    try {
-        action.apply();
-    } catch (const core::InputError& error) {
-        const std::lock_guard lock(mutex_);
-        errors_.emplace_back(error.what());
-    }
+    core::guarded(action.apply, [this](const std::string& fault) { refuse(fault); });
     return true;
 }
 

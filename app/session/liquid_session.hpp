@@ -2,6 +2,7 @@
 // are published. What the glass of tea and the tank have in common. Nothing here knows of widgets.
 #pragma once
 
+#include "core/thread.hpp"
 #include "core/thread_pool.hpp"
 
 #include <chrono>
@@ -12,7 +13,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace pastoso::session {
@@ -50,7 +50,8 @@ class LiquidSession {
     /// Shows the kept moment at or before that step, and pauses.
     void show(int step);
 
-    /// What was refused since the last call, a sentence each.
+    /// What was refused or failed since the last call, a sentence each. Where a step or its picture
+    /// failed, time has stopped.
     std::vector<std::string> take_errors();
 
     /// Waits until what was said before is applied and published.
@@ -58,7 +59,7 @@ class LiquidSession {
 
   protected:
     struct Action {
-        std::function<void()> apply;  ///< what it throws of core::InputError is told as refused
+        std::function<void()> apply;  ///< what it throws is told as refused
         bool makes_glass = false;
         bool waits_for_step = false;  ///< while a step is owed to what was said before
     };
@@ -99,6 +100,9 @@ class LiquidSession {
     using Clock = std::chrono::steady_clock;
 
     void run();
+    void work();
+    void refuse(const std::string& sentence);
+    void stop_at_fault(const std::string& sentence);
     bool wait_for_work();
     bool apply_next();
     void step();
@@ -124,7 +128,7 @@ class LiquidSession {
     LiquidStatus status_;
     std::uint64_t posted_count_ = 0, applied_count_ = 0, published_count_ = 0;
     bool stopping_ = false;
-    std::thread thread_;
+    core::Thread thread_;
 };
 
 }  // namespace pastoso::session

@@ -57,7 +57,8 @@ PaintSession::PaintSession(std::unique_ptr<core::ThreadPool> pool,
     paused_ = status_.paused = paused;
     status_.tick = painting_->tick();
     snapshot_ = std::make_shared<const document::Snapshot>(painting_->snapshot());
-    thread_ = std::thread([this] { run(); });
+    thread_ =
+        core::Thread([this] { run(); }, [this](const std::string& fault) { stop_at_fault(fault); });
 }
 
 PaintSession::~PaintSession() {
@@ -102,8 +103,8 @@ void PaintSession::play(const std::vector<document::Event>& events, bool hurried
 void PaintSession::set_paused(bool paused) {
     {
         const std::lock_guard lock(mutex_);
-        paused_ = paused;
-        status_.paused = paused;
+        paused_ = status_.paused = paused;
+        failed_ = status_.failed = false;
     }
     work_.notify_all();
 }
@@ -217,17 +218,35 @@ void PaintSession::wait_until_applied() {
 }
 
 void PaintSession::run() {
-    while (wait_for_work()) {
-        apply_budget();
-        apply_posted();
-        apply_due_replay();
-        hand_out_capture();
-        const auto begin = WallClock::now();
-        const bool ticked = advance_if_due();
-        if (journal_) keep_journal();
-        if (changed_ && !may_wait()) publish();
-        if (ticked) measure_quiet_tick(begin);
+    while (wait_for_work())
+        core::guarded([this] { work(); }, [this](const std::string& fault) { stop_at_fault(fault); });
+}
+
+void PaintSession::work() {
+    apply_budget();
+    apply_posted();
+    apply_due_replay();
+    hand_out_capture();
+    const auto begin = WallClock::now();
+    const bool ticked = advance_if_due();
+    if (journal_) keep_journal();
+    if (changed_ && !may_wait()) publish();
+    if (ticked) measure_quiet_tick(begin);
+}
+
+/// What fails once would fail again with every tick. Whoever waits has waited long enough.
+void PaintSession::stop_at_fault(const std::string& sentence) {
+    {
+        const std::lock_guard lock(mutex_);
+        errors_.push_back(sentence);
+        paused_ = status_.paused = failed_ = status_.failed = true;
+        published_count_ = applied_count_;
+        if (wanted_capture_ != nullptr)
+            std::exchange(wanted_capture_, nullptr)
+                ->set_exception(std::make_exception_ptr(core::InputError(sentence)));
     }
+    published_.notify_all();
+    if (notify_) notify_();
 }
 
 /// A hurried replay shows no more pictures than a screen does.
@@ -313,18 +332,21 @@ void PaintSession::apply(const document::Action& action) {
         if (painting_->stroke_in_progress()) apply(document::PenUp{});
         return;
     }
-    try {
-        painting_->apply(action);
-        strokes_ += std::holds_alternative<document::PenDown>(action) ? 1 : 0;
-        changes_ += journal::changes_painting(action) ? 1 : 0;
-        if (journal_) journal_->note({painting_->tick(), action});
-        const std::lock_guard lock(mutex_);
-        recorder_.add(painting_->tick(), action);
-        document::note_paints(action, paints_used_);
-    } catch (const core::InputError& error) {
-        const std::lock_guard lock(mutex_);
-        errors_.emplace_back(error.what());
-    }
+    core::guarded([&] { do_action(action); },
+                  [this](const std::string& fault) {
+                      const std::lock_guard lock(mutex_);
+                      errors_.push_back(fault);
+                  });
+}
+
+void PaintSession::do_action(const document::Action& action) {
+    painting_->apply(action);
+    strokes_ += std::holds_alternative<document::PenDown>(action) ? 1 : 0;
+    changes_ += journal::changes_painting(action) ? 1 : 0;
+    if (journal_) journal_->note({painting_->tick(), action});
+    const std::lock_guard lock(mutex_);
+    recorder_.add(painting_->tick(), action);
+    document::note_paints(action, paints_used_);
 }
 
 void PaintSession::keep_journal() {
@@ -379,6 +401,7 @@ void PaintSession::publish() {
                    .paint_per_wall = clock_.paint_per_wall(),
                    .load = clock_.load(),
                    .paused = paused_,
+                   .failed = failed_,
                    .can_undo = painting_->can_undo(),
                    .can_redo = painting_->can_redo(),
                    .stroke_in_progress = painting_->stroke_in_progress(),

@@ -2,6 +2,7 @@
 // published. Nothing here knows of widgets.
 #pragma once
 
+#include "core/thread.hpp"
 #include "core/thread_pool.hpp"
 #include "document/events.hpp"
 #include "document/painting.hpp"
@@ -20,7 +21,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace pastoso::session {
@@ -35,6 +35,7 @@ struct Status {
     double paint_per_wall = 1.0;  ///< paint time over wall time, 1 when the solver keeps up
     double load = 0.0;            ///< of the solver: TickClock::load()
     bool paused = false;
+    bool failed = false;  ///< it is paused because a tick or its picture failed
     bool can_undo = false;
     bool can_redo = false;
     bool stroke_in_progress = false;
@@ -100,7 +101,8 @@ class PaintSession {
     Status status() const;
     std::shared_ptr<const Steps> steps() const;  ///< never null
 
-    /// The sentences of actions that were refused since the last call.
+    /// The sentences of actions that were refused since the last call, and of what failed. Where a tick
+    /// or its picture failed, paint time has stopped.
     std::vector<std::string> take_errors();
 
     /// Everything that was done so far.
@@ -110,7 +112,7 @@ class PaintSession {
     std::vector<std::string> paints_used() const;
 
     /// The painting as it is now, to be saved; a stroke in progress ends. Waits until all posted actions
-    /// are applied.
+    /// are applied. Throws core::InputError where it cannot be taken.
     Capture capture();
 
     /// Waits until all posted actions are applied and published.
@@ -130,6 +132,9 @@ class PaintSession {
 
   private:
     void run();
+    void work();
+    void do_action(const document::Action& action);
+    void stop_at_fault(const std::string& sentence);
     bool wait_for_work();
     void apply_posted();
     bool replay_waits() const;
@@ -183,10 +188,10 @@ class PaintSession {
     std::uint64_t posted_count_ = 0;
     std::uint64_t applied_count_ = 0;
     std::uint64_t published_count_ = 0;  ///< of the posted actions, those that a publication shows
-    bool paused_ = false;
+    bool paused_ = false, failed_ = false;
     bool stopping_ = false;
 
-    std::thread thread_;
+    core::Thread thread_;
 };
 
 }  // namespace pastoso::session

@@ -1,6 +1,5 @@
 #include "session/replayer.hpp"
 
-#include "core/error.hpp"
 #include "io/canvas_support.hpp"
 #include "journal/undo_reach.hpp"
 
@@ -29,7 +28,7 @@ Replayer::Replayer(document::Recording recording, Notify notify)
     : recording_(std::move(recording)), notify_(std::move(notify)) {
     status_.end_tick = recording_.end_tick;
     status_.playing = true;
-    thread_ = std::thread([this] { run(); });
+    thread_ = core::Thread([this] { run(); }, [this](const std::string& fault) { fail(fault); });
 }
 
 Replayer::~Replayer() {
@@ -80,19 +79,20 @@ Replayer::Status Replayer::status() const {
 }
 
 void Replayer::run() {
-    try {
-        begin(0);
-        publish();
-        while (wait_for_work())
-            step();
-    } catch (const core::InputError& error) {
-        {
-            const std::lock_guard lock(mutex_);
-            status_.error = error.what();
-            status_.playing = status_.seeking = false;
-        }
-        notify_();
+    begin(0);
+    publish();
+    while (wait_for_work())
+        step();
+}
+
+/// It cannot go on.
+void Replayer::fail(const std::string& sentence) {
+    {
+        const std::lock_guard lock(mutex_);
+        status_.error = sentence;
+        status_.playing = status_.seeking = false;
     }
+    notify_();
 }
 
 /// False: it is over.

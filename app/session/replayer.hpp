@@ -2,6 +2,7 @@
 // stopped, and sought back and forth.
 #pragma once
 
+#include "core/thread.hpp"
 #include "core/thread_pool.hpp"
 #include "document/painting.hpp"
 #include "document/painting_state.hpp"
@@ -15,7 +16,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace pastoso::session {
@@ -63,6 +63,7 @@ class Replayer {
     };
 
     void run();
+    void fail(const std::string& sentence);
     bool wait_for_work();
     void step();
     void begin(std::int64_t tick);
@@ -94,7 +95,7 @@ class Replayer {
     std::optional<std::int64_t> target_;
     std::shared_ptr<const document::Snapshot> snapshot_;
     bool stopping_ = false;
-    std::thread thread_;
+    core::Thread thread_;
 };
 
 }  // namespace pastoso::session

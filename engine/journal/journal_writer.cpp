@@ -93,7 +93,11 @@ JournalWriter::JournalWriter(const std::filesystem::path& root, const Beginning&
         claim_.discard();
         throw;
     }
-    thread_ = std::thread([this] { run(); });
+    thread_ = core::Thread([this] { run(); },
+                           [this](const std::string& sentence) {
+                               const std::lock_guard lock(mutex_);
+                               fault(sentence);
+                           });
 }
 
 JournalWriter::~JournalWriter() {
@@ -172,7 +176,8 @@ void JournalWriter::write_pending(std::unique_lock<std::mutex>& lock) {
     std::vector<std::string> frames = std::exchange(pending_frames_, {});
     const std::int64_t tick = tick_;
     lock.unlock();
-    const bool written = append(pending_frames({canvas_, events, tick}, written_events_, frames));
+    std::string refusal;
+    const bool written = write(events, tick, frames, refusal);
     lock.lock();
     if (written) {
         written_events_ += events.size();
@@ -183,9 +188,21 @@ void JournalWriter::write_pending(std::unique_lock<std::mutex>& lock) {
     pending_.insert(pending_.begin(), std::make_move_iterator(events.begin()),
                     std::make_move_iterator(events.end()));
     pending_frames_.insert(pending_frames_.begin(), frames.begin(), frames.end());
-    if (!std::exchange(failing_, true))
-        fault(folder().string() + ": the journal cannot be written (" + std::strerror(errno) +
-              "); what is painted now would not be recovered.");
+    if (!std::exchange(failing_, true)) fault(refusal);
+}
+
+/// Otherwise says why it is not written.
+bool JournalWriter::write(const std::vector<document::Event>& events, std::int64_t tick,
+                          const std::vector<std::string>& frames, std::string& refusal) {
+    bool written = false;
+    refusal = core::fault_of([&] {
+        written = append(pending_frames({canvas_, events, tick}, written_events_, frames));
+        if (!written)
+            throw core::InputError(folder().string() + ": the journal cannot be written (" +
+                                   std::strerror(errno) +
+                                   "); what is painted now would not be recovered.");
+    });
+    return written;
 }
 
 std::string JournalWriter::pending_frames(document::Recording batch, std::uint64_t first_event,

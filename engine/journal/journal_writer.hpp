@@ -1,6 +1,7 @@
 // Keeps on the disk what is painted, as it happens.
 #pragma once
 
+#include "core/thread.hpp"
 #include "document/events.hpp"
 #include "document/painting_state.hpp"
 #include "journal/checkpoint_writer.hpp"
@@ -15,7 +16,6 @@
 #include <functional>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace pastoso::journal {
@@ -88,6 +88,8 @@ class JournalWriter {
                                const std::vector<std::string>& frames) const;
     bool append(const std::string& bytes);
     void fault(const std::string& sentence);
+    bool write(const std::vector<document::Event>& events, std::int64_t tick,
+               const std::vector<std::string>& frames, std::string& refusal);
 
     const Pace pace_;
     Claim claim_;
@@ -114,7 +116,7 @@ class JournalWriter {
     bool stopping_ = false;
 
     CheckpointWriter checkpoints_;
-    std::thread thread_;
+    core::Thread thread_;
 };
 
 }  // namespace pastoso::journal

@@ -1,10 +1,16 @@
 #include "session/paint_session.hpp"
 
+#include "core/error.hpp"
 #include "document/player.hpp"
 
 #include <atomic>
 #include <cmath>
+#include <filesystem>
+#include <new>
+#include <stdexcept>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,6 +35,16 @@ std::unique_ptr<PaintSession> start_session(PaintSession::Notify notify = {}) {
     auto painting = std::make_unique<Painting>(small_canvas(), *pool);
     return std::make_unique<PaintSession>(std::move(pool), std::move(painting), std::move(notify));
 }
+
+/// A session whose window fails as `fail` does, once it is told to.
+struct FailingWindow {
+    explicit FailingWindow(std::function<void()> fail)
+        : session(start_session([this, fail = std::move(fail)] {
+              if (fails.exchange(false)) fail();
+          })) {}
+    std::atomic<bool> fails = false;
+    std::unique_ptr<PaintSession> session;
+};
 
 void take_loaded_brush(PaintSession& session) {
     session.post(UseMedium{"soft-body acrylic"});
@@ -323,6 +339,33 @@ TEST(PaintSession, EndsCleanlyInTheMiddleOfAStroke) {
     session->post(PenDown{sample_at(0.0, 10.0, 10.0)});
     for (int i = 0; i < 200; ++i)
         session->post(PenMove{sample_at(0.01 * i, 10.0 + 0.1 * i, 10.0)});
+}
+
+TEST(PaintSession, WhateverFailsIsToldAndThePaintStandsStill) {
+    const std::vector<std::pair<std::function<void()>, const char*>> failures{
+        {[] { throw core::InputError("a: no."); }, "a: no."},
+        {[] { throw std::bad_alloc(); }, "memory ran out"},
+        {[] { std::filesystem::create_directory("/missing/more"); }, "/missing/more: "},
+        {[] { throw std::runtime_error("broken"); }, "(broken)"},
+        {[] { throw 7; }, "unknown kind"},
+    };
+    for (const auto& [fail, sentence] : failures) {
+        FailingWindow window(fail);
+        PaintSession& session = *window.session;
+        window.fails = true;
+        take_loaded_brush(session);
+        session.wait_until_applied();
+        EXPECT_THAT(session.take_errors(), ElementsAre(HasSubstr(sentence)));
+        EXPECT_TRUE(session.status().failed && session.status().paused);
+        post_stroke(session, 0.0, 15.0);
+        EXPECT_EQ(session.capture().recording.events.size(), 30U);
+        session.set_paused(false);
+        EXPECT_FALSE(session.status().failed);
+        const std::int64_t tick = session.status().tick;
+        while (session.status().tick < tick + 2)
+            std::this_thread::yield();
+        EXPECT_THAT(session.take_errors(), ElementsAre());
+    }
 }
 
 }  // namespace

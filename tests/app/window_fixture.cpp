@@ -1,6 +1,7 @@
 #include "app/window_fixture.hpp"
 
 #include "appearance/theme.hpp"
+#include "main/program/application.hpp"
 #include "main/program/display.hpp"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ void make_application() {
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
     QSurfaceFormat::setDefaultFormat(format);
-    auto* application = new QApplication(argc, argv);
+    auto* application = new main::Application(argc, argv);
     appearance::apply_theme(*application, appearance::Theme::Dark);
     stylus();
     eraser_end();

@@ -17,12 +17,11 @@ namespace pastoso::main {
 std::unique_ptr<journal::JournalWriter> ProjectFiles::new_journal(const journal::Beginning& beginning) {
     const std::filesystem::path root = journal::journals_path();
     if (!keeps_journal_ || root.empty()) return nullptr;
-    try {
-        return std::make_unique<journal::JournalWriter>(root, beginning);
-    } catch (const std::exception& failure) {
-        studio_.report(QString::fromUtf8(failure.what()));
-        return nullptr;
-    }
+    std::unique_ptr<journal::JournalWriter> journal;
+    core::guarded(
+        [&] { journal = std::make_unique<journal::JournalWriter>(root, beginning); },
+        [this](const std::string& fault) { studio_.report_refusal(QString::fromStdString(fault)); });
+    return journal;
 }
 
 void ProjectFiles::recover_painting(const std::filesystem::path& folder) {

@@ -1,0 +1,19 @@
+#include "main/program/application.hpp"
+
+#include "core/fault.hpp"
+
+#include <cstdio>
+
+namespace pastoso::main {
+
+bool Application::notify(QObject* receiver, QEvent* event) {
+    bool is_handled = false;
+    core::guarded([&] { is_handled = QApplication::notify(receiver, event); },
+                  [this](const std::string& fault) {
+                      std::fprintf(stderr, "pastoso: %s\n", fault.c_str());
+                      Q_EMIT failed(QString::fromStdString(fault));
+                  });
+    return is_handled;
+}
+
+}  // namespace pastoso::main
