@@ -1,10 +1,8 @@
 #include "commands/exporter.hpp"
 
-#include "core/background_thread.hpp"
 #include "core/check.hpp"
 #include "core/thread_pool.hpp"
 
-#include <exception>
 #include <utility>
 
 namespace pastoso::commands {
@@ -25,50 +23,52 @@ io::ExportStatus ExportOutcome::status() const {
     return std::visit([](const auto& known) { return known.status; }, report);
 }
 
-Exporter::Exporter(QObject* parent) : QObject(parent) {
+Exporter::Exporter(QObject* parent)
+    : QObject(parent),
+      worker_([this](ExportJob& job) { end(written(job)); },
+              [this](ExportJob& job, const std::string& fault) {
+                  end({.path = path_of(job), .error = fault});
+              },
+              kNice) {
     progress_.setInterval(kLook_ms);
     connect(&progress_, &QTimer::timeout, this, [this] { Q_EMIT progressed(done_); });
 }
 
-Exporter::~Exporter() {
-    stop();
-    if (thread_.joinable()) thread_.join();
-}
-
 void Exporter::start(ExportJob job) {
-    PASTOSO_CHECK(!busy());
+    PASTOSO_CHECK(!busy_);
     path_ = path_of(job);
+    busy_ = true;
     stopped_ = false;
     done_ = 0.0;
     progress_.start();
-    thread_ = std::thread([this, job = std::move(job)]() mutable { run(std::move(job)); });
+    worker_.add(std::move(job));
 }
 
-void Exporter::run(ExportJob job) {
-    core::lower_priority(kNice);
+ExportOutcome Exporter::written(ExportJob& job) {
     ExportOutcome outcome{.path = path_of(job)};
     const auto keep_going = [this](double done) {
         done_ = done;
         return !stopped_;
     };
-    try {
-        core::ThreadPool pool;
-        if (const auto* choice = std::get_if<io::ExportChoice>(&job.choice))
-            outcome.report = io::export_painting(job.painting, *choice, pool, keep_going);
-        else
-            outcome.report = io::export_timelapse(
-                std::move(job.recording), std::get<io::TimelapseChoice>(job.choice), pool, keep_going);
-    } catch (const std::exception& failure) {
-        outcome.error = failure.what();
-    }
-    QMetaObject::invokeMethod(
-        this, [this, outcome = std::move(outcome)] { end(outcome); }, Qt::QueuedConnection);
+    core::ThreadPool pool;
+    if (const auto* choice = std::get_if<io::ExportChoice>(&job.choice))
+        outcome.report = io::export_painting(job.painting, *choice, pool, keep_going);
+    else
+        outcome.report = io::export_timelapse(
+            std::move(job.recording), std::get<io::TimelapseChoice>(job.choice), pool, keep_going);
+    return outcome;
 }
 
-void Exporter::end(const ExportOutcome& outcome) {
-    thread_.join();
-    progress_.stop();
-    Q_EMIT finished(outcome);
+/// Told on the object's thread.
+void Exporter::end(ExportOutcome outcome) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, outcome = std::move(outcome)] {
+            busy_ = false;
+            progress_.stop();
+            Q_EMIT finished(outcome);
+        },
+        Qt::QueuedConnection);
 }
 
 }  // namespace pastoso::commands

@@ -2,13 +2,13 @@
 // painting.
 #pragma once
 
+#include "core/worker.hpp"
 #include "io/painting_export.hpp"
 #include "io/timelapse.hpp"
 
 #include <atomic>
 #include <filesystem>
 #include <string>
-#include <thread>
 #include <variant>
 
 #include <QObject>
@@ -39,10 +39,10 @@ class Exporter : public QObject {
   public:
     explicit Exporter(QObject* parent = nullptr);
     /// Stops what is being written.
-    ~Exporter() override;
+    ~Exporter() override { stop(); }
 
     /// Until finished() was told.
-    bool busy() const { return thread_.joinable(); }
+    bool busy() const { return busy_; }
 
     /// Where the export goes that is being written, or was the last.
     const std::filesystem::path& path() const { return path_; }
@@ -59,14 +59,15 @@ class Exporter : public QObject {
     void finished(const pastoso::commands::ExportOutcome& outcome);
 
   private:
-    void run(ExportJob job);
-    void end(const ExportOutcome& outcome);
+    ExportOutcome written(ExportJob& job);
+    void end(ExportOutcome outcome);
 
     std::filesystem::path path_;
-    std::thread thread_;
+    bool busy_ = false;
     std::atomic<bool> stopped_ = false;
     std::atomic<double> done_ = 0.0;
     QTimer progress_;
+    core::Worker<ExportJob> worker_;
 };
 
 }  // namespace pastoso::commands

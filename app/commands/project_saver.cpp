@@ -2,32 +2,38 @@
 
 #include "core/thread_pool.hpp"
 
-#include <exception>
 #include <utility>
 
 namespace pastoso::commands {
+
+ProjectSaver::ProjectSaver(QObject* parent)
+    : QObject(parent),
+      worker_(
+          [this](Job& job) {
+              core::ThreadPool pool;
+              project::save_project(job.path.toStdString(), job.project, pool);
+              end(job.path, {});
+          },
+          [this](Job& job, const std::string& fault) { end(job.path, QString::fromStdString(fault)); }) {
+}
 
 ProjectSaver::~ProjectSaver() {
     wait();
 }
 
 QString ProjectSaver::wait() {
-    if (thread_.joinable()) thread_.join();
+    worker_.wait();
     return error_;
 }
 
 void ProjectSaver::save(project::Project project, const QString& path) {
     wait();
-    thread_ = std::thread([this, project = std::move(project), path] {
-        error_.clear();
-        try {
-            core::ThreadPool pool;
-            project::save_project(path.toStdString(), project, pool);
-        } catch (const std::exception& failure) {
-            error_ = QString::fromUtf8(failure.what());
-        }
-        Q_EMIT finished(path, error_);
-    });
+    worker_.add({std::move(project), path});
+}
+
+void ProjectSaver::end(const QString& path, const QString& error) {
+    error_ = error;
+    Q_EMIT finished(path, error);
 }
 
 }  // namespace pastoso::commands

@@ -1,9 +1,8 @@
 // Writes a painting to its project file while the painter goes on painting.
 #pragma once
 
+#include "core/worker.hpp"
 #include "project/project.hpp"
-
-#include <thread>
 
 #include <QObject>
 #include <QString>
@@ -13,7 +12,8 @@ namespace pastoso::commands {
 class ProjectSaver : public QObject {
     Q_OBJECT
   public:
-    using QObject::QObject;
+    explicit ProjectSaver(QObject* parent = nullptr);
+    /// What is being written becomes whole.
     ~ProjectSaver() override;
 
     /// Returns at once; waits first if the painting before is still being written.
@@ -28,8 +28,15 @@ class ProjectSaver : public QObject {
     void finished(const QString& path, const QString& error);
 
   private:
-    std::thread thread_;
-    QString error_;  ///< written by the thread, read after it was joined
+    struct Job {
+        project::Project project;
+        QString path;
+    };
+
+    void end(const QString& path, const QString& error);
+
+    QString error_;  ///< the worker's while it is busy
+    core::Worker<Job> worker_;
 };
 
 }  // namespace pastoso::commands

@@ -56,41 +56,19 @@ LayerPicture layer_picture(const film::FilmState& layer, const pigment::Bands& g
     return picture;
 }
 
-LayerPainter::LayerPainter(int most_width, int most_height, Deliver deliver)
-    : most_width_(most_width),
-      most_height_(most_height),
-      deliver_(std::move(deliver)),
-      thread_([this] { run(); }) {}
-
-LayerPainter::~LayerPainter() {
-    {
-        const std::lock_guard lock(mutex_);
-        stopping_ = true;
-    }
-    changed_.notify_one();
-    thread_.join();
-}
+LayerPainter::LayerPainter(int most_width, int most_height, Deliver deliver, core::Tell tell)
+    : worker_(
+          [most_width, most_height, deliver = std::move(deliver)](Wanted& wanted) {
+              deliver(wanted.layer, layer_picture(*wanted.film, wanted.ground, most_width, most_height));
+          },
+          [tell = std::move(tell)](Wanted&, const std::string& fault) { tell(fault); }) {}
 
 void LayerPainter::want(document::LayerId layer, std::shared_ptr<const film::FilmState> film,
                         const pigment::Bands& ground) {
-    {
-        const std::lock_guard lock(mutex_);
-        std::erase_if(wanted_, [&](const Wanted& wanted) { return wanted.layer == layer; });
-        wanted_.push_back({layer, std::move(film), ground});
-    }
-    changed_.notify_one();
-}
-
-void LayerPainter::run() {
-    for (;;) {
-        std::unique_lock lock(mutex_);
-        changed_.wait(lock, [this] { return stopping_ || !wanted_.empty(); });
-        if (stopping_) return;
-        const Wanted wanted = std::move(wanted_.front());
-        wanted_.pop_front();
-        lock.unlock();
-        deliver_(wanted.layer, layer_picture(*wanted.film, wanted.ground, most_width_, most_height_));
-    }
+    worker_.change([&](std::deque<Wanted>& waiting) {
+        std::erase_if(waiting, [&](const Wanted& wanted) { return wanted.layer == layer; });
+        waiting.push_back({layer, std::move(film), ground});
+    });
 }
 
 }  // namespace pastoso::session

@@ -1,17 +1,14 @@
 // Small pictures of layers, painted on a thread of their own.
 #pragma once
 
+#include "core/worker.hpp"
 #include "document/layers.hpp"
 #include "film/state.hpp"
 #include "pigment/bands.hpp"
 
-#include <condition_variable>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
-#include <thread>
 #include <vector>
 
 namespace pastoso::session {
@@ -33,10 +30,8 @@ class LayerPainter {
     /// Is called on the painter's thread; must return at once.
     using Deliver = std::function<void(document::LayerId layer, const LayerPicture& picture)>;
 
-    LayerPainter(int most_width, int most_height, Deliver deliver);
-    ~LayerPainter();
-    LayerPainter(const LayerPainter&) = delete;
-    LayerPainter& operator=(const LayerPainter&) = delete;
+    /// `tell` hears why a picture is missing.
+    LayerPainter(int most_width, int most_height, Deliver deliver, core::Tell tell);
 
     /// Asks for the picture of a layer, in the order of the calls; only the latest film of a layer is
     /// painted.
@@ -50,15 +45,7 @@ class LayerPainter {
         pigment::Bands ground{};
     };
 
-    void run();
-
-    const int most_width_, most_height_;
-    const Deliver deliver_;
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    std::deque<Wanted> wanted_;
-    bool stopping_ = false;
-    std::thread thread_;
+    core::Worker<Wanted> worker_;
 };
 
 }  // namespace pastoso::session

@@ -1,6 +1,5 @@
 #include "session/liquid_picture.hpp"
 
-#include "core/error.hpp"
 #include "io/traced_picture.hpp"
 #include "tank/solid_mesh.hpp"
 #include "trace/tank_scene.hpp"
@@ -11,13 +10,11 @@
 
 namespace pastoso::session {
 LiquidPicture::LiquidPicture(LiquidPictureOrder order, std::function<void()> notify)
-    : order_(std::move(order)), notify_(std::move(notify)), began_(std::chrono::steady_clock::now()) {
-    thread_ = std::thread([this] { run(); });
-}
-
-LiquidPicture::~LiquidPicture() {
-    stopping_ = dropped_ = true;
-    thread_.join();
+    : notify_(std::move(notify)),
+      began_(std::chrono::steady_clock::now()),
+      worker_([this](LiquidPictureOrder& what) { trace(what); },
+              [this](LiquidPictureOrder&, const std::string& fault) { fail(fault); }) {
+    worker_.add(std::move(order));
 }
 
 LiquidPicture::Progress LiquidPicture::progress() const {
@@ -35,31 +32,28 @@ std::shared_ptr<const shade::Image8> LiquidPicture::shown() const {
     return shown_;
 }
 
-void LiquidPicture::run() {
-    try {
-        trace();
-    } catch (const core::InputError& error) {
-        {
-            const std::lock_guard lock(mutex_);
-            progress_.error = error.what();
-            progress_.finished = true;
-        }
-        notify_();
+void LiquidPicture::fail(const std::string& sentence) {
+    {
+        const std::lock_guard lock(mutex_);
+        progress_.error = sentence;
+        progress_.finished = true;
     }
+    notify_();
 }
 
 /// More samples are made at a time as the picture gets finer: each time some of them are twice as many.
-void LiquidPicture::trace() {
+void LiquidPicture::trace(const LiquidPictureOrder& order) {
+    const auto ends = [this] { return stopping_ || worker_.cancelled(); };
     core::ThreadPool pool;
-    trace::Scene scene = order_.scene(pool);
-    scene.milk_body = order_.body;
-    trace::TeaTracer tracer(scene, {.width = order_.width, .height = order_.height}, pool);
-    while (tracer.samples() < order_.samples && !stopping_) {
-        const int wanted = std::clamp(tracer.samples() / 2, 1, order_.samples - tracer.samples());
-        tracer.add_samples(wanted, [this] { return stopping_.load(); });
-        if (tracer.samples() < order_.samples) publish(tracer.radiance(), tracer.samples(), false);
+    trace::Scene scene = order.scene(pool);
+    scene.milk_body = order.body;
+    trace::TeaTracer tracer(scene, {.width = order.width, .height = order.height}, pool);
+    while (tracer.samples() < order.samples && !ends()) {
+        const int wanted = std::clamp(tracer.samples() / 2, 1, order.samples - tracer.samples());
+        tracer.add_samples(wanted, ends);
+        if (tracer.samples() < order.samples) publish(tracer.radiance(), tracer.samples(), false);
     }
-    if (!dropped_) publish(tracer.denoised(), tracer.samples(), true);
+    if (!worker_.cancelled()) publish(tracer.denoised(), tracer.samples(), true);
 }
 
 void LiquidPicture::publish(trace::Picture radiance, int samples, bool finished) {

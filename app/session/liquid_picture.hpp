@@ -2,6 +2,7 @@
 // shows how it gets finer.
 #pragma once
 
+#include "core/worker.hpp"
 #include "session/tank_session.hpp"
 #include "session/tea_session.hpp"
 #include "shade/render.hpp"
@@ -12,12 +13,11 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <thread>
 
 namespace pastoso::session {
 
 struct LiquidPictureOrder {
-    /// What is seen; called once, on the picture's thread. What it throws of core::InputError is told.
+    /// What is seen; called once, on the picture's thread. What it throws is told.
     std::function<trace::Scene(core::ThreadPool&)> scene;
     int width = 800, height = 800;  ///< as trace::TraceSettings
     int samples = 48;               ///< of a pixel, 1 and more
@@ -35,9 +35,6 @@ class LiquidPicture {
 
     /// Begins at once. `notify` is called on the picture's thread; it must return at once.
     LiquidPicture(LiquidPictureOrder order, std::function<void()> notify);
-    ~LiquidPicture();
-    LiquidPicture(const LiquidPicture&) = delete;
-    LiquidPicture& operator=(const LiquidPicture&) = delete;
 
     /// Ends it with the samples that there are.
     void stop() { stopping_ = true; }
@@ -51,19 +48,18 @@ class LiquidPicture {
     std::shared_ptr<const shade::Image8> shown() const;
 
   private:
-    void run();
-    void trace();
+    void trace(const LiquidPictureOrder& order);
     void publish(trace::Picture radiance, int samples, bool finished);
+    void fail(const std::string& sentence);
 
-    const LiquidPictureOrder order_;
     const std::function<void()> notify_;
     const std::chrono::steady_clock::time_point began_;
-    std::atomic<bool> stopping_ = false, dropped_ = false;
+    std::atomic<bool> stopping_ = false;
     mutable std::mutex mutex_;
     Progress progress_;
     std::shared_ptr<const trace::Picture> radiance_;
     std::shared_ptr<const shade::Image8> shown_;
-    std::thread thread_;
+    core::Worker<LiquidPictureOrder> worker_;
 };
 
 /// The glass at one moment, its milk with all the volume of the parcels, twice as fine as the cells.

@@ -69,39 +69,21 @@ const shade::Image8& Overview::update(const OverviewSubject& subject) {
     return picture_;
 }
 
-OverviewPainter::OverviewPainter(int most_width, int most_height, Deliver deliver)
-    : overview_(most_width, most_height), deliver_(std::move(deliver)), thread_([this] { run(); }) {}
-
-OverviewPainter::~OverviewPainter() {
-    {
-        const std::lock_guard lock(mutex_);
-        stopping_ = true;
-    }
-    changed_.notify_one();
-    thread_.join();
-}
+OverviewPainter::OverviewPainter(int most_width, int most_height, Deliver deliver, core::Tell tell)
+    : overview_(most_width, most_height),
+      worker_([this, deliver = std::move(deliver)](
+                  OverviewSubject& subject) { deliver(overview_.update(subject)); },
+              [tell = std::move(tell)](OverviewSubject&, const std::string& fault) { tell(fault); }) {}
 
 void OverviewPainter::want(OverviewSubject subject) {
-    {
-        const std::lock_guard lock(mutex_);
+    worker_.change([&](std::deque<OverviewSubject>& waiting) {
         // Tiles of another canvas say nothing of this one, which is painted whole.
-        if (wanted_ && wanted_->film->shape == subject.film->shape)
-            subject.tiles.insert(subject.tiles.end(), wanted_->tiles.begin(), wanted_->tiles.end());
-        wanted_ = std::move(subject);
-    }
-    changed_.notify_one();
-}
-
-void OverviewPainter::run() {
-    for (;;) {
-        std::unique_lock lock(mutex_);
-        changed_.wait(lock, [this] { return stopping_ || wanted_; });
-        if (stopping_) return;
-        const OverviewSubject subject = std::move(*wanted_);
-        wanted_.reset();
-        lock.unlock();
-        deliver_(overview_.update(subject));
-    }
+        for (const OverviewSubject& earlier : waiting)
+            if (earlier.film->shape == subject.film->shape)
+                subject.tiles.insert(subject.tiles.end(), earlier.tiles.begin(), earlier.tiles.end());
+        waiting.clear();
+        waiting.push_back(std::move(subject));
+    });
 }
 
 }  // namespace pastoso::session

@@ -1,17 +1,14 @@
 // A small picture of the whole canvas that follows the paint, painted on a thread of its own.
 #pragma once
 
+#include "core/worker.hpp"
 #include "film/state.hpp"
 #include "pigment/viewing.hpp"
 #include "session/small_picture.hpp"
 #include "shade/render.hpp"
 
-#include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
-#include <optional>
-#include <thread>
 #include <vector>
 
 namespace pastoso::session {
@@ -46,25 +43,16 @@ class OverviewPainter {
     /// Is called on the painter's thread; must return at once.
     using Deliver = std::function<void(const shade::Image8& picture)>;
 
-    OverviewPainter(int most_width, int most_height, Deliver deliver);
-    ~OverviewPainter();
-    OverviewPainter(const OverviewPainter&) = delete;
-    OverviewPainter& operator=(const OverviewPainter&) = delete;
+    /// `tell` hears why there is no picture.
+    OverviewPainter(int most_width, int most_height, Deliver deliver, core::Tell tell);
 
     /// Asks for the picture; one that is asked for before the last is painted takes its place, with
     /// the tiles of both.
     void want(OverviewSubject subject);
 
   private:
-    void run();
-
     Overview overview_;
-    const Deliver deliver_;
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    std::optional<OverviewSubject> wanted_;
-    bool stopping_ = false;
-    std::thread thread_;
+    core::Worker<OverviewSubject> worker_;
 };
 
 }  // namespace pastoso::session

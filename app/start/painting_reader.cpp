@@ -6,6 +6,18 @@
 #include <QFileInfo>
 
 namespace pastoso::start {
+namespace {
+
+/// The window comes first.
+constexpr int kNice = 6;
+
+PaintingFile unreadable(PaintingFile file, const std::string& fault) {
+    file.fault = PaintingReader::tr("This file cannot be read.");
+    file.reason = QString::fromStdString(fault);
+    return file;
+}
+
+}  // namespace
 
 PaintingFile read_painting_file(const std::filesystem::path& path) {
     PaintingFile file{path};
@@ -15,21 +27,23 @@ PaintingFile read_painting_file(const std::filesystem::path& path) {
         return file;
     }
     file.saved = info.lastModified();
-    try {
+    const std::string fault = core::fault_of([&] {
         file.picture = QImage::fromData(QByteArray::fromStdString(project::load_thumbnail(path)));
-    } catch (const std::exception& failure) {
-        file.fault = PaintingReader::tr("This file cannot be read.");
-        file.reason = QString::fromUtf8(failure.what());
-    }
-    return file;
+    });
+    return fault.empty() ? file : unreadable(file, fault);
 }
 
-void PaintingReader::read(const std::filesystem::path& path) {
-    thread_.add([this, path] {
-        QMetaObject::invokeMethod(
-            this, [this, file = read_painting_file(path)] { Q_EMIT finished(file); },
-            Qt::QueuedConnection);
-    });
+PaintingReader::PaintingReader(QObject* parent)
+    : QObject(parent),
+      worker_([this](std::filesystem::path& path) { tell(read_painting_file(path)); },
+              [this](std::filesystem::path& path, const std::string& fault) {
+                  tell(unreadable({path}, fault));
+              },
+              kNice) {}
+
+void PaintingReader::tell(const PaintingFile& file) {
+    QMetaObject::invokeMethod(
+        this, [this, file] { Q_EMIT finished(file); }, Qt::QueuedConnection);
 }
 
 }  // namespace pastoso::start

@@ -1,7 +1,7 @@
 // Reads the pictures of painting files without holding up the window.
 #pragma once
 
-#include "core/background_thread.hpp"
+#include "core/worker.hpp"
 
 #include <filesystem>
 
@@ -26,16 +26,18 @@ PaintingFile read_painting_file(const std::filesystem::path& path);
 class PaintingReader : public QObject {
     Q_OBJECT
   public:
-    using QObject::QObject;
+    explicit PaintingReader(QObject* parent = nullptr);
 
     /// One after the other; finished() tells of each.
-    void read(const std::filesystem::path& path);
+    void read(const std::filesystem::path& path) { worker_.add(path); }
 
   Q_SIGNALS:
     void finished(const pastoso::start::PaintingFile& file);
 
   private:
-    core::BackgroundThread thread_;
+    void tell(const PaintingFile& file);
+
+    core::Worker<std::filesystem::path> worker_;
 };
 
 }  // namespace pastoso::start

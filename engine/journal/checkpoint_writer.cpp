@@ -1,12 +1,10 @@
 #include "journal/checkpoint_writer.hpp"
 
-#include "core/background_thread.hpp"
 #include "core/check.hpp"
 #include "core/thread_pool.hpp"
 #include "project/project.hpp"
 
 #include <chrono>
-#include <exception>
 #include <utility>
 
 namespace pastoso::journal {
@@ -20,37 +18,30 @@ constexpr int kNice = 15;
 
 }  // namespace
 
-void CheckpointWriter::write(document::PaintingState state, std::uint64_t events) {
-    PASTOSO_CHECK(!busy_);
-    wait();
-    busy_ = true;
-    thread_ = std::thread([this, state = std::move(state), events] {
-        core::lower_priority(kNice);
-        const auto begin = std::chrono::steady_clock::now();
-        write_file(state, events);
-        last_took_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        busy_ = false;
-    });
-}
+CheckpointWriter::CheckpointWriter(std::filesystem::path folder, Written written)
+    : folder_(std::move(folder)),
+      written_(std::move(written)),
+      worker_([this](Job& job) { write_file(job); },
+              [this](Job& job, const std::string& fault) { written_(job.checkpoint, fault); }, kNice) {}
 
-void CheckpointWriter::wait() {
-    if (thread_.joinable()) thread_.join();
+void CheckpointWriter::write(document::PaintingState state, std::uint64_t events) {
+    PASTOSO_CHECK(!busy());
+    const Checkpoint checkpoint{"checkpoint-" + std::to_string(++count_) + ".pastoso", events,
+                                state.tick};
+    worker_.add({std::move(state), checkpoint});
 }
 
 /// Without strokes: those are in the journal already.
-void CheckpointWriter::write_file(const document::PaintingState& state, std::uint64_t events) {
-    const Checkpoint checkpoint{"checkpoint-" + std::to_string(++count_) + ".pastoso", events,
-                                state.tick};
-    try {
-        core::ThreadPool pool(1);
-        project::save_project(folder_ / checkpoint.file, {state, {state.settings, {}, state.tick}},
-                              pool);
-        written_(checkpoint, {});
-        files_.push_back(checkpoint.file);
-        remove_older();
-    } catch (const std::exception& failure) {
-        written_(checkpoint, failure.what());
-    }
+void CheckpointWriter::write_file(const Job& job) {
+    const auto begin = std::chrono::steady_clock::now();
+    const document::PaintingState& state = job.state;
+    core::ThreadPool pool(1);
+    project::save_project(folder_ / job.checkpoint.file, {state, {state.settings, {}, state.tick}},
+                          pool);
+    written_(job.checkpoint, {});
+    files_.push_back(job.checkpoint.file);
+    remove_older();
+    last_took_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 void CheckpointWriter::remove_older() {

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <future>
+#include <new>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -67,15 +69,35 @@ TEST(LayerPicture, DryPaintIsSeenAndNotWet) {
 
 TEST(LayerPainter, DeliversEveryLayerThatIsAskedFor) {
     std::promise<void> first, second;
-    LayerPainter painter(20, 20, [&](document::LayerId layer, const LayerPicture& picture) {
-        EXPECT_EQ(picture.width, 20);
-        (layer == 7 ? first : second).set_value();
-    });
+    LayerPainter painter(
+        20, 20,
+        [&](document::LayerId layer, const LayerPicture& picture) {
+            EXPECT_EQ(picture.width, 20);
+            (layer == 7 ? first : second).set_value();
+        },
+        [](const std::string& fault) { ADD_FAILURE() << fault; });
     const auto film = std::make_shared<const film::FilmState>(half_covered());
     painter.want(7, film, document::kPrimedGround);
     painter.want(8, film, document::kPrimedGround);
     first.get_future().wait();
     second.get_future().wait();
+}
+
+TEST(LayerPainter, TellsWhyAPictureIsMissingAndPaintsTheNext) {
+    std::promise<std::string> told;
+    std::promise<void> delivered;
+    LayerPainter painter(
+        20, 20,
+        [&](document::LayerId layer, const LayerPicture&) {
+            if (layer == 7) throw std::bad_alloc();
+            delivered.set_value();
+        },
+        [&](const std::string& fault) { told.set_value(fault); });
+    const auto film = std::make_shared<const film::FilmState>(half_covered());
+    painter.want(7, film, document::kPrimedGround);
+    painter.want(8, film, document::kPrimedGround);
+    EXPECT_EQ(told.get_future().get().substr(0, 15), "memory ran out:");
+    delivered.get_future().wait();
 }
 
 }  // namespace

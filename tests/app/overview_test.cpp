@@ -91,11 +91,14 @@ TEST(Overview, AnotherLightPaintsAllOfItAnew) {
 TEST(OverviewPainter, DeliversWhatWasAskedForLast) {
     std::promise<void> dark;
     bool done = false;
-    OverviewPainter painter(64, 64, [&](const shade::Image8& picture) {
-        if (done || red_at(picture, 8, 8) > 100 || red_at(picture, 60, 24) > 100) return;
-        done = true;
-        dark.set_value();
-    });
+    OverviewPainter painter(
+        64, 64,
+        [&](const shade::Image8& picture) {
+            if (done || red_at(picture, 8, 8) > 100 || red_at(picture, 60, 24) > 100) return;
+            done = true;
+            dark.set_value();
+        },
+        [](const std::string& fault) { ADD_FAILURE() << fault; });
     film::FilmState film = bare();
     painter.want(subject(film, {}));
     cover(film, {0, 0, 64, 64});

@@ -30,10 +30,12 @@ Navigation::Navigation(Studio& studio, panels::NavigatorPanel* panel, QDockWidge
     : studio_(studio), panel_(panel) {
     const QSize size = kMostPicture * studio_.window().devicePixelRatioF();
     painter_ = std::make_unique<session::OverviewPainter>(
-        size.width(), size.height(), [panel](const shade::Image8& picture) {
+        size.width(), size.height(),
+        [panel](const shade::Image8& picture) {
             QMetaObject::invokeMethod(
                 panel, [panel, image = image_of(picture)] { panel->map().show_picture(image); });
-        });
+        },
+        studio_.teller());
     changed_.setSingleShot(true);
     changed_.setInterval(kPictureLater_ms);
     view::CanvasView& canvas = studio_.canvas();

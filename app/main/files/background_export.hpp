@@ -1,9 +1,9 @@
 // A file that is written on a thread of its own, and how that ended in the status line.
 #pragma once
 
-#include <atomic>
+#include "core/worker.hpp"
+
 #include <functional>
-#include <thread>
 
 #include <QObject>
 #include <QString>
@@ -15,19 +15,25 @@ class Studio;
 class BackgroundExport : public QObject {
     Q_OBJECT
   public:
-    explicit BackgroundExport(Studio& studio) : studio_(studio) {}
-    ~BackgroundExport() override;
+    /// Asked now and then while a file is written: whether to stop.
+    using Stops = std::function<bool()>;
+    /// Returns a sentence, or nothing where it stopped.
+    using Write = std::function<QString(const Stops& stops)>;
 
+    explicit BackgroundExport(Studio& studio);
+
+    /// Until its end was told.
     bool busy() const { return busy_; }
 
-    /// `write` gets what says that it shall stop, and returns a sentence, or nothing where it stopped;
-    /// what it throws of core::InputError is told in its place. While another is written that is told.
-    void start(std::function<QString(const std::atomic<bool>& stops)> write);
+    /// What `write` throws is told in place of its sentence. While another is written that is told.
+    void start(Write write);
 
   private:
+    void end(const QString& told);
+
     Studio& studio_;
-    std::atomic<bool> busy_ = false, stops_ = false;
-    std::thread thread_;
+    bool busy_ = false;
+    core::Worker<Write> worker_;
 };
 
 }  // namespace pastoso::main

@@ -52,7 +52,8 @@ LayerPictures::LayerPictures(Studio& studio, panels::LayerPanel* layers, QDockWi
             QMetaObject::invokeMethod(layers, [layers, layer, image, wet = picture.wet] {
                 layers->set_picture(layer, image, wet);
             });
-        });
+        },
+        studio_.teller());
     changed_.setSingleShot(true);
     changed_.setInterval(kPicturesLater_ms);
     connect(&changed_, &QTimer::timeout, this, &LayerPictures::want);

@@ -134,7 +134,7 @@ void GlassMode::export_mesh(const QString& path) {
                                ": the name must end in .pbrt, .obj, .ply or .stl. Choose one of them.");
     const MeshWriter write = mesh_writer();
     if (!write) return;
-    export_.start([write, file, told = words_.exported.arg(path)](const std::atomic<bool>& stops) {
+    export_.start([write, file, told = words_.exported.arg(path)](const BackgroundExport::Stops& stops) {
         return write(file, stops) == io::ExportStatus::Stopped ? QString() : told;
     });
 }

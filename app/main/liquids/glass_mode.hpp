@@ -57,7 +57,7 @@ class GlassMode : public QObject {
 
   protected:
     using MeshWriter = std::function<io::ExportStatus(const std::filesystem::path& file,
-                                                      const std::atomic<bool>& stops)>;
+                                                      const BackgroundExport::Stops& stops)>;
 
     GlassMode(Studio& studio, PictureLayers& pictures, CanvasPlace& place, const GlassCommands& commands,
               GlassWords words);

@@ -278,7 +278,7 @@ void TankMode::show_recorded() {
 GlassMode::MeshWriter TankMode::mesh_writer() const {
     const auto moment = session_->moment();
     if (moment == nullptr) return {};
-    return [moment](const std::filesystem::path& file, const std::atomic<bool>& stops) {
+    return [moment](const std::filesystem::path& file, const BackgroundExport::Stops& stops) {
         core::ThreadPool pool;
         return write_tank_surface(*moment->place, moment->seen, file, pool, stops);
     };
@@ -295,7 +295,7 @@ void TankMode::export_all(const QString& folder) {
     if (kept.place == nullptr) return;
     const std::vector<int> steps = kept.frames.steps();
     const QString told = tr("All surfaces are in %1.").arg(folder);
-    background().start([kept, steps, told, folder](const std::atomic<bool>& stops) {
+    background().start([kept, steps, told, folder](const BackgroundExport::Stops& stops) {
         core::ThreadPool pool;
         int number = 0;
         for (const int step : steps) {

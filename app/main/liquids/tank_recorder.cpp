@@ -1,6 +1,5 @@
 #include "main/liquids/tank_recorder.hpp"
 
-#include "core/error.hpp"
 #include "glass/tank_view.hpp"
 #include "io/image.hpp"
 #include "main/liquids/tank_surface_file.hpp"
@@ -14,6 +13,9 @@
 
 namespace pastoso::main {
 namespace {
+
+/// The liquid comes first.
+constexpr int kNice = 6;
 
 /// One more than the largest number of such files in the folder.
 int next_number(const QString& folder, const QString& ending) {
@@ -42,14 +44,17 @@ bool is_same(const session::TankMoment& a, const session::TankMoment& b) {
 }  // namespace
 
 TankRecorder::TankRecorder(session::TankSession& session, glass::TankView& view)
-    : session_(session), view_(view) {
+    : session_(session),
+      view_(view),
+      worker_(
+          [this](Order& order) {
+              order.write(order.file);
+              tell_done(order.what, {});
+          },
+          [this](Order& order, const std::string& fault) { tell_done(order.what, fault); }, kNice) {
     // It comes while a frame is drawn.
     connect(&view_, &glass::TankView::picture_finished, this, &TankRecorder::proceed,
             Qt::QueuedConnection);
-}
-
-TankRecorder::~TankRecorder() {
-    dropped_ = true;
 }
 
 void TankRecorder::start(Recorded what, const QString& folder) {
@@ -98,17 +103,14 @@ bool TankRecorder::take(Recorded what) {
                              .arg(recorded.folder)
                              .arg(recorded.next++, 4, 10, QLatin1Char('0'))
                              .arg(recorded.ending);
-    thread_.add([this, what, write = writer(what), file = std::filesystem::path(name.toStdString())] {
-        QString error;
-        try {
-            write(file);
-        } catch (const core::InputError& refused) {
-            error = QString::fromUtf8(refused.what());
-        }
-        QMetaObject::invokeMethod(
-            this, [this, what, error] { file_done(what, error); }, Qt::QueuedConnection);
-    });
+    worker_.add({what, writer(what), name.toStdString()});
     return true;
+}
+
+void TankRecorder::tell_done(Recorded what, const std::string& error) {
+    QMetaObject::invokeMethod(
+        this, [this, what, error = QString::fromStdString(error)] { file_done(what, error); },
+        Qt::QueuedConnection);
 }
 
 /// What is to be done on the other thread.
@@ -119,7 +121,8 @@ TankRecorder::Write TankRecorder::writer(Recorded what) {
         };
     return [this, moment = moment_](const std::filesystem::path& file) {
         core::ThreadPool pool;
-        write_tank_surface(*moment->place, moment->seen, file, pool, dropped_);
+        write_tank_surface(*moment->place, moment->seen, file, pool,
+                           [this] { return worker_.cancelled(); });
     };
 }
 

@@ -2,11 +2,10 @@
 // seen, surfaces, or both.
 #pragma once
 
-#include "core/background_thread.hpp"
+#include "core/worker.hpp"
 #include "session/tank_session.hpp"
 
 #include <array>
-#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -31,7 +30,6 @@ class TankRecorder : public QObject {
     Q_OBJECT
   public:
     TankRecorder(session::TankSession& session, glass::TankView& view);
-    ~TankRecorder() override;
 
     /// Begins with the moment at which the liquid stands. Files that are in the folder stay: numbers go
     /// on after theirs.
@@ -61,6 +59,12 @@ class TankRecorder : public QObject {
         std::shared_ptr<const session::TankMoment> taken;  ///< the latest one
     };
 
+    struct Order {
+        Recorded what;
+        Write write;
+        std::filesystem::path file;
+    };
+
     const std::optional<Series>& series(Recorded what) const {
         return series_[static_cast<std::size_t>(what)];
     }
@@ -68,6 +72,7 @@ class TankRecorder : public QObject {
     void proceed();
     bool take(Recorded what);
     Write writer(Recorded what);
+    void tell_done(Recorded what, const std::string& error);
     void file_done(Recorded what, const QString& error);
     void end(Recorded what, const QString& told);
 
@@ -75,8 +80,7 @@ class TankRecorder : public QObject {
     glass::TankView& view_;
     std::array<std::optional<Series>, 2> series_;
     std::shared_ptr<const session::TankMoment> moment_;  ///< the latest one
-    std::atomic<bool> dropped_ = false;
-    core::BackgroundThread thread_;
+    core::Worker<Order> worker_;
 };
 
 }  // namespace pastoso::main

@@ -4,11 +4,11 @@ namespace pastoso::main {
 
 io::ExportStatus write_tank_surface(const session::TankPlace& place, const session::TankSeen& seen,
                                     const std::filesystem::path& file, core::ThreadPool& pool,
-                                    const std::atomic<bool>& stops) {
+                                    const std::function<bool()>& stops) {
     io::MeshExportOptions options;
     options.what = "liquid";
     return io::export_mesh(file, session::liquid_surface(place, seen, 0.0F, pool), options,
-                           [&stops](double) { return !stops; });
+                           [&stops](double) { return !stops(); });
 }
 
 }  // namespace pastoso::main

@@ -4,14 +4,14 @@
 #include "io/mesh_export.hpp"
 #include "session/tank_session.hpp"
 
-#include <atomic>
 #include <filesystem>
+#include <functional>
 
 namespace pastoso::main {
 
 /// Of one moment, with what the liquid fills. Throws as io::export_mesh() does.
 io::ExportStatus write_tank_surface(const session::TankPlace& place, const session::TankSeen& seen,
                                     const std::filesystem::path& file, core::ThreadPool& pool,
-                                    const std::atomic<bool>& stops);
+                                    const std::function<bool()>& stops);
 
 }  // namespace pastoso::main

@@ -131,12 +131,12 @@ void TeaMode::ask_save() {
 GlassMode::MeshWriter TeaMode::mesh_writer() const {
     const auto moment = session_->moment();
     if (moment == nullptr) return {};
-    return [moment](const std::filesystem::path& file, const std::atomic<bool>& stops) {
+    return [moment](const std::filesystem::path& file, const BackgroundExport::Stops& stops) {
         core::ThreadPool pool;
         liquid::MilkSurfaces surfaces(pool);
         const liquid::MilkSurface milk =
             surfaces.make(moment->seen.parcels, moment->settings.cup, moment->seen.dissolved.shape());
-        return io::export_mesh(file, milk.mesh, {}, [&stops](double) { return !stops; });
+        return io::export_mesh(file, milk.mesh, {}, [&stops](double) { return !stops(); });
     };
 }
 

@@ -118,7 +118,8 @@ void BrushJar::make_thumbnails() {
             QMetaObject::invokeMethod(panel, [panel, name = QString::fromStdString(name), image] {
                 panel->list().set_thumbnail(name, image);
             });
-        });
+        },
+        studio_.teller());
     connect(brushes_, &panels::BrushPanel::thumbnail_wanted, this, [this](const QString& name) {
         const auto* entry = brush::find_entry(library_, name.toStdString());
         if (entry != nullptr) thumbnails_->want(entry->preset);

@@ -87,14 +87,16 @@ void PopupCommands::make_palette() {
     const double pixels = studio_.window().devicePixelRatioF();
     const int side = static_cast<int>(panels::PopupPalette::kThumbnail * pixels);
     thumbnails_ = std::make_unique<session::ThumbnailPainter>(
-        side, side, [palette = palette_](const std::string& name, const shade::Image8& thumbnail) {
+        side, side,
+        [palette = palette_](const std::string& name, const shade::Image8& thumbnail) {
             const QImage image = QImage(thumbnail.rgb.data(), thumbnail.width, thumbnail.height,
                                         3 * thumbnail.width, QImage::Format_RGB888)
                                      .copy();
             QMetaObject::invokeMethod(palette, [palette, name = QString::fromStdString(name), image] {
                 palette->set_thumbnail(name, image);
             });
-        });
+        },
+        studio_.teller());
 }
 
 void PopupCommands::open_at_pointer() {
