@@ -8,19 +8,6 @@
 
 namespace pastoso::brush {
 
-#define PASTOSO_DECLARE_KERNELS(isa)                                                   \
-    namespace isa {                                                                    \
-    void move(const StepFlex& flex, const FerrulePose& hand, MotionColumns& bristles); \
-    void compute_tufts(const TuftGrid&, const MotionColumns&, TuftCells&);             \
-    }
-
-PASTOSO_DECLARE_KERNELS(baseline)
-#ifdef PASTOSO_MULTIPLE_ISAS
-PASTOSO_DECLARE_KERNELS(avx2)
-PASTOSO_DECLARE_KERNELS(avx512)
-#endif
-#undef PASTOSO_DECLARE_KERNELS
-
 namespace {
 
 /// Decay of the thick start of a stroke, per mm.
@@ -146,19 +133,6 @@ float edge_support_mm(const std::vector<BristlePose>& poses) {
 
 }  // namespace
 
-MotionKernels motion_kernels_for([[maybe_unused]] core::Isa isa) {
-#ifdef PASTOSO_MULTIPLE_ISAS
-    if (isa == core::Isa::Avx512) return {avx512::move, avx512::compute_tufts};
-    if (isa == core::Isa::Avx2) return {avx2::move, avx2::compute_tufts};
-#endif
-    return {baseline::move, baseline::compute_tufts};
-}
-
-const MotionKernels& motion_kernels() {
-    static const MotionKernels kernels = motion_kernels_for(core::best_isa());
-    return kernels;
-}
-
 std::vector<glm::vec2> tips_set_down(const Preset& preset, const Tip& tip, const HandPose& hand) {
     if (preset.kind != ToolKind::Contact) return {};
     const double slide_mm = kPressSlide * preset.flex.press_depth * preset.tip.length_mm * hand.press;
@@ -172,7 +146,7 @@ std::vector<glm::vec2> tips_set_down(const Preset& preset, const Tip& tip, const
     for (int first = 0; first < all; first += MotionColumns::kCount) {
         const int count = std::min(MotionColumns::kCount, all - first);
         fill_columns(&tip.bristles[first], &lifted[first], count, columns);
-        motion_kernels().move(flex, ferrule, columns);
+        core::kernels<MotionKernels>().move(flex, ferrule, columns);
         for (int i = 0; i < count; ++i)
             if (columns.depth_mm[i] > 0.0) tips.emplace_back(columns.x_mm[i], columns.y_mm[i]);
     }
@@ -192,8 +166,8 @@ Swath move_bristles(const Brush& brush, const HandPose& hand, double step_mm,
     for (int first = 0; first < all; first += MotionColumns::kCount) {
         const int count = std::min(MotionColumns::kCount, all - first);
         fill_columns(&brush.tip.bristles[first], &poses[first], count, columns);
-        motion_kernels().move(flex, ferrule, columns);
-        motion_kernels().compute_tufts(grid, columns, tufts);
+        core::kernels<MotionKernels>().move(flex, ferrule, columns);
+        core::kernels<MotionKernels>().compute_tufts(grid, columns, tufts);
         for (int i = 0; i < count; ++i) {
             BristlePose& pose = poses[first + i];
             if (columns.depth_mm[i] > 0.0) {

@@ -4,20 +4,6 @@
 
 namespace pastoso::brush {
 
-#define PASTOSO_DECLARE_KERNELS(isa)                                                           \
-    namespace isa {                                                                            \
-    void outline(const Disc& disc, int first_row, int rows, RowSpan* spans);                   \
-    void gather(const GatherSource& tile, const GatherRow* rows, int row_count, float cell_mm, \
-                GatherColumns to);                                                             \
-    }
-
-PASTOSO_DECLARE_KERNELS(baseline)
-#ifdef PASTOSO_MULTIPLE_ISAS
-PASTOSO_DECLARE_KERNELS(avx2)
-PASTOSO_DECLARE_KERNELS(avx512)
-#endif
-#undef PASTOSO_DECLARE_KERNELS
-
 namespace {
 
 /// A height no tool reaches, for the padding.
@@ -41,19 +27,6 @@ Span cells_within(double place_mm, double reach_mm, double cell_mm) {
 
 }  // namespace
 
-GatherKernels gather_kernels_for([[maybe_unused]] core::Isa isa) {
-#ifdef PASTOSO_MULTIPLE_ISAS
-    if (isa == core::Isa::Avx512) return {avx512::outline, avx512::gather};
-    if (isa == core::Isa::Avx2) return {avx2::outline, avx2::gather};
-#endif
-    return {baseline::outline, baseline::gather};
-}
-
-const GatherKernels& gather_kernels() {
-    static const GatherKernels kernels = gather_kernels_for(core::best_isa());
-    return kernels;
-}
-
 void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, double radius_mm,
                        PassMap* pass) {
     count_ = 0;
@@ -66,7 +39,7 @@ void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, do
     const Disc disc = {x_mm / film.cell_mm - 0.5, y_mm / film.cell_mm - 0.5, radius_mm / film.cell_mm};
     spans_.resize(static_cast<std::size_t>(cells_.height()));
     rows_.resize(spans_.size());
-    gather_kernels().outline(disc, cells_.y0, cells_.height(), spans_.data());
+    core::kernels<GatherKernels>().outline(disc, cells_.y0, cells_.height(), spans_.data());
     const grid::Rect tiles = film.shape.tiles_touching(cells_);
     for (int row = tiles.y0; row < tiles.y1; ++row) {
         for (int column = tiles.x0; column < tiles.x1; ++column) {
@@ -95,9 +68,10 @@ void CellBatch::gather_part(const film::FilmState& film, int tile, const grid::R
     }
     const GatherSource source = {film.thickness.read(tile), film.support_mm.read(tile),
                                  film.paint.read(tile), pass != nullptr ? pass->tile(tile) : PassTile{}};
-    gather_kernels().gather(source, rows_.data(), row_count, static_cast<float>(film.cell_mm),
-                            {&dx_mm[count_], &dy_mm[count_], &support_mm[count_], &thickness[count_],
-                             &found[count_], &cell[count_]});
+    core::kernels<GatherKernels>().gather(source, rows_.data(), row_count,
+                                          static_cast<float>(film.cell_mm),
+                                          {&dx_mm[count_], &dy_mm[count_], &support_mm[count_],
+                                           &thickness[count_], &found[count_], &cell[count_]});
     count_ = end;
 }
 

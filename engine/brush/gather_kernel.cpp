@@ -114,3 +114,5 @@ void gather(const GatherSource& tile, const GatherRow* rows, int row_count, floa
 }
 
 }  // namespace pastoso::brush::PASTOSO_ISA
+
+PASTOSO_REGISTER_KERNELS(pastoso::brush, GatherKernels, outline, gather)

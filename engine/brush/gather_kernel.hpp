@@ -1,7 +1,7 @@
 // Gathering the cells below a footprint, compiled for every instruction set (pastoso_add_kernels).
 #pragma once
 
-#include "core/isa.hpp"
+#include "core/kernels.hpp"
 #include "film/cell/paint_cell.hpp"
 #include "film/support/support_heights.hpp"
 
@@ -56,13 +56,8 @@ struct GatherKernels {
     /// being passed over. Calls up the paint of the cells as well.
     void (*gather)(const GatherSource& tile, const GatherRow* rows, int row_count, float cell_mm,
                    GatherColumns to);
+
+    static const GatherKernels baseline, avx2, avx512;
 };
-
-/// The kernels for an instruction set that the processor has (the baseline's where no others were
-/// built).
-GatherKernels gather_kernels_for(core::Isa isa);
-
-/// The kernels for core::best_isa().
-const GatherKernels& gather_kernels();
 
 }  // namespace pastoso::brush

@@ -65,3 +65,5 @@ void compute_tufts(const TuftGrid& grid, const MotionColumns& bristles, TuftCell
 }
 
 }  // namespace pastoso::brush::PASTOSO_ISA
+
+PASTOSO_REGISTER_KERNELS(pastoso::brush, MotionKernels, move, compute_tufts)

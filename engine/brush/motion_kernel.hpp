@@ -1,7 +1,7 @@
 // The motion of bristles, compiled for every instruction set (pastoso_add_kernels).
 #pragma once
 
-#include "core/isa.hpp"
+#include "core/kernels.hpp"
 
 #include <cstdint>
 
@@ -46,13 +46,8 @@ struct MotionKernels {
     /// Moves the bristles by one step; bristle_motion.hpp says how.
     void (*move)(const StepFlex&, const FerrulePose&, MotionColumns&);
     void (*compute_tufts)(const TuftGrid&, const MotionColumns&, TuftCells&);
+
+    static const MotionKernels baseline, avx2, avx512;
 };
-
-/// The kernels for an instruction set that the processor has (the baseline's where no others were
-/// built).
-MotionKernels motion_kernels_for(core::Isa isa);
-
-/// The kernels for core::best_isa().
-const MotionKernels& motion_kernels();
 
 }  // namespace pastoso::brush

@@ -6,19 +6,6 @@
 
 namespace pastoso::brush {
 
-#define PASTOSO_DECLARE_KERNELS(isa)                                             \
-    namespace isa {                                                              \
-    WantedSums plan(const ExchangeRule& rule, const BatchColumns& batch);        \
-    void apply(const ApplyRule& rule, const TileCells& cells, ChangeSums& sums); \
-    }
-
-PASTOSO_DECLARE_KERNELS(baseline)
-#ifdef PASTOSO_MULTIPLE_ISAS
-PASTOSO_DECLARE_KERNELS(avx2)
-PASTOSO_DECLARE_KERNELS(avx512)
-#endif
-#undef PASTOSO_DECLARE_KERNELS
-
 namespace {
 
 /// Least radius of a footprint, in cells.
@@ -124,19 +111,6 @@ WantedSums limit_plan(CellBatch& batch, WantedSums wanted) {
 
 }  // namespace
 
-TransferKernels transfer_kernels_for([[maybe_unused]] core::Isa isa) {
-#ifdef PASTOSO_MULTIPLE_ISAS
-    if (isa == core::Isa::Avx512) return {avx512::plan, avx512::apply};
-    if (isa == core::Isa::Avx2) return {avx2::plan, avx2::apply};
-#endif
-    return {baseline::plan, baseline::apply};
-}
-
-const TransferKernels& transfer_kernels() {
-    static const TransferKernels kernels = transfer_kernels_for(core::best_isa());
-    return kernels;
-}
-
 StepRates step_rates(const Brush& brush, const HandPose& hand, double step_mm, double cell_mm) {
     StepRates rates;
     rates.radius_mm = std::max(brush.tip.radius_mm, kLeastRadius_cells * cell_mm);
@@ -180,7 +154,7 @@ ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact
 }
 
 WantedSums plan_exchange(const ExchangeRule& rule, CellBatch& batch) {
-    return transfer_kernels().plan(
+    return core::kernels<TransferKernels>().plan(
         rule, {batch.dx_mm.data(), batch.dy_mm.data(), batch.thickness.data(), batch.found.data(),
                batch.support_mm.data(), batch.change.data(), batch.swap.data(), batch.padded_count()});
 }
@@ -241,7 +215,7 @@ grid::Rect apply_batch(CellBatch& batch, WantedSums wanted, double deposit_share
                                  batch.change.data() + part.begin,
                                  batch.swap.data() + part.begin,
                                  part.end - part.begin};
-        transfer_kernels().apply(rule, cells, gained);
+        core::kernels<TransferKernels>().apply(rule, cells, gained);
     }
     take_from(held, gained, cell_area_mm2);
     return gained.any ? batch.cells() : grid::Rect{};

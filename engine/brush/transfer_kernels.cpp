@@ -299,3 +299,5 @@ void apply(const ApplyRule& rule, const TileCells& cells, ChangeSums& sums) {
 }
 
 }  // namespace pastoso::brush::PASTOSO_ISA
+
+PASTOSO_REGISTER_KERNELS(pastoso::brush, TransferKernels, plan, apply)

@@ -2,7 +2,7 @@
 // see plain columns of numbers only. Every set gives the same bits: sums are sums of integers.
 #pragma once
 
-#include "core/isa.hpp"
+#include "core/kernels.hpp"
 #include "film/cell/paint_cell.hpp"
 
 #include <array>
@@ -75,13 +75,8 @@ struct TileCells {
 struct TransferKernels {
     WantedSums (*plan)(const ExchangeRule&, const BatchColumns&);
     void (*apply)(const ApplyRule&, const TileCells&, ChangeSums&);
+
+    static const TransferKernels baseline, avx2, avx512;
 };
-
-/// The kernels for an instruction set that the processor has (the baseline's where no others were
-/// built).
-TransferKernels transfer_kernels_for(core::Isa isa);
-
-/// The kernels for core::best_isa().
-const TransferKernels& transfer_kernels();
 
 }  // namespace pastoso::brush

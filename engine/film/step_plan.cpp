@@ -43,8 +43,9 @@ TileRheology rheology_of(const PlannedFilm& film, int tile) {
     TileRheology rheology;
     if (film.state.varied) {
         const auto yield_per_Pa = static_cast<float>(1e6 / film.density_kg_m3);
-        tile_kernels().rheology(film.state.paint.read(tile), film.state.thickness.read(tile), kTileCells,
-                                yield_per_Pa, rheology.viscosity.data(), rheology.yield.data());
+        core::kernels<TileKernels>().rheology(film.state.paint.read(tile),
+                                              film.state.thickness.read(tile), kTileCells, yield_per_Pa,
+                                              rheology.viscosity.data(), rheology.yield.data());
     } else {
         rheology.viscosity.fill(static_cast<float>(film.limits.viscosity_mm2_s));
         rheology.yield.fill(static_cast<float>(film.limits.yield));

@@ -1,7 +1,7 @@
 // A tile's values in a lossless form that compresses well (docs/file-format.md, "Tiles").
 #pragma once
 
-#include "core/isa.hpp"
+#include "core/kernels.hpp"
 #include "grid/shape.hpp"
 
 #include <cstddef>
@@ -41,9 +41,9 @@ struct TileCodec {
                    std::byte* out);
     /// The inverse, with the same expectation; any bytes give some words.
     void (*decode)(const std::byte* in, int channels, const Expectation& expected, std::uint32_t* words);
-};
 
-/// The codec of an instruction set, which the processor must have; all give the same bytes.
-const TileCodec& tile_codec(core::Isa isa = core::best_isa());
+    /// All give the same bytes.
+    static const TileCodec baseline, avx2, avx512;
+};
 
 }  // namespace pastoso::packing

@@ -251,3 +251,5 @@ void decode_tile(const std::byte* in, int channels, const Expectation& expected,
 }
 
 }  // namespace pastoso::packing::PASTOSO_ISA
+
+PASTOSO_REGISTER_KERNELS(pastoso::packing, TileCodec, encode_tile, decode_tile)

@@ -24,12 +24,12 @@ inline constexpr bool kIsWhole<std::array<std::int32_t, kCount>> = true;
 template <class Value>
 void encode_values(const Value* values, const Expectation& expected, std::byte* out) {
     if constexpr (kIsWhole<Value>) {
-        tile_codec().encode(reinterpret_cast<const std::uint32_t*>(values), kChannels<Value>, expected,
-                            out);
+        core::kernels<TileCodec>().encode(reinterpret_cast<const std::uint32_t*>(values),
+                                          kChannels<Value>, expected, out);
     } else {
         std::vector<std::uint32_t> words(grid::kTileCells * kChannels<Value>);
         std::memcpy(words.data(), values, tile_bytes(kChannels<Value>));
-        tile_codec().encode(words.data(), kChannels<Value>, expected, out);
+        core::kernels<TileCodec>().encode(words.data(), kChannels<Value>, expected, out);
     }
 }
 
@@ -37,11 +37,11 @@ template <class Value>
 grid::TileBlock<Value> decoded_values(const std::byte* in, const Expectation& expected) {
     auto block = grid::TileBlock<Value>::uninitialised();
     if constexpr (kIsWhole<Value>) {
-        tile_codec().decode(in, kChannels<Value>, expected,
-                            reinterpret_cast<std::uint32_t*>(block.write()));
+        core::kernels<TileCodec>().decode(in, kChannels<Value>, expected,
+                                          reinterpret_cast<std::uint32_t*>(block.write()));
     } else {
         std::vector<std::uint32_t> words(grid::kTileCells * kChannels<Value>);
-        tile_codec().decode(in, kChannels<Value>, expected, words.data());
+        core::kernels<TileCodec>().decode(in, kChannels<Value>, expected, words.data());
         std::memcpy(static_cast<void*>(block.write()), words.data(), tile_bytes(kChannels<Value>));
     }
     return block;

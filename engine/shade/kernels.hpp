@@ -1,7 +1,7 @@
 // The hot loops, compiled once per instruction set and chosen at run time (core/isa.hpp).
 #pragma once
 
-#include "core/isa.hpp"
+#include "core/kernels.hpp"
 #include "film/state.hpp"
 #include "shade/sampling.hpp"
 #include "shade/shading_model.hpp"
@@ -42,10 +42,8 @@ struct Kernels {
     /// What lies at one row of samples.
     void (*sample_row)(const LayerRows& rows, const AxisWeights& row_weights,
                        const SampleColumns& columns, float cell_mm, SurfaceSample* out);
-};
 
-/// The kernels of an instruction set, which the processor must have; the baseline's where the build
-/// holds no others.
-const Kernels& kernels(core::Isa isa);
+    static const Kernels baseline, avx2, avx512;
+};
 
 }  // namespace pastoso::shade

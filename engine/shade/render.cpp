@@ -124,7 +124,7 @@ void render_block(const CellLayers& layers, const Frame& frame, const Rect& bloc
     const SampleAxis lines =
         sample_axis(frame.lines(), block.y0 * n, block.height() * n, layers.cells.y0);
     PASTOSO_CHECK_OP(columns.first_cell.back() + 4 - columns.first_cell.front(), <=, kMaxRowCells);
-    const Kernels& kernel = kernels(core::best_isa());
+    const auto& kernel = core::kernels<Kernels>();
     std::vector<float> lit(wanted.lit == nullptr ? 0 : static_cast<std::size_t>(columns.count) * 3);
     std::vector<SurfaceSample> surface(wanted.surface == nullptr ? 0 : columns.count);
     for (int i = 0; i < block.height() * n; ++i) {

@@ -67,7 +67,7 @@ void fill_heights(const film::FilmState& film, const Rect& cells, const LightPat
     const Rect area = with_casters(cells, path);
     std::vector<float> heights(static_cast<std::size_t>(area.width()) * area.height());
     surface_means(film, area, heights.data(), area.width());
-    const Kernels& kernel = kernels(core::best_isa());
+    const auto& kernel = core::kernels<Kernels>();
     for (int y = cells.y0; y < cells.y1; ++y) {
         float* row = out + static_cast<std::ptrdiff_t>(y - cells.y0) * stride;
         const float* height = heights.data() + static_cast<std::ptrdiff_t>(y - area.y0) * area.width() +

@@ -42,7 +42,7 @@ void fill_shares(const film::FilmState& film, const Rect& cells, float* out, int
     for (std::size_t i = 0; i < looks.size(); ++i) {
         looks[i] = look(kDirections[i], film.cell_mm, area.width());
     }
-    const Kernels& kernel = kernels(core::best_isa());
+    const auto& kernel = core::kernels<Kernels>();
     for (int y = 0; y < cells.height(); ++y) {
         float* row = out + static_cast<std::ptrdiff_t>(y) * stride;
         const float* height =

@@ -20,13 +20,13 @@ CellStack cell_stack(const film::FilmState& film, int tile, int first) {
 
 void tile_colours(const film::FilmState& film, int tile, const pigment::Bands& ground, CellColour* out,
                   const pigment::BandsToRgb& to_rgb) {
-    kernels(core::best_isa())
-        .colour_cells(cell_stack(film, tile, 0), grid::kTileCells, ground, to_rgb, out);
+    core::kernels<Kernels>().colour_cells(cell_stack(film, tile, 0), grid::kTileCells, ground, to_rgb,
+                                          out);
 }
 
 void cell_colours(const film::FilmState& film, const grid::Rect& cells, const pigment::Bands& ground,
                   CellColour* out, int stride, const pigment::BandsToRgb& to_rgb) {
-    const Kernels& kernel = kernels(core::best_isa());
+    const auto& kernel = core::kernels<Kernels>();
     const auto fill = [&](const grid::Rect& part, CellColour* target, int target_stride) {
         gather_cells(film.shape, part, target, target_stride,
                      [&](int tile, int cell, int count, CellColour* to) {

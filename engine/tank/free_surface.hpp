@@ -21,7 +21,8 @@ inline constexpr float kLeastTheta = 0.1F;
 
 class FreeSurface {
   public:
-    explicit FreeSurface(const Domain& domain, const liquid::Kernels& kernels = liquid::kernels());
+    explicit FreeSurface(const Domain& domain,
+                         const liquid::Kernels& kernels = core::kernels<liquid::Kernels>());
 
     /// The signed distance from the surface in metres, negative in the liquid, at cells' middles. Who
     /// changes it calls update().

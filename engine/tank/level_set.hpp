@@ -41,7 +41,7 @@ enum class LevelSetScheme {
 class LevelSetAdvection {
   public:
     explicit LevelSetAdvection(const grid::BoxShape& shape,
-                               const liquid::Kernels& kernels = liquid::kernels());
+                               const liquid::Kernels& kernels = core::kernels<liquid::Kernels>());
 
     /// Solves d phi/dt + u . grad phi = 0 over dt_s in the band. Upwind takes as many equal
     /// parts of the step as keep |u| + |v| + |w| within a cell a part; the way of a whole step should be

@@ -244,3 +244,5 @@ NearSums sum_near(const PositionRun* runs, int count, float reach2) {
 }
 
 }  // namespace pastoso::tank::PASTOSO_ISA
+
+PASTOSO_REGISTER_KERNELS(pastoso::tank, ParticleKernels, scatter, follow, sum_near)

@@ -1,7 +1,7 @@
 // The hot loops over particles, compiled for every instruction set (pastoso_add_kernels).
 #pragma once
 
-#include "core/isa.hpp"
+#include "core/kernels.hpp"
 
 #include <cstddef>
 
@@ -42,10 +42,8 @@ struct ParticleKernels {
     /// velocity.
     float (*follow)(const FacePairs& pairs, const Following& how, void* particles, std::size_t count);
     NearSums (*sum_near)(const PositionRun* runs, int count, float reach2);
-};
 
-/// The kernels of an instruction set, which the processor must have; the baseline's where the build
-/// holds no others.
-const ParticleKernels& particle_kernels(core::Isa isa = core::best_isa());
+    static const ParticleKernels baseline, avx2, avx512;
+};
 
 }  // namespace pastoso::tank

@@ -25,7 +25,7 @@ inline constexpr float kParticleRadius_cells = particle_radius_cells(kKernelReac
 /// that the surface meets them at a right angle.
 float particle_distance_cells(const ParticleCells& cells, const grid::BoxShape& shape,
                               const glm::vec3& at_cells, float reach_cells,
-                              const ParticleKernels& kernels = particle_kernels());
+                              const ParticleKernels& kernels = core::kernels<ParticleKernels>());
 
 class ParticleSurface {
   public:

@@ -20,7 +20,8 @@ namespace pastoso::tank {
 
 class Transfer {
   public:
-    explicit Transfer(const grid::BoxShape& shape, const ParticleKernels& kernels = particle_kernels());
+    explicit Transfer(const grid::BoxShape& shape,
+                      const ParticleKernels& kernels = core::kernels<ParticleKernels>());
 
     /// Writes the velocity on all faces within `samples` (at least the particles' cells widened by one):
     /// 0 where no particle is near; `weight` is the sum of weights there. Particles must be sorted. The

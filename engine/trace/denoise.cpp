@@ -179,7 +179,7 @@ class Denoiser {
         job.averaged = channels;
         for (int k = 0; k < channels; ++k)
             job.out[k] = out[k].start();
-        const DenoiseKernels& kernels = denoise_kernels(core::best_isa());
+        const auto& kernels = core::kernels<DenoiseKernels>();
         std::vector<std::vector<float>> scratch(pool_.thread_count());
         pool_.run((height_ + kBandRows - 1) / kBandRows, [&](std::size_t band, int worker) {
             scratch[worker].resize(average_scratch(width_));

@@ -131,3 +131,5 @@ void average_rows(const AverageJob& job, float* memory) {
 }
 
 }  // namespace pastoso::trace::PASTOSO_ISA
+
+PASTOSO_REGISTER_KERNELS(pastoso::trace, DenoiseKernels, average_rows)

@@ -1,7 +1,7 @@
 // One pass of weighted means, as the denoiser's inner loop sees it.
 #pragma once
 
-#include "core/isa.hpp"
+#include "core/kernels.hpp"
 #include "trace/denoise.hpp"
 
 #include <array>
@@ -45,7 +45,8 @@ constexpr std::size_t average_scratch(int width) {
 struct DenoiseKernels {
     /// scratch: average_scratch(job.width) floats; at most kBandRows rows.
     void (*average_rows)(const AverageJob& job, float* scratch);
+
+    static const DenoiseKernels baseline, avx2, avx512;
 };
-const DenoiseKernels& denoise_kernels(core::Isa isa);
 
 }  // namespace pastoso::trace

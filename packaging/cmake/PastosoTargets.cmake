@@ -60,7 +60,7 @@ endfunction()
 
 # pastoso_add_kernels(TARGET SOURCE...)
 # Compiles each SOURCE once per instruction set and links all of them into TARGET; the source puts its code
-# into namespace PASTOSO_ISA, and the caller chooses at run time (core/isa.hpp). Sanitised and unoptimised
+# into namespace PASTOSO_ISA, and callers choose at run time (core/kernels.hpp). Sanitised and unoptimised
 # builds hold the baseline alone: there an inline function of the standard library may be emitted out of
 # line, and the linker could keep the copy that needs the newest processor. May be called again for more sources.
 function(pastoso_add_kernels target)
@@ -68,7 +68,6 @@ function(pastoso_add_kernels target)
     if(NOT PASTOSO_SANITIZERS AND NOT CMAKE_BUILD_TYPE STREQUAL "Debug"
        AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
         list(APPEND variants avx2 avx512)
-        target_compile_definitions(${target} PRIVATE PASTOSO_MULTIPLE_ISAS)
     endif()
     # Sanitised loops that are unrolled at -O3 take minutes to compile.
     set(optimisation -O3)
@@ -90,6 +89,9 @@ function(pastoso_add_kernels target)
         endif()
         add_library(${object} OBJECT ${ARGN})
         target_compile_definitions(${object} PRIVATE PASTOSO_ISA=${variant})
+        if(variants STREQUAL "baseline")
+            target_compile_definitions(${object} PRIVATE PASTOSO_ONE_ISA)
+        endif()
         target_compile_options(${object} PRIVATE ${flags_${variant}} ${optimisation})
         target_include_directories(${object} PRIVATE "${PROJECT_SOURCE_DIR}/engine")
         target_link_libraries(${object} PRIVATE pastoso_options)

@@ -49,8 +49,8 @@ class MotionOnEverySet : public testing::TestWithParam<core::Isa> {};
 TEST_P(MotionOnEverySet, GivesTheSameBitsAsTheBaseline) {
     if (GetParam() > core::best_isa())
         GTEST_SKIP() << "this processor has no " << core::name_of(GetParam());
-    const MotionKernels baseline = motion_kernels_for(core::Isa::Baseline);
-    const MotionKernels kernels = motion_kernels_for(GetParam());
+    const auto& baseline = core::kernels<MotionKernels>(core::Isa::Baseline);
+    const auto& kernels = core::kernels<MotionKernels>(GetParam());
     constexpr TuftGrid kGrid = {8.0, 2.2, 255.0, 159.0};
     for (std::uint32_t seed = 0; seed < 50; ++seed) {
         MotionColumns expected = random_bristles(seed), actual = expected;
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Kernels, MotionOnEverySet,
 TEST(Motion, TipsStayWithinReachOfTheirRoots) {
     for (std::uint32_t seed = 0; seed < 50; ++seed) {
         MotionColumns columns = random_bristles(seed);
-        motion_kernels().move(kFlex, kHand, columns);
+        core::kernels<MotionKernels>().move(kFlex, kHand, columns);
         for (int i = 0; i < MotionColumns::kCount; ++i) {
             if (columns.depth_mm[i] <= 0.0) continue;
             const double spread =
@@ -92,7 +92,7 @@ TEST(Motion, TuftsBeyondTheCanvasLieOnItsEdge) {
     columns.y_mm[0] = 1e9;
     columns.x_mm[1] = 4.06;
     TuftCells cells;
-    motion_kernels().compute_tufts({8.0, 2.2, 255.0, 159.0}, columns, cells);
+    core::kernels<MotionKernels>().compute_tufts({8.0, 2.2, 255.0, 159.0}, columns, cells);
     EXPECT_EQ(cells.x[0], 0);
     EXPECT_EQ(cells.right[0], 0);
     EXPECT_EQ(cells.above[0], 159);

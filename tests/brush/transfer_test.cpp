@@ -289,8 +289,8 @@ class EveryInstructionSet : public testing::TestWithParam<core::Isa> {};
 TEST_P(EveryInstructionSet, GivesTheSameBitsAsTheBaseline) {
     if (GetParam() > core::best_isa())
         GTEST_SKIP() << "this processor has no " << core::name_of(GetParam());
-    const TransferKernels baseline = transfer_kernels_for(core::Isa::Baseline);
-    const TransferKernels kernels = transfer_kernels_for(GetParam());
+    const auto& baseline = core::kernels<TransferKernels>(core::Isa::Baseline);
+    const auto& kernels = core::kernels<TransferKernels>(GetParam());
     for (std::uint32_t seed = 0; seed < 20; ++seed) {
         RandomBatch expected(seed), actual(seed);
         const bool lane = seed % 2 == 1;

@@ -93,7 +93,7 @@ TEST(TileKernel, EqualsTheScalarFormulaToTheBit) {
     const StepConstants step = oily_constants();
     const auto scratch = std::make_unique<TileScratch>();
     fill_randomly(7, scratch->block);
-    tile_kernels().flow(step, kTileSize, kTileSize, {}, *scratch);
+    core::kernels<TileKernels>().flow(step, kTileSize, kTileSize, {}, *scratch);
     int flowing = 0;
     for (int y = 0; y < kTileSize; ++y)
         for (int x = 0; x < kTileSize; ++x) {
@@ -118,12 +118,12 @@ TEST_P(TileKernelOfPaint, GivesTheSameBitsOnEveryInstructionSet) {
     for (const std::uint32_t seed : {1U, 2U, 3U}) {
         fill_randomly(seed, reference->block);
         fill_randomly(seed, scratch->block);
-        const FlowExtremes expected =
-            tile_kernels_for(core::Isa::Baseline).flow(step, kTileSize, kTileSize, {}, *reference);
+        const FlowExtremes expected = core::kernels<TileKernels>(core::Isa::Baseline)
+                                          .flow(step, kTileSize, kTileSize, {}, *reference);
         for (const core::Isa isa : {core::Isa::Avx2, core::Isa::Avx512}) {
             if (isa > core::best_isa()) continue;
             const FlowExtremes found =
-                tile_kernels_for(isa).flow(step, kTileSize, kTileSize, {}, *scratch);
+                core::kernels<TileKernels>(isa).flow(step, kTileSize, kTileSize, {}, *scratch);
             EXPECT_EQ(scratch->velocity_x, reference->velocity_x) << core::name_of(isa);
             EXPECT_EQ(scratch->velocity_y, reference->velocity_y) << core::name_of(isa);
             EXPECT_EQ(scratch->flux_x, reference->flux_x) << core::name_of(isa);
@@ -142,11 +142,12 @@ TEST(TileKernel, GivesTheSameBitsOfFullCellsOnEveryInstructionSet) {
     StepConstants step = oily_constants();
     step.dt_s = 0.01F;
     const FlowExtremes expected =
-        tile_kernels_for(core::Isa::Baseline).flow(step, kTileSize, kTileSize, {}, *reference);
+        core::kernels<TileKernels>(core::Isa::Baseline).flow(step, kTileSize, kTileSize, {}, *reference);
     EXPECT_GT(expected.clamped_faces, 100);
     for (const core::Isa isa : {core::Isa::Avx2, core::Isa::Avx512}) {
         if (isa > core::best_isa()) continue;
-        const FlowExtremes found = tile_kernels_for(isa).flow(step, kTileSize, kTileSize, {}, *scratch);
+        const FlowExtremes found =
+            core::kernels<TileKernels>(isa).flow(step, kTileSize, kTileSize, {}, *scratch);
         EXPECT_EQ(scratch->flux_x, reference->flux_x) << core::name_of(isa);
         EXPECT_EQ(scratch->flux_y, reference->flux_y) << core::name_of(isa);
         EXPECT_EQ(scratch->velocity_x, reference->velocity_x) << core::name_of(isa);
@@ -168,7 +169,7 @@ void crowd(std::uint32_t seed, bool large_fluxes, TileScratch& scratch, std::vec
             channel = amount(random);
     for (int y = -1; y <= kTileSize; ++y)
         for (int x = -1; x <= kTileSize; ++x)
-            tile_kernels_for(core::Isa::Baseline)
+            core::kernels<TileKernels>(core::Isa::Baseline)
                 .concentrate(&held[held_index(x, y)], &scratch.block.quanta[block_index(x, y)], 1,
                              &concentrations[concentration_index(x, y)]);
     for (int y = 0; y < kTileSize; ++y)
@@ -200,9 +201,9 @@ TEST_P(CrowdedPaint, NeverOverflowsAndIsTheSameOnEveryInstructionSet) {
     for (const core::Isa isa : {core::Isa::Baseline, core::Isa::Avx2, core::Isa::Avx512}) {
         if (isa > core::best_isa()) continue;
         std::vector<PaintCell> after(grid::kTileCells);
-        const PigmentMoved moved =
-            tile_kernels_for(isa).transport(*scratch, concentrations.data(), held.data(), kTileSize,
-                                            kTileSize, {}, before.data(), after.data());
+        const PigmentMoved moved = core::kernels<TileKernels>(isa).transport(
+            *scratch, concentrations.data(), held.data(), kTileSize, kTileSize, {}, before.data(),
+            after.data());
         EXPECT_GT(moved.held_back_faces, 100);
         EXPECT_EQ(sum(after), sum(before));
         for (const PaintCell& cell : after)

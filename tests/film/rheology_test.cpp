@@ -238,11 +238,11 @@ TEST(RareTerms, GiveTheSameBitsOnEveryInstructionSet) {
         fill_randomly(reference->block);
         fill_randomly(scratch->block);
         const StepConstants step = rough_constants(yield);
-        tile_kernels_for(core::Isa::Baseline)
+        core::kernels<TileKernels>(core::Isa::Baseline)
             .flow(step, grid::kTileSize, grid::kTileSize, {}, *reference);
         for (const core::Isa isa : {core::Isa::Avx2, core::Isa::Avx512}) {
             if (isa > core::best_isa()) continue;
-            tile_kernels_for(isa).flow(step, grid::kTileSize, grid::kTileSize, {}, *scratch);
+            core::kernels<TileKernels>(isa).flow(step, grid::kTileSize, grid::kTileSize, {}, *scratch);
             EXPECT_EQ(scratch->velocity_x, reference->velocity_x) << core::name_of(isa);
             EXPECT_EQ(scratch->flux_y, reference->flux_y) << core::name_of(isa);
         }

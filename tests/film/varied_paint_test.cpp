@@ -195,7 +195,7 @@ TEST(CellRheology, ReadsWhatTheMediumBrought) {
         const PaintCell cell = cell_of(paint_coefficients(kBlue, medium), h);
         const std::int32_t thickness = quanta_of(h);
         float viscosity = 0.0F, yield = 0.0F;
-        tile_kernels().rheology(&cell, &thickness, 1, 1.0F, &viscosity, &yield);
+        core::kernels<TileKernels>().rheology(&cell, &thickness, 1, 1.0F, &viscosity, &yield);
         // Half a carried quantum over the thickness, in the exponent.
         EXPECT_NEAR(viscosity / (medium.viscosity_m2_s * 1e6), 1.0, kPaintQuantum / h) << medium.name;
         EXPECT_NEAR(yield, medium.yield_stress_Pa, kPaintQuantum / h) << medium.name;
@@ -208,8 +208,9 @@ TEST(CellRheology, GivesTheSameBitsOnEveryInstructionSetAndAnyCount) {
     const auto of = [&](core::Isa isa, int chunk) {
         std::vector<float> viscosity(kCount), yield(kCount);
         for (int i = 0; i < kCount; i += chunk)
-            tile_kernels_for(isa).rheology(film.paint.read(0) + i, film.thickness.read(0) + i,
-                                           std::min(chunk, kCount - i), 0.8F, &viscosity[i], &yield[i]);
+            core::kernels<TileKernels>(isa).rheology(film.paint.read(0) + i, film.thickness.read(0) + i,
+                                                     std::min(chunk, kCount - i), 0.8F, &viscosity[i],
+                                                     &yield[i]);
         viscosity.insert(viscosity.end(), yield.begin(), yield.end());
         return viscosity;
     };

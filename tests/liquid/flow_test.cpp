@@ -168,20 +168,21 @@ Stirred stir(int threads, const Kernels& kernels, bool mirrored = false) {
 }
 
 TEST(VesselFlow, GivesTheSameBitsOnAnyNumberOfThreadsAndEveryInstructionSet) {
-    const Stirred one = stir(1, kernels(core::Isa::Baseline));
+    const Stirred one = stir(1, core::kernels<Kernels>(core::Isa::Baseline));
     const auto expect_same = [&](const Stirred& other) {
         EXPECT_TRUE(other.velocity == one.velocity);
         EXPECT_TRUE(other.coldness == one.coldness);
         EXPECT_EQ(other.points, one.points);
     };
     for (const int threads : {2, 3})
-        expect_same(stir(threads, kernels()));
+        expect_same(stir(threads, core::kernels<Kernels>()));
     for (const core::Isa isa : {core::Isa::Avx2, core::Isa::Avx512})
-        if (isa <= core::best_isa()) expect_same(stir(1, kernels(isa)));
+        if (isa <= core::best_isa()) expect_same(stir(1, core::kernels<Kernels>(isa)));
 }
 
 TEST(VesselFlow, AMirroredLumpMakesTheMirroredFlow) {
-    const Stirred left = stir(1, kernels()), right = stir(1, kernels(), true);
+    const Stirred left = stir(1, core::kernels<Kernels>()),
+                  right = stir(1, core::kernels<Kernels>(), true);
     float fastest = 0.0F, difference = 0.0F;
     for (int k = 2; k < 28; ++k)
         for (int j = 8; j < 24; ++j)

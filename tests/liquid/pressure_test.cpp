@@ -91,7 +91,8 @@ int sweep(const Kernels& kernels, bool plain, ColourField& value, ColourField& c
 }
 
 TEST(Multigrid, PlainRowsGiveTheBitsThatTheirCoefficientsGive) {
-    for (const Kernels* table : {&kernels(core::Isa::Baseline), &kernels()}) {
+    for (const Kernels* table :
+         {&core::kernels<Kernels>(core::Isa::Baseline), &core::kernels<Kernels>()}) {
         ColourField value, coarse_source, expected, expected_coarse;
         // Inner rows hold four groups of which the first has the wall; a face in row (5, 5) is no plain
         // one, nor are the twelve rows around the box.

@@ -25,7 +25,7 @@ std::vector<std::uint32_t> random_words(int count, std::uint32_t seed, std::uint
 std::vector<std::byte> encoded(const std::vector<std::uint32_t>& words, int channels,
                                const Expectation& expected) {
     std::vector<std::byte> bytes(tile_bytes(channels));
-    tile_codec(core::Isa::Baseline).encode(words.data(), channels, expected, bytes.data());
+    core::kernels<TileCodec>(core::Isa::Baseline).encode(words.data(), channels, expected, bytes.data());
     return bytes;
 }
 
@@ -39,7 +39,8 @@ TEST(TileCodec, AnyWordsComeBack) {
             for (const Expectation& with : {Expectation{}, Expectation{amount.data()}, kSmooth}) {
                 if (with.smooth && channels > 1) continue;
                 std::vector<std::uint32_t> back(words.size());
-                tile_codec().decode(encoded(words, channels, with).data(), channels, with, back.data());
+                core::kernels<TileCodec>().decode(encoded(words, channels, with).data(), channels, with,
+                                                  back.data());
                 EXPECT_EQ(back, words) << channels << " channels, mask " << mask;
             }
         }
@@ -51,7 +52,7 @@ TEST(TileCodec, AnyBytesGiveSomeWordsThatEncodeToThem) {
     std::vector<std::byte> bytes(tile_bytes(16));
     std::memcpy(bytes.data(), random.data(), bytes.size());
     std::vector<std::uint32_t> words(random.size());
-    tile_codec().decode(bytes.data(), 16, {}, words.data());
+    core::kernels<TileCodec>().decode(bytes.data(), 16, {}, words.data());
     EXPECT_EQ(encoded(words, 16, {}), bytes);
 }
 
@@ -68,10 +69,10 @@ TEST(TileCodec, AllInstructionSetsGiveTheSameBytesAndWords) {
         for (const core::Isa isa : {core::Isa::Baseline, core::Isa::Avx2, core::Isa::Avx512}) {
             if (isa > core::best_isa()) continue;
             std::vector<std::byte> same(bytes.size());
-            tile_codec(isa).encode(words.data(), channels, {amount.data()}, same.data());
+            core::kernels<TileCodec>(isa).encode(words.data(), channels, {amount.data()}, same.data());
             EXPECT_EQ(same, bytes) << channels;
             std::vector<std::uint32_t> back(words.size());
-            tile_codec(isa).decode(bytes.data(), channels, {amount.data()}, back.data());
+            core::kernels<TileCodec>(isa).decode(bytes.data(), channels, {amount.data()}, back.data());
             EXPECT_EQ(back, words) << channels;
         }
     }

@@ -41,7 +41,7 @@ TEST_P(EveryIsa, ColoursCellsAlike) {
     }
     const auto colours = [&](core::Isa isa) {
         std::vector<CellColour> result(grid::kTileCells - 3);
-        kernels(isa).colour_cells(
+        core::kernels<Kernels>(isa).colour_cells(
             {film.paint.read(0), film.thickness.read(0), soluble.data(), strata.data()},
             grid::kTileCells - 3, test::kGround, pigment::kBandsToLinearSrgb, result.data());
         return result;
@@ -57,7 +57,7 @@ TEST_P(EveryIsa, FindsHorizonsAlike) {
     const HorizonLook look{{1, 30, -60, 200}, {4.0F, 2.0F, 1.0F, 0.5F}};
     const auto shares = [&](core::Isa isa) {
         std::vector<float> result(701, 0.25F);
-        kernels(isa).add_horizon(look, heights.data() + 60, 701, result.data());
+        core::kernels<Kernels>(isa).add_horizon(look, heights.data() + 60, 701, result.data());
         return result;
     };
     expect_same_bits(shares(GetParam()), shares(core::Isa::Baseline));
@@ -70,7 +70,8 @@ TEST_P(EveryIsa, RaisesShadowsAlike) {
     }
     const auto shadows = [&](core::Isa isa) {
         std::vector<float> result(101, 0.3F);
-        kernels(isa).raise_shadow(heights.data(), heights.data() + 150, 0.37F, 0.2F, 101, result.data());
+        core::kernels<Kernels>(isa).raise_shadow(heights.data(), heights.data() + 150, 0.37F, 0.2F, 101,
+                                                 result.data());
         return result;
     };
     expect_same_bits(shadows(GetParam()), shadows(core::Isa::Baseline));
@@ -85,8 +86,8 @@ TEST_P(EveryIsa, ShadesRowsAlike) {
     const SampleAxis lines = sample_axis({10.0, 0.77, 0.5F}, 0, 1, 0);
     const auto row = [&](core::Isa isa) {
         std::vector<float> rgb(3 * 99);
-        kernels(isa).shade_row(layers.rows_from(lines.first_cell[0]), lines.weights[0], columns, 0.25F,
-                               shading_constants(lighting), rgb.data());
+        core::kernels<Kernels>(isa).shade_row(layers.rows_from(lines.first_cell[0]), lines.weights[0],
+                                              columns, 0.25F, shading_constants(lighting), rgb.data());
         return rgb;
     };
     expect_same_bits(row(GetParam()), row(core::Isa::Baseline));

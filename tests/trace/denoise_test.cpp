@@ -127,7 +127,7 @@ TEST(Denoise, EveryInstructionSetGivesTheSameBits) {
         job.in[0] = guide.data() + start;
         job.out[0] = out.data() + start;
         std::vector<float> scratch(average_scratch(kSide));
-        denoise_kernels(isa).average_rows(job, scratch.data());
+        core::kernels<DenoiseKernels>(isa).average_rows(job, scratch.data());
         return out;
     };
     const std::vector<float> baseline = averaged(core::Isa::Baseline);

@@ -1,30 +1,21 @@
-// The kernels of a tile's step as they are called; each instruction set defines them in its own
-// namespace.
+// The kernels of a tile's step, as the instruction set's own sources call one another.
 #pragma once
 
 #include "film/explicit/tile_step.hpp"
 
-#define PASTOSO_DECLARE_FILM_KERNELS(isa)                                                               \
-    namespace pastoso::film::isa {                                                                      \
-    void prepare_pressure(const StepConstants& step, TileScratch& scratch);                             \
-    FlowExtremes tile_flow(const StepConstants& step, int columns, int rows, const ClosedFaces& closed, \
-                           TileScratch& scratch);                                                       \
-    PigmentMoved transport_pigment(const TileScratch& scratch, const float* concentrations,             \
-                                   const PaintCell* held, int columns, int rows,                        \
-                                   const OpenEdges& runoff_edges, const PaintCell* before,              \
-                                   PaintCell* after);                                                   \
-    std::int32_t concentrate(const PaintCell* pigment, const std::int32_t* thickness, int count,        \
-                             float* out);                                                               \
-    void cell_rheology(const PaintCell* paint, const std::int32_t* thickness, int count,                \
-                       float yield_per_Pa, float* viscosity, float* yield);                             \
-    void apply_fluxes(const TileScratch& scratch, std::int32_t* after);                                 \
-    void largest_changes(const std::int32_t* before, const std::int32_t* after, int first_row,          \
-                         int last_row, ColumnChanges& changes);                                         \
-    }
+namespace pastoso::film::PASTOSO_ISA {
 
-PASTOSO_DECLARE_FILM_KERNELS(baseline)
-#if defined(__x86_64__)
-PASTOSO_DECLARE_FILM_KERNELS(avx2)
-PASTOSO_DECLARE_FILM_KERNELS(avx512)
-#endif
-#undef PASTOSO_DECLARE_FILM_KERNELS
+void prepare_pressure(const StepConstants& step, TileScratch& scratch);
+FlowExtremes tile_flow(const StepConstants& step, int columns, int rows, const ClosedFaces& closed,
+                       TileScratch& scratch);
+PigmentMoved transport_pigment(const TileScratch& scratch, const float* concentrations,
+                               const PaintCell* held, int columns, int rows,
+                               const OpenEdges& runoff_edges, const PaintCell* before, PaintCell* after);
+std::int32_t concentrate(const PaintCell* pigment, const std::int32_t* thickness, int count, float* out);
+void cell_rheology(const PaintCell* paint, const std::int32_t* thickness, int count, float yield_per_Pa,
+                   float* viscosity, float* yield);
+void apply_fluxes(const TileScratch& scratch, std::int32_t* after);
+void largest_changes(const std::int32_t* before, const std::int32_t* after, int first_row, int last_row,
+                     ColumnChanges& changes);
+
+}  // namespace pastoso::film::PASTOSO_ISA

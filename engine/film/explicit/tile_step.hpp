@@ -1,7 +1,7 @@
 // One explicit step of one tile, compiled for every instruction set; the solver calls the one that fits.
 #pragma once
 
-#include "core/isa.hpp"
+#include "core/kernels.hpp"
 #include "film/explicit/halo_block.hpp"
 #include "film/step_constants.hpp"
 
@@ -114,12 +114,8 @@ struct TileKernels {
     ApplyFluxes apply_fluxes = nullptr;
     LargestChanges largest_changes = nullptr;
     CellRheology rheology = nullptr;
+
+    static const TileKernels baseline, avx2, avx512;
 };
-
-/// The kernels for an instruction set, or for the widest one below it that was compiled in.
-TileKernels tile_kernels_for(core::Isa isa);
-
-/// The kernels for core::best_isa().
-const TileKernels& tile_kernels();
 
 }  // namespace pastoso::film

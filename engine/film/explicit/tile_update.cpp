@@ -29,7 +29,7 @@ void clear_beyond(std::int32_t* values, int columns, int rows) {
 
 TileBlock<std::int32_t> apply_fluxes(const TileScratch& scratch, int columns, int rows) {
     TileBlock<std::int32_t> block = TileBlock<std::int32_t>::uninitialised();
-    tile_kernels().apply_fluxes(scratch, block.write());
+    core::kernels<TileKernels>().apply_fluxes(scratch, block.write());
     clear_beyond(block.write(), columns, rows);
     return block;
 }
@@ -42,13 +42,14 @@ TileMotion motion_between(const std::int32_t* before, const std::int32_t* after,
             *std::max_element(changes.begin() + std::max(first, 0), changes.begin() + last));
     };
     TileMotion motion;
-    tile_kernels().largest_changes(before, after, 0, rows, changes);
+    core::kernels<TileKernels>().largest_changes(before, after, 0, rows, changes);
     motion.largest_mm = largest(0, columns);
     motion.near_side_mm[kLeft] = largest(0, std::min(kHalo, columns));
     motion.near_side_mm[kRight] = largest(columns - kHalo, columns);
-    tile_kernels().largest_changes(before, after, 0, std::min(kHalo, rows), changes);
+    core::kernels<TileKernels>().largest_changes(before, after, 0, std::min(kHalo, rows), changes);
     motion.near_side_mm[kTop] = largest(0, columns);
-    tile_kernels().largest_changes(before, after, std::max(rows - kHalo, 0), rows, changes);
+    core::kernels<TileKernels>().largest_changes(before, after, std::max(rows - kHalo, 0), rows,
+                                                 changes);
     motion.near_side_mm[kBottom] = largest(0, columns);
     return motion;
 }
@@ -114,13 +115,13 @@ void move_pigment(const FilmState& state, const TilePlace& place, WorkerScratch&
                   TileResult& result) {
     const int columns = place.columns.extent, rows = place.rows.extent;
     const std::int32_t largest =
-        gather_concentrations(state, place.columns, place.rows, place.tile_x, tile_kernels().concentrate,
-                              worker.concentrations.data());
+        gather_concentrations(state, place.columns, place.rows, place.tile_x,
+                              core::kernels<TileKernels>().concentrate, worker.concentrations.data());
     const bool crowded = largest > kCrowded;
     if (crowded) gather_held(state, place.columns, place.rows, worker.held);
     const bool whole = columns == kTileSize && rows == kTileSize;
     result.paint = whole ? TileBlock<PaintCell>::uninitialised() : TileBlock<PaintCell>::filled({});
-    const PigmentMoved moved = tile_kernels().transport(
+    const PigmentMoved moved = core::kernels<TileKernels>().transport(
         worker.tile, worker.concentrations.data(), crowded ? worker.held.data() : nullptr, columns, rows,
         place.runoff_edges, state.paint.read(place.tile), result.paint.write());
     result.runoff.paint = moved.runoff;
@@ -161,7 +162,7 @@ void gather_tile(const FilmState& state, const TilePlace& place, const StepConst
     gather(state, place.columns, place.rows, place.tile_x, step.wet_mm, worker.tile.block);
     if (step.varied)
         gather_rheology(state, place.columns, place.rows, place.tile_x, step.yield_per_Pa,
-                        tile_kernels().rheology, worker.tile.block);
+                        core::kernels<TileKernels>().rheology, worker.tile.block);
     press(place.air, place.density_kg_m3, place.columns, place.rows, step.cell_mm, worker.tile.block);
 }
 
@@ -169,8 +170,8 @@ TileResult update_tile(const FilmState& state, const TilePlace& place, const Ste
                        WorkerScratch& worker) {
     gather_tile(state, place, step, worker);
     worker.tile.large_fluxes = false;
-    const FlowExtremes extremes =
-        tile_kernels().flow(step, place.columns.extent, place.rows.extent, place.closed, worker.tile);
+    const FlowExtremes extremes = core::kernels<TileKernels>().flow(
+        step, place.columns.extent, place.rows.extent, place.closed, worker.tile);
     return collect_tile(state, place, extremes, worker);
 }
 

@@ -130,7 +130,7 @@ struct LargeStepper::Pass {
     const StepConstants& constants;
     core::ThreadPool& pool;
     std::vector<std::unique_ptr<WorkerScratch>>& workers;
-    const LargeKernels& kernels = large_kernels();
+    const LargeKernels& kernels = core::kernels<LargeKernels>();
 
     bool backwards = false;
 

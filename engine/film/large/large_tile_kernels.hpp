@@ -1,6 +1,7 @@
 // The kernels of a large step for the machine's instruction set.
 #pragma once
 
+#include "core/kernels.hpp"
 #include "film/large/large_tile.hpp"
 
 namespace pastoso::film {
@@ -49,9 +50,8 @@ struct LargeKernels {
     /// Velocities and whole quanta of flux, into `scratch`.
     FlowExtremes (*fluxes)(const StepConstants& step, const LargeScratch& large, const LargeTile& tile,
                            TileScratch& scratch);
-};
 
-LargeKernels large_kernels_for(core::Isa isa);
-const LargeKernels& large_kernels();
+    static const LargeKernels baseline, avx2, avx512;
+};
 
 }  // namespace pastoso::film

@@ -20,7 +20,7 @@ class PeriodicFlow {
   public:
     /// The fluid at rest. Throws core::InputError for a bad shape or parameter.
     explicit PeriodicFlow(const grid::BoxShape& shape, const FlowParameters& parameters = {},
-                          const Kernels& kernels = liquid::kernels());
+                          const Kernels& kernels = core::kernels<Kernels>());
 
     const grid::BoxShape& shape() const { return velocity_.shape(); }
     const FlowParameters& parameters() const { return parameters_; }

@@ -26,7 +26,7 @@ class Advection {
   public:
     /// The samples to advect: of each location, in the order of Location.
     Advection(const grid::BoxShape& shape, const std::array<RowRanges, 4>& rows, Edges edges,
-              const Kernels& kernels = liquid::kernels());
+              const Kernels& kernels = core::kernels<Kernels>());
 
     /// Other samples to advect, of the same box. The velocity is to be followed anew.
     void set_rows(const std::array<RowRanges, 4>& rows);
@@ -59,6 +59,6 @@ class Advection {
 /// number goes to the box's corner.
 void carry_points(std::span<glm::vec3> points_m, const VelocityField& velocity, float dt_s, Edges edges,
                   Interpolation interpolation, core::ThreadPool& pool,
-                  const Kernels& kernels = liquid::kernels());
+                  const Kernels& kernels = core::kernels<Kernels>());
 
 }  // namespace pastoso::liquid

@@ -54,7 +54,7 @@ class VesselFlow {
   public:
     /// The fluid at rest. Throws core::InputError for a bad shape, distance or parameter.
     VesselFlow(const grid::BoxShape& shape, const SignedDistance& distance,
-               const FlowParameters& parameters = {}, const Kernels& kernels = liquid::kernels());
+               const FlowParameters& parameters = {}, const Kernels& kernels = core::kernels<Kernels>());
 
     const grid::BoxShape& shape() const { return walls_.shape(); }
     const Walls& walls() const { return walls_; }

@@ -1,7 +1,7 @@
 // The hot loops of the liquid, compiled once per instruction set and chosen at run time (core/isa.hpp).
 #pragma once
 
-#include "core/isa.hpp"
+#include "core/kernels.hpp"
 #include "liquid/flow/advection_view.hpp"
 #include "liquid/pressure/multigrid_view.hpp"
 
@@ -55,13 +55,8 @@ struct Kernels {
     void (*advect_row)(const AdvectionView& flow, const AdvectedRow& row);
     /// Moves points, x, y, z, 0 each in cell units, along a velocity on faces.
     void (*carry_points)(const CarryView& flow, float* points, int count);
+
+    static const Kernels baseline, avx2, avx512;
 };
-
-/// The kernels of an instruction set, which the processor must have; the baseline's where the build
-/// holds no others.
-const Kernels& kernels(core::Isa isa);
-
-/// Those of the best instruction set.
-const Kernels& kernels();
 
 }  // namespace pastoso::liquid

@@ -34,9 +34,11 @@ struct SolveResult {
 class ConjugateGradients {
   public:
     /// A kernel table other than the best one is for tests.
-    explicit ConjugateGradients(const CellMatrix& matrix, const Kernels& kernels = liquid::kernels());
+    explicit ConjugateGradients(const CellMatrix& matrix,
+                                const Kernels& kernels = core::kernels<Kernels>());
     /// Without equations yet.
-    explicit ConjugateGradients(const grid::BoxShape& shape, const Kernels& kernels = liquid::kernels());
+    explicit ConjugateGradients(const grid::BoxShape& shape,
+                                const Kernels& kernels = core::kernels<Kernels>());
     ConjugateGradients(ConjugateGradients&&) = default;
     ConjugateGradients& operator=(ConjugateGradients&&) = default;
 

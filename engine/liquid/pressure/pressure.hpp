@@ -16,7 +16,7 @@ CellMatrix pressure_matrix(const Walls& walls);
 
 class Projection {
   public:
-    explicit Projection(const Walls& walls, const Kernels& kernels = liquid::kernels());
+    explicit Projection(const Walls& walls, const Kernels& kernels = core::kernels<Kernels>());
 
     /// Makes the velocity on the open faces free of divergence to the tolerance, sets it to 0 on shut
     /// faces between open ones, and continues it into the walls.

@@ -120,3 +120,6 @@ void add_near_inverse(const BallSlab& slab, const Ball* balls, const std::uint32
 }
 
 }  // namespace pastoso::liquid::PASTOSO_ISA
+
+PASTOSO_REGISTER_KERNELS(pastoso::liquid, BallKernels, add_compact, add_cut_off, add_near_inverse_square,
+                         add_near_inverse)

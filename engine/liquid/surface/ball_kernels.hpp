@@ -2,7 +2,7 @@
 // are in spacings of the lattice, from its first sample.
 #pragma once
 
-#include "core/isa.hpp"
+#include "core/kernels.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -34,10 +34,8 @@ struct BallKernels {
     /// strength (1/q - P(q)) and strength (q^(-1/2) - P(q)), q = r^2; P is the quintic Taylor polynomial
     /// at q = reach^2 (far_field.hpp).
     AddBalls near_inverse_square, near_inverse;
-};
 
-/// The kernels of an instruction set, which the processor must have; the baseline's where the build
-/// holds no others.
-const BallKernels& ball_kernels(core::Isa isa);
+    static const BallKernels baseline, avx2, avx512;
+};
 
 }  // namespace pastoso::liquid

@@ -82,7 +82,7 @@ void MarchingCubes::mark(const SampleView& samples, float iso, core::Isa isa) {
     const Lattice& lattice = samples.lattice;
     words_ = static_cast<std::size_t>((lattice.nx + 31) / 32 + 1);
     bits_.resize(words_ * row_index(lattice, 0, lattice.nz));
-    const MarchingKernels& kernels = marching_kernels(isa);
+    const auto& kernels = core::kernels<MarchingKernels>(isa);
     pool_.run(static_cast<std::size_t>(lattice.nz), [&](std::size_t layer, int) {
         const int k = static_cast<int>(layer);
         for (int j = 0; j < lattice.ny; ++j)
@@ -93,7 +93,7 @@ void MarchingCubes::mark(const SampleView& samples, float iso, core::Isa isa) {
 
 void MarchingCubes::count(const Lattice& lattice, core::Isa isa) {
     counts_.assign(row_index(lattice, 0, lattice.nz), {});
-    const MarchingKernels& kernels = marching_kernels(isa);
+    const auto& kernels = core::kernels<MarchingKernels>(isa);
     const CubeCase* table = cube_table().data();
     pool_.run(static_cast<std::size_t>(lattice.nz), [&](std::size_t layer, int) {
         const int k = static_cast<int>(layer);
@@ -131,7 +131,7 @@ void MarchingCubes::allocate(const MarchingOptions& options, TriangleMesh& mesh)
 void MarchingCubes::place_row(const SampleView& samples, int j, int k, float iso,
                               const MarchingOptions& options, Scratch& scratch,
                               TriangleMesh& mesh) const {
-    const MarchingKernels& kernels = marching_kernels(options.isa);
+    const auto& kernels = core::kernels<MarchingKernels>(options.isa);
     const Lattice& lattice = samples.lattice;
     const std::size_t row = row_index(lattice, j, k);
     const RowCounts& counts = counts_[row];
@@ -168,8 +168,8 @@ void MarchingCubes::connect_row(const Lattice& lattice, int j, int k, core::Isa 
         vertices.y[r] = starts_[y_row].vertex + counts_[y_row].x;
         vertices.z[r] = starts_[z_row].vertex + counts_[z_row].x + counts_[z_row].y;
     }
-    marching_kernels(isa).connect(cells, vertices, cube_table().data(),
-                                  mesh.triangles[starts_[row].triangle].data());
+    core::kernels<MarchingKernels>(isa).connect(cells, vertices, cube_table().data(),
+                                                mesh.triangles[starts_[row].triangle].data());
 }
 
 void MarchingCubes::run(const SampleView& given, float iso, const MarchingOptions& options,

@@ -262,3 +262,6 @@ void connect(const CellRowBits& bits, const CellRowVertices& vertices, const Cub
 }
 
 }  // namespace pastoso::liquid::PASTOSO_ISA
+
+PASTOSO_REGISTER_KERNELS(pastoso::liquid, MarchingKernels, mark, compute_edges, count_edges,
+                         count_triangles, place, connect)

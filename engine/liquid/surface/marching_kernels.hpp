@@ -6,7 +6,7 @@
 // z, each by ascending i.
 #pragma once
 
-#include "core/isa.hpp"
+#include "core/kernels.hpp"
 #include "liquid/surface/cube_table.hpp"
 
 #include <cstddef>
@@ -66,10 +66,8 @@ struct MarchingKernels {
     /// The triangles of a row of cells, three numbers each.
     void (*connect)(const CellRowBits& cells, const CellRowVertices& vertices, const CubeCase* table,
                     std::uint32_t* out);
-};
 
-/// The kernels of an instruction set, which the processor must have; the baseline's where the build
-/// holds no others.
-const MarchingKernels& marching_kernels(core::Isa isa);
+    static const MarchingKernels baseline, avx2, avx512;
+};
 
 }  // namespace pastoso::liquid

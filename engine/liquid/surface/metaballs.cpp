@@ -147,8 +147,8 @@ void MetaballField::fill(std::span<const Parcel> parcels, const Metaballs& balls
         memory_->far->add(memory_->balls, field, pool_);
         add_one_by_one(memory_->beside, kernel, least_square, field, pool_);
     }
-    memory_->splat.add(memory_->balls, near_kernel(balls.kernel, ball_kernels(isa)), least_square, field,
-                       pool_);
+    memory_->splat.add(memory_->balls, near_kernel(balls.kernel, core::kernels<BallKernels>(isa)),
+                       least_square, field, pool_);
 }
 
 double metaball_sum(std::span<const Parcel> parcels, const Metaballs& balls, const glm::vec3& point_m) {

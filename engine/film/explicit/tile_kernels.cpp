@@ -1,0 +1,5 @@
+// Compiled once per instruction set; see pastoso_add_kernels.
+#include "film/explicit/tile_kernels.hpp"
+
+PASTOSO_REGISTER_KERNELS(pastoso::film, TileKernels, tile_flow, transport_pigment, concentrate,
+                         apply_fluxes, largest_changes, cell_rheology)
