@@ -1,84 +1,90 @@
 // Compiled once per instruction set; see pastoso_add_kernels.
 #include "brush/gather_kernel.hpp"
 
-#include "brush/kernel_lanes.hpp"
+#include "core/lane_memory.hpp"
 #include "grid/shape.hpp"
 
 namespace pastoso::brush::PASTOSO_ISA {
 namespace {
 
-PASTOSO_KERNEL_INLINE int whole_below(double x) {
+namespace lanes = core::lanes;
+
+using Floats = lanes::Widest<float>;
+using Ints = lanes::As<std::int32_t, Floats>;
+
+PASTOSO_LANE_FUNCTION int whole_below(double x) {
     const int truncated = static_cast<int>(x);
     return truncated - (truncated > x ? 1 : 0);
 }
 
 /// Begins a pass over those cells within the row that are in none, and writes what was found.
-template <class Floats, class Ints, class Inside>
-PASTOSO_KERNEL_INLINE void find(const PassTile& pass, int cell, Ints quanta, Inside inside,
+template <class F, class I, class Inside>
+PASTOSO_LANE_FUNCTION void find(const PassTile& pass, int cell, I quanta, Inside inside,
                                 std::int32_t* found_column) {
-    const auto begun = load_chosen<Floats>(pass.begun_mm + cell, inside);
-    const auto before = load_chosen<Ints>(pass.found + cell, inside);
-    const auto anew = (begun < pass.expired_mm) & inside;
-    if (!may_have_any(anew)) return store(found_column, before);
-    const Ints found = anew ? quanta : before;
-    store_to_chosen(pass.begun_mm + cell, anew ? Floats{} + pass.travel_mm : begun, anew);
-    store_to_chosen(pass.found + cell, found, anew);
-    store(found_column, found);
+    const auto begun = lanes::load_where<F>(pass.begun_mm + cell, inside);
+    const auto before = lanes::load_where<I>(pass.found + cell, inside);
+    const auto anew = begun < F(pass.expired_mm) && inside;
+    if (!lanes::may_have_any(anew)) return lanes::store(found_column, before);
+    const I found = lanes::select(anew, quanta, before);
+    lanes::store_where(pass.begun_mm + cell, lanes::select(anew, F(pass.travel_mm), begun), anew);
+    lanes::store_where(pass.found + cell, found, anew);
+    lanes::store(found_column, found);
 }
 
 /// How a tile's support is stored.
 struct InFloats {
     const float* heights_mm;
-    template <class Floats, class Shorts>
-    PASTOSO_KERNEL_INLINE Floats at(int cell) const {
-        return load<Floats>(heights_mm + cell);
+    template <class F>
+    PASTOSO_LANE_MEMBER F at(int cell) const {
+        return lanes::load<F>(heights_mm + cell);
     }
 };
 struct InLevels {
     const std::uint16_t* levels;
     float level_mm;
-    template <class Floats, class Shorts>
-    PASTOSO_KERNEL_INLINE Floats at(int cell) const {
-        return as_floats(load<Shorts>(levels + cell)) * level_mm;
+    template <class F>
+    PASTOSO_LANE_MEMBER F at(int cell) const {
+        const auto level = lanes::load<lanes::As<std::uint16_t, F>>(levels + cell);
+        return lanes::convert<float>(lanes::convert<std::int32_t>(level)) * level_mm;
     }
 };
 
-/// Gathers cell `i` of a row, or as many from there on as a register holds. Thickness and pass beyond
-/// the row's end are neither read nor written where registers have masks: another thread may change
-/// them.
-template <class Floats, class Ints, class Shorts, class Support>
-PASTOSO_KERNEL_INLINE void gather_cells(const GatherSource& tile, const Support& support,
+/// Gathers cell `i` of a row, or as many from there on as F and I hold. Thickness and pass beyond the
+/// row's end are neither read nor written where registers have masks: another thread may change them.
+template <class F, class I, class Support>
+PASTOSO_LANE_FUNCTION void gather_cells(const GatherSource& tile, const Support& support,
                                         const GatherRow& row, int i, float cell_mm,
                                         const GatherColumns& to) {
-    const Ints number = load<Ints>(kCounting) + i;
-    const auto inside = number < row.count;
-    const auto quanta = load_chosen<Ints>(tile.thickness + row.cell + i, inside);
-    store(to.thickness + i, quanta);
-    store(to.support_mm + i, support.template at<Floats, Shorts>(row.cell + i));
-    store(to.dx_mm + i, row.x_mm + as_floats(number) * cell_mm);
-    store(to.dy_mm + i, Floats{} + row.y_mm);
-    store(to.cell + i, number + row.cell);
+    const I number = lanes::counting<I>() + i;
+    const auto inside = number < I(row.count);
+    const auto quanta = lanes::load_where<I>(tile.thickness + row.cell + i, inside);
+    lanes::store(to.thickness + i, quanta);
+    lanes::store(to.support_mm + i, support.template at<F>(row.cell + i));
+    lanes::store(to.dx_mm + i, row.x_mm + lanes::convert<float>(number) * cell_mm);
+    lanes::store(to.dy_mm + i, F(row.y_mm));
+    lanes::store(to.cell + i, number + row.cell);
     if (tile.pass.found != nullptr)
-        find<Floats>(tile.pass, row.cell + i, quanta, inside, to.found + i);
+        find<F>(tile.pass, row.cell + i, quanta, inside, to.found + i);
     else
-        store(to.found + i, quanta);
+        lanes::store(to.found + i, quanta);
 }
 
 /// In whole registers, as long as they do not reach beyond the tile (without masks: beyond the row);
 /// what is too much in the columns is overwritten by the next row.
 template <class Support>
-PASTOSO_KERNEL_INLINE void gather_row(const GatherSource& tile, const Support& support,
+PASTOSO_LANE_FUNCTION void gather_row(const GatherSource& tile, const Support& support,
                                       const GatherRow& row, float cell_mm, const GatherColumns& to) {
-    const int end = kMasked ? grid::kTileCells : row.cell + row.count;
+    constexpr int kLanes = Floats::kLanes;
+    const int end = lanes::kMasked ? grid::kTileCells : row.cell + row.count;
     int i = 0;
     for (; i < row.count && row.cell + i + kLanes <= end; i += kLanes)
-        gather_cells<FloatLanes, IntLanes, ShortLanes>(tile, support, row, i, cell_mm, to);
+        gather_cells<Floats, Ints>(tile, support, row, i, cell_mm, to);
     for (; i < row.count; ++i)
-        gather_cells<float, std::int32_t, std::uint16_t>(tile, support, row, i, cell_mm, to);
+        gather_cells<float, std::int32_t>(tile, support, row, i, cell_mm, to);
 }
 
 template <class Support>
-PASTOSO_KERNEL_INLINE void gather_rows(const GatherSource& tile, const Support& support,
+PASTOSO_LANE_FUNCTION void gather_rows(const GatherSource& tile, const Support& support,
                                        const GatherRow* rows, int row_count, float cell_mm,
                                        GatherColumns to) {
     for (int r = 0; r < row_count; ++r) {

@@ -1,16 +1,18 @@
 // Compiled once per instruction set; see pastoso_add_kernels.
 #include "brush/motion_kernel.hpp"
 
-#include "brush/kernel_lanes.hpp"
+#include "core/lanes.hpp"
 
 namespace pastoso::brush::PASTOSO_ISA {
 namespace {
 
+namespace lanes = core::lanes;
+
 /// Where a bent hair would rest: this share of its reach along the lean, and outward from the middle.
 constexpr double kLeanRest = 0.6, kOutwardRest = 0.25;
 
-PASTOSO_KERNEL_INLINE std::int32_t cell_at(double place_cells, double last) {
-    return static_cast<std::int32_t>(smaller(larger(place_cells, 0.0), last));
+PASTOSO_LANE_FUNCTION std::int32_t cell_at(double place_cells, double last) {
+    return static_cast<std::int32_t>(lanes::min(lanes::max(place_cells, 0.0), last));
 }
 
 }  // namespace
@@ -24,14 +26,14 @@ void move(const StepFlex& flex, const FerrulePose& hand, MotionColumns& bristles
         const double lean_mm = place_x * hand.lean_x + place_y * hand.lean_y;
         const double depth_mm =
             hand.press * flex.full_depth_mm - bristles.deficit_mm[i] + flex.tilt_gain * lean_mm;
-        const double press = smaller(depth_mm * flex.per_full_depth, 1.0) * bristles.stiffness[i];
+        const double press = lanes::min(depth_mm * flex.per_full_depth, 1.0) * bristles.stiffness[i];
         const double spread = 1.0 + flex.splay * press;
         const double root_x_mm = hand.x_mm + place_x * spread, root_y_mm = hand.y_mm + place_y * spread;
         const double outward = kOutwardRest * bristles.per_distance[i];
         const double rest_x = kLeanRest * hand.lean_x + outward * place_x;
         const double rest_y = kLeanRest * hand.lean_y + outward * place_y;
         const double reach_mm =
-            flex.bend * __builtin_sqrt(larger(depth_mm * (2.0 * flex.length_mm - depth_mm), 0.0));
+            flex.bend * __builtin_sqrt(lanes::max(depth_mm * (2.0 * flex.length_mm - depth_mm), 0.0));
         // The trailing offset after the root has moved, at most as long as the reach.
         const bool trails = bristles.was_down[i] > 0.0;
         double offset_x = trails ? bristles.x_mm[i] - root_x_mm : 0.0;
@@ -44,7 +46,7 @@ void move(const StepFlex& flex, const FerrulePose& hand, MotionColumns& bristles
         bristles.x_mm[i] = root_x_mm + offset_x * share;
         bristles.y_mm[i] = root_y_mm + offset_y * share;
         bristles.depth_mm[i] = depth_mm;
-        bristles.press[i] = smaller(press, 1.0);
+        bristles.press[i] = lanes::min(press, 1.0);
     }
 }
 

@@ -2,13 +2,19 @@
 #include "brush/transfer_kernels.hpp"
 
 #include "brush/cell_batch.hpp"
-#include "brush/kernel_lanes.hpp"
+#include "core/lane_memory.hpp"
 #include "film/state.hpp"
 
 #include <limits>
 
 namespace pastoso::brush::PASTOSO_ISA {
 namespace {
+
+namespace lanes = core::lanes;
+
+using Floats = lanes::Widest<float>;
+using Ints = lanes::As<std::int32_t, Floats>;
+constexpr int kLanes = Floats::kLanes;
 
 constexpr auto kQuantum_mm = static_cast<float>(film::kThicknessQuantum_mm);
 constexpr auto kQuantaPerMm = static_cast<float>(1.0 / film::kThicknessQuantum_mm);
@@ -26,143 +32,142 @@ constexpr std::int32_t kTraceQuanta = 336;
 constexpr int kGroups = film::kPaintChannels / kLanes;
 
 /// Sums modulo 2^32.
-using WrappingLanes [[gnu::vector_size(4 * kLanes)]] = std::uint32_t;
+using Wrapping = lanes::As<std::uint32_t, Floats>;
 
 /// For sums of single numbers: half as many as a register of 32 bits holds.
-constexpr int kWideLanes = kLanes / 2;
-using WideLanes [[gnu::vector_size(8 * kWideLanes)]] = std::uint64_t;
+using Wide = lanes::Widest<std::uint64_t>;
 
 /// Heights of a bristle's hairs, told apart by their number because a table of sixteen can be looked
 /// up within registers.
 struct AnyHairs {
     const float* heights;
 
-    PASTOSO_KERNEL_INLINE explicit AnyHairs(const ExchangeRule& rule) : heights(rule.hairs) {}
-    PASTOSO_KERNEL_INLINE FloatLanes at(IntLanes index, FloatLanes share) const {
-        FloatLanes found = {};
-        for (int lane = 0; lane < kLanes; ++lane) {
+    PASTOSO_LANE_MEMBER explicit AnyHairs(const ExchangeRule& rule) : heights(rule.hairs) {}
+    PASTOSO_LANE_MEMBER Floats at(Ints index, Floats share) const {
+        return lanes::generate<Floats>([&](int lane) {
             const float* low = heights + index[lane];
-            found[lane] = low[0] + share[lane] * (low[1] - low[0]);
-        }
-        return found;
+            return low[0] + share[lane] * (low[1] - low[0]);
+        });
     }
 };
 struct SixteenHairs {
     static constexpr int kRegisters = 16 / kLanes;
-    FloatLanes low[kRegisters], high[kRegisters];
+    Floats low[kRegisters], high[kRegisters];
 
-    PASTOSO_KERNEL_INLINE explicit SixteenHairs(const ExchangeRule& rule) {
+    PASTOSO_LANE_MEMBER explicit SixteenHairs(const ExchangeRule& rule) {
         for (int part = 0; part < kRegisters; ++part) {
-            low[part] = load<FloatLanes>(rule.hairs + part * kLanes);
-            high[part] = load<FloatLanes>(rule.hairs + 1 + part * kLanes);
+            low[part] = lanes::load<Floats>(rule.hairs + part * kLanes);
+            high[part] = lanes::load<Floats>(rule.hairs + 1 + part * kLanes);
         }
     }
-    PASTOSO_KERNEL_INLINE static FloatLanes pick(const FloatLanes* table, IntLanes index) {
-        FloatLanes found = shuffled(table[0], index);
+    PASTOSO_LANE_MEMBER static Floats pick(const Floats* table, Ints index) {
+        Floats found = lanes::shuffled(table[0], index);
         for (int part = 1; part < kRegisters; ++part)
-            found = index >= part * kLanes ? shuffled(table[part], index) : found;
+            found = lanes::select(index >= part * kLanes, lanes::shuffled(table[part], index), found);
         return found;
     }
-    PASTOSO_KERNEL_INLINE FloatLanes at(IntLanes index, FloatLanes share) const {
-        const FloatLanes left = pick(low, index), right = pick(high, index);
+    PASTOSO_LANE_MEMBER Floats at(Ints index, Floats share) const {
+        const Floats left = pick(low, index), right = pick(high, index);
         return left + share * (right - left);
     }
 };
 
 template <class Hairs>
-PASTOSO_KERNEL_INLINE FloatLanes hairs_at(const Hairs& hairs, const ExchangeRule& rule, FloatLanes s) {
+PASTOSO_LANE_FUNCTION Floats hairs_at(const Hairs& hairs, const ExchangeRule& rule, Floats s) {
     const float half = 0.5F * static_cast<float>(rule.hairs_per_bristle);
     const float last = static_cast<float>(rule.hairs_per_bristle) - 0.001F;
-    const FloatLanes place = smaller(larger(s * half + half, FloatLanes{}), all_lanes(last));
-    const IntLanes index = as_ints(place);
-    return hairs.at(index, place - as_floats(index));
+    const Floats place = lanes::min(lanes::max(s * half + half, Floats(0.0F)), Floats(last));
+    const Ints index = lanes::convert<std::int32_t>(place);
+    return hairs.at(index, place - lanes::convert<float>(index));
 }
 
 /// What a register of cells is to gain and to swap.
 struct Wanted {
-    IntLanes change, swap;
+    Ints change, swap;
 };
 
 template <bool kLane, class Hairs>
-PASTOSO_KERNEL_INLINE Wanted wanted_at(const ExchangeRule& rule, const Hairs& hairs,
+PASTOSO_LANE_FUNCTION Wanted wanted_at(const ExchangeRule& rule, const Hairs& hairs,
                                        const BatchColumns& batch, int i) {
-    const auto dx = load<FloatLanes>(batch.dx_mm + i), dy = load<FloatLanes>(batch.dy_mm + i);
-    const FloatLanes s = dx * rule.across_x + dy * rule.across_y;
-    const FloatLanes t = dx * rule.along_x + dy * rule.along_y;
-    const FloatLanes s2 = s * s, t2 = t * t, none = {};
-    const FloatLanes radius2 = kLane ? t2 : s2 + t2;
-    const FloatLanes core = larger(none, 1.0F - radius2 * radius2);
-    const FloatLanes weight = kLane ? core * larger(none, 1.0F - (s < none ? -s : s)) : core;
+    const auto dx = lanes::load<Floats>(batch.dx_mm + i), dy = lanes::load<Floats>(batch.dy_mm + i);
+    const Floats s = dx * rule.across_x + dy * rule.across_y;
+    const Floats t = dx * rule.along_x + dy * rule.along_y;
+    const Floats s2 = s * s, t2 = t * t, none(0.0F);
+    const Floats radius2 = kLane ? t2 : s2 + t2;
+    const Floats core = lanes::max(none, 1.0F - radius2 * radius2);
+    const Floats weight = kLane ? core * lanes::max(none, 1.0F - lanes::select(s < none, -s, s)) : core;
 
-    const auto quanta = load<IntLanes>(batch.thickness + i), found = load<IntLanes>(batch.found + i);
-    const FloatLanes h = as_floats(quanta) * kQuantum_mm;
-    const FloatLanes wanted = rule.underside_mm + rule.groove_mm * (s2 + kGrooveRise) +
-                              rule.hair_mm * hairs_at(hairs, rule, s);
-    const FloatLanes surface = load<FloatLanes>(batch.support_mm + i) + h;
-    const FloatLanes gap = wanted - surface;
-    const FloatLanes reached = larger((surface - rule.lowest_mm) * rule.fade_per_mm, none);
-    const FloatLanes share = rule.rate * weight * smaller(reached, all_lanes(1.0F));
+    const auto quanta = lanes::load<Ints>(batch.thickness + i),
+               found = lanes::load<Ints>(batch.found + i);
+    const Floats h = lanes::convert<float>(quanta) * kQuantum_mm;
+    const Floats wanted = rule.underside_mm + rule.groove_mm * (s2 + kGrooveRise) +
+                          rule.hair_mm * hairs_at(hairs, rule, s);
+    const Floats surface = lanes::load<Floats>(batch.support_mm + i) + h;
+    const Floats gap = wanted - surface;
+    const Floats reached = lanes::max((surface - rule.lowest_mm) * rule.fade_per_mm, none);
+    const Floats share = rule.rate * weight * lanes::min(reached, Floats(1.0F));
 
-    const FloatLanes given = smaller(share * gap, all_lanes(kMost_mm));
-    const FloatLanes taken = larger(share * gap * rule.pickup, -kLargestBite * h);
-    const IntLanes change = as_ints((gap > none ? given : taken) * kQuantaPerMm);
-    const IntLanes capacity_left = larger(IntLanes{}, film::kMaxThickness_quanta - quanta);
-    const FloatLanes ground = as_floats(smaller(quanta, found)) * kQuantum_mm;
-    const FloatLanes swap_mm = rule.mix * share * smaller(ground, all_lanes(rule.mix_depth_mm));
-    return {smaller(change, capacity_left),
-            as_ints((capacity_left > 0 ? swap_mm : none) * kQuantaPerMm)};
+    const Floats given = lanes::min(share * gap, Floats(kMost_mm));
+    const Floats taken = lanes::max(share * gap * rule.pickup, -kLargestBite * h);
+    const Ints change =
+        lanes::convert<std::int32_t>(lanes::select(gap > none, given, taken) * kQuantaPerMm);
+    const Ints capacity_left = lanes::max(Ints(0), film::kMaxThickness_quanta - quanta);
+    const Floats ground = lanes::convert<float>(lanes::min(quanta, found)) * kQuantum_mm;
+    const Floats swap_mm = rule.mix * share * lanes::min(ground, Floats(rule.mix_depth_mm));
+    return {lanes::min(change, capacity_left),
+            lanes::convert<std::int32_t>(lanes::select(capacity_left > 0, swap_mm, none) * kQuantaPerMm)};
 }
 
 /// Adds numbers that are not negative to sums wide enough for all of them.
-PASTOSO_KERNEL_INLINE void add_to(WideLanes& sums, IntLanes numbers) {
-    const auto pairs = reinterpret_cast<WideLanes>(numbers);
+PASTOSO_LANE_FUNCTION void add_to(Wide& sums, Ints numbers) {
+    const auto pairs = lanes::bits<std::uint64_t>(numbers);
     sums += (pairs & 0xFFFFFFFFU) + (pairs >> 32);
 }
 
-PASTOSO_KERNEL_INLINE std::int64_t total(WideLanes sums) {
+PASTOSO_LANE_FUNCTION std::int64_t total(Wide sums) {
     std::uint64_t sum = 0;
-    for (int lane = 0; lane < kWideLanes; ++lane)
+    for (int lane = 0; lane < Wide::kLanes; ++lane)
         sum += sums[lane];
     return static_cast<std::int64_t>(sum);
 }
 
 template <bool kLane, class Hairs>
-PASTOSO_KERNEL_INLINE WantedSums plan_batch(const ExchangeRule& rule, const BatchColumns& batch) {
+PASTOSO_LANE_FUNCTION WantedSums plan_batch(const ExchangeRule& rule, const BatchColumns& batch) {
     const Hairs hairs(rule);
-    WideLanes deposit = {}, swap = {};
+    Wide deposit(0), swap(0);
     for (int i = 0; i < batch.padded_count; i += kLanes) {
         const Wanted wanted = wanted_at<kLane>(rule, hairs, batch, i);
-        store(batch.change + i, wanted.change);
-        store(batch.swap + i, wanted.swap);
-        add_to(deposit, larger(wanted.change, IntLanes{}));
+        lanes::store(batch.change + i, wanted.change);
+        lanes::store(batch.swap + i, wanted.swap);
+        add_to(deposit, lanes::max(wanted.change, Ints(0)));
         add_to(swap, wanted.swap);
     }
     return {total(deposit), total(swap)};
 }
 
 /// Numbers in [0, 1) that are spread evenly over neighbouring cells: roundings with them have no bias.
-PASTOSO_KERNEL_INLINE FloatLanes dither(IntLanes cell, std::uint32_t seed) {
-    const auto scattered = reinterpret_cast<WrappingLanes>(cell) * 0x9E3779B9U + seed;
-    return as_floats(reinterpret_cast<IntLanes>(scattered >> 8)) * 0x1p-24F;
+PASTOSO_LANE_FUNCTION Floats dither(Ints cell, std::uint32_t seed) {
+    const auto scattered = lanes::bits<std::uint32_t>(cell) * 0x9E3779B9U + seed;
+    return lanes::convert<float>(lanes::bits<std::int32_t>(scattered >> 8)) * 0x1p-24F;
 }
 
 /// Sums of the channels' changes over up to 2^15 cells. A sum S comes from that of the upper halves,
 /// H = sum floor(c / 2^16), and from S modulo 2^32: S - 2^16 H, the sum of the lower halves, is less.
 constexpr int kHalfBits = 16;
 struct ChannelSums {
-    WrappingLanes whole[kGroups] = {};
-    IntLanes upper[kGroups] = {};
+    Wrapping whole[kGroups] = {};
+    Ints upper[kGroups] = {};
 
-    PASTOSO_KERNEL_INLINE void add(int group, IntLanes change) {
-        whole[group] += reinterpret_cast<WrappingLanes>(change);
+    PASTOSO_LANE_MEMBER void add(int group, Ints change) {
+        whole[group] += lanes::bits<std::uint32_t>(change);
         upper[group] += change >> kHalfBits;
     }
-    PASTOSO_KERNEL_INLINE void add_to(std::array<std::int64_t, film::kPaintChannels>& sums) const {
+    PASTOSO_LANE_MEMBER void add_to(std::array<std::int64_t, film::kPaintChannels>& sums) const {
         alignas(64) std::uint32_t wholes[film::kPaintChannels];
         alignas(64) std::int32_t uppers[film::kPaintChannels];
         for (int group = 0; group < kGroups; ++group) {
-            store(wholes + group * kLanes, whole[group]);
-            store(uppers + group * kLanes, upper[group]);
+            lanes::store(wholes + group * kLanes, whole[group]);
+            lanes::store(uppers + group * kLanes, upper[group]);
         }
         for (int k = 0; k < film::kPaintChannels; ++k) {
             const std::int64_t high = std::int64_t{uppers[k]} * (1 << kHalfBits);
@@ -172,13 +177,14 @@ struct ChannelSums {
 };
 
 /// `out_share` of a cell's pigment, rounded.
-PASTOSO_KERNEL_INLINE IntLanes leaving(IntLanes held, float out_share, float rounding) {
-    return smaller(as_ints(as_floats(held) * out_share + rounding), held);
+PASTOSO_LANE_FUNCTION Ints leaving(Ints held, float out_share, float rounding) {
+    return lanes::min(lanes::convert<std::int32_t>(lanes::convert<float>(held) * out_share + rounding),
+                      held);
 }
 
 /// The tool's pigment in `gained` thickness quanta, rounded, as far as it fits on top of `held`.
-PASTOSO_KERNEL_INLINE IntLanes coming(FloatLanes given, float gained, float rounding, IntLanes held) {
-    return smaller(as_ints(given * gained + rounding), kMostPigment - held);
+PASTOSO_LANE_FUNCTION Ints coming(Floats given, float gained, float rounding, Ints held) {
+    return lanes::min(lanes::convert<std::int32_t>(given * gained + rounding), kMostPigment - held);
 }
 
 /// What happens to a few cells, worked out for all of them at once before their pigment is touched.
@@ -196,8 +202,8 @@ struct CellList {
     std::int32_t cells[kChunk + kLanes];
     int count = 0;
 
-    PASTOSO_KERNEL_INLINE void add(IntLanes numbers, IntLanes chosen) {
-        count += store_chosen(cells + count, numbers, chosen);
+    PASTOSO_LANE_MEMBER void add(Ints numbers, Ints::MaskOf chosen) {
+        count += lanes::store_compressed(cells + count, numbers, chosen);
     }
 };
 /// Cells that only gain paint, that only lose some, and those where paint goes both ways. Apart, since
@@ -206,30 +212,33 @@ struct CellLists {
     CellList gaining, losing, swapping;
 };
 
-PASTOSO_KERNEL_INLINE void settle_change(const ApplyRule& rule, const TileCells& cells, int first,
+PASTOSO_LANE_FUNCTION void settle_change(const ApplyRule& rule, const TileCells& cells, int first,
                                          int count, int i, CellChanges& changes, CellLists& lists) {
-    const IntLanes none = {}, one = none + 1;
-    const auto h = load<IntLanes>(cells.held + first + i);
-    const auto wanted = load<IntLanes>(cells.change + first + i);
-    const IntLanes scaled = as_ints(as_floats(wanted) * rule.deposit_scale);
-    const IntLanes fitting = wanted > none ? scaled : wanted;
-    const IntLanes change = (fitting != none) & (h + fitting < kTraceQuanta) ? -h : fitting;
-    const IntLanes swap = as_ints(as_floats(load<IntLanes>(cells.swap + first + i)) * rule.swap_scale);
-    const FloatLanes share = as_floats(swap + larger(-change, none)) / as_floats(larger(h, one));
-    store(changes.thickness + i, change);
-    store(changes.out_share + i, smaller(share, all_lanes(1.0F)));
-    store(changes.gained + i, as_floats(swap + larger(change, none)));
-    store(changes.rounding + i, dither(load<IntLanes>(cells.cell + first + i), rule.dither_seed));
-    const IntLanes number = load<IntLanes>(kCounting) + i;
-    lists.gaining.add(number, (swap == none) & (change > none) & (number < count));
-    lists.losing.add(number, (swap == none) & (change < none) & (number < count));
-    lists.swapping.add(number, (swap != none) & (number < count));
+    const Ints none(0), one(1);
+    const auto h = lanes::load<Ints>(cells.held + first + i);
+    const auto wanted = lanes::load<Ints>(cells.change + first + i);
+    const Ints scaled = lanes::convert<std::int32_t>(lanes::convert<float>(wanted) * rule.deposit_scale);
+    const Ints fitting = lanes::select(wanted > none, scaled, wanted);
+    const Ints change = lanes::select(fitting != none && h + fitting < kTraceQuanta, -h, fitting);
+    const Ints swap = lanes::convert<std::int32_t>(
+        lanes::convert<float>(lanes::load<Ints>(cells.swap + first + i)) * rule.swap_scale);
+    const Floats share = lanes::convert<float>(swap + lanes::max(-change, none)) /
+                         lanes::convert<float>(lanes::max(h, one));
+    lanes::store(changes.thickness + i, change);
+    lanes::store(changes.out_share + i, lanes::min(share, Floats(1.0F)));
+    lanes::store(changes.gained + i, lanes::convert<float>(swap + lanes::max(change, none)));
+    lanes::store(changes.rounding + i,
+                 dither(lanes::load<Ints>(cells.cell + first + i), rule.dither_seed));
+    const Ints number = lanes::counting<Ints>() + i;
+    lists.gaining.add(number, swap == none && change > none && number < count);
+    lists.losing.add(number, swap == none && change < none && number < count);
+    lists.swapping.add(number, swap != none && number < count);
 }
 
 /// Moves the thickness of the listed cells, and their pigment by pigment(i, emptied, group, held), the
 /// change of a register of channels.
 template <class Pigment>
-PASTOSO_KERNEL_INLINE void change_cells(const TileCells& cells, int first, const CellList& list,
+PASTOSO_LANE_FUNCTION void change_cells(const TileCells& cells, int first, const CellList& list,
                                         const CellChanges& changes, ChangeSums& sums, ChannelSums& gains,
                                         const Pigment& pigment) {
     std::int64_t gained = 0;
@@ -241,9 +250,9 @@ PASTOSO_KERNEL_INLINE void change_cells(const TileCells& cells, int first, const
         cells.thickness[cell] = thickness;
         std::int32_t* channels = cells.paint[cell].data();
         for (int group = 0; group < kGroups; ++group) {
-            const auto held = load<IntLanes>(channels + group * kLanes);
-            const IntLanes change = thickness == 0 ? -held : pigment(i, group, held);
-            store(channels + group * kLanes, held + change);
+            const auto held = lanes::load<Ints>(channels + group * kLanes);
+            const Ints change = thickness == 0 ? -held : pigment(i, group, held);
+            lanes::store(channels + group * kLanes, held + change);
             gains.add(group, change);
         }
     }
@@ -251,31 +260,31 @@ PASTOSO_KERNEL_INLINE void change_cells(const TileCells& cells, int first, const
 }
 
 /// Moves the thickness and the pigment of up to kChunk cells.
-PASTOSO_KERNEL_INLINE void apply_chunk(const ApplyRule& rule, const TileCells& cells, int first,
+PASTOSO_LANE_FUNCTION void apply_chunk(const ApplyRule& rule, const TileCells& cells, int first,
                                        int count, ChangeSums& sums) {
     CellChanges changes;
     // Whole registers: a few cells of the next part or of the padding are worked out in vain.
     CellLists lists;
     for (int i = 0; i < count; i += kLanes)
         settle_change(rule, cells, first, count, i, changes, lists);
-    FloatLanes given[kGroups];
+    Floats given[kGroups];
     for (int group = 0; group < kGroups; ++group)
-        given[group] = load<FloatLanes>(rule.given.data() + group * kLanes);
+        given[group] = lanes::load<Floats>(rule.given.data() + group * kLanes);
     ChannelSums gains;
     change_cells(
         cells, first, lists.gaining, changes, sums,
-        gains, [&](int i, int group, IntLanes held) __attribute__((always_inline)) {
+        gains, [&](int i, int group, Ints held) __attribute__((always_inline)) {
             return coming(given[group], changes.gained[i], changes.rounding[i], held);
         });
     change_cells(
         cells, first, lists.losing, changes, sums,
-        gains, [&](int i, int, IntLanes held) __attribute__((always_inline)) {
+        gains, [&](int i, int, Ints held) __attribute__((always_inline)) {
             return -leaving(held, changes.out_share[i], changes.rounding[i]);
         });
     change_cells(
         cells, first, lists.swapping, changes, sums,
-        gains, [&](int i, int group, IntLanes held) __attribute__((always_inline)) {
-            const IntLanes out = leaving(held, changes.out_share[i], changes.rounding[i]);
+        gains, [&](int i, int group, Ints held) __attribute__((always_inline)) {
+            const Ints out = leaving(held, changes.out_share[i], changes.rounding[i]);
             return coming(given[group], changes.gained[i], changes.rounding[i], held - out) - out;
         });
     sums.any = sums.any || lists.gaining.count + lists.losing.count + lists.swapping.count > 0;
@@ -295,7 +304,7 @@ WantedSums plan(const ExchangeRule& rule, const BatchColumns& batch) {
 
 void apply(const ApplyRule& rule, const TileCells& cells, ChangeSums& sums) {
     for (int first = 0; first < cells.count; first += kChunk)
-        apply_chunk(rule, cells, first, smaller(kChunk, cells.count - first), sums);
+        apply_chunk(rule, cells, first, lanes::min(kChunk, cells.count - first), sums);
 }
 
 }  // namespace pastoso::brush::PASTOSO_ISA

@@ -2,6 +2,7 @@
 // instruction set, all of which round alike.
 #pragma once
 
+#include "core/lane_memory.hpp"
 #include "grid/shape.hpp"
 
 #include <algorithm>
@@ -9,26 +10,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <type_traits>
 #include <utility>
 
 namespace pastoso::packing::PASTOSO_ISA {
 namespace {
 
-#define PASTOSO_LANE_FUNCTION [[gnu::always_inline]] inline
+namespace lanes = core::lanes;
 
-/// The doubles that a register holds.
-#if defined(__AVX512F__)
-constexpr int kLanes = 8;
-#elif defined(__AVX2__)
-constexpr int kLanes = 4;
-#else
-constexpr int kLanes = 2;
-#endif
-using Numbers [[gnu::vector_size(8 * kLanes)]] = double;
-using Counts [[gnu::vector_size(8 * kLanes)]] = std::int64_t;
-using Wholes [[gnu::vector_size(4 * kLanes)]] = std::int32_t;
-using Words [[gnu::vector_size(4 * kLanes)]] = std::uint32_t;
+using Numbers = lanes::Widest<double>;
+using Counts = lanes::As<std::int64_t, Numbers>;
+using Words = lanes::As<std::uint32_t, Numbers>;
+constexpr int kLanes = Numbers::kLanes;
 
 /// A number for each channel; lanes beyond the last hold 0.
 template <int kChannels>
@@ -48,25 +40,17 @@ PASTOSO_LANE_FUNCTION void store(const Cell<Words, kChannels>& cell, std::uint32
     std::memcpy(words, cell.data(), sizeof(std::uint32_t) * kChannels);
 }
 
-template <int kBy, std::size_t... kLane>
-PASTOSO_LANE_FUNCTION void turn(Counts& lanes, std::index_sequence<kLane...>) {
-    lanes = __builtin_shufflevector(lanes, lanes, ((kLane + kBy) % kLanes)...);
+template <int kBy, int... kLane>
+PASTOSO_LANE_FUNCTION Counts turned(Counts counts, std::integer_sequence<int, kLane...>) {
+    return lanes::permuted<((kLane + kBy) % kLanes)...>(counts);
 }
 
-/// Every lane becomes what `better` leaves of all.
+/// In every lane what `better` leaves of all.
 template <class Better, int kBy = kLanes / 2>
-PASTOSO_LANE_FUNCTION void reduce(Counts& lanes, const Better& better) {
-    Counts others = lanes;
-    turn<kBy>(others, std::make_index_sequence<kLanes>());
-    better(lanes, others);
-    if constexpr (kBy > 1) reduce<Better, kBy / 2>(lanes, better);
-}
-
-/// The channels of a register.
-template <class Lanes>
-PASTOSO_LANE_FUNCTION void count_from(int first, Lanes& lanes) {
-    for (int lane = 0; lane < kLanes; ++lane)
-        lanes[lane] = static_cast<std::remove_cvref_t<decltype(lanes[0])>>(first + lane);
+PASTOSO_LANE_FUNCTION Counts reduced(Counts counts, const Better& better) {
+    counts = better(counts, turned<kBy>(counts, std::make_integer_sequence<int, kLanes>()));
+    if constexpr (kBy > 1) return reduced<Better, kBy / 2>(counts, better);
+    return counts;
 }
 
 /// The first of the numbers that are farthest from 0. Magnitudes are compared as bits, which are in the
@@ -75,22 +59,21 @@ template <std::size_t kCount>
 PASTOSO_LANE_FUNCTION int place_of_farthest(const std::array<Numbers, kCount>& numbers) {
     constexpr std::int64_t kMagnitude = 0x7fffffffffffffff;
     constexpr std::int64_t kNowhere = kCount * kLanes;
-    const auto larger = [](Counts& a, const Counts& b) { a = a > b ? a : b; };
-    const auto smaller = [](Counts& a, const Counts& b) { a = a < b ? a : b; };
+    const auto larger = [](Counts a, Counts b) { return lanes::max(a, b); };
+    const auto smaller = [](Counts a, Counts b) { return lanes::min(a, b); };
     std::array<Counts, kCount> magnitudes;
-    Counts largest{};
+    Counts largest(0);
     for (std::size_t i = 0; i < kCount; ++i) {
-        magnitudes[i] = reinterpret_cast<const Counts&>(numbers[i]) & kMagnitude;
-        larger(largest, magnitudes[i]);
+        magnitudes[i] = lanes::bits<std::int64_t>(numbers[i]) & kMagnitude;
+        largest = larger(largest, magnitudes[i]);
     }
-    reduce(largest, larger);
-    Counts place = Counts{} + kNowhere, channels{};
+    largest = reduced(largest, larger);
+    Counts place(kNowhere);
     for (std::size_t i = kCount; i-- > 0;) {
-        count_from(static_cast<int>(i) * kLanes, channels);
-        place = magnitudes[i] == largest ? channels : place;
+        const Counts channels = lanes::counting<Counts>() + static_cast<std::int64_t>(i) * kLanes;
+        place = lanes::select(magnitudes[i] == largest, channels, place);
     }
-    reduce(place, smaller);
-    return static_cast<int>(place[0]);
+    return static_cast<int>(reduced(place, smaller)[0]);
 }
 
 /// Where there are a cell to the left and one above, paints mix on the line between the two: how far
@@ -130,20 +113,17 @@ class AmountGuess {
     Cell<Words, kChannels> words() const {
         Cell<Words, kChannels> words;
         for (std::size_t i = 0; i < words.size(); ++i) {
-            Numbers exact = guess_[i];
-            exact = exact < kLeast ? Numbers{} + kLeast : exact;
-            exact = exact > kMost ? Numbers{} + kMost : exact;
-            const Wholes rounded = __builtin_convertvector(exact, Wholes);
-            words[i] = reinterpret_cast<const Words&>(rounded);
+            const Numbers exact = lanes::min(Numbers(kMost), lanes::max(Numbers(kLeast), guess_[i]));
+            words[i] = lanes::bits<std::uint32_t>(lanes::convert<std::int32_t>(exact));
         }
         return words;
     }
     /// Puts what is known of the first channel among the others.
     void put_first(std::uint32_t word, Cell<Words, kChannels>& words) const {
-        Words channels{};
         for (std::size_t i = 0; i < words.size(); ++i) {
-            count_from(static_cast<int>(i) * kLanes, channels);
-            words[i] = channels == static_cast<std::uint32_t>(first_) ? Words{} + word : words[i];
+            const Words channels = lanes::counting<Words>() + static_cast<std::uint32_t>(i) * kLanes;
+            words[i] =
+                lanes::select(channels == static_cast<std::uint32_t>(first_), Words(word), words[i]);
         }
     }
 
@@ -159,8 +139,7 @@ class AmountGuess {
         const Cell<Words, kChannels> cell = load<kChannels>(words);
         Cell<Numbers, kChannels> scaled;
         for (std::size_t i = 0; i < cell.size(); ++i)
-            scaled[i] =
-                __builtin_convertvector(reinterpret_cast<const Wholes&>(cell[i]), Numbers) * factor;
+            scaled[i] = lanes::convert<double>(lanes::bits<std::int32_t>(cell[i])) * factor;
         return scaled;
     }
     double of_first(const Cell<Numbers, kChannels>& numbers) const {

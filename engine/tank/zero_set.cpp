@@ -10,7 +10,7 @@
 namespace pastoso::tank {
 namespace {
 
-using liquid::all;
+namespace lanes = core::lanes;
 using liquid::Four;
 
 /// How far beyond the box places may lie.
@@ -18,9 +18,9 @@ constexpr float kBeyond_cells = 8.0F;
 
 /// The harmonic mean of two second differences of one sign, 0 of others.
 Four limited(Four a, Four b) {
-    const Four product = a * b, none = all(0.0F);
-    const Four sum = product > none ? a + b : all(1.0F);
-    return product > none ? (product + product) / sum : none;
+    const Four product = a * b, none = Four(0.0F);
+    const Four sum = lanes::select(product > none, a + b, Four(1.0F));
+    return lanes::select(product > none, (product + product) / sum, none);
 }
 
 /// The four edges along one axis of the cube whose lowest corner is given; lane b + 2 c is the edge that
@@ -91,7 +91,7 @@ Interpolated interpolate(const grid::BoxField& phi, const glm::vec3& place_cells
     const FourEdges along_x = edges_along(corner, 1, y, z);
     const EdgeWeights yz = edge_weights(t[1], t[2]), xz = edge_weights(t[0], t[2]),
                       xy = edge_weights(t[0], t[1]);
-    const Four rise = along_x.high - along_x.low, mixed = along_x.low + all(t[0]) * rise;
+    const Four rise = along_x.high - along_x.low, mixed = along_x.low + Four(t[0]) * rise;
     Interpolated result{dot(mixed, yz.value),
                         {dot(rise, yz.value), dot(mixed, yz.slope_b), dot(mixed, yz.slope_c)}};
     bend(result, along_x.bend, yz, t[0], 0, 1, 2);

@@ -1,9 +1,9 @@
 // Terms beyond the plain model: shear thinning after Herschel and Bulkley, the paper's horizontal
 // surface tension.
 #include "core/isa.hpp"
+#include "core/lane_power.hpp"
 #include "film/explicit/tile_step.hpp"
 #include "film/face/face_physics.hpp"
-#include "film/face/lane_power.hpp"
 #include "film/face/shear_thinning.hpp"
 #include "film/film_bench.hpp"
 

@@ -9,7 +9,7 @@ namespace {
 
 using grid::kTileSize;
 
-using Ints = lanes::stdx::rebind_simd_t<std::int32_t, Lanes>;
+using Ints = lanes::As<std::int32_t, Lanes>;
 
 /// Thickness quanta carried in a step: |velocity| thickness dt / cell, rounded half away from zero, at
 /// most a quarter of the cell that they leave.
@@ -17,10 +17,8 @@ using Ints = lanes::stdx::rebind_simd_t<std::int32_t, Lanes>;
                                                const Ints& quanta_left, const Ints& quanta_right) {
     const Lanes scale(step.dt_s * step.inverse_cell * static_cast<float>(1.0 / kThicknessQuantum_mm));
     const Lanes exact = flow.velocity * flow.thickness * scale;
-    const Ints wanted =
-        lanes::stdx::static_simd_cast<Ints>(Lanes(exact + lanes::copysign(Lanes(0.5F), exact)));
-    return lanes::stdx::max(lanes::stdx::min(wanted, Ints(quanta_left >> 2)),
-                            Ints(-(quanta_right >> 2)));
+    const Ints wanted = lanes::convert<std::int32_t>(Lanes(exact + lanes::copysign(Lanes(0.5F), exact)));
+    return lanes::max(lanes::min(wanted, Ints(quanta_left >> 2)), Ints(-(quanta_right >> 2)));
 }
 
 /// The largest values met so far, lane by lane.
@@ -37,15 +35,15 @@ struct LaneExtremes {
             lanes::max(thickness, lanes::select(velocity == Lanes(0.0F), Lanes(0.0F), flow.thickness));
     }
     [[gnu::always_inline]] void add_cells(const Ints& left, const Ints& right) {
-        cell_quanta = lanes::stdx::max(cell_quanta, lanes::stdx::max(left, right));
+        cell_quanta = lanes::max(cell_quanta, lanes::max(left, right));
     }
     /// Whether a cell may be too full for a quarter of another: where none holds more than half of what
     /// it may, a quarter of one never exceeds a quarter of the other's capacity left.
-    bool any_full() const { return lanes::stdx::hmax(cell_quanta) > kMaxThickness_quanta / 2; }
+    bool any_full() const { return lanes::largest(cell_quanta) > kMaxThickness_quanta / 2; }
     FlowExtremes reduced() const {
-        return {.mobility = lanes::stdx::hmax(mobility),
-                .thickness_mm = lanes::stdx::hmax(thickness),
-                .speed_mm_s = lanes::stdx::hmax(speed)};
+        return {.mobility = lanes::largest(mobility),
+                .thickness_mm = lanes::largest(thickness),
+                .speed_mm_s = lanes::largest(speed)};
     }
 };
 
@@ -89,12 +87,11 @@ struct FaceKernel {
             const FaceFlow<Lanes> flow =
                 face_flow(drive[group].thickness, drag[group], law[group], local);
             found.add(flow, load(&on_canvas[x]));
-            const Ints left(quanta + x, lanes::stdx::element_aligned);
-            const Ints right(quanta + x + axis.along, lanes::stdx::element_aligned);
+            const Ints left = lanes::load<Ints>(quanta + x);
+            const Ints right = lanes::load<Ints>(quanta + x + axis.along);
             found.add_cells(left, right);
             store(&velocity[face_index(x, y)], flow.velocity);
-            flux_quanta(flow, local, left, right)
-                .copy_to(&flux[face_index(x, y)], lanes::stdx::element_aligned);
+            lanes::store(&flux[face_index(x, y)], flux_quanta(flow, local, left, right));
         }
         extremes = found;
     }
@@ -108,8 +105,10 @@ struct FaceKernel {
                 face_flow<kModel>(neighbourhood<kModel>(scratch, step, axis, AlongColumn{}, i), step,
                                   axis.force, axis.force_across);
             extremes.add(flow, load(&on_canvas[y]));
-            const Ints left([&](int lane) { return quanta[i + lane * kBlockStride]; });
-            const Ints right([&](int lane) { return quanta[i + axis.along + lane * kBlockStride]; });
+            const Ints left =
+                lanes::generate<Ints>([&](int lane) { return quanta[i + lane * kBlockStride]; });
+            const Ints right = lanes::generate<Ints>(
+                [&](int lane) { return quanta[i + axis.along + lane * kBlockStride]; });
             extremes.add_cells(left, right);
             const Ints quanta_through = flux_quanta(flow, step, left, right);
             for (int lane = 0; lane < kLanes; ++lane) {

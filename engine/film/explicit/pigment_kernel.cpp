@@ -1,16 +1,17 @@
 // Compiled once per instruction set; see pastoso_add_kernels.
+#include "core/lane_memory.hpp"
 #include "film/explicit/tile_kernels.hpp"
-#include "film/face/lanes.hpp"
 
 namespace pastoso::film::PASTOSO_ISA {
 namespace {
 
+namespace lanes = core::lanes;
 using grid::kTileSize;
 
 /// A cell fills whole registers of every instruction set: four, two or one.
-using Channels = lanes::stdx::native_simd<float>;
-using IntChannels = lanes::stdx::rebind_simd_t<std::int32_t, Channels>;
-constexpr int kWidth = static_cast<int>(Channels::size());
+using Channels = lanes::Widest<float>;
+using IntChannels = lanes::As<std::int32_t, Channels>;
+constexpr int kWidth = Channels::kLanes;
 constexpr int kRegisters = kPaintChannels / kWidth;
 static_assert(kRegisters * kWidth == kPaintChannels);
 
@@ -20,12 +21,12 @@ struct ChannelInts {
     [[gnu::always_inline]] static ChannelInts load(const PaintCell& cell) {
         ChannelInts result;
         for (int q = 0; q < kRegisters; ++q)
-            result.registers[q] = IntChannels(cell.data() + kWidth * q, lanes::stdx::element_aligned);
+            result.registers[q] = lanes::load<IntChannels>(cell.data() + kWidth * q);
         return result;
     }
     [[gnu::always_inline]] void store(PaintCell& cell) const {
         for (int q = 0; q < kRegisters; ++q)
-            registers[q].copy_to(cell.data() + kWidth * q, lanes::stdx::element_aligned);
+            lanes::store(cell.data() + kWidth * q, registers[q]);
     }
     [[gnu::always_inline]] ChannelInts operator-() const {
         ChannelInts result;
@@ -36,7 +37,7 @@ struct ChannelInts {
 };
 
 [[gnu::always_inline]] inline Channels load_channels(const float* values) {
-    return Channels(values, lanes::stdx::element_aligned);
+    return lanes::load<Channels>(values);
 }
 
 /// The slope of the concentration at the donor cell: the smaller of both sides' where they agree in
@@ -89,7 +90,7 @@ struct PigmentFluxes {
             const Channels slope = minmod(here - load_channels(donor + kWidth * q - to_downwind),
                                           load_channels(donor + kWidth * q + to_downwind) - here);
             const Channels exact = Channels(own) * (here + Channels(reach) * slope) + Channels(0.5F);
-            const IntChannels rounded = lanes::stdx::static_simd_cast<IntChannels>(exact);
+            const IntChannels rounded = lanes::convert<std::int32_t>(exact);
             carried.registers[q] = forward ? rounded : -rounded;
         }
         return carried;
@@ -116,9 +117,8 @@ struct PigmentFluxes {
         for (int q = 0; q < kRegisters; ++q) {
             const IntChannels forwards = IntChannels(most - high.registers[q]) >> 2;
             const IntChannels backwards = -IntChannels(IntChannels(most - low.registers[q]) >> 2);
-            result.registers[q] =
-                lanes::stdx::max(lanes::stdx::min(wanted.registers[q], forwards), backwards);
-            all_pass = all_pass && lanes::stdx::all_of(result.registers[q] == wanted.registers[q]);
+            result.registers[q] = lanes::max(lanes::min(wanted.registers[q], forwards), backwards);
+            all_pass = all_pass && lanes::all(result.registers[q] == wanted.registers[q]);
         }
         held_back_faces += all_pass ? 0 : 1;
         return result;
@@ -203,15 +203,13 @@ std::int32_t concentrate(const PaintCell* pigment, const std::int32_t* thickness
         const ChannelInts held = ChannelInts::load(pigment[cell]);
         for (int q = 0; q < kRegisters; ++q) {
             const IntChannels movable =
-                lanes::stdx::max(IntChannels(held.registers[q] - IntChannels(2)), IntChannels(0));
-            largest = lanes::stdx::max(largest, held.registers[q]);
-            const Channels concentration =
-                lanes::stdx::static_simd_cast<Channels>(movable) * Channels(inverse);
-            concentration.copy_to(out + cell * kPaintChannels + kWidth * q,
-                                  lanes::stdx::element_aligned);
+                lanes::max(IntChannels(held.registers[q] - IntChannels(2)), IntChannels(0));
+            largest = lanes::max(largest, held.registers[q]);
+            const Channels concentration = lanes::convert<float>(movable) * Channels(inverse);
+            lanes::store(out + cell * kPaintChannels + kWidth * q, concentration);
         }
     }
-    return lanes::stdx::hmax(largest);
+    return lanes::largest(largest);
 }
 
 }  // namespace pastoso::film::PASTOSO_ISA

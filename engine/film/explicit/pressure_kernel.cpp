@@ -100,18 +100,11 @@ void surface_pressure(const StepConstants& step, int y, TileScratch& scratch) {
     });
 }
 
-constexpr int larger(int a, int b) {
-    return a > b ? a : b;
-}
-constexpr int smaller(int a, int b) {
-    return a < b ? a : b;
-}
-
 /// Slopes, curvature and pressure in all rows that a flow through a wet row can look at.
 template <bool kFullCurvature>
 void prepare(const StepConstants& step, TileScratch& scratch) {
-    const int first = larger(scratch.block.first_wet_row - 1, -1);
-    const int last = smaller(scratch.block.last_wet_row + 1, kTileSize);
+    const int first = lanes::max(scratch.block.first_wet_row - 1, -1);
+    const int last = lanes::min(scratch.block.last_wet_row + 1, kTileSize);
     if (step.has_contact_angle())
         for (int y = first - 1; y <= last + 1; ++y)
             outline_normals(scratch.block, step.wet_mm, y, scratch);

@@ -1,7 +1,7 @@
 // Compiled once per instruction set; see pastoso_add_kernels.
+#include "core/lane_power.hpp"
 #include "film/explicit/tile_kernels.hpp"
 #include "film/face/lane_groups.hpp"
-#include "film/face/lane_power.hpp"
 
 namespace pastoso::film::PASTOSO_ISA {
 namespace {

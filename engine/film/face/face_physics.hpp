@@ -9,13 +9,13 @@
 // forward-backward step. A formula is written once, for F a float or a SIMD register of floats.
 #pragma once
 
-#include "film/face/lanes.hpp"
+#include "core/lanes.hpp"
 #include "film/face/shear_thinning.hpp"
 #include "film/step_constants.hpp"
 
 namespace pastoso::film {
 
-#define PASTOSO_FACE_FUNCTION [[gnu::always_inline]] static inline
+namespace lanes = core::lanes;
 
 /// Which terms the formulas contain; a term that is left out costs nothing.
 struct FaceModel {
@@ -70,7 +70,7 @@ struct FacePaint<F, true> {
 /// tau_y, as anywhere else (paint_cell.hpp). At the film's edge it is the wet cell's paint. A
 /// negligible yield stress stands for none.
 template <FaceModel kModel, class F>
-PASTOSO_FACE_FUNCTION FacePaint<F, kModel.varied> face_paint(const FaceNeighbourhood<F>& face,
+PASTOSO_LANE_FUNCTION FacePaint<F, kModel.varied> face_paint(const FaceNeighbourhood<F>& face,
                                                              const StepConstants& step) {
     if constexpr (!kModel.varied) {
         return {};
@@ -95,7 +95,7 @@ struct FaceFlow {
 
 /// Upwind difference (u . grad) u, per second of velocity: u du/dx + v du/dy.
 template <class F>
-PASTOSO_FACE_FUNCTION F momentum_advection(const FaceNeighbourhood<F>& face, F inverse_cell) {
+PASTOSO_LANE_FUNCTION F momentum_advection(const FaceNeighbourhood<F>& face, F inverse_cell) {
     const F zero(0.0F);
     const F u_plus = lanes::max(face.u, zero), u_minus = lanes::min(face.u, zero);
     const F v_plus = lanes::max(face.v, zero), v_minus = lanes::min(face.v, zero);
@@ -107,7 +107,7 @@ PASTOSO_FACE_FUNCTION F momentum_advection(const FaceNeighbourhood<F>& face, F i
 /// Thickness carried by the flow: the surface of the upwind cell extrapolated to the face with the
 /// monotonised-central limiter, less the support, within [0, the thicker of both cells].
 template <class F>
-PASTOSO_FACE_FUNCTION F upwind_thickness(const FaceNeighbourhood<F>& face, F drive) {
+PASTOSO_LANE_FUNCTION F upwind_thickness(const FaceNeighbourhood<F>& face, F drive) {
     const F zero(0.0F), half(0.5F), two(2.0F);
     const auto from_left = drive > zero;
     const F rise = face.eta_right - face.eta_left;
@@ -129,7 +129,7 @@ PASTOSO_FACE_FUNCTION F upwind_thickness(const FaceNeighbourhood<F>& face, F dri
 /// (docs/decisions/0011). Where the radius of curvature exceeds 5000 cells or the paint is still, the
 /// cosine is only rounding noise: it fades to 0 there.
 template <class F>
-PASTOSO_FACE_FUNCTION F alpha_drag(const FaceNeighbourhood<F>& face, const StepConstants& step) {
+PASTOSO_LANE_FUNCTION F alpha_drag(const FaceNeighbourhood<F>& face, const StepConstants& step) {
     const F slope_x((face.eta_right - face.eta_left) * F(step.inverse_cell));
     const F slope_y = face.eta_slope_across;
     const F uphill = slope_x * face.u + slope_y * face.v;
@@ -156,7 +156,7 @@ struct BinghamDrag {
     F tangent_share;  ///< 1 - 1/x^3: mobility of the yielded film against the Newtonian one
 };
 template <class F>
-PASTOSO_FACE_FUNCTION BinghamDrag<F> bingham_drag(F drag, F stress) {
+PASTOSO_LANE_FUNCTION BinghamDrag<F> bingham_drag(F drag, F stress) {
     const F zero(0.0F), half(0.5F), one(1.0F), three_halves(1.5F), three(3.0F);
     const F load = lanes::min(stress, F(1e18F));  // keeps the squares below finite
     const F excess = lanes::max(F(load - drag), zero);
@@ -175,7 +175,7 @@ PASTOSO_FACE_FUNCTION BinghamDrag<F> bingham_drag(F drag, F stress) {
 
 /// The same from |w| and the yield velocity y.
 template <class F>
-PASTOSO_FACE_FUNCTION BinghamDrag<F> bingham_drag(F drag, F speed, F yield_speed) {
+PASTOSO_LANE_FUNCTION BinghamDrag<F> bingham_drag(F drag, F speed, F yield_speed) {
     return bingham_drag(drag, F(drag * speed / yield_speed));
 }
 
@@ -190,7 +190,7 @@ struct ContactFace {
     F sign;          ///< +1 when the wet cell is on the left
 };
 template <class F>
-PASTOSO_FACE_FUNCTION ContactFace<F> contact_face(const FaceNeighbourhood<F>& face,
+PASTOSO_LANE_FUNCTION ContactFace<F> contact_face(const FaceNeighbourhood<F>& face,
                                                   const StepConstants& step, F force) {
     const F zero(0.0F), one(1.0F);
     const auto wet_left = face.h_left > F(step.wet_mm);
@@ -219,7 +219,7 @@ struct DragRate {
     F rate, inverse;
 };
 template <class F>
-PASTOSO_FACE_FUNCTION DragRate<F> drag_rate(F coefficient, F thickness, F viscosity, F fluidity,
+PASTOSO_LANE_FUNCTION DragRate<F> drag_rate(F coefficient, F thickness, F viscosity, F fluidity,
                                             const StepConstants& step) {
     const F area = thickness * (thickness + F(3.0F * step.slip_mm)) + F(1e-12F);
     const F quotient = F(1.0F) / (coefficient * area);
@@ -229,7 +229,7 @@ PASTOSO_FACE_FUNCTION DragRate<F> drag_rate(F coefficient, F thickness, F viscos
 /// Explicit viscosity between neighbouring columns of paint, mm2/s: capped where it would outrun its own
 /// stability limit.
 template <class F>
-PASTOSO_FACE_FUNCTION F lateral_viscosity(F viscosity, F drag_rate, const StepConstants& step) {
+PASTOSO_LANE_FUNCTION F lateral_viscosity(F viscosity, F drag_rate, const StepConstants& step) {
     return lanes::min(viscosity,
                       F(step.cell_mm * step.cell_mm / 32.0F) * (F(1.0F / step.dt_s) + drag_rate));
 }
@@ -237,7 +237,7 @@ PASTOSO_FACE_FUNCTION F lateral_viscosity(F viscosity, F drag_rate, const StepCo
 /// The wall stress, in yield stresses, that would stop a film of velocity (u, v) within the step:
 /// drag |w| / y.
 template <class F, class Paint>
-PASTOSO_FACE_FUNCTION F stopping_stress(F drag, F thickness, F u, F v, const Paint& paint,
+PASTOSO_LANE_FUNCTION F stopping_stress(F drag, F thickness, F u, F v, const Paint& paint,
                                         const StepConstants& step) {
     const F speed = lanes::sqrt(F(u * u + v * v)) + F(1e-30F);
     return paint.over_yield_in_step(F(speed * drag * thickness), step);
@@ -260,7 +260,7 @@ struct FaceDrive {
 /// physical, since grad(Pi) already contains this traction. h is the mean of both cells, at least what
 /// the contact angle pins.
 template <class F>
-PASTOSO_FACE_FUNCTION F horizontal_tension(const FaceNeighbourhood<F>& face, const StepConstants& step) {
+PASTOSO_LANE_FUNCTION F horizontal_tension(const FaceNeighbourhood<F>& face, const StepConstants& step) {
     const F pinned(0.5F * step.cell_mm * step.tan_advancing + step.wet_mm);
     const F thickness = lanes::max(F(F(0.5F) * (face.h_left + face.h_right)), pinned);
     const F slope = (face.eta_right - face.eta_left) * F(step.inverse_cell);
@@ -270,7 +270,7 @@ PASTOSO_FACE_FUNCTION F horizontal_tension(const FaceNeighbourhood<F>& face, con
 /// `force` acts along the axis, `force_across` along the face. A branch that no lane needs is left out,
 /// which changes no bit.
 template <FaceModel kModel, class F>
-PASTOSO_FACE_FUNCTION FaceDrive<kModel, F> face_drive(const FaceNeighbourhood<F>& face,
+PASTOSO_LANE_FUNCTION FaceDrive<kModel, F> face_drive(const FaceNeighbourhood<F>& face,
                                                       const StepConstants& step, float force,
                                                       float force_across) {
     const F zero(0.0F), dt(step.dt_s), inverse_cell(step.inverse_cell);
@@ -322,7 +322,7 @@ struct FaceDrag {
     F stress;      ///< W; 0 without a yield stress
 };
 template <FaceModel kModel, class F>
-PASTOSO_FACE_FUNCTION FaceDrag<F> face_drag(const FaceDrive<kModel, F>& drive,
+PASTOSO_LANE_FUNCTION FaceDrag<F> face_drag(const FaceDrive<kModel, F>& drive,
                                             const StepConstants& step) {
     const DragRate<F> lambda = drag_rate(drive.drag_coefficient, drive.drag_thickness,
                                          drive.paint.viscosity(step), drive.paint.fluidity(step), step);
@@ -342,7 +342,7 @@ PASTOSO_FACE_FUNCTION FaceDrag<F> face_drag(const FaceDrive<kModel, F>& drive,
 
 /// Bingham's drag law, or Newton's, which is 1 / (1 + drag).
 template <FaceModel kModel, class F>
-PASTOSO_FACE_FUNCTION BinghamDrag<F> drag_law(const FaceDrag<F>& face) {
+PASTOSO_LANE_FUNCTION BinghamDrag<F> drag_law(const FaceDrag<F>& face) {
     if constexpr (kModel.yield) return bingham_drag(face.drag, face.stress);
     const F one(1.0F);
     return {one / (one + face.drag), one};
@@ -350,7 +350,7 @@ PASTOSO_FACE_FUNCTION BinghamDrag<F> drag_law(const FaceDrag<F>& face) {
 
 /// New velocity and passing thickness at a face.
 template <class F>
-PASTOSO_FACE_FUNCTION FaceFlow<F> face_flow(F thickness, const FaceDrag<F>& drag,
+PASTOSO_LANE_FUNCTION FaceFlow<F> face_flow(F thickness, const FaceDrag<F>& drag,
                                             const BinghamDrag<F>& law, const StepConstants& step) {
     const F zero(0.0F), limit(0.5F * step.cell_mm / step.dt_s);
     const auto flows = thickness > zero;
@@ -362,13 +362,11 @@ PASTOSO_FACE_FUNCTION FaceFlow<F> face_flow(F thickness, const FaceDrag<F>& drag
 
 /// All of it at once.
 template <FaceModel kModel, class F>
-PASTOSO_FACE_FUNCTION FaceFlow<F> face_flow(const FaceNeighbourhood<F>& face, const StepConstants& step,
+PASTOSO_LANE_FUNCTION FaceFlow<F> face_flow(const FaceNeighbourhood<F>& face, const StepConstants& step,
                                             float force, float force_across) {
     const FaceDrive<kModel, F> drive = face_drive<kModel>(face, step, force, force_across);
     const FaceDrag<F> drag = face_drag<kModel>(drive, step);
     return face_flow(drive.thickness, drag, drag_law<kModel>(drag), step);
 }
-
-#undef PASTOSO_FACE_FUNCTION
 
 }  // namespace pastoso::film

@@ -1,20 +1,24 @@
 // Rows of cells in groups of one SIMD register: shared by the kernels of one instruction set.
 #pragma once
 
+#include "core/lane_memory.hpp"
 #include "film/explicit/halo_block.hpp"
-#include "film/face/lanes.hpp"
+
+namespace pastoso::film {
+namespace lanes = core::lanes;
+}
 
 namespace pastoso::film::PASTOSO_ISA {
 namespace {
 
-using Lanes = lanes::stdx::native_simd<float>;
-constexpr int kLanes = static_cast<int>(Lanes::size());
+using Lanes = lanes::Widest<float>;
+constexpr int kLanes = Lanes::kLanes;
 
 [[maybe_unused, gnu::always_inline]] inline Lanes load(const float* values) {
-    return Lanes(values, lanes::stdx::element_aligned);
+    return lanes::load<Lanes>(values);
 }
-[[maybe_unused, gnu::always_inline]] inline void store(float* values, Lanes lanes) {
-    lanes.copy_to(values, lanes::stdx::element_aligned);
+[[maybe_unused, gnu::always_inline]] inline void store(float* to, Lanes values) {
+    lanes::store(to, values);
 }
 
 /// The lanes of a register are neighbours in a row of a block, ...
@@ -24,7 +28,7 @@ struct AlongRow {
 /// ... or in a column.
 struct AlongColumn {
     Lanes operator()(const float* values) const {
-        return Lanes([values](int lane) { return values[lane * kBlockStride]; });
+        return lanes::generate<Lanes>([values](int lane) { return values[lane * kBlockStride]; });
     }
 };
 

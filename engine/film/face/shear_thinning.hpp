@@ -2,10 +2,12 @@
 //     tau = tau_y + K gamma^n,   0.2 <= n <= 1.
 #pragma once
 
-#include "film/face/lane_power.hpp"
+#include "core/lane_power.hpp"
 #include "film/step_constants.hpp"
 
 namespace pastoso::film {
+
+namespace lanes = core::lanes;
 
 /// The viscosity of a film of mean velocity `speed` that makes Bingham's (or Newton's) film law give
 /// that of Herschel and Bulkley, over the viscosity K at a shear rate of 1/s:
@@ -14,8 +16,8 @@ namespace pastoso::film {
 /// at the wall, from |u| = h gamma n/(n+1) e (1 - q e). Without a yield stress e = 1. With one, gamma
 /// comes from Newton steps in its logarithm; `against_yield` is K / tau_y.
 template <bool kYield, class F>
-[[gnu::always_inline]] static inline F relative_viscosity(F speed, F thickness, F against_yield,
-                                                          const StepConstants& step) {
+PASTOSO_LANE_FUNCTION F relative_viscosity(F speed, F thickness, F against_yield,
+                                           const StepConstants& step) {
     const F one(1.0F), tiny(1e-30F);
     const float index = step.flow_index;
     const F n(index), q(index / (2.0F * index + 1.0F)), share((index + 1.0F) / index);

@@ -89,7 +89,7 @@ float answer_row(const StepConstants& step, const float* pressure, int along, in
         store(&faces.mobility[f],
               lanes::select(implicit, Lanes(courant * courant * answer.slope * depth), mobility));
     });
-    return lanes::stdx::hmax(worst);
+    return lanes::largest(worst);
 }
 
 }  // namespace

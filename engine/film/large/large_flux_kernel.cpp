@@ -7,7 +7,7 @@ namespace pastoso::film::PASTOSO_ISA {
 namespace {
 
 using grid::kTileSize;
-using Ints = lanes::stdx::rebind_simd_t<std::int32_t, Lanes>;
+using Ints = lanes::As<std::int32_t, Lanes>;
 
 /// What moves the paint. Where drag rules and the velocity changes by less than a factor of two in a
 /// step, that is 2/3 of the new and 1/3 of the old one, which lags half a step behind and so makes slow
@@ -79,16 +79,15 @@ void compute_large_velocities(const StepConstants& step, bool carrying, const La
         if (y >= 0)
             largest = lanes::max(largest, compute_row(step, pressure, carrying, 1, -1, y, tile.x));
     }
-    tile.largest_mobility = lanes::stdx::hmax(largest);
+    tile.largest_mobility = lanes::largest(largest);
 }
 
 namespace {
 
 /// A quarter of what cells can still take, mm: a hair less, so that rounding cannot overfill them.
 Lanes quarter_capacity(Ints quanta) {
-    const Ints capacity_left = lanes::stdx::max(Ints(Ints(kMaxThickness_quanta - 4) - quanta), Ints(0));
-    return lanes::stdx::static_simd_cast<Lanes>(capacity_left) *
-           Lanes(0.2499F * static_cast<float>(kThicknessQuantum_mm));
+    const Ints capacity_left = lanes::max(Ints(Ints(kMaxThickness_quanta - 4) - quanta), Ints(0));
+    return lanes::convert<float>(capacity_left) * Lanes(0.2499F * static_cast<float>(kThicknessQuantum_mm));
 }
 
 /// What is cut already is left alone, whatever rounding says, so that a face comes out the same however
@@ -98,18 +97,17 @@ int cut_row(const StepConstants& step, const LargeScratch& scratch, int along, i
     int count = 0;
     for_each_lane_group(first_x, kTileSize, [&](int x) {
         const int f = face_index(x, y), i = window_index(x, y);
-        const Ints left(&scratch.thickness[i], lanes::stdx::element_aligned);
-        const Ints right(&scratch.thickness[i + along], lanes::stdx::element_aligned);
+        const Ints left = lanes::load<Ints>(&scratch.thickness[i]);
+        const Ints right = lanes::load<Ints>(&scratch.thickness[i + along]);
         const Lanes velocity = load(&faces.velocity[f]);
         const Lanes per_velocity = Lanes(step.dt_s * step.inverse_cell) * load(&faces.depth[f]);
         const Lanes crossing = velocity * per_velocity;
-        const Lanes fitting =
-            lanes::clamp(crossing, Lanes(-quarter_capacity(left)), quarter_capacity(right));
-        const auto crowded = lanes::stdx::static_simd_cast<Lanes>(lanes::stdx::max(left, right)) >
-                             Lanes(static_cast<float>(kCrowded_quanta));
+        const Lanes fitting = lanes::clamp(crossing, Lanes(-quarter_capacity(left)), quarter_capacity(right));
+        const auto crowded =
+            lanes::convert<float>(lanes::max(left, right)) > Lanes(static_cast<float>(kCrowded_quanta));
         const auto cut = crowded && lanes::abs(crossing) > Lanes(1.00001F) * lanes::abs(fitting);
         store(&faces.velocity[f], lanes::select(cut, Lanes(fitting / per_velocity), velocity));
-        count += lanes::stdx::popcount(cut);
+        count += lanes::count(cut);
     });
     return count;
 }
@@ -132,7 +130,7 @@ Shortage share_outflow(const StepConstants& step, int columns, int rows, const s
     constexpr float kQuantum = static_cast<float>(kThicknessQuantum_mm);
     const Lanes usable(0.999F * kQuantum), rounding(8.0F * kQuantum), one(1.0F), tiny(1e-30F);
     const Outflow flow{step, tile};
-    const Lanes lane_number([](auto lane) { return static_cast<float>(lane); });
+    const auto lane_number = lanes::counting<Lanes>();
     const Lanes last_column(static_cast<float>(columns));
     Shortage shortage;
     const Lanes thick(0.05F * step.cell_mm);
@@ -146,8 +144,8 @@ Shortage share_outflow(const StepConstants& step, int columns, int rows, const s
                              (fall(below) * load(granted + kWindowStride) +
                               rise(above) * load(granted - kWindowStride));
             const Lanes out = (rise(right) + fall(left)) + (rise(below) + fall(above));
-            const Ints quanta(thickness + cell, lanes::stdx::element_aligned);
-            const Lanes held = lanes::stdx::static_simd_cast<Lanes>(quanta) * usable;
+            const Ints quanta = lanes::load<Ints>(thickness + cell);
+            const Lanes held = lanes::convert<float>(quanta) * usable;
             const Lanes supply = rise(held + Lanes(0.999F) * in - rounding);
             const Lanes part = lanes::min(one, Lanes((supply + tiny) / (out + tiny)));
             store(&share[cell], part);
@@ -155,8 +153,8 @@ Shortage share_outflow(const StepConstants& step, int columns, int rows, const s
             const auto cut =
                 part < Lanes(0.9F) && lane_number + Lanes(static_cast<float>(x)) < last_column;
             if (y >= rows) continue;
-            shortage.cells += lanes::stdx::popcount(cut);
-            shortage.thick_cells += lanes::stdx::popcount(cut && held > thick);
+            shortage.cells += lanes::count(cut);
+            shortage.thick_cells += lanes::count(cut && held > thick);
         }
     return shortage;
 }
@@ -199,14 +197,14 @@ void flux_row(const StepConstants& step, const LargeScratch& large, int along, i
         const Lanes granted = lanes::select(lanes::abs(here) < Lanes(1e30F), Lanes(here * share), zero);
         const Lanes exact = granted * load(&faces.depth[f]) * scale;
         const Lanes nearest = exact + lanes::copysign(Lanes(0.5F), exact);
-        lanes::stdx::static_simd_cast<Ints>(nearest).copy_to(&flux[f], lanes::stdx::element_aligned);
+        lanes::store(&flux[f], lanes::convert<std::int32_t>(nearest));
         store(&velocity[f], granted);
         speed = lanes::max(speed, lanes::abs(granted));
         thickness = lanes::max(
             thickness, lanes::select(granted == Lanes(0.0F), Lanes(0.0F), load(&faces.depth[f])));
     });
-    extremes.speed_mm_s = lanes::max(extremes.speed_mm_s, lanes::stdx::hmax(speed));
-    extremes.thickness_mm = lanes::max(extremes.thickness_mm, lanes::stdx::hmax(thickness));
+    extremes.speed_mm_s = lanes::max(extremes.speed_mm_s, lanes::largest(speed));
+    extremes.thickness_mm = lanes::max(extremes.thickness_mm, lanes::largest(thickness));
 }
 
 }  // namespace

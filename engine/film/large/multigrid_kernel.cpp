@@ -17,16 +17,7 @@ struct Stiffness {
 };
 
 template <int kWidth>
-using Group = lanes::stdx::resize_simd_t<kWidth, Lanes>;
-
-template <class V>
-V load_as(const float* values) {
-    return V(values, lanes::stdx::element_aligned);
-}
-template <class V>
-void store_as(float* values, V lanes) {
-    lanes.copy_to(values, lanes::stdx::element_aligned);
-}
+using Group = lanes::Lanes<float, kWidth>;
 
 /// Calls body<V>(k) for groups that cover [0, count), count >= 4: as wide ones as fit into what is left,
 /// the last one of four moved back.
@@ -63,7 +54,7 @@ template <class V>
                                                     int k, const Stiffness& stiffness) {
     const auto sum = [&](const LevelValues& x_faces, const LevelValues& y_faces) {
         const auto value = [k](const LevelValues& values, int index) {
-            return load_as<V>(values.data() + index + k);
+            return lanes::load<V>(values.data() + index + k);
         };
         return V((value(x_faces, at.own) + value(x_faces, at.west)) +
                  (value(y_faces, at.own) + value(y_faces, at.above)));
@@ -84,7 +75,7 @@ template <class V>
                                                               const Neighbours& at, int k,
                                                               const Stiffness& stiffness) {
     const auto value = [k](const LevelValues& values, int index) {
-        return load_as<V>(values.data() + index + k);
+        return lanes::load<V>(values.data() + index + k);
     };
     const auto& p = level.pressure;
     const auto& d = level.change;
@@ -117,10 +108,10 @@ void relax(MultigridLevel& level, const Stiffness& stiffness, int colour) {
         const Neighbours at = neighbours(level, y, colour);
         for_each_group(level.half(), [&]<class V>(int k) {
             const CellEquations<V> cell = cell_equations<V>(level, at, k, stiffness);
-            const V p =
-                (cell.pressure + cell.stiffness * cell.change) * load_as<V>(&level.inverse[at.own + k]);
-            store_as(&level.pressure[at.own + k], p);
-            store_as(&level.change[at.own + k], V(cell.change - cell.mobility * p));
+            const V p = (cell.pressure + cell.stiffness * cell.change) *
+                        lanes::load<V>(&level.inverse[at.own + k]);
+            lanes::store(&level.pressure[at.own + k], p);
+            lanes::store(&level.change[at.own + k], V(cell.change - cell.mobility * p));
         });
     }
     hold_beyond(level);
@@ -132,11 +123,11 @@ void relax_from_zero(MultigridLevel& level, const Stiffness& stiffness, int colo
         const Neighbours at = neighbours(level, y, colour);
         for_each_group(level.half(), [&]<class V>(int k) {
             const CellSums<V> sums = cell_sums<V>(level, at, k, stiffness);
-            const V change = load_as<V>(&level.change_source[at.own + k]);
-            const V p = (load_as<V>(&level.pressure_source[at.own + k]) + sums.stiffness * change) *
-                        load_as<V>(&level.inverse[at.own + k]);
-            store_as(&level.pressure[at.own + k], p);
-            store_as(&level.change[at.own + k], V(change - sums.mobility * p));
+            const V change = lanes::load<V>(&level.change_source[at.own + k]);
+            const V p = (lanes::load<V>(&level.pressure_source[at.own + k]) + sums.stiffness * change) *
+                        lanes::load<V>(&level.inverse[at.own + k]);
+            lanes::store(&level.pressure[at.own + k], p);
+            lanes::store(&level.change[at.own + k], V(change - sums.mobility * p));
         });
     }
     hold_beyond(level);
@@ -164,10 +155,11 @@ void compute_residual(MultigridLevel& level, const Stiffness& stiffness) {
         const Neighbours at = neighbours(level, y, kFirstColour);
         for_each_group(level.half(), [&]<class V>(int k) {
             const CellEquations<V> cell = cell_equations<V>(level, at, k, stiffness);
-            const V p = load_as<V>(&level.pressure[at.own + k]);
-            const V d = load_as<V>(&level.change[at.own + k]);
-            store_as(&level.change_residual[at.own + k], V(cell.change - d - cell.mobility * p));
-            store_as(&level.pressure_residual[at.own + k], V(cell.pressure - (p - cell.stiffness * d)));
+            const V p = lanes::load<V>(&level.pressure[at.own + k]);
+            const V d = lanes::load<V>(&level.change[at.own + k]);
+            lanes::store(&level.change_residual[at.own + k], V(cell.change - d - cell.mobility * p));
+            lanes::store(&level.pressure_residual[at.own + k],
+                         V(cell.pressure - (p - cell.stiffness * d)));
         });
     }
     clear_beyond(level, level.change_residual);
@@ -184,7 +176,8 @@ void restrict_mean(const MultigridLevel& fine, const LevelValues& residual, cons
         const float* top = residual.data() + fine.row(2 * y, kFirstColour);
         const float* bottom = residual.data() + fine.row(2 * y + 1, kFirstColour);
         for_each_group(coarse.size, [&]<class V>(int k) {
-            store_as(row.data() + k, V(V(0.25F) * (load_as<V>(top + k) + load_as<V>(bottom + k))));
+            lanes::store(row.data() + k,
+                         V(V(0.25F) * (lanes::load<V>(top + k) + lanes::load<V>(bottom + k))));
         });
         split_row(coarse, y, row.data(), out);
     }
@@ -271,8 +264,8 @@ void invert_cells(MultigridLevel& level, const Stiffness& stiffness) {
             const Neighbours at = neighbours(level, y, colour);
             for_each_group(level.half(), [&]<class V>(int k) {
                 const CellSums<V> sums = cell_sums<V>(level, at, k, stiffness);
-                store_as(&level.inverse[at.own + k],
-                         V(V(1.0F) / (V(1.0F) + sums.mobility * sums.stiffness)));
+                lanes::store(&level.inverse[at.own + k],
+                             V(V(1.0F) / (V(1.0F) + sums.mobility * sums.stiffness)));
             });
         }
 }

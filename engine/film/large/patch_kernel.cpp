@@ -29,8 +29,8 @@ Lanes face_sum(const FaceArray<float>& x_faces, const FaceArray<float>& y_faces,
 }
 
 Lanes thickness_mm(const std::int32_t* quanta) {
-    const lanes::stdx::rebind_simd_t<std::int32_t, Lanes> held(quanta, lanes::stdx::element_aligned);
-    return lanes::stdx::static_simd_cast<Lanes>(held) * Lanes(static_cast<float>(kThicknessQuantum_mm));
+    const auto held = lanes::load<lanes::As<std::int32_t, Lanes>>(quanta);
+    return lanes::convert<float>(held) * Lanes(static_cast<float>(kThicknessQuantum_mm));
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ float compute_residual(const StepConstants& step, int columns, int rows, const s
     // In thick paint the same relative error would be a ripple that shows.
     const Lanes thick(kThick_cells * step.cell_mm), floor(0.05F * step.cell_mm);
     const Lanes huge(1e30F), one(1.0F);
-    const Lanes lane_number([](auto lane) { return static_cast<float>(lane); });
+    const auto lane_number = lanes::counting<Lanes>();
     Lanes worst(0.0F);
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; x += kLanes) {
@@ -71,7 +71,7 @@ float compute_residual(const StepConstants& step, int columns, int rows, const s
             const auto on_canvas = lane_number < Lanes(static_cast<float>(columns - x));
             worst = lanes::max(worst, lanes::select(on_canvas, counted, Lanes(0.0F)));
         }
-    return lanes::stdx::hmax(worst);
+    return lanes::largest(worst);
 }
 
 namespace {
@@ -103,9 +103,9 @@ void for_each_patch_group(const Visit& visit) {
             visit(window_index(x, y));
 }
 
-using Quad = lanes::stdx::resize_simd_t<4, Lanes>;
+using Quad = lanes::Lanes<float, 4>;
 Quad load_quad(const float* values) {
-    return Quad(values, lanes::stdx::element_aligned);
+    return lanes::load<Quad>(values);
 }
 
 Quad quad_difference(const WindowArray& x_faces, const WindowArray& y_faces, const WindowArray& values,
@@ -123,8 +123,8 @@ void respond(const StepConstants& step, LargeScratch& scratch) {
     const Quad gravity(step.gravity_mm_s2),
         tension(step.tension * step.inverse_cell * step.inverse_cell);
     for_each_patch_group([&](int i) {
-        quad_difference(scratch.mobility_x, scratch.mobility_y, scratch.direction, i)
-            .copy_to(&scratch.flow[i], lanes::stdx::element_aligned);
+        lanes::store(&scratch.flow[i],
+                     quad_difference(scratch.mobility_x, scratch.mobility_y, scratch.direction, i));
     });
     for_each_cell_beyond(scratch.levels[0], [&](int x, int y) {
         scratch.flow[window_index(x - kOverlap, y - kOverlap)] = 0.0F;
@@ -133,17 +133,15 @@ void respond(const StepConstants& step, LargeScratch& scratch) {
         const Quad bend = quad_difference(scratch.weight_x, scratch.weight_y, scratch.flow, i);
         const Quad response =
             load_quad(&scratch.direction[i]) + gravity * load_quad(&scratch.flow[i]) + tension * bend;
-        response.copy_to(&scratch.response[i], lanes::stdx::element_aligned);
+        lanes::store(&scratch.response[i], response);
     });
 }
 
 /// A sum over the patch whose order does not depend on the instruction set.
 double dot(const WindowArray& a, const WindowArray& b) {
-    using Doubles = lanes::stdx::fixed_size_simd<double, 4>;
-    Doubles sum(0.0);
+    lanes::Lanes<double, 4> sum(0.0);
     for_each_patch_group([&](int i) {
-        sum +=
-            Doubles(&a[i], lanes::stdx::element_aligned) * Doubles(&b[i], lanes::stdx::element_aligned);
+        sum += lanes::convert<double>(load_quad(&a[i])) * lanes::convert<double>(load_quad(&b[i]));
     });
     return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
@@ -151,7 +149,7 @@ double dot(const WindowArray& a, const WindowArray& b) {
 void add_scaled(float factor, const WindowArray& values, WindowArray& out) {
     for_each_patch_group([&](int i) {
         const Quad sum = load_quad(&out[i]) + Quad(factor) * load_quad(&values[i]);
-        sum.copy_to(&out[i], lanes::stdx::element_aligned);
+        lanes::store(&out[i], sum);
     });
 }
 

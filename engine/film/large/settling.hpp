@@ -1,9 +1,11 @@
 // Inertia of paint from one large step to the next.
 #pragma once
 
-#include "film/face/lanes.hpp"
+#include "core/lanes.hpp"
 
 namespace pastoso::film {
+
+namespace lanes = core::lanes;
 
 /// Paint is inertial below this drag (lambda dt); above it the old velocity is forgotten within a step.
 inline constexpr float kInertialDrag = 10.0F;
@@ -12,7 +14,7 @@ inline constexpr float kInertialDrag = 10.0F;
 /// another: where that grows, it keeps its kinetic energy. It never gets faster, so that thin paint
 /// which runs into thick comes to rest there, as in a hydraulic jump.
 template <class F>
-[[gnu::always_inline]] static inline F settled_share(F from, F to) {
+PASTOSO_LANE_FUNCTION F settled_share(F from, F to) {
     return lanes::min(F(1.0F), lanes::sqrt(F(from / (to + F(1e-30F)))));
 }
 

@@ -23,14 +23,14 @@ int place(int i, int n) {
 
 /// From the Fourier coefficients V(k) and V(n - k) along an axis to the cosine's, a and b:
 ///     a = w V + w* V',   b = i (w V - w* V'),   w = exp(-i pi k / 2n).
-PASTOSO_LIQUID_INLINE void to_cosine(Four& v, Four& mirrored, const Turn& turn) {
+PASTOSO_LANE_FUNCTION void to_cosine(Four& v, Four& mirrored, const Turn& turn) {
     const Four p = times(v, turn), q = times_conjugate(mirrored, turn);
     v = p + q;
     mirrored = times_i(p - q);
 }
-PASTOSO_LIQUID_INLINE void from_cosine(Four& a, Four& b, const Turn& turn) {
+PASTOSO_LANE_FUNCTION void from_cosine(Four& a, Four& b, const Turn& turn) {
     const Four turned = times_i(b);
-    const Four p = all(0.5F) * (a - turned), q = all(0.5F) * (a + turned);
+    const Four p = Four(0.5F) * (a - turned), q = Four(0.5F) * (a + turned);
     a = times_conjugate(p, turn);
     b = times(q, turn);
 }
@@ -86,9 +86,9 @@ void CosinePressure::load_row(const float* source, int j, int k) {
     const int nx = shape_.nx;
     int i = 0;
     for (; i + 8 <= nx; i += 8) {
-        const Four first = liquid::load(source + i), second = liquid::load(source + i + 4);
-        liquid::store(__builtin_shufflevector(first, second, 0, 2, 4, 6), out + i / 2);
-        liquid::store(__builtin_shufflevector(first, second, 7, 5, 3, 1), out + nx - 4 - i / 2);
+        const Four first = lanes::load<Four>(source + i), second = lanes::load<Four>(source + i + 4);
+        lanes::store(out + i / 2, lanes::permuted<0, 2, 4, 6>(first, second));
+        lanes::store(out + nx - 4 - i / 2, lanes::permuted<7, 5, 3, 1>(first, second));
     }
     for (; i < nx; ++i)
         out[place(i, nx)] = source[i];
@@ -101,10 +101,10 @@ void CosinePressure::store_row(int j, int k, float* pressure) {
     const int nx = shape_.nx;
     int i = 0;
     for (; i + 8 <= nx; i += 8) {
-        const Four even = all(scale) * liquid::load(in + i / 2),
-                   odd = all(scale) * liquid::load(in + nx - 4 - i / 2);
-        liquid::store(__builtin_shufflevector(even, odd, 0, 7, 1, 6), pressure + i);
-        liquid::store(__builtin_shufflevector(even, odd, 2, 5, 3, 4), pressure + i + 4);
+        const Four even = Four(scale) * lanes::load<Four>(in + i / 2),
+                   odd = Four(scale) * lanes::load<Four>(in + nx - 4 - i / 2);
+        lanes::store(pressure + i, lanes::permuted<0, 7, 1, 6>(even, odd));
+        lanes::store(pressure + i + 4, lanes::permuted<2, 5, 3, 4>(even, odd));
     }
     for (; i < nx; ++i)
         pressure[i] = scale * in[place(i, nx)];
@@ -129,20 +129,22 @@ void CosinePressure::divide_rows(int ky, int kz) {
         }
     const std::ptrdiff_t count = 2 * spectrum_.extent().row_stride();
     for (std::ptrdiff_t at = 0; at < count; at += 2 * kNumbersAtOnce) {
-        const Four eigenvalues = liquid::load(eigenvalues_x_.data() + at);
-        const Turn turn_x(liquid::load(real_x_.data() + at), liquid::load(imaginary_x_.data() + at));
+        const Four eigenvalues = lanes::load<Four>(eigenvalues_x_.data() + at);
+        const Turn turn_x(lanes::load<Four>(real_x_.data() + at),
+                          lanes::load<Four>(imaginary_x_.data() + at));
         std::array<std::array<Four, kRowsY>, kRowsZ> v;
         for (std::size_t b = 0; b < kRowsZ; ++b)
             for (std::size_t a = 0; a < kRowsY; ++a)
-                v[b][a] = liquid::load(rows[b][a] + at);
+                v[b][a] = lanes::load<Four>(rows[b][a] + at);
         for (std::size_t a = 0; kRowsZ == 2 && a < kRowsY; ++a)
             to_cosine(v.front()[a], v.back()[a], turn_z);
         for (std::size_t b = 0; b < kRowsZ; ++b) {
             if (kRowsY == 2) to_cosine(v[b].front(), v[b].back(), turn_y);
             for (std::size_t a = 0; a < kRowsY; ++a) {
-                const Four divisor = eigenvalues + all(rest[b][a]);
+                const Four divisor = eigenvalues + Four(rest[b][a]);
                 const Four coefficients = times(v[b][a], turn_x);
-                v[b][a] = times_conjugate(divisor > 0.0F ? coefficients / divisor : all(0.0F), turn_x);
+                v[b][a] = times_conjugate(
+                    lanes::select(divisor > 0.0F, coefficients / divisor, Four(0.0F)), turn_x);
             }
             if (kRowsY == 2) from_cosine(v[b].front(), v[b].back(), turn_y);
         }
@@ -150,7 +152,7 @@ void CosinePressure::divide_rows(int ky, int kz) {
             from_cosine(v.front()[a], v.back()[a], turn_z);
         for (std::size_t b = 0; b < kRowsZ; ++b)
             for (std::size_t a = 0; a < kRowsY; ++a)
-                liquid::store(v[b][a], rows[b][a] + at);
+                lanes::store(rows[b][a] + at, v[b][a]);
     }
 }
 

@@ -10,13 +10,13 @@ namespace pastoso::liquid {
 namespace {
 
 /// X(k) and X(n/2 - k) of Z(k) and Z(n/2 - k), two of each, the latter in the opposite order.
-PASTOSO_LIQUID_INLINE void unfold_pair(Four& z, Four& mirrored, const Turn& turn) {
+PASTOSO_LANE_FUNCTION void unfold_pair(Four& z, Four& mirrored, const Turn& turn) {
     const Four other = conjugate(mirrored);
-    const Four even = all(0.5F) * (z + other), odd = times(all(0.5F) * (z - other), turn);
+    const Four even = Four(0.5F) * (z + other), odd = times(Four(0.5F) * (z - other), turn);
     z = even + odd;
     mirrored = conjugate(even - odd);
 }
-PASTOSO_LIQUID_INLINE void fold_pair(Four& x, Four& mirrored, const Turn& turn) {
+PASTOSO_LANE_FUNCTION void fold_pair(Four& x, Four& mirrored, const Turn& turn) {
     const Four other = conjugate(mirrored);
     const Four even = x + other, odd = times_conjugate(x - other, turn);
     x = even + odd;
@@ -39,18 +39,19 @@ RealRows::RealRows(int n) : half_(n / 2) {
 /// Calls pair(a, b, turn) for all Z(k), 0 < k <= n/4, with their mirror images: two at a time as long as
 /// no number is met twice, then one by one.
 template <class Pair>
-PASTOSO_LIQUID_INLINE void for_pairs(float* row, int half, const AlignedFloats& real,
+PASTOSO_LANE_FUNCTION void for_pairs(float* row, int half, const AlignedFloats& real,
                                      const AlignedFloats& imaginary, const Pair& pair) {
     const auto turn = [&](int k) {
-        return Turn(load(real.data() + 2 * (k - 1)), load(imaginary.data() + 2 * (k - 1)));
+        return Turn(lanes::load<Four>(real.data() + 2 * (k - 1)),
+                    lanes::load<Four>(imaginary.data() + 2 * (k - 1)));
     };
     int k = 1;
     for (; k + 1 < half - k - 1; k += kNumbersAtOnce) {
         float *at = row + 2 * k, *mirror_at = row + 2 * (half - k - 1);
-        Four here = load(at), mirrored = numbers_swapped(load(mirror_at));
+        Four here = lanes::load<Four>(at), mirrored = numbers_swapped(lanes::load<Four>(mirror_at));
         pair(here, mirrored, turn(k));
-        store(here, at);
-        store(numbers_swapped(mirrored), mirror_at);
+        lanes::store(at, here);
+        lanes::store(mirror_at, numbers_swapped(mirrored));
     }
     for (; k <= half - k; ++k) {
         float *at = row + 2 * k, *mirror_at = row + 2 * (half - k);

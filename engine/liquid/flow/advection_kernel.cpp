@@ -36,14 +36,15 @@ struct Tracer {
     /// Where sample i was half a step ago, among the centres.
     [[gnu::always_inline]] Place halfway(int i) const {
         const float* centre = row + 4 * static_cast<std::ptrdiff_t>(i);
-        const Four velocity = all(0.5F) * (load(centre) + load(centre - to_previous));
-        const Four middle = in_box<kPeriodic>(here(i) - all(0.5F * flow.step) * velocity, size);
+        const Four velocity =
+            Four(0.5F) * (lanes::load<Four>(centre) + lanes::load<Four>(centre - to_previous));
+        const Four middle = in_box<kPeriodic>(here(i) - Four(0.5F * flow.step) * velocity, size);
         return place_of(middle - location_of(3), flow.stride_y, flow.stride_z);
     }
     /// Where it came from, in cell units.
     [[gnu::always_inline]] Four origin(int i, const Place& halfway) const {
         const Four velocity = linear_of_four(flow.centres, halfway, flow.stride_y, flow.stride_z);
-        return in_box<kPeriodic>(here(i) - all(flow.step) * velocity, size);
+        return in_box<kPeriodic>(here(i) - Four(flow.step) * velocity, size);
     }
 };
 
@@ -88,7 +89,7 @@ void advect_by_interpolation(const AdvectionView& flow, const AdvectedRow& row) 
 
 template <bool kPeriodic, bool kCubic>
 [[gnu::always_inline]] inline Four face_velocity(const CarryView& flow, Four at) {
-    Four velocity = all(0.0F);
+    float velocity[3];
     for (int axis = 0; axis < 3; ++axis) {
         const Place place = place_of(at - location_of(axis), flow.stride_y, flow.stride_z);
         if constexpr (kCubic)
@@ -97,20 +98,20 @@ template <bool kPeriodic, bool kCubic>
         else
             velocity[axis] = linear(flow.faces[axis], place, flow.stride_y, flow.stride_z);
     }
-    return velocity;
+    return Four{velocity[0], velocity[1], velocity[2], 0.0F};
 }
 
 template <bool kPeriodic, bool kCubic>
 void carry(const CarryView& flow, float* points, int count) {
     const Four size = {flow.size_cells[0], flow.size_cells[1], flow.size_cells[2], 1.0F};
     for (int p = 0; p < count; ++p) {
-        const Four here = load(points + 4 * p);
+        const Four here = lanes::load<Four>(points + 4 * p);
         const Four inside = in_box<kPeriodic>(here, size);
         const Four middle = in_box<kPeriodic>(
-            inside + all(0.5F * flow.step) * face_velocity<kPeriodic, kCubic>(flow, inside), size);
+            inside + Four(0.5F * flow.step) * face_velocity<kPeriodic, kCubic>(flow, inside), size);
         const Four moved = in_box<kPeriodic>(
-            inside + all(flow.step) * face_velocity<kPeriodic, kCubic>(flow, middle), size);
-        __builtin_memcpy(points + 4 * p, &moved, sizeof(moved));
+            inside + Four(flow.step) * face_velocity<kPeriodic, kCubic>(flow, middle), size);
+        lanes::store(points + 4 * p, moved);
     }
 }
 
@@ -127,7 +128,7 @@ void centre_velocity(const FaceRows& faces, int count, float* out) {
         const Four velocity = {fourth_order_mean(faces.x + m, 1),
                                fourth_order_mean(faces.y + m, faces.stride_y),
                                fourth_order_mean(faces.z + m, faces.stride_z), 0.0F};
-        __builtin_memcpy(out + 4 * static_cast<std::ptrdiff_t>(m), &velocity, sizeof(velocity));
+        lanes::store(out + 4 * static_cast<std::ptrdiff_t>(m), velocity);
     }
 }
 

@@ -1,34 +1,28 @@
 // Compiled once per instruction set; see pastoso_add_kernels.
+#include "core/lanes.hpp"
 #include "liquid/surface/ball_kernels.hpp"
 
 namespace pastoso::liquid::PASTOSO_ISA {
 namespace {
 
-#define PASTOSO_KERNEL_INLINE [[maybe_unused, gnu::always_inline]] inline
+namespace lanes = core::lanes;
 
 constexpr int kGroup = 8;
-
-PASTOSO_KERNEL_INLINE float larger(float a, float b) {
-    return a > b ? a : b;
-}
-PASTOSO_KERNEL_INLINE float smaller(float a, float b) {
-    return a < b ? a : b;
-}
 
 /// The samples of [least, end) that lie within `reach` of a place.
 struct Range {
     int first, end;
 };
-PASTOSO_KERNEL_INLINE Range within(float place, float reach, int least, int end) {
-    const float first = larger(__builtin_ceilf(place - reach), static_cast<float>(least));
-    const float last = smaller(__builtin_floorf(place + reach), static_cast<float>(end - 1));
+PASTOSO_LANE_FUNCTION Range within(float place, float reach, int least, int end) {
+    const float first = lanes::max(__builtin_ceilf(place - reach), static_cast<float>(least));
+    const float last = lanes::min(__builtin_floorf(place + reach), static_cast<float>(end - 1));
     if (!(first <= last)) return {0, 0};
     return {static_cast<int>(first), static_cast<int>(last) + 1};
 }
 
 /// Adds value(q) to the samples of a row; whole groups, since it is 0 beyond the ball.
 template <class Value>
-PASTOSO_KERNEL_INLINE void add_row(float* row, const Range& range, float x, float across,
+PASTOSO_LANE_FUNCTION void add_row(float* row, const Range& range, float x, float across,
                                    const Value& value) {
     for (int start = range.first; start < range.end; start += kGroup) {
         const float first = static_cast<float>(start) - x;
@@ -41,7 +35,7 @@ PASTOSO_KERNEL_INLINE void add_row(float* row, const Range& range, float x, floa
 
 /// Adds value_of(ball)(q) to all samples that a ball reaches, ball by ball.
 template <class ValueOf>
-PASTOSO_KERNEL_INLINE void add_balls(const BallSlab& slab, const Ball* balls, const std::uint32_t* order,
+PASTOSO_LANE_FUNCTION void add_balls(const BallSlab& slab, const Ball* balls, const std::uint32_t* order,
                                      std::size_t count, const ValueOf& value_of) {
     for (std::size_t n = 0; n < count; ++n) {
         const Ball ball = balls[order[n]];
@@ -70,7 +64,7 @@ void add_compact(const BallSlab& slab, const Ball* balls, const std::uint32_t* o
     add_balls(slab, balls, order, count, [](const Ball& ball) {
         const float inverse = 1.0F / (ball.reach * ball.reach), strength = ball.strength;
         return [=](float q) {
-            const float u = larger(1.0F - q * inverse, 0.0F);
+            const float u = lanes::max(1.0F - q * inverse, 0.0F);
             return strength * (u * u * u);
         };
     });
@@ -82,7 +76,7 @@ void add_cut_off(const BallSlab& slab, const Ball* balls, const std::uint32_t* o
         const float inverse = 1.0F / ball.reach, a = ball.strength;
         return [=](float q) {
             const float r = __builtin_sqrtf(q) * inverse;
-            const float left = larger(1.0F - r, 0.0F);
+            const float left = lanes::max(1.0F - r, 0.0F);
             const float inner = a * (1.0F - 3.0F * (r * r)), outer = 1.5F * a * (left * left);
             return r <= 1.0F / 3.0F ? inner : outer;
         };
@@ -94,7 +88,7 @@ void add_near_inverse_square(const BallSlab& slab, const Ball* balls, const std:
     add_balls(slab, balls, order, count, [least = slab.least_square](const Ball& ball) {
         const float end = ball.reach * ball.reach, inverse = 1.0F / end, strength = ball.strength;
         return [=](float square) {
-            const float q = larger(square, least);
+            const float q = lanes::max(square, least);
             const float e = q * inverse - 1.0F;
             const float smooth =
                 inverse * (1.0F - e * (1.0F - e * (1.0F - e * (1.0F - e * (1.0F - e)))));
@@ -109,7 +103,7 @@ void add_near_inverse(const BallSlab& slab, const Ball* balls, const std::uint32
         const float end = ball.reach * ball.reach, inverse = 1.0F / end, strength = ball.strength;
         const float root = 1.0F / ball.reach;
         return [=](float square) {
-            const float q = larger(square, least);
+            const float q = lanes::max(square, least);
             const float e = q * inverse - 1.0F;
             const float smooth =
                 root *

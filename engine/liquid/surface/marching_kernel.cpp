@@ -1,64 +1,47 @@
 // Compiled once per instruction set; see pastoso_add_kernels.
+#include "core/lane_memory.hpp"
 #include "liquid/surface/marching_kernels.hpp"
-
-#if defined(__AVX2__)
-#include <immintrin.h>
-#endif
 
 namespace pastoso::liquid::PASTOSO_ISA {
 namespace {
 
-#define PASTOSO_KERNEL_INLINE [[maybe_unused, gnu::always_inline]] inline
+namespace lanes = core::lanes;
 
 constexpr int kWordBits = 32;
 constexpr float kLeastShare = 1e-4F;
 
 /// Bits of 32 values that are > iso.
-PASTOSO_KERNEL_INLINE std::uint32_t word_of(const float* values, float iso) {
-#if defined(__AVX512F__)
-    const __m512 threshold = _mm512_set1_ps(iso);
-    const std::uint32_t low = _mm512_cmp_ps_mask(_mm512_loadu_ps(values), threshold, _CMP_GT_OQ);
-    const std::uint32_t high = _mm512_cmp_ps_mask(_mm512_loadu_ps(values + 16), threshold, _CMP_GT_OQ);
-    return low | high << 16;
-#elif defined(__AVX2__)
-    const __m256 threshold = _mm256_set1_ps(iso);
+PASTOSO_LANE_FUNCTION std::uint32_t word_of(const float* values, float iso) {
+    using Floats = lanes::Widest<float>;
     std::uint32_t word = 0;
-    for (int part = 0; part < 4; ++part) {
-        const __m256 inside = _mm256_cmp_ps(_mm256_loadu_ps(values + 8 * part), threshold, _CMP_GT_OQ);
-        word |= static_cast<std::uint32_t>(_mm256_movemask_ps(inside)) << 8 * part;
-    }
+    for (int first = 0; first < kWordBits; first += Floats::kLanes)
+        word |= lanes::mask_bits(lanes::load<Floats>(values + first) > Floats(iso)) << first;
     return word;
-#else
-    std::uint32_t word = 0;
-    for (int bit = 0; bit < kWordBits; ++bit)
-        word |= static_cast<std::uint32_t>(values[bit] > iso) << bit;
-    return word;
-#endif
 }
 
 /// The bits from bit 32 w on, 64 of them.
-PASTOSO_KERNEL_INLINE std::uint64_t bits_from(const std::uint32_t* words, int w) {
+PASTOSO_LANE_FUNCTION std::uint64_t bits_from(const std::uint32_t* words, int w) {
     return words[w] | static_cast<std::uint64_t>(words[w + 1]) << kWordBits;
 }
 
 /// 1 for the first `count` - 32 w bits, at most 32.
-PASTOSO_KERNEL_INLINE std::uint32_t first_bits(int count, int w) {
+PASTOSO_LANE_FUNCTION std::uint32_t first_bits(int count, int w) {
     const int left = count - kWordBits * w;
     return left >= kWordBits ? ~0U : left <= 0 ? 0U : (1U << left) - 1U;
 }
 
-PASTOSO_KERNEL_INLINE std::uint32_t ones(std::uint32_t word) {
+PASTOSO_LANE_FUNCTION std::uint32_t ones(std::uint32_t word) {
     return static_cast<std::uint32_t>(__builtin_popcount(word));
 }
 
 /// Where vertices lie on edges along x of 32 samples.
-PASTOSO_KERNEL_INLINE std::uint32_t x_edges(std::uint64_t bits, int nx, int w) {
+PASTOSO_LANE_FUNCTION std::uint32_t x_edges(std::uint64_t bits, int nx, int w) {
     return static_cast<std::uint32_t>(bits ^ bits >> 1) & first_bits(nx - 1, w);
 }
 
 /// Calls use(word, w) for words of bits on the row's edges.
 template <class Use>
-PASTOSO_KERNEL_INLINE void for_edge_words(const std::uint32_t* row, const std::uint32_t* other, int nx,
+PASTOSO_LANE_FUNCTION void for_edge_words(const std::uint32_t* row, const std::uint32_t* other, int nx,
                                           const Use& use) {
     const int words = (nx + kWordBits - 1) / kWordBits;
     for (int w = 0; w < words; ++w)
@@ -70,12 +53,12 @@ struct Cells {
     std::uint64_t row[4];
     std::uint32_t active;  ///< those that the surface goes through
 
-    PASTOSO_KERNEL_INLINE unsigned corners(int i) const {
+    PASTOSO_LANE_MEMBER unsigned corners(int i) const {
         return static_cast<unsigned>((row[0] >> i & 3) | (row[1] >> i & 3) << 2 |
                                      (row[2] >> i & 3) << 4 | (row[3] >> i & 3) << 6);
     }
 };
-PASTOSO_KERNEL_INLINE Cells cells_at(const CellRowBits& bits, int w) {
+PASTOSO_LANE_FUNCTION Cells cells_at(const CellRowBits& bits, int w) {
     Cells cells;
     std::uint64_t some = 0, all = ~std::uint64_t{0};
     for (int r = 0; r < 4; ++r) {
@@ -94,20 +77,20 @@ struct EdgeNumbers {
     std::uint32_t first;
     std::uint64_t edges = 0;
 
-    PASTOSO_KERNEL_INLINE std::uint32_t before(int i) const {
+    PASTOSO_LANE_MEMBER std::uint32_t before(int i) const {
         return first + ones(static_cast<std::uint32_t>(edges) & ((1U << i) - 1U));
     }
-    PASTOSO_KERNEL_INLINE std::uint32_t bit(int i) const {
+    PASTOSO_LANE_MEMBER std::uint32_t bit(int i) const {
         return static_cast<std::uint32_t>(edges >> i) & 1U;
     }
-    PASTOSO_KERNEL_INLINE void next_word() { first += ones(static_cast<std::uint32_t>(edges)); }
+    PASTOSO_LANE_MEMBER void next_word() { first += ones(static_cast<std::uint32_t>(edges)); }
 };
 
 /// The numbers of the vertices around a row of cells.
 struct CellNumbers {
     EdgeNumbers x[4], y[2], z[2];
 
-    PASTOSO_KERNEL_INLINE void start_word(const Cells& cells, int nx, int w) {
+    PASTOSO_LANE_MEMBER void start_word(const Cells& cells, int nx, int w) {
         for (int r = 0; r < 4; ++r)
             x[r].edges = x_edges(cells.row[r], nx, w);
         y[0].edges = cells.row[0] ^ cells.row[1];
@@ -115,7 +98,7 @@ struct CellNumbers {
         z[0].edges = cells.row[0] ^ cells.row[2];
         z[1].edges = cells.row[1] ^ cells.row[3];
     }
-    PASTOSO_KERNEL_INLINE void end_word() {
+    PASTOSO_LANE_MEMBER void end_word() {
         for (EdgeNumbers& numbers : x)
             numbers.next_word();
         for (int r = 0; r < 2; ++r) {
@@ -124,7 +107,7 @@ struct CellNumbers {
         }
     }
     /// In the order of cube_edge().
-    PASTOSO_KERNEL_INLINE void of_cell(int i, std::uint32_t* numbers) const {
+    PASTOSO_LANE_MEMBER void of_cell(int i, std::uint32_t* numbers) const {
         for (int r = 0; r < 4; ++r)
             numbers[r] = x[r].before(i);
         for (int r = 0; r < 2; ++r) {
@@ -140,7 +123,7 @@ struct Slope {
     float x, y, z;
 };
 /// Differences of samples two apart, at one end of an edge; the same sample where there is none.
-PASTOSO_KERNEL_INLINE Slope slope_at(const EdgeRow& edges, const float* row, int end, std::int32_t i) {
+PASTOSO_LANE_FUNCTION Slope slope_at(const EdgeRow& edges, const float* row, int end, std::int32_t i) {
     const std::int32_t last = edges.nx - 1;
     const std::int32_t low = i > 0 ? i - 1 : 0, high = i < last ? i + 1 : last;
     const float scale = high - low < 2 ? 2.0F : 1.0F;
@@ -150,7 +133,7 @@ PASTOSO_KERNEL_INLINE Slope slope_at(const EdgeRow& edges, const float* row, int
 }
 
 /// How far along the edge the value is iso, away from both ends; what is no number becomes the least.
-PASTOSO_KERNEL_INLINE float share_at(float near, float far, float iso) {
+PASTOSO_LANE_FUNCTION float share_at(float near, float far, float iso) {
     const float share = (iso - near) / (far - near);
     const float enough = share > kLeastShare ? share : kLeastShare;
     return enough < 1.0F - kLeastShare ? enough : 1.0F - kLeastShare;

@@ -1,0 +1,136 @@
+// Lanes from and to memory, and from lane to lane.
+#pragma once
+
+#include "core/lanes.hpp"
+
+namespace pastoso::core::lanes {
+
+/// Neighbouring numbers, or a single one, from any address.
+template <class V, class T>
+PASTOSO_LANE_FUNCTION V load(const T* from) {
+    static_assert(std::is_same_v<As<T, V>, V>);
+    V values;
+    __builtin_memcpy(&values, from, sizeof values);
+    return values;
+}
+template <class T, class V>
+PASTOSO_LANE_FUNCTION void store(T* to, const V& values) {
+    __builtin_memcpy(to, &values, sizeof values);
+}
+
+/// of(0), of(1), ...
+template <class V, class Of>
+PASTOSO_LANE_FUNCTION V generate(const Of& of) {
+    return [&]<int... kLane>(std::integer_sequence<int, kLane...>) PASTOSO_LANE_MEMBER {
+        return V(of(kLane)...);
+    }
+    (std::make_integer_sequence<int, V::kLanes>());
+}
+/// 0, 1, 2, ...; of a single number 0.
+template <class V>
+PASTOSO_LANE_FUNCTION V counting() {
+    if constexpr (Number<V>)
+        return V(0);
+    else
+        return generate<V>([](int lane) PASTOSO_LANE_MEMBER { return lane; });
+}
+/// table[index], lane by lane.
+template <class T, int N>
+PASTOSO_LANE_FUNCTION Lanes<T, N> gather(const T* table, Lanes<std::int32_t, N> index) {
+    return generate<Lanes<T, N>>([&](int lane) PASTOSO_LANE_MEMBER { return table[index[lane]]; });
+}
+
+/// Whether load_where() and store_where() leave the memory of the other lanes alone.
+constexpr bool kMasked = kRegisterBytes > 16;
+
+/// Those of a register's worth of neighbouring numbers where the mask holds, 0 or what is there in the
+/// other lanes.
+template <class V, class T, int N>
+PASTOSO_LANE_FUNCTION V load_where(const T* from, [[maybe_unused]] Mask<4, N> mask) {
+    static_assert(sizeof(T) == 4 && sizeof(V) == kRegisterBytes);
+#if defined(__AVX512F__)
+    return V(reinterpret_cast<decltype(V::raw)>(_mm512_maskz_loadu_epi32(mask.value, from)));
+#elif defined(__AVX2__)
+    const auto* ints = reinterpret_cast<const int*>(from);
+    return V(reinterpret_cast<decltype(V::raw)>(
+        _mm256_maskload_epi32(ints, reinterpret_cast<__m256i>(mask.value))));
+#else
+    return load<V>(from);
+#endif
+}
+template <class V, class T>
+PASTOSO_LANE_FUNCTION V load_where(const T* from, bool) {
+    return *from;
+}
+
+/// Writes them; the other lanes hold what is there already.
+template <class T, class V, int N>
+PASTOSO_LANE_FUNCTION void store_where(T* to, const V& values, [[maybe_unused]] Mask<4, N> mask) {
+    static_assert(sizeof(T) == 4 && sizeof(V) == kRegisterBytes);
+#if defined(__AVX512F__)
+    _mm512_mask_storeu_epi32(to, mask.value, reinterpret_cast<__m512i>(values.raw));
+#elif defined(__AVX2__)
+    _mm256_maskstore_epi32(reinterpret_cast<int*>(to), reinterpret_cast<__m256i>(mask.value),
+                           reinterpret_cast<__m256i>(values.raw));
+#else
+    store(to, values);
+#endif
+}
+template <class T>
+PASTOSO_LANE_FUNCTION void store_where(T* to, T value, bool condition) {
+    if (condition) *to = value;
+}
+
+/// any(), but true as well where finding out takes longer than it saves.
+template <int kBytes, int N>
+PASTOSO_LANE_FUNCTION bool may_have_any([[maybe_unused]] Mask<kBytes, N> mask) {
+    if constexpr (kMasked) return any(mask);
+    return true;
+}
+PASTOSO_LANE_FUNCTION bool may_have_any(bool condition) {
+    return condition;
+}
+
+/// Writes the numbers where the mask holds, one after the other, and returns how many. Up to N numbers
+/// are overwritten in all.
+template <int N>
+PASTOSO_LANE_FUNCTION int store_compressed(std::int32_t* to, Lanes<std::int32_t, N> values,
+                                           Mask<4, N> mask) {
+#if defined(__AVX512F__)
+    if constexpr (mask.kIsBits) {
+        const __m512i first =
+            _mm512_maskz_compress_epi32(mask.value, reinterpret_cast<__m512i>(values.raw));
+        __builtin_memcpy(to, &first, sizeof first);
+        return __builtin_popcount(mask.value);
+    } else
+#endif
+    {
+        int count = 0;
+        for (int lane = 0; lane < N; ++lane) {
+            to[count] = values[lane];
+            count -= mask.value[lane];
+        }
+        return count;
+    }
+}
+
+/// table[index] lane by lane, the index taken modulo N. One instruction with GCC.
+template <class T, int N>
+PASTOSO_LANE_FUNCTION Lanes<T, N> shuffled(Lanes<T, N> table, Lanes<std::int32_t, N> index) {
+#if __has_builtin(__builtin_shuffle)
+    return Lanes<T, N>(__builtin_shuffle(table.raw, index.raw));
+#else
+    return generate<Lanes<T, N>>([&](int lane) { return table[index[lane] & (N - 1)]; });
+#endif
+}
+/// The lanes kFrom of a, then (from N on) of b.
+template <int... kFrom, class T, int N>
+PASTOSO_LANE_FUNCTION Lanes<T, sizeof...(kFrom)> permuted(Lanes<T, N> a, Lanes<T, N> b) {
+    return Lanes<T, sizeof...(kFrom)>(__builtin_shufflevector(a.raw, b.raw, kFrom...));
+}
+template <int... kFrom, class T, int N>
+PASTOSO_LANE_FUNCTION Lanes<T, sizeof...(kFrom)> permuted(Lanes<T, N> a) {
+    return permuted<kFrom...>(a, a);
+}
+
+}  // namespace pastoso::core::lanes
