@@ -2,7 +2,7 @@
 // the others.
 #include "core/isa.hpp"
 #include "film/explicit/tile_step.hpp"
-#include "film/face/face_physics.hpp"
+#include "film/explicit/face_step.hpp"
 
 #include <cmath>
 #include <cstring>

@@ -1,4 +1,5 @@
 // Compiled once per instruction set; see pastoso_add_kernels.
+#include "film/explicit/face_step.hpp"
 #include "film/explicit/tile_kernels.hpp"
 #include "film/face/face_loading.hpp"
 
@@ -74,13 +75,13 @@ struct FaceKernel {
         std::array<FaceDrag<Lanes>, kGroups> drag;
         std::array<BinghamDrag<Lanes>, kGroups> law;
         for (int group = 0; group < kGroups; ++group)
-            drive[group] = face_drive<kModel>(
+            drive[group] = explicit_drive<kModel>(
                 neighbourhood<kModel>(scratch, local, axis, AlongRow{}, block_index(group * kLanes, y)),
                 local, axis.force, axis.force_across);
         for (int group = 0; group < kGroups; ++group)
             drag[group] = face_drag<kModel>(drive[group], local);
         for (int group = 0; group < kGroups; ++group)
-            law[group] = drag_law<kModel>(drag[group]);
+            law[group] = drag_law<kModel.yield>(drag[group].drag, drag[group].stress);
         const std::int32_t* quanta = &scratch.block.quanta[block_index(0, y)];
         for (int group = 0; group < kGroups; ++group) {
             const int x = group * kLanes;

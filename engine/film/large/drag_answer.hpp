@@ -2,7 +2,7 @@
 // kernels of one instruction set.
 #pragma once
 
-#include "film/face/face_physics.hpp"
+#include "film/face/face_drag.hpp"
 #include "film/face/lane_groups.hpp"
 #include "film/large/large_tile.hpp"
 
@@ -23,17 +23,16 @@ struct DragAnswer {
 template <bool kYield>
 [[gnu::always_inline]] inline DragAnswer drag_answer(Lanes along, Lanes across, Lanes drag,
                                                      Lanes resistance) {
-    const Lanes one(1.0F);
     if constexpr (kYield) {
         const Lanes along2 = along * along, size2 = along2 + across * across + Lanes(1e-30F);
         const Lanes stress = lanes::sqrt(size2) * resistance;
         // What the law comes to where all is arrested, which is most of a stiff paint.
         if (lanes::all(stress <= drag)) return {Lanes(Lanes(0.0F) * along), Lanes(0.0F)};
-        const BinghamDrag<Lanes> law = bingham_drag(drag, stress);
+        const BinghamDrag<Lanes> law = drag_law<true>(drag, stress);
         const Lanes whole = law.tangent_share / (law.tangent_share + drag + Lanes(1e-12F));
         return {Lanes(law.factor * along), Lanes(law.factor + (whole - law.factor) * along2 / size2)};
     }
-    const Lanes factor = one / (one + drag);
+    const Lanes factor = drag_law<false>(drag, Lanes(0.0F)).factor;
     return {Lanes(factor * along), factor};
 }
 

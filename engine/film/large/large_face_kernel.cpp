@@ -109,74 +109,52 @@ struct LargeFaceRow {
                 (load(lag + i + axis.along) - load(lag + i)) * Lanes(step.inverse_cell);
             const Lanes along = kModel.shear_thinning && thinned ? load(&faces.velocity[f]) : face.u;
             const auto shut = load(&faces.drag[f]) < Lanes(0.0F) && load(&faces.depth[f]) == Lanes(0.0F);
-            drive_faces(face, load(&carried[f]), gradient, along, f);
+            drive_faces(face, {load(&carried[f]), gradient, along}, f);
             // What is shut stays so when it is assembled again.
             if (thinned && lanes::any(shut)) put_explicit(shut, Lanes(0.0F), Lanes(0.0F), f);
         });
     }
 
-    /// lambda
-    template <class Paint>
-    [[gnu::always_inline]] Lanes drag_rate_of(const FaceNeighbourhood<Lanes>& face, const Paint& paint,
-                                              Lanes along, Lanes depth) const {
-        Lanes coefficient(step.drag_along);
-        if constexpr (kModel.alpha_range) coefficient = alpha_drag(face, step);
-        if constexpr (kModel.shear_thinning) {
-            const Lanes speed = lanes::sqrt(Lanes(along * along + face.v * face.v));
-            coefficient = coefficient * relative_viscosity<kModel.yield>(
-                                            speed, depth, paint.against_yield(step), step);
-        }
-        return drag_rate(coefficient, depth, paint.viscosity(step), paint.fluidity(step), step).rate;
-    }
-
     /// Stores depth, drag and what drives a group of faces; where some are explicit, their flow as well.
-    [[gnu::always_inline]] void drive_faces(const FaceNeighbourhood<Lanes>& face, Lanes momentum,
-                                            Lanes gradient, Lanes along, int f) const {
-        const Lanes zero(0.0F), wet_mm(step.wet_mm), dt(step.dt_s), force(axis.force);
-        const auto wet_left = face.h_left > wet_mm, wet_right = face.h_right > wet_mm;
-        // Without a contact angle nothing holds the film's edge: it is a face like any other.
-        const auto inner = step.has_contact_angle() ? wet_left && wet_right : wet_left || wet_right;
-        const bool all_inner = lanes::all(inner);
-        const ContactFace<Lanes> edge =
-            all_inner ? ContactFace<Lanes>{} : contact_face(face, step, force);
-
-        Lanes push = force;
-        if constexpr (kModel.horizontal_tension) push = push + horizontal_tension(face, step);
-        const Lanes guess = momentum + dt * (push - gradient);
-        const auto donor_wet = lanes::select(guess > zero, face.h_left, face.h_right) > wet_mm;
-        const Lanes depth =
-            lanes::select(donor_wet && guess != zero, upwind_thickness(face, guess), zero);
-        const Lanes drag_depth = all_inner ? depth : lanes::select(inner, depth, edge.h_wet);
-        const auto paint = face_paint<kModel>(face, step);
-        const Lanes rate = drag_rate_of(face, paint, along, drag_depth);
+    [[gnu::always_inline]] void drive_faces(const FaceNeighbourhood<Lanes>& face,
+                                            const FaceStart<Lanes>& start, int f) const {
+        const Lanes zero(0.0F), dt(step.dt_s), force(axis.force);
+        const auto inside = inside_film<FaceScheme::Large>(face, step);
+        const FaceDrive<kModel, Lanes> drive =
+            face_drive<kModel, FaceScheme::Large>(face, step, axis.force, axis.force_across, start);
+        const Lanes rate = drag_rate(drive, step).rate;
         const Lanes drag = lanes::min(Lanes(rate * dt), Lanes(1e12F));
-        const auto remembers = inner && drag < Lanes(kInertialDrag);
-        if (lanes::any(remembers)) {
-            inertial = true;
-            const Lanes mean = Lanes(0.5F) * (face.h_left + face.h_right);
-            momentum = lanes::select(remembers, momentum * settled_share<Lanes>(mean, depth), momentum);
-        }
-        Lanes across(0.0F), resistance(0.0F), yield_speed(0.0F);
+        Lanes resistance(0.0F), yield_speed(0.0F);
         if constexpr (kModel.yield) {
-            across = face.v +
-                     dt * (Lanes(axis.force_across) - Lanes(step.gravity_mm_s2) * face.eta_slope_across);
-            resistance = paint.over_yield_in_step(Lanes(drag * drag_depth), step);
+            resistance = drive.paint.over_yield_in_step(Lanes(drag * drive.drag_thickness), step);
             yield_speed = Lanes(1.0F) / (resistance + Lanes(1e-30F));
-            store(&faces.across[f], across);
+            store(&faces.across[f], drive.across);
             store(&faces.resistance[f], resistance);
         }
-        const Lanes followed = push - force + force * followed_force(rate, yield_speed, step, axis);
+        Lanes followed(0.0F);
+        if constexpr (kModel.horizontal_tension) followed = horizontal_tension(face, step);
+        followed = followed + force * followed_force(rate, yield_speed, step, axis);
+        const Lanes momentum = settled(face, start.momentum, drive.thickness, inside, drag);
         store(&faces.driven[f], Lanes(momentum + dt * followed));
         store(&faces.drag[f], drag);
-        store(&faces.depth[f], depth);
-        if (all_inner) return;
+        store(&faces.depth[f], drive.thickness);
+        if (lanes::all(inside)) return;
 
-        const Lanes at_edge = momentum + dt * edge.acceleration;
-        const Lanes flow = drag_answer<kModel.yield>(at_edge, across, drag, resistance).flow;
-        const Lanes passing = lanes::max(Lanes(edge.h_wet - edge.pinned_mm), zero);
-        const Lanes edge_depth = lanes::select(wet_left || wet_right, passing, zero);
-        const auto flows = edge_depth > zero;
-        put_explicit(!inner, edge_depth, lanes::select(flows, softly_limited(flow, step), zero), f);
+        const Lanes flow = drag_answer<kModel.yield>(drive.driven, drive.across, drag, resistance).flow;
+        const auto flows = drive.thickness > zero;
+        put_explicit(!inside, drive.thickness, lanes::select(flows, softly_limited(flow, step), zero),
+                     f);
+    }
+
+    /// The momentum of faces that remember it, where it moves paint of another depth than arrives.
+    template <class Mask>
+    [[gnu::always_inline]] Lanes settled(const FaceNeighbourhood<Lanes>& face, Lanes momentum,
+                                         Lanes depth, Mask inside, Lanes drag) const {
+        const auto remembers = inside && drag < Lanes(kInertialDrag);
+        if (!lanes::any(remembers)) return momentum;
+        inertial = true;
+        const Lanes mean = Lanes(0.5F) * (face.h_left + face.h_right);
+        return lanes::select(remembers, momentum * settled_share<Lanes>(mean, depth), momentum);
     }
 
     void shut_group(int f, Lanes old) const {

@@ -1,0 +1,82 @@
+// What the flow law knows of a face: which of its terms count, the cells around it and their paint. Here
+// and in what builds on it a formula is written once, as plain arithmetic for F a float or a SIMD
+// register of floats.
+#pragma once
+
+#include "core/lanes.hpp"
+#include "film/step_constants.hpp"
+
+namespace pastoso::film {
+
+namespace lanes = core::lanes;
+
+/// Which terms the formulas contain; a term that is left out costs nothing.
+struct FaceModel {
+    bool yield = false;
+    bool alpha_range = false;  ///< also right, only slower, where both ends are the same
+    bool horizontal_tension = false;
+    bool shear_thinning = false;
+    bool varied = false;  ///< every cell has its own viscosity and yield stress
+};
+
+/// What a face needs to know. "left" and "right" are the cells before and behind it along its axis; for
+/// a face of the other direction read "above" and "below".
+template <class F>
+struct FaceNeighbourhood {
+    F h_left, h_right;                             ///< wet thickness, mm
+    F support_left, support_right;                 ///< c, mm
+    F eta_left2, eta_left, eta_right, eta_right2;  ///< surface height, mm, two cells to each side
+    F eta_slope_across;               ///< slope of eta along the face, centred mean of both cells
+    F pressure_left, pressure_right;  ///< Pi, mm2/s2
+    F curvature;                      ///< mean kappa of both cells, 1/mm
+    F normal_left, normal_right;      ///< |n_x| + |n_y| of the film's outline, 1..sqrt(2)
+    F u, u_back, u_front, u_before,
+        u_after;                        ///< old velocity here, one face along the axis, one face across
+    F v;                                ///< old velocity along the face, mean of the four around it
+    F viscosity_left, viscosity_right;  ///< mm2/s; of varied paint only
+    F yield_left, yield_right;          ///< tau_y/rho, mm2/s2; of varied paint only
+};
+
+/// The consistency of the paint at a face. Uniform paint has the step's and stores nothing.
+template <class F, bool kVaried>
+struct FacePaint {
+    static F viscosity(const StepConstants& step) { return F(step.viscosity_mm2_s); }
+    static F fluidity(const StepConstants& step) { return F(1.0F / step.viscosity_mm2_s); }
+    static F against_yield(const StepConstants& step) { return F(step.viscosity_mm2_s / step.yield); }
+    static F over_yield_in_step(F impulse, const StepConstants& step) {
+        return impulse * F(1.0F / (step.dt_s * step.yield));
+    }
+};
+template <class F>
+struct FacePaint<F, true> {
+    F nu, tau;  ///< mm2/s, mm2/s2
+
+    F viscosity(const StepConstants&) const { return nu; }
+    F fluidity(const StepConstants&) const { return F(1.0F) / nu; }
+    F against_yield(const StepConstants&) const { return nu / tau; }
+    F over_yield_in_step(F impulse, const StepConstants& step) const {
+        return impulse / (F(step.dt_s) * tau);
+    }
+};
+
+/// What flows through a face is taken as an equal mixture of both cells: the mean of ln nu and that of
+/// tau_y, as anywhere else (paint_cell.hpp). At the film's edge it is the wet cell's paint. A trace of
+/// yield stress stands for none.
+template <FaceModel kModel, class F>
+PASTOSO_LANE_FUNCTION FacePaint<F, kModel.varied> face_paint(const FaceNeighbourhood<F>& face,
+                                                             const StepConstants& step) {
+    if constexpr (!kModel.varied) {
+        return {};
+    } else {
+        const auto wet_left = face.h_left > F(step.wet_mm), wet_right = face.h_right > F(step.wet_mm);
+        const auto wet_both = wet_left && wet_right;
+        const F nu = lanes::sqrt(F(face.viscosity_left * face.viscosity_right));
+        const F tau = F(0.5F) * (face.yield_left + face.yield_right);
+        const F edge_nu = lanes::select(wet_left, face.viscosity_left, face.viscosity_right);
+        const F edge_tau = lanes::select(wet_left, face.yield_left, face.yield_right);
+        return {lanes::select(wet_both, nu, edge_nu),
+                lanes::max(F(lanes::select(wet_both, tau, edge_tau)), F(1e-9F))};
+    }
+}
+
+}  // namespace pastoso::film
