@@ -1,8 +1,9 @@
 #include "film/reference_data.hpp"
 
+#include "core/text_file.hpp"
 #include "source_file.hpp"
 
-#include <fstream>
+#include <sstream>
 
 namespace pastoso::film::test {
 namespace {
@@ -25,7 +26,7 @@ std::vector<std::string> split(const std::string& line) {
 }  // namespace
 
 std::string reference_path(const std::string& file) {
-    return tests::source_file("../shared/reference/film/" + file);
+    return tests::source_file("tests/data/film/" + file);
 }
 
 ReferenceRow::ReferenceRow(const std::vector<std::string>& names,
@@ -43,10 +44,10 @@ double ReferenceRow::number(const std::string& name) const {
 }
 
 std::vector<ReferenceRow> reference_table(const std::string& file) {
-    std::ifstream stream(reference_path(file));
+    std::istringstream stream(core::read_text_file(reference_path(file)));
     std::vector<ReferenceRow> rows;
     std::string line;
-    if (!std::getline(stream, line)) return rows;
+    std::getline(stream, line);
     const std::vector<std::string> names = split(line);
     while (std::getline(stream, line))
         rows.emplace_back(names, split(line));

@@ -1,6 +1,5 @@
 // Results recorded with another implementation of the same model, and closed-form values beside them:
-// tables in ../shared/reference/film next to the repository. Where the folder is absent, tests are
-// skipped.
+// the tables in tests/data/film.
 #pragma once
 
 #include <map>
@@ -22,13 +21,7 @@ class ReferenceRow {
     std::map<std::string, std::string> values_;
 };
 
-/// All lines of a table; empty when the file is absent.
+/// All lines of a table. Throws core::InputError when there is none.
 std::vector<ReferenceRow> reference_table(const std::string& file);
 
 }  // namespace pastoso::film::test
-
-/// Reads a table into `rows`, or skips the test.
-#define PASTOSO_REFERENCE_OR_SKIP(rows, file)                     \
-    const auto rows = pastoso::film::test::reference_table(file); \
-    if (rows.empty())                                             \
-    GTEST_SKIP() << "The recorded results are not here: " << pastoso::film::test::reference_path(file)
