@@ -65,6 +65,22 @@ void LiquidSession::set_full_speed(bool full) {
     }});
 }
 
+void LiquidSession::advance(int steps) {
+    post({[this, steps] {
+        if (!has_liquid()) return;
+        shown_step_.reset();
+        paused_ = true;
+        const int last = last_step() + steps;
+        while (last_step() < last && !waits() && !is_ending())
+            step_liquid();
+    }});
+}
+
+bool LiquidSession::is_ending() const {
+    const std::lock_guard lock(mutex_);
+    return stopping_;
+}
+
 void LiquidSession::show(int step) {
     post({[this, step] {
         if (!has_liquid()) return;

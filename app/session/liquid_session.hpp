@@ -47,6 +47,10 @@ class LiquidSession {
     /// Time passes as fast as it can be computed, otherwise at most as fast as on the wall.
     void set_full_speed(bool full);
 
+    /// Lets exactly so many steps pass, as fast as they are computed, and pauses. What is said
+    /// afterwards holds after them. A liquid that waits lets fewer pass.
+    void advance(int steps);
+
     /// Shows the kept moment at or before that step, and pauses.
     void show(int step);
 
@@ -108,6 +112,7 @@ class LiquidSession {
     void step();
     bool runs() const { return has_liquid() && !paused_ && !waits(); }
     bool may_wait() const;
+    bool is_ending() const;
     void publish();
 
     const Notify notify_;

@@ -2,6 +2,7 @@
 #include "session/tank_session.hpp"
 
 #include "io/tank_json.hpp"
+#include "patience.hpp"
 #include "session/far_level.hpp"
 #include "session/liquid_picture.hpp"
 #include "trace/tank_scene.hpp"
@@ -25,27 +26,41 @@ tank::TankScene small_tank() {
 }
 
 void wait_for_moment(const TankSession& session, int step) {
-    for (int i = 0; i < 6000 && session.status().last_step < step; ++i)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    ASSERT_GE(session.status().last_step, step);
+    ASSERT_TRUE(tests::comes_true([&] { return session.status().last_step >= step; }));
+}
+
+/// So many moments, whatever the clock says.
+void advance(TankSession& session, int moments) {
+    session.advance(moments);
+    session.wait_until_applied();
 }
 
 TEST(TankSession, LiquidIsThereAndTimePasses) {
-    TankSession session(small_tank(), false, [] {});
-    session.set_full_speed(true);
-    wait_for_moment(session, 5);
-    session.set_paused(true);
-    session.wait_until_applied();
+    TankSession session(small_tank(), true, [] {});
+    advance(session, 5);
     const TankStatus status = session.status();
+    EXPECT_EQ(status.last_step, 5);
+    EXPECT_TRUE(status.paused);
     // Sixteen cells a side, four of them full, eight drops to each: exactly what the scene says.
     EXPECT_NEAR(status.volume_m3, 0.16 * 0.16 * 0.04, 1e-9);
     const auto moment = session.moment();
     ASSERT_NE(moment, nullptr);
-    EXPECT_EQ(moment->seen.step, status.last_step);
+    EXPECT_EQ(moment->seen.step, 5);
     EXPECT_NEAR(rest_level_m(*moment), 0.04F, 1e-6F);
     // Moments are equally far apart, whatever the steps were.
     for (const int step : status.kept)
         EXPECT_NEAR(session.kept().frames.at(step).time_s, step * kTankMoment_s, 1e-6);
+}
+
+TEST(TankSession, TimePassesByItselfUnlessItIsPaused) {
+    TankSession session(small_tank(), false, [] {});
+    wait_for_moment(session, 1);
+    session.set_full_speed(true);
+    wait_for_moment(session, 5);
+    session.set_paused(true);
+    session.wait_until_applied();
+    EXPECT_TRUE(session.status().paused);
+    EXPECT_EQ(session.moment()->seen.step, session.status().last_step);
 }
 
 TEST(TankSession, TheSurfaceHoldsTheLiquidWithinTheTank) {
@@ -78,21 +93,20 @@ TEST(TankSession, ASphereAddsItsVolumeAndItsMilk) {
 }
 
 TEST(TankSession, TheDrainEmptiesTheTankWhileItIsOpen) {
-    TankSession session(small_tank(), false, [] {});
-    session.set_full_speed(true);
-    wait_for_moment(session, 4);
+    TankSession session(small_tank(), true, [] {});
+    advance(session, 4);
     EXPECT_FALSE(session.status().drains_open);
     const double full_m3 = session.status().volume_m3;
     EXPECT_NEAR(full_m3, 0.16 * 0.16 * 0.04, 1e-9);
     session.open_drains(true);
-    for (int i = 0; i < 6000 && session.status().volume_m3 > 0.5 * full_m3; ++i)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    // Half of it falls through the hole in less than a second; two are enough.
+    for (int moment = 0; moment < 120 && session.status().volume_m3 > 0.5 * full_m3; ++moment)
+        advance(session, 1);
     EXPECT_LT(session.status().volume_m3, 0.5 * full_m3);
     session.open_drains(false);
     session.wait_until_applied();
-    const int step = session.status().last_step;
     const double left_m3 = session.status().volume_m3;
-    wait_for_moment(session, step + 3);
+    advance(session, 3);
     EXPECT_EQ(session.status().volume_m3, left_m3);
     EXPECT_FALSE(session.status().drains_open);
 }
@@ -115,13 +129,10 @@ TEST(TankSession, TheWindMovesTheLiquidWhereItBlows) {
         wind.speed_m_s = 5.0;
         wind.drag_per_s = 50.0;
         session.set_wind(wind);
-        session.set_full_speed(true);
-        session.set_paused(false);
-        wait_for_moment(session, 2);
-        session.set_paused(true);
-        session.wait_until_applied();
+        advance(session, 2);
         EXPECT_EQ(session.status().wind, wind);
-        // The surface drifts along; below it the liquid comes back, more slowly than it.
+        // The surface drifts along, before it has come to the wall; below it the liquid comes back, more
+        // slowly than it.
         double fastest_m_s = 0.0;
         for (const FlowArrow& arrow : session.moment()->seen.arrows)
             if (std::abs(static_cast<double>(arrow.velocity_m_s.x)) > std::abs(fastest_m_s))
@@ -137,11 +148,7 @@ TEST(TankSession, NumbersChangeWhileTimePasses) {
     numbers.gravity_m_s2 = 0.0;
     session.set_numbers(numbers);
     session.add_sphere({{0.08F, 0.08F, 0.11F}, 0.03F}, 1.0F);
-    session.set_full_speed(true);
-    session.set_paused(false);
-    wait_for_moment(session, 6);
-    session.set_paused(true);
-    session.wait_until_applied();
+    advance(session, 6);
     EXPECT_GT(session.moment()->seen.milk.at(8, 8, 11), 0.9F);
 }
 
@@ -168,9 +175,8 @@ TEST(TankSession, WhatCannotBeIsToldAndChangesNothing) {
 }
 
 TEST(TankSession, AnyMomentIsShownAgainAndTheLastGoesOn) {
-    TankSession session(small_tank(), false, [] {});
-    session.set_full_speed(true);
-    wait_for_moment(session, 8);
+    TankSession session(small_tank(), true, [] {});
+    session.advance(8);
     session.show(3);
     session.wait_until_applied();
     EXPECT_TRUE(session.status().paused);
@@ -184,12 +190,11 @@ TEST(TankSession, AnyMomentIsShownAgainAndTheLastGoesOn) {
 
 /// The moment that waits at that step, when it has come.
 std::shared_ptr<const TankMoment> waiting_moment(const TankSession& session, int step) {
-    for (int i = 0; i < 6000; ++i) {
+    const auto waits = [&] {
         const auto moment = session.moment();
-        if (moment != nullptr && moment->waits && moment->seen.step == step) return moment;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return nullptr;
+        return moment != nullptr && moment->waits && moment->seen.step == step ? moment : nullptr;
+    };
+    return tests::comes_true([&] { return waits() != nullptr; }) ? waits() : nullptr;
 }
 
 TEST(TankSession, EveryMomentWaitsUntilItIsTaken) {
@@ -247,11 +252,9 @@ TEST(TankSession, APictureShowsTheTankAsItIsSeen) {
 }
 
 TEST(TankSession, StartingAgainBeginsAtNothing) {
-    TankSession session(small_tank(), false, [] {});
-    session.set_full_speed(true);
+    TankSession session(small_tank(), true, [] {});
     session.open_drains(true);
-    wait_for_moment(session, 4);
-    session.set_paused(true);
+    session.advance(4);
     session.new_tank(small_tank());
     session.wait_until_applied();
     const TankStatus status = session.status();

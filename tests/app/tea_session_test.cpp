@@ -1,6 +1,7 @@
 // A glass of milk tea on a thread of its own, and what is kept of it.
 #include "session/tea_session.hpp"
 
+#include "patience.hpp"
 #include "session/liquid_picture.hpp"
 
 #include <algorithm>
@@ -21,35 +22,38 @@ liquid::TeaSettings small_glass() {
     return settings;
 }
 
-/// Until so many steps were made, or none are any more for a minute.
 void wait_for_step(const TeaSession& session, int step) {
-    for (int i = 0; i < 6000 && session.status().last_step < step; ++i)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    ASSERT_GE(session.status().last_step, step);
+    ASSERT_TRUE(tests::comes_true([&] { return session.status().last_step >= step; }));
+}
+
+/// So many steps, whatever the clock says.
+void advance(TeaSession& session, int steps) {
+    session.advance(steps);
+    session.wait_until_applied();
 }
 
 TEST(TeaSession, PoursTheMilkOfTheRecipe) {
-    TeaSession session(small_glass(), false, [] {});
-    session.set_full_speed(true);
-    wait_for_step(session, 10);
-    session.set_paused(true);
-    session.wait_until_applied();
+    TeaSession session(small_glass(), true, [] {});
+    advance(session, 10);
     const TeaStatus status = session.status();
     EXPECT_TRUE(status.paused);
+    EXPECT_EQ(status.last_step, 10);
     EXPECT_NEAR(status.milk_m3, small_glass().milk_m3, 1e-9);
     const auto moment = session.moment();
     ASSERT_NE(moment, nullptr);
-    EXPECT_EQ(moment->seen.step, status.last_step);
+    EXPECT_EQ(moment->seen.step, 10);
     EXPECT_FALSE(moment->seen.parcels.empty());
     EXPECT_FALSE(moment->milk.triangles.empty());
 }
 
 TEST(TeaSession, StandsStillWhilePaused) {
     TeaSession session(small_glass(), true, [] {});
-    session.wait_until_applied();
-    EXPECT_EQ(session.status().last_step, 0);
-    std::this_thread::sleep_for(std::chrono::milliseconds(150));
-    EXPECT_EQ(session.status().last_step, 0);
+    // After each of them the session would make a step if it could.
+    for (int turn = 0; turn < 20; ++turn) {
+        session.set_full_speed(turn % 2 == 0);
+        session.wait_until_applied();
+        EXPECT_EQ(session.status().last_step, 0);
+    }
     session.set_paused(false);
     wait_for_step(session, 1);
 }
@@ -60,10 +64,8 @@ TEST(TeaSession, AClickPoursHoweverShortItIs) {
     settings.milk_m3 = 1e-7;
     settings.parcels = 4;
     settings.pour_s = 0.02;
-    TeaSession session(settings, false, [] {});
-    wait_for_step(session, 2);
-    session.set_paused(true);
-    session.wait_until_applied();
+    TeaSession session(settings, true, [] {});
+    advance(session, 2);
     const double before_m3 = session.status().milk_m3;
     session.set_paused(false);
     session.pour(glm::vec2(0.06F, 0.05F));
@@ -118,9 +120,8 @@ TEST(TeaSession, WhatCannotBeIsToldAndChangesNothing) {
 }
 
 TEST(TeaSession, AnyMomentIsShownAgainAndTheLastGoesOn) {
-    TeaSession session(small_glass(), false, [] {});
-    session.set_full_speed(true);
-    wait_for_step(session, 20);
+    TeaSession session(small_glass(), true, [] {});
+    session.advance(20);
     session.show(7);
     session.wait_until_applied();
     TeaStatus status = session.status();
@@ -135,10 +136,8 @@ TEST(TeaSession, AnyMomentIsShownAgainAndTheLastGoesOn) {
 }
 
 TEST(TeaSession, ANewGlassBeginsAtNothing) {
-    TeaSession session(small_glass(), false, [] {});
-    session.set_full_speed(true);
-    wait_for_step(session, 5);
-    session.set_paused(true);
+    TeaSession session(small_glass(), true, [] {});
+    session.advance(5);
     session.new_glass(small_glass());
     session.wait_until_applied();
     EXPECT_EQ(session.status().last_step, 0);
@@ -189,12 +188,11 @@ TEST(LiquidPicture, IsTracedAndEndsWhenItIsTold) {
     order.samples = 3;
     std::atomic<int> notes = 0;
     LiquidPicture picture(order, [&] { ++notes; });
-    for (int i = 0; i < 6000 && !picture.progress().finished; ++i)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    ASSERT_TRUE(picture.progress().finished);
+    ASSERT_TRUE(tests::comes_true([&] { return picture.progress().finished; }));
     EXPECT_EQ(picture.progress().samples, 3);
     EXPECT_EQ(picture.progress().error, "");
-    EXPECT_GE(notes.load(), 3);
+    // The word of the last one comes a moment after it.
+    EXPECT_TRUE(tests::comes_true([&] { return notes >= 3; }));
     ASSERT_NE(picture.shown(), nullptr);
     const std::vector<std::uint8_t>& shown = picture.shown()->rgb;
     EXPECT_EQ(shown.size(), 3U * 24U * 24U);
@@ -204,9 +202,7 @@ TEST(LiquidPicture, IsTracedAndEndsWhenItIsTold) {
     order.samples = 1000000;
     LiquidPicture endless(order, [] {});
     endless.stop();
-    for (int i = 0; i < 6000 && !endless.progress().finished; ++i)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    EXPECT_TRUE(endless.progress().finished);
+    EXPECT_TRUE(tests::comes_true([&] { return endless.progress().finished; }));
     EXPECT_LT(endless.progress().samples, 1000000);
 }
 
@@ -219,8 +215,7 @@ TEST(LiquidPicture, TellsWhyThereIsNone) {
     };
     order.width = 0;
     LiquidPicture picture(order, [] {});
-    for (int i = 0; i < 6000 && !picture.progress().finished; ++i)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_TRUE(tests::comes_true([&] { return picture.progress().finished; }));
     EXPECT_NE(picture.progress().error, "");
 }
 
