@@ -22,6 +22,9 @@ using testing::HasSubstr;
 constexpr double kVolumeError = 0.08;
 constexpr int kFrames = 15;
 
+/// Of a run that is stopped on its way, however late the signal comes.
+constexpr const char* kEndless_s = "3600";
+
 /// Columns of a table of numbers, by their names.
 using Series = std::map<std::string, std::vector<double>>;
 
@@ -59,6 +62,15 @@ class CliTank : public LiquidTest {
             }
         }
         return found;
+    }
+    /// So many seconds are half of one after the last surface in that folder.
+    std::string half_a_second_after(const std::string& name) const {
+        int last = 0;
+        for (const std::string& file : files_in(name)) {
+            int frame = 0;
+            if (std::sscanf(file.c_str(), "liquid_%d.stl", &frame) == 1) last = std::max(last, frame);
+        }
+        return std::to_string((last + kFrames) / 30.0);
     }
     /// All but what depends on the machine's speed.
     void expect_same_series(const std::string& name, const std::string& other) const {
@@ -149,19 +161,20 @@ TEST_F(CliTank, EveryMethodRunsAndThreadsDoNotMatter) {
 
 TEST_F(CliTank, AfterCtrlCItGoesOnToTheSameBits) {
     for (const std::string method : {"particles", "particle_level_set"}) {
-        const auto run_into = [&](const std::string& into) {
+        const auto run_into = [&](const std::string& into, const std::string& seconds) {
             return tank({"--method", method, "--frames", path(into), "--format", "stl", "--stats",
                          path(into + ".json")},
-                        "1");
+                        seconds);
         };
         const std::string whole = method + "-whole", kept = method + "-kept";
-        ASSERT_EQ(run_cli(run_into(whole)).status, 0);
-        const RunResult stopped =
-            interrupt_program("pastoso-cli", run_into(kept), path(kept + "/liquid_0004.stl"));
+        const RunResult stopped = interrupt_program("pastoso-cli", run_into(kept, kEndless_s),
+                                                    path(kept + "/liquid_0004.stl"));
         ASSERT_EQ(stopped.status, 130);
         ASSERT_TRUE(fs::exists(path(kept + "/checkpoint.tank")));
+        const std::string seconds = half_a_second_after(kept);
+        ASSERT_EQ(run_cli(run_into(whole, seconds)).status, 0);
         ASSERT_LT(files_in(kept).size(), files_in(whole).size());
-        const RunResult again = run_cli(run_into(kept));
+        const RunResult again = run_cli(run_into(kept, seconds));
         ASSERT_EQ(again.status, 0) << again.errors;
         EXPECT_EQ(again.errors, "");
         EXPECT_LT(json(kept + ".json").at("steps").get<int>(),
@@ -177,16 +190,18 @@ TEST_F(CliTank, AfterCtrlCItGoesOnToTheSameBits) {
 }
 
 TEST_F(CliTank, AKilledTankGoesOnFromItsLastCheckpoint) {
-    const auto run_into = [&](const std::string& into) {
+    const auto run_into = [&](const std::string& into, const std::string& seconds) {
         return tank({"--frames", path(into), "--format", "stl", "--every", "5", "--checkpoint", "0",
                      "--stats", path(into + ".json")},
-                    "1");
+                    seconds);
     };
-    ASSERT_EQ(run_cli(run_into("whole")).status, 0);
-    ASSERT_EQ(
-        interrupt_program("pastoso-cli", run_into("kept"), path("kept/liquid_0010.stl"), SIGKILL).status,
-        128 + SIGKILL);
-    ASSERT_EQ(run_cli(run_into("kept")).status, 0);
+    ASSERT_EQ(interrupt_program("pastoso-cli", run_into("kept", kEndless_s),
+                                path("kept/liquid_0010.stl"), SIGKILL)
+                  .status,
+              128 + SIGKILL);
+    const std::string seconds = half_a_second_after("kept");
+    ASSERT_EQ(run_cli(run_into("whole", seconds)).status, 0);
+    ASSERT_EQ(run_cli(run_into("kept", seconds)).status, 0);
     EXPECT_LT(json("kept.json").at("steps").get<int>(), json("whole.json").at("steps").get<int>());
     EXPECT_EQ(json("kept.json").at("state_hash"), json("whole.json").at("state_hash"));
     expect_same_series("kept/series.csv", "whole/series.csv");

@@ -1,7 +1,6 @@
 #include "core/background_thread.hpp"
 
 #include <atomic>
-#include <chrono>
 #include <future>
 #include <thread>
 #include <vector>
@@ -48,17 +47,27 @@ TEST(BackgroundThread, WaitsForTheJobUnderWayAtItsEnd) {
 
 TEST(BackgroundThread, JobsRestWhileItIsHeld) {
     BackgroundThread thread;
-    std::promise<void> done;
-    std::future<void> end = done.get_future();
+    std::atomic<bool> begun = false, may_go_on = false;
+    std::promise<bool> rested;
+    std::future<bool> end = rested.get_future();
     {
-        const BackgroundThread::Hold one(thread), another(thread);
-        thread.add([&] {
-            thread.rest_while_held();
-            done.set_value();
-        });
-        EXPECT_EQ(end.wait_for(std::chrono::milliseconds(20)), std::future_status::timeout);
+        const BackgroundThread::Hold one(thread);
+        {
+            const BackgroundThread::Hold another(thread);
+            thread.add([&] {
+                begun = true;
+                begun.notify_all();
+                thread.rest_while_held();
+                rested.set_value(may_go_on.load());
+            });
+            begun.wait(false);
+        }
+        // The job has every opportunity to go on too early.
+        for (int turn = 0; turn < 1000; ++turn)
+            std::this_thread::yield();
+        may_go_on = true;
     }
-    end.get();
+    EXPECT_TRUE(end.get());
 }
 
 }  // namespace

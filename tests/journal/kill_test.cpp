@@ -1,17 +1,20 @@
-// A program that paints, saves, undoes and writes checkpoints is killed at random moments: what its
-// journal gives is the painting of at most a second before, to the bit.
+// A program that paints, saves, undoes and writes checkpoints is killed after a number of actions that
+// follows from a seed: its journal soon holds what was done, and what it holds comes back, to the bit.
 #include "core/random.hpp"
+#include "core/text_file.hpp"
 #include "document/painting.hpp"
 #include "document/player.hpp"
 #include "io/temporary_folder.hpp"
 #include "journal/hasty_actions.hpp"
+#include "journal/journal_file.hpp"
 #include "journal/recovery.hpp"
+#include "patience.hpp"
 
 #include <fstream>
 #include <optional>
 #include <signal.h>
+#include <span>
 #include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
 
 #include <gmock/gmock.h>
@@ -26,24 +29,64 @@ using document::Event;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-std::int64_t now_ns() {
-    return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// What the killed program had certainly done at a moment.
+/// What a painting has certainly come to.
 struct Progress {
-    std::size_t actions = 0;
+    std::size_t actions = 0;  ///< of the painter
+    std::size_t events = 0;   ///< of the recording, its past included
     std::int64_t tick = 0;
 };
 
-Progress progress_at(const fs::path& file, std::int64_t when_ns) {
+/// As the program told last.
+Progress told(const fs::path& file) {
     std::ifstream lines(file);
     Progress latest, line;
-    std::int64_t time_ns = 0;
-    while (lines >> time_ns >> line.actions >> line.tick)
-        if (time_ns <= when_ns) latest = line;
+    while (lines >> line.actions >> line.events >> line.tick)
+        latest = line;
     return latest;
 }
+
+/// As the journal has it that is being written, after `past_events`.
+Progress written(const fs::path& file, std::size_t past_events) {
+    const std::string text = core::read_text_file(file);
+    const JournalContent content = parse_journal(std::as_bytes(std::span(text)), file.string());
+    if (content.runs.empty()) return {};
+    const Run& run = content.runs.back();
+    return {0, past_events + run.end_event(), run.recording.end_tick};
+}
+
+/// The program that paints; killed where this ends.
+class PainterProgram {
+  public:
+    PainterProgram(const fs::path& folder, std::uint32_t seed, const fs::path& project) {
+        const std::string seed_text = std::to_string(seed);
+        pid_ = ::fork();
+        if (pid_ != 0) return;
+        ::execl(PASTOSO_PAINTER, PASTOSO_PAINTER, folder.c_str(), seed_text.c_str(),
+                project.empty() ? nullptr : project.c_str(), nullptr);
+        ::_exit(127);
+    }
+    ~PainterProgram() {
+        ::kill(pid_, SIGKILL);
+        ::waitpid(pid_, nullptr, 0);
+    }
+    PainterProgram(const PainterProgram&) = delete;
+    PainterProgram& operator=(const PainterProgram&) = delete;
+
+    /// Waits until the condition holds; false when it never will, because the program has ended.
+    template <class Condition>
+    bool comes_to(const Condition& condition) const {
+        return tests::comes_true([&] { return condition() || has_ended(); }) && !has_ended();
+    }
+
+  private:
+    bool has_ended() const {
+        siginfo_t info{};
+        return ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+               info.si_pid != 0;
+    }
+
+    pid_t pid_ = -1;
+};
 
 class Kill : public io::TemporaryFolder {
   protected:
@@ -52,27 +95,25 @@ class Kill : public io::TemporaryFolder {
         root = folder / kJournalsName;
     }
 
-    /// Starts the painter, and kills it so long after its first actions. Returns the moment.
-    std::int64_t paint_and_kill(std::uint32_t seed, const fs::path& project, double after_s) {
+    /// Has a painter paint until it is killed: after so many of its actions and some more, once those
+    /// are in its journal. Returns what was there by then.
+    Progress paint_and_kill(std::uint32_t seed, const fs::path& project, std::size_t past_events,
+                            std::size_t actions, std::size_t more) {
         fs::remove(folder / kProgressName);
-        const std::string seed_text = std::to_string(seed);
-        const pid_t child = ::fork();
-        if (child == 0) {
-            ::execl(PASTOSO_PAINTER, PASTOSO_PAINTER, folder.c_str(), seed_text.c_str(),
-                    project.empty() ? nullptr : project.c_str(), nullptr);
-            ::_exit(127);
-        }
-        while (progress_at(folder / kProgressName, now_ns()).actions == 0) {
-            if (::waitpid(child, nullptr, WNOHANG) != 0) ADD_FAILURE() << "the painter ended by itself";
-            if (HasFailure()) return 0;
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-        }
-        std::this_thread::sleep_for(std::chrono::duration<double>(after_s));
-        const std::int64_t killed_ns = now_ns();
-        ::kill(child, SIGKILL);
-        ::waitpid(child, nullptr, 0);
-        return killed_ns;
+        const PainterProgram painter(folder, seed, project);
+        const auto has_done = [&](std::size_t wanted) {
+            return painter.comes_to([&] { return told(folder / kProgressName).actions >= wanted; });
+        };
+        EXPECT_TRUE(has_done(actions));
+        const Progress done = told(folder / kProgressName);
+        EXPECT_TRUE(painter.comes_to([&] {
+            const Progress kept = written(journal_file(), past_events);
+            return kept.events >= done.events && kept.tick >= done.tick;
+        }));
+        EXPECT_TRUE(has_done(told(folder / kProgressName).actions + more));
+        return done;
     }
+    fs::path journal_file() const { return fs::directory_iterator(root)->path() / kStrokesFile; }
 
     std::uint64_t hash_of_replay(const document::Recording& recording) {
         document::Painting painting(recording.canvas, pool);
@@ -126,8 +167,7 @@ class Kill : public io::TemporaryFolder {
     core::ThreadPool pool{1};
 };
 
-TEST_F(Kill, LosesAtMostTheLastSecond) {
-    constexpr std::int64_t kSecond_ns = 1'000'000'000;
+TEST_F(Kill, WhatWasDoneIsSoonKeptAndComesBack) {
     std::optional<Recovered> before;
     for (std::uint32_t seed = 0; seed < PASTOSO_KILLS; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -137,8 +177,10 @@ TEST_F(Kill, LosesAtMostTheLastSecond) {
         const document::Recording past = start.empty() ? document::Recording{} : before->strokes;
         fs::remove(folder / kSavedName);
 
-        const double after_s = 3.0 * core::uniform_noise(seed, 77);
-        const std::int64_t killed_ns = paint_and_kill(seed, start, after_s);
+        // Up to three seconds of painting, and any moment between two writes of the journal.
+        const auto actions = static_cast<std::size_t>(1.0 + 600.0 * core::uniform_noise(seed, 77));
+        const auto more = static_cast<std::size_t>(100.0 * core::uniform_noise(seed, 78));
+        const Progress least = paint_and_kill(seed, start, past.events.size(), actions, more);
         ASSERT_FALSE(HasFailure());
         const std::vector<fs::path> journals = abandoned_journals(root);
         ASSERT_THAT(journals, SizeIs(1));
@@ -147,8 +189,8 @@ TEST_F(Kill, LosesAtMostTheLastSecond) {
         before = recover(claim->folder(), pool);
         EXPECT_THAT(before->notes, IsEmpty());
 
-        const Progress least = progress_at(folder / kProgressName, killed_ns - kSecond_ns);
         EXPECT_GE(expect_hasty(before->strokes, past, seed), least.actions);
+        EXPECT_GE(before->strokes.events.size(), least.events);
         EXPECT_GE(before->painting.tick, least.tick);
         EXPECT_EQ(hash_of_replay(before->strokes), document::state_hash(before->painting));
         expect_whole_save(seed, past);

@@ -1,6 +1,6 @@
 // restless_painter FOLDER SEED [PROJECT]: paints in a session with a journal until it is killed, saving
-// now and then, and tells in a file how far it is: lines of "nanoseconds actions ticks" of what is
-// certainly applied.
+// now and then, and tells in a file how far it is: lines of "actions events ticks" of what is certainly
+// applied. An action that changes nothing, as Undo at the beginning, is no event of the recording.
 #include "journal/hasty_actions.hpp"
 #include "journal/recovery.hpp"
 #include "project/project.hpp"
@@ -73,8 +73,7 @@ class Saver {
             std::this_thread::sleep_for(std::chrono::milliseconds(4));
             if (++done % 8 != 0) continue;
             session->wait_until_applied();
-            const auto now = std::chrono::steady_clock::now().time_since_epoch();
-            progress << std::chrono::nanoseconds(now).count() << ' ' << done << ' '
+            progress << done << ' ' << session->recording().events.size() << ' '
                      << session->status().tick << std::endl;
         }
         if (turn % 6 == 5) saver.save();
