@@ -66,6 +66,7 @@ void Exporter::end(ExportOutcome outcome) {
         [this, outcome = std::move(outcome)] {
             busy_ = false;
             progress_.stop();
+            Q_EMIT progressed(done_);
             Q_EMIT finished(outcome);
         },
         Qt::QueuedConnection);

@@ -55,7 +55,7 @@ class Exporter : public QObject {
     void stop() { stopped_ = true; }
 
   Q_SIGNALS:
-    void progressed(double done);  ///< a few times a second: 0 to 1
+    void progressed(double done);  ///< a few times a second, and at its end: 0 to 1
     void finished(const pastoso::commands::ExportOutcome& outcome);
 
   private:

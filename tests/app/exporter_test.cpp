@@ -6,6 +6,7 @@
 #include "document/painting.hpp"
 #include "io/image.hpp"
 #include "io/video_file.hpp"
+#include "patience.hpp"
 
 #include <optional>
 
@@ -20,6 +21,8 @@ using namespace document;
 using testing::EndsWith;
 using testing::HasSubstr;
 using Path = std::filesystem::path;
+
+constexpr const char* kNoVideos = "packaging/install.sh test installs ffmpeg, which makes videos";
 
 CanvasSettings small_canvas() {
     CanvasSettings canvas;
@@ -88,7 +91,7 @@ class ExporterTest : public ::testing::Test {
     void start(const io::ExportChoice& choice) { exporter_.start({painted(stroke_), {}, choice}); }
     void start(const io::TimelapseChoice& choice) { exporter_.start({{}, stroke_, choice}); }
     ExportOutcome ended() {
-        constexpr int kPatience_ms = 120000;
+        constexpr int kPatience_ms = std::chrono::milliseconds(tests::kPatience).count();
         EXPECT_TRUE(QTest::qWaitFor([this] { return outcome_.has_value(); }, kPatience_ms));
         EXPECT_FALSE(exporter_.busy());
         return outcome_.value_or(ExportOutcome{});
@@ -164,7 +167,7 @@ TEST_F(ExporterTest, ATimeLapseIsPaintedOnceMore) {
 }
 
 TEST_F(ExporterTest, AVideoIsMadeWhereFfmpegIs) {
-    if (io::find_program("ffmpeg").empty()) GTEST_SKIP() << "no ffmpeg";
+    ASSERT_FALSE(io::find_program("ffmpeg").empty()) << kNoVideos;
     expect_written(film("film.mkv"));
     EXPECT_THAT(core::read_text_file(path("film.mkv")), HasSubstr("matroska"));
 }
@@ -194,7 +197,7 @@ TEST_F(ExporterTest, WhatIsStoppedLeavesEveryFileAsItWas) {
 }
 
 TEST_F(ExporterTest, AStoppedVideoLeavesTheOldOne) {
-    if (io::find_program("ffmpeg").empty()) GTEST_SKIP() << "no ffmpeg";
+    ASSERT_FALSE(io::find_program("ffmpeg").empty()) << kNoVideos;
     core::write_text_file(path("film.mp4"), "old");
     stroke_.end_tick = 100000;
     io::TimelapseChoice choice = film("film.mp4");
