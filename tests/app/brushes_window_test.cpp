@@ -40,7 +40,7 @@ class BrushesWindow : public WindowTest {
         ::setenv("XDG_DATA_HOME", home_.path().c_str(), 1);
         write_files();
         WindowTest::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
+        if (HasFatalFailure()) return;
         give(Command::Pause);
     }
     void TearDown() override {

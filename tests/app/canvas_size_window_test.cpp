@@ -27,7 +27,7 @@ class CanvasSize : public WindowTest {
   protected:
     void SetUp() override {
         WindowTest::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
+        if (HasFatalFailure()) return;
         give(Command::Pause);
         window().easel().take_brush("Flat bristle 20", 4.0);
         settle();

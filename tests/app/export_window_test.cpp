@@ -40,7 +40,7 @@ class ExportWindow : public WindowTest {
     void SetUp() override {
         search_path_ = std::getenv("PATH");
         WindowTest::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
+        if (HasFatalFailure()) return;
         action(Command::Pause)->trigger();
         stroke(20.0);
     }
@@ -305,7 +305,7 @@ TEST_F(ExportWindow, AFileThatIsThereIsReplacedOnDemandAlone) {
 TEST_F(ExportWindow, KeysAloneMakeAPictureOfTheWantedSize) {
     QTest::keyClick(&canvas(), Qt::Key_E, Qt::ControlModifier | Qt::AltModifier);
     ASSERT_NE(dialog(), nullptr);
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog()));
+    wait_until_shown(*dialog());
     QApplication::setActiveWindow(dialog());
     const auto keys = [](const std::string& text) {
         QTest::keyClicks(QApplication::focusWidget(), QString::fromStdString(text));

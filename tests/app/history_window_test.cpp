@@ -18,7 +18,7 @@ class HistoryWindow : public WindowTest {
   protected:
     void SetUp() override {
         WindowTest::SetUp();
-        if (IsSkipped()) return;
+        if (HasFatalFailure()) return;
         action(Command::Pause)->trigger();
         action(Command::HistoryPanel)->trigger();
     }

@@ -94,14 +94,14 @@ class Keyboard : public WindowTest {
   protected:
     void SetUp() override {
         WindowTest::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
+        if (HasFatalFailure()) return;
         action(Command::Pause)->trigger();
         settle();
     }
 
     static void open(QWidget& dialog) {
         dialog.show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+        wait_until_shown(dialog);
         QApplication::setActiveWindow(&dialog);
         QApplication::processEvents();
         // From its first key on a window shows what has the keyboard.

@@ -29,7 +29,7 @@ class LayersWindow : public WindowTest {
   protected:
     void SetUp() override {
         WindowTest::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
+        if (HasFatalFailure()) return;
         give(Command::Pause);
     }
 

@@ -333,7 +333,7 @@ TEST_F(Looks, AContextThatIsLostLeavesThePictureAsItWas) {
         layout->addWidget(&canvas());
         other.resize(size);
         other.show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(&other));
+        wait_until_shown(other);
         EXPECT_EQ(lost, 1);
         canvas().set_view(view);
         EXPECT_EQ(difference(picture(), before).largest, 0);

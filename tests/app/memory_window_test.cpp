@@ -145,7 +145,7 @@ TEST_F(MemoryWindow, AFloatingWellComesBackWhereItFloated) {
     give(Command::MixingWell);
     dock("well_panel").setFloating(true);
     dock("well_panel").setGeometry(300, 200, 380, 420);
-    QTest::qWait(50);
+    wait_until_shown(dock("well_panel"));
     const QSize size = dock("well_panel").size();
     start_again();
     EXPECT_TRUE(dock("well_panel").isFloating());

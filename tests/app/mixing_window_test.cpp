@@ -29,7 +29,7 @@ class MixingWindow : public WindowTest {
   protected:
     void SetUp() override {
         WindowTest::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
+        if (HasFatalFailure()) return;
         give(Command::Pause);
         give(Command::ColourPanel);
     }
@@ -209,7 +209,7 @@ class Eyedropper : public MixingWindow {
   protected:
     void SetUp() override {
         MixingWindow::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
+        if (HasFatalFailure()) return;
         window().easel().choose_paint({{{"PB29", 62.0}, {"PW6", 38.0}}, 1.0});
         for (int i = 0; i < 2; ++i)
             mouse_stroke(line_mm({15.0, 20.0}, {45.0, 20.0}));

@@ -81,7 +81,8 @@ TEST_F(Navigation, FitAndActualPixels) {
 }
 
 TEST_F(Navigation, NoTwoCommandsOfAModeShareAKey) {
-    for (const commands::Mode mode : {commands::Mode::Painting, commands::Mode::Tea, commands::Mode::Tank}) {
+    for (const commands::Mode mode :
+         {commands::Mode::Painting, commands::Mode::Tea, commands::Mode::Tank}) {
         std::set<QString> keys;
         for (const commands::CommandText& text : commands::command_list()) {
             if (!commands::meet(text.mode, mode)) continue;

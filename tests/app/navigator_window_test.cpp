@@ -23,7 +23,7 @@ class Navigator : public WindowTest {
   protected:
     void SetUp() override {
         WindowTest::SetUp();
-        if (IsSkipped()) return;
+        if (HasFatalFailure()) return;
         action(Command::NavigatorPanel)->trigger();
         wait_for([this] { return colour_on_map({30.0, 20.0}).lightness() > 180; });
         canvas().zoom_about_centre(4.0);

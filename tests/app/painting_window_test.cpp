@@ -21,7 +21,7 @@ class PaintingWindow : public WindowTest {
 
 /// Paint that is not moved by gravity or yield while a test looks at it.
 void hold_still(main::MainWindow& window) {
-    window.commands().action(Command::Pause)->trigger();
+    window.window().commands().action(Command::Pause)->trigger();
 }
 
 TEST_F(PaintingWindow, StandsReadyToPaint) {

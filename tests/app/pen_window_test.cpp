@@ -32,7 +32,7 @@ class PenWindow : public WindowTest {
         QTest::keyClick(&canvas(), Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
         auto* dialog = window().findChild<panels::PenDialog*>();
         EXPECT_NE(dialog, nullptr);
-        EXPECT_TRUE(QTest::qWaitForWindowExposed(dialog));
+        wait_until_shown(*dialog);
         return *dialog;
     }
     template <class Widget>

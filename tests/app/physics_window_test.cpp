@@ -26,7 +26,7 @@ class PhysicsWindow : public WindowTest {
   protected:
     void SetUp() override {
         WindowTest::SetUp();
-        if (!IsSkipped()) action(Command::PhysicsPanel)->trigger();
+        if (!HasFatalFailure()) action(Command::PhysicsPanel)->trigger();
     }
     template <class Widget>
     Widget& find(const char* name) {

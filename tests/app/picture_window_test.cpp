@@ -23,7 +23,7 @@ class PictureWindow : public WindowTest {
   protected:
     void SetUp() override {
         WindowTest::SetUp();
-        if (IsSkipped()) return;
+        if (HasFatalFailure()) return;
         window().commands().action(Command::Pause)->trigger();
         mouse_stroke(line_mm({12.0, 12.0}, {48.0, 30.0}));
         window().easel().choose_paint({{{"PY35", 1.0}}, 1.0});

@@ -31,7 +31,7 @@ class PopupWindow : public WindowTest {
         press({30.0, 20.0}, Qt::RightButton);
         release({30.0, 20.0}, Qt::RightButton);
         ASSERT_TRUE(is_open());
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(&palette()));
+        wait_until_shown(palette());
     }
     QList<RoundButton*> buttons(const char* name) {
         return palette().findChildren<RoundButton*>(QString::fromUtf8(name));
@@ -138,7 +138,7 @@ TEST_F(PopupWindow, KeysGoThroughItsRings) {
     canvas().setFocus();
     key(Qt::Key_Menu);
     ASSERT_TRUE(is_open());
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&palette()));
+    wait_until_shown(palette());
     EXPECT_EQ(focused(), "popup_tool");
     key(Qt::Key_Down);
     EXPECT_EQ(focused(), "popup_paint");

@@ -23,7 +23,7 @@ class ProjectWindow : public WindowTest {
     void SetUp() override {
         ::setenv("XDG_DATA_HOME", data.path().c_str(), 1);
         WindowTest::SetUp();
-        if (IsSkipped()) return;
+        if (HasFatalFailure()) return;
         window().commands().action(Command::Pause)->trigger();
     }
     void TearDown() override {
@@ -72,7 +72,8 @@ TEST_F(ProjectWindow, AFileThatIsNoneLeavesThePaintingOnTheEasel) {
     settle();
     const std::uint64_t before = state();
     core::write_text_file(path("bad.pastoso"), "nothing");
-    EXPECT_THROW(window().open_painting(QString::fromStdString(path("bad.pastoso"))), core::InputError);
+    EXPECT_THROW(window().open_painting(QString::fromStdString(path("bad.pastoso"))),
+                 core::InputError);
     EXPECT_EQ(state(), before);
     EXPECT_TRUE(window().isWindowModified());
     EXPECT_THAT(window().windowTitle().toStdString(), testing::StartsWith("Canvas[*] "));

@@ -19,7 +19,7 @@ class RecoveryWindow : public WindowTest {
   protected:
     void SetUp() override {
         WindowTest::SetUp();
-        if (!IsSkipped()) pause();
+        if (!HasFatalFailure()) pause();
     }
     void pause() { window().commands().action(commands::Command::Pause)->trigger(); }
 

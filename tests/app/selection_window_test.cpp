@@ -26,7 +26,7 @@ class SelectionWindow : public WindowTest {
   protected:
     void SetUp() override {
         WindowTest::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
+        if (HasFatalFailure()) return;
         give(Command::Pause);
         window().easel().take_brush("Flat bristle 20", 4.0);
         cell_mm_ = session().snapshot()->film.cell_mm;

@@ -228,9 +228,17 @@ TEST_F(SettingsWindow, SavesByItselfWhereThereIsAFileAndAChangeButNotWithinAStro
     auto& timer = *window().findChild<QTimer*>(QStringLiteral("autosave"));
     EXPECT_EQ(timer.interval(), 60000);
     timer.start(20);
+    int times = 0;
+    const QObject counting;
+    QObject::connect(&timer, &QTimer::timeout, &counting, [&times] { ++times; });
+    const auto let_it_come_due = [&] {
+        const int wanted = times + 3;
+        wait_for([&] { return times >= wanted; });
+        window().project_saver().wait();
+    };
     mouse_stroke(line_mm({10, 10}, {30, 20}));
     wait_for([&] { return window().isWindowModified(); });
-    QTest::qWait(100);
+    let_it_come_due();
     EXPECT_TRUE(window().isWindowModified());
 
     const std::filesystem::path file = data_file("own.pastoso");
@@ -238,14 +246,13 @@ TEST_F(SettingsWindow, SavesByItselfWhereThereIsAFileAndAChangeButNotWithinAStro
     window().save_painting(QString::fromStdString(file.string()));
     window().project_saver().wait();
     const auto first = std::filesystem::last_write_time(file);
-    QTest::qWait(100);
-    window().project_saver().wait();
+    let_it_come_due();
     EXPECT_EQ(std::filesystem::last_write_time(file), first);
 
     press({10, 15});
     move({20, 18});
     wait_for([&] { return session().status().stroke_in_progress; });
-    QTest::qWait(100);
+    let_it_come_due();
     EXPECT_EQ(std::filesystem::last_write_time(file), first);
     release({20, 18});
     wait_for([&] { return std::filesystem::last_write_time(file) != first; });

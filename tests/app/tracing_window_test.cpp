@@ -24,7 +24,7 @@ class TracingWindow : public WindowTest {
   protected:
     void SetUp() override {
         WindowTest::SetUp();
-        if (IsSkipped()) return;
+        if (HasFatalFailure()) return;
         action(Command::Pause)->trigger();
         // Left half blue, right half green.
         layers::Picture picture{40, 20, {}};
@@ -189,7 +189,8 @@ TEST_F(TracingWindow, ComesBackWithThePaintingAndGoesWhenTakenAway) {
 
 TEST_F(TracingWindow, WhatIsNoPictureIsToldAndNothingChanges) {
     core::write_text_file(path(), "none");
-    EXPECT_THROW(window().trace_picture(QString::fromStdString(path().string())), core::InputError);
+    EXPECT_THROW(window().trace_picture(QString::fromStdString(path().string())),
+                 core::InputError);
     EXPECT_EQ(tracing(), nullptr);
 }
 

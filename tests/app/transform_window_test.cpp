@@ -26,7 +26,7 @@ class TransformWindow : public WindowTest {
   protected:
     void SetUp() override {
         WindowTest::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
+        if (HasFatalFailure()) return;
         give(Command::Pause);
         window().easel().take_brush("Flat bristle 20", 4.0);
         mouse_stroke(line_mm({10.0, 10.0}, {20.0, 14.0}));

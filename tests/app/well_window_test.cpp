@@ -18,7 +18,7 @@ class WellWindow : public WindowTest {
   protected:
     void SetUp() override {
         WindowTest::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
+        if (HasFatalFailure()) return;
         give(Command::Pause);
     }
 
@@ -26,7 +26,7 @@ class WellWindow : public WindowTest {
     QDockWidget& panel() { return *window().findChild<QDockWidget*>(QStringLiteral("well_panel")); }
     void open_panel() {
         give(Command::MixingWell);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return window().well().finished(); }, 60000));
+        wait_for([&] { return window().well().finished(); });
     }
     void choose(const char* pigment) { window().easel().choose_paint({{{pigment, 1.0}}, 1.0}); }
 
@@ -132,10 +132,10 @@ TEST_F(WellWindow, AFloatingPanelShowsTheSame) {
     window().easel().squeeze(60.0, 45.0);
     EXPECT_GT(well_colour({60.0, 45.0}).red(), well_colour({60.0, 45.0}).blue() + 80);
     panel().setFloating(true);
-    QTest::qWait(50);
+    wait_until_shown(panel());
     EXPECT_GT(well_colour({60.0, 45.0}).red(), well_colour({60.0, 45.0}).blue() + 80);
     panel().setFloating(false);
-    QTest::qWait(50);
+    wait_until_shown(window().well());
     EXPECT_GT(well_colour({60.0, 45.0}).red(), well_colour({60.0, 45.0}).blue() + 80);
 }
 

@@ -3,6 +3,7 @@
 #include "appearance/theme.hpp"
 #include "main/program/application.hpp"
 #include "main/program/display.hpp"
+#include "patience.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@
 #include <private/qhighdpiscaling_p.h>
 
 #include <QApplication>
-#include <QElapsedTimer>
 #include <QStatusBar>
 #include <QSurfaceFormat>
 #include <QTest>
@@ -19,6 +19,8 @@
 
 namespace pastoso::tests {
 namespace {
+
+constexpr int kPatience_ms = std::chrono::milliseconds(kPatience).count();
 
 const QPointingDevice* stylus() {
     using Capability = QInputDevice::Capability;
@@ -82,7 +84,7 @@ void send_mouse(view::CanvasView& canvas, QEvent::Type type, const glm::dvec2& p
 
 void WindowTest::SetUp() {
     if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) {
-        GTEST_SKIP() << "no display: run under packaging/test.sh or xvfb-run";
+        GTEST_FAIL() << "no display: run under packaging/test.sh or xvfb-run";
     }
     make_application();
     ASSERT_EQ(main::opengl_problem(), std::nullopt);
@@ -105,7 +107,7 @@ void WindowTest::open_another() {
     window_ = std::make_unique<main::MainWindow>(canvas_settings());
     window_->resize(1180, 640);
     window_->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    wait_until_shown(*window_);
     // Within this program alone: the tests beside it share the display, which has one focus.
     QApplication::setActiveWindow(window_.get());
     settle();
@@ -194,8 +196,11 @@ void WindowTest::pen_over(QWidget& widget, const QPointF& place, Qt::MouseButton
 }
 
 void WindowTest::wait_for(const std::function<bool()>& condition) {
-    constexpr int kPatience_ms = 60000;
     ASSERT_TRUE(QTest::qWaitFor(condition, kPatience_ms));
+}
+
+void WindowTest::wait_until_shown(QWidget& widget) {
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&widget, kPatience_ms));
 }
 
 void WindowTest::settle() {

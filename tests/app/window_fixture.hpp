@@ -16,7 +16,7 @@
 
 namespace pastoso::tests {
 
-/// Skips where there is no display.
+/// Fails where there is no display.
 class WindowTest : public ::testing::Test {
   protected:
     void SetUp() override;
@@ -45,8 +45,10 @@ class WindowTest : public ::testing::Test {
     void pen_over(QWidget& widget, const QPointF& place, Qt::MouseButtons buttons, const Pen& pen);
     void pen_stroke_on(view::CanvasView& view, const std::vector<glm::dvec2>& path_mm, const Pen& pen);
 
-    /// Handles events until the condition holds; fails the test when it does not within a minute.
+    /// Handles events until the condition holds, however long that takes (patience.hpp).
     void wait_for(const std::function<bool()>& condition);
+    /// The same until the window of this widget stands on the screen.
+    void wait_until_shown(QWidget& widget);
 
     /// Until everything posted is applied and the canvas shows it.
     void settle();
