@@ -13,6 +13,7 @@
 #include "main/program/language.hpp"
 #include "main/program/machine_facts.hpp"
 #include "main/program/preference_commands.hpp"
+#include "main/window_parts.hpp"
 #include "project/project.hpp"
 
 #include <cstdio>
@@ -47,7 +48,8 @@ void take_screenshot_later(MainWindow& window, const Arguments& arguments) {
     auto* poll = new QTimer(&window);
     QObject::connect(poll, &QTimer::timeout, &window, [&window, path, poll] {
         poll->setInterval(50);
-        if (!window.canvas().finished() && window.session().status().awake_tiles == 0) return;
+        if (!window.studio().canvas().finished() && window.studio().session().status().awake_tiles == 0)
+            return;
         poll->stop();
         const bool saved = window.grab().save(path);
         QApplication::exit(saved ? EXIT_SUCCESS : fail("Cannot write " + path.toStdString() + "."));
@@ -64,9 +66,9 @@ void meet_painter(MainWindow& window, bool with_page) {
         dialog.exec();
     }
     if (with_page)
-        window.welcome();
+        window.parts().start.welcome();
     else
-        window.offer_recovery();
+        window.parts().files.offer_recovery();
 }
 
 void use(const pastoso::tools::Preferences& preferences) {
@@ -83,9 +85,9 @@ void guard_against_crashes() {
 /// As soon as the canvas has its context: one made for a few words alone would cost every start.
 void note_graphics(MainWindow& window) {
     QObject::connect(
-        &window.canvas(), &QOpenGLWidget::aboutToResize, &window,
+        &window.studio().canvas(), &QOpenGLWidget::aboutToResize, &window,
         [&window] {
-            const auto facts = pastoso::main::machine_facts(window.canvas());
+            const auto facts = pastoso::main::machine_facts(window.studio().canvas());
             pastoso::crash::note_facts(pastoso::main::words_of(facts).toStdString());
         },
         Qt::SingleShotConnection);
@@ -97,10 +99,10 @@ int run(QApplication& application, const Arguments& arguments,
     const bool opens = arguments.file && pastoso::project::is_project_path(*arguments.file);
     if (arguments.file && !opens) recording = pastoso::io::read_recording_json(*arguments.file);
     MainWindow window(recording.canvas, !arguments.screenshot, preferences);
-    if (opens) window.open_painting(QString::fromStdString(arguments.file->string()));
+    if (opens) window.parts().files.open_painting(QString::fromStdString(arguments.file->string()));
     if (arguments.file && !opens) window.replay(recording);
     QObject::connect(
-        &window.canvas(), &pastoso::view::CanvasView::failed, &application,
+        &window.studio().canvas(), &pastoso::view::CanvasView::failed, &application,
         [](const QString& sentence) { QApplication::exit(fail(sentence.toStdString())); },
         Qt::QueuedConnection);
     note_graphics(window);
@@ -113,7 +115,7 @@ int run(QApplication& application, const Arguments& arguments,
         });
     if (!arguments.profile) return QApplication::exec();
     const auto times = std::make_shared<pastoso::session::FrameTimes>();
-    window.measure(times);
+    window.studio().measure(times);
     const int exit_status = QApplication::exec();
     std::fputs(times->table().c_str(), stdout);
     return exit_status;

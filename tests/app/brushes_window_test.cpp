@@ -63,8 +63,8 @@ class BrushesWindow : public WindowTest {
         return brush::preset_to_json(preset);
     }
 
-    void give(Command command) { window().commands().action(command)->trigger(); }
-    const tools::Hand& hand() { return window().easel().hand(); }
+    void give(Command command) { studio().commands().action(command)->trigger(); }
+    const tools::Hand& hand() { return studio().easel().hand(); }
 
     panels::BrushList& list() { return *window().findChild<panels::BrushList*>(); }
     QListWidgetItem* listed(const QString& name) {
@@ -271,13 +271,13 @@ TEST_F(BrushesWindow, TheBrushInHandIsInView) {
 }
 
 TEST_F(BrushesWindow, AKeptBrushIsListedAndTakenAndComesBackWithTheProgram) {
-    EXPECT_FALSE(window().commands().action(Command::RenameBrush)->isEnabled());
-    window().easel().set_brush_width(12.0);
+    EXPECT_FALSE(studio().commands().action(Command::RenameBrush)->isEnabled());
+    studio().easel().set_brush_width(12.0);
     answer_name(QStringLiteral("Evening flat"));
     give(Command::SaveBrush);
     EXPECT_TRUE(std::filesystem::exists(file("evening-flat.json")));
     ASSERT_NE(listed(QStringLiteral("Evening flat")), nullptr);
-    EXPECT_TRUE(window().commands().action(Command::RenameBrush)->isEnabled());
+    EXPECT_TRUE(studio().commands().action(Command::RenameBrush)->isEnabled());
     click(QStringLiteral("Filbert 14"));
     EXPECT_EQ(hand().brush, "Filbert 14");
     click(QStringLiteral("Evening flat"));
@@ -395,7 +395,7 @@ TEST_F(BrushesWindow, WhileARecordingIsPlayedTheBrushIsInAnotherHand) {
     session().wait_until_applied();
     EXPECT_LE(strokes(), 2);
     give(Command::Pause);  // goes on
-    wait_for([&] { return !session().status().replaying && !window().easel().brush_is_lent(); });
+    wait_for([&] { return !session().status().replaying && !studio().easel().brush_is_lent(); });
     EXPECT_EQ(strokes(), 2);
     stroke();
     session().wait_until_applied();
@@ -466,11 +466,11 @@ TEST_F(Loads, TheTwoPaintsChangePlaces) {
 
 TEST_F(Loads, WhatIsNotDippedCannotBeReloaded) {
     click(QStringLiteral("Rag 35"));
-    EXPECT_FALSE(window().commands().action(Command::ReloadBrush)->isEnabled());
-    EXPECT_FALSE(window().commands().action(Command::TopUpBrush)->isEnabled());
-    EXPECT_TRUE(window().commands().action(Command::CleanBrush)->isEnabled());
+    EXPECT_FALSE(studio().commands().action(Command::ReloadBrush)->isEnabled());
+    EXPECT_FALSE(studio().commands().action(Command::TopUpBrush)->isEnabled());
+    EXPECT_TRUE(studio().commands().action(Command::CleanBrush)->isEnabled());
     click(QStringLiteral("Filbert 14"));
-    EXPECT_TRUE(window().commands().action(Command::ReloadBrush)->isEnabled());
+    EXPECT_TRUE(studio().commands().action(Command::ReloadBrush)->isEnabled());
 }
 
 }  // namespace

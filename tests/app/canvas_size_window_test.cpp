@@ -1,6 +1,7 @@
 // Another size of the canvas in the real window: asked for, undone, with guides and view following.
 #include "app/window_fixture.hpp"
 #include "dialogs/canvas_size_dialog.hpp"
+#include "main/window_parts.hpp"
 
 #include <functional>
 
@@ -29,7 +30,7 @@ class CanvasSize : public WindowTest {
         WindowTest::SetUp();
         if (HasFatalFailure()) return;
         give(Command::Pause);
-        window().easel().take_brush("Flat bristle 20", 4.0);
+        studio().easel().take_brush("Flat bristle 20", 4.0);
         settle();
     }
 
@@ -94,7 +95,7 @@ TEST_F(CanvasSize, WhatIsPaintedStaysWhereItIsOnTheScreenWithItsGuides) {
     settle();
     const std::int32_t painted = thickness_at({15.0, 15.0});
     ASSERT_GT(painted, 0);
-    const brush::Ruler ruler = *window().easel().hand().ruler;
+    const brush::Ruler ruler = *studio().easel().hand().ruler;
     canvas().zoom_about_centre(1.5);
     const QPointF place = canvas().widget_position({15.0, 15.0});
 
@@ -103,23 +104,23 @@ TEST_F(CanvasSize, WhatIsPaintedStaysWhereItIsOnTheScreenWithItsGuides) {
     EXPECT_THAT(told(), HasSubstr("80 × 50 mm"));
     EXPECT_EQ(thickness_at({35.0, 25.0}), painted);
     EXPECT_LT((canvas().widget_position({35.0, 25.0}) - place).manhattanLength(), 0.01);
-    EXPECT_EQ(window().easel().hand().symmetry.centre_x_mm, 50.0);
-    EXPECT_EQ(window().easel().hand().symmetry.centre_y_mm, 30.0);
-    EXPECT_DOUBLE_EQ(window().easel().hand().ruler->x1_mm, ruler.x1_mm + 20.0);
-    EXPECT_DOUBLE_EQ(window().easel().hand().ruler->y2_mm, ruler.y2_mm + 10.0);
+    EXPECT_EQ(studio().easel().hand().symmetry.centre_x_mm, 50.0);
+    EXPECT_EQ(studio().easel().hand().symmetry.centre_y_mm, 30.0);
+    EXPECT_DOUBLE_EQ(studio().easel().hand().ruler->x1_mm, ruler.x1_mm + 20.0);
+    EXPECT_DOUBLE_EQ(studio().easel().hand().ruler->y2_mm, ruler.y2_mm + 10.0);
 
     give(Command::Undo);
     EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
     EXPECT_EQ(thickness_at({15.0, 15.0}), painted);
     EXPECT_LT((canvas().widget_position({15.0, 15.0}) - place).manhattanLength(), 0.01);
-    EXPECT_EQ(window().easel().hand().symmetry.centre_x_mm, 30.0);
-    EXPECT_EQ(window().easel().hand().ruler, ruler);
+    EXPECT_EQ(studio().easel().hand().symmetry.centre_x_mm, 30.0);
+    EXPECT_EQ(studio().easel().hand().ruler, ruler);
 
     give(Command::Redo);
     EXPECT_EQ(size_mm(), glm::dvec2(80.0, 50.0));
-    EXPECT_EQ(window().easel().hand().symmetry.centre_x_mm, 50.0);
+    EXPECT_EQ(studio().easel().hand().symmetry.centre_x_mm, 50.0);
     // The mirror that the next stroke meets has moved too.
-    window().easel().take_ruler_away();
+    studio().easel().take_ruler_away();
     mouse_stroke(line_mm({40.0, 40.0}, {44.0, 45.0}));
     settle();
     EXPECT_GT(thickness_at({42.0, 42.5}), 0);
@@ -154,7 +155,7 @@ TEST_F(CanvasSize, TheDialogSaysWhatBecomesOfTheCanvas) {
 TEST_F(CanvasSize, WhatIsTooLargeSaysSo) {
     document::CanvasSettings fine = canvas_settings();
     fine.px_per_mm = 16.0;
-    window().new_canvas(fine);
+    parts().files.new_canvas(fine);
     settle();
     in_dialog([&](dialogs::CanvasSizeDialog& dialog) {
         box(dialog, "width_mm").setValue(5000.0);
@@ -172,7 +173,7 @@ TEST_F(CanvasSize, CroppingKeepsWhatIsSelected) {
     const std::int32_t painted = thickness_at({30.0, 20.0});
     ASSERT_GT(painted, 0);
     EXPECT_FALSE(action(Command::CropToSelection)->isEnabled());
-    window().easel().select(document::SelectArea{{{20, 12}, {44, 12}, {44, 30}, {20, 30}}});
+    studio().easel().select(document::SelectArea{{{20, 12}, {44, 12}, {44, 30}, {20, 30}}});
     settle();
     const QPointF place = canvas().widget_position({30.0, 20.0});
     give(Command::CropToSelection);
@@ -189,16 +190,16 @@ TEST_F(CanvasSize, CroppingKeepsWhatIsSelected) {
 
 TEST_F(CanvasSize, AnotherPaintingIsNoCanvasThatWasCut) {
     give(Command::Ruler);
-    const brush::Ruler ruler = *window().easel().hand().ruler;
+    const brush::Ruler ruler = *studio().easel().hand().ruler;
     resize(80.0, 40.0, 5);
-    ASSERT_NE(window().easel().hand().ruler, ruler);
-    const brush::Ruler moved = *window().easel().hand().ruler;
-    window().new_canvas(canvas_settings());
+    ASSERT_NE(studio().easel().hand().ruler, ruler);
+    const brush::Ruler moved = *studio().easel().hand().ruler;
+    parts().files.new_canvas(canvas_settings());
     settle();
-    EXPECT_EQ(window().easel().hand().ruler, moved);
+    EXPECT_EQ(studio().easel().hand().ruler, moved);
     give(Command::FitCanvas);
     const view::ViewTransform fitted = canvas().view_transform();
-    window().new_canvas({.width_mm = 40.0, .height_mm = 40.0});
+    parts().files.new_canvas({.width_mm = 40.0, .height_mm = 40.0});
     settle();
     EXPECT_NE(canvas().view_transform(), fitted) << "it is shown whole";
 }

@@ -5,6 +5,7 @@
 #include "dialogs/export_dialog.hpp"
 #include "io/image.hpp"
 #include "io/video_file.hpp"
+#include "main/window_parts.hpp"
 #include "panels/parts/work_progress.hpp"
 
 #include <cstdlib>
@@ -109,7 +110,7 @@ class ExportWindow : public WindowTest {
     // ---- the export
 
     void wait() {
-        wait_for([this] { return !window().exporter().busy(); });
+        wait_for([this] { return !parts().exporting.exporter().busy(); });
     }
     tools::ExportSettings large_picture() const {
         tools::ExportSettings settings;
@@ -277,7 +278,7 @@ TEST_F(ExportWindow, VideosAreThereWhereFfmpegIs) {
 }
 
 TEST_F(ExportWindow, ATimeLapseOfNothingIsNotMade) {
-    window().new_canvas(canvas_settings());
+    parts().files.new_canvas(canvas_settings());
     open();
     choose(ExportForm::Timelapse);
     type_name(path("film").string());
@@ -321,7 +322,7 @@ TEST_F(ExportWindow, KeysAloneMakeAPictureOfTheWantedSize) {
     key(Qt::Key_A, Qt::ControlModifier);
     keys("2");
     key(Qt::Key_Return);
-    ASSERT_TRUE(window().exporter().busy());
+    ASSERT_TRUE(parts().exporting.exporter().busy());
     wait();
     QFile file(QString::fromStdString(path("keys.png").string()));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
@@ -333,13 +334,13 @@ TEST_F(ExportWindow, KeysAloneMakeAPictureOfTheWantedSize) {
 
 TEST_F(ExportWindow, PaintingGoesOnWhileAnExportIsWritten) {
     core::write_text_file(path("a.png"), "old");
-    window().export_painting(large_picture(), path("a.png"));
+    parts().exporting.start(large_picture(), path("a.png"));
     EXPECT_TRUE(action(Command::StopExport)->isEnabled());
     EXPECT_TRUE(window().findChild<panels::WorkProgress*>()->isVisible());
     const double volume = volume_mm3();
     stroke(10.0);
     EXPECT_GT(volume_mm3(), volume);
-    ASSERT_TRUE(window().exporter().busy()) << "157 million pixels take longer than a stroke";
+    ASSERT_TRUE(parts().exporting.exporter().busy()) << "157 million pixels take longer than a stroke";
     action(Command::Export)->trigger();
     EXPECT_EQ(dialog(), nullptr);
     EXPECT_EQ(told(), "a.png is still being written; wait for it, or stop it.");
@@ -353,14 +354,14 @@ TEST_F(ExportWindow, PaintingGoesOnWhileAnExportIsWritten) {
 
 TEST_F(ExportWindow, AnExportShowsThePaintingAsItWasThen) {
     tools::ExportSettings settings;
-    window().export_painting(settings, path("before.png"));
+    parts().exporting.start(settings, path("before.png"));
     wait();
     settings.scale = 8.0;
-    window().export_painting(settings, path("large.png"));
+    parts().exporting.start(settings, path("large.png"));
     stroke(36.0);
     wait();
     settings.scale = 1.0;
-    window().export_painting(settings, path("after.png"));
+    parts().exporting.start(settings, path("after.png"));
     wait();
     EXPECT_NE(text("before.png"), text("after.png"));
     const auto at = [&](const char* name, int x, int y) {
@@ -379,7 +380,7 @@ TEST_F(ExportWindow, TheLookOfTheViewIsNotInTheFile) {
         EXPECT_EQ(difference(picture(), lit_view).largest > 30, look != Command::LookLit);
         tools::ExportSettings settings;
         settings.form = form;
-        window().export_painting(settings, path(form == ExportForm::Relief ? "one.stl" : "one.png"));
+        parts().exporting.start(settings, path(form == ExportForm::Relief ? "one.stl" : "one.png"));
         wait();
         return text(form == ExportForm::Relief ? "one.stl" : "one.png");
     };
@@ -396,7 +397,7 @@ TEST_F(ExportWindow, ExportAgainNeedsNoDialog) {
     EXPECT_FALSE(action(Command::ExportAgain)->isEnabled());
     tools::ExportSettings settings;
     settings.scale = 0.5;
-    window().export_painting(settings, path("a.png"));
+    parts().exporting.start(settings, path("a.png"));
     wait();
     const std::string first = text("a.png");
     stroke(10.0);
@@ -409,7 +410,7 @@ TEST_F(ExportWindow, ExportAgainNeedsNoDialog) {
     EXPECT_EQ(name(), path("a.png").string());
     EXPECT_EQ(ok().text().toStdString(), "Replace");
     give_up();
-    window().new_canvas(canvas_settings());
+    parts().files.new_canvas(canvas_settings());
     EXPECT_FALSE(action(Command::ExportAgain)->isEnabled()) << "that was another painting";
     open();
     EXPECT_EQ(name(), path("painting.png").string()) << "beside the last one";
@@ -419,7 +420,7 @@ TEST_F(ExportWindow, AFilmOfThePaintingIsMadeAgainIntoAFolderOfItsOwn) {
     tools::ExportSettings settings;
     settings.form = ExportForm::Timelapse;
     settings.fps = 2.0;
-    window().export_painting(settings, path("film"));
+    parts().exporting.start(settings, path("film"));
     wait();
     EXPECT_THAT(told(), HasSubstr(" frames of 240 × 160 pixels."));
     EXPECT_TRUE(std::filesystem::exists(path("film/frame-00001.png")));
@@ -433,10 +434,10 @@ TEST_F(ExportWindow, AFilmOfThePaintingIsMadeAgainIntoAFolderOfItsOwn) {
 
 TEST_F(ExportWindow, WhatGoesWrongIsTold) {
     answer_box("OK");
-    window().export_painting({}, path("none/a.png"));
+    parts().exporting.start({}, path("none/a.png"));
     wait_for([this] { return !asked_.empty(); });
     EXPECT_THAT(asked_, HasSubstr(path("none/a.png").string() + ": cannot be written"));
-    EXPECT_FALSE(window().exporter().busy());
+    EXPECT_FALSE(parts().exporting.exporter().busy());
 }
 
 TEST_F(ExportWindow, TheLastChoicesAreThereAgain) {
@@ -465,11 +466,11 @@ TEST_F(ExportWindow, TheLastChoicesAreThereAgain) {
 // ---- closing
 
 TEST_F(ExportWindow, ClosingMayWaitForTheExport) {
-    window().save_painting(QString::fromStdString(path("a.pastoso").string()));
-    ASSERT_EQ(window().project_saver().wait(), "");
+    parts().files.save_painting(QString::fromStdString(path("a.pastoso").string()));
+    ASSERT_EQ(parts().files.saver().wait(), "");
     tools::ExportSettings settings;
     settings.scale = 16.0;
-    window().export_painting(settings, path("a.png"));
+    parts().exporting.start(settings, path("a.png"));
     answer_box("Close when it is done");
     EXPECT_FALSE(window().close());
     EXPECT_EQ(asked_, "a.png is still being written.");
@@ -480,12 +481,12 @@ TEST_F(ExportWindow, ClosingMayWaitForTheExport) {
 }
 
 TEST_F(ExportWindow, ClosingMayStopTheExportOrBeGivenUp) {
-    window().save_painting(QString::fromStdString(path("a.pastoso").string()));
-    ASSERT_EQ(window().project_saver().wait(), "");
-    window().export_painting(large_picture(), path("a.png"));
+    parts().files.save_painting(QString::fromStdString(path("a.pastoso").string()));
+    ASSERT_EQ(parts().files.saver().wait(), "");
+    parts().exporting.start(large_picture(), path("a.png"));
     answer_box("Cancel");
     EXPECT_FALSE(window().close());
-    EXPECT_TRUE(window().exporter().busy());
+    EXPECT_TRUE(parts().exporting.exporter().busy());
     answer_box("Stop it");
     EXPECT_TRUE(window().close());
     wait();

@@ -1,5 +1,6 @@
 // Mirror, copies, straight lines, ruler and stabiliser, as the window has them.
 #include "app/window_fixture.hpp"
+#include "main/window_parts.hpp"
 
 #include <cmath>
 
@@ -21,10 +22,10 @@ class Guides : public WindowTest {
         WindowTest::SetUp();
         if (HasFatalFailure()) return;
         give(Command::Pause);
-        window().easel().take_brush("Flat bristle 20", 4.0);
+        studio().easel().take_brush("Flat bristle 20", 4.0);
     }
 
-    void give(Command command) { window().commands().action(command)->trigger(); }
+    void give(Command command) { studio().commands().action(command)->trigger(); }
 
     /// Volume per mm2 around a place.
     double paint_at(double x_mm, double y_mm) {
@@ -50,7 +51,7 @@ class Guides : public WindowTest {
 
 TEST_F(Guides, TheMirrorPaintsBothSides) {
     give(Command::MirrorSymmetry);
-    EXPECT_TRUE(window().commands().action(Command::MirrorSymmetry)->isChecked());
+    EXPECT_TRUE(studio().commands().action(Command::MirrorSymmetry)->isChecked());
     mouse_stroke(line_mm({8.0, 12.0}, {20.0, 28.0}));
     EXPECT_GT(paint_at(14.0, 20.0), 0.01);
     EXPECT_GT(paint_at(46.0, 20.0), 0.01);
@@ -65,7 +66,7 @@ TEST_F(Guides, TheMirrorPaintsBothSides) {
 TEST_F(Guides, CopiesStandAroundTheMiddle) {
     for (int i = 0; i < 3; ++i)
         give(Command::MoreCopies);
-    EXPECT_EQ(window().easel().hand().symmetry.count, 4);
+    EXPECT_EQ(studio().easel().hand().symmetry.count, 4);
     mouse_stroke(line_mm({30.0, 8.0}, {36.0, 8.0}));
     EXPECT_GT(paint_at(33.0, 8.0), 0.01);
     EXPECT_GT(paint_at(42.0, 23.0), 0.01);
@@ -73,10 +74,10 @@ TEST_F(Guides, CopiesStandAroundTheMiddle) {
     EXPECT_GT(paint_at(18.0, 17.0), 0.01);
     for (int i = 0; i < 20; ++i)
         give(Command::FewerCopies);
-    EXPECT_EQ(window().easel().hand().symmetry.count, 1);
+    EXPECT_EQ(studio().easel().hand().symmetry.count, 1);
     for (int i = 0; i < 20; ++i)
         give(Command::MoreCopies);
-    EXPECT_EQ(window().easel().hand().symmetry.count, 16);
+    EXPECT_EQ(studio().easel().hand().symmetry.count, 16);
     session().wait_until_applied();
     EXPECT_TRUE(session().take_errors().empty());
 }
@@ -119,12 +120,12 @@ TEST_F(Guides, ShiftAndDragDrawAStraightLine) {
 TEST_F(Guides, TheRulerKeepsStrokesParallelToTheLast) {
     mouse_stroke(line_mm({10.0, 8.0}, {50.0, 8.0}));
     give(Command::Ruler);
-    EXPECT_TRUE(window().commands().action(Command::Ruler)->isChecked());
+    EXPECT_TRUE(studio().commands().action(Command::Ruler)->isChecked());
     mouse_stroke({{10.0, 24.0}, {20.0, 28.0}, {30.0, 36.0}, {40.0, 28.0}, {50.0, 24.0}});
     EXPECT_GT(paint_at(30.0, 24.0), 0.01);
     EXPECT_EQ(paint_at(30.0, 34.0), 0.0);
     give(Command::Ruler);
-    EXPECT_FALSE(window().easel().hand().ruler.has_value());
+    EXPECT_FALSE(studio().easel().hand().ruler.has_value());
 }
 
 TEST_F(Guides, TheHandIsSteadiedByTimeOrByAString) {
@@ -151,12 +152,12 @@ TEST_F(Guides, TheHandIsSteadiedByTimeOrByAString) {
     EXPECT_FALSE(strength.isEnabled());
     choose(1);
     EXPECT_EQ(steadied(), (brush::Stabiliser{200.0, 0.0})) << "each mode keeps its strength";
-    EXPECT_EQ(window().easel().hand().stabiliser, steadied());
+    EXPECT_EQ(studio().easel().hand().stabiliser, steadied());
     EXPECT_TRUE(session().take_errors().empty());
 }
 
 TEST_F(Guides, ASteadiedBrushCatchesUpWhileThePenRests) {
-    window().easel().set_stabiliser({150.0, 0.0});
+    studio().easel().set_stabiliser({150.0, 0.0});
     press({10.0, 20.0});
     for (const glm::dvec2& place : line_mm({10.0, 20.0}, {50.0, 20.0}, 8))
         move(place);
@@ -170,9 +171,9 @@ TEST_F(Guides, AnotherCanvasKeepsTheMirrorInItsOwnMiddle) {
     give(Command::MirrorSymmetry);
     document::CanvasSettings other = canvas_settings();
     other.width_mm = 40.0;
-    window().new_canvas(other);
+    parts().files.new_canvas(other);
     settle();
-    EXPECT_EQ(window().easel().hand().symmetry.centre_x_mm, 20.0);
+    EXPECT_EQ(studio().easel().hand().symmetry.centre_x_mm, 20.0);
     mouse_stroke(line_mm({6.0, 12.0}, {6.0, 28.0}));
     EXPECT_GT(paint_at(34.0, 20.0), 0.01);
 }
@@ -180,18 +181,18 @@ TEST_F(Guides, AnotherCanvasKeepsTheMirrorInItsOwnMiddle) {
 TEST_F(Guides, BothMirrorsPaintFourImages) {
     give(Command::MirrorSymmetry);
     give(Command::MirrorLevel);
-    EXPECT_TRUE(window().commands().action(Command::MirrorSymmetry)->isChecked());
+    EXPECT_TRUE(studio().commands().action(Command::MirrorSymmetry)->isChecked());
     mouse_stroke(line_mm({8.0, 8.0}, {16.0, 10.0}));
     for (const double x_mm : {12.0, 48.0}) {
         for (const double y_mm : {9.0, 31.0})
             EXPECT_GT(paint_at(x_mm, y_mm), 0.01) << x_mm << ", " << y_mm;
     }
     give(Command::MirrorSymmetry);
-    EXPECT_FALSE(window().commands().action(Command::MirrorSymmetry)->isChecked());
-    EXPECT_TRUE(window().commands().action(Command::MirrorLevel)->isChecked());
+    EXPECT_FALSE(studio().commands().action(Command::MirrorSymmetry)->isChecked());
+    EXPECT_TRUE(studio().commands().action(Command::MirrorLevel)->isChecked());
     give(Command::RemoveGuides);
-    EXPECT_FALSE(window().easel().hand().symmetry.mirror);
-    EXPECT_FALSE(window().commands().action(Command::RemoveGuides)->isEnabled());
+    EXPECT_FALSE(studio().easel().hand().symmetry.mirror);
+    EXPECT_FALSE(studio().commands().action(Command::RemoveGuides)->isEnabled());
 }
 
 TEST_F(Guides, TheMirrorIsDraggedByItsCentre) {
@@ -202,7 +203,7 @@ TEST_F(Guides, TheMirrorIsDraggedByItsCentre) {
     release({20.0, 20.0});
     EXPECT_EQ(volume_mm3(), 0.0) << "dragging does not paint";
     // The mouse hits whole pixels, some eight a millimetre.
-    EXPECT_NEAR(window().easel().hand().symmetry.centre_x_mm, 20.0, 0.15);
+    EXPECT_NEAR(studio().easel().hand().symmetry.centre_x_mm, 20.0, 0.15);
     mouse_stroke(line_mm({8.0, 12.0}, {8.0, 28.0}));
     EXPECT_GT(paint_at(32.0, 20.0), 0.01);
     EXPECT_EQ(paint_at(52.0, 20.0), 0.0);
@@ -215,31 +216,31 @@ TEST_F(Guides, WithoutHandlesTheCentreIsPaintedOn) {
     EXPECT_GT(difference(with_handles, picture()).largest, 20);
     mouse_stroke(line_mm({30.0, 20.0}, {40.0, 20.0}));
     EXPECT_GT(volume_mm3(), 0.0);
-    EXPECT_EQ(window().easel().hand().symmetry.centre_x_mm, 30.0);
+    EXPECT_EQ(studio().easel().hand().symmetry.centre_x_mm, 30.0);
 }
 
 TEST_F(Guides, TheRulerIsDraggedByItsEnds) {
     give(Command::Ruler);  // level, through the middle
-    const double end_mm = window().easel().hand().ruler->x2_mm;
+    const double end_mm = studio().easel().hand().ruler->x2_mm;
     press({end_mm, 20.0});
     move({end_mm, 30.0});
     release({end_mm, 30.0});
-    EXPECT_NEAR(window().easel().hand().ruler->y2_mm, 30.0, 0.15);
-    EXPECT_EQ(window().easel().hand().ruler->y1_mm, 20.0);
+    EXPECT_NEAR(studio().easel().hand().ruler->y2_mm, 30.0, 0.15);
+    EXPECT_EQ(studio().easel().hand().ruler->y1_mm, 20.0);
     session().wait_until_applied();
     mouse_stroke({{10.0, 12.0}, {30.0, 12.0}});
-    const auto& form = window().easel().hand().guide.form;
-    EXPECT_EQ(std::get<brush::Ruler>(form), *window().easel().hand().ruler);
+    const auto& form = studio().easel().hand().guide.form;
+    EXPECT_EQ(std::get<brush::Ruler>(form), *studio().easel().hand().ruler);
 }
 
 TEST_F(Guides, StrokesRunAlongTheEllipse) {
     give(Command::Ruler);
     give(Command::Ellipse);
-    EXPECT_FALSE(window().commands().action(Command::Ruler)->isChecked()) << "one guide at a time";
+    EXPECT_FALSE(studio().commands().action(Command::Ruler)->isChecked()) << "one guide at a time";
     auto* width = window().findChild<QDoubleSpinBox*>(QStringLiteral("ellipse_width"));
     width->setValue(40.0);
-    ASSERT_TRUE(window().easel().hand().ellipse.has_value());
-    EXPECT_EQ(window().easel().hand().ellipse->half_width_mm, 20.0);
+    ASSERT_TRUE(studio().easel().hand().ellipse.has_value());
+    EXPECT_EQ(studio().easel().hand().ellipse->half_width_mm, 20.0);
     // A straight movement from the ellipse's left end over its top; its half height is 12 mm.
     mouse_stroke({{10.5, 19.0}, {14.0, 11.0}, {22.0, 6.0}, {30.0, 4.0}});
     EXPECT_GT(paint_at(30.0 - 20.0 * std::sqrt(0.5), 20.0 - 12.0 * std::sqrt(0.5)), 0.01);
@@ -250,9 +251,9 @@ TEST_F(Guides, NumbersMoveTheMirrorToo) {
     give(Command::MirrorSymmetry);
     window().findChild<QDoubleSpinBox*>(QStringLiteral("symmetry_x"))->setValue(20.0);
     window().findChild<QDoubleSpinBox*>(QStringLiteral("copies"))->setValue(3.0);
-    EXPECT_EQ(window().easel().hand().symmetry.centre_x_mm, 20.0);
-    EXPECT_EQ(window().easel().hand().symmetry.count, 3);
-    EXPECT_TRUE(window().easel().hand().symmetry.mirror);
+    EXPECT_EQ(studio().easel().hand().symmetry.centre_x_mm, 20.0);
+    EXPECT_EQ(studio().easel().hand().symmetry.count, 3);
+    EXPECT_TRUE(studio().easel().hand().symmetry.mirror);
     session().wait_until_applied();
     EXPECT_TRUE(session().take_errors().empty());
 }

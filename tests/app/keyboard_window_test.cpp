@@ -12,6 +12,7 @@
 #include "dialogs/select_range_dialog.hpp"
 #include "dialogs/settings_dialog.hpp"
 #include "dialogs/transform_dialog.hpp"
+#include "main/window_parts.hpp"
 #include "panels/canvas/direction_dial.hpp"
 #include "panels/canvas/navigator_map.hpp"
 #include "panels/canvas/tilt_dial.hpp"
@@ -206,16 +207,16 @@ TEST_F(Keyboard, APanelsCommandLeadsIntoItAndEscapeBackToTheCanvas) {
 }
 
 TEST_F(Keyboard, ReachesAllOfTheStartPageAndLeavesIt) {
-    window().show_start_page();
+    parts().start.show_page();
     QApplication::setActiveWindow(&window());
     auto* page = window().findChild<start::StartPage*>();
     ASSERT_TRUE(page->isVisible());
     ASSERT_TRUE(page->isAncestorOf(QApplication::focusWidget()));
     auto reached = walk(Qt::Key_Tab, &canvas());
-    window().show_start_page();
+    parts().start.show_page();
     reached.merge(walk(Qt::Key_Backtab, &canvas()));
     expect_all_in(*page, reached);
-    window().show_start_page();
+    parts().start.show_page();
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     EXPECT_FALSE(page->isVisible());
 }
@@ -229,12 +230,12 @@ TEST_F(Keyboard, ReturnTakesAToolAndAPaint) {
         QTest::keyClick(&list, Qt::Key_Down);
         QTest::keyClick(&list, Qt::Key_Return);
     };
-    const std::string tool = window().easel().hand().brush;
+    const std::string tool = studio().easel().hand().brush;
     choose_next(*window().findChild<panels::BrushList*>());
-    EXPECT_NE(window().easel().hand().brush, tool);
-    const document::PaintRecipe paint = window().easel().hand().paint;
+    EXPECT_NE(studio().easel().hand().brush, tool);
+    const document::PaintRecipe paint = studio().easel().hand().paint;
     choose_next(*window().findChild<QListWidget*>(QStringLiteral("paints")));
-    EXPECT_FALSE(window().easel().hand().paint == paint);
+    EXPECT_FALSE(studio().easel().hand().paint == paint);
 }
 
 TEST_F(Keyboard, ArrowsTiltTheCanvas) {
@@ -244,13 +245,13 @@ TEST_F(Keyboard, ArrowsTiltTheCanvas) {
     dial->setFocus(Qt::TabFocusReason);
     for (int i = 0; i < 3; ++i)
         QTest::keyClick(dial, Qt::Key_Right);
-    EXPECT_NEAR(window().easel().hand().tilt.tilt_deg, 6.0, 1e-9);
-    EXPECT_NEAR(window().easel().hand().tilt.direction_deg, 0.0, 1e-9);
+    EXPECT_NEAR(studio().easel().hand().tilt.tilt_deg, 6.0, 1e-9);
+    EXPECT_NEAR(studio().easel().hand().tilt.direction_deg, 0.0, 1e-9);
     for (int i = 0; i < 3; ++i)
         QTest::keyClick(dial, Qt::Key_Down);
     EXPECT_NEAR(dial->azimuth_deg(), 45.0, 1e-9);
     QTest::keyClick(dial, Qt::Key_Home);
-    EXPECT_EQ(window().easel().hand().tilt.tilt_deg, 0.0);
+    EXPECT_EQ(studio().easel().hand().tilt.tilt_deg, 0.0);
 }
 
 // ---- dialogs
@@ -265,7 +266,7 @@ TEST_F(Keyboard, ReachesAllOfTheSettings) {
 }
 
 TEST_F(Keyboard, ReachesAllOfTheKeys) {
-    dialogs::KeysDialog dialog(window().commands().keys(), &window());
+    dialogs::KeysDialog dialog(studio().commands().keys(), &window());
     expect_all_reached(dialog);
 }
 

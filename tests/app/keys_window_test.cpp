@@ -157,7 +157,7 @@ TEST_F(KeysWindow, ASetIsChosenAndTheOwnStay) {
     QTest::keyClick(&canvas(), Qt::Key_M);
     EXPECT_TRUE(action(Command::SelectRectangle)->isChecked());
     open_another();
-    EXPECT_EQ(window().commands().keys().set(), commands::KeySet::Photoshop);
+    EXPECT_EQ(studio().commands().keys().set(), commands::KeySet::Photoshop);
     in_dialog([&] {
         click("reset_all");
         EXPECT_THAT(sentence(), HasSubstr("All keys"));

@@ -1,6 +1,7 @@
 // The layers panel of the real window: paint on several layers, hide, lock, fade, move, group and name
 // them, by mouse and by keys.
 #include "app/window_fixture.hpp"
+#include "main/window_parts.hpp"
 #include "panels/layers/layer_panel.hpp"
 #include "panels/layers/layer_tree.hpp"
 
@@ -34,7 +35,7 @@ class LayersWindow : public WindowTest {
     }
 
     void give(Command command) {
-        QAction* action = window().commands().action(command);
+        QAction* action = studio().commands().action(command);
         ASSERT_TRUE(action->isEnabled()) << action->text().toStdString();
         action->trigger();
         follow();
@@ -351,7 +352,7 @@ TEST_F(LayersWindow, PicturesShowThePaintOfEachLayer) {
 
 TEST_F(LayersWindow, ThePanelIsRememberedAndTakesUpAnotherCanvas) {
     give(Command::AddLayer);
-    window().new_canvas(canvas_settings());
+    parts().files.new_canvas(canvas_settings());
     follow();
     EXPECT_THAT(names_from_below(), ElementsAre("Paint"));
     const auto dock = [this] {

@@ -1,6 +1,7 @@
 // The panel of lamp and varnish: what it says is what canvas, exports and the next start have.
 #include "app/window_fixture.hpp"
 #include "io/image.hpp"
+#include "main/window_parts.hpp"
 #include "pigment/illuminant.hpp"
 #include "shade/varnish.hpp"
 
@@ -47,7 +48,7 @@ TEST_F(LightsWindow, TheNumbersMoveTheLampOverCanvasAndWell) {
     set("lamp_azimuth", 40.0);
     set("lamp_height", 22.0);
     set("lamp_ambient", 55.0);
-    for (const view::CanvasView* view : {&canvas(), &window().well()}) {
+    for (const view::CanvasView* view : {&canvas(), &studio().well()}) {
         EXPECT_EQ(view->lighting().azimuth_deg, 40.0);
         EXPECT_EQ(view->lighting().elevation_deg, 22.0);
         EXPECT_NEAR(view->lighting().ambient, 0.55, 1e-12);
@@ -88,8 +89,8 @@ TEST_F(LightsWindow, APictureIsExportedUnderItsVarnish) {
     const TemporaryFolder folder;
     const auto exported = [&](const char* name) {
         tools::ExportSettings settings;
-        window().export_painting(settings, folder.path() / name);
-        wait_for([this] { return !window().exporter().busy(); });
+        parts().exporting.start(settings, folder.path() / name);
+        wait_for([this] { return !parts().exporting.exporter().busy(); });
         return io::read_picture(folder.path() / name).picture.rgba;
     };
     const auto bare = exported("bare.png");

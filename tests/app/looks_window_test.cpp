@@ -285,7 +285,7 @@ TEST_F(Lamp, IsDraggedOverTheCanvas) {
     const shade::Lighting light = canvas().lighting();
     EXPECT_GT(std::abs(light.azimuth_deg - shade::Lighting{}.azimuth_deg), 10.0);
     EXPECT_LE((lamp() - from - QPoint(90, 20)).manhattanLength(), 2);
-    EXPECT_EQ(window().well().lighting().azimuth_deg, light.azimuth_deg);
+    EXPECT_EQ(studio().well().lighting().azimuth_deg, light.azimuth_deg);
     const double volume = volume_mm3();
     QTest::keyClick(&canvas(), Qt::Key_Escape);
     EXPECT_FALSE(action(Command::MoveLight)->isChecked());

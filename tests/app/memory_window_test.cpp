@@ -1,6 +1,7 @@
 // What the window finds again at the next start: paints, the pen's settings, and how the panels stand.
 #include "app/window_fixture.hpp"
 #include "core/text_file.hpp"
+#include "main/window_parts.hpp"
 
 #include <QAction>
 #include <QApplication>
@@ -22,7 +23,7 @@ using testing::HasSubstr;
 
 class MemoryWindow : public WindowTest {
   protected:
-    void give(Command command) { window().commands().action(command)->trigger(); }
+    void give(Command command) { studio().commands().action(command)->trigger(); }
     template <class Widget>
     Widget& find(const char* name) {
         auto* found = window().findChild<Widget*>(QString::fromLatin1(name));
@@ -55,7 +56,7 @@ TEST_F(MemoryWindow, PaintsUsedAndKeptAreThereAgain) {
     EXPECT_THAT(recent[1]->toolTip().toStdString(), HasSubstr("#dd9900"));
     give(Command::ColourPanel);
     QTest::mouseClick(kept[0], Qt::LeftButton);
-    EXPECT_EQ(window().easel().hand().paint.ingredients[0].pigment, "#113355");
+    EXPECT_EQ(studio().easel().hand().paint.ingredients[0].pigment, "#113355");
     QTest::mouseClick(kept[0], Qt::RightButton);
     EXPECT_TRUE(patches("kept_paints").empty());
     start_again();
@@ -66,7 +67,7 @@ TEST_F(MemoryWindow, AnOpenedPaletteIsThereAgain) {
     const std::filesystem::path file = data_file("earths.gpl");
     std::filesystem::create_directories(file.parent_path());
     core::write_text_file(file, "GIMP Palette\nName: Earths\n120 60 20 Umber\n");
-    window().open_palette(QString::fromStdString(file.string()));
+    parts().paints.open_palette(QString::fromStdString(file.string()));
     std::filesystem::remove(file);
     start_again();
     EXPECT_EQ(patches("palette").size(), 1U);
@@ -94,7 +95,7 @@ TEST_F(MemoryWindow, DamagedFilesAreToldAndLeftAlone) {
     open_another();
     EXPECT_THAT(told(), HasSubstr("settings.json: the entry \"window\" is missing."));
     type(QStringLiteral("#113355"));
-    EXPECT_EQ(window().easel().hand().paint.ingredients[0].pigment, "#113355");
+    EXPECT_EQ(studio().easel().hand().paint.ingredients[0].pigment, "#113355");
     window().close();
     EXPECT_EQ(core::read_text_file(settings_file()), no_pen);
     EXPECT_TRUE(std::filesystem::exists(data_file("paints.json")));
@@ -107,10 +108,10 @@ TEST_F(MemoryWindow, ThePensSettingsAreThereAgain) {
     find<QSlider>("steady_strength").setValue(14);
     give(Command::ReloadEachStroke);
     start_again();
-    EXPECT_EQ(window().easel().hand().stabiliser, (brush::Stabiliser{0.0, 7.0}));
-    EXPECT_FALSE(window().easel().hand().reload_each_stroke);
-    EXPECT_TRUE(window().easel().hand().turn_with_stroke);
-    EXPECT_FALSE(window().commands().action(Command::ReloadEachStroke)->isChecked());
+    EXPECT_EQ(studio().easel().hand().stabiliser, (brush::Stabiliser{0.0, 7.0}));
+    EXPECT_FALSE(studio().easel().hand().reload_each_stroke);
+    EXPECT_TRUE(studio().easel().hand().turn_with_stroke);
+    EXPECT_FALSE(studio().commands().action(Command::ReloadEachStroke)->isChecked());
     EXPECT_EQ(find<QComboBox>("steady_mode").currentIndex(), 2);
     session().wait_until_applied();
     bool posted = false;
@@ -128,14 +129,14 @@ TEST_F(MemoryWindow, ThePanelsStandAsTheyWereLeftUntilTheyAreReset) {
     give(Command::ColourPanel);
     start_again();
     EXPECT_TRUE(dock("well_panel").isVisible());
-    EXPECT_TRUE(window().commands().action(Command::MixingWell)->isChecked());
+    EXPECT_TRUE(studio().commands().action(Command::MixingWell)->isChecked());
     EXPECT_EQ(window().dockWidgetArea(&dock("well_panel")), Qt::LeftDockWidgetArea);
     EXPECT_TRUE(dock("physics_panel").isHidden());
     EXPECT_FALSE(dock("colour_panel").visibleRegion().isEmpty());
     give(Command::ResetPanels);
     QApplication::processEvents();
     EXPECT_TRUE(dock("well_panel").isHidden());
-    EXPECT_FALSE(window().commands().action(Command::MixingWell)->isChecked());
+    EXPECT_FALSE(studio().commands().action(Command::MixingWell)->isChecked());
     EXPECT_FALSE(dock("physics_panel").isHidden());
     EXPECT_EQ(window().dockWidgetArea(&dock("physics_panel")), Qt::RightDockWidgetArea);
     EXPECT_FALSE(dock("tool_panel").visibleRegion().isEmpty());

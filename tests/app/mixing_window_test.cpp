@@ -3,6 +3,7 @@
 #include "app/window_fixture.hpp"
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
+#include "main/window_parts.hpp"
 #include "panels/colour/colour_wheel.hpp"
 #include "pigment/hex_colour.hpp"
 
@@ -34,7 +35,7 @@ class MixingWindow : public WindowTest {
         give(Command::ColourPanel);
     }
 
-    void give(Command command) { window().commands().action(command)->trigger(); }
+    void give(Command command) { studio().commands().action(command)->trigger(); }
 
     template <class Widget>
     Widget& find(const char* name) {
@@ -45,7 +46,7 @@ class MixingWindow : public WindowTest {
     void click(QWidget& widget) { QTest::mouseClick(&widget, Qt::LeftButton); }
     std::string recipe() { return find<QLabel>("recipe").text().toStdString(); }
     const std::vector<document::Ingredient>& paint() {
-        return window().easel().hand().paint.ingredients;
+        return studio().easel().hand().paint.ingredients;
     }
     /// The paint of the last dip in the recording.
     document::PaintRecipe dipped() {
@@ -77,7 +78,7 @@ TEST_F(MixingWindow, ATypedColourIsWhatTheBrushPaints) {
     EXPECT_THAT(recipe(), HasSubstr("ΔE"));
     for (int i = 0; i < 3; ++i)
         mouse_stroke(line_mm({15.0, 20.0}, {45.0, 20.0}));
-    EXPECT_EQ(dipped(), window().easel().hand().paint);
+    EXPECT_EQ(dipped(), studio().easel().hand().paint);
     const QImage after = picture();
     const double ratio = canvas().devicePixelRatioF();
     const QColor painted = after.pixelColor((ratio * canvas().widget_position({30.0, 20.0})).toPoint());
@@ -87,10 +88,10 @@ TEST_F(MixingWindow, ATypedColourIsWhatTheBrushPaints) {
 }
 
 TEST_F(MixingWindow, WhatIsNoColourIsToldAndThePaintStays) {
-    const auto before = window().easel().hand().paint;
+    const auto before = studio().easel().hand().paint;
     type(QStringLiteral("#12345"));
     EXPECT_THAT(told(), HasSubstr("\"#12345\" is no colour"));
-    EXPECT_EQ(window().easel().hand().paint, before);
+    EXPECT_EQ(studio().easel().hand().paint, before);
     EXPECT_EQ(find<QLineEdit>("hex").text().size(), 7);
 }
 
@@ -131,7 +132,7 @@ TEST_F(MixingWindow, TheRecipeTakesTheColoursPlace) {
     for (const document::Ingredient& ingredient : paint())
         EXPECT_EQ(ingredient.pigment.front(), 'P');
     EXPECT_FALSE(use_recipe.isEnabled());
-    EXPECT_EQ(dipped(), window().easel().hand().paint);
+    EXPECT_EQ(dipped(), studio().easel().hand().paint);
     EXPECT_TRUE(session().take_errors().empty());
     click(find<QPushButton>("wanted_colour"));
     EXPECT_EQ(paint()[0].pigment, "#7a5c3e");
@@ -177,7 +178,7 @@ TEST_F(MixingWindow, TheNextClickPicksOnce) {
     click_canvas({30.0, 20.0}, {});
     EXPECT_EQ(volume_mm3(), 0.0);
     EXPECT_EQ(paint()[0].pigment.front(), '#');
-    EXPECT_FALSE(window().commands().action(Command::PickColour)->isChecked());
+    EXPECT_FALSE(studio().commands().action(Command::PickColour)->isChecked());
     mouse_stroke(line_mm({15.0, 20.0}, {45.0, 20.0}));
     EXPECT_GT(volume_mm3(), 0.0);
     click_canvas({-3.0, 20.0}, Qt::ControlModifier);
@@ -190,14 +191,14 @@ TEST_F(MixingWindow, APaletteGivesItsColoursAndABadOneIsTold) {
         core::write_text_file(folder.path() / name, text);
         return QString::fromStdString((folder.path() / name).string());
     };
-    window().open_palette(
+    parts().paints.open_palette(
         file("good.gpl", "GIMP Palette\nName: Earths\n120 60 20 Umber\n200 150 60 Ochre\n"));
     auto* grid = window().findChild<QWidget*>(QStringLiteral("palette"));
     const auto patches = grid->findChildren<QPushButton*>();
     ASSERT_EQ(patches.size(), 2);
     click(*patches[1]);
     EXPECT_EQ(paint()[0].pigment, "#c8963c");
-    window().open_palette(file("bad.gpl", "GIMP Palette\nName: Bad\n120 600 20 Umber\n"));
+    parts().paints.open_palette(file("bad.gpl", "GIMP Palette\nName: Bad\n120 600 20 Umber\n"));
     EXPECT_THAT(told(), HasSubstr("bad.gpl, line 3"));
     EXPECT_TRUE(patches[1]->isVisible());
     EXPECT_EQ(paint()[0].pigment, "#c8963c");
@@ -210,10 +211,10 @@ class Eyedropper : public MixingWindow {
     void SetUp() override {
         MixingWindow::SetUp();
         if (HasFatalFailure()) return;
-        window().easel().choose_paint({{{"PB29", 62.0}, {"PW6", 38.0}}, 1.0});
+        studio().easel().choose_paint({{{"PB29", 62.0}, {"PW6", 38.0}}, 1.0});
         for (int i = 0; i < 2; ++i)
             mouse_stroke(line_mm({15.0, 20.0}, {45.0, 20.0}));
-        window().easel().choose_paint({{{"PR108", 1.0}}, 1.0});
+        studio().easel().choose_paint({{{"PR108", 1.0}}, 1.0});
         session().wait_until_applied();
     }
     double parts_of(const char* pigment) {
@@ -226,7 +227,7 @@ class Eyedropper : public MixingWindow {
         EXPECT_EQ(paint().size(), 2U);
         EXPECT_NEAR(parts_of("PB29"), 62.0, 0.5);
         EXPECT_NEAR(parts_of("PW6"), 38.0, 0.5);
-        EXPECT_EQ(dipped(), window().easel().hand().paint);
+        EXPECT_EQ(dipped(), studio().easel().hand().paint);
         EXPECT_TRUE(session().take_errors().empty());
     }
 };
@@ -258,13 +259,13 @@ TEST_F(Eyedropper, AnAltClickTakesTheColourSeen) {
 TEST_F(Eyedropper, TheKeysChooseBetweenPaintAndColourForOneClick) {
     give(Command::PickColour);
     give(Command::PickPaint);
-    EXPECT_FALSE(window().commands().action(Command::PickColour)->isChecked());
+    EXPECT_FALSE(studio().commands().action(Command::PickColour)->isChecked());
     click_canvas({30.0, 20.0}, {});
     expect_the_mixture();
     give(Command::PickColour);
     click_canvas({30.0, 20.0}, {});
     EXPECT_EQ(paint()[0].pigment.front(), '#');
-    EXPECT_FALSE(window().commands().action(Command::PickColour)->isChecked());
+    EXPECT_FALSE(studio().commands().action(Command::PickColour)->isChecked());
 }
 
 TEST_F(Eyedropper, OnBareCanvasThereIsOnlyAColour) {
@@ -274,17 +275,17 @@ TEST_F(Eyedropper, OnBareCanvasThereIsOnlyAColour) {
 
 TEST_F(Eyedropper, PicksWhatWasMixedInTheWell) {
     give(Command::MixingWell);
-    window().easel().choose_paint({{{"PY35", 70.0}, {"PW6", 30.0}}, 0.5});
-    window().easel().squeeze(60.0, 45.0);
-    window().easel().choose_paint({{{"PR108", 1.0}}, 1.0});
+    studio().easel().choose_paint({{{"PY35", 70.0}, {"PW6", 30.0}}, 0.5});
+    studio().easel().squeeze(60.0, 45.0);
+    studio().easel().choose_paint({{{"PR108", 1.0}}, 1.0});
     session().wait_until_applied();
-    wait_for([this] { return window().well().finished(); });
+    wait_for([this] { return studio().well().finished(); });
     give(Command::PickPaint);
-    const QPoint place = window().well().widget_position({60.0, 45.0}).toPoint();
-    QTest::mouseClick(&window().well(), Qt::LeftButton, {}, place);
+    const QPoint place = studio().well().widget_position({60.0, 45.0}).toPoint();
+    QTest::mouseClick(&studio().well(), Qt::LeftButton, {}, place);
     EXPECT_NEAR(parts_of("PY35"), 70.0, 0.5);
     EXPECT_NEAR(parts_of("PW6"), 30.0, 0.5);
-    EXPECT_NEAR(window().easel().hand().paint.strength, 0.5, 0.011);
+    EXPECT_NEAR(studio().easel().hand().paint.strength, 0.5, 0.011);
     EXPECT_THAT(told(), HasSubstr("thinned to 50 %"));
 }
 

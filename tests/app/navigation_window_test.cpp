@@ -1,6 +1,7 @@
 // Moving over the canvas, and the commands.
 #include "app/window_fixture.hpp"
 #include "core/error.hpp"
+#include "main/window_parts.hpp"
 
 #include <cmath>
 #include <set>
@@ -67,11 +68,11 @@ TEST_F(Navigation, TheMiddleButtonPansToo) {
 }
 
 TEST_F(Navigation, FitAndActualPixels) {
-    window().commands().action(Command::ActualPixels)->trigger();
+    studio().commands().action(Command::ActualPixels)->trigger();
     EXPECT_DOUBLE_EQ(canvas().view_transform().zoom, 1.0);
     const glm::dvec2 origin = canvas().view_transform().origin_px;
     EXPECT_DOUBLE_EQ(origin.x, std::round(origin.x));
-    window().commands().action(Command::FitCanvas)->trigger();
+    studio().commands().action(Command::FitCanvas)->trigger();
     const QPointF first = canvas().widget_position({0.0, 0.0});
     const QPointF last = canvas().widget_position({60.0, 40.0});
     EXPECT_GE(first.x(), 0.0);
@@ -86,7 +87,7 @@ TEST_F(Navigation, NoTwoCommandsOfAModeShareAKey) {
         std::set<QString> keys;
         for (const commands::CommandText& text : commands::command_list()) {
             if (!commands::meet(text.mode, mode)) continue;
-            const QAction* action = window().commands().action(text.command);
+            const QAction* action = studio().commands().action(text.command);
             for (const QKeySequence& key : action->shortcuts()) {
                 EXPECT_TRUE(keys.insert(key.toString()).second) << key.toString().toStdString();
             }
@@ -96,15 +97,15 @@ TEST_F(Navigation, NoTwoCommandsOfAModeShareAKey) {
 }
 
 TEST_F(Navigation, BracketsChangeTheBrush) {
-    const double width_mm = window().easel().hand().brush_width_mm;
-    window().commands().action(Command::LargerBrush)->trigger();
-    EXPECT_GT(window().easel().hand().brush_width_mm, width_mm);
-    window().commands().action(Command::SmallerBrush)->trigger();
-    window().commands().action(Command::SmallerBrush)->trigger();
-    EXPECT_LT(window().easel().hand().brush_width_mm, width_mm);
-    const std::string brush = window().easel().hand().brush;
-    window().commands().action(Command::NextBrush)->trigger();
-    EXPECT_NE(window().easel().hand().brush, brush);
+    const double width_mm = studio().easel().hand().brush_width_mm;
+    studio().commands().action(Command::LargerBrush)->trigger();
+    EXPECT_GT(studio().easel().hand().brush_width_mm, width_mm);
+    studio().commands().action(Command::SmallerBrush)->trigger();
+    studio().commands().action(Command::SmallerBrush)->trigger();
+    EXPECT_LT(studio().easel().hand().brush_width_mm, width_mm);
+    const std::string brush = studio().easel().hand().brush;
+    studio().commands().action(Command::NextBrush)->trigger();
+    EXPECT_NE(studio().easel().hand().brush, brush);
     session().wait_until_applied();
     EXPECT_TRUE(session().take_errors().empty());
 }
@@ -116,7 +117,7 @@ TEST_F(Navigation, ANewCanvasKeepsTheToolsAndCanBePainted) {
     other.height_mm = 50.0;
     other.px_per_mm = 3.0;
     other.support = "cotton duck";
-    window().new_canvas(other);
+    parts().files.new_canvas(other);
     settle();
     EXPECT_EQ(volume_mm3(), 0.0);
     mouse_stroke(line_mm({10.0, 10.0}, {20.0, 40.0}));
@@ -129,7 +130,7 @@ TEST_F(Navigation, ACanvasTooLargeForMemoryIsRefusedAndTheOldOneStays) {
     huge.width_mm = 5000.0;
     huge.height_mm = 5000.0;
     huge.px_per_mm = 6.0;
-    EXPECT_THROW(window().new_canvas(huge), core::InputError);
+    EXPECT_THROW(parts().files.new_canvas(huge), core::InputError);
     EXPECT_GT(volume_mm3(), 1.0);
 }
 

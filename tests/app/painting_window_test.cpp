@@ -21,12 +21,12 @@ class PaintingWindow : public WindowTest {
 
 /// Paint that is not moved by gravity or yield while a test looks at it.
 void hold_still(main::MainWindow& window) {
-    window.window().commands().action(Command::Pause)->trigger();
+    window.studio().commands().action(Command::Pause)->trigger();
 }
 
 TEST_F(PaintingWindow, StandsReadyToPaint) {
     EXPECT_EQ(volume_mm3(), 0.0);
-    const tools::Hand& hand = window().easel().hand();
+    const tools::Hand& hand = studio().easel().hand();
     EXPECT_EQ(hand.brush, "Flat bristle 20");
     EXPECT_EQ(hand.paint.ingredients.front().pigment, "PB29");
     EXPECT_EQ(hand.medium, document::UseMedium{"heavy-body oil"});
@@ -51,7 +51,7 @@ TEST_F(PaintingWindow, AMouseStrokeEndsUpAsPaint) {
 
 TEST_F(PaintingWindow, ARoundBrushPressedHarderPaintsAWiderLine) {
     hold_still(window());
-    window().easel().take_brush("Round sable 9", 9.0);
+    studio().easel().take_brush("Round sable 9", 9.0);
     const auto wet_cells = [this] {
         session().wait_until_applied();
         return film::wet_cell_count(session().snapshot()->film);
@@ -59,7 +59,7 @@ TEST_F(PaintingWindow, ARoundBrushPressedHarderPaintsAWiderLine) {
     pen_stroke(line_mm({15.0, 20.0}, {45.0, 20.0}), pressed(0.2));
     const std::int64_t light = wet_cells();
     EXPECT_GT(light, 100);
-    window().commands().action(Command::Undo)->trigger();
+    studio().commands().action(Command::Undo)->trigger();
     ASSERT_EQ(wet_cells(), 0);
     pen_stroke(line_mm({15.0, 20.0}, {45.0, 20.0}), pressed(0.9));
     EXPECT_GT(static_cast<double>(wet_cells()), 1.3 * static_cast<double>(light));
@@ -100,11 +100,11 @@ TEST_F(PaintingWindow, UndoClearsTheStrokeFromTheScreenToo) {
     const QImage before = picture();
     mouse_stroke(line_mm({15.0, 20.0}, {45.0, 20.0}));
     settle();
-    ASSERT_TRUE(window().commands().action(Command::Undo)->isEnabled());
-    window().commands().action(Command::Undo)->trigger();
+    ASSERT_TRUE(studio().commands().action(Command::Undo)->isEnabled());
+    studio().commands().action(Command::Undo)->trigger();
     EXPECT_EQ(volume_mm3(), 0.0);
     EXPECT_EQ(difference(picture(), before).largest, 0);
-    EXPECT_TRUE(window().commands().action(Command::Redo)->isEnabled());
+    EXPECT_TRUE(studio().commands().action(Command::Redo)->isEnabled());
 }
 
 TEST_F(PaintingWindow, LeavingInTheMiddleOfAStrokeIsNoHarm) {
@@ -144,28 +144,28 @@ class RunnyPaint : public WindowTest {
 };
 
 TEST_F(RunnyPaint, TiltMakesHousePaintRunDownTheCanvas) {
-    window().easel().use_medium("house paint");
-    window().easel().tilt(0.0, 90.0);
+    studio().easel().use_medium("house paint");
+    studio().easel().tilt(0.0, 90.0);
     for (int i = 0; i < 3; ++i)
         mouse_stroke(line_mm({15.0, 12.0}, {45.0, 12.0}));
     session().wait_until_applied();
     const double start_mm = centroid_y_mm();
-    window().easel().tilt(85.0, 90.0);
+    studio().easel().tilt(85.0, 90.0);
     wait_for([&] { return centroid_y_mm() > start_mm + 0.5; });
-    window().easel().tilt(85.0, -90.0);  // the other way up
+    studio().easel().tilt(85.0, -90.0);  // the other way up
     session().wait_until_applied();
     const double turned_mm = centroid_y_mm();
     wait_for([&] { return centroid_y_mm() < turned_mm - 0.2; });
 }
 
 TEST_F(RunnyPaint, PauseHoldsIt) {
-    window().easel().use_medium("house paint");
+    studio().easel().use_medium("house paint");
     mouse_stroke(line_mm({15.0, 12.0}, {45.0, 12.0}));
     hold_still(window());
     session().post(document::PenUp{});
     session().wait_until_applied();
     const std::uint64_t held = film::state_hash(session().snapshot()->film);
-    window().easel().tilt(85.0, 0.0);
+    studio().easel().tilt(85.0, 0.0);
     session().wait_until_applied();
     EXPECT_EQ(film::state_hash(session().snapshot()->film), held);
 }

@@ -115,9 +115,9 @@ TEST_F(PaletteWindow, EscapeClosesItAndKeysGoToTheCanvasAgain) {
     type("dry");
     key(Qt::Key_Escape);
     EXPECT_FALSE(palette().isVisible());
-    const double width_mm = window().easel().hand().brush_width_mm;
+    const double width_mm = studio().easel().hand().brush_width_mm;
     key(Qt::Key_BracketRight);
-    EXPECT_GT(window().easel().hand().brush_width_mm, width_mm);
+    EXPECT_GT(studio().easel().hand().brush_width_mm, width_mm);
     open();
     EXPECT_TRUE(palette().findChild<QLineEdit*>()->text().isEmpty());
 }
@@ -148,11 +148,11 @@ TEST_F(PaletteWindow, WhatWasGivenLastComesFirstAfterTheNextStartToo) {
     type("actual pix");
     key(Qt::Key_Return);
     action(Command::FitCanvas)->trigger();
-    const std::vector<Command> given = window().commands().recent();
+    const std::vector<Command> given = studio().commands().recent();
     ASSERT_EQ(given.front(), Command::FitCanvas);
     ASSERT_EQ(given[1], Command::ActualPixels);
     start_again();
-    const std::vector<Command>& recalled = window().commands().recent();
+    const std::vector<Command>& recalled = studio().commands().recent();
     ASSERT_GE(recalled.size(), 2U);
     EXPECT_EQ(recalled[0], given[0]);
     EXPECT_EQ(recalled[1], given[1]);

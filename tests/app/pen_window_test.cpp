@@ -62,7 +62,7 @@ class PenWindow : public WindowTest {
                 pressures.push_back(move->sample.pressure);
         return pressures;
     }
-    const std::string& tool() { return window().easel().hand().brush; }
+    const std::string& tool() { return studio().easel().hand().brush; }
     std::filesystem::path pen_file() { return settings_file().parent_path() / "pen.json"; }
 };
 
@@ -176,7 +176,7 @@ TEST_F(PenWindow, TheSheetShowsTheStrokeAndWhatThePenTells) {
 // ---- the eraser end
 
 TEST_F(PenWindow, TheEraserEndTakesItsToolAndGivesBackTheOneBefore) {
-    window().easel().take_brush("Filbert 14", 11.0);
+    studio().easel().take_brush("Filbert 14", 11.0);
     pen_stroke(line_mm({15.0, 20.0}, {45.0, 20.0}), pressed(0.6));
     const double painted_mm3 = volume_mm3();
     ASSERT_GT(painted_mm3, 2.0);
@@ -185,7 +185,7 @@ TEST_F(PenWindow, TheEraserEndTakesItsToolAndGivesBackTheOneBefore) {
     EXPECT_LT(volume_mm3(), 0.7 * painted_mm3);
     pen_at({20.0, 20.0}, Qt::NoButton, pressed(0.0));
     EXPECT_EQ(tool(), "Filbert 14");
-    EXPECT_EQ(window().easel().hand().brush_width_mm, 11.0);
+    EXPECT_EQ(studio().easel().hand().brush_width_mm, 11.0);
     EXPECT_TRUE(session().take_errors().empty());
 }
 
@@ -218,13 +218,13 @@ TEST_F(PenWindow, TheEraserEndDoesWhatItIsToldTo) {
 
 TEST_F(PenWindow, TheLowerButtonPicksUpPaint) {
     mouse_stroke(line_mm({15.0, 20.0}, {45.0, 20.0}));
-    window().easel().choose_paint({{{"PR101", 1.0}}, 1.0});
+    studio().easel().choose_paint({{{"PR101", 1.0}}, 1.0});
     settle();
     pen_at({30.0, 20.0}, Qt::NoButton, pressed(0.0));
     pen_at({30.0, 20.0}, Qt::MiddleButton, pressed(0.0));
     pen_at({30.0, 20.0}, Qt::NoButton, pressed(0.0));
-    EXPECT_EQ(window().easel().hand().paint.ingredients.front().pigment, "PB29");
-    EXPECT_FALSE(window().easel().painting());
+    EXPECT_EQ(studio().easel().hand().paint.ingredients.front().pigment, "PB29");
+    EXPECT_FALSE(studio().easel().painting());
 }
 
 TEST_F(PenWindow, AButtonMayMoveTheCanvasInstead) {
@@ -277,7 +277,7 @@ TEST_F(PenWindow, AFastMousePressesLess) {
 
 TEST_F(PenWindow, HoveringShowsTheOutlineAndHowThePenLeans) {
     action(Command::Pause)->trigger();
-    window().easel().take_brush("Round sable 9", 9.0);
+    studio().easel().take_brush("Round sable 9", 9.0);
     action(Command::SmallerBrush)->trigger();  // shows the hand
     const QImage bare = picture();
     const auto seen = [&](int tilt_x_deg) {
@@ -317,7 +317,7 @@ TEST_F(PenWindow, HoveringShowsTheOutlineAndHowThePenLeans) {
 TEST_F(PenWindow, TheOutlineLiesWhereTheBrushWouldTouch) {
     action(Command::Pause)->trigger();
     action(Command::TurnWithStroke)->trigger();
-    window().easel().take_brush("Flat bristle 20", 14.0);
+    studio().easel().take_brush("Flat bristle 20", 14.0);
     action(Command::LargerBrush)->trigger();  // shows the hand
     canvas().turn_about_centre(27.0);
     canvas().mirror();
@@ -332,9 +332,9 @@ TEST_F(PenWindow, TheOutlineLiesWhereTheBrushWouldTouch) {
         for (int x = 0; x < bare.width(); ++x)
             if (std::abs(bare.pixelColor(x, y).green() - hovering.pixelColor(x, y).green()) > 12)
                 seen |= QRect(x, y, 1, 1);
-    const tools::Hand& hand = window().easel().hand();
+    const tools::Hand& hand = studio().easel().hand();
     const view::BrushOutline outline(brush::resized(tools::preset_in_hand(hand), hand.brush_width_mm));
-    brush::PenSample held = window().easel().held();
+    brush::PenSample held = studio().easel().held();
     held.pressure = 0.5;
     QPolygonF expected;
     for (const glm::vec2& point : outline.around_mm(held))

@@ -1,6 +1,7 @@
 // The panel of what the paint is like.
 #include "app/window_fixture.hpp"
 #include "film/medium.hpp"
+#include "main/window_parts.hpp"
 #include "panels/paint/medium_panel.hpp"
 
 #include <algorithm>
@@ -43,7 +44,7 @@ class PhysicsWindow : public WindowTest {
     }
     /// In the panel, as if it had rested.
     void finish() { find<panels::MediumPanel>("medium_panel").finish(); }
-    const document::UseMedium& medium() { return window().easel().hand().medium; }
+    const document::UseMedium& medium() { return studio().easel().hand().medium; }
     std::ptrdiff_t times_poured() {
         const auto events = session().recording().events;
         return std::ranges::count_if(events, [](const document::Event& event) {
@@ -135,9 +136,9 @@ TEST_F(PhysicsWindow, ABrushThatComesOverTheCanvasHoldsTheNewPaint) {
 TEST_F(PhysicsWindow, WhatIsSavedHasTheNumbersSetAMomentAgo) {
     const TemporaryFolder folder;
     find<QSlider>("yield_stress_slider").setValue(10);
-    window().save_painting(QString::fromStdString((folder.path() / "a.pastoso").string()));
+    parts().files.save_painting(QString::fromStdString((folder.path() / "a.pastoso").string()));
     EXPECT_TRUE(session().capture().painting.medium.own.has_value());
-    EXPECT_TRUE(window().project_saver().wait().isEmpty());
+    EXPECT_TRUE(parts().files.saver().wait().isEmpty());
 }
 
 TEST_F(PhysicsWindow, AnotherKindOfPaintDropsANumberThatMoves) {

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "io/image.hpp"
+#include "main/window_parts.hpp"
 #include "project/project.hpp"
 #include "project/zip_file.hpp"
 
@@ -20,7 +21,7 @@ class PicturePaintWindow : public WindowTest {
     void SetUp() override {
         WindowTest::SetUp();
         if (HasFatalFailure()) return;
-        window().commands().action(Command::Pause)->trigger();
+        studio().commands().action(Command::Pause)->trigger();
     }
 
     static std::string red_png() {
@@ -46,7 +47,7 @@ class PicturePaintWindow : public WindowTest {
 
 TEST_F(PicturePaintWindow, APictureIsALayerInTheMiddle) {
     const std::string before = layer_names().front();
-    window().paint_picture(QString::fromStdString(written("red.png", red_png())));
+    parts().pictures.paint_picture(QString::fromStdString(written("red.png", red_png())));
     settle();
     EXPECT_THAT(layer_names(), testing::ElementsAre(before, "red"));
     EXPECT_TRUE(window().isWindowModified());
@@ -54,13 +55,13 @@ TEST_F(PicturePaintWindow, APictureIsALayerInTheMiddle) {
     const QColor middle = shown.pixelColor(shown.width() / 2, shown.height() / 2);
     EXPECT_GT(middle.red(), 150);
     EXPECT_LT(middle.green(), 90);
-    window().commands().action(Command::Undo)->trigger();
+    studio().commands().action(Command::Undo)->trigger();
     settle();
     EXPECT_EQ(layer_names().size(), 1U);
 }
 
 TEST_F(PicturePaintWindow, APictureOpensAsPaintOnANewCanvas) {
-    window().open_painting(QString::fromStdString(written("red.png", red_png())));
+    parts().files.open_painting(QString::fromStdString(written("red.png", red_png())));
     settle();
     EXPECT_THAT(layer_names(), testing::ElementsAre("red"));
     EXPECT_EQ(session().canvas().width_mm, 300.0);
@@ -77,7 +78,7 @@ TEST_F(PicturePaintWindow, AnOpenRasterFileOpensWithItsLayers) {
                                          "<layer name='One' src='a.png' x='20'/></stack></image>"));
     archive.add("a.png", red_png());
     archive.write(folder.path() / "a.ora", "a.ora");
-    window().open_painting(QString::fromStdString((folder.path() / "a.ora").string()));
+    parts().files.open_painting(QString::fromStdString((folder.path() / "a.ora").string()));
     settle();
     EXPECT_THAT(layer_names(), testing::ElementsAre("One", "Two"));
 }
@@ -85,8 +86,8 @@ TEST_F(PicturePaintWindow, AnOpenRasterFileOpensWithItsLayers) {
 TEST_F(PicturePaintWindow, WhatIsNoPictureLeavesThePaintingOnTheEasel) {
     const std::uint64_t before = document::state_hash(session().capture().painting);
     const QString none = QString::fromStdString(written("none.png", "none"));
-    EXPECT_THROW(window().open_painting(none), core::InputError);
-    EXPECT_THROW(window().paint_picture(none), core::InputError);
+    EXPECT_THROW(parts().files.open_painting(none), core::InputError);
+    EXPECT_THROW(parts().pictures.paint_picture(none), core::InputError);
     EXPECT_EQ(document::state_hash(session().capture().painting), before);
 }
 

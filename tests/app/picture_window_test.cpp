@@ -3,6 +3,7 @@
 #include "app/window_fixture.hpp"
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
+#include "main/window_parts.hpp"
 #include "panels/canvas/light_panel.hpp"
 #include "shade/render.hpp"
 #include "shade/varnish.hpp"
@@ -24,9 +25,9 @@ class PictureWindow : public WindowTest {
     void SetUp() override {
         WindowTest::SetUp();
         if (HasFatalFailure()) return;
-        window().commands().action(Command::Pause)->trigger();
+        studio().commands().action(Command::Pause)->trigger();
         mouse_stroke(line_mm({12.0, 12.0}, {48.0, 30.0}));
-        window().easel().choose_paint({{{"PY35", 1.0}}, 1.0});
+        studio().easel().choose_paint({{{"PY35", 1.0}}, 1.0});
         mouse_stroke(line_mm({45.0, 8.0}, {20.0, 34.0}));
         settle();
     }
@@ -117,7 +118,7 @@ TEST_F(PictureWindow, TheLightOfAnotherLampIsShownAsItIsSaved) {
 
 TEST_F(PictureWindow, DisplayP3IsShownAsItIsSavedAndTheMenuTellsIt) {
     const auto action = [this](commands::Command command) {
-        return window().commands().action(command);
+        return studio().commands().action(command);
     };
     EXPECT_TRUE(action(commands::Command::SpaceSrgb)->isChecked());
     EXPECT_TRUE(action(commands::Command::LightD65)->isChecked());
@@ -145,11 +146,11 @@ TEST_F(PictureWindow, ALightFromAFileIsUsedAndABadOneIsTold) {
         return QString::fromStdString((folder.path() / name).string());
     };
     auto* box = window().findChild<QComboBox*>(QStringLiteral("illuminant"));
-    window().use_light(file("even.csv", "wavelength_nm,power\n400,1\n700,1\n"));
+    parts().light.use(file("even.csv", "wavelength_nm,power\n400,1\n700,1\n"));
     EXPECT_EQ(box->currentText().toStdString(), "even");
     const pigment::Viewing even = canvas().viewing();
     EXPECT_NE(even, pigment::Viewing{});
-    window().use_light(file("bad.csv", "400,1\n390,1\n"));
+    parts().light.use(file("bad.csv", "400,1\n390,1\n"));
     EXPECT_THAT(window().statusBar()->currentMessage().toStdString(),
                 testing::HasSubstr("bad.csv, line 2: the wavelength 390 nm is not greater"));
     EXPECT_EQ(canvas().viewing(), even);
@@ -177,8 +178,8 @@ TEST_F(PictureWindow, ZoomedInTheSurfaceIsSmoothAndShowsNoCells) {
 TEST_F(PictureWindow, ASavedPictureIsAReadableFileThatLooksLikeTheCanvas) {
     const TemporaryFolder folder;
     const QString path = QString::fromStdString((folder.path() / "picture.png").string());
-    window().export_painting({}, path.toStdString());
-    wait_for([this] { return !window().exporter().busy(); });
+    parts().exporting.start({}, path.toStdString());
+    wait_for([this] { return !parts().exporting.exporter().busy(); });
     const QImage saved = QImage(path).convertToFormat(QImage::Format_RGB888);
     ASSERT_FALSE(saved.isNull());
     EXPECT_EQ(difference(saved, reference(1.0)).largest, 0);

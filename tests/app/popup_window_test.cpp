@@ -50,7 +50,7 @@ class PopupWindow : public WindowTest {
         QTest::keyClick(window().windowHandle(), key);
         QApplication::processEvents();
     }
-    const tools::Hand& hand() { return window().easel().hand(); }
+    const tools::Hand& hand() { return studio().easel().hand(); }
 };
 
 TEST_F(PopupWindow, ARightClickOpensItAroundThePointerAndPaintsNothing) {
@@ -60,7 +60,7 @@ TEST_F(PopupWindow, ARightClickOpensItAroundThePointerAndPaintsNothing) {
     EXPECT_LE((middle - pointer).manhattanLength(), 2);
     EXPECT_TRUE(tool("Flat bristle 20").isChecked());
     EXPECT_EQ(palette().findChild<QLabel*>("popup_width")->text(), "20 mm");
-    EXPECT_FALSE(window().easel().painting());
+    EXPECT_FALSE(studio().easel().painting());
     EXPECT_EQ(volume_mm3(), 0.0);
 }
 
@@ -74,7 +74,7 @@ TEST_F(PopupWindow, AToolIsTakenAtAClick) {
 }
 
 TEST_F(PopupWindow, APaintIsTakenAtAClick) {
-    window().easel().choose_paint({{{"PR101", 1.0}}, 1.0});
+    studio().easel().choose_paint({{{"PR101", 1.0}}, 1.0});
     open();
     RoundButton* other = nullptr;
     for (RoundButton* button : buttons("popup_paint"))
@@ -172,7 +172,7 @@ TEST_F(PopupWindow, APenBesideItClosesItAndPaintsNothing) {
 }
 
 TEST_F(PopupWindow, TheToolsOfTheLastTimeAreThereAgain) {
-    window().easel().take_brush("Straw 8", 8.0);
+    studio().easel().take_brush("Straw 8", 8.0);
     action(Command::LargerBrush)->trigger();  // shows the hand
     start_again();
     open();

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
+#include "main/window_parts.hpp"
 
 #include <cstdlib>
 
@@ -24,7 +25,7 @@ class ProjectWindow : public WindowTest {
         ::setenv("XDG_DATA_HOME", data.path().c_str(), 1);
         WindowTest::SetUp();
         if (HasFatalFailure()) return;
-        window().commands().action(Command::Pause)->trigger();
+        studio().commands().action(Command::Pause)->trigger();
     }
     void TearDown() override {
         WindowTest::TearDown();
@@ -35,8 +36,8 @@ class ProjectWindow : public WindowTest {
 
     /// Saves and waits for it.
     void save(const char* name) {
-        window().save_painting(QString::fromStdString(path(name)));
-        EXPECT_EQ(window().project_saver().wait().toStdString(), "");
+        parts().files.save_painting(QString::fromStdString(path(name)));
+        EXPECT_EQ(parts().files.saver().wait().toStdString(), "");
         QCoreApplication::processEvents();
     }
     std::uint64_t state() { return document::state_hash(session().capture().painting); }
@@ -58,7 +59,7 @@ TEST_F(ProjectWindow, APaintingIsSavedAndOpenedAsItWas) {
     EXPECT_TRUE(window().isWindowModified());
     EXPECT_NE(state(), saved);
 
-    window().open_painting(QString::fromStdString(path("a.pastoso")));
+    parts().files.open_painting(QString::fromStdString(path("a.pastoso")));
     settle();
     EXPECT_EQ(state(), saved);
     EXPECT_FALSE(window().isWindowModified());
@@ -72,7 +73,7 @@ TEST_F(ProjectWindow, AFileThatIsNoneLeavesThePaintingOnTheEasel) {
     settle();
     const std::uint64_t before = state();
     core::write_text_file(path("bad.pastoso"), "nothing");
-    EXPECT_THROW(window().open_painting(QString::fromStdString(path("bad.pastoso"))),
+    EXPECT_THROW(parts().files.open_painting(QString::fromStdString(path("bad.pastoso"))),
                  core::InputError);
     EXPECT_EQ(state(), before);
     EXPECT_TRUE(window().isWindowModified());
@@ -81,7 +82,7 @@ TEST_F(ProjectWindow, AFileThatIsNoneLeavesThePaintingOnTheEasel) {
 
 TEST_F(ProjectWindow, AnotherCanvasIsNotThatFileAnyMore) {
     save("a.pastoso");
-    window().new_canvas(session().canvas());
+    parts().files.new_canvas(session().canvas());
     EXPECT_THAT(window().windowTitle().toStdString(), testing::StartsWith("Canvas[*] "));
 }
 

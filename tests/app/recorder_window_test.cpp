@@ -3,6 +3,7 @@
 #include "dialogs/export_dialog.hpp"
 #include "document/painting_state.hpp"
 #include "main/files/replay_window.hpp"
+#include "main/window_parts.hpp"
 
 #include <stdexcept>
 
@@ -70,9 +71,9 @@ TEST_F(RecorderWindow, APaintingThatIsOpenedBringsItsStrokes) {
     const TemporaryFolder folder;
     paint();
     const QString path = QString::fromStdString((folder.path() / "a.pastoso").string());
-    window().save_painting(path);
-    ASSERT_TRUE(window().project_saver().wait().isEmpty());
-    window().open_painting(path);
+    parts().files.save_painting(path);
+    ASSERT_TRUE(parts().files.saver().wait().isEmpty());
+    parts().files.open_painting(path);
     mouse_stroke(line_mm({12.0, 20.0}, {48.0, 20.0}));
     session().wait_until_applied();
     wait_for([this] { return find<QLabel>("recorded_strokes").text() == QStringLiteral("3"); });
@@ -94,7 +95,7 @@ TEST_F(RecorderWindow, WatchingLeavesThePaintingAsItIs) {
     wait_for([this] { return replay() == nullptr; });
     EXPECT_EQ(hash(), before);
     EXPECT_EQ(session().status().changes, changes);
-    EXPECT_EQ(window().easel().brush_is_lent(), false);
+    EXPECT_EQ(studio().easel().brush_is_lent(), false);
 }
 
 TEST_F(RecorderWindow, ItIsStoppedAndSoughtBackAndForth) {

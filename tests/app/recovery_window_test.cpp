@@ -3,6 +3,7 @@
 #include "core/temporary_folder.hpp"
 #include "dialogs/recovery_dialog.hpp"
 #include "journal/recovery.hpp"
+#include "main/window_parts.hpp"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -21,7 +22,7 @@ class RecoveryWindow : public WindowTest {
         WindowTest::SetUp();
         if (!HasFatalFailure()) pause();
     }
-    void pause() { window().commands().action(commands::Command::Pause)->trigger(); }
+    void pause() { studio().commands().action(commands::Command::Pause)->trigger(); }
 
     std::vector<journal::Unfinished> unfinished() {
         return journal::unfinished_paintings(journal::journals_path());
@@ -39,7 +40,7 @@ TEST_F(RecoveryWindow, APaintingThatWasNotClosedComesBack) {
     open_another();
     pause();
     ASSERT_THAT(unfinished(), SizeIs(1));
-    window().recover_painting(unfinished()[0].folder);
+    parts().files.recover_painting(unfinished()[0].folder);
     settle();
     EXPECT_EQ(state(), painted);
     EXPECT_TRUE(window().isWindowModified());
@@ -53,8 +54,8 @@ TEST_F(RecoveryWindow, APaintingThatWasNotClosedComesBack) {
 TEST_F(RecoveryWindow, ASavedPaintingIsNotOffered) {
     const TemporaryFolder folder;
     paint();
-    window().save_painting(QString::fromStdString((folder.path() / "a.pastoso").string()));
-    ASSERT_EQ(window().project_saver().wait().toStdString(), "");
+    parts().files.save_painting(QString::fromStdString((folder.path() / "a.pastoso").string()));
+    ASSERT_EQ(parts().files.saver().wait().toStdString(), "");
     QCoreApplication::processEvents();
     window().close();
     open_another();

@@ -2,6 +2,7 @@
 // undone and saved.
 #include "app/window_fixture.hpp"
 #include "dialogs/select_range_dialog.hpp"
+#include "main/window_parts.hpp"
 
 #include <cmath>
 
@@ -28,7 +29,7 @@ class SelectionWindow : public WindowTest {
         WindowTest::SetUp();
         if (HasFatalFailure()) return;
         give(Command::Pause);
-        window().easel().take_brush("Flat bristle 20", 4.0);
+        studio().easel().take_brush("Flat bristle 20", 4.0);
         cell_mm_ = session().snapshot()->film.cell_mm;
     }
 
@@ -249,9 +250,9 @@ TEST_F(SelectionWindow, ZoomAndPanGoOnWhileAnOutlineIsDrawn) {
 
 TEST_F(SelectionWindow, TheWellIsPaintedOnMeanwhile) {
     give(Command::MixingWell);
-    wait_for([this] { return window().well().isVisible(); });
+    wait_for([this] { return studio().well().isVisible(); });
     give(Command::SelectRectangle);
-    mouse_stroke_on(window().well(), line_mm({20.0, 20.0}, {60.0, 20.0}));
+    mouse_stroke_on(studio().well(), line_mm({20.0, 20.0}, {60.0, 20.0}));
     session().wait_until_applied();
     EXPECT_TRUE(session().snapshot()->well.has_value());
     EXPECT_EQ(selection(), nullptr);
@@ -339,12 +340,12 @@ TEST_F(SelectionWindow, ASavedSelectionIsThereAgain) {
     const QImage before = picture();
     const TemporaryFolder folder;
     const QString path = QString::fromStdString((folder.path() / "selected.pastoso").string());
-    window().save_painting(path);
-    EXPECT_EQ(window().project_saver().wait(), "");
-    window().new_canvas(canvas_settings());
+    parts().files.save_painting(path);
+    EXPECT_EQ(parts().files.saver().wait(), "");
+    parts().files.new_canvas(canvas_settings());
     settle();
     EXPECT_EQ(reading(), "");
-    window().open_painting(path);
+    parts().files.open_painting(path);
     settle();
     EXPECT_EQ(reading(), "25 % selected");
     EXPECT_TRUE(selected(20.0, 20.0));

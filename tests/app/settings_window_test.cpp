@@ -11,6 +11,7 @@
 #include "dialogs/settings_dialog.hpp"
 #include "main/program/language.hpp"
 #include "main/program/preference_commands.hpp"
+#include "main/window_parts.hpp"
 
 #include <QAction>
 #include <QApplication>
@@ -187,7 +188,7 @@ TEST_F(SettingsWindow, TheMemoryForUndoIsChosenAndThereAgain) {
     mouse_stroke(line_mm({10, 10}, {30, 20}));
     const double painted_mm3 = volume_mm3();
     EXPECT_GT(painted_mm3, 0.0);
-    wait_for([&] { return window().commands().action(Command::Undo)->isEnabled(); });
+    wait_for([&] { return studio().commands().action(Command::Undo)->isEnabled(); });
     action(Command::Undo)->trigger();
     EXPECT_EQ(volume_mm3(), 0.0);
 }
@@ -234,7 +235,7 @@ TEST_F(SettingsWindow, SavesByItselfWhereThereIsAFileAndAChangeButNotWithinAStro
     const auto let_it_come_due = [&] {
         const int wanted = times + 3;
         wait_for([&] { return times >= wanted; });
-        window().project_saver().wait();
+        parts().files.saver().wait();
     };
     mouse_stroke(line_mm({10, 10}, {30, 20}));
     wait_for([&] { return window().isWindowModified(); });
@@ -243,8 +244,8 @@ TEST_F(SettingsWindow, SavesByItselfWhereThereIsAFileAndAChangeButNotWithinAStro
 
     const std::filesystem::path file = data_file("own.pastoso");
     std::filesystem::create_directories(file.parent_path());
-    window().save_painting(QString::fromStdString(file.string()));
-    window().project_saver().wait();
+    parts().files.save_painting(QString::fromStdString(file.string()));
+    parts().files.saver().wait();
     const auto first = std::filesystem::last_write_time(file);
     let_it_come_due();
     EXPECT_EQ(std::filesystem::last_write_time(file), first);
@@ -257,7 +258,7 @@ TEST_F(SettingsWindow, SavesByItselfWhereThereIsAFileAndAChangeButNotWithinAStro
     release({20, 18});
     wait_for([&] { return std::filesystem::last_write_time(file) != first; });
     timer.stop();
-    window().project_saver().wait();
+    parts().files.saver().wait();
     EXPECT_FALSE(window().isWindowModified());
 }
 

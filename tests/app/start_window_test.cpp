@@ -6,6 +6,7 @@
 #include "dialogs/new_canvas_dialog.hpp"
 #include "dialogs/recovery_dialog.hpp"
 #include "journal/recovery.hpp"
+#include "main/window_parts.hpp"
 #include "start/examples_section.hpp"
 #include "start/gallery.hpp"
 #include "start/new_canvas_section.hpp"
@@ -68,7 +69,7 @@ class StartWindow : public WindowTest {
     }
     start::Gallery& gallery(const char* name) { return find<start::Gallery>(name); }
     void show_page() {
-        window().show_start_page();
+        parts().start.show_page();
         QApplication::processEvents();
     }
     void press_key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
@@ -110,8 +111,8 @@ class StartWindow : public WindowTest {
     }
     std::filesystem::path saved(const char* name) {
         const std::filesystem::path path = folder_.path() / name;
-        window().save_painting(QString::fromStdString(path.string()));
-        EXPECT_EQ(window().project_saver().wait().toStdString(), "");
+        parts().files.save_painting(QString::fromStdString(path.string()));
+        EXPECT_EQ(parts().files.saver().wait().toStdString(), "");
         QApplication::processEvents();
         return path;
     }
@@ -134,7 +135,7 @@ class StartWindow : public WindowTest {
 
 TEST_F(StartWindow, ThePageMeetsThePainterAndTheFirstStrokeFollowsAtOnce) {
     EXPECT_FALSE(page_is_shown());
-    window().welcome();
+    parts().start.welcome();
     ASSERT_TRUE(page_is_shown());
     EXPECT_EQ(QApplication::focusWidget(), &find<QPushButton>("start_painting"));
     QTest::mouseClick(&find<QPushButton>("start_painting"), Qt::LeftButton);
@@ -289,7 +290,7 @@ TEST_F(StartWindow, AnExampleIsPaintedOnItsCanvasAndNeedsNoSaving) {
     EXPECT_EQ(size_on_easel(), "100 x 132, linen");
     wait_for([this] { return session().status().strokes > 5; });
     EXPECT_TRUE(session().status().replaying);
-    wait_for([this] { return !session().status().replaying && !window().easel().brush_is_lent(); });
+    wait_for([this] { return !session().status().replaying && !studio().easel().brush_is_lent(); });
     EXPECT_THAT(session().take_errors(), IsEmpty());
     EXPECT_GT(session().status().strokes, 300);
     EXPECT_GT(volume_mm3(), 500.0);
@@ -306,7 +307,7 @@ TEST_F(StartWindow, UnfinishedPaintingsStandAtTheTopAndComeBack) {
     settle();
     const double painted_mm3 = volume_mm3();
     open_another();
-    window().welcome();
+    parts().start.welcome();
     ASSERT_TRUE(page_is_shown()) << "and no dialog asks for the same";
     ASSERT_TRUE(find<QPushButton>("recover").isVisible());
     press_key(Qt::Key_Escape);
@@ -343,19 +344,19 @@ TEST_F(StartWindow, UnfinishedPaintingsCanBeDiscardedFromThePage) {
 }
 
 TEST_F(StartWindow, ThatItIsNotWantedAtTheStartIsRemembered) {
-    window().welcome();
+    parts().start.welcome();
     auto& box = find<QCheckBox>("show_at_start");
     EXPECT_TRUE(box.isChecked());
     box.click();
     start_again();
-    window().welcome();
+    parts().start.welcome();
     EXPECT_FALSE(page_is_shown());
     action(Command::StartPage)->trigger();
     EXPECT_TRUE(page_is_shown());
     EXPECT_FALSE(find<QCheckBox>("show_at_start").isChecked());
     find<QCheckBox>("show_at_start").click();
     start_again();
-    window().welcome();
+    parts().start.welcome();
     EXPECT_TRUE(page_is_shown());
 }
 

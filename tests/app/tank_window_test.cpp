@@ -9,6 +9,7 @@
 #include "io/tank_json.hpp"
 #include "main/liquids/tank_mode.hpp"
 #include "main/liquids/tea_mode.hpp"
+#include "main/window_parts.hpp"
 #include "window_fixture.hpp"
 
 #include <csignal>
@@ -29,8 +30,8 @@ using commands::Command;
 
 class TankWindow : public WindowTest {
   protected:
-    QAction* action(Command command) { return window().commands().action(command); }
-    main::TankMode& tank() { return window().tank(); }
+    QAction* action(Command command) { return studio().commands().action(command); }
+    main::TankMode& tank() { return parts().tank; }
     session::TankSession& liquid() { return tank().session(); }
     glass::TankView& view() { return tank().page().view(); }
 
@@ -108,7 +109,7 @@ TEST_F(TankWindow, TheChooserGoesFromTeaToTankAndBack) {
     const std::uint64_t painted = document::state_hash(session().capture().painting);
     const QByteArray panels = window().saveState();
     action(Command::MilkTea)->trigger();
-    main::TeaMode& tea = window().tea();
+    main::TeaMode& tea = parts().tea;
     choose(tea.page().panel().chooser(), QStringLiteral("two-liquids"));
     EXPECT_FALSE(tea.page().isVisible());
     EXPECT_TRUE(tank().page().isVisible());

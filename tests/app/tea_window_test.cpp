@@ -3,6 +3,7 @@
 #include "glass/liquid_picture_dialog.hpp"
 #include "glass/tea_page.hpp"
 #include "main/liquids/tea_mode.hpp"
+#include "main/window_parts.hpp"
 #include "window_fixture.hpp"
 
 #include <fstream>
@@ -24,8 +25,8 @@ using commands::Command;
 
 class TeaWindow : public WindowTest {
   protected:
-    QAction* action(Command command) { return window().commands().action(command); }
-    main::TeaMode& tea() { return window().tea(); }
+    QAction* action(Command command) { return studio().commands().action(command); }
+    main::TeaMode& tea() { return parts().tea; }
     session::TeaSession& glass() { return tea().session(); }
     glass::TeaView& view() { return tea().page().view(); }
 
@@ -185,7 +186,7 @@ TEST_F(TeaWindow, KeysStirPauseAndMoveTheAxis) {
 }
 
 TEST_F(TeaWindow, OneKeyMeansOneThingInEachMode) {
-    const commands::KeyBindings& keys = window().commands().keys();
+    const commands::KeyBindings& keys = studio().commands().keys();
     EXPECT_EQ(keys.holder(QKeySequence("F4"), commands::Mode::Painting), Command::LightPanel);
     EXPECT_EQ(keys.holder(QKeySequence("F4"), commands::Mode::Tea), Command::TeaPause);
     EXPECT_FALSE(action(Command::TeaPause)->isEnabled());

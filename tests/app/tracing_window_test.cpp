@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "io/image.hpp"
+#include "main/window_parts.hpp"
 #include "panels/colour/picture_board.hpp"
 #include "panels/layers/tracing_panel.hpp"
 #include "pigment/hex_colour.hpp"
@@ -39,7 +40,7 @@ class TracingWindow : public WindowTest {
 
     std::filesystem::path path() const { return folder.path() / "photo.png"; }
     void trace() {
-        window().trace_picture(QString::fromStdString(path().string()));
+        parts().tracing.trace_picture(QString::fromStdString(path().string()));
         settle();
     }
     auto tracing() {
@@ -101,8 +102,8 @@ TEST_F(TracingWindow, ThickPaintCoversIt) {
 TEST_F(TracingWindow, IsInNoPictureThatIsSaved) {
     const auto saved = [&](const char* name) {
         const std::filesystem::path file = folder.path() / name;
-        window().export_painting({}, file);
-        wait_for([&] { return !window().exporter().busy(); });
+        parts().exporting.start({}, file);
+        wait_for([&] { return !parts().exporting.exporter().busy(); });
         return core::read_text_file(file);
     };
     const std::string before = saved("before.png");
@@ -131,7 +132,7 @@ TEST_F(TracingWindow, OpacityIsPreviewedAndBecomesOneStepWhenTheSliderRests) {
 TEST_F(TracingWindow, LiesWhereTheNumbersSayAndFitsAgain) {
     trace();
     const layers::PicturePlace fitted = tracing()->place;
-    window().commands().action(Command::TracingPanel)->trigger();
+    studio().commands().action(Command::TracingPanel)->trigger();
     type(number("tracing_x"), "-12.5");
     wait_for([&] { return tracing()->place.x_mm == -12.5; });
     type(number("tracing_width"), "20");
@@ -149,7 +150,7 @@ TEST_F(TracingWindow, AClickOnThePanelTakesPaintOfThatColour) {
     const auto click = [&](double share) {
         QTest::mouseClick(&board(), Qt::LeftButton, Qt::NoModifier,
                           QPoint(static_cast<int>(share * board().width()), board().height() / 2));
-        return window().easel().hand().paint.ingredients;
+        return studio().easel().hand().paint.ingredients;
     };
     using testing::ElementsAre;
     EXPECT_THAT(click(0.25), ElementsAre(document::Ingredient{"#1428c8", 1.0}));
@@ -174,13 +175,13 @@ TEST_F(TracingWindow, ComesBackWithThePaintingAndGoesWhenTakenAway) {
     trace();
     const auto before = tracing();
     const QString file = QString::fromStdString((folder.path() / "a.pastoso").string());
-    window().save_painting(file);
-    ASSERT_EQ(window().project_saver().wait().toStdString(), "");
+    parts().files.save_painting(file);
+    ASSERT_EQ(parts().files.saver().wait().toStdString(), "");
     action(Command::RemoveTracing)->trigger();
     settle();
     EXPECT_EQ(tracing(), nullptr);
     EXPECT_FALSE(action(Command::FitTracing)->isEnabled());
-    window().open_painting(file);
+    parts().files.open_painting(file);
     settle();
     ASSERT_TRUE(tracing());
     EXPECT_EQ(*tracing(), *before);
@@ -189,7 +190,7 @@ TEST_F(TracingWindow, ComesBackWithThePaintingAndGoesWhenTakenAway) {
 
 TEST_F(TracingWindow, WhatIsNoPictureIsToldAndNothingChanges) {
     core::write_text_file(path(), "none");
-    EXPECT_THROW(window().trace_picture(QString::fromStdString(path().string())),
+    EXPECT_THROW(parts().tracing.trace_picture(QString::fromStdString(path().string())),
                  core::InputError);
     EXPECT_EQ(tracing(), nullptr);
 }

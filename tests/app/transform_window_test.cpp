@@ -1,6 +1,7 @@
 // Moving, scaling and turning paint in the real window: by dragging the frame, by keys and by numbers.
 #include "app/window_fixture.hpp"
 #include "dialogs/transform_dialog.hpp"
+#include "main/window_parts.hpp"
 
 #include <cmath>
 
@@ -28,7 +29,7 @@ class TransformWindow : public WindowTest {
         WindowTest::SetUp();
         if (HasFatalFailure()) return;
         give(Command::Pause);
-        window().easel().take_brush("Flat bristle 20", 4.0);
+        studio().easel().take_brush("Flat bristle 20", 4.0);
         mouse_stroke(line_mm({10.0, 10.0}, {20.0, 14.0}));
         settle();
     }
@@ -241,7 +242,7 @@ TEST_F(TransformWindow, NumbersAndFrameKeepInStep) {
 }
 
 TEST_F(TransformWindow, OnlyWhatIsSelectedMoves) {
-    window().easel().select(document::SelectArea{{{0, 0}, {15, 0}, {15, 40}, {0, 40}}});
+    studio().easel().select(document::SelectArea{{{0, 0}, {15, 0}, {15, 40}, {0, 40}}});
     settle();
     const auto before = painting();
     begin();
@@ -300,7 +301,7 @@ TEST_F(TransformWindow, OtherDeedsEndTheFrameAndLeaveThePaint) {
     wait_for([&] { return !session().status().replaying; });
     give(Command::Pause);
     drag_frame();
-    window().new_canvas(canvas_settings());
+    parts().files.new_canvas(canvas_settings());
     EXPECT_FALSE(canvas().frame().has_value());
     EXPECT_EQ(dialog(), nullptr);
 }

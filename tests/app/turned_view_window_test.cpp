@@ -150,7 +150,7 @@ TEST_F(TurnedView, AStrokeLandsWhereThePointerWas) {
     for (int i = 0; i < 3; ++i)
         give(Command::TurnRight);
     give(Command::MirrorView);
-    window().easel().take_brush("Round sable 9", 5.0);
+    studio().easel().take_brush("Round sable 9", 5.0);
     // Along a level line of the screen.
     const QPointF from = centre() + QPointF(-110.0, 20.0), to = centre() + QPointF(90.0, 20.0);
     const QImage before = picture();

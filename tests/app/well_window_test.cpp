@@ -22,29 +22,29 @@ class WellWindow : public WindowTest {
         give(Command::Pause);
     }
 
-    void give(Command command) { window().commands().action(command)->trigger(); }
+    void give(Command command) { studio().commands().action(command)->trigger(); }
     QDockWidget& panel() { return *window().findChild<QDockWidget*>(QStringLiteral("well_panel")); }
     void open_panel() {
         give(Command::MixingWell);
-        wait_for([&] { return window().well().finished(); });
+        wait_for([&] { return studio().well().finished(); });
     }
-    void choose(const char* pigment) { window().easel().choose_paint({{{pigment, 1.0}}, 1.0}); }
+    void choose(const char* pigment) { studio().easel().choose_paint({{{pigment, 1.0}}, 1.0}); }
 
     /// What the panel shows of the latest state, in its final quality.
     QImage well_picture() {
         const double there_mm3 = in_well_mm3();
-        wait_for([&] { return window().well().finished() && shown_mm3() == there_mm3; });
+        wait_for([&] { return studio().well().finished() && shown_mm3() == there_mm3; });
         QEvent leave(QEvent::Leave);
-        QApplication::sendEvent(&window().well(), &leave);
-        return window().well().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+        QApplication::sendEvent(&studio().well(), &leave);
+        return studio().well().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
     }
     QColor well_colour(const glm::dvec2& place_mm) {
         const QImage picture = well_picture();
-        const double ratio = window().well().devicePixelRatioF();
-        return picture.pixelColor((ratio * window().well().widget_position(place_mm)).toPoint());
+        const double ratio = studio().well().devicePixelRatioF();
+        return picture.pixelColor((ratio * studio().well().widget_position(place_mm)).toPoint());
     }
     double shown_mm3() {
-        const document::Snapshot* shown = window().well().shown();
+        const document::Snapshot* shown = studio().well().shown();
         if (shown == nullptr) return -1.0;
         return film::volume_mm3(film::totals(shown->film).thickness, shown->film.cell_mm);
     }
@@ -72,10 +72,10 @@ TEST_F(WellWindow, IsClosedUntilItIsAskedForAndCostsNothing) {
     EXPECT_FALSE(session().snapshot()->well.has_value());
     open_panel();
     EXPECT_TRUE(panel().isVisible());
-    EXPECT_TRUE(window().commands().action(Command::MixingWell)->isChecked());
+    EXPECT_TRUE(studio().commands().action(Command::MixingWell)->isChecked());
     EXPECT_FALSE(session().snapshot()->well.has_value());
     panel().close();
-    EXPECT_FALSE(window().commands().action(Command::MixingWell)->isChecked());
+    EXPECT_FALSE(studio().commands().action(Command::MixingWell)->isChecked());
 }
 
 TEST_F(WellWindow, SqueezedPaintIsSeenWhereItLies) {
@@ -86,8 +86,8 @@ TEST_F(WellWindow, SqueezedPaintIsSeenWhereItLies) {
     const QColor bare = well_colour({60.0, 60.0});
     EXPECT_LT(std::abs(bare.red() - bare.blue()), 20);
     const glm::dvec2 place_mm{60.0, 60.0};
-    QTest::mouseClick(&window().well(), Qt::LeftButton, Qt::ControlModifier,
-                      window().well().widget_position(place_mm).toPoint());
+    QTest::mouseClick(&studio().well(), Qt::LeftButton, Qt::ControlModifier,
+                      studio().well().widget_position(place_mm).toPoint());
     EXPECT_GT(in_well_mm3(), 400.0);
     const QColor red = well_colour(place_mm);
     EXPECT_GT(red.red(), red.blue() + 80);
@@ -96,11 +96,11 @@ TEST_F(WellWindow, SqueezedPaintIsSeenWhereItLies) {
 TEST_F(WellWindow, ThePenPicksUpThereAndCarriesToTheCanvas) {
     open_panel();
     choose("PR108");
-    window().easel().squeeze(60.0, 45.0);
+    studio().easel().squeeze(60.0, 45.0);
     choose("PB29");
     give(Command::CleanBrush);
     const QImage before = well_picture();
-    pen_stroke_on(window().well(), line_mm({35.0, 45.0}, {75.0, 45.0}), {.pressure = 0.7});
+    pen_stroke_on(studio().well(), line_mm({35.0, 45.0}, {75.0, 45.0}), {.pressure = 0.7});
     EXPECT_GT(difference(well_picture(), before).largest, 60);
     const double left_mm3 = in_well_mm3();
     EXPECT_LT(left_mm3, 240.0);
@@ -116,9 +116,9 @@ TEST_F(WellWindow, ThePenPicksUpThereAndCarriesToTheCanvas) {
 
 TEST_F(WellWindow, AMouseStrokeThereIsUndone) {
     open_panel();
-    window().easel().squeeze(60.0, 45.0);
+    studio().easel().squeeze(60.0, 45.0);
     const QImage before = well_picture();
-    mouse_stroke_on(window().well(), line_mm({35.0, 45.0}, {75.0, 45.0}));
+    mouse_stroke_on(studio().well(), line_mm({35.0, 45.0}, {75.0, 45.0}));
     EXPECT_GT(difference(well_picture(), before).largest, 40);
     give(Command::Undo);
     EXPECT_EQ(difference(well_picture(), before).largest, 0);
@@ -129,13 +129,13 @@ TEST_F(WellWindow, AMouseStrokeThereIsUndone) {
 TEST_F(WellWindow, AFloatingPanelShowsTheSame) {
     open_panel();
     choose("PR108");
-    window().easel().squeeze(60.0, 45.0);
+    studio().easel().squeeze(60.0, 45.0);
     EXPECT_GT(well_colour({60.0, 45.0}).red(), well_colour({60.0, 45.0}).blue() + 80);
     panel().setFloating(true);
     wait_until_shown(panel());
     EXPECT_GT(well_colour({60.0, 45.0}).red(), well_colour({60.0, 45.0}).blue() + 80);
     panel().setFloating(false);
-    wait_until_shown(window().well());
+    wait_until_shown(studio().well());
     EXPECT_GT(well_colour({60.0, 45.0}).red(), well_colour({60.0, 45.0}).blue() + 80);
 }
 

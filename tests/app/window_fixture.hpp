@@ -59,9 +59,11 @@ class WindowTest : public ::testing::Test {
     QImage picture();
 
     main::MainWindow& window() { return *window_; }
-    view::CanvasView& canvas() { return window_->canvas(); }
-    session::PaintSession& session() { return window_->session(); }
-    QAction* action(commands::Command command) { return window_->commands().action(command); }
+    main::Studio& studio() { return window_->studio(); }
+    main::WindowParts& parts() { return window_->parts(); }
+    view::CanvasView& canvas() { return studio().canvas(); }
+    session::PaintSession& session() { return studio().session(); }
+    QAction* action(commands::Command command) { return studio().commands().action(command); }
     std::string told() const;  ///< by the status line
 
     /// Closes the window as a painter does and opens another.

@@ -54,13 +54,14 @@ class Painter {
     explicit Painter(main::MainWindow& window) : window_(window), pen_(pen()) {}
 
     void paint_at(int time_ms) {
-        const auto canvas = window_.session().canvas();
+        const auto canvas = window_.studio().session().canvas();
         const double second = time_ms / 1000.0, turn = 2.0 * std::numbers::pi * second;
         const glm::dvec2 mm{canvas.width_mm * (0.5 + 0.35 * std::cos(0.37 * turn)),
                             canvas.height_mm * (0.5 + 0.35 * std::sin(0.53 * turn))};
         const bool down = time_ms % (kStroke_ms + kLift_ms) < kStroke_ms;
         QWindow* handle = window_.windowHandle();
-        const QPointF global = window_.canvas().mapToGlobal(window_.canvas().widget_position(mm));
+        const QPointF global =
+            window_.studio().canvas().mapToGlobal(window_.studio().canvas().widget_position(mm));
         QWindowSystemInterface::handleTabletEvent(
             handle, static_cast<ulong>(1000 + time_ms), pen_.get(), handle->mapFromGlobal(global),
             global, down ? Qt::LeftButton : Qt::NoButton, down ? 0.5 + 0.3 * std::sin(turn) : 0.0, 0, 0,
@@ -77,7 +78,7 @@ class Painter {
 };
 
 int arrived(main::MainWindow& window) {
-    const document::Recording recording = window.session().recording();
+    const document::Recording recording = window.studio().session().recording();
     return static_cast<int>(
         std::count_if(recording.events.begin(), recording.events.end(), [](const auto& event) {
             return std::holds_alternative<document::PenDown>(event.action) ||
@@ -103,7 +104,7 @@ void tell(const session::FrameTimes& times, int until_s, double used_s) {
 
 void tell_end(main::MainWindow& window, const Painter& painter) {
     QApplication::processEvents();
-    window.session().wait_until_applied();
+    window.studio().session().wait_until_applied();
     std::printf("pen events sent %d, arrived %d\n", painter.sent(), arrived(window));
 }
 
@@ -147,13 +148,14 @@ int main(int argc, char** argv) {
     window.resize(1280, 800);
     window.show();
     if (!QTest::qWaitForWindowExposed(&window)) return EXIT_FAILURE;
-    window.easel().set_brush_width(load.width_px / window.session().canvas().px_per_mm);
-    window.session().set_history_budget(load.history_bytes);
+    window.studio().easel().set_brush_width(load.width_px /
+                                            window.studio().session().canvas().px_per_mm);
+    window.studio().session().set_history_budget(load.history_bytes);
     QTest::qWait(5000);
 
     Painter painter(window);
     auto times = std::make_shared<session::FrameTimes>();
-    window.measure(times);
+    window.studio().measure(times);
     QTest::qWait(2000);
     double told_s = processor_s();
     QElapsedTimer clock;
@@ -169,7 +171,7 @@ int main(int argc, char** argv) {
         tell(*times, told_ms / 1000, processor_s() - told_s);
         told_s = processor_s();
         times = std::make_shared<session::FrameTimes>();
-        window.measure(times);
+        window.studio().measure(times);
     }
     tell_end(window, painter);
     return EXIT_SUCCESS;

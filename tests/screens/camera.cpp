@@ -70,10 +70,10 @@ bool write(const QPixmap& picture, const QString& path) {
 void Camera::settle() {
     const auto finished = [this] {
         QApplication::processEvents();
-        return window_.canvas().finished() &&
-               window_.canvas().shown() == window_.session().snapshot().get();
+        return window_.studio().canvas().finished() &&
+               window_.studio().canvas().shown() == window_.studio().session().snapshot().get();
     };
-    window_.session().wait_until_applied();
+    window_.studio().session().wait_until_applied();
     // What has just been asked for may be no more than on its way to the canvas.
     QTest::qWait(kNext_ms);
     if (!wait_for(finished)) std::fprintf(stderr, "The canvas is still drawn.\n");
@@ -86,7 +86,7 @@ QPixmap Camera::look() {
 
 QPixmap Camera::look_at_canvas() {
     settle();
-    return QPixmap::fromImage(window_.canvas().grabFramebuffer());
+    return QPixmap::fromImage(window_.studio().canvas().grabFramebuffer());
 }
 
 void Camera::take_dialog(commands::Command command, const QString& name,

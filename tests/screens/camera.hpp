@@ -18,7 +18,7 @@ class Camera {
     Camera(main::MainWindow& window, QString folder) : window_(window), folder_(std::move(folder)) {}
 
     main::MainWindow& window() { return window_; }
-    void give(commands::Command command) { window_.commands().action(command)->trigger(); }
+    void give(commands::Command command) { window_.studio().commands().action(command)->trigger(); }
 
     /// Until all that was posted is applied and the canvas stands there in full.
     void settle();

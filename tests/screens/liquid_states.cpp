@@ -4,6 +4,7 @@
 #include "glass/tea_page.hpp"
 #include "main/liquids/tank_mode.hpp"
 #include "main/liquids/tea_mode.hpp"
+#include "main/window_parts.hpp"
 #include "states.hpp"
 
 #include <QAction>
@@ -54,7 +55,7 @@ QPixmap with_marks(main::MainWindow& window, glass::GlassView& view) {
 /// As the glass stands after nine seconds, and what a picture of it is like.
 void take_tea(Camera& camera) {
     main::MainWindow& window = camera.window();
-    main::TeaMode& tea = window.tea();
+    main::TeaMode& tea = window.parts().tea;
     tea.enter();
     pass_time();
     wait_for_liquid(camera, tea, 9.0, QStringLiteral("milk-tea"));
@@ -72,7 +73,7 @@ void take_tea(Camera& camera) {
 /// Liquid that meets a pillar and milk, and what a picture of that is like; then a ball in the wind.
 void take_tank(Camera& camera) {
     main::MainWindow& window = camera.window();
-    main::TankMode& tank = window.tank();
+    main::TankMode& tank = window.parts().tank;
     tank.open_scene(QStringLiteral("two-liquids"));
     pass_time();
     wait_for_liquid(camera, tank, 0.6, QStringLiteral("glass-tank"));
@@ -82,10 +83,10 @@ void take_tank(Camera& camera) {
     tank.session().wait_until_applied();
     pass_time();
     for (const Command command : {Command::TankWind, Command::TankWindLeft, Command::TankVelocity})
-        window.commands().action(command)->trigger();
+        window.studio().commands().action(command)->trigger();
     wait_for_liquid(camera, tank, 0.3, QStringLiteral("glass-tank-wind"));
     camera.save(with_marks(window, tank.page().view()), QStringLiteral("glass-tank-wind"));
-    window.commands().action(Command::TankVelocity)->trigger();
+    window.studio().commands().action(Command::TankVelocity)->trigger();
     tank.leave();
     pass_time();
 }

@@ -4,6 +4,7 @@
 #include "dialogs/recovery_dialog.hpp"
 #include "main/files/replay_window.hpp"
 #include "main/program/language.hpp"
+#include "main/window_parts.hpp"
 #include "states.hpp"
 
 #include <chrono>
@@ -51,13 +52,13 @@ void take_mixing_well(Camera& camera) {
     const std::pair<const char*, glm::dvec2> dollops[] = {
         {"PB29", {0.18, 0.25}}, {"PW6", {0.5, 0.2}}, {"PY35", {0.82, 0.25}}, {"PR108", {0.2, 0.75}}};
     for (const auto& [pigment, place] : dollops) {
-        window.easel().choose_paint({{{pigment, 1.0}}, 1.0});
+        window.studio().easel().choose_paint({{{pigment, 1.0}}, 1.0});
         for (int i = 0; i < 3; ++i)
-            window.easel().squeeze(kWell_mm.x * place.x, kWell_mm.y * place.y);
+            window.studio().easel().squeeze(kWell_mm.x * place.x, kWell_mm.y * place.y);
     }
-    window.easel().clean();
+    window.studio().easel().clean();
     const auto mix = [&](const glm::dvec2& from, const glm::dvec2& to) {
-        stroke(window.easel(), document::Surface::Well, kWell_mm, from, to);
+        stroke(window.studio().easel(), document::Surface::Well, kWell_mm, from, to);
     };
     mix({0.15, 0.25}, {0.75, 0.55});
     mix({0.8, 0.22}, {0.35, 0.62});
@@ -66,7 +67,7 @@ void take_mixing_well(Camera& camera) {
     pass_time();
     camera.settle();
     auto* panel = window.findChild<QDockWidget*>(QStringLiteral("well_panel"));
-    if (panel == nullptr || !wait_for([&] { return window.well().finished(); }))
+    if (panel == nullptr || !wait_for([&] { return window.studio().well().finished(); }))
         return camera.complain(QStringLiteral("mixing-well"));
     camera.save(panel->grab(), QStringLiteral("mixing-well"));
     camera.give(Command::MixingWell);
@@ -76,7 +77,7 @@ void take_mixing_well(Camera& camera) {
 
 void take_layer_tools(Camera& camera) {
     main::MainWindow& window = camera.window();
-    const glm::dvec2 size_mm = window.canvas().canvas_size_mm();
+    const glm::dvec2 size_mm = window.studio().canvas().canvas_size_mm();
     document::SelectArea area;
     constexpr int kCorners = 40;
     constexpr double kRound = 2.0 * std::numbers::pi;
@@ -85,16 +86,16 @@ void take_layer_tools(Camera& camera) {
         area.outline.push_back(
             {size_mm.x * (0.42 + 0.16 * std::cos(angle)), size_mm.y * (0.55 + 0.24 * std::sin(angle))});
     }
-    window.easel().select(area);
+    window.studio().easel().select(area);
     camera.take_canvas(QStringLiteral("selection"));
     camera.give(Command::TransformLayer);
     pass_time();
     QPixmap canvas = camera.look_at_canvas();
     for (QDialog* dialog : window.findChildren<QDialog*>())
-        if (dialog->isVisible()) canvas = with(canvas, window.canvas(), *dialog);
+        if (dialog->isVisible()) canvas = with(canvas, window.studio().canvas(), *dialog);
     camera.save(canvas, QStringLiteral("transform"));
     camera.give(Command::TransformLayer);
-    window.easel().undo();
+    window.studio().easel().undo();
     camera.settle();
 }
 
@@ -138,19 +139,19 @@ void take_accidents(Camera& camera) {
 
 void take_fresh_canvas(Camera& camera, const QString& traced) {
     main::MainWindow& window = camera.window();
-    window.new_canvas(document::CanvasSettings{});
-    const glm::dvec2 size_mm = window.canvas().canvas_size_mm();
-    window.trace_picture(traced);
-    window.easel().choose_paint({{{"PR108", 1.0}}, 1.0});
-    stroke(window.easel(), document::Surface::Canvas, size_mm, {0.2, 0.3}, {0.7, 0.35});
+    window.parts().files.new_canvas(document::CanvasSettings{});
+    const glm::dvec2 size_mm = window.studio().canvas().canvas_size_mm();
+    window.parts().tracing.trace_picture(traced);
+    window.studio().easel().choose_paint({{{"PR108", 1.0}}, 1.0});
+    stroke(window.studio().easel(), document::Surface::Canvas, size_mm, {0.2, 0.3}, {0.7, 0.35});
     camera.take_canvas(QStringLiteral("tracing"));
     camera.take_panel("tracing");
     camera.give(Command::RemoveTracing);
     take_mixing_well(camera);
     camera.give(Command::MirrorSymmetry);
     camera.give(Command::Ellipse);
-    window.easel().choose_paint({{{"PB29", 1.0}}, 1.0});
-    stroke(window.easel(), document::Surface::Canvas, size_mm, {0.1, 0.7}, {0.4, 0.85});
+    window.studio().easel().choose_paint({{{"PB29", 1.0}}, 1.0});
+    stroke(window.studio().easel(), document::Surface::Canvas, size_mm, {0.1, 0.7}, {0.4, 0.85});
     camera.take_canvas(QStringLiteral("guides"));
     camera.take_panel("guides");
     camera.take_panel("history");
@@ -163,8 +164,8 @@ QPixmap foreign_window(const QString& language, const QString& painting) {
     main::MainWindow window(document::CanvasSettings{}, false);
     window.resize(1280, 800);
     window.show();
-    window.commands().action(Command::Pause)->setChecked(true);
-    window.open_painting(painting);
+    window.studio().commands().action(Command::Pause)->setChecked(true);
+    window.parts().files.open_painting(painting);
     Camera camera(window, {});
     pass_time();
     return camera.look().copy(0, 0, 460, 460);

@@ -9,6 +9,7 @@
 #include "appearance/theme.hpp"
 #include "keys_table.hpp"
 #include "main/program/language.hpp"
+#include "main/window_parts.hpp"
 #include "states.hpp"
 
 #include <cstdio>
@@ -30,8 +31,8 @@ bool take_all(const QString& painting, const QString& folder) {
     window.resize(1280, 800);
     window.show();
     if (!QTest::qWaitForWindowExposed(&window)) return false;
-    window.commands().action(commands::Command::Pause)->setChecked(true);
-    window.open_painting(painting);
+    window.studio().commands().action(commands::Command::Pause)->setChecked(true);
+    window.parts().files.open_painting(painting);
     // Its outline is in no picture.
     QCursor::setPos(window.mapToGlobal(QPoint(window.width(), window.height())) + QPoint(40, 40));
     screens::pass_time();

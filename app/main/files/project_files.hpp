@@ -25,14 +25,30 @@ class ProjectFiles : public QObject {
     /// Puts up the first canvas. Throws core::InputError when there can be no such canvas.
     void start(const document::CanvasSettings& canvas);
 
-    /// As MainWindow says of them.
+    /// Puts up another canvas with the same tools. Throws core::InputError and keeps the old one when it
+    /// cannot.
     void new_canvas(const document::CanvasSettings& canvas);
+
+    /// Puts up the painting in a project file, as it was; a file of any other name as open_picture()
+    /// does. Throws core::InputError and keeps the old one when it cannot.
     void open_painting(const QString& path);
+
+    /// Puts up a new canvas with a picture or the layers of an OpenRaster file as dry paint, which has
+    /// no file yet. Throws core::InputError and keeps the old painting when it cannot.
     void open_picture(const QString& path);
+
+    /// Writes the painting to a project file, in the background. From now on that is its file.
     void save_painting(const QString& path);
     void save_by_itself();  ///< into its file, where it has one and has changed
+
+    /// Puts up a painting that a program left unfinished; its journal then goes. Throws core::InputError
+    /// and keeps both the old painting and the journal when it cannot.
     void recover_painting(const std::filesystem::path& journal);
+
+    /// Asks what to do with unfinished paintings, if there are any.
     void offer_recovery();
+
+    /// Puts up the recording's canvas and paints on it what was recorded.
     void replay(const document::Recording& recording);
 
     /// Paints a recording on a canvas of its own, as fast as it goes. Nothing of it needs to be saved

@@ -13,7 +13,8 @@ class PictureLayers : public QObject {
   public:
     explicit PictureLayers(Studio& studio);
 
-    /// In the middle and as large as it fits. Throws core::InputError when it is no picture.
+    /// Puts a picture onto the canvas as a layer of dry paint, in the middle and as large as it fits.
+    /// Throws core::InputError when it is none.
     void paint_picture(const QString& path);
 
     /// The same of one that is in memory, as a layer of that name.

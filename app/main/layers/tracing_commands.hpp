@@ -16,7 +16,8 @@ class TracingCommands : public QObject {
   public:
     TracingCommands(Studio& studio, panels::TracingPanel* panel);
 
-    /// In the middle and as large as it fits. Throws core::InputError when it is no picture.
+    /// Lays a picture below the paint to be traced, in the middle and as large as it fits. Throws
+    /// core::InputError when it is none.
     void trace_picture(const QString& path);
 
   private:

@@ -1,0 +1,76 @@
+// The parts of the window, one for each concern. They work on what they share, the Studio; whoever wants
+// something of one of them asks it.
+#pragma once
+
+#include "main/canvas/canvas_sizing.hpp"
+#include "main/canvas/navigation.hpp"
+#include "main/canvas/range_selection.hpp"
+#include "main/canvas/selection_commands.hpp"
+#include "main/canvas/undo_commands.hpp"
+#include "main/canvas/view_commands.hpp"
+#include "main/files/dropped_files.hpp"
+#include "main/files/exporting.hpp"
+#include "main/files/project_files.hpp"
+#include "main/files/recorder.hpp"
+#include "main/files/start_commands.hpp"
+#include "main/layers/layer_commands.hpp"
+#include "main/layers/layer_pictures.hpp"
+#include "main/layers/layer_transform.hpp"
+#include "main/layers/picture_layers.hpp"
+#include "main/layers/tracing_commands.hpp"
+#include "main/liquids/tank_mode.hpp"
+#include "main/liquids/tea_mode.hpp"
+#include "main/paint/light_choice.hpp"
+#include "main/paint/paint_memory.hpp"
+#include "main/paint/paint_picking.hpp"
+#include "main/paint/well_commands.hpp"
+#include "main/panel_set.hpp"
+#include "main/pen/brush_jar.hpp"
+#include "main/pen/guide_commands.hpp"
+#include "main/pen/hand_controls.hpp"
+#include "main/pen/pen_commands.hpp"
+#include "main/pen/popup_commands.hpp"
+#include "main/program/key_commands.hpp"
+#include "main/program/preference_commands.hpp"
+#include "main/program/window_memory.hpp"
+
+namespace pastoso::main {
+
+/// What is published is shown in this order.
+struct WindowParts {
+    WindowParts(Studio& studio, const PanelSet& panels, bool keeps_journal);
+
+    CanvasSizing sizing;
+    LayerCommands layers;
+    LayerPictures layer_pictures;
+    SelectionCommands selection;
+    RangeSelection ranges;
+    TracingCommands tracing;
+    WellCommands well;
+    HandControls hand;
+    BrushJar brushes;
+    GuideCommands guides;
+    LayerTransform transform;
+    UndoCommands undo;
+    PaintPicking picking;
+    PenCommands pens;
+    PopupCommands popup;
+    ProjectFiles files;
+    StartCommands start;
+    ViewCommands view;
+    Navigation navigation;
+    LightChoice light;
+    PictureLayers pictures;
+    DroppedFiles dropped;
+    Exporting exporting;
+    Recorder recorder;
+    PaintMemory paints;
+    WindowMemory memory;
+    KeyCommands keys;
+    PreferenceCommands preferences;
+    CanvasPlace place;
+    TeaMode tea;
+    TankMode tank;
+};
+
+}  // namespace pastoso::main
