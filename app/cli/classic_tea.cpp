@@ -67,7 +67,7 @@ class Surfaces {
     liquid::SampledField field_;
 };
 
-void note_end(const ClassicTea& tea, io::TeaStats& stats) {
+void note_end(const ClassicTea& tea, liquid_files::TeaStats& stats) {
     const liquid::PileUp found = liquid::pile_up(tea.particles_m(), kSourceCells, tea.settings().box_m);
     stats.pile_up_dispersion = found.dispersion;
     stats.pile_up_at_borders = found.at_borders;
@@ -79,9 +79,10 @@ void note_end(const ClassicTea& tea, io::TeaStats& stats) {
 
 }  // namespace
 
-io::TeaStats run_classic_tea(const TeaOptions& options, int frame_count, core::ThreadPool& pool) {
+liquid_files::TeaStats run_classic_tea(const TeaOptions& options, int frame_count,
+                                       core::ThreadPool& pool) {
     check_usage(options);
-    io::TeaStats stats;
+    liquid_files::TeaStats stats;
     ClassicTea tea(settings_of(options));
     std::optional<FrameFiles> files;
     if (!options.frames.empty()) files.emplace(options.frames, "milk", options.files, pool);

@@ -3,12 +3,13 @@
 
 #include "cli/options.hpp"
 #include "core/thread_pool.hpp"
-#include "io/tea_stats.hpp"
+#include "liquid_files/tea_stats.hpp"
 
 namespace pastoso::cli {
 
 /// Writes its surfaces, metaballs of the source's kernel and threshold, and measures how its particles
 /// pile up. Throws UsageError for what it has not: a scene, a cache, pictures.
-io::TeaStats run_classic_tea(const TeaOptions& options, int frame_count, core::ThreadPool& pool);
+liquid_files::TeaStats run_classic_tea(const TeaOptions& options, int frame_count,
+                                       core::ThreadPool& pool);
 
 }  // namespace pastoso::cli

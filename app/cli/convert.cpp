@@ -2,10 +2,10 @@
 
 #include "cli/export.hpp"
 #include "cli/usage_error.hpp"
+#include "core/number_text.hpp"
 #include "core/thread_pool.hpp"
 #include "document/canvas.hpp"
-#include "document/number_text.hpp"
-#include "io/files.hpp"
+#include "files/file_access.hpp"
 #include "project/import_open_raster.hpp"
 
 #include <cstdio>
@@ -13,7 +13,7 @@
 namespace pastoso::cli {
 namespace {
 
-using document::number_text;
+using core::number_text;
 
 /// From a painting to a picture, as export does it.
 ExportOptions export_options(const ConvertOptions& options) {
@@ -64,7 +64,7 @@ void run_convert(const ConvertOptions& options) {
     }
     if (!project::is_project_path(options.output))
         throw UsageError("a picture becomes a painting: name the second file NAME.pastoso.");
-    io::check_writable(options.output);
+    files::check_writable(options.output);
     core::ThreadPool pool(options.threads);
     const project::LoadedProject project = imported(options, pool);
     for (const std::string& note : project.notes)

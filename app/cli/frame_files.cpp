@@ -5,7 +5,7 @@
 #include "cli/usage_error.hpp"
 #include "core/check.hpp"
 #include "core/error.hpp"
-#include "io/traced_picture.hpp"
+#include "liquid_files/traced_picture.hpp"
 #include "trace/tracer.hpp"
 
 #include <cstdio>
@@ -42,13 +42,13 @@ bool go_on(double) {
     return !is_interrupted();
 }
 
-void stop_where(io::ExportStatus status) {
-    if (status == io::ExportStatus::Stopped) throw Interrupted{};
+void stop_where(files::ExportStatus status) {
+    if (status == files::ExportStatus::Stopped) throw Interrupted{};
 }
 
-io::PbrtSyntax syntax_of(int version) {
-    if (version == 4) return io::PbrtSyntax::V4;
-    return version == 3 ? io::PbrtSyntax::V3 : io::PbrtSyntax::V2;
+liquid_files::PbrtSyntax syntax_of(int version) {
+    if (version == 4) return liquid_files::PbrtSyntax::V4;
+    return version == 3 ? liquid_files::PbrtSyntax::V3 : liquid_files::PbrtSyntax::V2;
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ io::PbrtSyntax syntax_of(int version) {
 FrameFiles::Kind FrameFiles::kind_of(const std::string& format) {
     if (format == kSceneFormat) return Kind::Scene;
     if (format == kVolumeFormat) return Kind::Volume;
-    return io::is_mesh_path("surface." + format) ? Kind::Mesh : Kind::Picture;
+    return liquid_files::is_mesh_path("surface." + format) ? Kind::Mesh : Kind::Picture;
 }
 
 FrameFiles::FrameFiles(fs::path folder, std::string name, const FrameFileOptions& options,
@@ -70,12 +70,12 @@ FrameFiles::FrameFiles(fs::path folder, std::string name, const FrameFileOptions
     const Size size = parse_size(options.size);
     width_px_ = size.width_px;
     height_px_ = size.height_px;
-    if (kind_ == Kind::Volume && !io::has_openvdb())
+    if (kind_ == Kind::Volume && !liquid_files::has_openvdb())
         throw UsageError("--format vdb: this program was built without OpenVDB.");
     std::error_code error;
     fs::create_directories(folder_, error);
     if (error) throw core::InputError(folder_.string() + ": cannot be made (" + error.message() + ").");
-    if (kind_ == Kind::Picture) io::check_traced_path(path_of(1));
+    if (kind_ == Kind::Picture) liquid_files::check_traced_path(path_of(1));
 }
 
 bool FrameFiles::is_wanted(int frame) const {
@@ -92,7 +92,8 @@ fs::path FrameFiles::path_of(int frame) const {
 
 void FrameFiles::write_mesh(int frame, const liquid::TriangleMesh& mesh) {
     PASTOSO_CHECK(kind_ == Kind::Mesh);
-    costs_.io_s += seconds_of([&] { stop_where(io::export_mesh(path_of(frame), mesh, mesh_, go_on)); });
+    costs_.io_s +=
+        seconds_of([&] { stop_where(liquid_files::export_mesh(path_of(frame), mesh, mesh_, go_on)); });
     ++costs_.frames;
 }
 
@@ -107,24 +108,25 @@ void FrameFiles::write_picture(int frame, const trace::Scene& scene) {
     });
     trace::Picture picture;
     costs_.denoise_s += seconds_of([&] { picture = tracer.denoised(); });
-    costs_.io_s += seconds_of([&] { io::write_traced_picture(path_of(frame), picture); });
+    costs_.io_s += seconds_of([&] { liquid_files::write_traced_picture(path_of(frame), picture); });
     ++costs_.frames;
 }
 
-void FrameFiles::write_scene(int frame, io::PbrtScene scene) {
+void FrameFiles::write_scene(int frame, liquid_files::PbrtScene scene) {
     PASTOSO_CHECK(kind_ == Kind::Scene);
     scene.syntax = mesh_.syntax;
-    if (scene.syntax != io::PbrtSyntax::V4) scene.dissolved = nullptr;
+    if (scene.syntax != liquid_files::PbrtSyntax::V4) scene.dissolved = nullptr;
     scene.width = width_px_;
     scene.height = height_px_;
     scene.samples = options_.samples;
-    costs_.io_s += seconds_of([&] { stop_where(io::export_pbrt_scene(path_of(frame), scene, go_on)); });
+    costs_.io_s +=
+        seconds_of([&] { stop_where(liquid_files::export_pbrt_scene(path_of(frame), scene, go_on)); });
     ++costs_.frames;
 }
 
-void FrameFiles::write_volume(int frame, const io::VdbFields& fields) {
+void FrameFiles::write_volume(int frame, const liquid_files::VdbFields& fields) {
     PASTOSO_CHECK(kind_ == Kind::Volume);
-    costs_.io_s += seconds_of([&] { io::export_vdb(path_of(frame), fields); });
+    costs_.io_s += seconds_of([&] { liquid_files::export_vdb(path_of(frame), fields); });
     ++costs_.frames;
 }
 

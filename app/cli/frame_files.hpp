@@ -5,10 +5,10 @@
 
 #include "cli/options.hpp"
 #include "core/thread_pool.hpp"
-#include "io/frame_costs.hpp"
-#include "io/mesh_export.hpp"
-#include "io/pbrt_scene.hpp"
-#include "io/vdb_export.hpp"
+#include "liquid_files/frame_costs.hpp"
+#include "liquid_files/mesh_export.hpp"
+#include "liquid_files/pbrt_scene.hpp"
+#include "liquid_files/vdb_export.hpp"
 #include "trace/scene.hpp"
 
 #include <filesystem>
@@ -43,12 +43,12 @@ class FrameFiles {
     void write_mesh(int frame, const liquid::TriangleMesh& mesh);
     void write_picture(int frame, const trace::Scene& scene);
     /// Syntax, size and samples are those of the options; what the syntax cannot hold is left out.
-    void write_scene(int frame, io::PbrtScene scene);
-    void write_volume(int frame, const io::VdbFields& fields);
+    void write_scene(int frame, liquid_files::PbrtScene scene);
+    void write_volume(int frame, const liquid_files::VdbFields& fields);
 
     /// So far. Whoever makes the surfaces notes them here.
-    io::FrameCosts& costs() { return costs_; }
-    const io::FrameCosts& costs() const { return costs_; }
+    liquid_files::FrameCosts& costs() { return costs_; }
+    const liquid_files::FrameCosts& costs() const { return costs_; }
 
   private:
     std::filesystem::path folder_;
@@ -56,9 +56,9 @@ class FrameFiles {
     FrameFileOptions options_;
     core::ThreadPool& pool_;
     Kind kind_;
-    io::MeshExportOptions mesh_;
+    liquid_files::MeshExportOptions mesh_;
     int width_px_ = 0, height_px_ = 0;
-    io::FrameCosts costs_;
+    liquid_files::FrameCosts costs_;
 };
 
 }  // namespace pastoso::cli

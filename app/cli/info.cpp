@@ -6,14 +6,14 @@
 #include "cli/recording_source.hpp"
 #include "cli/usage_error.hpp"
 #include "core/isa.hpp"
+#include "core/number_text.hpp"
 #include "document/canvas.hpp"
-#include "document/number_text.hpp"
+#include "files/image.hpp"
 #include "film/medium.hpp"
-#include "io/image.hpp"
-#include "io/recording_json.hpp"
-#include "io/recording_text.hpp"
 #include "pigment/palette.hpp"
 #include "project/project.hpp"
+#include "recordings/recording_json.hpp"
+#include "recordings/recording_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,7 +27,7 @@
 namespace pastoso::cli {
 namespace {
 
-using document::number_text;
+using core::number_text;
 
 void print_program() {
     std::printf("pastoso-cli %s, %s build by %s\n", PASTOSO_VERSION, PASTOSO_BUILD_TYPE,
@@ -130,7 +130,7 @@ void print_project(const std::string& path) {
 }
 
 void print_json_recording(const std::string& path) {
-    const document::Recording recording = io::read_recording_json(path);
+    const document::Recording recording = recordings::read_recording_json(path);
     Inventory inventory;
     for (const document::Event& event : recording.events)
         std::visit(inventory, event.action);
@@ -148,7 +148,7 @@ void print_json_recording(const std::string& path) {
 }
 
 void print_pen_trace(const std::string& path) {
-    const io::PenTrace trace = io::read_pen_trace(path);
+    const recordings::PenTrace trace = recordings::read_pen_trace(path);
     std::size_t samples = 0;
     double strongest = 0.0;
     for (const auto& stroke : trace.strokes) {
@@ -171,7 +171,7 @@ bool names_an_image(const std::string& path) {
 }
 
 void print_image(const std::string& path) {
-    const io::GreyImage image = io::read_grey_image(path);
+    const files::GreyImage image = files::read_grey_image(path);
     const auto [darkest, lightest] = std::minmax_element(image.values.begin(), image.values.end());
     std::printf("%s: image\nsize: %d x %d pixels\ngrey values: %.3f to %.3f\n", path.c_str(),
                 image.width, image.height, static_cast<double>(*darkest),

@@ -1,35 +1,36 @@
 #include "cli/kept_tea.hpp"
 
-#include "io/tea_checkpoint.hpp"
+#include "liquid_files/tea_checkpoint.hpp"
 
 #include <algorithm>
 
 namespace pastoso::cli {
 
-KeptTea::KeptTea(const std::filesystem::path& folder, const io::FrameIndex& index)
+KeptTea::KeptTea(const std::filesystem::path& folder, const liquid_files::FrameIndex& index)
     : frames_{folder, index.scene_hash},
-      whole_(io::whole_tea_frames(folder, io::keep_frame_index(folder, io::kTeaCache, index))) {}
+      whole_(liquid_files::whole_tea_frames(
+          folder, liquid_files::keep_frame_index(folder, liquid_files::kTeaCache, index))) {}
 
 bool KeptTea::has_all(int count) const {
     return std::all_of(whole_.begin(), whole_.begin() + count, [](bool whole) { return whole; });
 }
 
 void KeptTea::write(int frame, const liquid::TeaFrame& content) const {
-    io::write_tea_frame(frames_.path_of(frame), content, frames_.scene_hash);
+    liquid_files::write_tea_frame(frames_.path_of(frame), content, frames_.scene_hash);
 }
 
 std::filesystem::path KeptTea::state_path() const {
-    return io::tea_checkpoint_path(frames_.folder);
+    return liquid_files::tea_checkpoint_path(frames_.folder);
 }
 
 std::optional<liquid::TeaState> KeptTea::state() const {
     std::error_code ignored;
     if (!std::filesystem::exists(state_path(), ignored)) return std::nullopt;
-    return io::read_tea_checkpoint(state_path(), frames_.scene_hash);
+    return liquid_files::read_tea_checkpoint(state_path(), frames_.scene_hash);
 }
 
 void KeptTea::write_state(const liquid::TeaState& state) const {
-    io::write_tea_checkpoint(state_path(), state, frames_.scene_hash);
+    liquid_files::write_tea_checkpoint(state_path(), state, frames_.scene_hash);
 }
 
 }  // namespace pastoso::cli

@@ -1,9 +1,9 @@
 // The folder that "tea --cache" fills: frames of one scene, and the state to go on from.
 #pragma once
 
-#include "io/tea_cache.hpp"
 #include "liquid/tea/tea_frame.hpp"
 #include "liquid/tea/tea_state.hpp"
+#include "liquid_files/tea_cache.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -16,14 +16,18 @@ struct KeptFrames {
     std::filesystem::path folder;
     std::uint64_t scene_hash = 0;
 
-    std::filesystem::path path_of(int frame) const { return io::tea_frame_path(folder, frame); }
-    liquid::TeaFrame read(int frame) const { return io::read_tea_frame(path_of(frame), scene_hash); }
+    std::filesystem::path path_of(int frame) const {
+        return liquid_files::tea_frame_path(folder, frame);
+    }
+    liquid::TeaFrame read(int frame) const {
+        return liquid_files::read_tea_frame(path_of(frame), scene_hash);
+    }
 };
 
 class KeptTea {
   public:
     /// Makes the folder's index, or lengthens it. Throws InputError when the folder keeps other tea.
-    KeptTea(const std::filesystem::path& folder, const io::FrameIndex& index);
+    KeptTea(const std::filesystem::path& folder, const liquid_files::FrameIndex& index);
 
     const KeptFrames& frames() const { return frames_; }
 

@@ -1,7 +1,7 @@
 // What the command line asks for, as plain data.
 #pragma once
 
-#include "io/picture_style.hpp"
+#include "recordings/picture_style.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -36,7 +36,7 @@ struct ReplayOptions {
     std::string frames;
     double fps = 25.0;
     double scale = 1.0;
-    io::PictureOptions picture;
+    recordings::PictureOptions picture;
     bool quiet = false;
 };
 
@@ -45,7 +45,7 @@ struct ExportOptions {
     std::string output;  ///< a picture, or a relief
     std::string well;
     double scale = 1.0;
-    io::PictureOptions picture;
+    recordings::PictureOptions picture;
     bool layers = false;  ///< channel groups instead of the lit picture alone
     bool maps = false;    ///< a set of maps named by the output
     bool flat = false;    ///< without light and shade
@@ -66,7 +66,7 @@ struct ConvertOptions {
     std::string support = "linen";
     double relief_mm = 0.0;  ///< of the support; 0: its own
     double scale = 1.0;      ///< of a picture that is made
-    io::PictureOptions picture;
+    recordings::PictureOptions picture;
     int threads = 0;
     bool quiet = false;
 };
@@ -79,7 +79,7 @@ struct TimelapseOptions {
     std::optional<double> px_per_mm;
     bool flat = false;  ///< without light and shade
     double scale = 1.0;
-    io::PictureOptions picture;
+    recordings::PictureOptions picture;
     int threads = 0;
     bool quiet = false;
 };
@@ -100,7 +100,7 @@ struct SimulateOptions {
     std::optional<double> seconds;
     std::optional<int> threads;
     std::string stats;
-    io::PictureOptions picture;
+    recordings::PictureOptions picture;
     bool quiet = false;
 };
 

@@ -3,10 +3,10 @@
 #include "cli/stopwatch.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "core/number_text.hpp"
 #include "document/canvas.hpp"
-#include "document/number_text.hpp"
 #include "document/well.hpp"
-#include "io/picture_export.hpp"
+#include "recordings/picture_export.hpp"
 #include "shade/render.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace pastoso::cli {
 namespace {
 
-std::uint64_t hash_of(const shade::Image8& image) {
+std::uint64_t hash_of(const pigment::Image8& image) {
     core::Hash64 hash;
     hash.add_value(image.width);
     hash.add_value(image.height);
@@ -30,7 +30,7 @@ void check_picture_size(const grid::Shape& shape, double scale) {
     const double longest = scale * std::max(shape.width, shape.height);
     const double pixels = scale * scale * shape.width * shape.height;
     if (longest <= 32768.0 && pixels <= 4e8) return;
-    throw core::InputError("A picture at --scale " + document::number_text(scale) + " would be " +
+    throw core::InputError("A picture at --scale " + core::number_text(scale) + " would be " +
                            std::to_string(static_cast<long>(scale * shape.width)) + " x " +
                            std::to_string(static_cast<long>(scale * shape.height)) +
                            " pixels; at most 32768 a side and 400 million in all are possible.");
@@ -39,7 +39,7 @@ void check_picture_size(const grid::Shape& shape, double scale) {
 }  // namespace
 
 PictureWriter::PictureWriter(const document::CanvasSettings& canvas, double scale,
-                             io::PictureStyle style, core::ThreadPool& pool)
+                             recordings::PictureStyle style, core::ThreadPool& pool)
     : canvas_(document::canvas_shape(canvas)), scale_(scale), style_(std::move(style)), pool_(pool) {
     check_picture_size(canvas_, scale);
 }
@@ -61,9 +61,9 @@ PictureReport PictureWriter::write_well(const document::Painting& painting,
 PictureReport PictureWriter::write_frame(const document::Painting& painting,
                                          const std::filesystem::path& path) {
     const document::Snapshot snapshot = painting.snapshot();
-    shade::LinearImage frame;
+    pigment::LinearImage frame;
     times_.shade_s += seconds_of([&] {
-        frame = io::frame_picture({snapshot.film, snapshot.ground, settings()}, canvas_, pool_);
+        frame = recordings::frame_picture({snapshot.film, snapshot.ground, settings()}, canvas_, pool_);
     });
     return save(frame, scale_ / snapshot.film.cell_mm, path);
 }
@@ -75,17 +75,17 @@ shade::RenderSettings PictureWriter::settings() const {
     return wanted;
 }
 
-shade::LinearImage PictureWriter::rendered(const film::FilmState& film, const pigment::Bands& ground) {
-    shade::LinearImage linear;
+pigment::LinearImage PictureWriter::rendered(const film::FilmState& film, const pigment::Bands& ground) {
+    pigment::LinearImage linear;
     times_.shade_s +=
         seconds_of([&] { linear = shade::render(film, ground, film.shape.cells(), settings(), pool_); });
     return linear;
 }
 
-PictureReport PictureWriter::save(const shade::LinearImage& linear, double px_per_mm,
+PictureReport PictureWriter::save(const pigment::LinearImage& linear, double px_per_mm,
                                   const std::filesystem::path& path) {
-    times_.io_s += seconds_of([&] { io::write_picture(path, linear, style_.encoding, px_per_mm); });
-    return {linear.width, linear.height, hash_of(shade::encode_srgb8(linear))};
+    times_.io_s += seconds_of([&] { files::write_picture(path, linear, style_.encoding, px_per_mm); });
+    return {linear.width, linear.height, hash_of(pigment::encode_srgb8(linear))};
 }
 
 void FrameWriter::write_if_due(const document::Painting& painting) {

@@ -3,7 +3,7 @@
 
 #include "core/thread_pool.hpp"
 #include "document/painting.hpp"
-#include "io/picture_style.hpp"
+#include "recordings/picture_style.hpp"
 #include "shade/render.hpp"
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct PictureReport {
 class PictureWriter {
   public:
     /// `scale` in pixels per cell. Throws InputError when the picture would be too large.
-    PictureWriter(const document::CanvasSettings& canvas, double scale, io::PictureStyle style,
+    PictureWriter(const document::CanvasSettings& canvas, double scale, recordings::PictureStyle style,
                   core::ThreadPool& pool);
 
     /// Renders the whole canvas and writes it to `path`.
@@ -35,20 +35,21 @@ class PictureWriter {
     /// The same of the mixing well.
     PictureReport write_well(const document::Painting& painting, const std::filesystem::path& path);
 
-    /// The picture for a sequence, as large as that of the canvas named at first (io::frame_picture).
+    /// The picture for a sequence, as large as that of the canvas named at first
+    /// (recordings::frame_picture).
     PictureReport write_frame(const document::Painting& painting, const std::filesystem::path& path);
 
     const PictureTimes& times() const { return times_; }
 
   private:
     shade::RenderSettings settings() const;
-    shade::LinearImage rendered(const film::FilmState& film, const pigment::Bands& ground);
-    PictureReport save(const shade::LinearImage& linear, double px_per_mm,
+    pigment::LinearImage rendered(const film::FilmState& film, const pigment::Bands& ground);
+    PictureReport save(const pigment::LinearImage& linear, double px_per_mm,
                        const std::filesystem::path& path);
 
     grid::Shape canvas_;
     double scale_;
-    io::PictureStyle style_;
+    recordings::PictureStyle style_;
     core::ThreadPool& pool_;
     PictureTimes times_;
 };

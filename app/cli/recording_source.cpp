@@ -8,9 +8,9 @@
 #include "core/text_file.hpp"
 #include "document/action_checks.hpp"
 #include "document/canvas.hpp"
-#include "io/recording_json.hpp"
-#include "io/recording_text.hpp"
 #include "pigment/gpl.hpp"
+#include "recordings/recording_json.hpp"
+#include "recordings/recording_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +77,7 @@ Recording load_json(const ReplayOptions& options) {
             "--brush, --size-mm, --paint, --palette and --fit are for text recordings; a JSON "
             "recording says these things itself.");
     }
-    Recording recording = io::read_recording_json(options.strokes);
+    Recording recording = recordings::read_recording_json(options.strokes);
     override_canvas(recording.canvas, options);
     if (options.medium) replace_all(recording, document::UseMedium{*options.medium});
     if (options.tilt_deg || options.tilt_direction_deg) replace_all(recording, tilt_of(options));
@@ -94,8 +94,8 @@ void name_colours(document::PaintRecipe& paint, const pigment::ColourPalette& pa
     }
 }
 
-io::TraceSetup text_setup(const ReplayOptions& options) {
-    io::TraceSetup setup;
+recordings::TraceSetup text_setup(const ReplayOptions& options) {
+    recordings::TraceSetup setup;
     override_canvas(setup.canvas, options);
     setup.medium = options.medium.value_or(kDefaultMedium);
     setup.tilt = tilt_of(options);
@@ -115,17 +115,18 @@ io::TraceSetup text_setup(const ReplayOptions& options) {
 }
 
 Recording load_text(const ReplayOptions& options) {
-    const io::TraceSetup setup = text_setup(options);
+    const recordings::TraceSetup setup = text_setup(options);
     const double width = setup.canvas.width_mm;
     const double height = setup.canvas.height_mm;
-    io::PenTrace trace = io::read_pen_trace(options.strokes);
-    if (options.fit) trace = io::fitted(trace, width, height, kFitMargin * std::min(width, height));
-    if (!io::touches_canvas(trace, width, height)) {
+    recordings::PenTrace trace = recordings::read_pen_trace(options.strokes);
+    if (options.fit)
+        trace = recordings::fitted(trace, width, height, kFitMargin * std::min(width, height));
+    if (!recordings::touches_canvas(trace, width, height)) {
         throw core::InputError(options.strokes +
                                ": every stroke misses the canvas; positions are taken as "
                                "millimetres from its upper left corner unless --fit is given.");
     }
-    Recording recording = io::recording_from_trace(trace, setup);
+    Recording recording = recordings::recording_from_trace(trace, setup);
     if (options.drying_speed) replace_all(recording, drying_of(options));
     return recording;
 }

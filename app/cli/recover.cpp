@@ -4,7 +4,7 @@
 #include "cli/usage_error.hpp"
 #include "core/error.hpp"
 #include "core/thread_pool.hpp"
-#include "io/files.hpp"
+#include "files/file_access.hpp"
 #include "journal/recovery.hpp"
 
 #include <cstdio>
@@ -80,7 +80,7 @@ void check_options(const RecoverOptions& options) {
         throw core::InputError(options.output +
                                ": a painting is saved as .pastoso; this name ends otherwise.");
     }
-    io::check_writable(options.output);
+    files::check_writable(options.output);
 }
 
 }  // namespace

@@ -9,10 +9,10 @@
 #include "core/resources.hpp"
 #include "core/thread_pool.hpp"
 #include "document/player.hpp"
-#include "io/canvas_support.hpp"
-#include "io/files.hpp"
-#include "io/replay_stats.hpp"
+#include "files/file_access.hpp"
 #include "project/project.hpp"
+#include "recordings/canvas_support.hpp"
+#include "recordings/replay_stats.hpp"
 
 #include <cstdio>
 #include <memory>
@@ -25,15 +25,15 @@ namespace {
 void check_project_path(const std::string& path) {
     if (!project::is_project_path(path))
         throw core::InputError(path + ": a painting is saved as .pastoso; this name ends otherwise.");
-    io::check_writable(path);
+    files::check_writable(path);
 }
 
-void check_outputs(const ReplayOptions& options, const io::PictureStyle& style) {
-    if (!options.output.empty()) io::check_picture_path(options.output, style.encoding);
-    if (!options.well.empty()) io::check_picture_path(options.well, style.encoding);
+void check_outputs(const ReplayOptions& options, const recordings::PictureStyle& style) {
+    if (!options.output.empty()) files::check_picture_path(options.output, style.encoding);
+    if (!options.well.empty()) files::check_picture_path(options.well, style.encoding);
     if (!options.save.empty()) check_project_path(options.save);
-    if (!options.stats.empty()) io::check_writable(options.stats);
-    if (!options.frames.empty()) io::make_folder(options.frames);
+    if (!options.stats.empty()) files::check_writable(options.stats);
+    if (!options.frames.empty()) files::make_folder(options.frames);
 }
 
 /// Plays to the end, writing frames where they are asked for.
@@ -66,8 +66,9 @@ void save_painting(document::Painting& painting, document::Recording recording, 
     project::save_project(path, {painting.state(), std::move(recording)}, pool);
 }
 
-io::ReplayStats stats_of(const document::Painting& painting, const PictureTimes& times, int threads) {
-    io::ReplayStats stats;
+recordings::ReplayStats stats_of(const document::Painting& painting, const PictureTimes& times,
+                                 int threads) {
+    recordings::ReplayStats stats;
     stats.brush_s = painting.stage_times().brush_s;
     stats.film_s = painting.stage_times().film_s;
     stats.shade_s = times.shade_s;
@@ -87,8 +88,8 @@ void print_picture(const std::string& path, const PictureReport& picture) {
 }
 
 void print_summary(const ReplayOptions& options, const document::Recording& recording,
-                   const io::ReplayStats& stats, const PictureReport& picture, const PictureReport& well,
-                   int frame_count) {
+                   const recordings::ReplayStats& stats, const PictureReport& picture,
+                   const PictureReport& well, int frame_count) {
     const double painted_s = static_cast<double>(recording.end_tick) * document::kTick_s;
     print_picture(options.output, picture);
     print_picture(options.well, well);
@@ -104,13 +105,14 @@ void print_summary(const ReplayOptions& options, const document::Recording& reco
 void run_replay(const ReplayOptions& options) {
     const Stopwatch wall;
     watch_for_interrupts();
-    const io::PictureStyle style = io::picture_style(options.picture);
+    const recordings::PictureStyle style = recordings::picture_style(options.picture);
     check_outputs(options, style);
     document::Recording recording;
     const double reading_s = seconds_of([&] { recording = load_recording(options); });
 
     core::ThreadPool pool(options.threads);
-    const std::unique_ptr<document::Painting> painting = io::make_painting(recording.canvas, pool);
+    const std::unique_ptr<document::Painting> painting =
+        recordings::make_painting(recording.canvas, pool);
     PictureWriter pictures(recording.canvas, options.scale, style, pool);
     FrameWriter frames(options.frames, options.fps, pictures);
     play(*painting, recording, options, options.frames.empty() ? nullptr : &frames);
@@ -122,11 +124,11 @@ void run_replay(const ReplayOptions& options) {
     if (!options.save.empty())
         saving_s = seconds_of([&] { save_painting(*painting, recording, options.save, pool); });
 
-    io::ReplayStats stats = stats_of(*painting, pictures.times(), pool.thread_count());
+    recordings::ReplayStats stats = stats_of(*painting, pictures.times(), pool.thread_count());
     stats.image_hash = picture.hash;
     stats.io_s += reading_s + saving_s;
     stats.wall_s = wall.seconds();
-    if (!options.stats.empty()) io::write_stats(options.stats, stats);
+    if (!options.stats.empty()) recordings::write_stats(options.stats, stats);
     print_summary(options, recording, stats, picture, well, frames.frames_written());
 }
 

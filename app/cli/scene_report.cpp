@@ -1,7 +1,7 @@
 #include "cli/scene_report.hpp"
 
-#include "io/json_place.hpp"
-#include "io/replay_stats.hpp"
+#include "files/json_place.hpp"
+#include "recordings/replay_stats.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -9,7 +9,7 @@
 namespace pastoso::cli {
 namespace {
 
-using io::Json;
+using files::Json;
 
 Json front_json(const film::Front& front, const std::string& length) {
     return {{"tip" + length, front.tip_mm},       {"width" + length, front.width_mm},
@@ -51,7 +51,7 @@ Json run_stats(const RunOutcome& outcome) {
 
 std::string table_line(const RunOutcome& outcome, std::size_t name_width) {
     char text[256];
-    const io::SeriesRow& last = outcome.series.back();
+    const recordings::SeriesRow& last = outcome.series.back();
     int length = std::snprintf(text, sizeof text, "%-*s %8.4g %8.4g", static_cast<int>(name_width),
                                outcome.name.c_str(), last.t_s, last.measures.max_h_mm);
     if (!outcome.moments.empty() && outcome.moments.back().front) {
@@ -65,7 +65,7 @@ std::string table_line(const RunOutcome& outcome, std::size_t name_width) {
 
 }  // namespace
 
-std::string report_json(const io::SceneFile& file, const std::vector<RunOutcome>& outcomes) {
+std::string report_json(const recordings::SceneFile& file, const std::vector<RunOutcome>& outcomes) {
     Json runs = Json::array();
     for (const RunOutcome& outcome : outcomes) {
         Json moments = Json::array();
@@ -79,7 +79,7 @@ std::string report_json(const io::SceneFile& file, const std::vector<RunOutcome>
     return Json{{"title", file.title}, {"runs", std::move(runs)}}.dump(2) + "\n";
 }
 
-std::string report_table(const io::SceneFile& file, const std::vector<RunOutcome>& outcomes) {
+std::string report_table(const recordings::SceneFile& file, const std::vector<RunOutcome>& outcomes) {
     std::size_t name_width = 3;
     for (const RunOutcome& outcome : outcomes)
         name_width = std::max(name_width, outcome.name.size());
@@ -105,7 +105,7 @@ std::string simulate_stats_json(const std::vector<RunOutcome>& outcomes, int thr
                        {"film_s", film_s},
                        {"film_mcells_per_s", film_s > 0.0 ? 1e-6 * cells / film_s : 0.0},
                        {"runs", runs},
-                       {"peak_rss_mib", io::peak_rss_mib()},
+                       {"peak_rss_mib", core::peak_rss_mib()},
                        {"threads", threads},
                        {"version", PASTOSO_VERSION}};
     return json.dump(2) + "\n";

@@ -12,8 +12,8 @@ namespace pastoso::cli {
 struct RunOutcome {
     std::string name;
     std::vector<SceneMoment> moments;
-    std::vector<io::SeriesRow> series;
-    std::vector<shade::Image8> pictures;
+    std::vector<recordings::SeriesRow> series;
+    std::vector<pigment::Image8> pictures;
     SceneTimes times;
     double film_s = 0.0;
     film::AdvanceReport film;
@@ -22,10 +22,10 @@ struct RunOutcome {
 
 /// {"title", "runs": [{"name", "moments": [{"t_s", "picture", "volume", "max_h", "front": {...}}]}]},
 /// lengths with their unit in the name; the same bytes on any number of threads.
-std::string report_json(const io::SceneFile& file, const std::vector<RunOutcome>& outcomes);
+std::string report_json(const recordings::SceneFile& file, const std::vector<RunOutcome>& outcomes);
 
 /// The last moment of every run as a table for people.
-std::string report_table(const io::SceneFile& file, const std::vector<RunOutcome>& outcomes);
+std::string report_table(const recordings::SceneFile& file, const std::vector<RunOutcome>& outcomes);
 
 /// Times and counts of all runs, for --stats.
 std::string simulate_stats_json(const std::vector<RunOutcome>& outcomes, int threads, double wall_s);

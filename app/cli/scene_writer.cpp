@@ -1,10 +1,10 @@
 #include "cli/scene_writer.hpp"
 
 #include "cli/stopwatch.hpp"
+#include "core/number_text.hpp"
 #include "core/text_file.hpp"
-#include "document/number_text.hpp"
 #include "document/painting.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace pastoso::cli {
 namespace {
 
-using document::number_text;
+using core::number_text;
 
 /// Times nearer to each other than this are the same.
 double tolerance(double duration_s) {
@@ -27,7 +27,7 @@ bool is_among(double time_s, const std::vector<double>& times, double within) {
 }
 
 /// The times that are asked for, and those of the series that are not among them but for rounding.
-std::vector<double> stops_of(const io::SceneRun& run) {
+std::vector<double> stops_of(const recordings::SceneRun& run) {
     const double end_s = run.scene.duration_s, same = tolerance(end_s);
     std::vector<double> asked = {0.0, end_s};
     for (const auto* times :
@@ -48,8 +48,8 @@ std::vector<double> stops_of(const io::SceneRun& run) {
     return stops;
 }
 
-io::GreyImage map_of(const grid::Shape& shape, const std::function<float(int, int)>& value) {
-    io::GreyImage map{shape.width, shape.height, {}};
+files::GreyImage map_of(const grid::Shape& shape, const std::function<float(int, int)>& value) {
+    files::GreyImage map{shape.width, shape.height, {}};
     for (int y = 0; y < shape.height; ++y)
         for (int x = 0; x < shape.width; ++x)
             map.values.push_back(value(x, y));
@@ -62,8 +62,8 @@ std::string file_name(const char* what, double time_s, const char* extension) {
 
 }  // namespace
 
-SceneWriter::SceneWriter(const io::SceneRun& run, bool cell_units, std::filesystem::path folder,
-                         io::PictureStyle style, core::ThreadPool& pool)
+SceneWriter::SceneWriter(const recordings::SceneRun& run, bool cell_units, std::filesystem::path folder,
+                         recordings::PictureStyle style, core::ThreadPool& pool)
     : run_(run),
       cell_units_(cell_units),
       folder_(std::move(folder)),
@@ -72,7 +72,7 @@ SceneWriter::SceneWriter(const io::SceneRun& run, bool cell_units, std::filesyst
       stops_(stops_of(run)) {}
 
 void SceneWriter::write_due(const film::Simulation& simulation) {
-    const io::SceneOutput& output = run_.output;
+    const recordings::SceneOutput& output = run_.output;
     const double now_s = simulation.time_s(), same = tolerance(run_.scene.duration_s);
     note_series(simulation);
     if (is_among(now_s, output.profiles_at_s, same)) note_profiles(simulation);
@@ -86,19 +86,20 @@ void SceneWriter::write_tables() {
     times_.io_s += seconds_of([&] {
         const bool open =
             run_.scene.solver.edge_x == film::Edge::Open || run_.scene.solver.edge_y == film::Edge::Open;
-        core::write_text_file(folder_ / "series.csv", io::series_csv(series_, cell_units_, open));
+        core::write_text_file(folder_ / "series.csv",
+                              recordings::series_csv(series_, cell_units_, open));
         if (!run_.output.lines_along_x_mm.empty())
             core::write_text_file(folder_ / "profile_x.csv",
-                                  io::profile_csv(film::Axis::X, lines_x_, cell_units_));
+                                  recordings::profile_csv(film::Axis::X, lines_x_, cell_units_));
         if (!run_.output.lines_along_y_mm.empty())
             core::write_text_file(folder_ / "profile_y.csv",
-                                  io::profile_csv(film::Axis::Y, lines_y_, cell_units_));
+                                  recordings::profile_csv(film::Axis::Y, lines_y_, cell_units_));
     });
 }
 
-shade::LinearImage SceneWriter::render(const film::FilmState& film, const grid::Rect& cells,
-                                       double scale) {
-    shade::LinearImage image;
+pigment::LinearImage SceneWriter::render(const film::FilmState& film, const grid::Rect& cells,
+                                         double scale) {
+    pigment::LinearImage image;
     times_.shade_s += seconds_of([&] {
         const shade::RenderSettings settings{scale, run_.output.lighting, style_.viewing};
         image = shade::render(film, document::kPrimedGround, cells, settings, pool_);
@@ -125,32 +126,33 @@ void SceneWriter::note_profiles(const film::Simulation& simulation) {
 void SceneWriter::write_picture(const film::Simulation& simulation) {
     const std::string name = file_name("picture", simulation.time_s(), ".png");
     const double scale = run_.output.picture_scale;
-    const shade::LinearImage picture = render(simulation.film(), run_.scene.shape.cells(), scale);
+    const pigment::LinearImage picture = render(simulation.film(), run_.scene.shape.cells(), scale);
     times_.io_s += seconds_of(
-        [&] { io::write_picture(folder_ / name, picture, style_.encoding, px_per_mm(scale)); });
-    pictures_.push_back(shade::encode_srgb8(picture));
+        [&] { files::write_picture(folder_ / name, picture, style_.encoding, px_per_mm(scale)); });
+    pictures_.push_back(pigment::encode_srgb8(picture));
     moments_.push_back({simulation.time_s(), name, simulation.measures(), simulation.front()});
 }
 
 void SceneWriter::write_height(const film::Simulation& simulation) {
     const film::FilmState& film = simulation.film();
-    const io::GreyImage heights =
+    const files::GreyImage heights =
         map_of(film.shape, [&](int x, int y) { return film::thickness_mm(film.thickness.at(x, y)); });
-    times_.io_s += seconds_of(
-        [&] { io::write_image(folder_ / file_name("height", simulation.time_s(), ".exr"), heights); });
+    times_.io_s += seconds_of([&] {
+        files::write_image(folder_ / file_name("height", simulation.time_s(), ".exr"), heights);
+    });
 }
 
 void SceneWriter::write_magnified(const film::Simulation& simulation) {
     constexpr int kGap_px = 16;
-    const io::Magnification& part = *run_.output.magnification;
+    const recordings::Magnification& part = *run_.output.magnification;
     const auto seen = [&](double scale) {
-        return shade::encode_srgb8(render(simulation.film(), part.cells, scale));
+        return pigment::encode_srgb8(render(simulation.film(), part.cells, scale));
     };
-    const shade::Image8 both =
+    const pigment::Image8 both =
         shade::arranged({{seen(part.scale), shade::enlarged(seen(1.0), part.scale)}}, kGap_px);
     times_.io_s += seconds_of([&] {
-        io::write_image(folder_ / file_name("magnified", simulation.time_s(), ".png"), both,
-                        px_per_mm(part.scale));
+        files::write_image(folder_ / file_name("magnified", simulation.time_s(), ".png"), both,
+                           px_per_mm(part.scale));
     });
 }
 

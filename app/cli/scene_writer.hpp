@@ -3,8 +3,8 @@
 
 #include "cli/picture.hpp"
 #include "film/laboratory/simulation.hpp"
-#include "io/scene_json.hpp"
-#include "io/series_csv.hpp"
+#include "recordings/scene_json.hpp"
+#include "recordings/series_csv.hpp"
 #include "shade/picture_sheet.hpp"
 
 #include <filesystem>
@@ -27,8 +27,8 @@ struct SceneTimes {
 
 class SceneWriter {
   public:
-    SceneWriter(const io::SceneRun& run, bool cell_units, std::filesystem::path folder,
-                io::PictureStyle style, core::ThreadPool& pool);
+    SceneWriter(const recordings::SceneRun& run, bool cell_units, std::filesystem::path folder,
+                recordings::PictureStyle style, core::ThreadPool& pool);
 
     /// The times at which write_due() wants to be called, ascending, from 0 to the run's duration.
     const std::vector<double>& stops() const { return stops_; }
@@ -40,12 +40,12 @@ class SceneWriter {
     void write_tables();
 
     const std::vector<SceneMoment>& moments() const { return moments_; }
-    const std::vector<io::SeriesRow>& series() const { return series_; }
-    const std::vector<shade::Image8>& pictures() const { return pictures_; }
+    const std::vector<recordings::SeriesRow>& series() const { return series_; }
+    const std::vector<pigment::Image8>& pictures() const { return pictures_; }
     const SceneTimes& times() const { return times_; }
 
   private:
-    shade::LinearImage render(const film::FilmState& film, const grid::Rect& cells, double scale);
+    pigment::LinearImage render(const film::FilmState& film, const grid::Rect& cells, double scale);
     double px_per_mm(double scale) const;  ///< 0 where a run is in cells
     void note_series(const film::Simulation& simulation);
     void note_profiles(const film::Simulation& simulation);
@@ -53,16 +53,16 @@ class SceneWriter {
     void write_height(const film::Simulation& simulation);
     void write_magnified(const film::Simulation& simulation);
 
-    const io::SceneRun& run_;
+    const recordings::SceneRun& run_;
     bool cell_units_;
     std::filesystem::path folder_;
-    io::PictureStyle style_;
+    recordings::PictureStyle style_;
     core::ThreadPool& pool_;
     std::vector<double> stops_;
-    std::vector<io::SeriesRow> series_;
-    std::vector<io::ProfileLine> lines_x_, lines_y_;
+    std::vector<recordings::SeriesRow> series_;
+    std::vector<recordings::ProfileLine> lines_x_, lines_y_;
     std::vector<SceneMoment> moments_;
-    std::vector<shade::Image8> pictures_;
+    std::vector<pigment::Image8> pictures_;
     SceneTimes times_;
 };
 

@@ -4,7 +4,7 @@
 
 namespace pastoso::cli {
 
-void add_picture_options(CLI::App& command, io::PictureOptions& options) {
+void add_picture_options(CLI::App& command, recordings::PictureOptions& options) {
     command
         .add_option("--light", options.light,
                     "The light that pictures are seen in: D65, D50, A, LED, or a CSV file of "

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/options.hpp"
-#include "io/picture_style.hpp"
+#include "recordings/picture_style.hpp"
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ class App;
 
 namespace pastoso::cli {
 
-void add_picture_options(CLI::App& command, io::PictureOptions& options);
+void add_picture_options(CLI::App& command, recordings::PictureOptions& options);
 void add_scale_option(CLI::App& command, double& scale);
 void add_threads_option(CLI::App& command, int& threads);
 void add_stats_option(CLI::App& command, std::string& path);

@@ -7,8 +7,8 @@
 #include "cli/stopwatch.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
-#include "io/files.hpp"
-#include "io/image.hpp"
+#include "files/file_access.hpp"
+#include "files/image.hpp"
 
 #include <cstdio>
 
@@ -21,18 +21,18 @@ constexpr int kSheetGap_px = 8;
 /// Larger sheets are of no use to look at.
 constexpr double kMaxSheetPixels = 6e7;
 
-io::SceneFile load_scene(const SimulateOptions& options) {
-    io::SceneFile file = io::read_scene(options.scene);
+recordings::SceneFile load_scene(const SimulateOptions& options) {
+    recordings::SceneFile file = recordings::read_scene(options.scene);
     if (options.seconds) {
-        for (io::SceneRun& run : file.runs)
-            io::shorten(run, *options.seconds);
+        for (recordings::SceneRun& run : file.runs)
+            recordings::shorten(run, *options.seconds);
     }
     return file;
 }
 
 /// Makes every film once, so that what cannot be made is refused before anything is written.
-void check_runs(const io::SceneFile& file, const std::string& label, core::ThreadPool& pool) {
-    for (const io::SceneRun& run : file.runs) {
+void check_runs(const recordings::SceneFile& file, const std::string& label, core::ThreadPool& pool) {
+    for (const recordings::SceneRun& run : file.runs) {
         try {
             const film::Simulation trial(run.scene, pool);
         } catch (const core::InputError& error) {
@@ -42,15 +42,15 @@ void check_runs(const io::SceneFile& file, const std::string& label, core::Threa
     }
 }
 
-fs::path folder_of(const io::SceneRun& run, const fs::path& folder) {
+fs::path folder_of(const recordings::SceneRun& run, const fs::path& folder) {
     return run.name.empty() ? folder : folder / run.name;
 }
 
-void make_folders(const io::SceneFile& file, const SimulateOptions& options) {
-    if (!options.stats.empty()) io::check_writable(options.stats);
-    io::make_folder(options.output);
-    for (const io::SceneRun& run : file.runs)
-        io::make_folder(folder_of(run, options.output));
+void make_folders(const recordings::SceneFile& file, const SimulateOptions& options) {
+    if (!options.stats.empty()) files::check_writable(options.stats);
+    files::make_folder(options.output);
+    for (const recordings::SceneRun& run : file.runs)
+        files::make_folder(folder_of(run, options.output));
 }
 
 /// How far all runs together are.
@@ -73,8 +73,9 @@ RunOutcome play(film::Simulation& simulation, SceneWriter& writer, const Course&
     return outcome;
 }
 
-RunOutcome play_run(const io::SceneRun& run, bool cell_units, const fs::path& folder,
-                    const io::PictureStyle& style, const Course& course, core::ThreadPool& pool) {
+RunOutcome play_run(const recordings::SceneRun& run, bool cell_units, const fs::path& folder,
+                    const recordings::PictureStyle& style, const Course& course,
+                    core::ThreadPool& pool) {
     film::Simulation simulation(run.scene, pool);
     SceneWriter writer(run, cell_units, folder, style, pool);
     RunOutcome outcome = play(simulation, writer, course);
@@ -90,20 +91,20 @@ RunOutcome play_run(const io::SceneRun& run, bool cell_units, const fs::path& fo
 
 /// All pictures on one sheet: a row for every run, or the single run's pictures in one.
 void write_sheet(const std::vector<RunOutcome>& outcomes, const fs::path& path) {
-    std::vector<std::vector<shade::Image8>> rows;
+    std::vector<std::vector<pigment::Image8>> rows;
     std::size_t count = 0;
     double pixels = 0.0;
     for (const RunOutcome& outcome : outcomes) {
         rows.push_back(outcome.pictures);
         count += outcome.pictures.size();
-        for (const shade::Image8& picture : outcome.pictures)
+        for (const pigment::Image8& picture : outcome.pictures)
             pixels += static_cast<double>(picture.width) * picture.height;
     }
     if (count > 1 && pixels <= kMaxSheetPixels)
-        io::write_image(path, shade::arranged(rows, kSheetGap_px));
+        files::write_image(path, shade::arranged(rows, kSheetGap_px));
 }
 
-void print_summary(const io::SceneFile& file, const std::vector<RunOutcome>& outcomes,
+void print_summary(const recordings::SceneFile& file, const std::vector<RunOutcome>& outcomes,
                    const SimulateOptions& options, double wall_s) {
     if (!file.title.empty()) std::printf("%s\n", file.title.c_str());
     std::fputs(report_table(file, outcomes).c_str(), stdout);
@@ -116,18 +117,18 @@ void print_summary(const io::SceneFile& file, const std::vector<RunOutcome>& out
 void run_simulate(const SimulateOptions& options) {
     const Stopwatch wall;
     watch_for_interrupts();
-    const io::PictureStyle style = io::picture_style(options.picture);
-    const io::SceneFile file = load_scene(options);
+    const recordings::PictureStyle style = recordings::picture_style(options.picture);
+    const recordings::SceneFile file = load_scene(options);
     core::ThreadPool pool(options.threads.value_or(file.threads));
     check_runs(file, options.scene, pool);
     make_folders(file, options);
     Progress progress("simulating", Progress::style_for_stderr(options.quiet));
     Course course{progress};
-    for (const io::SceneRun& run : file.runs)
+    for (const recordings::SceneRun& run : file.runs)
         course.all_s += run.scene.duration_s;
 
     std::vector<RunOutcome> outcomes;
-    for (const io::SceneRun& run : file.runs) {
+    for (const recordings::SceneRun& run : file.runs) {
         outcomes.push_back(
             play_run(run, file.cell_units, folder_of(run, options.output), style, course, pool));
         course.passed_s += run.scene.duration_s;

@@ -1,7 +1,7 @@
 #include "cli/arguments.hpp"
 #include "cli/shared_arguments.hpp"
-#include "io/bundled_files.hpp"
-#include "io/scene_json.hpp"
+#include "files/bundled_files.hpp"
+#include "recordings/scene_json.hpp"
 
 #include <string>
 
@@ -34,7 +34,7 @@ void add_simulate(CLI::App& program, SimulateOptions& options) {
     add_quiet_flag(command, options.quiet);
     command.footer([] {
         return "docs/scene-format.md describes scene files. Scenes that come with the program: " +
-               io::listed(io::bundled_scene_names()) +
+               files::listed(recordings::bundled_scene_names()) +
                ".\nExample:\n  pastoso-cli simulate paper-fig2 -o fig2";
     });
 }

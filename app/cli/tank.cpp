@@ -8,9 +8,9 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "core/text_file.hpp"
-#include "io/frame_index.hpp"
-#include "io/tank_checkpoint.hpp"
-#include "io/tank_json.hpp"
+#include "liquid_files/frame_index.hpp"
+#include "liquid_files/tank_checkpoint.hpp"
+#include "liquid_files/tank_json.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,15 +21,16 @@
 namespace pastoso::cli {
 namespace {
 
-using io::TankSeriesRow;
-using io::TankStats;
+using liquid_files::TankSeriesRow;
+using liquid_files::TankStats;
 using tank::LiquidTank;
 
-constexpr io::FrameIndexKind kTankFrames = {"tank.json", "pastoso-tank-frames", "another tank"};
+constexpr liquid_files::FrameIndexKind kTankFrames = {"tank.json", "pastoso-tank-frames",
+                                                      "another tank"};
 
 tank::TankScene scene_of(const TankOptions& options) {
-    tank::TankScene scene = io::read_tank(options.scene);
-    const std::vector<std::string> names = io::tank_method_names();
+    tank::TankScene scene = liquid_files::read_tank(options.scene);
+    const std::vector<std::string> names = liquid_files::tank_method_names();
     if (!options.method.empty())
         scene.method =
             static_cast<tank::Method>(std::ranges::find(names, options.method) - names.begin());
@@ -60,9 +61,10 @@ class TankRun {
         : options_(options), pool_(pool), tank_(scene), measures_(tank_, pool) {
         if (options.frames.empty()) return;
         files_.emplace(options.frames, options.files, tank_, pool);
-        const io::FrameIndex index = io::index_of(io::tank_to_json(scene), options.fps, frame_count);
+        const liquid_files::FrameIndex index =
+            liquid_files::index_of(liquid_files::tank_to_json(scene), options.fps, frame_count);
         scene_hash_ = index.scene_hash;
-        io::keep_frame_index(options.frames, kTankFrames, index);
+        liquid_files::keep_frame_index(options.frames, kTankFrames, index);
     }
 
     /// Goes on where an earlier run ended, or begins.
@@ -95,7 +97,9 @@ class TankRun {
     }
 
   private:
-    std::filesystem::path checkpoint_path() const { return io::tank_checkpoint_path(options_.frames); }
+    std::filesystem::path checkpoint_path() const {
+        return liquid_files::tank_checkpoint_path(options_.frames);
+    }
 
     /// Brings the tank to the state that was kept, where all files before it are there; the frame it
     /// then stands at.
@@ -103,7 +107,8 @@ class TankRun {
         std::error_code ignored;
         if (!std::filesystem::exists(checkpoint_path(), ignored)) return 0;
         try {
-            io::TankCheckpoint kept = io::read_tank_checkpoint(checkpoint_path(), scene_hash_);
+            liquid_files::TankCheckpoint kept =
+                liquid_files::read_tank_checkpoint(checkpoint_path(), scene_hash_);
             const int frame = static_cast<int>(kept.series.size()) - 1;
             if (frame < 1 || frame > frame_count) return 0;
             for (int before = 1; before < frame; ++before)
@@ -119,7 +124,8 @@ class TankRun {
 
     void keep() {
         stats_.files.io_s += seconds_of([&] {
-            io::write_tank_checkpoint(checkpoint_path(), {tank_.state(), series_}, scene_hash_);
+            liquid_files::write_tank_checkpoint(checkpoint_path(), {tank_.state(), series_},
+                                                scene_hash_);
         });
     }
 
@@ -167,7 +173,7 @@ class TankRun {
         if (!files_) return;
         stats_.files.io_s += seconds_of([&] {
             core::write_text_file(std::filesystem::path(options_.frames) / "series.csv",
-                                  io::series_csv(series_));
+                                  liquid_files::series_csv(series_));
         });
         if (is_wanted) files_->write(frame, seen);
     }

@@ -1,7 +1,7 @@
 #include "cli/arguments.hpp"
 #include "cli/shared_arguments.hpp"
-#include "io/bundled_files.hpp"
-#include "io/tank_json.hpp"
+#include "files/bundled_files.hpp"
+#include "liquid_files/tank_json.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -18,9 +18,9 @@ void add_tank(CLI::App& program, TankOptions& options) {
     command
         .add_option("--method", options.method,
                     "How the liquid is followed, in place of what the scene says: " +
-                        io::listed(io::tank_method_names()))
+                        files::listed(liquid_files::tank_method_names()))
         ->type_name("NAME")
-        ->check(CLI::IsMember(io::tank_method_names()));
+        ->check(CLI::IsMember(liquid_files::tank_method_names()));
     command
         .add_option("--frames", options.frames,
                     "Folder for liquid_0001.png and so on, and for series.csv, what is measured at each "
@@ -36,7 +36,7 @@ void add_tank(CLI::App& program, TankOptions& options) {
     add_quiet_flag(command, options.quiet);
     command.footer([] {
         return "docs/tank-format.md describes scene files. Scenes that come with the program: " +
-               io::listed(io::bundled_tank_names()) +
+               files::listed(liquid_files::bundled_tank_names()) +
                ".\nExample:\n  pastoso-cli tank falling-liquid --seconds 2 --frames falling\n"
                "  pastoso-cli tank two-liquids --frames two --format obj --stats two.json";
     });

@@ -41,7 +41,7 @@ class TankFiles {
     /// Of a frame of the tank as it stands. Throws as FrameFiles does.
     void write(int number, const MeasuredFrame& measured);
 
-    const io::FrameCosts& costs() const { return files_.costs(); }
+    const liquid_files::FrameCosts& costs() const { return files_.costs(); }
 
   private:
     void write_picture(int number, const tank::TankFrame& frame);

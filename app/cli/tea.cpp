@@ -9,8 +9,8 @@
 #include "cli/usage_error.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
-#include "io/tea_json.hpp"
 #include "liquid/tea/milk_tea.hpp"
+#include "liquid_files/tea_json.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +21,9 @@
 namespace pastoso::cli {
 namespace {
 
-using io::TeaStats;
 using liquid::MilkTea;
 using liquid::TeaSettings;
+using liquid_files::TeaStats;
 
 /// Steps are at most as long as the scene says, and a whole number of them makes a frame.
 int steps_per_frame(const TeaSettings& settings, double fps) {
@@ -31,7 +31,7 @@ int steps_per_frame(const TeaSettings& settings, double fps) {
 }
 
 TeaSettings settings_of(const TeaOptions& options) {
-    TeaSettings settings = options.scene.empty() ? TeaSettings{} : io::read_tea(options.scene);
+    TeaSettings settings = options.scene.empty() ? TeaSettings{} : liquid_files::read_tea(options.scene);
     if (options.cells) settings.cells = *options.cells;
     if (options.seed) settings.seed = *options.seed;
     settings.step_s = 1.0 / (options.fps * steps_per_frame(settings, options.fps));
@@ -163,8 +163,8 @@ void run_tea(const TeaOptions& options) {
     if (!options.frames.empty())
         outputs.files.emplace(options.frames, options.files, settings.cup, pool);
     if (!options.cache.empty())
-        outputs.cache.emplace(options.cache,
-                              io::index_of(io::tea_to_json(settings), options.fps, frame_count));
+        outputs.cache.emplace(options.cache, liquid_files::index_of(liquid_files::tea_to_json(settings),
+                                                                    options.fps, frame_count));
     make_frames(settings, options, frame_count, pool, outputs);
     if (outputs.files) outputs.stats.files += outputs.files->costs();
     finish(outputs.stats, watch, pool, options.stats);
@@ -173,8 +173,9 @@ void run_tea(const TeaOptions& options) {
 void run_tea_render(const TeaRenderOptions& options) {
     const Stopwatch watch;
     watch_for_interrupts();
-    const io::FrameIndex index = io::read_frame_index(options.cache, io::kTeaCache);
-    const TeaSettings settings = io::tea_from_json(index.scene, options.cache + "/tea.json");
+    const liquid_files::FrameIndex index =
+        liquid_files::read_frame_index(options.cache, liquid_files::kTeaCache);
+    const TeaSettings settings = liquid_files::tea_from_json(index.scene, options.cache + "/tea.json");
     const FrameRange range = parse_frame_range(options.range, index.count);
     core::ThreadPool pool(options.threads);
     TeaFiles files(options.frames, options.files, settings.cup, pool);

@@ -31,7 +31,7 @@ void TeaFiles::write(int number, const liquid::TeaFrame& frame) {
 }
 
 liquid::TriangleMesh TeaFiles::surface_of(const liquid::TeaFrame& frame) {
-    io::FrameCosts& costs = files_.costs();
+    liquid_files::FrameCosts& costs = files_.costs();
     liquid::MilkSurface surface;
     costs.surface_s +=
         seconds_of([&] { surface = surfaces_.make(frame.parcels, cup_, frame.dissolved.shape()); });

@@ -21,7 +21,7 @@ class TeaFiles {
     /// Makes the milk's surface and the file of whatever kind is wanted. Throws as FrameFiles does.
     void write(int number, const liquid::TeaFrame& frame);
 
-    const io::FrameCosts& costs() const { return files_.costs(); }
+    const liquid_files::FrameCosts& costs() const { return files_.costs(); }
 
   private:
     liquid::TriangleMesh surface_of(const liquid::TeaFrame& frame);

@@ -6,9 +6,9 @@
 #include "cli/usage_error.hpp"
 #include "core/error.hpp"
 #include "core/thread_pool.hpp"
-#include "io/timelapse.hpp"
-#include "io/video_file.hpp"
+#include "files/video_file.hpp"
 #include "project/project.hpp"
+#include "recordings/timelapse.hpp"
 
 #include <cstdio>
 
@@ -32,8 +32,8 @@ document::Recording recording_of(const TimelapseOptions& options, core::ThreadPo
     return load_recording(replay);
 }
 
-io::TimelapseChoice choice_of(const TimelapseOptions& options) {
-    io::TimelapseChoice choice;
+recordings::TimelapseChoice choice_of(const TimelapseOptions& options) {
+    recordings::TimelapseChoice choice;
     choice.path = options.output;
     choice.fps = options.fps;
     choice.speed = options.speed;
@@ -46,13 +46,13 @@ io::TimelapseChoice choice_of(const TimelapseOptions& options) {
 }
 
 void check_usage(const TimelapseOptions& options) {
-    if (!io::is_video_path(options.output)) return;
+    if (!files::is_video_path(options.output)) return;
     if (options.picture.profile != "srgb" || options.picture.depth_bits != 8)
         throw UsageError("--profile and --depth are for numbered pictures; a video has 8 bits sRGB.");
 }
 
-void print(const io::TimelapseChoice& choice, const io::TimelapseReport& report) {
-    if (io::is_video_path(choice.path))
+void print(const recordings::TimelapseChoice& choice, const recordings::TimelapseReport& report) {
+    if (files::is_video_path(choice.path))
         std::printf("%s: %zu frames of %d x %d pixels\n", choice.path.c_str(), report.frames,
                     report.width_px, report.height_px);
     else
@@ -65,16 +65,17 @@ void print(const io::TimelapseChoice& choice, const io::TimelapseReport& report)
 void run_timelapse(const TimelapseOptions& options) {
     watch_for_interrupts();
     check_usage(options);
-    const io::TimelapseChoice choice = choice_of(options);
-    io::check_timelapse(choice);
+    const recordings::TimelapseChoice choice = choice_of(options);
+    recordings::check_timelapse(choice);
     core::ThreadPool pool(options.threads);
     const document::Recording recording = recording_of(options, pool);
     Progress progress("painting", Progress::style_for_stderr(options.quiet));
-    const io::TimelapseReport report = io::export_timelapse(recording, choice, pool, [&](double done) {
-        progress.update(done);
-        return !is_interrupted();
-    });
-    if (report.status == io::ExportStatus::Stopped) throw Interrupted{};
+    const recordings::TimelapseReport report =
+        recordings::export_timelapse(recording, choice, pool, [&](double done) {
+            progress.update(done);
+            return !is_interrupted();
+        });
+    if (report.status == files::ExportStatus::Stopped) throw Interrupted{};
     progress.clear();
     print(choice, report);
 }

@@ -19,7 +19,7 @@ std::filesystem::path path_of(const ExportJob& job) {
     return std::visit([](const auto& choice) { return choice.path; }, job.choice);
 }
 
-io::ExportStatus ExportOutcome::status() const {
+files::ExportStatus ExportOutcome::status() const {
     return std::visit([](const auto& known) { return known.status; }, report);
 }
 
@@ -51,11 +51,11 @@ ExportOutcome Exporter::written(ExportJob& job) {
         return !stopped_;
     };
     core::ThreadPool pool;
-    if (const auto* choice = std::get_if<io::ExportChoice>(&job.choice))
-        outcome.report = io::export_painting(job.painting, *choice, pool, keep_going);
+    if (const auto* choice = std::get_if<recordings::ExportChoice>(&job.choice))
+        outcome.report = recordings::export_painting(job.painting, *choice, pool, keep_going);
     else
-        outcome.report = io::export_timelapse(
-            std::move(job.recording), std::get<io::TimelapseChoice>(job.choice), pool, keep_going);
+        outcome.report = recordings::export_timelapse(
+            std::move(job.recording), std::get<recordings::TimelapseChoice>(job.choice), pool, keep_going);
     return outcome;
 }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/worker.hpp"
-#include "io/painting_export.hpp"
-#include "io/timelapse.hpp"
+#include "recordings/painting_export.hpp"
+#include "recordings/timelapse.hpp"
 
 #include <atomic>
 #include <filesystem>
@@ -19,7 +19,7 @@ namespace pastoso::commands {
 struct ExportJob {
     document::PaintingState painting;
     document::Recording recording;  ///< what a time-lapse shows; otherwise empty
-    std::variant<io::ExportChoice, io::TimelapseChoice> choice;
+    std::variant<recordings::ExportChoice, recordings::TimelapseChoice> choice;
 };
 
 std::filesystem::path path_of(const ExportJob& job);
@@ -27,9 +27,9 @@ std::filesystem::path path_of(const ExportJob& job);
 struct ExportOutcome {
     std::filesystem::path path;
     std::string error{};  ///< one sentence; empty when the export was written or stopped
-    std::variant<io::ExportReport, io::TimelapseReport> report{};  ///< without an error
+    std::variant<recordings::ExportReport, recordings::TimelapseReport> report{};  ///< without an error
 
-    io::ExportStatus status() const;
+    files::ExportStatus status() const;
 };
 
 /// One export at a time, on a thread that leaves the processors to the painting. All is to be called on

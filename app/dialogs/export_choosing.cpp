@@ -150,7 +150,8 @@ void ExportDialog::choose_colours() {
 int ExportDialog::cells_across() const {
     if (settings_.form == ExportForm::Timelapse)
         return document::canvas_shape(film_canvas(subject_, settings_)).width;
-    return io::exported_cells(subject_.canvas, tools::export_choice(settings_, path(), subject_.light))
+    return recordings::exported_cells(subject_.canvas,
+                                      tools::export_choice(settings_, path(), subject_.light))
         .shape.width;
 }
 

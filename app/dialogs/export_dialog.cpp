@@ -174,7 +174,7 @@ void ExportDialog::make_colour_box() {
 }
 
 void ExportDialog::make_numbers() {
-    io::ReliefOptions& relief = settings_.relief;
+    recordings::ReliefOptions& relief = settings_.relief;
     base_ = add_number({"base_mm", 0.1, 100.0, 1, tr(" mm"),
                         tr("Thickness from the flat back to the lowest level of the canvas")},
                        relief.base_mm);

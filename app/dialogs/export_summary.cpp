@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "document/canvas.hpp"
-#include "io/files.hpp"
+#include "files/file_access.hpp"
 
 #include <cmath>
 
@@ -36,7 +36,7 @@ QString duration(double seconds) {
     return tr("%1 h %2 min").arg(whole / 3600).arg(whole / 60 % 60);
 }
 
-QString picture_words(const grid::Shape& size, const io::ExportedCells& cells, double scale) {
+QString picture_words(const grid::Shape& size, const recordings::ExportedCells& cells, double scale) {
     constexpr double kMmPerInch = 25.4;
     return tr("%1 × %2 pixels for %3 × %4 mm, which is %5 pixels per inch.")
         .arg(size.width)
@@ -46,7 +46,7 @@ QString picture_words(const grid::Shape& size, const io::ExportedCells& cells, d
 }
 
 QString map_words(const grid::Shape& size, const Path& path) {
-    const auto files = io::map_paths(path);
+    const auto files = recordings::map_paths(path);
     return tr("Four files of %1 × %2 pixels, %3 to %4.")
         .arg(size.width)
         .arg(size.height)
@@ -54,7 +54,7 @@ QString map_words(const grid::Shape& size, const Path& path) {
              QString::fromStdString(files.back().filename().string()));
 }
 
-QString relief_words(const grid::Shape& size, const io::ExportedCells& cells) {
+QString relief_words(const grid::Shape& size, const recordings::ExportedCells& cells) {
     const double width_mm = cells.shape.width * cells.cell_mm;
     return tr("A solid of %1 × %2 mm; its front has %3 × %4 points, %5 mm apart.")
         .arg(length(width_mm), length(cells.shape.height * cells.cell_mm))
@@ -64,9 +64,9 @@ QString relief_words(const grid::Shape& size, const io::ExportedCells& cells) {
 }
 
 QString film_words(const grid::Shape& size, const ExportSubject& subject,
-                   const io::TimelapseChoice& choice) {
+                   const recordings::TimelapseChoice& choice) {
     const double painted_s = static_cast<double>(subject.film.end_tick) * document::kTick_s;
-    const std::int64_t frames = io::frame_count(subject.film, choice);
+    const std::int64_t frames = recordings::frame_count(subject.film, choice);
     return tr("%1 of painting become %2 of film: %3 frames of %4 × %5 pixels.")
         .arg(duration(painted_s), duration(static_cast<double>(frames) / choice.fps))
         .arg(frames)
@@ -80,19 +80,19 @@ void check_folder(const Path& folder) {
     const auto refuse = [&](const QString& sentence) {
         throw core::InputError(sentence.arg(name).toStdString());
     };
-    if (!std::filesystem::exists(folder)) return io::check_writable(folder);
+    if (!std::filesystem::exists(folder)) return files::check_writable(folder);
     if (!std::filesystem::is_directory(folder))
         refuse(tr("%1 is a file; numbered pictures go into a folder."));
     if (std::filesystem::exists(folder / "frame-00001.png"))
         refuse(tr("The folder %1 holds the frames of another time-lapse; name another one."));
-    io::check_writable(folder / "frame-00001.png");
+    files::check_writable(folder / "frame-00001.png");
 }
 
 void check_timelapse(const ExportSubject& subject, const ExportSettings& settings,
-                     const io::TimelapseChoice& choice) {
+                     const recordings::TimelapseChoice& choice) {
     if (!subject.has_strokes)
         throw core::InputError(tr("Nothing has been painted yet that a film could show.").toStdString());
-    io::check_timelapse(choice);
+    recordings::check_timelapse(choice);
     document::check_canvas_fits(film_canvas(subject, settings), core::available_memory_bytes());
     if (is_folder_format(settings)) check_folder(choice.path);
 }
@@ -117,22 +117,23 @@ document::CanvasSettings film_canvas(const ExportSubject& subject, const ExportS
 grid::Shape exported_size(const ExportSubject& subject, const ExportSettings& settings,
                           const Path& path) {
     if (settings.form == ExportForm::Timelapse)
-        return io::timelapse_size(subject.film.canvas,
-                                  tools::timelapse_choice(settings, path, subject.light));
-    return io::export_size(subject.canvas, tools::export_choice(settings, path, subject.light));
+        return recordings::timelapse_size(subject.film.canvas,
+                                          tools::timelapse_choice(settings, path, subject.light));
+    return recordings::export_size(subject.canvas, tools::export_choice(settings, path, subject.light));
 }
 
 QString export_summary(const ExportSubject& subject, const ExportSettings& settings, const Path& path) {
     check_path(path);
     if (settings.form == ExportForm::Timelapse) {
-        const io::TimelapseChoice choice = tools::timelapse_choice(settings, path, subject.light);
+        const recordings::TimelapseChoice choice =
+            tools::timelapse_choice(settings, path, subject.light);
         check_timelapse(subject, settings, choice);
         return film_words(exported_size(subject, settings, path), subject, choice);
     }
-    const io::ExportChoice choice = tools::export_choice(settings, path, subject.light);
-    io::check_export(choice);
-    const grid::Shape size = io::export_size(subject.canvas, choice);
-    const io::ExportedCells cells = io::exported_cells(subject.canvas, choice);
+    const recordings::ExportChoice choice = tools::export_choice(settings, path, subject.light);
+    recordings::check_export(choice);
+    const grid::Shape size = recordings::export_size(subject.canvas, choice);
+    const recordings::ExportedCells cells = recordings::exported_cells(subject.canvas, choice);
     if (settings.form == ExportForm::Relief) return relief_words(size, cells);
     if (settings.form == ExportForm::Maps) return map_words(size, path);
     return picture_words(size, cells, settings.scale);

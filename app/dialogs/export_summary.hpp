@@ -11,7 +11,7 @@ namespace pastoso::dialogs {
 
 /// The painting, as far as one has to know it to choose an export.
 struct ExportSubject {
-    io::ExportedCells canvas;
+    recordings::ExportedCells canvas;
     document::Recording film;  ///< what a time-lapse would show, without the events
     bool has_strokes = true;   ///< to be shown by a time-lapse
     tools::ExportLight light{};

@@ -1,7 +1,7 @@
 #include "glass/glass_chooser.hpp"
 
 #include "glass/panel_parts.hpp"
-#include "io/tank_json.hpp"
+#include "liquid_files/tank_json.hpp"
 #include "panels/parts/section.hpp"
 
 #include <utility>
@@ -32,7 +32,7 @@ GlassChooser::GlassChooser(QWidget* parent) : QComboBox(parent) {
     setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     addItem(tr("Milk tea"), tea_key());
-    for (const std::string& name : io::bundled_tank_names()) {
+    for (const std::string& name : liquid_files::bundled_tank_names()) {
         const QString key = QString::fromStdString(name);
         addItem(tank_words(key), key);
     }

@@ -1,7 +1,7 @@
 #include "glass/liquid_picture_dialog.hpp"
 
 #include "core/error.hpp"
-#include "io/traced_picture.hpp"
+#include "liquid_files/traced_picture.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -184,7 +184,7 @@ void LiquidPictureDialog::resizeEvent(QResizeEvent* event) {
 void LiquidPictureDialog::save(const QString& path) const {
     const auto radiance = work_ != nullptr ? work_->radiance() : nullptr;
     if (radiance == nullptr) throw core::InputError("There is no picture yet that could be saved.");
-    io::write_traced_picture(path.toStdString(), *radiance);
+    liquid_files::write_traced_picture(path.toStdString(), *radiance);
 }
 
 void LiquidPictureDialog::ask_save() {
@@ -201,7 +201,7 @@ void LiquidPictureDialog::ask_save() {
 
 void LiquidPictureDialog::put_on_canvas() {
     const QImage rgba = shown_.convertToFormat(QImage::Format_RGBA8888);
-    layers::Picture picture{rgba.width(), rgba.height(), {}};
+    pigment::Picture picture{rgba.width(), rgba.height(), {}};
     for (int y = 0; y < rgba.height(); ++y)
         picture.rgba.insert(picture.rgba.end(), rgba.constScanLine(y),
                             rgba.constScanLine(y) + 4 * std::ptrdiff_t{rgba.width()});

@@ -1,7 +1,7 @@
 // A picture of a liquid by the light's true ways: how large, how fine, and what becomes of it.
 #pragma once
 
-#include "layers/picture.hpp"
+#include "pigment/image.hpp"
 #include "session/liquid_picture.hpp"
 
 #include <functional>
@@ -47,7 +47,7 @@ class LiquidPictureDialog : public QDialog {
 
   Q_SIGNALS:
     /// The picture is to become paint.
-    void wanted_on_canvas(const pastoso::layers::Picture& picture);
+    void wanted_on_canvas(const pastoso::pigment::Picture& picture);
 
     void rendering_begins();
 

@@ -5,7 +5,6 @@
 #include "crash/crash_guard.hpp"
 #include "crash/crash_reports.hpp"
 #include "dialogs/crash_dialog.hpp"
-#include "io/recording_json.hpp"
 #include "main/arguments.hpp"
 #include "main/main_window.hpp"
 #include "main/program/application.hpp"
@@ -15,6 +14,7 @@
 #include "main/program/preference_commands.hpp"
 #include "main/window_parts.hpp"
 #include "project/project.hpp"
+#include "recordings/recording_json.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -97,7 +97,7 @@ int run(QApplication& application, const Arguments& arguments,
         const pastoso::main::KeptPreferences& preferences) {
     pastoso::document::Recording recording;
     const bool opens = arguments.file && pastoso::project::is_project_path(*arguments.file);
-    if (arguments.file && !opens) recording = pastoso::io::read_recording_json(*arguments.file);
+    if (arguments.file && !opens) recording = pastoso::recordings::read_recording_json(*arguments.file);
     MainWindow window(recording.canvas, !arguments.screenshot, preferences);
     if (opens) window.parts().files.open_painting(QString::fromStdString(arguments.file->string()));
     if (arguments.file && !opens) window.replay(recording);

@@ -1,6 +1,6 @@
 #include "session/liquid_picture.hpp"
 
-#include "io/traced_picture.hpp"
+#include "liquid_files/traced_picture.hpp"
 #include "tank/solid_mesh.hpp"
 #include "trace/tank_scene.hpp"
 #include "trace/tea_scene.hpp"
@@ -27,7 +27,7 @@ std::shared_ptr<const trace::Picture> LiquidPicture::radiance() const {
     return radiance_;
 }
 
-std::shared_ptr<const shade::Image8> LiquidPicture::shown() const {
+std::shared_ptr<const pigment::Image8> LiquidPicture::shown() const {
     const std::lock_guard lock(mutex_);
     return shown_;
 }
@@ -57,7 +57,8 @@ void LiquidPicture::trace(const LiquidPictureOrder& order) {
 }
 
 void LiquidPicture::publish(trace::Picture radiance, int samples, bool finished) {
-    auto shown = std::make_shared<const shade::Image8>(shade::encode_srgb8(io::shown_image(radiance)));
+    auto shown = std::make_shared<const pigment::Image8>(
+        pigment::encode_srgb8(liquid_files::shown_image(radiance)));
     auto shared = std::make_shared<const trace::Picture>(std::move(radiance));
     {
         const std::lock_guard lock(mutex_);

@@ -45,7 +45,7 @@ class LiquidPicture {
     std::shared_ptr<const trace::Picture> radiance() const;
 
     /// The same as a screen shows it.
-    std::shared_ptr<const shade::Image8> shown() const;
+    std::shared_ptr<const pigment::Image8> shown() const;
 
   private:
     void trace(const LiquidPictureOrder& order);

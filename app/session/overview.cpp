@@ -51,7 +51,7 @@ bool Overview::begin(const OverviewSubject& subject) {
     return true;
 }
 
-const shade::Image8& Overview::update(const OverviewSubject& subject) {
+const pigment::Image8& Overview::update(const OverviewSubject& subject) {
     std::vector<bool> changed(static_cast<std::size_t>(subject.film->shape.tile_count()),
                               begin(subject));
     for (const int tile : subject.tiles)

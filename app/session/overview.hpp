@@ -27,7 +27,7 @@ class Overview {
     Overview(int most_width, int most_height) : most_width_(most_width), most_height_(most_height) {}
 
     /// Paints again what the changed tiles show; all of it where canvas or viewing are others.
-    const shade::Image8& update(const OverviewSubject& subject);
+    const pigment::Image8& update(const OverviewSubject& subject);
 
   private:
     bool begin(const OverviewSubject& subject);
@@ -35,13 +35,13 @@ class Overview {
     int most_width_, most_height_;
     grid::Shape canvas_;
     pigment::Viewing viewing_;
-    shade::Image8 picture_;
+    pigment::Image8 picture_;
 };
 
 class OverviewPainter {
   public:
     /// Is called on the painter's thread; must return at once.
-    using Deliver = std::function<void(const shade::Image8& picture)>;
+    using Deliver = std::function<void(const pigment::Image8& picture)>;
 
     /// `tell` hears why there is no picture.
     OverviewPainter(int most_width, int most_height, Deliver deliver, core::Tell tell);

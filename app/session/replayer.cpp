@@ -1,7 +1,8 @@
 #include "session/replayer.hpp"
 
-#include "io/canvas_support.hpp"
+#include "recordings/canvas_support.hpp"
 #include "journal/undo_reach.hpp"
+#include "recordings/canvas_support.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -160,7 +161,7 @@ void Replayer::begin(std::int64_t tick) {
     const std::size_t next_event = kept != nullptr ? kept->next_event : 0;
     player_.reset();
     painting_ = kept != nullptr ? std::make_unique<document::Painting>(kept->state, pool_)
-                                : io::make_painting(recording_.canvas, pool_);
+                                : recordings::make_painting(recording_.canvas, pool_);
     rest_ = {recording_.canvas, {}, recording_.end_tick};
     rest_.events.assign(recording_.events.begin() + static_cast<std::ptrdiff_t>(next_event),
                         recording_.events.end());

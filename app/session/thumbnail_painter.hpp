@@ -14,7 +14,7 @@ namespace pastoso::session {
 class ThumbnailPainter {
   public:
     /// Is called on the painter's thread; must return at once.
-    using Deliver = std::function<void(const std::string& preset, const shade::Image8& image)>;
+    using Deliver = std::function<void(const std::string& preset, const pigment::Image8& image)>;
 
     /// `tell` hears why a thumbnail is missing. Its end waits for the thumbnail under way; what was
     /// asked for after it is not painted any more.

@@ -2,7 +2,7 @@
 
 #include "core/thread_pool.hpp"
 #include "document/painting.hpp"
-#include "io/canvas_support.hpp"
+#include "recordings/canvas_support.hpp"
 #include "shade/render.hpp"
 
 #include <QImage>
@@ -24,9 +24,9 @@ QImage support_picture(const std::string& support, const QSize& size_px) {
     canvas.height_mm = size_px.height() / kPxPerMm;
     canvas.px_per_mm = kPxPerMm;
     canvas.support = support;
-    const document::Snapshot bare = io::make_painting(canvas, pool)->snapshot();
-    const shade::Image8 picture =
-        shade::encode_srgb8(shade::render(bare.film, bare.ground, bare.film.shape.cells(), {}, pool));
+    const document::Snapshot bare = recordings::make_painting(canvas, pool)->snapshot();
+    const pigment::Image8 picture =
+        pigment::encode_srgb8(shade::render(bare.film, bare.ground, bare.film.shape.cells(), {}, pool));
     return QImage(picture.rgb.data(), picture.width, picture.height, 3 * picture.width,
                   QImage::Format_RGB888)
         .copy();

@@ -54,7 +54,7 @@ std::optional<std::size_t> format_of(const Path& path, ExportForm form, std::siz
 
 bool is_taken(const Path& path, ExportForm form) {
     const std::vector<Path> files =
-        form == ExportForm::Maps ? io::map_paths(path) : std::vector<Path>{path};
+        form == ExportForm::Maps ? recordings::map_paths(path) : std::vector<Path>{path};
     return std::any_of(files.begin(), files.end(), exists);
 }
 

@@ -1,7 +1,7 @@
 #include "tools/export_settings.hpp"
 
-#include "tools/marked_words.hpp"
 #include "document/canvas.hpp"
+#include "tools/marked_words.hpp"
 #include "tools/memory_file.hpp"
 
 #include <utility>
@@ -9,8 +9,8 @@
 namespace pastoso::tools {
 namespace {
 
-using io::Json;
-using io::JsonPlace;
+using files::Json;
+using files::JsonPlace;
 
 constexpr int kVersion = 1;
 
@@ -75,7 +75,7 @@ void read_formats(const JsonPlace& place, ExportSettings& settings) {
         settings.formats[form] = place_of(kForms[form].formats, place.entry(kForms[form].name));
 }
 
-io::ReliefOptions read_relief(const JsonPlace& place) {
+recordings::ReliefOptions read_relief(const JsonPlace& place) {
     place.allow_only({"base_mm", "exaggeration", "resolution_mm"});
     return {read_number(place.entry("base_mm"), 0.1, 100.0),
             read_number(place.entry("exaggeration"), 0.01, 100.0),
@@ -97,7 +97,7 @@ Json formats_json(const ExportSettings& settings) {
     return formats;
 }
 
-io::PictureOptions picture_options(const ExportSettings& settings, const ExportLight& light) {
+recordings::PictureOptions picture_options(const ExportSettings& settings, const ExportLight& light) {
     const bool is_video = settings.form == ExportForm::Timelapse && *settings.format().ending != '\0';
     return {light.light, is_video ? "srgb" : settings.profile, settings.format().depth_bits,
             settings.quality};
@@ -113,10 +113,10 @@ const ExportFormat& ExportSettings::format() const {
     return export_formats(form)[formats[static_cast<std::size_t>(form)]];
 }
 
-io::ExportChoice export_choice(const ExportSettings& settings, const std::filesystem::path& path,
-                               const ExportLight& light) {
-    io::ExportChoice choice;
-    choice.kind = static_cast<io::ExportKind>(settings.form);
+recordings::ExportChoice export_choice(const ExportSettings& settings, const std::filesystem::path& path,
+                                       const ExportLight& light) {
+    recordings::ExportChoice choice;
+    choice.kind = static_cast<recordings::ExportKind>(settings.form);
     choice.path = path;
     choice.of_well = settings.of_well && settings.form == ExportForm::Picture;
     choice.lit = settings.lit;
@@ -128,9 +128,10 @@ io::ExportChoice export_choice(const ExportSettings& settings, const std::filesy
     return choice;
 }
 
-io::TimelapseChoice timelapse_choice(const ExportSettings& settings, const std::filesystem::path& path,
-                                     const ExportLight& light) {
-    io::TimelapseChoice choice;
+recordings::TimelapseChoice timelapse_choice(const ExportSettings& settings,
+                                             const std::filesystem::path& path,
+                                             const ExportLight& light) {
+    recordings::TimelapseChoice choice;
     choice.path = path;
     choice.fps = settings.fps;
     choice.speed = settings.speed;

@@ -1,8 +1,8 @@
 // What was chosen for the window's last export: kept between two starts.
 #pragma once
 
-#include "io/painting_export.hpp"
-#include "io/timelapse.hpp"
+#include "recordings/painting_export.hpp"
+#include "recordings/timelapse.hpp"
 
 #include <array>
 #include <cstddef>
@@ -39,9 +39,9 @@ struct ExportSettings {
     bool of_well = false;                             ///< a picture of the mixing well
     bool lit = true;
     double scale = 1.0;            ///< pixels of a cell
-    std::string profile = "srgb";  ///< io::picture_colours()
+    std::string profile = "srgb";  ///< files::picture_colours()
     int quality = 95;
-    io::ReliefOptions relief;
+    recordings::ReliefOptions relief;
     double fps = 25.0;            ///< of a time-lapse
     double speed = 10.0;          ///< seconds of painting in a second of film
     double film_px_per_mm = 0.0;  ///< cells of the canvas that it is painted on; 0: as they were
@@ -58,12 +58,13 @@ struct ExportLight {
 };
 
 /// A picture, layers, maps or a relief as the settings say.
-io::ExportChoice export_choice(const ExportSettings& settings, const std::filesystem::path& path,
-                               const ExportLight& light);
+recordings::ExportChoice export_choice(const ExportSettings& settings, const std::filesystem::path& path,
+                                       const ExportLight& light);
 
 /// The same of a time-lapse.
-io::TimelapseChoice timelapse_choice(const ExportSettings& settings, const std::filesystem::path& path,
-                                     const ExportLight& light);
+recordings::TimelapseChoice timelapse_choice(const ExportSettings& settings,
+                                             const std::filesystem::path& path,
+                                             const ExportLight& light);
 
 /// The settings at first where there is no such file. Throws InputError that names the file, the place
 /// in it and the value for anything malformed or out of range.

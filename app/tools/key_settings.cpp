@@ -7,8 +7,8 @@
 namespace pastoso::tools {
 namespace {
 
-using io::Json;
-using io::JsonPlace;
+using files::Json;
+using files::JsonPlace;
 
 constexpr int kVersion = 1;
 

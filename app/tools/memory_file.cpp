@@ -10,23 +10,23 @@ constexpr std::size_t kMostBytes = std::size_t{4} << 20;
 }  // namespace
 
 void read_memory(const std::filesystem::path& file, int version,
-                 const std::function<void(const io::JsonPlace& root)>& read) {
+                 const std::function<void(const files::JsonPlace& root)>& read) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored)) return;
     const std::string name = file.string();
-    const io::Json json = io::parse_json(core::read_text_file(file, kMostBytes), name);
-    const io::JsonPlace root(json, name);
+    const files::Json json = files::parse_json(core::read_text_file(file, kMostBytes), name);
+    const files::JsonPlace root(json, name);
     root.entry("version").integer(version, version);
     read(root);
 }
 
-void write_memory(const io::Json& root, const std::filesystem::path& file) {
+void write_memory(const files::Json& root, const std::filesystem::path& file) {
     std::error_code failure;
     std::filesystem::create_directories(file.parent_path(), failure);
     if (failure)
         throw core::InputError("Cannot make the folder " + file.parent_path().string() + ": " +
                                failure.message() + ".");
-    core::write_text_file(file, root.dump(1, '\t', false, io::Json::error_handler_t::replace) + "\n");
+    core::write_text_file(file, root.dump(1, '\t', false, files::Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace pastoso::tools

@@ -1,7 +1,7 @@
 #include "tools/paint_shelf.hpp"
 
 #include "document/action_checks.hpp"
-#include "io/paint_json.hpp"
+#include "recordings/paint_json.hpp"
 #include "tools/memory_file.hpp"
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 namespace pastoso::tools {
 namespace {
 
-using io::Json;
-using io::JsonPlace;
+using files::Json;
+using files::JsonPlace;
 
 using Paints = std::vector<document::PaintRecipe>;
 
@@ -20,7 +20,7 @@ constexpr int kVersion = 1;
 Json paints_json(const Paints& paints) {
     Json list = Json::array();
     for (const document::PaintRecipe& paint : paints)
-        list.push_back(io::paint_json(paint));
+        list.push_back(recordings::paint_json(paint));
     return list;
 }
 
@@ -31,7 +31,7 @@ Paints read_paints(const JsonPlace& place, std::size_t most) {
     Paints paints;
     for (std::size_t i = 0; i < place.size(); ++i) {
         const JsonPlace element = place.element(i);
-        paints.push_back(io::read_paint(element));
+        paints.push_back(recordings::read_paint(element));
         element.guard([&] { document::check_paint(paints.back()); });
     }
     return paints;

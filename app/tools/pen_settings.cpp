@@ -9,8 +9,8 @@ namespace pastoso::tools {
 namespace {
 
 using brush::Named;
-using io::Json;
-using io::JsonPlace;
+using files::Json;
+using files::JsonPlace;
 
 constexpr int kVersion = 1;
 

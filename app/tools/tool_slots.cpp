@@ -8,8 +8,8 @@
 namespace pastoso::tools {
 namespace {
 
-using io::Json;
-using io::JsonPlace;
+using files::Json;
+using files::JsonPlace;
 
 constexpr int kVersion = 1;
 constexpr std::uint32_t kMostUses = std::numeric_limits<std::int32_t>::max();

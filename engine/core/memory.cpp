@@ -34,6 +34,10 @@ std::size_t peak_memory_bytes() {
     return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
+double peak_rss_mib() {
+    return static_cast<double>(peak_memory_bytes()) / (1 << 20);
+}
+
 void keep_freed_memory() {
     constexpr int kMiB = 1 << 20;
     // A canvas of 4096 x 4096 cells that flows all over frees 200 MB in each step.

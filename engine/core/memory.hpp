@@ -13,6 +13,9 @@ std::size_t available_memory_bytes();
 std::size_t resident_memory_bytes();
 std::size_t peak_memory_bytes();
 
+/// peak_memory_bytes() in MiB.
+double peak_rss_mib();
+
 /// From now on the process keeps up to 512 MiB that were freed for what it allocates next,
 /// instead of handing it back to the machine at once: tiles come and go by the megabyte, and new pages
 /// cost more than what is done with them. For a whole program, at its start.

@@ -3,9 +3,9 @@
 #include "brush/preset.hpp"
 #include "core/check.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "document/canvas.hpp"
 #include "document/layers.hpp"
-#include "document/number_text.hpp"
 #include "document/well.hpp"
 #include "film/medium.hpp"
 #include "pigment/paint_name.hpp"
@@ -18,9 +18,9 @@ namespace {
 
 void check_between(const char* what, double value, double least, double most) {
     if (value >= least && value <= most) return;
-    throw core::InputError(std::string("the ") + what + " is " + number_text(value) +
-                           ", but must lie between " + number_text(least) + " and " + number_text(most) +
-                           ".");
+    throw core::InputError(std::string("the ") + what + " is " + core::number_text(value) +
+                           ", but must lie between " + core::number_text(least) + " and " +
+                           core::number_text(most) + ".");
 }
 
 /// More parts than this are a mistake of units, and tiny ones would vanish in the mixture.
@@ -78,11 +78,11 @@ void check_outline(const std::vector<CanvasPoint>& outline) {
         check_place("outline's point", point.x_mm, point.y_mm);
 }
 
-void check_picture(const layers::Picture& picture) {
-    check_between("width of the picture in pixels", picture.width, 1, layers::kMostPictureSide_px);
-    check_between("height of the picture in pixels", picture.height, 1, layers::kMostPictureSide_px);
+void check_picture(const pigment::Picture& picture) {
+    check_between("width of the picture in pixels", picture.width, 1, pigment::kMostPictureSide_px);
+    check_between("height of the picture in pixels", picture.height, 1, pigment::kMostPictureSide_px);
     check_between("number of the picture's pixels", 1.0 * picture.width * picture.height, 1,
-                  layers::kMostPicturePixels);
+                  pigment::kMostPicturePixels);
     PASTOSO_CHECK_OP(picture.rgba.size(), ==, std::size_t{4} * picture.width * picture.height);
 }
 
@@ -237,8 +237,8 @@ void check_sample(const brush::PenSample& sample) {
 
 void check_time_order(const brush::PenSample& previous, const brush::PenSample& next) {
     if (next.time_s >= previous.time_s) return;
-    throw core::InputError("the time " + number_text(next.time_s) + " s is earlier than " +
-                           number_text(previous.time_s) + " s before it.");
+    throw core::InputError("the time " + core::number_text(next.time_s) + " s is earlier than " +
+                           core::number_text(previous.time_s) + " s before it.");
 }
 
 void check_paint(const PaintRecipe& paint) {

@@ -1,7 +1,7 @@
 #include "document/canvas.hpp"
 
 #include "core/error.hpp"
-#include "document/number_text.hpp"
+#include "core/number_text.hpp"
 #include "film/state.hpp"
 
 #include <algorithm>
@@ -30,9 +30,9 @@ constexpr std::size_t kBytesPerCell = 2 * kFilmBytesPerCell + kStrataBytesPerCel
 
 void check_between(const char* what, double value, double least, double most, const char* unit) {
     if (value >= least && value <= most) return;
-    throw core::InputError(std::string("The ") + what + " of the canvas is " + number_text(value) +
-                           unit + ", but must lie between " + number_text(least) + " and " +
-                           number_text(most) + ".");
+    throw core::InputError(std::string("The ") + what + " of the canvas is " + core::number_text(value) +
+                           unit + ", but must lie between " + core::number_text(least) + " and " +
+                           core::number_text(most) + ".");
 }
 
 int cells_along(double side_mm, double px_per_mm) {
@@ -44,8 +44,9 @@ int cells_from_origin(double place_mm, double px_per_mm) {
 }
 
 std::string size_text(const CanvasSettings& settings) {
-    return "A canvas of " + number_text(settings.width_mm) + " x " + number_text(settings.height_mm) +
-           " mm at " + number_text(settings.px_per_mm) + " px/mm";
+    return "A canvas of " + core::number_text(settings.width_mm) + " x " +
+           core::number_text(settings.height_mm) + " mm at " + core::number_text(settings.px_per_mm) +
+           " px/mm";
 }
 
 std::string gib_text(std::size_t bytes) {

@@ -71,7 +71,7 @@ struct PaintingState;
 class Painting {
   public:
     /// Throws InputError when the canvas would not fit into memory or the support is unknown. A support
-    /// "image" is loaded by io::make_painting().
+    /// "image" is loaded by recordings::make_painting().
     Painting(const CanvasSettings& settings, core::ThreadPool& pool);
 
     /// The same on a support that is given, of the shape canvas_shape(settings).

@@ -1,7 +1,8 @@
 // Pictures that are put onto the canvas as paint, or below it to be traced, as plain data.
 #pragma once
 
-#include "layers/picture.hpp"
+#include "layers/picture_place.hpp"
+#include "pigment/image.hpp"
 
 #include <memory>
 #include <string>
@@ -13,8 +14,8 @@ namespace pastoso::document {
 struct PaintPicture {
     std::string name;            ///< of the layer
     layers::PicturePlace place;  ///< sides of 0.1 to 20000 mm; may reach beyond the canvas
-    /// Not null; 1 to layers::kMostPictureSide_px a side, layers::kMostPicturePixels in all.
-    std::shared_ptr<const layers::Picture> picture;
+    /// Not null; 1 to pigment::kMostPictureSide_px a side, pigment::kMostPicturePixels in all.
+    std::shared_ptr<const pigment::Picture> picture;
 
     friend bool operator==(const PaintPicture& a, const PaintPicture& b) {
         return a.name == b.name && a.place == b.place &&
@@ -26,7 +27,7 @@ struct PaintPicture {
 /// seen in the window alone, and is no paint.
 struct LayTracing {
     /// As in PaintPicture; null: none.
-    std::shared_ptr<const layers::Picture> picture;
+    std::shared_ptr<const pigment::Picture> picture;
     layers::PicturePlace place;  ///< as in PaintPicture
 
     friend bool operator==(const LayTracing& a, const LayTracing& b) {

@@ -141,8 +141,8 @@ void contact(Board& board, const Preset& preset) {
 
 }  // namespace
 
-shade::Image8 thumbnail(const brush::Preset& preset, int width_px, int height_px,
-                        core::ThreadPool& pool) {
+pigment::Image8 thumbnail(const brush::Preset& preset, int width_px, int height_px,
+                          core::ThreadPool& pool) {
     Board board(preset, width_px, height_px, pool);
     switch (preset.kind) {
         case ToolKind::Contact:
@@ -156,7 +156,7 @@ shade::Image8 thumbnail(const brush::Preset& preset, int width_px, int height_px
             break;
     }
     const Snapshot snapshot = board.painting().snapshot();
-    return shade::encode_srgb8(
+    return pigment::encode_srgb8(
         shade::render(snapshot.film, snapshot.ground, snapshot.film.shape.cells(), {}, pool));
 }
 

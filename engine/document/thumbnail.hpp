@@ -10,7 +10,7 @@ namespace pastoso::document {
 /// A stroke of the tool on white board, `width_px` by `height_px`, about four widths of the tip across:
 /// brushes and knives loaded with blue, tools that take up, move or blow paint in wet paint. Always the
 /// same for the same preset.
-shade::Image8 thumbnail(const brush::Preset& preset, int width_px, int height_px,
-                        core::ThreadPool& pool);
+pigment::Image8 thumbnail(const brush::Preset& preset, int width_px, int height_px,
+                          core::ThreadPool& pool);
 
 }  // namespace pastoso::document

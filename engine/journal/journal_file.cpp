@@ -1,9 +1,9 @@
 #include "journal/journal_file.hpp"
 
 #include "core/error.hpp"
-#include "io/json_place.hpp"
-#include "io/recording_json.hpp"
+#include "files/json_place.hpp"
 #include "journal/frames.hpp"
+#include "recordings/recording_json.hpp"
 
 #include <cstring>
 #include <iterator>
@@ -13,8 +13,8 @@
 namespace pastoso::journal {
 namespace {
 
-using io::Json;
-using io::JsonPlace;
+using files::Json;
+using files::JsonPlace;
 
 constexpr const char* kFormat = "pastoso-journal";
 constexpr std::int64_t kMostCounted = std::numeric_limits<std::int64_t>::max() / 4;
@@ -76,7 +76,8 @@ Run read_batch(const Frame& frame, const std::string& place) {
         head.first_tick > kMostCounted)
         throw core::InputError(place + ": a batch begins at an action or tick that cannot be.");
     Run batch{head.first_event,
-              io::recording_from_json(frame.content.substr(sizeof head), place, io::Names::MayBeUnknown),
+              recordings::recording_from_json(frame.content.substr(sizeof head), place,
+                                              recordings::Names::MayBeUnknown),
               frame.offset};
     for (document::Event& event : batch.recording.events)
         event.tick += head.first_tick;
@@ -102,7 +103,7 @@ void append(Run batch, std::vector<Run>& runs) {
 void add_frame(const Frame& frame, const std::string& name, JournalContent& content) {
     const std::string place = name + ", byte " + std::to_string(frame.offset);
     if (frame.kind == FrameKind::Strokes) return append(read_batch(frame, place), content.runs);
-    const Json json = io::parse_json(frame.content, place);
+    const Json json = files::parse_json(frame.content, place);
     const JsonPlace root(json, place);
     switch (frame.kind) {
         case FrameKind::Header:
@@ -139,7 +140,7 @@ std::string strokes_frame(std::uint64_t first_event, std::int64_t first_tick,
     relative.end_tick -= first_tick;
     const BatchHead head{first_event, first_tick};
     std::string content(reinterpret_cast<const char*>(&head), sizeof head);
-    return framed(FrameKind::Strokes, content.append(io::recording_to_json(relative)));
+    return framed(FrameKind::Strokes, content.append(recordings::recording_to_json(relative)));
 }
 
 std::string checkpoint_frame(const Checkpoint& checkpoint) {

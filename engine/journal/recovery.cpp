@@ -4,8 +4,8 @@
 #include "core/text_file.hpp"
 #include "document/painting.hpp"
 #include "document/player.hpp"
-#include "io/canvas_support.hpp"
 #include "journal/undo_reach.hpp"
+#include "recordings/canvas_support.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -92,7 +92,7 @@ std::unique_ptr<document::Painting> painting_at(const fs::path& folder, const Ca
         if (candidate.run == nullptr || candidate.tick != 0)
             throw core::InputError((folder / kStrokesFile).string() +
                                    ": does not say what was painted on.");
-        return io::make_painting(content.runs.front().recording.canvas, pool);
+        return recordings::make_painting(content.runs.front().recording.canvas, pool);
     }
     project::LoadedProject start = project::load_project(folder / candidate.file, pool);
     if (start.painting.tick != candidate.tick)

@@ -75,7 +75,7 @@ film::StrataOptics picture_optics(const pigment::Bands& reflectance, float cover
     return optics;
 }
 
-FilmState flat_paint(const Picture& picture, const PicturePlace& place, grid::Shape shape,
+FilmState flat_paint(const pigment::Picture& picture, const PicturePlace& place, grid::Shape shape,
                      double cell_mm, core::ThreadPool& pool) {
     const PictureMeans means(picture, place, cell_mm, shape);
     std::vector<std::optional<FlatTile>> tiles(static_cast<std::size_t>(shape.tile_count()));

@@ -3,7 +3,8 @@
 
 #include "core/thread_pool.hpp"
 #include "film/state.hpp"
-#include "layers/picture.hpp"
+#include "layers/picture_place.hpp"
+#include "pigment/image.hpp"
 
 namespace pastoso::layers {
 
@@ -20,7 +21,7 @@ film::StrataOptics picture_optics(const pigment::Bands& reflectance, float cover
 ///
 /// What it does to light is that of picture_optics(). What is counted of it is its thickness and the
 /// pigment of as much paint of that colour (pigment::paint_of_bands).
-film::FilmState flat_paint(const Picture& picture, const PicturePlace& place, grid::Shape shape,
+film::FilmState flat_paint(const pigment::Picture& picture, const PicturePlace& place, grid::Shape shape,
                            double cell_mm, core::ThreadPool& pool);
 
 }  // namespace pastoso::layers

@@ -69,7 +69,7 @@ std::vector<AxisCover> axis_covers(double begin, double length, int pixels, int 
     return covers;
 }
 
-PictureMeans::PictureMeans(const Picture& picture, const PicturePlace& place, double cell_mm,
+PictureMeans::PictureMeans(const pigment::Picture& picture, const PicturePlace& place, double cell_mm,
                            const grid::Shape& shape)
     : picture_(picture), cells_(cells_touched(place, cell_mm, shape)) {
     PASTOSO_CHECK_OP(picture.rgba.size(), ==, std::size_t{4} * picture.width * picture.height);
@@ -103,10 +103,11 @@ CoveredColour PictureMeans::at(int x, int y) const {
     return mean;
 }
 
-Picture reduced(Picture picture, int most_width, int most_height) {
+pigment::Picture reduced(pigment::Picture picture, int most_width, int most_height) {
     PASTOSO_CHECK(most_width > 0 && most_height > 0);
     if (picture.width <= most_width && picture.height <= most_height) return picture;
-    Picture small{std::min(picture.width, most_width), std::min(picture.height, most_height), {}};
+    pigment::Picture small{
+        std::min(picture.width, most_width), std::min(picture.height, most_height), {}};
     const PictureMeans means(
         picture, {0.0, 0.0, static_cast<double>(small.width), static_cast<double>(small.height)}, 1.0,
         {small.width, small.height});

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "grid/shape.hpp"
-#include "layers/picture.hpp"
+#include "layers/picture_place.hpp"
 #include "pigment/colour.hpp"
+#include "pigment/image.hpp"
 
 #include <vector>
 
@@ -31,7 +32,7 @@ struct CoveredColour {
 /// Means for any cells. The picture outlives it.
 class PictureMeans {
   public:
-    PictureMeans(const Picture& picture, const PicturePlace& place, double cell_mm,
+    PictureMeans(const pigment::Picture& picture, const PicturePlace& place, double cell_mm,
                  const grid::Shape& shape);
 
     /// The cells of the canvas that the picture touches.
@@ -40,13 +41,13 @@ class PictureMeans {
     CoveredColour at(int x, int y) const;
 
   private:
-    const Picture& picture_;
+    const pigment::Picture& picture_;
     grid::Rect cells_;
     std::vector<AxisCover> columns_, rows_;  ///< of the cells
 };
 
 /// The picture in at most so many pixels a side, each the mean of what it covers; as it is where it has
 /// no more.
-Picture reduced(Picture picture, int most_width, int most_height);
+pigment::Picture reduced(pigment::Picture picture, int most_width, int most_height);
 
 }  // namespace pastoso::layers

@@ -69,7 +69,7 @@ bool same_tile(const PictureStrata& a, const PictureStrata& b, int tile) {
 
 }  // namespace
 
-PictureCells picture_cells(const Picture& picture, const PicturePlace& place, grid::Shape shape,
+PictureCells picture_cells(const pigment::Picture& picture, const PicturePlace& place, grid::Shape shape,
                            double cell_mm, core::ThreadPool& pool) {
     const PictureMeans means(picture, place, cell_mm, shape);
     const auto touched = [&](int tile) {

@@ -4,7 +4,8 @@
 
 #include "core/thread_pool.hpp"
 #include "film/state.hpp"
-#include "layers/picture.hpp"
+#include "layers/picture_place.hpp"
+#include "pigment/image.hpp"
 
 #include <array>
 #include <cstdint>
@@ -13,7 +14,7 @@
 namespace pastoso::layers {
 
 struct Tracing {
-    std::shared_ptr<const Picture> picture;  ///< not null
+    std::shared_ptr<const pigment::Picture> picture;  ///< not null
     PicturePlace place;
     double opacity = 0.5;  ///< 0 to 1
     friend bool operator==(const Tracing& a, const Tracing& b) {
@@ -30,7 +31,7 @@ struct PictureCell {
 };
 using PictureCells = grid::TiledField<PictureCell>;
 
-PictureCells picture_cells(const Picture& picture, const PicturePlace& place, grid::Shape shape,
+PictureCells picture_cells(const pigment::Picture& picture, const PicturePlace& place, grid::Shape shape,
                            double cell_mm, core::ThreadPool& pool);
 
 /// What a picture does to light in each cell, clear beside it. Fields share tiles.

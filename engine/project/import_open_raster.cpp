@@ -2,7 +2,7 @@
 
 #include "core/error.hpp"
 #include "document/canvas.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 #include "project/project_layout.hpp"
 #include "project/stack_reader.hpp"
 #include "project/zip_file.hpp"
@@ -82,8 +82,8 @@ class Importer {
     void add(const StackPicture& picture, document::LayerId id) {
         try {
             const Bytes file = archive_.read(picture.source, kMostPictureBytes);
-            layers::Picture pixels =
-                io::decode_png_to_srgb({reinterpret_cast<const char*>(file.data()), file.size()});
+            pigment::Picture pixels =
+                files::decode_png_to_srgb({reinterpret_cast<const char*>(file.data()), file.size()});
             unpacked_ += 1.0 * pixels.width * pixels.height;
             const layers::PicturePlace place{picture.x * mm_per_px_x_, picture.y * mm_per_px_y_,
                                              pixels.width * mm_per_px_x_, pixels.height * mm_per_px_y_};

@@ -3,14 +3,14 @@
 #include "document/action_checks.hpp"
 #include "document/canvas.hpp"
 #include "document/well.hpp"
+#include "files/image.hpp"
 #include "film/support/support.hpp"
-#include "io/image.hpp"
-#include "io/recording_json.hpp"
 #include "project/mask_bits.hpp"
 #include "project/project.hpp"
 #include "project/project_index.hpp"
 #include "project/project_layout.hpp"
 #include "project/surface_tiles.hpp"
+#include "recordings/recording_json.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -47,8 +47,8 @@ ProjectIndex read_index(const ZipReader& archive) {
 }
 
 document::Recording read_setup(const ZipReader& archive) {
-    return io::recording_from_json(text_of(archive.read(kSetupEntry, kMostSetupBytes)),
-                                   place_of(archive, kSetupEntry));
+    return recordings::recording_from_json(text_of(archive.read(kSetupEntry, kMostSetupBytes)),
+                                           place_of(archive, kSetupEntry));
 }
 
 /// Takes over what the events of the setup say.
@@ -214,9 +214,9 @@ void read_selection(const ZipReader& archive, const PackedEntry& packed, Paintin
 
 void read_tracing(const ZipReader& archive, const document::SetTracing& set, PaintingState& painting) {
     const Bytes file = archive.read(kTracingEntry, kMostTracingBytes);
-    auto picture = std::make_shared<layers::Picture>();
+    auto picture = std::make_shared<pigment::Picture>();
     try {
-        *picture = io::decode_png({reinterpret_cast<const char*>(file.data()), file.size()});
+        *picture = files::decode_png({reinterpret_cast<const char*>(file.data()), file.size()});
     } catch (const core::InputError& error) {
         archive.fail(kTracingEntry, error.what());
     }
@@ -229,8 +229,8 @@ void read_strokes(const ZipReader& archive, const PackedEntry& strokes, LoadedPr
     const PaintingState& painting = project.painting;
     const std::string text = text_of(read_packed(archive, strokes));
     try {
-        project.strokes =
-            io::recording_from_json(text, place_of(archive, kStrokesEntry), io::Names::MayBeUnknown);
+        project.strokes = recordings::recording_from_json(text, place_of(archive, kStrokesEntry),
+                                                          recordings::Names::MayBeUnknown);
     } catch (const core::InputError& error) {
         project.strokes = {painting.settings, {}, 0};
         project.notes.push_back(

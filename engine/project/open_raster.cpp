@@ -27,7 +27,7 @@ double share_of(const Cover& cover, int at) {
     return at == cover.last ? cover.last_share : 1.0;
 }
 
-void average(const shade::LinearImage& picture, const Cover& columns, const Cover& rows, float* rgb) {
+void average(const pigment::LinearImage& picture, const Cover& columns, const Cover& rows, float* rgb) {
     double sums[3] = {0.0, 0.0, 0.0}, area = 0.0;
     for (int y = rows.first; y <= rows.last; ++y) {
         for (int x = columns.first; x <= columns.last; ++x) {
@@ -65,10 +65,10 @@ std::string xml_text(const std::string& text) {
 
 }  // namespace
 
-shade::LinearImage thumbnail_of(const shade::LinearImage& picture) {
+pigment::LinearImage thumbnail_of(const pigment::LinearImage& picture) {
     const double scale = std::min(
         1.0, static_cast<double>(kLongestThumbnail_px) / std::max(picture.width, picture.height));
-    shade::LinearImage small;
+    pigment::LinearImage small;
     small.width = std::max(1, static_cast<int>(std::lround(scale * picture.width)));
     small.height = std::max(1, static_cast<int>(std::lround(scale * picture.height)));
     small.space = picture.space;

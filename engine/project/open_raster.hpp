@@ -12,7 +12,7 @@ namespace pastoso::project {
 inline constexpr int kLongestThumbnail_px = 256;
 
 /// The picture made smaller: the mean over each pixel's area.
-shade::LinearImage thumbnail_of(const shade::LinearImage& picture);
+pigment::LinearImage thumbnail_of(const pigment::LinearImage& picture);
 
 struct StackLayer {
     std::string name;

@@ -1,9 +1,9 @@
 #include "project/picture_import.hpp"
 
 #include "document/canvas.hpp"
-#include "io/canvas_support.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 #include "layers/picture_means.hpp"
+#include "recordings/canvas_support.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ double rounded(double length_mm) {
 
 int cells_of(double length_mm, double px_per_mm) {
     return static_cast<int>(std::clamp(std::ceil(length_mm * px_per_mm - 1e-6), 1.0,
-                                       static_cast<double>(layers::kMostPictureSide_px)));
+                                       static_cast<double>(pigment::kMostPictureSide_px)));
 }
 
 }  // namespace
@@ -52,9 +52,9 @@ CanvasSize canvas_size(int width_px, int height_px, const CanvasSize& said, doub
     return {rounded(width_px * mm_per_px), rounded(height_px * mm_per_px)};
 }
 
-document::PaintPicture paint_of_picture(layers::Picture picture, std::string name,
+document::PaintPicture paint_of_picture(pigment::Picture picture, std::string name,
                                         const layers::PicturePlace& place, double px_per_mm) {
-    auto small = std::make_shared<layers::Picture>(layers::reduced(
+    auto small = std::make_shared<pigment::Picture>(layers::reduced(
         std::move(picture), cells_of(place.width_mm, px_per_mm), cells_of(place.height_mm, px_per_mm)));
     return {std::move(name), place, std::move(small)};
 }
@@ -68,7 +68,7 @@ layers::PicturePlace fitted_place(int width_px, int height_px, const document::C
 }
 
 PictureCanvas::PictureCanvas(const document::CanvasSettings& canvas, core::ThreadPool& pool)
-    : strokes_{canvas, {}, 0}, painting_(io::make_painting(canvas, pool)) {
+    : strokes_{canvas, {}, 0}, painting_(recordings::make_painting(canvas, pool)) {
     painting_->set_history_budget(0);
 }
 
@@ -83,7 +83,7 @@ Project PictureCanvas::take() {
 
 LoadedProject import_picture(const std::filesystem::path& path, const ImportSettings& settings,
                              core::ThreadPool& pool) {
-    io::StoredPicture stored = io::read_picture(path);
+    files::StoredPicture stored = files::read_picture(path);
     const CanvasSize size = canvas_size(stored.picture.width, stored.picture.height,
                                         {stored.width_mm, stored.height_mm}, settings.width_mm);
     document::CanvasSettings wanted = canvas_of(settings, size);

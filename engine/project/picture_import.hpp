@@ -31,7 +31,7 @@ struct CanvasSize {
 CanvasSize canvas_size(int width_px, int height_px, const CanvasSize& said, double wished_width_mm);
 
 /// A picture as a layer of that name, in no more pixels than there are cells below it.
-document::PaintPicture paint_of_picture(layers::Picture picture, std::string name,
+document::PaintPicture paint_of_picture(pigment::Picture picture, std::string name,
                                         const layers::PicturePlace& place, double px_per_mm);
 
 /// In the middle of the canvas, as large as it fits.

@@ -2,7 +2,7 @@
 
 #include "document/layered_canvas.hpp"
 #include "document/painting.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 #include "project/coarse_film.hpp"
 #include "project/open_raster.hpp"
 
@@ -22,7 +22,7 @@ int coarseness(const grid::Shape& shape) {
     return factor;
 }
 
-shade::LinearImage picture_of(const film::FilmState& film, core::ThreadPool& pool) {
+pigment::LinearImage picture_of(const film::FilmState& film, core::ThreadPool& pool) {
     const int factor = coarseness(film.shape);
     const film::FilmState small = factor == 1 ? film : coarse_film(film, factor, pool);
     return shade::render(small, document::kPrimedGround, small.shape.cells(), {}, pool);
@@ -91,7 +91,7 @@ std::string layer_picture(std::size_t place) {
 std::vector<PictureFile> picture_files(const Pictures& pictures) {
     const auto merged = [&pictures, made = std::make_shared<std::string>()] {
         if (made->empty())
-            *made = io::png_file(shade::encode_srgb8(pictures.merged), pictures.px_per_mm);
+            *made = files::png_file(pigment::encode_srgb8(pictures.merged), pictures.px_per_mm);
         return *made;
     };
     std::vector<PictureFile> files = {{"mergedimage.png", merged}};
@@ -99,11 +99,11 @@ std::vector<PictureFile> picture_files(const Pictures& pictures) {
     for (std::size_t i = 0; pictures.layers.size() > 1 && i < pictures.layers.size(); ++i)
         files.push_back({entry_of(pictures, i), [&pictures, i] {
                              const LayerPicture& layer = pictures.layers[i];
-                             return io::png_file(shade::encode_srgb8(layer.picture), pictures.px_per_mm,
-                                                 layer.covered);
+                             return files::png_file(pigment::encode_srgb8(layer.picture),
+                                                    pictures.px_per_mm, layer.covered);
                          }});
     files.push_back({"Thumbnails/thumbnail.png", [&pictures] {
-                         return io::png_file(shade::encode_srgb8(thumbnail_of(pictures.merged)));
+                         return files::png_file(pigment::encode_srgb8(thumbnail_of(pictures.merged)));
                      }});
     return files;
 }

@@ -22,12 +22,12 @@ inline constexpr int kLongestPicture_px = 2048;
 struct LayerPicture {
     std::string name;
     bool visible = true;
-    shade::LinearImage picture;
+    pigment::LinearImage picture;
     std::vector<std::uint8_t> covered{};  ///< 255 or 0 a pixel; empty: everywhere
 };
 
 struct Pictures {
-    shade::LinearImage merged;
+    pigment::LinearImage merged;
     double px_per_mm = 1.0;
     /// From below. A painting of one layer is one picture; of several, the bare canvas comes first.
     std::vector<LayerPicture> layers{};

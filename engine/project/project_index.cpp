@@ -1,12 +1,12 @@
 #include "project/project_index.hpp"
 
 #include "document/action_checks.hpp"
-#include "io/json_place.hpp"
-#include "io/layers_json.hpp"
-#include "io/picture_json.hpp"
+#include "files/json_place.hpp"
 #include "packing/packed_bytes.hpp"
 #include "project/project_layout.hpp"
 #include "project/tile_kinds.hpp"
+#include "recordings/layers_json.hpp"
+#include "recordings/picture_json.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -16,8 +16,8 @@
 namespace pastoso::project {
 namespace {
 
-using io::Json;
-using io::JsonPlace;
+using files::Json;
+using files::JsonPlace;
 
 constexpr std::int64_t kMostCounted = std::numeric_limits<std::int64_t>::max();
 
@@ -200,7 +200,7 @@ SurfaceIndex read_surface(const JsonPlace& place) {
 
 /// What a layer or a group is called and how it shows, beside what else there is of it.
 Json with_look(Json json, const document::LayerLook& look) {
-    json.update(io::look_json(look));
+    json.update(recordings::look_json(look));
     return json;
 }
 
@@ -219,7 +219,7 @@ Json layer_json(const LayerIndex& layer) {
 LayerIndex read_layer(const JsonPlace& place) {
     place.allow_only({"id", "group", "name", "visible", "locked", "opacity", "picture", "surface",
                       "bare_support_checksum"});
-    LayerIndex layer{{.id = 1, .look = io::read_look(place)},
+    LayerIndex layer{{.id = 1, .look = recordings::read_look(place)},
                      place.entry("picture").text(),
                      read_surface(place.entry("surface")),
                      {}};
@@ -232,7 +232,7 @@ LayerIndex read_layer(const JsonPlace& place) {
 
 document::LayerGroup read_group(const JsonPlace& place) {
     place.allow_only({"id", "name", "visible", "locked", "opacity"});
-    return {read_number(place.entry("id")), io::read_look(place)};
+    return {read_number(place.entry("id")), recordings::read_look(place)};
 }
 
 Json stack_json(const ProjectIndex& index) {
@@ -356,13 +356,13 @@ std::string index_to_json(const ProjectIndex& index) {
                          {"held", packed_json(index.brush->held)}};
     }
     if (index.selection) json["selection"] = packed_json(*index.selection);
-    if (index.tracing) json["tracing"] = io::set_tracing_json(*index.tracing);
+    if (index.tracing) json["tracing"] = recordings::set_tracing_json(*index.tracing);
     json["strokes"] = packed_json(index.strokes);
     return json.dump() + "\n";
 }
 
 ProjectIndex index_from_json(const std::string& text, const std::string& name) {
-    const Json json = io::parse_json(text, name);
+    const Json json = files::parse_json(text, name);
     const JsonPlace root(json, name);
     check_header(root);
     ProjectIndex index;
@@ -382,7 +382,7 @@ ProjectIndex index_from_json(const std::string& text, const std::string& name) {
     if (const auto selection = root.optional_entry("selection"))
         index.selection = read_packed_alone(*selection, kMostSelectionBytes);
     if (const auto tracing = root.optional_entry("tracing")) {
-        index.tracing = io::read_set_tracing(*tracing);
+        index.tracing = recordings::read_set_tracing(*tracing);
         tracing->guard([&] { document::check_action(*index.tracing); });
     }
     index.strokes = read_packed_alone(root.entry("strokes"), kMostStrokesBytes);

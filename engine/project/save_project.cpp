@@ -1,14 +1,14 @@
 #include "brush/preset.hpp"
 #include "core/text_file.hpp"
 #include "document/action_checks.hpp"
-#include "io/image.hpp"
-#include "io/recording_json.hpp"
+#include "files/image.hpp"
 #include "project/mask_bits.hpp"
 #include "project/project.hpp"
 #include "project/project_archive.hpp"
 #include "project/project_index.hpp"
 #include "project/project_layout.hpp"
 #include "project/surface_tiles.hpp"
+#include "recordings/recording_json.hpp"
 
 #include <future>
 #include <utility>
@@ -138,9 +138,9 @@ void add_painting(const Project& project, Draft& draft) {
     if (painting.tracing) {
         const layers::Tracing& tracing = *painting.tracing;
         index.tracing = {tracing.place, tracing.opacity};
-        draft.archive.add(kTracingEntry, io::png_file(*tracing.picture));
+        draft.archive.add(kTracingEntry, files::png_file(*tracing.picture));
     }
-    const std::string strokes = io::recording_to_json(project.strokes);
+    const std::string strokes = recordings::recording_to_json(project.strokes);
     index.strokes = add_packed(kStrokesEntry, packing::bytes_of(strokes), draft.archive);
 }
 
@@ -165,7 +165,7 @@ void write_archive(const Project& project, const Pictures& pictures, core::Threa
     draft.archive.add("stack.xml", stack_xml(pictures));
     for (PictureFile& file : picture_files(pictures))
         draft.archive.add(file.entry, std::move(file.content));
-    draft.archive.add(kSetupEntry, io::recording_to_json(setup_of(project.painting)));
+    draft.archive.add(kSetupEntry, recordings::recording_to_json(setup_of(project.painting)));
     add_painting(project, draft);
     std::future<void> packed = std::async(std::launch::async, [&draft, &pool] {
         for (TilePacking& surface : draft.surfaces)

@@ -2,9 +2,9 @@
 
 #include "core/check.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "document/layers.hpp"
-#include "document/number_text.hpp"
-#include "layers/picture.hpp"
+#include "pigment/image.hpp"
 #include "project/xml_elements.hpp"
 
 #include <algorithm>
@@ -46,9 +46,9 @@ struct Element {
         if (status != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
             fail(std::string("expected a number for \"") + key + "\".");
         if (value < least || value > most) {
-            fail(std::string("\"") + key + "\" is " + document::number_text(value) +
-                 ", but must lie between " + document::number_text(least) + " and " +
-                 document::number_text(most) + ".");
+            fail(std::string("\"") + key + "\" is " + core::number_text(value) +
+                 ", but must lie between " + core::number_text(least) + " and " +
+                 core::number_text(most) + ".");
         }
         return value;
     }
@@ -115,8 +115,8 @@ class StackReader {
     void read_image(const Element& element) {
         if (!element.attributes.contains("w") || !element.attributes.contains("h"))
             element.fail("the size of the picture is missing.");
-        stack_.width = element.whole("w", 0, 1, layers::kMostPictureSide_px);
-        stack_.height = element.whole("h", 0, 1, layers::kMostPictureSide_px);
+        stack_.width = element.whole("w", 0, 1, pigment::kMostPictureSide_px);
+        stack_.height = element.whole("h", 0, 1, pigment::kMostPictureSide_px);
         const double x_dpi = element.number("xres", kSaysNothing_dpi, 1.0, 1e5);
         const double y_dpi = element.number("yres", x_dpi, 1.0, 1e5);
         if (x_dpi == kSaysNothing_dpi) return;

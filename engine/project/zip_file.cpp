@@ -1,7 +1,7 @@
 #include "project/zip_file.hpp"
 
 #include "core/error.hpp"
-#include "io/files.hpp"
+#include "files/file_access.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -187,7 +187,7 @@ struct ZipReader::Archive {
 };
 
 ZipReader::ZipReader(const std::filesystem::path& path) : name_(path.string()) {
-    io::check_readable(path);
+    files::check_readable(path);
     zip_error_t error;
     zip_error_init(&error);
     zip_source_t* source = zip_source_file_create(path.c_str(), 0, -1, &error);

@@ -26,7 +26,7 @@ Between between(int enlarged_pixel, int factor, int count) {
     return {first, std::min(first + 1, count - 1), place - first};
 }
 
-void copy_into(const Image8& picture, Image8& sheet, int left, int top) {
+void copy_into(const pigment::Image8& picture, pigment::Image8& sheet, int left, int top) {
     for (int y = 0; y < picture.height; ++y) {
         const auto row = picture.rgb.begin() + static_cast<std::ptrdiff_t>(offset(picture, 0, y));
         std::copy(row, row + 3 * static_cast<std::ptrdiff_t>(picture.width),
@@ -44,9 +44,9 @@ std::vector<int> starts_of(const std::vector<int>& lengths, int gap) {
 
 }  // namespace
 
-Image8 enlarged(const Image8& picture, int factor) {
+pigment::Image8 enlarged(const pigment::Image8& picture, int factor) {
     PASTOSO_CHECK_OP(factor, >=, 1);
-    Image8 large{picture.width * factor, picture.height * factor, {}, picture.space};
+    pigment::Image8 large{picture.width * factor, picture.height * factor, {}, picture.space};
     large.rgb.reserve(picture.rgb.size() * static_cast<std::size_t>(factor) * factor);
     for (int y = 0; y < large.height; ++y) {
         const Between rows = between(y, factor, picture.height);
@@ -68,9 +68,9 @@ Image8 enlarged(const Image8& picture, int factor) {
     return large;
 }
 
-LinearImage framed(const LinearImage& picture, int width, int height) {
+pigment::LinearImage framed(const pigment::LinearImage& picture, int width, int height) {
     constexpr float kMiddleGrey = 0.18F;
-    LinearImage frame{width, height, {}, picture.space};
+    pigment::LinearImage frame{width, height, {}, picture.space};
     frame.rgb.assign(static_cast<std::size_t>(width) * height * 3, kMiddleGrey);
     const int left = (width - picture.width) / 2, top = (height - picture.height) / 2;
     const int first = std::max(0, -left), end = std::min(picture.width, width - left);
@@ -83,7 +83,7 @@ LinearImage framed(const LinearImage& picture, int width, int height) {
     return frame;
 }
 
-Image8 arranged(const std::vector<std::vector<Image8>>& rows, int gap_px) {
+pigment::Image8 arranged(const std::vector<std::vector<pigment::Image8>>& rows, int gap_px) {
     std::vector<int> widths, heights;
     for (const auto& row : rows) {
         heights.push_back(0);
@@ -95,7 +95,7 @@ Image8 arranged(const std::vector<std::vector<Image8>>& rows, int gap_px) {
     }
     PASTOSO_CHECK(!widths.empty() && !rows.front().empty());
     const std::vector<int> lefts = starts_of(widths, gap_px), tops = starts_of(heights, gap_px);
-    Image8 sheet{lefts.back() - gap_px, tops.back() - gap_px, {}, rows.front().front().space};
+    pigment::Image8 sheet{lefts.back() - gap_px, tops.back() - gap_px, {}, rows.front().front().space};
     sheet.rgb.assign(static_cast<std::size_t>(sheet.width) * sheet.height * 3, 255);
     for (std::size_t j = 0; j < rows.size(); ++j)
         for (std::size_t i = 0; i < rows[j].size(); ++i)

@@ -9,14 +9,14 @@ namespace pastoso::shade {
 
 /// The picture `factor` times larger, every pixel interpolated linearly between the centres of the four
 /// around it (on the encoded values, as image viewers do); beyond the outermost centres their values.
-Image8 enlarged(const Image8& picture, int factor);
+pigment::Image8 enlarged(const pigment::Image8& picture, int factor);
 
 /// The picture in the middle of one of that size, middle grey around it; what has no room is cut off.
-LinearImage framed(const LinearImage& picture, int width, int height);
+pigment::LinearImage framed(const pigment::LinearImage& picture, int width, int height);
 
 /// Rows of pictures with white between them. Columns are as wide and rows as high as their largest
 /// picture; smaller ones stand at the upper left. The first row holds a picture; all are of its colour
 /// space.
-Image8 arranged(const std::vector<std::vector<Image8>>& rows, int gap_px);
+pigment::Image8 arranged(const std::vector<std::vector<pigment::Image8>>& rows, int gap_px);
 
 }  // namespace pastoso::shade

@@ -112,7 +112,7 @@ void add_samples(const std::vector<SurfaceSample>& row, int samples, int pixels,
 struct Wanted {
     const ShadingConstants& light;
     float cell_mm;
-    LinearImage* lit;
+    pigment::LinearImage* lit;
     SurfaceSamples* surface;
 };
 
@@ -170,7 +170,7 @@ Renderer::Renderer(const film::FilmState& film, const pigment::Bands& ground, co
     highest_mm_ = range.highest_mm;
 }
 
-void Renderer::render(const Rect& pixels, LinearImage* lit, SurfaceSamples* surface) const {
+void Renderer::render(const Rect& pixels, pigment::LinearImage* lit, SurfaceSamples* surface) const {
     PASTOSO_CHECK(!pixels.empty());
     PASTOSO_CHECK(grid::intersection(pixels, {0, 0, lattice_.width, lattice_.height}) == pixels);
     const ShadingConstants light = shading_constants(settings_.lighting);
@@ -192,15 +192,15 @@ void Renderer::render(const Rect& pixels, LinearImage* lit, SurfaceSamples* surf
               });
 }
 
-LinearImage render(const film::FilmState& film, const pigment::Bands& ground, const Rect& cells,
-                   const RenderSettings& settings, core::ThreadPool& pool) {
+pigment::LinearImage render(const film::FilmState& film, const pigment::Bands& ground, const Rect& cells,
+                            const RenderSettings& settings, core::ThreadPool& pool) {
     const Lattice lattice = picture_lattice(film.shape, cells, settings.scale);
     if (static_cast<double>(lattice.width) * lattice.height > kMaxPixels) {
         throw core::InputError("A picture of " + std::to_string(lattice.width) + " x " +
                                std::to_string(lattice.height) +
                                " pixels is larger than the 268 million that can be rendered.");
     }
-    LinearImage image;
+    pigment::LinearImage image;
     Renderer(film, ground, lattice, settings, pool)
         .render({0, 0, lattice.width, lattice.height}, &image, nullptr);
     return image;

@@ -4,33 +4,12 @@
 
 #include "core/thread_pool.hpp"
 #include "film/state.hpp"
+#include "pigment/image.hpp"
 #include "pigment/viewing.hpp"
 
-#include <cstdint>
 #include <vector>
 
 namespace pastoso::shade {
-
-/// A picture of linear-light values, row by row from the top, three floats a pixel.
-struct LinearImage {
-    int width = 0, height = 0;
-    std::vector<float> rgb;
-    pigment::WorkingSpace space = pigment::WorkingSpace::Srgb;
-};
-
-/// The same encoded for screens: eight bits, sRGB transfer curve, three bytes a pixel.
-struct Image8 {
-    int width = 0, height = 0;
-    std::vector<std::uint8_t> rgb;
-    pigment::WorkingSpace space = pigment::WorkingSpace::Srgb;
-};
-
-/// The same in sixteen bits.
-struct Image16 {
-    int width = 0, height = 0;
-    std::vector<std::uint16_t> rgb;
-    pigment::WorkingSpace space = pigment::WorkingSpace::Srgb;
-};
 
 /// One far light over an even sky, and how wet paint shines.
 struct Lighting {
@@ -50,8 +29,9 @@ struct RenderSettings {
 };
 
 /// Renders a region of the canvas, given in cells. The same bits on any number of threads.
-LinearImage render(const film::FilmState& film, const pigment::Bands& ground, const grid::Rect& cells,
-                   const RenderSettings& settings, core::ThreadPool& pool);
+pigment::LinearImage render(const film::FilmState& film, const pigment::Bands& ground,
+                            const grid::Rect& cells, const RenderSettings& settings,
+                            core::ThreadPool& pool);
 
 /// What lies under a pixel, whatever light falls on it: means over the pixel.
 struct SurfaceSample {
@@ -89,7 +69,7 @@ class Renderer {
     const Lattice& lattice() const { return lattice_; }
 
     /// The pixels of a rectangle under the light, or as they are; null for what is not wanted.
-    void render(const grid::Rect& pixels, LinearImage* lit, SurfaceSamples* surface) const;
+    void render(const grid::Rect& pixels, pigment::LinearImage* lit, SurfaceSamples* surface) const;
 
   private:
     const film::FilmState& film_;
@@ -99,10 +79,5 @@ class Renderer {
     core::ThreadPool& pool_;
     float lowest_mm_, highest_mm_;  ///< of the whole canvas
 };
-
-/// Linear to 8 or 16 bits with the curve of sRGB, in the picture's own space; values outside its gamut
-/// are brought in half by clipping, half by desaturation.
-Image8 encode_srgb8(const LinearImage& image);
-Image16 encode_srgb16(const LinearImage& image);
 
 }  // namespace pastoso::shade

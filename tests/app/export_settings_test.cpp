@@ -102,8 +102,8 @@ TEST(ExportChoice, SaysWhatTheSettingsSay) {
     ExportLight light;
     light.light = "A";
     light.lighting.azimuth_deg = 20.0;
-    io::ExportChoice choice = export_choice(settings, "/a/b.tif", light);
-    EXPECT_EQ(choice.kind, io::ExportKind::Picture);
+    recordings::ExportChoice choice = export_choice(settings, "/a/b.tif", light);
+    EXPECT_EQ(choice.kind, recordings::ExportKind::Picture);
     EXPECT_EQ(choice.path, "/a/b.tif");
     EXPECT_TRUE(choice.of_well);
     EXPECT_FALSE(choice.lit);
@@ -117,7 +117,7 @@ TEST(ExportChoice, SaysWhatTheSettingsSay) {
     settings.form = ExportForm::Relief;
     settings.relief.base_mm = 7.0;
     choice = export_choice(settings, "/a/b.stl", light);
-    EXPECT_EQ(choice.kind, io::ExportKind::Relief);
+    EXPECT_EQ(choice.kind, recordings::ExportKind::Relief);
     EXPECT_FALSE(choice.of_well) << "only pictures are made of the well";
     EXPECT_EQ(choice.relief, settings.relief);
 }
@@ -129,7 +129,7 @@ TEST(ExportChoice, AVideoHasItsOwnColours) {
     settings.fps = 30.0;
     settings.speed = 4.0;
     settings.formats[4] = number_of(ExportForm::Timelapse, "frames16");
-    io::TimelapseChoice choice = timelapse_choice(settings, "/a/frames", {});
+    recordings::TimelapseChoice choice = timelapse_choice(settings, "/a/frames", {});
     EXPECT_EQ(choice.picture.profile, "/gone.icc");
     EXPECT_EQ(choice.picture.depth_bits, 16);
     EXPECT_EQ(choice.fps, 30.0);

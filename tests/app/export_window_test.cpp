@@ -3,8 +3,8 @@
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
 #include "dialogs/export_dialog.hpp"
-#include "io/image.hpp"
-#include "io/video_file.hpp"
+#include "files/image.hpp"
+#include "files/video_file.hpp"
 #include "main/window_parts.hpp"
 #include "panels/parts/work_progress.hpp"
 
@@ -365,7 +365,7 @@ TEST_F(ExportWindow, AnExportShowsThePaintingAsItWasThen) {
     wait();
     EXPECT_NE(text("before.png"), text("after.png"));
     const auto at = [&](const char* name, int x, int y) {
-        const io::GreyImage picture = io::read_grey_image(path(name));
+        const files::GreyImage picture = files::read_grey_image(path(name));
         return picture.values[static_cast<std::size_t>(y * picture.width + x)];
     };
     EXPECT_LT(at("after.png", 120, 144), 0.7F * at("before.png", 120, 144));
@@ -405,7 +405,7 @@ TEST_F(ExportWindow, ExportAgainNeedsNoDialog) {
     EXPECT_EQ(dialog(), nullptr);
     wait();
     EXPECT_NE(text("a.png"), first);
-    EXPECT_EQ(io::read_grey_image(path("a.png")).width, 120);
+    EXPECT_EQ(files::read_grey_image(path("a.png")).width, 120);
     open();
     EXPECT_EQ(name(), path("a.png").string());
     EXPECT_EQ(ok().text().toStdString(), "Replace");
@@ -477,7 +477,7 @@ TEST_F(ExportWindow, ClosingMayWaitForTheExport) {
     EXPECT_TRUE(window().isVisible());
     EXPECT_EQ(told(), "The window closes as soon as a.png is written.");
     wait_for([this] { return !window().isVisible(); });
-    EXPECT_EQ(io::read_grey_image(path("a.png")).width, 16 * 240);
+    EXPECT_EQ(files::read_grey_image(path("a.png")).width, 16 * 240);
 }
 
 TEST_F(ExportWindow, ClosingMayStopTheExportOrBeGivenUp) {

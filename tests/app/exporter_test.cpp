@@ -4,8 +4,8 @@
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
 #include "document/painting.hpp"
-#include "io/image.hpp"
-#include "io/video_file.hpp"
+#include "files/image.hpp"
+#include "files/video_file.hpp"
 #include "patience.hpp"
 
 #include <optional>
@@ -74,22 +74,24 @@ class ExporterTest : public ::testing::Test {
 
     Path path(const char* name) const { return folder_.path() / name; }
 
-    io::ExportChoice choice(io::ExportKind kind, const char* name) const {
-        io::ExportChoice choice;
+    recordings::ExportChoice choice(recordings::ExportKind kind, const char* name) const {
+        recordings::ExportChoice choice;
         choice.kind = kind;
         choice.path = path(name);
         return choice;
     }
-    io::TimelapseChoice film(const char* name) const {
-        io::TimelapseChoice choice;
+    recordings::TimelapseChoice film(const char* name) const {
+        recordings::TimelapseChoice choice;
         choice.path = path(name);
         choice.fps = 10.0;
         choice.speed = 1.0;
         return choice;
     }
 
-    void start(const io::ExportChoice& choice) { exporter_.start({painted(stroke_), {}, choice}); }
-    void start(const io::TimelapseChoice& choice) { exporter_.start({{}, stroke_, choice}); }
+    void start(const recordings::ExportChoice& choice) {
+        exporter_.start({painted(stroke_), {}, choice});
+    }
+    void start(const recordings::TimelapseChoice& choice) { exporter_.start({{}, stroke_, choice}); }
     ExportOutcome ended() {
         constexpr int kPatience_ms = std::chrono::milliseconds(tests::kPatience).count();
         EXPECT_TRUE(QTest::qWaitFor([this] { return outcome_.has_value(); }, kPatience_ms));
@@ -108,7 +110,7 @@ class ExporterTest : public ::testing::Test {
     void expect_written(const Choice& choice) {
         const ExportOutcome outcome = exported(choice);
         EXPECT_EQ(outcome.error, "");
-        EXPECT_EQ(outcome.status(), io::ExportStatus::Written);
+        EXPECT_EQ(outcome.status(), files::ExportStatus::Written);
         EXPECT_EQ(outcome.path, choice.path);
     }
 
@@ -125,10 +127,10 @@ class ExporterTest : public ::testing::Test {
 
 TEST_F(ExporterTest, PicturesAreReadableInEveryFormat) {
     for (const char* name : {"a.png", "a.jpg", "a.tif", "a.webp", "a.exr"}) {
-        io::ExportChoice picture = choice(io::ExportKind::Picture, name);
+        recordings::ExportChoice picture = choice(recordings::ExportKind::Picture, name);
         picture.scale = 1.5;
         expect_written(picture);
-        const shade::LinearImage back = io::read_colour_image(path(name));
+        const pigment::LinearImage back = files::read_colour_image(path(name));
         EXPECT_EQ(back.width, 120) << name;
         EXPECT_EQ(back.height, 90) << name;
         const auto at = [&](int x, int y) {
@@ -139,18 +141,18 @@ TEST_F(ExporterTest, PicturesAreReadableInEveryFormat) {
 }
 
 TEST_F(ExporterTest, LayersMapsAndReliefsAreWritten) {
-    expect_written(choice(io::ExportKind::Layers, "layers.exr"));
+    expect_written(choice(recordings::ExportKind::Layers, "layers.exr"));
     const std::string layers = core::read_text_file(path("layers.exr"));
     EXPECT_THAT(layers, testing::StartsWith("\x76\x2f\x31\x01")) << "OpenEXR's first bytes";
     EXPECT_THAT(layers, HasSubstr(".height_mm.V"));
-    expect_written(choice(io::ExportKind::Maps, "set.png"));
+    expect_written(choice(recordings::ExportKind::Maps, "set.png"));
     for (const char* name :
          {"set-basecolor.png", "set-normal.png", "set-height.png", "set-roughness.png"})
-        EXPECT_EQ(io::read_grey_image(path(name)).height, 60) << name;
+        EXPECT_EQ(files::read_grey_image(path(name)).height, 60) << name;
     for (const char* name : {"a.stl", "a.ply", "a.obj"}) {
-        const ExportOutcome outcome = exported(choice(io::ExportKind::Relief, name));
+        const ExportOutcome outcome = exported(choice(recordings::ExportKind::Relief, name));
         EXPECT_EQ(outcome.error, "");
-        const auto& report = std::get<io::ExportReport>(outcome.report);
+        const auto& report = std::get<recordings::ExportReport>(outcome.report);
         EXPECT_GT(report.triangles, 2U * 80U * 60U);
         EXPECT_GT(std::filesystem::file_size(path(name)), 12 * report.triangles) << name;
     }
@@ -158,16 +160,16 @@ TEST_F(ExporterTest, LayersMapsAndReliefsAreWritten) {
 
 TEST_F(ExporterTest, ATimeLapseIsPaintedOnceMore) {
     expect_written(film("frames"));
-    const auto& report = std::get<io::TimelapseReport>(outcome_->report);
+    const auto& report = std::get<recordings::TimelapseReport>(outcome_->report);
     EXPECT_EQ(report.frames, 11U);
     EXPECT_EQ(report.written, 11U);
-    EXPECT_EQ(io::read_grey_image(path("frames/frame-00011.png")).width, 80);
+    EXPECT_EQ(files::read_grey_image(path("frames/frame-00011.png")).width, 80);
     EXPECT_NE(core::read_text_file(path("frames/frame-00001.png")),
               core::read_text_file(path("frames/frame-00011.png")));
 }
 
 TEST_F(ExporterTest, AVideoIsMadeWhereFfmpegIs) {
-    ASSERT_FALSE(io::find_program("ffmpeg").empty()) << kNoVideos;
+    ASSERT_FALSE(files::find_program("ffmpeg").empty()) << kNoVideos;
     expect_written(film("film.mkv"));
     EXPECT_THAT(core::read_text_file(path("film.mkv")), HasSubstr("matroska"));
 }
@@ -175,9 +177,10 @@ TEST_F(ExporterTest, AVideoIsMadeWhereFfmpegIs) {
 // ---- what is stopped, or fails
 
 TEST_F(ExporterTest, WhatIsStoppedLeavesEveryFileAsItWas) {
-    io::ExportChoice large[] = {
-        choice(io::ExportKind::Picture, "a.png"), choice(io::ExportKind::Layers, "a.exr"),
-        choice(io::ExportKind::Maps, "a.tif"), choice(io::ExportKind::Relief, "a.stl")};
+    recordings::ExportChoice large[] = {choice(recordings::ExportKind::Picture, "a.png"),
+                                        choice(recordings::ExportKind::Layers, "a.exr"),
+                                        choice(recordings::ExportKind::Maps, "a.tif"),
+                                        choice(recordings::ExportKind::Relief, "a.stl")};
     const char* files_of[] = {"a.png", "a.exr", "a-height.tif", "a.stl"};
     for (int i = 0; i < 4; ++i) {
         // Bands by the dozen, and millions of points.
@@ -190,21 +193,21 @@ TEST_F(ExporterTest, WhatIsStoppedLeavesEveryFileAsItWas) {
         exporter_.stop();
         const ExportOutcome outcome = ended();
         EXPECT_EQ(outcome.error, "");
-        EXPECT_EQ(outcome.status(), io::ExportStatus::Stopped) << files_of[i];
+        EXPECT_EQ(outcome.status(), files::ExportStatus::Stopped) << files_of[i];
         EXPECT_EQ(core::read_text_file(path(files_of[i])), "old");
         EXPECT_EQ(files(), before) << files_of[i];
     }
 }
 
 TEST_F(ExporterTest, AStoppedVideoLeavesTheOldOne) {
-    ASSERT_FALSE(io::find_program("ffmpeg").empty()) << kNoVideos;
+    ASSERT_FALSE(files::find_program("ffmpeg").empty()) << kNoVideos;
     core::write_text_file(path("film.mp4"), "old");
     stroke_.end_tick = 100000;
-    io::TimelapseChoice choice = film("film.mp4");
+    recordings::TimelapseChoice choice = film("film.mp4");
     choice.scale = 8.0;
     start(choice);
     exporter_.stop();
-    EXPECT_EQ(ended().status(), io::ExportStatus::Stopped);
+    EXPECT_EQ(ended().status(), files::ExportStatus::Stopped);
     EXPECT_EQ(core::read_text_file(path("film.mp4")), "old");
     EXPECT_EQ(files(), 1);
 }
@@ -213,7 +216,7 @@ TEST_F(ExporterTest, WhatIsMidwayIsStoppedWithTheExporter) {
     core::write_text_file(path("a.png"), "old");
     {
         Exporter passing;
-        io::ExportChoice picture = choice(io::ExportKind::Picture, "a.png");
+        recordings::ExportChoice picture = choice(recordings::ExportKind::Picture, "a.png");
         picture.scale = 64.0;
         passing.start({painted(stroke_), {}, picture});
     }
@@ -222,19 +225,20 @@ TEST_F(ExporterTest, WhatIsMidwayIsStoppedWithTheExporter) {
 }
 
 TEST_F(ExporterTest, WhatCannotBeWrittenIsToldWithItsPlace) {
-    const ExportOutcome missing = exported(choice(io::ExportKind::Picture, "none/a.png"));
+    const ExportOutcome missing = exported(choice(recordings::ExportKind::Picture, "none/a.png"));
     EXPECT_THAT(missing.error, HasSubstr(path("none/a.png").string() + ": "));
     EXPECT_THAT(missing.error, EndsWith("."));
-    const ExportOutcome named = exported(choice(io::ExportKind::Relief, "a.png"));
+    const ExportOutcome named = exported(choice(recordings::ExportKind::Relief, "a.png"));
     EXPECT_THAT(named.error, HasSubstr("a.png: a relief is saved as .stl, .ply or .obj"));
     stroke_.events.push_back({2, TakeBrush{"no such brush", 8.0, 2}});
     EXPECT_THAT(exported(film("frames")).error, HasSubstr("the recording, "));
     stroke_.events.pop_back();
-    EXPECT_EQ(exported(choice(io::ExportKind::Picture, "a.png")).error, "") << "it can be used again";
+    EXPECT_EQ(exported(choice(recordings::ExportKind::Picture, "a.png")).error, "")
+        << "it can be used again";
 }
 
 TEST_F(ExporterTest, ProgressGoesOnToTheEnd) {
-    io::ExportChoice picture = choice(io::ExportKind::Picture, "a.png");
+    recordings::ExportChoice picture = choice(recordings::ExportKind::Picture, "a.png");
     picture.scale = 48.0;
     EXPECT_EQ(exported(picture).error, "");
     ASSERT_FALSE(shares_.empty());

@@ -1,6 +1,6 @@
 // The panel of lamp and varnish: what it says is what canvas, exports and the next start have.
 #include "app/window_fixture.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 #include "main/window_parts.hpp"
 #include "pigment/illuminant.hpp"
 #include "shade/varnish.hpp"
@@ -91,7 +91,7 @@ TEST_F(LightsWindow, APictureIsExportedUnderItsVarnish) {
         tools::ExportSettings settings;
         parts().exporting.start(settings, folder.path() / name);
         wait_for([this] { return !parts().exporting.exporter().busy(); });
-        return io::read_picture(folder.path() / name).picture.rgba;
+        return files::read_picture(folder.path() / name).picture.rgba;
     };
     const auto bare = exported("bare.png");
     choose("varnish", 3);

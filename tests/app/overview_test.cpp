@@ -36,7 +36,7 @@ OverviewSubject subject(film::FilmState film, std::vector<int> tiles) {
             std::move(tiles)};
 }
 
-int red_at(const shade::Image8& picture, int x, int y) {
+int red_at(const pigment::Image8& picture, int x, int y) {
     return picture.rgb[static_cast<std::size_t>(3 * (y * picture.width + x))];
 }
 
@@ -44,7 +44,7 @@ TEST(Overview, IsTheWholeCanvasInItsProportions) {
     Overview overview(100, 100);
     film::FilmState film = bare();
     cover(film, {128, 0, 256, 128});
-    const shade::Image8& picture = overview.update(subject(film, {}));
+    const pigment::Image8& picture = overview.update(subject(film, {}));
     EXPECT_EQ(picture.width, 100);
     EXPECT_EQ(picture.height, 50);
     ASSERT_EQ(picture.rgb.size(), 3U * 100U * 50U);
@@ -61,7 +61,7 @@ TEST(Overview, PaintsTheChangedTilesAlone) {
     overview.update(subject(bare(), {}));
     film::FilmState film = bare();
     cover(film, film.shape.cells());
-    const shade::Image8& picture = overview.update(subject(film, {2}));  // the third of the upper row
+    const pigment::Image8& picture = overview.update(subject(film, {2}));  // the third of the upper row
     EXPECT_LT(red_at(picture, 40, 8), 100);
     EXPECT_GT(red_at(picture, 8, 8), 200);
     EXPECT_GT(red_at(picture, 40, 24), 200);

@@ -3,7 +3,7 @@
 #include "commands/command_registry.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 #include "main/window_parts.hpp"
 #include "project/project.hpp"
 #include "project/zip_file.hpp"
@@ -25,10 +25,10 @@ class PicturePaintWindow : public WindowTest {
     }
 
     static std::string red_png() {
-        layers::Picture picture{40, 40, {}};
+        pigment::Picture picture{40, 40, {}};
         for (int i = 0; i < 1600; ++i)
             picture.rgba.insert(picture.rgba.end(), {200, 30, 20, 255});
-        return io::png_file(picture);
+        return files::png_file(picture);
     }
     std::string written(const char* name, const std::string& content) const {
         const std::filesystem::path path = folder.path() / name;

@@ -40,7 +40,7 @@ class PictureWindow : public WindowTest {
         settings.lighting = canvas().lighting();
         settings.viewing = canvas().viewing();
         core::ThreadPool pool(2);
-        const shade::Image8 image = shade::encode_srgb8(shade::render(
+        const pigment::Image8 image = pigment::encode_srgb8(shade::render(
             snapshot->film, snapshot->ground, snapshot->film.shape.cells(), settings, pool));
         return QImage(image.rgb.data(), image.width, image.height, 3 * image.width,
                       QImage::Format_RGB888)

@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
-#include "io/json_place.hpp"
+#include "files/json_place.hpp"
 
 #include <gmock/gmock.h>
 
@@ -56,7 +56,7 @@ TEST_F(SettingsTest, AreTheFirstOnesWhereThereIsNoFile) {
 
 TEST_F(SettingsTest, OfAnEarlierVersionKnowNoVarnish) {
     write_settings({}, file());
-    io::Json json = io::parse_json(core::read_text_file(file()), "settings");
+    files::Json json = files::parse_json(core::read_text_file(file()), "settings");
     json["light"].erase("ambient");
     json["light"].erase("varnish");
     json.erase("recent_commands");

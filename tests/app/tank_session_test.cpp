@@ -1,7 +1,7 @@
 // A tank of liquid on a thread of its own, and what is kept of it.
 #include "session/tank_session.hpp"
 
-#include "io/tank_json.hpp"
+#include "liquid_files/tank_json.hpp"
 #include "patience.hpp"
 #include "session/far_level.hpp"
 #include "session/liquid_picture.hpp"
@@ -112,7 +112,7 @@ TEST(TankSession, TheDrainEmptiesTheTankWhileItIsOpen) {
 }
 
 TEST(TankSession, TheDrainIsBesideWhatStandsThere) {
-    const tank::TankScene scene = with_drain(io::read_tank("two-liquids"));
+    const tank::TankScene scene = with_drain(liquid_files::read_tank("two-liquids"));
     ASSERT_EQ(scene.drains.size(), 1U);
     const auto& drain = std::get<tank::Cylinder>(scene.drains[0].shape.form);
     for (const tank::Shape& solid : scene.solids)

@@ -6,7 +6,7 @@
 #include "glass/liquid_picture_dialog.hpp"
 #include "glass/tank_page.hpp"
 #include "glass/tea_page.hpp"
-#include "io/tank_json.hpp"
+#include "liquid_files/tank_json.hpp"
 #include "main/liquids/tank_mode.hpp"
 #include "main/liquids/tea_mode.hpp"
 #include "main/window_parts.hpp"
@@ -47,7 +47,7 @@ class TankWindow : public WindowTest {
 
     void open_small_tank() {
         const auto file = folder_.path() / "small.json";
-        core::write_text_file(file, io::tank_to_json(small_tank()));
+        core::write_text_file(file, liquid_files::tank_to_json(small_tank()));
         tank().open_scene(QString::fromStdString(file.string()));
         liquid().wait_until_applied();
         wait_for(

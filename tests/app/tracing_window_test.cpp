@@ -3,7 +3,7 @@
 #include "commands/command_registry.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 #include "main/window_parts.hpp"
 #include "panels/colour/picture_board.hpp"
 #include "panels/layers/tracing_panel.hpp"
@@ -28,14 +28,14 @@ class TracingWindow : public WindowTest {
         if (HasFatalFailure()) return;
         action(Command::Pause)->trigger();
         // Left half blue, right half green.
-        layers::Picture picture{40, 20, {}};
+        pigment::Picture picture{40, 20, {}};
         for (int i = 0; i < 800; ++i) {
             if (i % 40 < 20)
                 picture.rgba.insert(picture.rgba.end(), {20, 40, 200, 255});
             else
                 picture.rgba.insert(picture.rgba.end(), {30, 160, 40, 255});
         }
-        core::write_text_file(path(), io::png_file(picture));
+        core::write_text_file(path(), files::png_file(picture));
     }
 
     std::filesystem::path path() const { return folder.path() / "photo.png"; }

@@ -1,8 +1,8 @@
 // Large exports: time, and the memory that they take beside the painting.
-#include "io/layer_export.hpp"
-#include "io/map_export.hpp"
-#include "io/picture_export.hpp"
-#include "io/relief_export.hpp"
+#include "recordings/layer_export.hpp"
+#include "recordings/map_export.hpp"
+#include "recordings/picture_export.hpp"
+#include "recordings/relief_export.hpp"
 #include "shade/canvas.hpp"
 
 #include <cstdlib>
@@ -12,7 +12,7 @@
 
 #include <benchmark/benchmark.h>
 
-namespace pastoso::io {
+namespace pastoso::files {
 namespace {
 
 const KeepGoing kToTheEnd = [](double) { return true; };
@@ -68,22 +68,23 @@ void measure(benchmark::State& run, const std::filesystem::path& path, const Exp
 void picture(benchmark::State& run, const char* extension, int depth_bits) {
     core::ThreadPool pool;
     const film::FilmState film = painted(static_cast<int>(run.range(0)));
-    ExportSource source{film, test::kGround, {}};
+    recordings::ExportSource source{film, test::kGround, {}};
     source.settings.scale = static_cast<double>(run.range(1)) / static_cast<double>(run.range(0));
     measure(run, bench_path(extension), [&](const std::filesystem::path& path) {
-        export_picture(path, source, {depth_bits, {}}, pool, kToTheEnd);
+        recordings::export_picture(path, source, {depth_bits, {}}, pool, kToTheEnd);
     });
 }
 
 void layers(benchmark::State& run) {
     core::ThreadPool pool;
     const film::FilmState film = painted(static_cast<int>(run.range(0)));
-    ExportSource source{film, test::kGround, {}};
+    recordings::ExportSource source{film, test::kGround, {}};
     source.settings.scale = static_cast<double>(run.range(1)) / static_cast<double>(run.range(0));
     const film::SupportHeights bare_mm(film.shape);
-    const ChannelLayers apart = channel_layers(film, bare_mm, document::single_layer());
+    const recordings::ChannelLayers apart =
+        recordings::channel_layers(film, bare_mm, document::single_layer());
     measure(run, bench_path(".exr"), [&](const std::filesystem::path& path) {
-        export_layers(path, source, apart, pool, kToTheEnd);
+        recordings::export_layers(path, source, apart, pool, kToTheEnd);
     });
 }
 
@@ -92,7 +93,8 @@ void relief(benchmark::State& run) {
     core::ThreadPool pool;
     const film::FilmState film = painted(static_cast<int>(run.range(0)));
     measure(run, bench_path(".stl"), [&](const std::filesystem::path& path) {
-        export_relief(path, relief_of(film, {2.0, 1.0, film.cell_mm}, pool), kToTheEnd);
+        recordings::export_relief(path, recordings::relief_of(film, {2.0, 1.0, film.cell_mm}, pool),
+                                  kToTheEnd);
     });
 }
 
@@ -112,4 +114,4 @@ BENCHMARK(layers)->Args({2048, 8192})->UseRealTime()->Iterations(1)->Unit(benchm
 BENCHMARK(relief)->Arg(2048)->UseRealTime()->Iterations(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace pastoso::io
+}  // namespace pastoso::files

@@ -36,7 +36,7 @@ BENCHMARK(rgb_bands);
 BENCHMARK(smooth_bands);
 
 void flat_paint_of_2048_squared(benchmark::State& run) {
-    Picture picture{2048, 2048, {}};
+    pigment::Picture picture{2048, 2048, {}};
     for (std::uint32_t i = 0; i < 4U * 2048 * 2048; ++i)
         picture.rgba.push_back(static_cast<std::uint8_t>(256.0F * core::uniform_noise(i, 5)));
     core::ThreadPool pool;

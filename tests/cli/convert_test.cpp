@@ -1,7 +1,7 @@
 // Pictures that "convert" brings onto canvases.
 #include "cli/run_program.hpp"
 #include "core/text_file.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 #include "pigment/lab.hpp"
 
 #include <gmock/gmock.h>
@@ -13,14 +13,14 @@ class CliConvert : public CliTest {
   protected:
     /// Left half red, right half clear blue, 4 px per mm.
     void write_picture() const {
-        layers::Picture picture{80, 60, {}};
+        pigment::Picture picture{80, 60, {}};
         for (int i = 0; i < 80 * 60; ++i) {
             const bool left = i % 80 < 40;
             const std::uint8_t pixel[] = {static_cast<std::uint8_t>(left ? 200 : 30), 60,
                                           static_cast<std::uint8_t>(left ? 30 : 180), 255};
             picture.rgba.insert(picture.rgba.end(), pixel, pixel + 4);
         }
-        core::write_text_file(path("a.png"), io::png_file(picture));
+        core::write_text_file(path("a.png"), files::png_file(picture));
     }
 };
 
@@ -31,11 +31,11 @@ TEST_F(CliConvert, APictureBecomesAPaintingAndLooksLikeIt) {
     ASSERT_EQ(run.status, 0) << run.errors;
     EXPECT_EQ(run.output, path("a.pastoso") + ": 20 x 15 mm, 80 x 60 cells, 1 layer\n");
     ASSERT_EQ(run_cli({"convert", "-q", path("a.pastoso"), path("b.png")}).status, 0);
-    const shade::LinearImage a = io::read_colour_image(path("a.png"));
-    const shade::LinearImage b = io::read_colour_image(path("b.png"));
+    const pigment::LinearImage a = files::read_colour_image(path("a.png"));
+    const pigment::LinearImage b = files::read_colour_image(path("b.png"));
     ASSERT_EQ(a.rgb.size(), b.rgb.size());
     for (const int x : {10, 30, 50, 70}) {
-        const auto colour = [&](const shade::LinearImage& image) {
+        const auto colour = [&](const pigment::LinearImage& image) {
             const float* pixel = &image.rgb[std::size_t{3} * (30 * 80 + x)];
             return pigment::lab(pigment::LinearRgb{pixel[0], pixel[1], pixel[2]});
         };

@@ -1,7 +1,7 @@
 #include "cli/run_program.hpp"
 #include "core/text_file.hpp"
 #include "document/action_checks.hpp"
-#include "io/recording_json.hpp"
+#include "recordings/recording_json.hpp"
 #include "source_file.hpp"
 
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@ TEST_P(CliExamples, AreWhatTheirScriptWrites) {
 }
 
 TEST_P(CliExamples, UseKnownNamesAndStaySmall) {
-    const document::Recording recording = io::read_recording_json(kExamples / GetParam());
+    const document::Recording recording = recordings::read_recording_json(kExamples / GetParam());
     for (const document::Event& event : recording.events)
         document::check_action(event.action);
     EXPECT_LT(std::filesystem::file_size(kExamples / GetParam()), 2'000'000U);

@@ -1,7 +1,7 @@
 // What "export" makes of a painting besides the usual picture.
 #include "cli/run_program.hpp"
 #include "core/text_file.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 
 #include <gmock/gmock.h>
 
@@ -34,7 +34,7 @@ TEST_F(CliExport, EveryFormatOfPicturesIsWritten) {
         const RunResult run = run_export({path(name)});
         EXPECT_EQ(run.status, 0) << run.errors;
         EXPECT_EQ(run.output, path(name) + ": 80 x 60 pixels\n");
-        EXPECT_EQ(io::read_grey_image(path(name)).width, 80);
+        EXPECT_EQ(files::read_grey_image(path(name)).width, 80);
     }
     EXPECT_EQ(run_export({path("c.tif"), "--depth", "32"}).status, 0);
     EXPECT_EQ(run_export({path("c.jpg"), "--quality", "20"}).status, 0);
@@ -63,7 +63,7 @@ TEST_F(CliExport, MapsAreASetOfFiles) {
     ASSERT_EQ(run.status, 0) << run.errors;
     for (const char* name : {"b-basecolor.png", "b-normal.png", "b-height.png", "b-roughness.png"}) {
         EXPECT_THAT(run.output, HasSubstr(path(name) + ": 160 x 120 pixels\n"));
-        EXPECT_EQ(io::read_grey_image(path(name)).width, 160);
+        EXPECT_EQ(files::read_grey_image(path(name)).width, 160);
     }
     EXPECT_THAT(run.output, HasSubstr("mm (white) on a canvas 40 mm wide\n"));
     EXPECT_FALSE(std::filesystem::exists(path("b.png")));

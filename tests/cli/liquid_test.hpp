@@ -4,7 +4,7 @@
 #include "cli/run_program.hpp"
 #include "core/resources.hpp"
 #include "core/text_file.hpp"
-#include "io/json_place.hpp"
+#include "files/json_place.hpp"
 
 #include <algorithm>
 
@@ -19,8 +19,8 @@ class LiquidTest : public CliTest {
         std::sort(names.begin(), names.end());
         return names;
     }
-    io::Json json(const std::string& name) const {
-        return io::parse_json(core::read_text_file(path(name)), name);
+    files::Json json(const std::string& name) const {
+        return files::parse_json(core::read_text_file(path(name)), name);
     }
     std::string bytes(const std::string& name) const { return core::read_text_file(path(name)); }
 };

@@ -1,8 +1,8 @@
 // In which light and in which colours pictures are made: --light, --profile, --depth.
 #include "cli/run_program.hpp"
 #include "core/text_file.hpp"
-#include "io/colour_profile.hpp"
-#include "io/image.hpp"
+#include "files/colour_profile.hpp"
+#include "files/image.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -24,8 +24,9 @@ class CliPictureOptions : public CliTest {
         return nlohmann::json::parse(core::read_text_file(path("stats.json")));
     }
 
-    shade::LinearImage picture(const std::string& name, WorkingSpace space = WorkingSpace::Srgb) const {
-        return io::read_colour_image(path(name), space);
+    pigment::LinearImage picture(const std::string& name,
+                                 WorkingSpace space = WorkingSpace::Srgb) const {
+        return files::read_colour_image(path(name), space);
     }
 
     std::string even_light() const {
@@ -37,7 +38,7 @@ class CliPictureOptions : public CliTest {
 };
 
 /// The greatest difference of two pictures' values.
-float apart(const shade::LinearImage& a, const shade::LinearImage& b) {
+float apart(const pigment::LinearImage& a, const pigment::LinearImage& b) {
     float largest = 0.0F;
     EXPECT_EQ(a.rgb.size(), b.rgb.size());
     for (std::size_t i = 0; i < a.rgb.size(); ++i)
@@ -81,11 +82,11 @@ TEST_F(CliPictureOptions, SixteenBitsAreFinerThanEight) {
 }
 
 TEST_F(CliPictureOptions, PicturesAreConvertedToAProfile) {
-    const std::string icc = write("p3.icc", io::icc_profile(WorkingSpace::DisplayP3));
+    const std::string icc = write("p3.icc", files::icc_profile(WorkingSpace::DisplayP3));
     paint("converted.tif", {"--profile", icc, "--depth", "16"});
     paint("rendered.tif", {"--profile", "display-p3", "--depth", "16"});
     EXPECT_THAT(core::read_text_file(path("converted.tif")),
-                HasSubstr(io::icc_profile(WorkingSpace::DisplayP3)));
+                HasSubstr(files::icc_profile(WorkingSpace::DisplayP3)));
     // Two ways to the same colours; the profile's numbers have 16 binary digits.
     EXPECT_LT(apart(picture("converted.tif", WorkingSpace::DisplayP3),
                     picture("rendered.tif", WorkingSpace::DisplayP3)),
@@ -120,7 +121,7 @@ TEST_F(CliPictureOptions, SimulateMakesPicturesInTheLightThatIsAsked) {
         arguments.insert(arguments.end(), options.begin(), options.end());
         const RunResult run = run_cli(arguments);
         EXPECT_EQ(run.status, 0) << run.errors;
-        return io::read_colour_image(path(name) + "/picture-0s.png");
+        return files::read_colour_image(path(name) + "/picture-0s.png");
     };
     const auto day = simulate("day", {});
     const auto lamp = simulate("lamp", {"--light", "A", "--depth", "16", "--profile", "display-p3"});

@@ -1,6 +1,6 @@
 #include "cli/run_program.hpp"
 #include "core/text_file.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -40,8 +40,8 @@ TEST_F(CliProject, ExportTakesThePicturesOptions) {
         run_cli({"export", path("a.pastoso"), "-o", path("big.tif"), "--depth", "16", "--scale", "2",
                  "--light", "A", "--profile", "display-p3", "--well", path("well.png")});
     ASSERT_EQ(run.status, 0) << run.errors;
-    EXPECT_EQ(io::read_grey_image(path("big.tif")).width, 160);
-    EXPECT_EQ(io::read_grey_image(path("well.png")).width, 720);
+    EXPECT_EQ(files::read_grey_image(path("big.tif")).width, 160);
+    EXPECT_EQ(files::read_grey_image(path("well.png")).width, 720);
 }
 
 TEST_F(CliProject, WhatCannotBeDoneIsToldInASentence) {

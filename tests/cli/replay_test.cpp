@@ -1,6 +1,6 @@
 #include "cli/run_program.hpp"
 #include "core/text_file.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 #include "source_file.hpp"
 
 #include <gmock/gmock.h>
@@ -27,7 +27,7 @@ TEST_F(CliReplay, PaintsAPictureAndTellsWhere) {
     EXPECT_THAT(run.output, HasSubstr(path("out.png") + ": 80 x 60 pixels\n"));
     EXPECT_THAT(run.output, HasSubstr("s of painting in "));
     EXPECT_THAT(run.errors, HasSubstr("painting: 100 %\n"));
-    const io::GreyImage image = io::read_grey_image(path("out.png"));
+    const files::GreyImage image = files::read_grey_image(path("out.png"));
     EXPECT_EQ(image.width, 80);
     // The stroke's paint is darker than the primed canvas in the corner.
     EXPECT_LT(image.values[30 * 80 + 40], 0.75F * image.values[2 * 80 + 2]);
@@ -75,7 +75,7 @@ TEST_F(CliReplay, PaintsAPictureOfTheMixingWell) {
         {"replay", path("well.json"), "--well", path("well.png"), "-q", "--stats", path("stats.json")});
     EXPECT_EQ(run.status, 0) << run.errors;
     EXPECT_THAT(run.output, HasSubstr(path("well.png") + ": 360 x 270 pixels\n"));
-    const io::GreyImage image = io::read_grey_image(path("well.png"));
+    const files::GreyImage image = files::read_grey_image(path("well.png"));
     EXPECT_LT(image.values[135 * 360 + 180], 0.5F * image.values[20 * 360 + 20]);
     const auto stats = nlohmann::json::parse(core::read_text_file(path("stats.json")));
     EXPECT_GT(stats["volume_well_mm3"], 100.0);
@@ -92,7 +92,7 @@ TEST_F(CliReplay, WritesNumberedFrames) {
     EXPECT_THAT(run.output, HasSubstr("frames: 3 frames"));
     for (const char* name :
          {"frames/frame-00001.png", "frames/frame-00002.png", "frames/frame-00003.png"}) {
-        EXPECT_EQ(io::read_grey_image(path(name)).width, 40) << name;
+        EXPECT_EQ(files::read_grey_image(path(name)).width, 40) << name;
     }
     EXPECT_FALSE(std::filesystem::exists(path("frames/frame-00004.png")));
 }
@@ -108,13 +108,13 @@ TEST_F(CliReplay, AnInterruptLeavesNothingHalfWritten) {
     EXPECT_THAT(run.errors, HasSubstr("pastoso-cli: stopped."));
     EXPECT_EQ(files_in_folder(), 2U) << "the recording and the folder of frames";
     for (const auto& file : std::filesystem::directory_iterator(path("frames"))) {
-        EXPECT_EQ(io::read_grey_image(file.path()).width, 160) << file.path();
+        EXPECT_EQ(files::read_grey_image(file.path()).width, 160) << file.path();
     }
 }
 
 TEST_F(CliReplay, WritesLinearPictures) {
     EXPECT_EQ(run_cli(small({"replay", short_recording(), "-q", "-o", path("out.exr")})).status, 0);
-    EXPECT_EQ(io::read_grey_image(path("out.exr")).width, 80);
+    EXPECT_EQ(files::read_grey_image(path("out.exr")).width, 80);
 }
 
 TEST_F(CliReplay, TakesPaintsInTurn) {
@@ -124,7 +124,7 @@ TEST_F(CliReplay, TakesPaintsInTurn) {
                              path("out.png")}))
                   .status,
               0);
-    const io::GreyImage image = io::read_grey_image(path("out.png"));
+    const files::GreyImage image = files::read_grey_image(path("out.png"));
     EXPECT_LT(image.values[20 * 80 + 40], 0.4F);
     EXPECT_GT(image.values[44 * 80 + 40], 0.6F);
 }

@@ -1,7 +1,7 @@
 // Runs the real programs of the build.
 #pragma once
 
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 
 #include <csignal>
 #include <filesystem>
@@ -29,7 +29,7 @@ inline RunResult run_cli(const std::vector<std::string>& arguments) {
 }
 
 /// A folder of its own, and files in it.
-class CliTest : public io::TemporaryFolder {
+class CliTest : public files::TemporaryFolder {
   protected:
     std::string path(const std::string& name) const { return (folder / name).string(); }
     std::string write(const std::string& name, const std::string& text) const;

@@ -1,8 +1,8 @@
 #include "cli/run_program.hpp"
 #include "core/text_file.hpp"
-#include "io/image.hpp"
-#include "io/json_place.hpp"
-#include "io/scene_json.hpp"
+#include "files/image.hpp"
+#include "files/json_place.hpp"
+#include "recordings/scene_json.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace pastoso::cli {
 namespace {
 
-using io::Json;
+using files::Json;
 using testing::HasSubstr;
 
 class CliSimulate : public CliTest {
@@ -59,10 +59,10 @@ TEST_F(CliSimulate, ASlabRunsAtNusseltsSpeed) {
     // F h^2 / (3 nu) = 0.4; the start has decayed by exp(-15), floats keep 1e-6.
     EXPECT_THAT(column("out/profile_y.csv", "v_cells_s"), testing::Each(testing::DoubleNear(0.4, 4e-5)));
     EXPECT_NEAR(column("out/series.csv", "kinetic_energy").back(), 0.5 * 768 * 0.16, 0.02);
-    const io::GreyImage height = io::read_grey_image(path("out/height-20s.exr"));
+    const files::GreyImage height = files::read_grey_image(path("out/height-20s.exr"));
     EXPECT_EQ(height.width, 24);
     EXPECT_THAT(height.values, testing::Each(2.0F));
-    EXPECT_EQ(io::read_grey_image(path("out/picture-20s.png")).height, 32);
+    EXPECT_EQ(files::read_grey_image(path("out/picture-20s.png")).height, 32);
 }
 
 TEST_F(CliSimulate, AllFilesAreThereAndNoOthers) {
@@ -89,7 +89,7 @@ TEST_F(CliSimulate, AllFilesAreThereAndNoOthers) {
 }
 
 TEST_F(CliSimulate, EverySceneThatComesWithTheProgramRuns) {
-    for (const std::string& name : io::bundled_scene_names()) {
+    for (const std::string& name : recordings::bundled_scene_names()) {
         const RunResult run = run_cli({"simulate", name, "--seconds", "0.02", "-o", path(name), "-q",
                                        "--stats", path(name + ".json")});
         EXPECT_EQ(run.status, 0) << run.errors;
@@ -159,7 +159,7 @@ TEST_F(CliSimulate, TheMagnifiedPictureHasBothHalves) {
         "film": [{"kind": "cap", "at_mm": [5, 5], "radius_mm": 3, "thickness_mm": 1, "pigment": "PB29"}],
         "output": {"magnified": {"at_s": 0, "scale": 8, "cells": [0, 0, 20, 20]}}})");
     ASSERT_EQ(run_cli({"simulate", scene, "-o", path("out"), "-q"}).status, 0);
-    const io::GreyImage image = io::read_grey_image(path("out/magnified-0s.png"));
+    const files::GreyImage image = files::read_grey_image(path("out/magnified-0s.png"));
     EXPECT_EQ(image.width, 160 + 16 + 160);
     EXPECT_EQ(image.height, 160);
     EXPECT_EQ(image.values[168], 1.0F);

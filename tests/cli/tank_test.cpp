@@ -1,5 +1,5 @@
 #include "cli/liquid_test.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 
 #include <cmath>
 #include <csignal>
@@ -109,7 +109,7 @@ TEST_F(CliTank, WritesMeshesAndWhatWasMeasured) {
 
 TEST_F(CliTank, StatsTellWhatHappened) {
     ASSERT_EQ(run_cli(tank({"--stats", path("stats.json"), "--threads", "1"})).status, 0);
-    const io::Json stats = json("stats.json");
+    const files::Json stats = json("stats.json");
     EXPECT_EQ(stats.at("cells"), 12 * 12 * 12);
     EXPECT_EQ(stats.at("frames"), 0);
     EXPECT_EQ(stats.at("threads"), 1);
@@ -137,7 +137,7 @@ TEST_F(CliTank, EveryFormatIsWritten) {
             tank({"--frames", path("png"), "--every", "3", "--size", "40x30", "--samples", "2"}, "0.1"))
             .status,
         0);
-    const io::GreyImage picture = io::read_grey_image(path("png/liquid_0003.png"));
+    const files::GreyImage picture = files::read_grey_image(path("png/liquid_0003.png"));
     EXPECT_EQ(picture.width, 40);
     EXPECT_EQ(picture.height, 30);
 }

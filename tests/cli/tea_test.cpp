@@ -1,5 +1,5 @@
 #include "cli/liquid_test.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -29,14 +29,14 @@ TEST_F(CliTea, PicturesAreNumberedByFramesAndSized) {
     ASSERT_EQ(run.status, 0) << run.errors;
     EXPECT_THAT(files_in("out"),
                 testing::ElementsAre("milk_0005.png", "milk_0010.png", "milk_0015.png"));
-    const io::GreyImage picture = io::read_grey_image(path("out/milk_0010.png"));
+    const files::GreyImage picture = files::read_grey_image(path("out/milk_0010.png"));
     EXPECT_EQ(picture.width, 40);
     EXPECT_EQ(picture.height, 30);
 }
 
 TEST_F(CliTea, StatsTellWhatHappened) {
     ASSERT_EQ(tea({"--stats", path("stats.json"), "--threads", "1"}).status, 0);
-    const io::Json stats = json("stats.json");
+    const files::Json stats = json("stats.json");
     EXPECT_EQ(stats.at("steps"), 15);
     EXPECT_EQ(stats.at("frames"), 0);
     EXPECT_EQ(stats.at("threads"), 1);

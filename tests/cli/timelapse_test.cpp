@@ -1,6 +1,6 @@
 #include "cli/run_program.hpp"
 #include "core/text_file.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 
 #include <cstdlib>
 
@@ -85,11 +85,11 @@ TEST_F(CliTimelapse, ACanvasThatGrowsIsFittedIntoTheFirstFrame) {
         R"("end_tick":12,"events":[{"tick":6,"resize_canvas":{"width_mm":20,"height_mm":20}}]})");
     ASSERT_EQ(frames(path("growing.json"), "frames").status, 0);
     for (const char* name : {"frames/frame-00001.png", "frames/frame-00003.png"}) {
-        const io::GreyImage frame = io::read_grey_image(path(name));
+        const files::GreyImage frame = files::read_grey_image(path(name));
         EXPECT_EQ(frame.width, 80);
         EXPECT_EQ(frame.height, 40);
     }
-    const io::GreyImage last = io::read_grey_image(path("frames/frame-00003.png"));
+    const files::GreyImage last = files::read_grey_image(path("frames/frame-00003.png"));
     const auto at = [&](int x, int y) { return last.values[static_cast<std::size_t>(80 * y + x)]; };
     EXPECT_NEAR(at(5, 20), 118.0 / 255.0, 0.01) << "middle grey of sRGB beside a square canvas";
     EXPECT_NEAR(at(75, 20), at(5, 20), 1e-6);
@@ -110,7 +110,7 @@ TEST_F(CliTimelapse, AVideoIsMadeByFfmpeg) {
     const std::string film = file("film.mp4");
     ASSERT_EQ(film.size(), 4U * 80U * 60U * 3U);
     ASSERT_EQ(run_cli({"export", "-q", painting, "-o", path("end.png")}).status, 0);
-    const io::GreyImage end = io::read_grey_image(path("end.png"));
+    const files::GreyImage end = files::read_grey_image(path("end.png"));
     for (std::size_t i = 0; i < end.values.size(); ++i) {
         const auto* rgb =
             reinterpret_cast<const unsigned char*>(film.data()) + 3 * (3 * end.values.size() + i);

@@ -16,8 +16,8 @@ using testing::HasSubstr;
 /// As in painting_test.cpp.
 constexpr double kRounding = 1e-9;
 
-std::shared_ptr<layers::Picture> plain(int width, int height, std::uint8_t alpha = 255) {
-    auto picture = std::make_shared<layers::Picture>();
+std::shared_ptr<pigment::Picture> plain(int width, int height, std::uint8_t alpha = 255) {
+    auto picture = std::make_shared<pigment::Picture>();
     picture->width = width;
     picture->height = height;
     for (int i = 0; i < width * height; ++i)
@@ -95,9 +95,9 @@ TEST_F(PicturePaintingTest, RefusesWhatIsNoPictureToPaint) {
     wrong.place.x_mm = 1e9;
     EXPECT_THAT(error(wrong), HasSubstr("x of the picture in mm"));
     wrong = picture;
-    wrong.picture = std::make_shared<layers::Picture>(layers::Picture{40000, 1, {}});
+    wrong.picture = std::make_shared<pigment::Picture>(pigment::Picture{40000, 1, {}});
     EXPECT_THAT(error(wrong), HasSubstr("width of the picture in pixels is 40000"));
-    wrong.picture = std::make_shared<layers::Picture>(layers::Picture{30000, 30000, {}});
+    wrong.picture = std::make_shared<pigment::Picture>(pigment::Picture{30000, 30000, {}});
     EXPECT_THAT(error(wrong), HasSubstr("number of the picture's pixels"));
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr int kWidth_px = 96, kHeight_px = 40;
 
 /// Pixels that are far from the white of the board.
-int painted_pixels(const shade::Image8& image) {
+int painted_pixels(const pigment::Image8& image) {
     int count = 0;
     for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3) {
         const int least = std::min({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]});
@@ -26,7 +26,7 @@ class AnyPreset : public testing::TestWithParam<brush::Preset> {};
 
 TEST_P(AnyPreset, LeavesItsMarkWithinTheFrame) {
     core::ThreadPool pool(1);
-    const shade::Image8 image = thumbnail(GetParam(), kWidth_px, kHeight_px, pool);
+    const pigment::Image8 image = thumbnail(GetParam(), kWidth_px, kHeight_px, pool);
     EXPECT_EQ(image.width, kWidth_px);
     EXPECT_EQ(image.height, kHeight_px);
     EXPECT_GT(painted_pixels(image), 30);
@@ -49,7 +49,7 @@ TEST(Thumbnail, IsTheSameEveryTimeAndOnAnyThreads) {
 TEST(Thumbnail, ShowsWhatAToolDoesInWetPaint) {
     core::ThreadPool pool(1);
     brush::Preset rag = brush::find_preset("rag");
-    const shade::Image8 wiped = thumbnail(rag, kWidth_px, kHeight_px, pool);
+    const pigment::Image8 wiped = thumbnail(rag, kWidth_px, kHeight_px, pool);
     rag.exchange.pickup = 0.0;
     EXPECT_NE(wiped.rgb, thumbnail(rag, kWidth_px, kHeight_px, pool).rgb);
 }

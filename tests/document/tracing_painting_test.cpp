@@ -11,10 +11,10 @@ namespace {
 
 using testing::HasSubstr;
 
-std::shared_ptr<const layers::Picture> plain(int width, int height) {
-    layers::Picture picture{width, height, {}};
+std::shared_ptr<const pigment::Picture> plain(int width, int height) {
+    pigment::Picture picture{width, height, {}};
     picture.rgba.assign(std::size_t{4} * width * height, 200);
-    return std::make_shared<const layers::Picture>(std::move(picture));
+    return std::make_shared<const pigment::Picture>(std::move(picture));
 }
 
 class TracingPaintingTest : public testing::Test {

@@ -2,8 +2,8 @@
 // first byte chooses the name's ending, by which the format is guessed first.
 #include "core/check.hpp"
 #include "core/error.hpp"
+#include "files/image.hpp"
 #include "film/support/support.hpp"
-#include "io/image.hpp"
 
 #include <cstdint>
 #include <cstdlib>
@@ -12,7 +12,7 @@
 #include <string>
 #include <unistd.h>
 
-namespace pastoso::io {
+namespace pastoso::files {
 namespace {
 
 constexpr const char* kEndings[] = {".png", ".tif", ".jpg", ".exr", ".bmp", ".hdr", ".pgm", ".webp"};
@@ -53,7 +53,7 @@ void try_heights(const std::filesystem::path& path) {
 
 void try_colours(const std::filesystem::path& path) {
     try {
-        const shade::LinearImage image = read_colour_image(path);
+        const pigment::LinearImage image = read_colour_image(path);
         PASTOSO_CHECK_OP(image.rgb.size(), ==, std::size_t{3} * image.width * image.height);
     } catch (const core::InputError& error) {
         PASTOSO_CHECK(std::string(error.what()).starts_with(path.string()));
@@ -61,10 +61,10 @@ void try_colours(const std::filesystem::path& path) {
 }
 
 }  // namespace
-}  // namespace pastoso::io
+}  // namespace pastoso::files
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    using namespace pastoso::io;
+    using namespace pastoso::files;
     if (size == 0) return 0;
     const std::filesystem::path path =
         written(kEndings[data[0] % std::size(kEndings)], data + 1, size - 1);

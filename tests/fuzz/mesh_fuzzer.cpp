@@ -2,7 +2,7 @@
 // fit together, and to distances where they are closed. The first byte chooses the format.
 #include "core/check.hpp"
 #include "core/error.hpp"
-#include "io/mesh_import.hpp"
+#include "liquid_files/mesh_import.hpp"
 #include "tank/shape.hpp"
 
 #include <cmath>
@@ -26,7 +26,7 @@ void try_distance(liquid::TriangleMesh mesh) {
 
 void try_mesh(bool is_obj, std::string_view bytes) {
     liquid::TriangleMesh mesh =
-        is_obj ? io::mesh_from_obj(bytes, "file") : io::mesh_from_stl(bytes, "file");
+        is_obj ? liquid_files::mesh_from_obj(bytes, "file") : liquid_files::mesh_from_stl(bytes, "file");
     PASTOSO_CHECK(mesh.normals.empty() || mesh.normals.size() == mesh.positions_m.size());
     for (const glm::vec3& position : mesh.positions_m)
         for (const int axis : {0, 1, 2})

@@ -1,14 +1,14 @@
 // Recordings of any text: refused in a sentence, or read to what is written and read again alike.
 #include "core/check.hpp"
 #include "core/error.hpp"
-#include "io/recording_json.hpp"
-#include "io/recording_text.hpp"
+#include "recordings/recording_json.hpp"
+#include "recordings/recording_text.hpp"
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 
-namespace pastoso::io {
+namespace pastoso::recordings {
 namespace {
 
 void try_recording(std::string_view text, Names names) {
@@ -31,10 +31,10 @@ void try_trace(std::string_view text) {
 }
 
 }  // namespace
-}  // namespace pastoso::io
+}  // namespace pastoso::recordings
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    using namespace pastoso::io;
+    using namespace pastoso::recordings;
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     try_recording(text, Names::MustBeKnown);
     try_recording(text, Names::MayBeUnknown);

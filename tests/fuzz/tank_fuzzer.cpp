@@ -2,7 +2,7 @@
 // alike, with distances that are numbers.
 #include "core/check.hpp"
 #include "core/error.hpp"
-#include "io/tank_json.hpp"
+#include "liquid_files/tank_json.hpp"
 #include "tank/meshes.hpp"
 
 #include <cmath>
@@ -29,8 +29,9 @@ void try_shape(const tank::Shape& shape) {
 }
 
 void try_scene(std::string_view text) {
-    const tank::TankScene scene = io::tank_from_json(text, "file", any_mesh);
-    PASTOSO_CHECK(io::tank_from_json(io::tank_to_json(scene), "written", any_mesh) == scene);
+    const tank::TankScene scene = liquid_files::tank_from_json(text, "file", any_mesh);
+    PASTOSO_CHECK(liquid_files::tank_from_json(liquid_files::tank_to_json(scene), "written", any_mesh) ==
+                  scene);
     for (const tank::Shape& solid : scene.solids)
         try_shape(solid);
 }

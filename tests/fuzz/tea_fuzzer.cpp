@@ -2,7 +2,7 @@
 // alike.
 #include "core/check.hpp"
 #include "core/error.hpp"
-#include "io/tea_json.hpp"
+#include "liquid_files/tea_json.hpp"
 
 #include <cstdint>
 #include <string_view>
@@ -11,8 +11,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace pastoso;
     try {
         const liquid::TeaSettings settings =
-            io::tea_from_json({reinterpret_cast<const char*>(data), size}, "file");
-        PASTOSO_CHECK(io::tea_from_json(io::tea_to_json(settings), "written") == settings);
+            liquid_files::tea_from_json({reinterpret_cast<const char*>(data), size}, "file");
+        PASTOSO_CHECK(liquid_files::tea_from_json(liquid_files::tea_to_json(settings), "written") ==
+                      settings);
     } catch (const core::InputError& error) {
         PASTOSO_CHECK(std::string_view(error.what()).starts_with("file"));
     }

@@ -65,9 +65,9 @@ class HastyPainter {
     double uniform() { return core::uniform_noise(drawn_++, seed_); }
     int choice(int count) { return static_cast<int>(uniform() * count); }
 
-    std::shared_ptr<const layers::Picture> picture() {
-        return std::make_shared<const layers::Picture>(
-            layers::Picture{1, 2, {255, 0, 0, 255, 0, 0, static_cast<std::uint8_t>(choice(256)), 128}});
+    std::shared_ptr<const pigment::Picture> picture() {
+        return std::make_shared<const pigment::Picture>(
+            pigment::Picture{1, 2, {255, 0, 0, 255, 0, 0, static_cast<std::uint8_t>(choice(256)), 128}});
     }
 
     document::Action own_medium() {

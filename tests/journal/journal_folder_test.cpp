@@ -1,6 +1,6 @@
 #include "journal/journal_folder.hpp"
 
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 #include "journal/journal_file.hpp"
 
 #include <fstream>
@@ -14,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-class JournalFolder : public io::TemporaryFolder {
+class JournalFolder : public files::TemporaryFolder {
   protected:
     static void put(const std::filesystem::path& path) { std::ofstream(path) << "x"; }
 };

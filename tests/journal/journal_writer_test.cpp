@@ -2,7 +2,7 @@
 
 #include "core/error.hpp"
 #include "document/scenes.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 #include "journal/recovery.hpp"
 #include "project/project.hpp"
 
@@ -19,7 +19,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-class Writer : public io::TemporaryFolder {
+class Writer : public files::TemporaryFolder {
   protected:
     Beginning bare() const { return {.canvas = document::small_canvas()}; }
     static void touch(JournalWriter& journal) { journal.note({0, document::DryNow{}}); }

@@ -4,7 +4,7 @@
 #include "core/text_file.hpp"
 #include "document/painting.hpp"
 #include "document/player.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 #include "journal/hasty_actions.hpp"
 #include "journal/journal_file.hpp"
 #include "journal/recovery.hpp"
@@ -88,10 +88,10 @@ class PainterProgram {
     pid_t pid_ = -1;
 };
 
-class Kill : public io::TemporaryFolder {
+class Kill : public files::TemporaryFolder {
   protected:
     void SetUp() override {
-        io::TemporaryFolder::SetUp();
+        files::TemporaryFolder::SetUp();
         root = folder / kJournalsName;
     }
 

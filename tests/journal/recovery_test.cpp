@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "document/well_session.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 #include "journal/journals.hpp"
 
 #include <fstream>
@@ -48,7 +48,7 @@ void expect_recording(const Recovered& recovered, const document::Recording& rec
     EXPECT_THAT(recovered.notes, IsEmpty());
 }
 
-class Recovery : public io::TemporaryFolder {
+class Recovery : public files::TemporaryFolder {
   protected:
     void change(const fs::path& file, const std::function<void(std::string&)>& change) {
         std::string bytes = core::read_text_file(file);

@@ -17,8 +17,8 @@ namespace {
 constexpr grid::Shape kShape{100, 70};
 constexpr double kCell_mm = 0.25;
 
-Picture noise(int width, int height, bool opaque) {
-    Picture picture{width, height, {}};
+pigment::Picture noise(int width, int height, bool opaque) {
+    pigment::Picture picture{width, height, {}};
     for (std::uint32_t i = 0; i < 4U * width * height; ++i) {
         const auto value = static_cast<std::uint8_t>(256.0F * core::uniform_noise(i, 5));
         picture.rgba.push_back(opaque && i % 4 == 3 ? 255 : value);
@@ -26,7 +26,7 @@ Picture noise(int width, int height, bool opaque) {
     return picture;
 }
 
-film::FilmState painted(const Picture& picture, int threads = 2) {
+film::FilmState painted(const pigment::Picture& picture, int threads = 2) {
     core::ThreadPool pool(threads);
     return flat_paint(picture, {0.0, 0.0, picture.width * kCell_mm, picture.height * kCell_mm}, kShape,
                       kCell_mm, pool);
@@ -41,13 +41,13 @@ pigment::LinearRgb seen(const film::FilmState& layer, int x, int y, float ground
     return pigment::linear_srgb(bands);
 }
 
-pigment::LinearRgb paint_of_pixel(const Picture& picture, int x, int y) {
+pigment::LinearRgb paint_of_pixel(const pigment::Picture& picture, int x, int y) {
     const std::uint8_t* pixel = &picture.rgba[std::size_t{4} * (y * picture.width + x)];
     return pigment::paint_colour(pigment::decoded({pixel[0], pixel[1], pixel[2]}));
 }
 
 TEST(FlatPaint, HasTheColoursOfThePicture) {
-    const Picture picture = noise(80, 60, true);
+    const pigment::Picture picture = noise(80, 60, true);
     const film::FilmState layer = painted(picture);
     double largest = 0.0;
     for (int y = 0; y < picture.height; ++y)
@@ -59,7 +59,7 @@ TEST(FlatPaint, HasTheColoursOfThePicture) {
 }
 
 TEST(FlatPaint, CoversAsMuchOfTheLightAsThePictureSays) {
-    const Picture picture = noise(40, 30, false);
+    const pigment::Picture picture = noise(40, 30, false);
     const film::FilmState layer = painted(picture);
     for (const float ground : {0.05F, 0.5F, 0.93F}) {
         const float below = pigment::through_surface(ground);
@@ -75,7 +75,7 @@ TEST(FlatPaint, CoversAsMuchOfTheLightAsThePictureSays) {
 }
 
 TEST(FlatPaint, LiesAsHighAsItCovers) {
-    const Picture picture = noise(40, 30, false);
+    const pigment::Picture picture = noise(40, 30, false);
     const film::FilmState layer = painted(picture);
     for (int x = 0; x < 40; ++x) {
         const float share = static_cast<float>(picture.rgba[4 * x + 3]) / 255.0F;
@@ -93,7 +93,7 @@ TEST(FlatPaint, IsCountedAsItsRelief) {
 }
 
 TEST(FlatPaint, IsFoundByTheEyedropper) {
-    const Picture picture = noise(40, 30, true);
+    const pigment::Picture picture = noise(40, 30, true);
     const film::FilmState layer = painted(picture);
     const film::PaintSample sample = film::sample_paint(layer, 5.125, 3.125, 0.0);
     EXPECT_EQ(sample.layer, film::PaintLayer::Dry);
@@ -103,20 +103,20 @@ TEST(FlatPaint, IsFoundByTheEyedropper) {
 }
 
 TEST(FlatPaint, OfWhiteIsTitaniumWhite) {
-    Picture white{4, 4, std::vector<std::uint8_t>(64, 255)};
+    pigment::Picture white{4, 4, std::vector<std::uint8_t>(64, 255)};
     const pigment::LinearRgb colour = seen(painted(white), 2, 2, 0.0F);
     for (const float channel : colour)
         EXPECT_NEAR(channel, pigment::kPaintWhite, 1e-3F);
 }
 
 TEST(FlatPaint, HoldsNothingWhereThePictureIsClear) {
-    const Picture clear{100, 70, std::vector<std::uint8_t>(std::size_t{4} * 100 * 70, 0)};
+    const pigment::Picture clear{100, 70, std::vector<std::uint8_t>(std::size_t{4} * 100 * 70, 0)};
     const film::FilmState layer = painted(clear);
     EXPECT_EQ(layer.strata.optics.allocated_bytes() + layer.support_mm.allocated_bytes(), 0U);
 }
 
 TEST(FlatPaint, IsTheSameOnAnyNumberOfThreads) {
-    const Picture picture = noise(90, 65, false);
+    const pigment::Picture picture = noise(90, 65, false);
     EXPECT_EQ(film::state_hash(painted(picture, 1)), film::state_hash(painted(picture, 3)));
 }
 

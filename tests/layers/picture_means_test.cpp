@@ -14,15 +14,15 @@ namespace {
 
 using Rgba = std::array<std::uint8_t, 4>;
 
-Picture picture_of(int width, int height, const std::vector<Rgba>& pixels) {
-    Picture picture{width, height, {}};
+pigment::Picture picture_of(int width, int height, const std::vector<Rgba>& pixels) {
+    pigment::Picture picture{width, height, {}};
     for (const Rgba& pixel : pixels)
         picture.rgba.insert(picture.rgba.end(), pixel.begin(), pixel.end());
     return picture;
 }
 
-Picture noise(int width, int height) {
-    Picture picture{width, height, {}};
+pigment::Picture noise(int width, int height) {
+    pigment::Picture picture{width, height, {}};
     for (std::uint32_t i = 0; i < 4U * width * height; ++i)
         picture.rgba.push_back(static_cast<std::uint8_t>(256.0F * core::uniform_noise(i, 5)));
     return picture;
@@ -35,7 +35,7 @@ float linear(int level) {
 constexpr Rgba kRed = {255, 0, 0, 255}, kWhite = {255, 255, 255, 255}, kNone = {0, 0, 0, 0};
 
 TEST(PictureMeans, OfOnePixelACellAreThePixels) {
-    const Picture picture = noise(5, 4);
+    const pigment::Picture picture = noise(5, 4);
     const PictureMeans means(picture, {0.5, 0.25, 1.25, 1.0}, 0.25, {20, 10});
     EXPECT_EQ(means.cells(), (grid::Rect{2, 1, 7, 5}));
     for (int y = 0; y < 4; ++y)
@@ -50,7 +50,7 @@ TEST(PictureMeans, OfOnePixelACellAreThePixels) {
 }
 
 TEST(PictureMeans, AreOfLightAndLeaveOutWhatCoversNothing) {
-    const Picture picture = picture_of(2, 2, {kRed, kWhite, kNone, kNone});
+    const pigment::Picture picture = picture_of(2, 2, {kRed, kWhite, kNone, kNone});
     const CoveredColour cell = PictureMeans(picture, {0, 0, 1, 1}, 1.0, {3, 3}).at(0, 0);
     EXPECT_FLOAT_EQ(cell.coverage, 0.5F);
     EXPECT_FLOAT_EQ(cell.colour[0], 1.0F);
@@ -59,7 +59,7 @@ TEST(PictureMeans, AreOfLightAndLeaveOutWhatCoversNothing) {
 }
 
 TEST(PictureMeans, OfACellAtTheEdgeCoverItsShare) {
-    const Picture picture = picture_of(1, 1, {kRed});
+    const pigment::Picture picture = picture_of(1, 1, {kRed});
     const PictureMeans means(picture, {0.75, 0.5, 1.5, 2.0}, 1.0, {4, 4});
     EXPECT_EQ(means.cells(), (grid::Rect{0, 0, 3, 3}));
     EXPECT_FLOAT_EQ(means.at(0, 0).coverage, 0.25F * 0.5F);
@@ -69,7 +69,7 @@ TEST(PictureMeans, OfACellAtTheEdgeCoverItsShare) {
 }
 
 TEST(PictureMeans, OfAnEnlargementRunFromPixelToPixel) {
-    const Picture picture = picture_of(2, 1, {kNone, kWhite});
+    const pigment::Picture picture = picture_of(2, 1, {kNone, kWhite});
     const PictureMeans means(picture, {0, 0, 8, 4}, 1.0, {8, 4});
     // Pixels are 4 cells wide: clear up to the middle of the first, then evenly up to that of the other.
     const float expected[] = {0.0F, 0.0F, 0.125F, 0.375F, 0.625F, 0.875F, 1.0F, 1.0F};
@@ -78,7 +78,7 @@ TEST(PictureMeans, OfAnEnlargementRunFromPixelToPixel) {
 }
 
 TEST(PictureMeans, KeepTheSumOfWhatCovers) {
-    const Picture picture = noise(37, 23);
+    const pigment::Picture picture = noise(37, 23);
     const double pixels = std::accumulate(picture.rgba.begin(), picture.rgba.end(), 0.0,
                                           [i = 0](double sum, std::uint8_t value) mutable {
                                               return ++i % 4 == 0 ? sum + value / 255.0 : sum;
@@ -93,13 +93,13 @@ TEST(PictureMeans, KeepTheSumOfWhatCovers) {
 }
 
 TEST(PictureMeans, BesideTheCanvasAreNone) {
-    const Picture picture = picture_of(1, 1, {kRed});
+    const pigment::Picture picture = picture_of(1, 1, {kRed});
     EXPECT_TRUE(PictureMeans(picture, {-5, 0, 4, 4}, 1.0, {3, 3}).cells().empty());
     EXPECT_TRUE(PictureMeans(picture, {9, 0, 4, 4}, 1.0, {3, 3}).cells().empty());
 }
 
 TEST(ReducedPicture, HasTheMeansOfItsPixels) {
-    const Picture small = reduced(picture_of(2, 2, {kWhite, kWhite, kNone, kNone}), 1, 1);
+    const pigment::Picture small = reduced(picture_of(2, 2, {kWhite, kWhite, kNone, kNone}), 1, 1);
     EXPECT_EQ(small, picture_of(1, 1, {{255, 255, 255, 128}}));
 }
 
@@ -108,7 +108,7 @@ TEST(ReducedPicture, IsThePictureItselfWhereItIsSmallEnough) {
 }
 
 TEST(ReducedPicture, IsReducedAlongOneAxisAlone) {
-    const Picture small = reduced(picture_of(2, 2, {kRed, kRed, kWhite, kWhite}), 1, 5);
+    const pigment::Picture small = reduced(picture_of(2, 2, {kRed, kRed, kWhite, kWhite}), 1, 5);
     EXPECT_EQ(small, picture_of(1, 2, {kRed, kWhite}));
 }
 

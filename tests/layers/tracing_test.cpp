@@ -17,8 +17,8 @@ using test::random_layer;
 
 constexpr PicturePlace kPlace{10.0, 2.0, 25.0, 14.0};  // cells 40 to 140, 8 to 64
 
-Picture noise() {
-    Picture picture{50, 40, {}};
+pigment::Picture noise() {
+    pigment::Picture picture{50, 40, {}};
     for (std::uint32_t i = 0; i < 4U * 50 * 40; ++i)
         picture.rgba.push_back(static_cast<std::uint8_t>(256.0F * core::uniform_noise(i, 3)));
     return picture;

@@ -1,6 +1,6 @@
 // Files that are damaged, foreign, hostile or of another version: one sentence each, and nothing else.
 #include "core/error.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 #include "project/archives.hpp"
 #include "project/paintings.hpp"
 
@@ -14,10 +14,10 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-class BadProject : public io::TemporaryFolder {
+class BadProject : public files::TemporaryFolder {
   protected:
     void SetUp() override {
-        io::TemporaryFolder::SetUp();
+        files::TemporaryFolder::SetUp();
         file = file_of(busy_project(pool), folder, pool);
     }
 
@@ -122,7 +122,7 @@ TEST_F(BadProject, LayersThatCannotBeAreRefused) {
 TEST_F(BadProject, ATracingPictureThatIsNoneIsRefused) {
     Project project = busy_project(pool);
     project.painting.tracing = std::make_shared<const layers::Tracing>(layers::Tracing{
-        std::make_shared<const layers::Picture>(layers::Picture{1, 1, {9, 9, 9, 255}}), {1, 2, 3, 4}});
+        std::make_shared<const pigment::Picture>(pigment::Picture{1, 1, {9, 9, 9, 255}}), {1, 2, 3, 4}});
     file = file_of(project, folder, pool);
     EXPECT_THAT(error_of_index("\"opacity\":0.5", "\"opacity\":5"),
                 HasSubstr("tracing: the opacity of the tracing picture is 5"));

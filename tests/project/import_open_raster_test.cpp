@@ -4,7 +4,7 @@
 #include "core/temporary_folder.hpp"
 #include "document/layered_canvas.hpp"
 #include "document/player.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 #include "pigment/lab.hpp"
 #include "project/archives.hpp"
 #include "project/paintings.hpp"
@@ -21,10 +21,10 @@ namespace {
 using testing::HasSubstr;
 
 std::string png_of(int width, int height, const std::array<std::uint8_t, 4>& colour) {
-    layers::Picture picture{width, height, {}};
+    pigment::Picture picture{width, height, {}};
     for (int i = 0; i < width * height; ++i)
         picture.rgba.insert(picture.rgba.end(), colour.begin(), colour.end());
-    return io::png_file(picture);
+    return files::png_file(picture);
 }
 
 Entries small_file() {
@@ -88,9 +88,9 @@ TEST_F(ImportOpenRaster, HonoursProfiles) {
         return std::vector<std::uint8_t>{};
     };
     const std::string wide =
-        io::png_file(shade::Image8{1, 1, {200, 60, 50}, pigment::WorkingSpace::DisplayP3});
-    EXPECT_EQ(first_pixel(wide), io::decode_png_to_srgb(wide).rgba);
-    EXPECT_NE(first_pixel(wide), io::decode_png(wide).rgba);
+        files::png_file(pigment::Image8{1, 1, {200, 60, 50}, pigment::WorkingSpace::DisplayP3});
+    EXPECT_EQ(first_pixel(wide), files::decode_png_to_srgb(wide).rgba);
+    EXPECT_NE(first_pixel(wide), files::decode_png(wide).rgba);
 }
 
 TEST_F(ImportOpenRaster, IsRecordedSoThatItCanBePaintedAgain) {
@@ -117,7 +117,7 @@ TEST_F(ImportOpenRaster, BringsOurOwnPaintingsBackAsTheyLook) {
             document::view_of(painting.canvas.film, painting.bare_support_mm, painting.layers, pool);
         return shade::render(film, document::kPrimedGround, film.shape.cells(), {}, pool);
     };
-    const shade::LinearImage a = picture(before.painting), b = picture(after.painting);
+    const pigment::LinearImage a = picture(before.painting), b = picture(after.painting);
     ASSERT_EQ(a.rgb.size(), b.rgb.size());
     std::vector<double> differences;
     for (std::size_t i = 0; i < a.rgb.size(); i += 3)

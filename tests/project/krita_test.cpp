@@ -1,6 +1,6 @@
 // Krita opens a project file as a picture, where Krita is installed.
-#include "io/image.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/image.hpp"
+#include "files/temporary_folder.hpp"
 #include "project/paintings.hpp"
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace pastoso::project {
 namespace {
 
-class WithKrita : public io::TemporaryFolder {};
+class WithKrita : public files::TemporaryFolder {};
 
 bool is_installed(const char* program) {
     return std::system(("command -v " + std::string(program) + " > /dev/null").c_str()) == 0;
@@ -27,14 +27,14 @@ TEST_F(WithKrita, ItsExportShowsThePicture) {
                                 (folder / "a.png").string() + "' '" + (folder / "a.ora").string() +
                                 "' > /dev/null 2>&1";
     ASSERT_EQ(std::system(command.c_str()), 0);
-    const shade::LinearImage seen = io::read_colour_image(folder / "a.png");
+    const pigment::LinearImage seen = files::read_colour_image(folder / "a.png");
     shade::RenderSettings settings;
     const film::FilmState& film = project.painting.canvas.film;
-    const shade::LinearImage own =
+    const pigment::LinearImage own =
         shade::render(film, document::kPrimedGround, film.shape.cells(), settings, pool);
     ASSERT_EQ(seen.width, own.width);
     ASSERT_EQ(seen.height, own.height);
-    const shade::Image8 seen8 = shade::encode_srgb8(seen), own8 = shade::encode_srgb8(own);
+    const pigment::Image8 seen8 = pigment::encode_srgb8(seen), own8 = pigment::encode_srgb8(own);
     for (std::size_t i = 0; i < own8.rgb.size(); ++i)
         ASSERT_LE(std::abs(int{seen8.rgb[i]} - int{own8.rgb[i]}),
                   2);  // it keeps eight bits, and so do we

@@ -1,8 +1,8 @@
 // Paintings of several layers, saved and opened again.
 #include "document/layered_canvas.hpp"
 #include "document/scenes.hpp"
-#include "io/image.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/image.hpp"
+#include "files/temporary_folder.hpp"
 #include "project/archives.hpp"
 #include "project/paintings.hpp"
 #include "project/pictures.hpp"
@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-class LayeredProject : public io::TemporaryFolder {
+class LayeredProject : public files::TemporaryFolder {
   protected:
     LayeredProject() {
         using namespace document;
@@ -84,7 +84,7 @@ TEST_F(LayeredProject, IsAStackOfPicturesToOtherPrograms) {
 TEST_F(LayeredProject, ItsPicturesLaidOverOneAnotherAreThePainting) {
     const Pictures pictures = pictures_of(painting->state(), pool);
     ASSERT_EQ(pictures.layers.size(), 4U);
-    shade::LinearImage sum = pictures.layers[0].picture;
+    pigment::LinearImage sum = pictures.layers[0].picture;
     for (const LayerPicture& layer : pictures.layers) {
         if (!layer.visible) continue;
         for (std::size_t i = 0; i < layer.covered.size(); ++i)

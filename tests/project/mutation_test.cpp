@@ -1,6 +1,6 @@
 // A good file with random damage either loads or is refused in a sentence; nothing else may happen.
 #include "core/error.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 #include "project/archives.hpp"
 #include "project/paintings.hpp"
 
@@ -11,7 +11,7 @@
 namespace pastoso::project {
 namespace {
 
-class MutatedProject : public io::TemporaryFolder {
+class MutatedProject : public files::TemporaryFolder {
   protected:
     /// Whether it loads. Then it can be painted on.
     bool loads(std::span<const std::byte> bytes) {

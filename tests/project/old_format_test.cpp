@@ -1,7 +1,7 @@
 // Files that earlier versions of the program wrote.
 #include "document/layered_canvas.hpp"
 #include "document/player.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 #include "project/project.hpp"
 #include "shade/render.hpp"
 #include "source_file.hpp"
@@ -11,14 +11,14 @@
 namespace pastoso::project {
 namespace {
 
-class OldFormat : public io::TemporaryFolder {
+class OldFormat : public files::TemporaryFolder {
   protected:
-    shade::Image8 picture(const film::FilmState& film) {
-        return shade::encode_srgb8(
+    pigment::Image8 picture(const film::FilmState& film) {
+        return pigment::encode_srgb8(
             shade::render(film, document::kPrimedGround, film.shape.cells(), {}, pool));
     }
     /// Mean difference of the pixels' values.
-    static double difference(const shade::Image8& a, const shade::Image8& b) {
+    static double difference(const pigment::Image8& a, const pigment::Image8& b) {
         double sum = 0.0;
         for (std::size_t i = 0; i < a.rgb.size(); ++i)
             sum += std::abs(static_cast<double>(a.rgb[i]) - static_cast<double>(b.rgb[i]));

@@ -2,8 +2,8 @@
 #include "project/open_raster.hpp"
 
 #include "core/text_file.hpp"
-#include "io/image.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/image.hpp"
+#include "files/temporary_folder.hpp"
 #include "project/archives.hpp"
 #include "project/paintings.hpp"
 
@@ -14,11 +14,11 @@ namespace {
 
 using testing::HasSubstr;
 
-class OpenRaster : public io::TemporaryFolder {
+class OpenRaster : public files::TemporaryFolder {
   protected:
-    shade::LinearImage picture_in(const std::string& content) {
+    pigment::LinearImage picture_in(const std::string& content) {
         core::write_text_file(folder / "picture.png", content);
-        return io::read_colour_image(folder / "picture.png");
+        return files::read_colour_image(folder / "picture.png");
     }
     core::ThreadPool pool{2};
 };
@@ -47,18 +47,18 @@ TEST_F(OpenRaster, HoldsTheEntriesOfTheSpecification) {
                 HasSubstr("<image version=\"0.0.3\" w=\"180\" h=\"90\" xres=\"76\" "));
     EXPECT_THAT(content("stack.xml"), HasSubstr("src=\"data/layer0.png\""));
     EXPECT_EQ(content("data/layer0.png"), content("mergedimage.png"));
-    const shade::LinearImage merged = picture_in(content("mergedimage.png"));
+    const pigment::LinearImage merged = picture_in(content("mergedimage.png"));
     EXPECT_EQ(merged.width, 180);
     EXPECT_EQ(merged.height, 90);
-    const shade::LinearImage thumbnail = picture_in(content("Thumbnails/thumbnail.png"));
+    const pigment::LinearImage thumbnail = picture_in(content("Thumbnails/thumbnail.png"));
     EXPECT_EQ(thumbnail.width, 180);
 }
 
 TEST_F(OpenRaster, AThumbnailIsTheMeanOfThePixelsBelow) {
-    shade::LinearImage picture{512, 256, std::vector<float>(3 * 512 * 256), {}};
+    pigment::LinearImage picture{512, 256, std::vector<float>(3 * 512 * 256), {}};
     for (int i = 0; i < 512 * 256; ++i)
         picture.rgb[3 * i] = i % 2 == 0 ? 1.0F : 0.0F;
-    const shade::LinearImage small = thumbnail_of(picture);
+    const pigment::LinearImage small = thumbnail_of(picture);
     EXPECT_EQ(small.width, 256);
     EXPECT_EQ(small.height, 128);
     for (std::size_t i = 0; i < small.rgb.size(); i += 3)
@@ -66,8 +66,8 @@ TEST_F(OpenRaster, AThumbnailIsTheMeanOfThePixelsBelow) {
 }
 
 TEST_F(OpenRaster, AThumbnailOfAnOddSizeKeepsEvenColours) {
-    const shade::LinearImage picture{701, 3, std::vector<float>(3 * 701 * 3, 0.25F), {}};
-    const shade::LinearImage small = thumbnail_of(picture);
+    const pigment::LinearImage picture{701, 3, std::vector<float>(3 * 701 * 3, 0.25F), {}};
+    const pigment::LinearImage small = thumbnail_of(picture);
     EXPECT_EQ(small.width, 256);
     EXPECT_EQ(small.height, 1);
     for (const float value : small.rgb)

@@ -93,7 +93,7 @@ std::vector<std::byte> file_of(const Project& project, const std::filesystem::pa
 std::vector<std::byte> unseen_file_of(const Project& project, const std::filesystem::path& folder,
                                       core::ThreadPool& pool) {
     const std::filesystem::path path = folder / "painting.pastoso";
-    const shade::LinearImage grey{2, 2, std::vector<float>(12, 0.5F), {}};
+    const pigment::LinearImage grey{2, 2, std::vector<float>(12, 0.5F), {}};
     const Pictures pictures{grey, 1.0, {{"Paint", true, grey, {}}}};
     write_archive(project, pictures, pool, path, path.string());
     std::vector<std::byte> bytes = bytes_in(path);

@@ -3,7 +3,7 @@
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
 #include "document/error_of.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 
 #include <gmock/gmock.h>
 
@@ -33,8 +33,8 @@ TEST(FittedPlace, IsInTheMiddle) {
 class PictureImport : public testing::Test {
   protected:
     void SetUp() override {
-        layers::Picture picture{300, 200, std::vector<std::uint8_t>(std::size_t{4} * 300 * 200, 255)};
-        core::write_text_file(path, io::png_file(picture));
+        pigment::Picture picture{300, 200, std::vector<std::uint8_t>(std::size_t{4} * 300 * 200, 255)};
+        core::write_text_file(path, files::png_file(picture));
     }
 
     core::ThreadPool pool{2};

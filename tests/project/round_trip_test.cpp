@@ -2,13 +2,13 @@
 #include "document/canvas.hpp"
 #include "document/player.hpp"
 #include "document/well_session.hpp"
+#include "files/image.hpp"
+#include "files/temporary_folder.hpp"
 #include "film/support/support.hpp"
-#include "io/canvas_support.hpp"
-#include "io/image.hpp"
-#include "io/temporary_folder.hpp"
 #include "project/activity_record.hpp"
 #include "project/mask_bits.hpp"
 #include "project/paintings.hpp"
+#include "recordings/canvas_support.hpp"
 
 #include <gmock/gmock.h>
 
@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-class ProjectRoundTrip : public io::TemporaryFolder {
+class ProjectRoundTrip : public files::TemporaryFolder {
   protected:
     LoadedProject saved_and_loaded(const Project& project) {
         save_project(folder / "a.pastoso", project, pool);
@@ -149,7 +149,7 @@ TEST_F(ProjectRoundTrip, ASelectionComesBackToTheCell) {
 TEST_F(ProjectRoundTrip, ATracingPictureComesBackToThePixel) {
     auto painting = played(busy_session(), 85, pool);
     painting->apply(document::LayTracing{
-        std::make_shared<const layers::Picture>(layers::Picture{2, 1, {1, 2, 3, 4, 250, 6, 7, 0}}),
+        std::make_shared<const pigment::Picture>(pigment::Picture{2, 1, {1, 2, 3, 4, 250, 6, 7, 0}}),
         {-2.5, 3, 20, 10}});
     painting->apply(document::SetTracing{{-2.5, 3, 20.25, 10}, 0.7});
     const Project project{painting->state(), {}};
@@ -159,8 +159,8 @@ TEST_F(ProjectRoundTrip, ATracingPictureComesBackToThePixel) {
 }
 
 /// Every colour of a coarse table with every coverage.
-layers::Picture half_transparent_picture() {
-    layers::Picture picture{64, 64, {}};
+pigment::Picture half_transparent_picture() {
+    pigment::Picture picture{64, 64, {}};
     for (int i = 0; i < 64 * 64; ++i) {
         const auto level = [](int number) { return static_cast<std::uint8_t>(85 * (number % 4)); };
         picture.rgba.insert(picture.rgba.end(), {level(i), level(i / 4), level(i / 16),
@@ -170,7 +170,7 @@ layers::Picture half_transparent_picture() {
 }
 
 TEST_F(ProjectRoundTrip, HalfTransparentPicturesComeBack) {
-    const auto picture = std::make_shared<const layers::Picture>(half_transparent_picture());
+    const auto picture = std::make_shared<const pigment::Picture>(half_transparent_picture());
     document::Painting painting({.width_mm = 20, .height_mm = 20, .px_per_mm = 4}, pool);
     // On the canvas, on one another, on white, moved and merged.
     for (const document::Action& action : std::vector<document::Action>{
@@ -217,15 +217,15 @@ TEST_F(ProjectRoundTrip, TheSamePaintingGivesTheSameBytesAndALoadedOneToo) {
 }
 
 TEST_F(ProjectRoundTrip, AHeightImageIsNotNeededAgain) {
-    io::write_image(folder / "bumps.tif",
-                    shade::Image8{3, 2,
-                                  std::vector<std::uint8_t>{0, 0, 0, 90, 90, 90, 255, 255, 255, 30, 30,
-                                                            30, 20, 20, 20, 200, 200, 200}});
+    files::write_image(folder / "bumps.tif",
+                       pigment::Image8{3, 2,
+                                       std::vector<std::uint8_t>{0, 0, 0, 90, 90, 90, 255, 255, 255, 30,
+                                                                 30, 30, 20, 20, 20, 200, 200, 200}});
     document::CanvasSettings settings;
     settings.width_mm = settings.height_mm = 20.0;
     settings.support = "image";
     settings.support_image = (folder / "bumps.tif").string();
-    const auto painting = io::make_painting(settings, pool);
+    const auto painting = recordings::make_painting(settings, pool);
     save_project(folder / "a.pastoso", {painting->state(), {settings, {}, 0}}, pool);
     std::filesystem::remove(folder / "bumps.tif");
     EXPECT_EQ(document::state_hash(load_project(folder / "a.pastoso", pool).painting),

@@ -1,6 +1,6 @@
 // Saving over an older file: whatever happens, one of the two is there, whole.
 #include "core/error.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 #include "project/paintings.hpp"
 
 #include <csignal>
@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-class SavingAProject : public io::TemporaryFolder {
+class SavingAProject : public files::TemporaryFolder {
   protected:
     std::filesystem::path path() const { return folder / "a.pastoso"; }
     core::ThreadPool pool{1};

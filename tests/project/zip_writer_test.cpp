@@ -1,6 +1,6 @@
 // Archives that are written while their contents are still being made.
 #include "core/error.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 #include "project/archives.hpp"
 #include "project/paintings.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 using testing::ElementsAre;
 using testing::Pair;
 
-class ZipWriterTest : public io::TemporaryFolder {
+class ZipWriterTest : public files::TemporaryFolder {
   protected:
     std::filesystem::path path() const { return folder / "a.zip"; }
     Entries written(ZipWriter& archive) {

@@ -16,12 +16,13 @@
 namespace pastoso::shade {
 namespace {
 
-LinearImage picture(const film::FilmState& film, const RenderSettings& settings, int threads = 1) {
+pigment::LinearImage picture(const film::FilmState& film, const RenderSettings& settings,
+                             int threads = 1) {
     core::ThreadPool pool(threads);
     return render(film, test::kGround, film.shape.cells(), settings, pool);
 }
 
-const float* pixel(const LinearImage& image, int x, int y) {
+const float* pixel(const pigment::LinearImage& image, int x, int y) {
     return image.rgb.data() + 3 * (static_cast<std::ptrdiff_t>(y) * image.width + x);
 }
 
@@ -83,7 +84,7 @@ TEST(Render, AFlatCanvasShowsItsColourTimesTheLight) {
     const CellColour ground = ground_colour();
     for (const double scale : {0.5, 1.0, 3.0}) {
         settings.scale = scale;
-        const LinearImage image = picture(film, settings);
+        const pigment::LinearImage image = picture(film, settings);
         ASSERT_EQ(image.width, 70 * scale);
         ASSERT_EQ(image.height, 40 * scale);
         for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
@@ -103,7 +104,7 @@ TEST(Render, ALampShowsTheSamePaintInItsOwnLight) {
         pigment::viewing_under(pigment::find_illuminant("A"), pigment::WorkingSpace::DisplayP3);
     std::vector<CellColour> colours(grid::kTileCells);
     tile_colours(film, 0, test::kGround, colours.data(), settings.viewing.to_rgb);
-    const LinearImage image = picture(film, settings);
+    const pigment::LinearImage image = picture(film, settings);
     EXPECT_EQ(image.space, pigment::WorkingSpace::DisplayP3);
     EXPECT_NEAR(image.rgb[0], colours[0].red, 1e-5F);
     EXPECT_NEAR(image.rgb[1], colours[0].green, 1e-5F);
@@ -118,7 +119,7 @@ TEST(Render, AFlatWetFilmAddsTheHighlight) {
     std::vector<CellColour> colours(grid::kTileCells);
     tile_colours(film, 0, test::kGround, colours.data());
     const RenderSettings settings;
-    const LinearImage image = picture(film, settings);
+    const pigment::LinearImage image = picture(film, settings);
     const Reference wet{settings.lighting.wet_roughness, 0.0, 0.0, 1.0};
     EXPECT_NEAR(pixel(image, 10, 10)[0], wet(colours[0].red, settings.lighting), 1e-5);
     EXPECT_NEAR(pixel(image, 10, 10)[2], wet(colours[0].blue, settings.lighting), 1e-5);
@@ -133,7 +134,7 @@ TEST(Render, TiltedPlanesFollowTheShadingEquation) {
         });
         RenderSettings settings;
         settings.lighting.azimuth_deg = 160.0;
-        const LinearImage image = picture(film, settings);
+        const pigment::LinearImage image = picture(film, settings);
         core::ThreadPool pool(1);
         const CellLayers layers =
             cell_layers(film, test::kGround, film.shape.cells(), settings.lighting, pool);
@@ -151,7 +152,7 @@ TEST(Render, AWallLeavesOnlyTheSkyInItsShadow) {
     settings.lighting.azimuth_deg = 180.0;
     settings.lighting.elevation_deg = 30.0;
     settings.lighting.specular = false;
-    const LinearImage image = picture(film, settings);
+    const pigment::LinearImage image = picture(film, settings);
     // The shadow is 4 mm / tan 30 = 27.7 cells long; at 2 mm from the wall it sees all but half of the
     // sky.
     EXPECT_LE(pixel(image, 50, 20)[1], 0.31F * ground_colour().green);
@@ -163,9 +164,9 @@ TEST(Render, AMirroredCanvasAndLightGiveTheMirroredPicture) {
     const film::FilmState film = test::random_canvas({60, 50}, 10);
     RenderSettings settings;
     settings.lighting.azimuth_deg = 130.0;
-    const LinearImage image = picture(film, settings);
+    const pigment::LinearImage image = picture(film, settings);
     settings.lighting.azimuth_deg = 50.0;
-    const LinearImage reflected = picture(test::mirrored(film), settings);
+    const pigment::LinearImage reflected = picture(test::mirrored(film), settings);
     for (int y = 0; y < 50; ++y) {
         for (int x = 0; x < 60; ++x) {
             for (int channel = 0; channel < 3; ++channel) {
@@ -181,7 +182,7 @@ TEST(Render, AnyNumberOfThreadsGivesTheSameBits) {
     const film::FilmState film = test::random_canvas({200, 150}, 11);
     RenderSettings settings;
     settings.scale = 1.3;
-    const LinearImage one = picture(film, settings, 1);
+    const pigment::LinearImage one = picture(film, settings, 1);
     EXPECT_EQ(one.rgb, picture(film, settings, 2).rgb);
     EXPECT_EQ(one.rgb, picture(film, settings, 3).rgb);
 }
@@ -189,10 +190,10 @@ TEST(Render, AnyNumberOfThreadsGivesTheSameBits) {
 TEST(Render, APartIsAPartOfTheWhole) {
     const film::FilmState film = test::random_canvas({100, 90}, 12);
     const RenderSettings settings;
-    const LinearImage whole = picture(film, settings);
+    const pigment::LinearImage whole = picture(film, settings);
     core::ThreadPool pool(1);
     const grid::Rect part{33, 20, 77, 66};
-    const LinearImage cut = render(film, test::kGround, part, settings, pool);
+    const pigment::LinearImage cut = render(film, test::kGround, part, settings, pool);
     for (int y = part.y0; y < part.y1; ++y) {
         for (int x = part.x0; x < part.x1; ++x) {
             ASSERT_EQ(pixel(cut, x - part.x0, y - part.y0)[1], pixel(whole, x, y)[1]) << x << " " << y;
@@ -203,9 +204,9 @@ TEST(Render, APartIsAPartOfTheWhole) {
 TEST(Render, HalfTheScaleIsTheMeanOfFourPixels) {
     const film::FilmState film = test::random_canvas({80, 60}, 13);
     RenderSettings settings;
-    const LinearImage full = picture(film, settings);
+    const pigment::LinearImage full = picture(film, settings);
     settings.scale = 0.5;
-    const LinearImage half = picture(film, settings);
+    const pigment::LinearImage half = picture(film, settings);
     for (int y = 0; y < 30; ++y) {
         for (int x = 0; x < 40; ++x) {
             const float mean =
@@ -217,7 +218,7 @@ TEST(Render, HalfTheScaleIsTheMeanOfFourPixels) {
 }
 
 /// The largest second difference along the rows of a picture, away from its edges.
-double largest_second_difference(const LinearImage& image) {
+double largest_second_difference(const pigment::LinearImage& image) {
     double largest = 0.0;
     for (int y = image.height / 4; y < image.height * 3 / 4; ++y) {
         for (int x = image.width / 4; x < image.width * 3 / 4; ++x) {
@@ -264,9 +265,9 @@ TEST(Render, EnlargedReliefShowsNoCells) {
 TEST(Render, HighlightsOnlyAddLight) {
     const film::FilmState film = test::random_canvas({40, 40}, 15);
     RenderSettings settings;
-    const LinearImage shining = picture(film, settings);
+    const pigment::LinearImage shining = picture(film, settings);
     settings.lighting.specular = false;
-    const LinearImage matt = picture(film, settings);
+    const pigment::LinearImage matt = picture(film, settings);
     float most = 0.0F;
     for (std::size_t i = 0; i < matt.rgb.size(); ++i) {
         EXPECT_GE(shining.rgb[i], matt.rgb[i]);

@@ -35,11 +35,11 @@ TEST(Renderer, PartsHaveTheBitsOfTheWhole) {
         const Lattice lattice = picture_lattice(film.shape, film.shape.cells(), scale);
         const Renderer renderer(film, test::kGround, lattice, settings, pool);
         const grid::Rect all{0, 0, lattice.width, lattice.height};
-        LinearImage whole, lit;
+        pigment::LinearImage whole, lit;
         SurfaceSamples whole_surface, surface;
         renderer.render(all, &whole, &whole_surface);
         EXPECT_EQ(whole.rgb, render(film, test::kGround, film.shape.cells(), settings, pool).rgb);
-        LinearImage joined = whole;
+        pigment::LinearImage joined = whole;
         SurfaceSamples joined_surface = whole_surface;
         joined.rgb.assign(whole.rgb.size(), -1.0F);
         joined_surface.samples.assign(whole_surface.samples.size(), SurfaceSample{});
@@ -82,7 +82,7 @@ TEST(Renderer, ColoursWithoutLightAreThoseOfTheCells) {
         for (int x = 0; x < 24; ++x)
             test::set_paint(film, x, y, 0.5, test::kBlue);
     core::ThreadPool pool(1);
-    LinearImage lit;
+    pigment::LinearImage lit;
     SurfaceSamples surface;
     RenderSettings settings;
     settings.lighting.specular = false;

@@ -31,7 +31,7 @@ film::FilmState dry(const pigment::Coefficients& paint) {
     return film;
 }
 
-LinearImage picture(const film::FilmState& film, const Varnish& varnish) {
+pigment::LinearImage picture(const film::FilmState& film, const Varnish& varnish) {
     RenderSettings settings;
     settings.lighting = varnished(settings.lighting, varnish);
     settings.viewing = varnished(settings.viewing, varnish);
@@ -40,7 +40,7 @@ LinearImage picture(const film::FilmState& film, const Varnish& varnish) {
 }
 
 pigment::Lab seen(const film::FilmState& film, const Varnish& varnish) {
-    const LinearImage image = picture(film, varnish);
+    const pigment::LinearImage image = picture(film, varnish);
     const float* middle = image.rgb.data() + 3 * (10 * image.width + 10);
     return pigment::lab(pigment::LinearRgb{middle[0], middle[1], middle[2]});
 }
@@ -48,7 +48,7 @@ pigment::Lab seen(const film::FilmState& film, const Varnish& varnish) {
 TEST(Varnish, NoneIsThePictureBeforeBitForBit) {
     const film::FilmState film = test::random_canvas({70, 50}, 21);
     core::ThreadPool pool(1);
-    const LinearImage before = render(film, test::kGround, film.shape.cells(), {}, pool);
+    const pigment::LinearImage before = render(film, test::kGround, film.shape.cells(), {}, pool);
     EXPECT_EQ(picture(film, {}).rgb, before.rgb);
     EXPECT_EQ(picture(film, {Finish::None, 1.0, 1.0}).rgb, before.rgb);
     EXPECT_EQ(picture(film, {Finish::Gloss, 0.0, 1.0}).rgb, before.rgb);

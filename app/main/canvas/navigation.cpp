@@ -18,7 +18,7 @@ constexpr double kZoomPerNotch = 1.25;
 /// Of the picture, whatever the size of the panel.
 constexpr QSize kMostPicture(320, 320);
 
-QImage image_of(const shade::Image8& picture) {
+QImage image_of(const pigment::Image8& picture) {
     return QImage(picture.rgb.data(), picture.width, picture.height, 3 * picture.width,
                   QImage::Format_RGB888)
         .copy();

@@ -3,11 +3,11 @@
 #include "core/error.hpp"
 #include "core/user_data.hpp"
 #include "dialogs/export_dialog.hpp"
-#include "io/recording_json.hpp"
 #include "journal/undo_reach.hpp"
 #include "main/files/project_files.hpp"
 #include "main/paint/light_choice.hpp"
 #include "panels/parts/work_progress.hpp"
+#include "recordings/recording_json.hpp"
 #include "tools/export_names.hpp"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ QString length_mm(double mm) {
     return QString::number(mm, 'f', 3);
 }
 
-QString words_of(const io::ExportReport& report, const QString& name) {
+QString words_of(const recordings::ExportReport& report, const QString& name) {
     if (report.triangles > 0)
         return Exporting::tr("Exported %1: %2 triangles, %3 × %4 mm.")
             .arg(name)
@@ -58,7 +58,7 @@ QString words_of(const io::ExportReport& report, const QString& name) {
         .arg(report.height_px);
 }
 
-QString words_of(const io::TimelapseReport& report, const QString& name) {
+QString words_of(const recordings::TimelapseReport& report, const QString& name) {
     return Exporting::tr("Exported %1: %2 frames of %3 × %4 pixels.")
         .arg(name)
         .arg(report.frames)
@@ -68,9 +68,9 @@ QString words_of(const io::TimelapseReport& report, const QString& name) {
 
 QString words_of(const commands::ExportOutcome& outcome) {
     const QString name = name_of(outcome.path);
-    if (outcome.status() == io::ExportStatus::Written)
+    if (outcome.status() == files::ExportStatus::Written)
         return std::visit([&](const auto& report) { return words_of(report, name); }, outcome.report);
-    const auto* film = std::get_if<io::TimelapseReport>(&outcome.report);
+    const auto* film = std::get_if<recordings::TimelapseReport>(&outcome.report);
     if (film != nullptr && film->written > 0 && std::filesystem::is_directory(outcome.path))
         return Exporting::tr("Stopped; %1 holds the pictures that are complete.").arg(name);
     return Exporting::tr("Stopped; %1 was not written.").arg(name);
@@ -207,7 +207,7 @@ void Exporting::end(const commands::ExportOutcome& outcome) {
         return;
     }
     studio_.report(words_of(outcome));
-    if (closes && outcome.status() == io::ExportStatus::Written) studio_.window().close();
+    if (closes && outcome.status() == files::ExportStatus::Written) studio_.window().close();
 }
 
 /// Whether the window may close as far as an export is concerned.
@@ -233,7 +233,7 @@ void Exporting::ask_save_recording() {
                                                       tr("painting.json"), tr("Recordings (*.json)"));
     if (path.isEmpty()) return;
     try {
-        io::write_recording_json(path.toStdString(), studio_.session().recording());
+        recordings::write_recording_json(path.toStdString(), studio_.session().recording());
         studio_.report(tr("Saved %1.").arg(path));
     } catch (const core::InputError& error) {
         QMessageBox::warning(&studio_.window(), tr("Export recording"), QString::fromUtf8(error.what()));

@@ -2,9 +2,9 @@
 // easel.
 
 #include "core/error.hpp"
-#include "io/recording_json.hpp"
 #include "main/files/project_files.hpp"
 #include "main/wait_cursor.hpp"
+#include "recordings/recording_json.hpp"
 
 #include <QAction>
 #include <QMainWindow>
@@ -70,7 +70,7 @@ void ProjectFiles::ask_to_recover(const std::filesystem::path& journal) {
 void ProjectFiles::ask_to_watch(const std::filesystem::path& recording) {
     if (!may_discard()) return;
     try {
-        watch(io::read_recording_json(recording));
+        watch(recordings::read_recording_json(recording));
         studio_.report(tr("Painted from its strokes; the brush is yours when it is done."));
     } catch (const core::InputError& error) {
         QMessageBox::warning(&studio_.window(), tr("Open"), QString::fromUtf8(error.what()));

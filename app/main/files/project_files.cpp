@@ -3,11 +3,11 @@
 #include "commands/recent_paintings.hpp"
 #include "core/error.hpp"
 #include "dialogs/new_canvas_dialog.hpp"
-#include "io/canvas_support.hpp"
 #include "main/files/picture_files.hpp"
 #include "main/wait_cursor.hpp"
 #include "project/import_open_raster.hpp"
 #include "project/project.hpp"
+#include "recordings/canvas_support.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -74,7 +74,7 @@ ProjectFiles::ProjectFiles(Studio& studio, bool keeps_journal)
 
 void ProjectFiles::start(const document::CanvasSettings& canvas) {
     auto pool = std::make_unique<core::ThreadPool>();
-    auto painting = io::make_painting(canvas, *pool);
+    auto painting = recordings::make_painting(canvas, *pool);
     start(std::move(pool), std::move(painting), {}, {.canvas = canvas});
 }
 

@@ -1,7 +1,7 @@
 #include "main/layers/picture_layers.hpp"
 
 #include "core/error.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 #include "main/files/picture_files.hpp"
 #include "main/wait_cursor.hpp"
 #include "project/picture_import.hpp"
@@ -21,10 +21,10 @@ PictureLayers::PictureLayers(Studio& studio) : studio_(studio) {
 
 void PictureLayers::paint_picture(const QString& path) {
     const WaitCursor waiting;
-    paint_picture(io::read_picture(path.toStdString()).picture, QFileInfo(path).completeBaseName());
+    paint_picture(files::read_picture(path.toStdString()).picture, QFileInfo(path).completeBaseName());
 }
 
-void PictureLayers::paint_picture(layers::Picture picture, const QString& name) {
+void PictureLayers::paint_picture(pigment::Picture picture, const QString& name) {
     const document::CanvasSettings& canvas = studio_.session().canvas();
     const layers::PicturePlace place = project::fitted_place(picture.width, picture.height, canvas);
     studio_.session().post(

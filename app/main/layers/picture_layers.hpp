@@ -1,8 +1,8 @@
 // Pictures put onto the canvas as layers of dry paint.
 #pragma once
 
-#include "layers/picture.hpp"
 #include "main/studio.hpp"
+#include "pigment/image.hpp"
 
 #include <QObject>
 
@@ -18,7 +18,7 @@ class PictureLayers : public QObject {
     void paint_picture(const QString& path);
 
     /// The same of one that is in memory, as a layer of that name.
-    void paint_picture(layers::Picture picture, const QString& name);
+    void paint_picture(pigment::Picture picture, const QString& name);
 
   private:
     void ask_paint_picture();

@@ -1,7 +1,7 @@
 #include "main/layers/tracing_commands.hpp"
 
 #include "core/error.hpp"
-#include "io/image.hpp"
+#include "files/image.hpp"
 #include "layers/picture_means.hpp"
 #include "main/files/picture_files.hpp"
 #include "main/wait_cursor.hpp"
@@ -42,7 +42,7 @@ TracingCommands::TracingCommands(Studio& studio, panels::TracingPanel* panel)
     studio_.commands().on(Command::FitTracing, [this](bool) {
         const auto tracing = studio_.session().snapshot()->tracing;
         if (tracing == nullptr) return;
-        const layers::Picture& picture = *tracing->picture;
+        const pigment::Picture& picture = *tracing->picture;
         studio_.session().post(document::SetTracing{
             project::fitted_place(picture.width, picture.height, studio_.session().canvas()),
             tracing->opacity});
@@ -64,12 +64,12 @@ TracingCommands::TracingCommands(Studio& studio, panels::TracingPanel* panel)
 
 void TracingCommands::trace_picture(const QString& path) {
     const WaitCursor waiting;
-    layers::Picture picture =
-        layers::reduced(io::read_picture(path.toStdString()).picture, kMostSide_px, kMostSide_px);
+    pigment::Picture picture =
+        layers::reduced(files::read_picture(path.toStdString()).picture, kMostSide_px, kMostSide_px);
     const layers::PicturePlace place =
         project::fitted_place(picture.width, picture.height, studio_.session().canvas());
     studio_.session().post(
-        document::LayTracing{std::make_shared<const layers::Picture>(std::move(picture)), place});
+        document::LayTracing{std::make_shared<const pigment::Picture>(std::move(picture)), place});
     studio_.commands().action(Command::ShowTracing)->setChecked(true);
     studio_.canvas().show_tracing(true);
 }

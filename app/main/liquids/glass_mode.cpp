@@ -113,7 +113,7 @@ glass::LiquidPictureDialog& GlassMode::picture() {
     connect(picture_.get(), &glass::LiquidPictureDialog::rendering_begins, this,
             [this] { session().set_paused(true); });
     connect(picture_.get(), &glass::LiquidPictureDialog::wanted_on_canvas, this,
-            [this](const layers::Picture& picture) {
+            [this](const pigment::Picture& picture) {
                 leave();
                 pictures_.paint_picture(picture, words_.layer);
             });
@@ -129,13 +129,13 @@ void GlassMode::ask_export() {
 
 void GlassMode::export_mesh(const QString& path) {
     const std::filesystem::path file = path.toStdString();
-    if (!io::is_mesh_path(file))
+    if (!liquid_files::is_mesh_path(file))
         throw core::InputError(file.string() +
                                ": the name must end in .pbrt, .obj, .ply or .stl. Choose one of them.");
     const MeshWriter write = mesh_writer();
     if (!write) return;
     export_.start([write, file, told = words_.exported.arg(path)](const BackgroundExport::Stops& stops) {
-        return write(file, stops) == io::ExportStatus::Stopped ? QString() : told;
+        return write(file, stops) == files::ExportStatus::Stopped ? QString() : told;
     });
 }
 

@@ -4,7 +4,7 @@
 
 #include "glass/glass_page.hpp"
 #include "glass/liquid_picture_dialog.hpp"
-#include "io/mesh_export.hpp"
+#include "liquid_files/mesh_export.hpp"
 #include "main/canvas/canvas_place.hpp"
 #include "main/files/background_export.hpp"
 #include "session/liquid_picture.hpp"
@@ -56,7 +56,7 @@ class GlassMode : public QObject {
     glass::LiquidPictureDialog& picture();
 
   protected:
-    using MeshWriter = std::function<io::ExportStatus(const std::filesystem::path& file,
+    using MeshWriter = std::function<files::ExportStatus(const std::filesystem::path& file,
                                                       const BackgroundExport::Stops& stops)>;
 
     GlassMode(Studio& studio, PictureLayers& pictures, CanvasPlace& place, const GlassCommands& commands,

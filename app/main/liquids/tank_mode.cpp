@@ -1,7 +1,7 @@
 #include "main/liquids/tank_mode.hpp"
 
 #include "glass/glass_chooser.hpp"
-#include "io/tank_json.hpp"
+#include "liquid_files/tank_json.hpp"
 #include "main/liquids/tank_surface_file.hpp"
 #include "main/queued_refresh.hpp"
 
@@ -133,7 +133,7 @@ void TankMode::make_ready() {
     if (page_ == nullptr) make_page();
     if (key_.isEmpty()) {
         key_ = QString::fromLatin1(kFalling);
-        scene_ = io::read_tank(kFalling);
+        scene_ = liquid_files::read_tank(kFalling);
     }
     if (session_ == nullptr) begin_session();
     page_->panel().chooser().show_choice(key_);
@@ -168,7 +168,7 @@ void TankMode::choose(const QString& key) {
 }
 
 void TankMode::open_scene(const QString& path_or_name) {
-    scene_ = io::read_tank(path_or_name.toStdString());
+    scene_ = liquid_files::read_tank(path_or_name.toStdString());
     key_ = path_or_name;
     if (session_ != nullptr) session_->new_tank(scene_);
     enter();
@@ -302,7 +302,7 @@ void TankMode::export_all(const QString& folder) {
             const QString name = QStringLiteral("/liquid_%1.obj").arg(++number, 4, 10, QLatin1Char('0'));
             const std::filesystem::path file = (folder + name).toStdString();
             if (write_tank_surface(*kept.place, kept.frames.at(step), file, pool, stops) ==
-                io::ExportStatus::Stopped)
+                files::ExportStatus::Stopped)
                 return QString();
         }
         return told;

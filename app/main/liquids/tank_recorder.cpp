@@ -1,7 +1,6 @@
 #include "main/liquids/tank_recorder.hpp"
 
 #include "glass/tank_view.hpp"
-#include "io/image.hpp"
 #include "main/liquids/tank_surface_file.hpp"
 
 #include <algorithm>
@@ -28,9 +27,9 @@ int next_number(const QString& folder, const QString& ending) {
     return next;
 }
 
-shade::Image8 image_of(const QImage& picture) {
+pigment::Image8 image_of(const QImage& picture) {
     const QImage rgb = picture.convertToFormat(QImage::Format_RGB888);
-    shade::Image8 image{rgb.width(), rgb.height(), {}};
+    pigment::Image8 image{rgb.width(), rgb.height(), {}};
     for (int y = 0; y < rgb.height(); ++y)
         image.rgb.insert(image.rgb.end(), rgb.constScanLine(y),
                          rgb.constScanLine(y) + 3 * std::ptrdiff_t{rgb.width()});
@@ -117,7 +116,7 @@ void TankRecorder::tell_done(Recorded what, const std::string& error) {
 TankRecorder::Write TankRecorder::writer(Recorded what) {
     if (what == Recorded::Pictures)
         return [picture = view_.picture()](const std::filesystem::path& file) {
-            io::write_image(file, image_of(picture));
+            files::write_image(file, image_of(picture));
         };
     return [this, moment = moment_](const std::filesystem::path& file) {
         core::ThreadPool pool;

@@ -2,12 +2,12 @@
 
 namespace pastoso::main {
 
-io::ExportStatus write_tank_surface(const session::TankPlace& place, const session::TankSeen& seen,
+files::ExportStatus write_tank_surface(const session::TankPlace& place, const session::TankSeen& seen,
                                     const std::filesystem::path& file, core::ThreadPool& pool,
                                     const std::function<bool()>& stops) {
-    io::MeshExportOptions options;
+    liquid_files::MeshExportOptions options;
     options.what = "liquid";
-    return io::export_mesh(file, session::liquid_surface(place, seen, 0.0F, pool), options,
+    return liquid_files::export_mesh(file, session::liquid_surface(place, seen, 0.0F, pool), options,
                            [&stops](double) { return !stops(); });
 }
 

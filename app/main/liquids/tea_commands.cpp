@@ -1,8 +1,8 @@
 // What the commands of the Milk Tea mode do.
 
 #include "core/text_file.hpp"
-#include "io/mesh_export.hpp"
-#include "io/tea_json.hpp"
+#include "liquid_files/mesh_export.hpp"
+#include "liquid_files/tea_json.hpp"
 #include "main/liquids/tea_mode.hpp"
 
 #include <utility>
@@ -89,7 +89,7 @@ void TeaMode::move_axis(double right, double away) {
 // ---- scenes
 
 void TeaMode::open_scene(const QString& path) {
-    liquid::TeaSettings settings = io::read_tea(path.toStdString());
+    liquid::TeaSettings settings = liquid_files::read_tea(path.toStdString());
     session::TeaForce force = force_;
     force.on = settings.swirl_rad_s2 != 0.0 || settings.push_m_s2 != 0.0;
     if (force.on) {
@@ -108,7 +108,7 @@ void TeaMode::save_scene(const QString& path) const {
     settings.push_m_s2 = force_.on ? force_.push_m_s2 : 0.0;
     settings.swirl_x_m = force_.axis_m.x;
     settings.swirl_y_m = force_.axis_m.y;
-    core::write_text_file(path.toStdString(), io::tea_to_json(settings));
+    core::write_text_file(path.toStdString(), liquid_files::tea_to_json(settings));
 }
 
 void TeaMode::ask_open() {
@@ -136,7 +136,7 @@ GlassMode::MeshWriter TeaMode::mesh_writer() const {
         liquid::MilkSurfaces surfaces(pool);
         const liquid::MilkSurface milk =
             surfaces.make(moment->seen.parcels, moment->settings.cup, moment->seen.dissolved.shape());
-        return io::export_mesh(file, milk.mesh, {}, [&stops](double) { return !stops(); });
+        return liquid_files::export_mesh(file, milk.mesh, {}, [&stops](double) { return !stops(); });
     };
 }
 

@@ -110,7 +110,7 @@ void BrushJar::make_thumbnails() {
     const QSize size = panels::kThumbnailSize * pixels;
     thumbnails_ = std::make_unique<session::ThumbnailPainter>(
         size.width(), size.height(),
-        [panel = brushes_, pixels](const std::string& name, const shade::Image8& thumbnail) {
+        [panel = brushes_, pixels](const std::string& name, const pigment::Image8& thumbnail) {
             QImage image = QImage(thumbnail.rgb.data(), thumbnail.width, thumbnail.height,
                                   3 * thumbnail.width, QImage::Format_RGB888)
                                .copy();

@@ -17,7 +17,7 @@ constexpr int kRest_ms = 250;
 
 constexpr double kNarrowest_mm = 1.0;
 
-QImage image_of(const layers::Picture& picture) {
+QImage image_of(const pigment::Picture& picture) {
     return QImage(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
                   QImage::Format_RGBA8888);
 }

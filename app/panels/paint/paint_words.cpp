@@ -1,7 +1,7 @@
 #include "panels/paint/paint_words.hpp"
 
 #include "appearance/shown_names.hpp"
-#include "document/number_text.hpp"
+#include "core/number_text.hpp"
 #include "pigment/paint_name.hpp"
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace pastoso::panels {
 namespace {
 
 QString number_words(double number) {
-    return QString::fromStdString(document::number_text(number));
+    return QString::fromStdString(core::number_text(number));
 }
 
 /// Whole percents, and tenths where a tenth matters.

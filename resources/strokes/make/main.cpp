@@ -1,6 +1,6 @@
 // Writes the example recordings anew: pastoso-make-examples FOLDER.
 #include "core/error.hpp"
-#include "io/recording_json.hpp"
+#include "recordings/recording_json.hpp"
 #include "scenes.hpp"
 
 #include <cstdio>
@@ -13,12 +13,13 @@ int main(int argc, char** argv) {
     }
     try {
         const std::filesystem::path folder = argv[1];
-        pastoso::io::write_recording_json(folder / "palette.json", pastoso::examples::palette());
-        pastoso::io::write_recording_json(folder / "poppies.json", pastoso::examples::poppies());
-        pastoso::io::write_recording_json(folder / "sampler.json", pastoso::examples::sampler());
-        pastoso::io::write_recording_json(folder / "sheet.json", pastoso::examples::sheet());
-        pastoso::io::write_recording_json(folder / "still-life.json", pastoso::examples::still_life());
-        pastoso::io::write_recording_json(folder / "surf.json", pastoso::examples::surf());
+        pastoso::recordings::write_recording_json(folder / "palette.json", pastoso::examples::palette());
+        pastoso::recordings::write_recording_json(folder / "poppies.json", pastoso::examples::poppies());
+        pastoso::recordings::write_recording_json(folder / "sampler.json", pastoso::examples::sampler());
+        pastoso::recordings::write_recording_json(folder / "sheet.json", pastoso::examples::sheet());
+        pastoso::recordings::write_recording_json(folder / "still-life.json",
+                                                  pastoso::examples::still_life());
+        pastoso::recordings::write_recording_json(folder / "surf.json", pastoso::examples::surf());
     } catch (const pastoso::core::InputError& error) {
         std::fprintf(stderr, "pastoso-make-examples: %s\n", error.what());
         return 1;

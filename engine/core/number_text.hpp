@@ -1,0 +1,15 @@
+// Numbers as text, for people and for files.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace pastoso::core {
+
+/// The shortest decimal text that reads back as the same number: "0.1", "1e+30", "nan".
+std::string number_text(double value);
+
+/// Sixteen hexadecimal digits.
+std::string hex_text(std::uint64_t value);
+
+}  // namespace pastoso::core

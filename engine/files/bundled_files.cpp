@@ -1,0 +1,38 @@
+#include "files/bundled_files.hpp"
+
+#include "core/error.hpp"
+#include "core/resources.hpp"
+#include "core/text_file.hpp"
+
+namespace pastoso::files {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> bundled_names(const std::string& folder) {
+    std::vector<std::string> names;
+    for (const fs::path& file : core::files_in(core::resource_path(folder), ".json"))
+        names.push_back(file.stem().string());
+    return names;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names)
+        text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+fs::path scene_path(const std::string& path_or_name, const std::string& folder) {
+    std::error_code ignored;
+    const fs::path path = path_or_name;
+    if (path.has_extension() || path.has_parent_path() || fs::exists(path, ignored)) return path;
+    const fs::path bundled = core::resource_path(folder) / (path_or_name + ".json");
+    if (!fs::exists(bundled, ignored)) {
+        throw core::InputError(
+            "There is no scene \"" + path_or_name +
+            "\"; give a file ending in .json, or one of: " + listed(bundled_names(folder)) + ".");
+    }
+    return bundled;
+}
+
+}  // namespace pastoso::files

@@ -1,0 +1,50 @@
+#include "files/images_library.hpp"
+
+#include "core/error.hpp"
+#include "core/resources.hpp"
+
+#include <dlfcn.h>
+#include <string>
+
+namespace pastoso::files {
+namespace {
+
+template <class Function>
+Function* find(void* module, const char* name) {
+    return reinterpret_cast<Function*>(::dlsym(module, name));
+}
+
+ImagesLibrary open_library() {
+    const std::string path =
+        (core::program_folder().parent_path() / "lib" / "pastoso" / "pastoso-images.so").string();
+    void* module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (module == nullptr) {
+        throw core::InputError(path + ": this part of the program cannot be loaded (" + ::dlerror() +
+                               ").");
+    }
+    auto* const abi = find<PastosoImagesAbi>(module, "pastoso_images_abi");
+    if (abi == nullptr || abi() != kPastosoImagesAbi) {
+        throw core::InputError(path + ": this part of the program is of another version; reinstall it.");
+    }
+    return {find<PastosoImagesOpen>(module, "pastoso_images_open"),
+            find<PastosoImagesWriteRows>(module, "pastoso_images_write_rows"),
+            find<PastosoImagesFinish>(module, "pastoso_images_finish"),
+            find<PastosoImagesClose>(module, "pastoso_images_close"),
+            find<PastosoImagesEncode>(module, "pastoso_images_encode"),
+            find<PastosoImagesFreeFile>(module, "pastoso_images_free_file"),
+            find<PastosoImagesReadGrey>(module, "pastoso_images_read_grey"),
+            find<PastosoImagesFree>(module, "pastoso_images_free"),
+            find<PastosoImagesReadColours>(module, "pastoso_images_read_colours"),
+            find<PastosoImagesFreeColours>(module, "pastoso_images_free_colours"),
+            find<PastosoImagesDecodePng>(module, "pastoso_images_decode_png"),
+            find<PastosoImagesFreePixels>(module, "pastoso_images_free_pixels")};
+}
+
+}  // namespace
+
+const ImagesLibrary& images_library() {
+    static const ImagesLibrary library = open_library();
+    return library;
+}
+
+}  // namespace pastoso::files

@@ -1,0 +1,27 @@
+// Opens the image module.
+#pragma once
+
+#include "files/images_abi.hpp"
+
+namespace pastoso::files {
+
+struct ImagesLibrary {
+    PastosoImagesOpen* open = nullptr;
+    PastosoImagesWriteRows* write_rows = nullptr;
+    PastosoImagesFinish* finish = nullptr;
+    PastosoImagesClose* close = nullptr;
+    PastosoImagesEncode* encode = nullptr;
+    PastosoImagesFreeFile* free_file = nullptr;
+    PastosoImagesReadGrey* read_grey = nullptr;
+    PastosoImagesFree* free = nullptr;
+    PastosoImagesReadColours* read_colours = nullptr;
+    PastosoImagesFreeColours* free_colours = nullptr;
+    PastosoImagesDecodePng* decode_png = nullptr;
+    PastosoImagesFreePixels* free_pixels = nullptr;
+};
+
+/// The module "pastoso-images.so" in ../lib/pastoso beside the program's folder, opened at the first
+/// call and kept. Throws InputError when it is missing or of another version. Safe on any thread.
+const ImagesLibrary& images_library();
+
+}  // namespace pastoso::files

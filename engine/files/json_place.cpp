@@ -1,0 +1,143 @@
+#include "files/json_place.hpp"
+
+#include "core/json_depth.hpp"
+
+#include <algorithm>
+
+namespace pastoso::files {
+namespace {
+
+/// The library's message without its own number and place: what follows the last "]" or "column N: ".
+std::string plain_reason(const std::string& message) {
+    const std::size_t column = message.find("column ");
+    if (column != std::string::npos) {
+        const std::size_t colon = message.find(": ", column);
+        if (colon != std::string::npos) return message.substr(colon + 2);
+    }
+    const std::size_t bracket = message.find("] ");
+    return bracket == std::string::npos ? message : message.substr(bracket + 2);
+}
+
+long line_of_byte(std::string_view text, std::size_t byte) {
+    const std::string_view before = text.substr(0, std::min(byte, text.size()));
+    return 1 + std::count(before.begin(), before.end(), '\n');
+}
+
+/// The value as it stands in the file, shortened to what fits a sentence. What is nested is not written
+/// out: a malicious file may nest deeper than the stack is.
+std::string excerpt(const Json& value) {
+    if (value.is_array()) return "a list";
+    if (value.is_object()) return "an object";
+    constexpr std::size_t kLongest = 40;
+    std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
+    return text;
+}
+
+}  // namespace
+
+Json parse_json(std::string_view text, const std::string& file) {
+    core::check_json_depth(text, file);
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        throw core::located_error(file, line_of_byte(text, error.byte),
+                                  "this is not valid JSON: " + plain_reason(error.what()) + ".");
+    } catch (const Json::exception& error) {
+        throw core::located_error(file, 0,
+                                  "this is not valid JSON: " + plain_reason(error.what()) + ".");
+    }
+}
+
+void JsonPlace::fail(const std::string& message) const {
+    throw core::InputError(*file_ + (path_.empty() ? "" : ", " + path_) + ": " + message);
+}
+
+void JsonPlace::expect(bool is_kind, const char* kind) const {
+    if (!is_kind) fail(std::string("expected ") + kind + ", found " + excerpt(*value_) + ".");
+}
+
+JsonPlace JsonPlace::entry(const char* key) const {
+    std::optional<JsonPlace> found = optional_entry(key);
+    if (!found) fail(std::string("the entry \"") + key + "\" is missing.");
+    return *std::move(found);
+}
+
+std::optional<JsonPlace> JsonPlace::optional_entry(const char* key) const {
+    expect(value_->is_object(), "an object");
+    const auto found = value_->find(key);
+    if (found == value_->end()) return std::nullopt;
+    return JsonPlace(*found, *file_, path_.empty() ? key : path_ + "." + key);
+}
+
+void JsonPlace::allow_only(std::span<const std::string_view> keys) const {
+    expect(value_->is_object(), "an object");
+    for (const auto& item : value_->items()) {
+        if (std::find(keys.begin(), keys.end(), item.key()) == keys.end()) {
+            fail("there is no such entry as \"" + item.key() + "\" here.");
+        }
+    }
+}
+
+std::size_t JsonPlace::size() const {
+    expect(value_->is_array(), "a list");
+    return value_->size();
+}
+
+JsonPlace JsonPlace::element(std::size_t index) const {
+    return {(*value_)[index], *file_, path_ + "[" + std::to_string(index) + "]"};
+}
+
+double JsonPlace::number() const {
+    expect(value_->is_number(), "a number");
+    return value_->get<double>();
+}
+
+std::int64_t JsonPlace::integer(std::int64_t least, std::int64_t most) const {
+    expect(value_->is_number_integer(), "a whole number");
+    const bool fits =
+        !value_->is_number_unsigned() || value_->get<std::uint64_t>() <= std::uint64_t{INT64_MAX};
+    const std::int64_t number = fits ? value_->get<std::int64_t>() : INT64_MAX;
+    if (number < least || number > most) {
+        fail(excerpt(*value_) + " is not between " + std::to_string(least) + " and " +
+             std::to_string(most) + ".");
+    }
+    return number;
+}
+
+std::string JsonPlace::text() const {
+    expect(value_->is_string(), "a text");
+    return value_->get<std::string>();
+}
+
+bool JsonPlace::boolean() const {
+    expect(value_->is_boolean(), "true or false");
+    return value_->get<bool>();
+}
+
+double JsonPlace::number_or(const char* key, double otherwise) const {
+    const auto place = optional_entry(key);
+    return place ? place->number() : otherwise;
+}
+
+bool JsonPlace::boolean_or(const char* key, bool otherwise) const {
+    const auto place = optional_entry(key);
+    return place ? place->boolean() : otherwise;
+}
+
+void check_format(const JsonPlace& root, const FileFormat& format) {
+    const bool has_format = root.value().is_object() && root.value().contains("format");
+    const Json* name = has_format ? &root.entry("format").value() : nullptr;
+    if (name == nullptr || !name->is_string() || name->get<std::string>() != format.name) {
+        root.fail(std::string("this is not ") + format.thing + "; it would begin with \"format\": \"" +
+                  format.name + "\".");
+    }
+    const std::int64_t version = root.entry("version").integer(1, INT32_MAX);
+    if (version > format.newest) {
+        root.fail(std::string("this was written by a newer Pastoso (") + format.format + " " +
+                  std::to_string(version) + "; this program reads up to " +
+                  std::to_string(format.newest) + ").");
+    }
+}
+
+}  // namespace pastoso::files

@@ -1,0 +1,441 @@
+#include "recordings/recording_json.hpp"
+
+#include "core/random.hpp"
+#include "core/text_file.hpp"
+#include "document/error_of.hpp"
+
+#include <filesystem>
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace pastoso::recordings {
+namespace {
+
+using namespace document;
+using testing::HasSubstr;
+
+LoadPaint double_load() {
+    LoadPaint load;
+    load.paint = {{{"PB29", 1.0}, {"PW6", 0.3}, {"PB29", 0.1}, {"#c03020", 0.2}}, 0.7};
+    load.second = {{{"PY35", 1.0}}, 1.0};
+    load.second_share = 0.4;
+    load.share_variation = 0.6;
+    load.side_by_side = true;
+    load.fill = 0.9;
+    return load;
+}
+
+LoadPaint plain_load() {
+    LoadPaint load;
+    load.paint = {{{"PR254", 2.0}}, 1.0};
+    return load;
+}
+
+film::Medium stiffer_house_paint() {
+    film::Medium medium = film::find_medium("house paint");
+    medium.yield_stress_Pa = 12.3;
+    medium.viscosity_m2_s = 1.0 / 300.0;
+    return medium;
+}
+
+/// Every kind of event, strokes interrupted by others and never lifted, ticks that follow from the times
+/// and ticks that do not.
+Recording everything() {
+    Recording recording;
+    recording.canvas = {123.4, 56.7, 3.5, "panel", "", 0.1};
+    recording.events = {
+        {0, UseMedium{"house paint"}},
+        {0, UseMedium{"house paint", stiffer_house_paint()}},
+        {0, TiltCanvas{35.5, -45}},
+        {0, TakeBrush{"flat", 11.5, 7}},
+        {0, double_load()},
+        {1, SetDrying{{60, 8, 20, 30.5, 40}}},
+        {1, SetDrying{}},
+        {2, DryNow{}},
+        {2, LoadPaint{}},
+        {3, PenDown{{0.05, 1, 2, 0.1, 10, 0, 0}}},
+        {3, PenMove{{0.0625, 1.5, 2.25, 0.3, 0, 0, 45}}},
+        {4, PenMove{{0.07, 2, 3, 0.5}}},
+        {6, PenUp{}},
+        {10, plain_load()},
+        {10, PenDown{{0.2, 5, 5, 0.5}}},
+        {12, TiltCanvas{60, 90}},
+        {13, PenMove{{0.25, 6, 5, 0.5, 1.25, -2.5, 0}}},
+        {14, Undo{}},
+        {15, PenUp{}},
+        {16, Redo{}},
+        {17, PenDown{{0.3, 5, 5, 0.5}}},
+        {18, PenDown{{0.3, 6, 6, 0.5}}},
+        {18, PenUp{}},
+        {19, CleanBrush{}},
+        {19, CleanBrush{0.75}},
+        {20, PenMove{{0.4, 6, 6, 0.5}}},
+        {21, SetStabiliser{{120, 2.5}}},
+        {21, SetStabiliser{}},
+        {22, SetGuide{}},
+        {22, SetGuide{{brush::StraightLine{}, 5.0, true}}},
+        {22, SetGuide{{brush::Ruler{1.5, 2, -3, 4}, 0.0, false}}},
+        {22, SetGuide{{brush::EllipseCurve{50, 30, 20.5, 10, 15}, 2.0, true}}},
+        {23, SetSymmetry{{60, 28.35, 12.5, true, 8}}},
+        {24, SetSymmetry{}},
+        {30, SqueezePaint{{{{"PR108", 1.0}, {"PW6", 2.0}}, 0.9}, 320.5, 20, 30.25}},
+        {31, PenDown{{0.5, 20, 30, 0.5}, Surface::Well}},
+        {32, PenMove{{0.52, 25, 30, 0.5}}},
+        {32, TiltCanvas{10, 90}},
+        {33, PenMove{{0.54, 30, 30, 0.5}}},
+        {33, PenUp{}},
+        {34, CleanWell{}},
+        {35, AddLayer{"Sky, \"far\""}},
+        {35, SelectLayer{1}},
+        {36, SetLayer{2, {"Sky", false, true, 0.25}}},
+        {36, DuplicateLayer{2}},
+        {37, MoveLayer{3, 0, 0}},
+        {37, GroupLayers{"Both", {1, 2}}},
+        {37, MoveLayer{3, 1, 1}},
+        {38, SetGroup{1, {"Both", true, false, 0.5}}},
+        {38, MoveGroup{1, 0}},
+        {39, UngroupLayers{1}},
+        {40, MergeDown{2}},
+        {41, ClearLayer{3}},
+        {41, RemoveLayer{3}},
+        {42, FlattenLayers{}},
+        {43, SelectArea{{{1, 2}, {30.5, 2}, {20, 40}}}},
+        {43, SelectArea{{{1, 2}, {3, 2}, {2, -4}}, Combination::Subtract}},
+        {44, SelectByHeight{0.25, 3, Combination::Intersect}},
+        {44, SelectByWetness{0.5, 1000, Combination::Add}},
+        {45, ResizeCanvas{-2.5, 3, 120, 90.5}},
+        {45, InvertSelection{}},
+        {45, TransformLayer{2, {10, 12.5, -3, 4, 30, 0.5, -2}}},
+        {45, SelectAll{}},
+    };
+    recording.end_tick = 100;
+    return recording;
+}
+
+std::string error(const std::string& text) {
+    return error_of([&] { recording_from_json(text, "s.json"); });
+}
+
+/// A file whose only event is given.
+std::string file_with(const std::string& event) {
+    return R"({"format":"pastoso-strokes","version":1,"canvas":{"width_mm":100,"height_mm":80},"end_tick":900,)"
+           R"("events":[)" +
+           event + "]}";
+}
+
+std::string stroke_error(const std::string& samples) {
+    return error(file_with(R"({"tick":0,"stroke":{"samples":)" + samples + "}}"));
+}
+
+TEST(RecordingJson, KeepsEverything) {
+    const Recording recording = everything();
+    EXPECT_EQ(recording_from_json(recording_to_json(recording), "s.json"), recording);
+}
+
+TEST(RecordingJson, KeepsEveryBitOfRandomNumbers) {
+    Recording recording;
+    auto noise = [n = 0U]() mutable {
+        n += 2;
+        return core::uniform_noise(n, 1) + 1e-9 * core::uniform_noise(n + 1, 1);
+    };
+    double time_s = 0.0;
+    std::int64_t tick = 0;
+    for (int i = 0; i < 500; ++i) {
+        time_s += 0.01 * noise();
+        tick += static_cast<std::int64_t>(2.0 * noise());
+        const brush::PenSample sample{time_s,       100 * noise(), 100 * noise(), noise(),
+                                      90 * noise(), -90 * noise(), 360 * noise()};
+        if (i % 20 == 0)
+            recording.events.push_back({tick, PenDown{sample}});
+        else
+            recording.events.push_back({tick, PenMove{sample}});
+        if (i % 20 == 19) recording.events.push_back({tick, PenUp{}});
+    }
+    recording.end_tick = tick;
+    EXPECT_EQ(recording_from_json(recording_to_json(recording), "s.json"), recording);
+}
+
+TEST(RecordingJson, ReadsASmallFileWrittenByHand) {
+    const Recording recording = recording_from_json(
+        file_with(R"({"tick":3,"stroke":{"samples":[[0.1,1,2,0.5],[0.2,3,4,1,5]]}})"), "s.json");
+    const std::vector<Event> expected = {
+        {6, PenDown{{0.1, 1, 2, 0.5}}}, {12, PenMove{{0.2, 3, 4, 1, 5, 0, 0}}}, {12, PenUp{}}};
+    EXPECT_EQ(recording.events, expected);
+    EXPECT_EQ(recording.canvas.support, "linen");
+    EXPECT_EQ(recording.canvas.px_per_mm, 4.0);
+}
+
+TEST(RecordingJson, NamesTheLineOfASyntaxError) {
+    EXPECT_THAT(error("{\n\"format\": \"pastoso-strokes\",\n\"version\": }"),
+                HasSubstr("s.json, line 3: this is not valid JSON: "));
+    EXPECT_THAT(error(""), HasSubstr("s.json, line 1: this is not valid JSON: "));
+    EXPECT_THAT(error("{\"format\": 1e999}"), HasSubstr("1e999"));
+    EXPECT_THAT(error("{\"format\": NaN}"), HasSubstr("s.json, line 1: this is not valid JSON: "));
+}
+
+TEST(RecordingJson, RefusesOtherJson) {
+    const std::string sentence =
+        "s.json: this is not a stroke recording; it would begin with \"format\": \"pastoso-strokes\".";
+    EXPECT_EQ(error("[1, 2]"), sentence);
+    EXPECT_EQ(error("{}"), sentence);
+    EXPECT_EQ(error("{\"format\": \"other\"}"), sentence);
+}
+
+TEST(RecordingJson, ReadsTheFirstVersion) {
+    const Recording recording =
+        recording_from_json(file_with(R"({"tick":3,"use_medium":{"name":"ink glaze"}})"), "s.json");
+    ASSERT_EQ(recording.events.size(), 1U);
+    EXPECT_EQ(std::get<UseMedium>(recording.events[0].action).name, "ink glaze");
+}
+
+TEST(RecordingJson, MediaOfOnesOwnNeedNameOnlyTheNumbersThatDiffer) {
+    const Recording recording = recording_from_json(
+        file_with(R"({"tick":3,"use_medium":{"name":"House Paint","numbers":{"yield_stress_Pa":7}}})"),
+        "s.json");
+    film::Medium expected = film::find_medium("house paint");
+    expected.yield_stress_Pa = 7.0;
+    EXPECT_EQ(std::get<UseMedium>(recording.events.at(0).action), (UseMedium{"house paint", expected}));
+}
+
+TEST(RecordingJson, NumbersOfAMediumAreLocated) {
+    EXPECT_EQ(error(file_with(R"({"tick":3,"use_medium":{"name":"oil","numbers":{}}})"))
+                  .find("s.json, events[0].use_medium.name: There is no medium \"oil\""),
+              0U);
+    EXPECT_EQ(
+        error(file_with(R"({"tick":3,"use_medium":{"name":"house paint","numbers":{"slip_cells":7}}})")),
+        "s.json, events[0].use_medium.numbers: this paint (\"house paint\"): slip_cells is 7, it "
+        "must be a number from 0.0 to 1.0.");
+}
+
+TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
+    EXPECT_EQ(
+        error(R"({"format":"pastoso-strokes","version":9,"more":[]})"),
+        "s.json: this was written by a newer Pastoso (stroke format 9; this program reads up to 8).");
+}
+
+TEST(RecordingJson, NamesWhatIsMissingOrMisspelt) {
+    EXPECT_EQ(error(R"({"format":"pastoso-strokes","version":1})"),
+              "s.json: the entry \"canvas\" is missing.");
+    EXPECT_EQ(error(file_with(R"({"tick":0,"take_brush":{"preset":"flat","size":3}})")),
+              "s.json, events[0].take_brush: there is no such entry as \"size\" here.");
+    EXPECT_THAT(error(file_with(R"({"tick":0,"jump":{}})")),
+                HasSubstr("s.json, events[0]: expected one of stroke"));
+    EXPECT_EQ(error(file_with(R"({"tick":0,"undo":{},"redo":{}})")),
+              "s.json, events[0]: there is no such entry as \"redo\" here.");
+}
+
+TEST(RecordingJson, NamesWhatIsOfTheWrongKind) {
+    EXPECT_EQ(error(file_with("7")), "s.json, events[0]: expected an object, found 7.");
+    EXPECT_EQ(error(file_with(R"({"tick":"now","undo":{}})")),
+              "s.json, events[0].tick: expected a whole number, found \"now\".");
+    EXPECT_EQ(error(file_with(R"({"tick":0.5,"undo":{}})")),
+              "s.json, events[0].tick: expected a whole number, found 0.5.");
+    EXPECT_EQ(error(file_with(R"({"tick":0,"stroke":{"samples":{}}})")),
+              "s.json, events[0].stroke.samples: expected a list, found an object.");
+    EXPECT_EQ(stroke_error(R"([[0,1,"two",0.5]])"),
+              "s.json, events[0].stroke.samples[0][2]: expected a number, found \"two\".");
+    EXPECT_EQ(stroke_error("[[0,1,null,0.5]]"),
+              "s.json, events[0].stroke.samples[0][2]: expected a number, found null.");
+}
+
+TEST(RecordingJson, SurvivesDeepNesting) {
+    const std::size_t depth = 200'000;
+    EXPECT_EQ(error(file_with(std::string(depth, '[') + std::string(depth, ']'))),
+              "s.json: lists and objects are nested more than 64 deep.");
+}
+
+TEST(RecordingJson, RefusesSamplesOutOfRange) {
+    EXPECT_EQ(stroke_error("[[0,1,2,0.5],[0.1,1,2,-0.5]]"),
+              "s.json, events[0].stroke.samples[1]: the pressure of the pen is -0.5, but must lie "
+              "between 0 and 1.");
+    EXPECT_THAT(stroke_error("[[0,1,2,1.01]]"),
+                HasSubstr("samples[0]: the pressure of the pen is 1.01"));
+    EXPECT_THAT(stroke_error("[[-1,1,2,1]]"), HasSubstr("samples[0]: the time of the pen in s is -1"));
+    EXPECT_THAT(stroke_error("[[0,1e9,2,1]]"), HasSubstr("samples[0]: the x of the pen in mm is 1e+09"));
+    EXPECT_THAT(stroke_error("[[0,1,2,1,91]]"), HasSubstr("samples[0]: the x tilt of the pen is 91"));
+    EXPECT_THAT(stroke_error("[[0,1,2]]"), HasSubstr("samples[0]: a sample has 4 to 7 numbers"));
+    EXPECT_THAT(stroke_error("[[0,1,2,1,0,0,0,0]]"),
+                HasSubstr("samples[0]: a sample has 4 to 7 numbers"));
+    EXPECT_THAT(stroke_error("[]"), HasSubstr("stroke.samples: a stroke needs at least one sample."));
+    EXPECT_THAT(stroke_error("[[300000,1,2,1]]"),
+                HasSubstr("samples[0]: the time lies more than a day"));
+}
+
+TEST(RecordingJson, RefusesTimesAndTicksThatRunBackwards) {
+    EXPECT_EQ(stroke_error("[[0.5,1,2,0.5],[0.4,1,2,0.5]]"),
+              "s.json, events[0].stroke.samples[1]: the time 0.4 s is earlier than 0.5 s before it.");
+    EXPECT_EQ(error(file_with(R"({"tick":5,"undo":{}},{"tick":4,"undo":{}})")),
+              "s.json, events[1].tick: the tick 4 is earlier than 5 before it.");
+    EXPECT_EQ(error(file_with(R"({"tick":1000,"undo":{}})")),
+              "s.json, end_tick: the tick 900 is earlier than 1000 before it.");
+    EXPECT_EQ(error(file_with(R"({"tick":0,"stroke":{"samples":[[0,1,1,1],[0,1,1,1]],"ticks":[4,3]}})")),
+              "s.json, events[0].stroke.ticks[1]: the tick 3 is earlier than 4 before it.");
+}
+
+TEST(RecordingJson, RefusesTicksThatDoNotMatchTheSamples) {
+    EXPECT_EQ(error(file_with(R"({"tick":0,"stroke":{"samples":[[0,1,1,1]],"ticks":[4,3]}})")),
+              "s.json, events[0].stroke.ticks: there are 2 ticks for 1 samples.");
+    EXPECT_EQ(error(file_with(R"({"tick":9999999,"undo":{}})")),
+              "s.json, events[0].tick: 9999999 is not between 0 and 5184000.");
+    EXPECT_THAT(error(file_with(R"({"tick":18446744073709551615,"undo":{}})")),
+                HasSubstr("is not between"));
+    EXPECT_THAT(error(file_with(R"({"tick":-1,"undo":{}})")), HasSubstr("-1 is not between"));
+}
+
+TEST(RecordingJson, RefusesUnknownNamesAndAbsurdValues) {
+    EXPECT_THAT(error(file_with(R"({"tick":0,"take_brush":{"preset":"broom"}})")),
+                HasSubstr("s.json, events[0].take_brush: "));
+    EXPECT_THAT(error(file_with(R"({"tick":0,"load_paint":{"paint":{"mix":[["XX1",1]]}}})")),
+                HasSubstr("XX1"));
+    EXPECT_THAT(error(file_with(R"({"tick":0,"set_drying":{"speed":-1}})")),
+                HasSubstr("the speed of drying is -1"));
+    EXPECT_THAT(error(file_with(R"({"tick":0,"set_drying":{"speed":1,"fan":0.5}})")),
+                HasSubstr("the strength of the fan is 0.5"));
+    EXPECT_THAT(error(file_with(R"({"tick":0,"load_paint":{"paint":{"mix":[["PB29",0]]}}})")),
+                HasSubstr("the number of parts of PB29 is 0"));
+    EXPECT_THAT(
+        error(file_with(R"({"tick":0,"load_paint":{"paint":{"mix":[["PB29",1]],"strength":2}}})")),
+        HasSubstr("the strength of the paint is 2"));
+    EXPECT_THAT(error(file_with(R"({"tick":0,"load_paint":{"paint":{"mix":["PB29"]}}})")),
+                HasSubstr("mix[0]"));
+    EXPECT_THAT(error(file_with(R"({"tick":0,"use_medium":{"name":"honey"}})")), HasSubstr("honey"));
+    EXPECT_THAT(error(file_with(R"({"tick":0,"tilt_canvas":{"tilt_deg":91}})")),
+                HasSubstr("the tilt of the canvas is 91"));
+    EXPECT_THAT(error(file_with(R"({"tick":0,"take_brush":{"preset":"flat","size_mm":-3}})")),
+                HasSubstr("the width of the brush in mm is -3"));
+}
+
+TEST(RecordingJson, ReadsAidsWrittenByHand) {
+    const Recording recording = recording_from_json(
+        file_with(
+            R"({"tick":0,"set_symmetry":{"centre_x_mm":50,"centre_y_mm":40,"count":6}},)"
+            R"({"tick":0,"set_guide":{"form":"ellipse","centre_mm":[1,2],"half_width_mm":3,"half_height_mm":4}},)"
+            R"({"tick":0,"set_guide":{"form":"none"}},{"tick":0,"set_stabiliser":{"string_mm":3}})"),
+        "s.json");
+    const std::vector<Event> expected = {
+        {0, SetSymmetry{{.centre_x_mm = 50, .centre_y_mm = 40, .count = 6}}},
+        {0, SetGuide{{.form = brush::EllipseCurve{1, 2, 3, 4, 0}}}},
+        {0, SetGuide{}},
+        {0, SetStabiliser{{.string_mm = 3}}}};
+    EXPECT_EQ(recording.events, expected);
+}
+
+TEST(RecordingJson, RefusesBadAids) {
+    const auto refused = [](const std::string& event) {
+        return error(file_with(R"({"tick":0,)" + event + "}"));
+    };
+    EXPECT_EQ(refused(R"("set_symmetry":{"centre_x_mm":1,"centre_y_mm":1,"count":0})"),
+              "s.json, events[0].set_symmetry.count: 0 is not between 1 and 16.");
+    EXPECT_EQ(refused(R"("set_symmetry":{"centre_x_mm":1,"centre_y_mm":1,"count":2.5})"),
+              "s.json, events[0].set_symmetry.count: expected a whole number, found 2.5.");
+    EXPECT_EQ(refused(R"("set_symmetry":{"centre_y_mm":1})"),
+              "s.json, events[0].set_symmetry: the entry \"centre_x_mm\" is missing.");
+    EXPECT_EQ(refused(R"("set_symmetry":{"centre_x_mm":null,"centre_y_mm":1})"),
+              "s.json, events[0].set_symmetry.centre_x_mm: expected a number, found null.");
+    EXPECT_THAT(refused(R"("set_symmetry":{"centre_x_mm":NaN,"centre_y_mm":1})"),
+                HasSubstr("s.json, line 1: this is not valid JSON"));
+    EXPECT_EQ(refused(R"("set_symmetry":{"centre_x_mm":1e9,"centre_y_mm":1})"),
+              "s.json, events[0].set_symmetry: the x of the centre of the symmetry in mm is 1e+09, but "
+              "must lie between -20000 and 20000.");
+    EXPECT_THAT(refused(R"("set_symmetry":{"centre_x_mm":1,"centre_y_mm":1,"mirror":1})"),
+                HasSubstr("set_symmetry.mirror: expected true or false"));
+    EXPECT_EQ(
+        refused(R"("set_guide":{"form":"spiral"})"),
+        "s.json, events[0].set_guide.form: \"spiral\" is not one of none, line, ruler and ellipse.");
+    EXPECT_EQ(refused(R"("set_guide":{"form":"line","from_mm":[1,2]})"),
+              "s.json, events[0].set_guide: there is no such entry as \"from_mm\" here.");
+    EXPECT_EQ(refused(R"("set_guide":{"form":"ruler","from_mm":[1,2],"to_mm":[1]})"),
+              "s.json, events[0].set_guide.to_mm: expected a point, for example [20, 30].");
+    EXPECT_THAT(refused(R"("set_guide":{"form":"ruler","from_mm":[1,2],"to_mm":[1,2]})"),
+                HasSubstr("events[0].set_guide: the distance of the ruler's points in mm is 0"));
+    EXPECT_THAT(refused(R"("set_stabiliser":{"smoothing_ms":-3})"),
+                HasSubstr("events[0].set_stabiliser: the smoothing of the stabiliser in ms is -3"));
+    EXPECT_THAT(refused(R"("set_stabiliser":{"string":3})"), HasSubstr("no such entry as \"string\""));
+}
+
+TEST(RecordingJson, ReadsTheWellWrittenByHand) {
+    const Recording recording = recording_from_json(
+        file_with(R"({"tick":0,"squeeze_paint":{"paint":{"mix":[["PY35",1]]},"x_mm":60,"y_mm":45}},)"
+                  R"({"tick":0,"stroke":{"surface":"well","samples":[[0,60,45,0.5]]}},)"
+                  R"({"tick":0,"stroke":{"surface":"canvas","samples":[[0,1,2,0.5]]}},)"
+                  R"({"tick":0,"clean_well":{}})"),
+        "s.json");
+    const std::vector<Event> expected = {{0, SqueezePaint{{{{"PY35", 1.0}}, 1.0}, 250.0, 60, 45}},
+                                         {0, PenDown{{0, 60, 45, 0.5}, Surface::Well}},
+                                         {0, PenUp{}},
+                                         {0, PenDown{{0, 1, 2, 0.5}, Surface::Canvas}},
+                                         {0, PenUp{}},
+                                         {0, CleanWell{}}};
+    EXPECT_EQ(recording.events, expected);
+}
+
+TEST(RecordingJson, RefusesABadWell) {
+    const auto refused = [](const std::string& event) {
+        return error(file_with(R"({"tick":0,)" + event + "}"));
+    };
+    EXPECT_EQ(refused(R"("stroke":{"surface":"floor","samples":[[0,1,2,0.5]]})"),
+              "s.json, events[0].stroke.surface: there is no surface \"floor\"; a stroke is on the "
+              "\"canvas\" or the \"well\".");
+    EXPECT_EQ(refused(R"("stroke":{"surface":3,"samples":[[0,1,2,0.5]]})"),
+              "s.json, events[0].stroke.surface: expected a text, found 3.");
+    EXPECT_EQ(refused(R"("stroke":{"surface":"well","continued":true,"samples":[[0,1,2,0.5]]})"),
+              "s.json, events[0].stroke.surface: a stroke that goes on stays on its surface.");
+    const auto squeeze = [&](const std::string& rest) {
+        return refused(R"("squeeze_paint":{"paint":{"mix":[["PY35",1]]},)" + rest + "}");
+    };
+    EXPECT_EQ(squeeze(R"("x_mm":10)"),
+              "s.json, events[0].squeeze_paint: the entry \"y_mm\" is missing.");
+    EXPECT_EQ(squeeze(R"("x_mm":10,"y_mm":91)"),
+              "s.json, events[0].squeeze_paint: the y of the squeezed paint in mm is 91, but must lie "
+              "between 0 and 90.");
+    EXPECT_EQ(squeeze(R"("x_mm":10,"y_mm":10,"volume_mm3":1e6)"),
+              "s.json, events[0].squeeze_paint: the volume of the squeezed paint in mm3 is 1e+06, but "
+              "must lie between 1 and 5000.");
+    EXPECT_EQ(refused(R"("clean_well":{"all":true})"),
+              "s.json, events[0].clean_well: there is no such entry as \"all\" here.");
+}
+
+TEST(RecordingJson, WithoutTheWellOlderProgramsCanReadIt) {
+    Recording recording;
+    EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 3,"));
+    recording.events = {{0, CleanWell{}}};
+    EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 4,"));
+}
+
+TEST(RecordingJson, RefusesAbsurdCanvases) {
+    const auto canvas_error = [](const std::string& canvas) {
+        return error(R"({"format":"pastoso-strokes","version":1,"canvas":)" + canvas +
+                     R"(,"end_tick":0,"events":[]})");
+    };
+    EXPECT_EQ(canvas_error(R"({"width_mm":-5,"height_mm":10})"),
+              "s.json, canvas: The width of the canvas is -5 mm, but must lie between 1 and 5000.");
+    EXPECT_THAT(canvas_error(R"({"width_mm":1e30,"height_mm":10})"), HasSubstr("1e+30"));
+    EXPECT_THAT(canvas_error(R"({"width_mm":4000,"height_mm":4000,"px_per_mm":60})"),
+                HasSubstr("at most 32768 a side"));
+}
+
+TEST(RecordingJson, TakesTheHeightImageFromTheRecordingsFolder) {
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("pastoso-json-" + std::to_string(::getpid()));
+    std::filesystem::create_directory(folder);
+    Recording recording;
+    recording.canvas.support = "image";
+    recording.canvas.support_image = "relief.png";
+    write_recording_json(folder / "s.json", recording);
+    EXPECT_EQ(read_recording_json(folder / "s.json").canvas.support_image,
+              (folder / "relief.png").string());
+    recording.canvas.support_image = "/somewhere/relief.png";
+    write_recording_json(folder / "s.json", recording);
+    EXPECT_EQ(read_recording_json(folder / "s.json").canvas.support_image, "/somewhere/relief.png");
+    std::filesystem::remove_all(folder);
+}
+
+TEST(RecordingJson, NamesMissingFiles) {
+    EXPECT_EQ(error_of([] { read_recording_json("/nonexistent/s.json"); }),
+              "/nonexistent/s.json: cannot be opened (No such file or directory).");
+}
+
+}  // namespace
+}  // namespace pastoso::recordings
