@@ -15,7 +15,7 @@ lupdate="$(qmake6 -query QT_INSTALL_BINS 2>/dev/null)/lupdate"
 [[ -x "$lupdate" ]] || fail "there is no lupdate; packaging/install.sh build installs it."
 cd "$root"
 for language in en ja sv zh_TW; do
-    "$lupdate" -silent -locations none -no-obsolete -tr-function-alias QT_TR_NOOP+=PASTOSO_WORDS app -ts "resources/translations/pastoso_$language.ts" \
+    "$lupdate" -silent -locations none -no-obsolete -tr-function-alias QT_TR_NOOP+=PASTOSO_WORDS -tr-function-alias QT_TR_NOOP+=step_name app engine/document/actions -ts "resources/translations/pastoso_$language.ts" \
         -source-language en -target-language "$language" 2>&1 |
         sed '/lacks Q_OBJECT macro/d; /Qualifying with unknown/d'  # of tables that are translated by their namespace
 done

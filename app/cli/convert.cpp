@@ -47,9 +47,9 @@ project::LoadedProject imported(const ConvertOptions& options, core::ThreadPool&
 }
 
 void print_canvas(const ConvertOptions& options, const document::PaintingState& painting) {
-    const document::CanvasSettings& canvas = painting.settings;
+    const document::CanvasSettings& canvas = painting.value.bare->settings;
     const grid::Shape shape = document::canvas_shape(canvas);
-    const std::size_t layers = painting.layers.layers.size();
+    const std::size_t layers = painting.value.layers.layers.size();
     std::printf("%s: %s x %s mm, %d x %d cells, %zu %s\n", options.output.c_str(),
                 number_text(canvas.width_mm).c_str(), number_text(canvas.height_mm).c_str(), shape.width,
                 shape.height, layers, layers == 1 ? "layer" : "layers");

@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "core/text_file.hpp"
-#include "document/action_checks.hpp"
+#include "document/actions/actions.hpp"
 #include "document/canvas.hpp"
 #include "pigment/gpl.hpp"
 #include "recordings/recording_json.hpp"

@@ -1,7 +1,7 @@
 #include "cli/scene_report.hpp"
 
+#include "core/memory.hpp"
 #include "files/json_place.hpp"
-#include "recordings/replay_stats.hpp"
 
 #include <algorithm>
 #include <cstdio>

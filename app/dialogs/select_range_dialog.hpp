@@ -1,7 +1,7 @@
 // Asks which paint to select, by how high or how wet it stands; the window shows what it would be.
 #pragma once
 
-#include "document/selection_events.hpp"
+#include "document/actions/selection_actions.hpp"
 
 #include <QDialog>
 

@@ -1,6 +1,6 @@
 #include "dialogs/transform_dialog.hpp"
 
-#include "document/action_checks.hpp"
+#include "document/actions/actions.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -342,7 +342,7 @@ void PaintSession::apply(const document::Action& action) {
 void PaintSession::do_action(const document::Action& action) {
     painting_->apply(action);
     strokes_ += std::holds_alternative<document::PenDown>(action) ? 1 : 0;
-    changes_ += journal::changes_painting(action) ? 1 : 0;
+    changes_ += document::traits_of(action).changes_painting ? 1 : 0;
     if (journal_) journal_->note({painting_->tick(), action});
     const std::lock_guard lock(mutex_);
     recorder_.add(painting_->tick(), action);

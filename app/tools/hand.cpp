@@ -1,6 +1,6 @@
 #include "tools/hand.hpp"
 
-#include "document/action_checks.hpp"
+#include "document/actions/actions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,8 @@
 namespace pastoso::tools {
 namespace {
 
-/// Changes the hand as one action does; most change nothing.
+/// Changes the hand as one action does; what neither dips the brush nor is in the set-up changes
+/// nothing.
 struct HandChange {
     Hand& hand;
 
@@ -44,7 +45,7 @@ struct HandChange {
         hand.ellipse = ellipse != nullptr ? std::optional(*ellipse) : std::nullopt;
     }
     template <class Other>
-    void operator()(const Other&) const {}
+    requires(!document::Table<Other>::kTraits.in_set_up) void operator()(const Other&) const {}
 };
 
 }  // namespace

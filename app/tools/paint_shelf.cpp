@@ -1,6 +1,6 @@
 #include "tools/paint_shelf.hpp"
 
-#include "document/action_checks.hpp"
+#include "document/actions/actions.hpp"
 #include "recordings/paint_json.hpp"
 #include "tools/memory_file.hpp"
 

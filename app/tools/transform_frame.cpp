@@ -1,7 +1,7 @@
 #include "tools/transform_frame.hpp"
 
 #include "core/units.hpp"
-#include "document/action_checks.hpp"
+#include "document/actions/actions.hpp"
 
 #include <algorithm>
 #include <cmath>

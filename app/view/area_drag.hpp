@@ -1,7 +1,7 @@
 // Drawing the outline of an area over the canvas.
 #pragma once
 
-#include "document/selection_events.hpp"
+#include "document/actions/selection_actions.hpp"
 
 #include <optional>
 #include <vector>

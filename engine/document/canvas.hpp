@@ -1,7 +1,8 @@
 // The size of a canvas: in cells, in bytes, and whether this machine can hold it.
 #pragma once
 
-#include "document/events.hpp"
+#include "document/actions/canvas_actions.hpp"
+#include "document/canvas_settings.hpp"
 #include "film/support/support.hpp"
 #include "grid/extent.hpp"
 
@@ -9,8 +10,6 @@
 
 namespace pastoso::document {
 
-inline constexpr double kMinCanvasSide_mm = 1.0;
-inline constexpr double kMaxCanvasSide_mm = 5000.0;
 inline constexpr double kMinPxPerMm = 0.25;
 inline constexpr double kMaxPxPerMm = 64.0;
 /// How far from the origin of its cloth a canvas may begin.

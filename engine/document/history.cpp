@@ -31,7 +31,7 @@ void History::set_limits(std::size_t budget_bytes, std::size_t packed_bytes, std
     finish_packing();
 }
 
-void History::remember(Moment before, Step step) {
+void History::remember(Moment before, UndoStep step) {
     future_.clear();
     if (most_moments_ == 0) return;
     before.step = std::move(step);

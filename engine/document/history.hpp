@@ -31,7 +31,7 @@ class History {
     void keep_steps(std::size_t count);
 
     /// Keeps the moment before a change. What was undone until now cannot be redone any more.
-    void remember(Moment before, Step step);
+    void remember(Moment before, UndoStep step);
 
     bool can_undo() const { return !past_.empty(); }
     bool can_redo() const { return !future_.empty(); }

@@ -190,63 +190,49 @@ film::FilmState view_of(const film::FilmState& film, const film::SupportHeights&
     return layers::View().of(bare_canvas_like(film, bare_mm), seen_layers(stack, active), pool);
 }
 
-LayeredCanvas::LayeredCanvas(film::FilmState bare, const film::Medium& medium, core::ThreadPool& pool)
-    : film(std::move(bare)),
-      solver(film, medium, kSolving, pool),
-      pool_(pool),
-      bare_mm_(film.support_mm),
-      base_mm_(film.support_mm),
-      stack_(single_layer()) {}
-
-LayeredCanvas::LayeredCanvas(film::FilmState active, film::SupportHeights bare_mm, LayerStack stack,
-                             const film::Medium& medium, core::ThreadPool& pool)
-    : film(std::move(active)),
-      solver(film, medium, kSolving, pool),
-      pool_(pool),
-      bare_mm_(std::move(bare_mm)),
-      stack_(std::move(stack)) {
-    base_mm_ = base_of(stack_);
+LayeredCanvas::LayeredCanvas(PaintingValue& painting, const film::Medium& medium, core::ThreadPool& pool)
+    : solver(painting.film, medium, kSolving, pool), pool_(pool), painting_(painting) {
+    base_mm_ = base_of(painting.layers);
 }
 
-LayerChange LayeredCanvas::resize(const grid::Extent& extent, film::SupportHeights bare_mm) {
-    PASTOSO_CHECK(bare_mm.shape() == extent.shape);
+LayerChange LayeredCanvas::resize(const grid::Extent& extent, std::shared_ptr<const BareCanvas> bare) {
+    PASTOSO_CHECK(bare->support_mm.shape() == extent.shape);
     LayerStack stack = all_asleep();
     LayerChange change{.before = paint(), .after = {}};
     for (Layer& layer : stack.layers)
         layer.asleep = asleep(layers::on_extent(*layer.asleep, extent));
-    bare_mm_ = std::move(bare_mm);
-    base_mm_ = base_below_active(stack, bare_mm_);
-    film = layers::laid_on(*stack.layers[stack.active].asleep, base_mm_);
+    base_mm_ = base_below_active(stack, bare->support_mm);
+    painting_.bare = std::move(bare);
+    painting_.film = layers::laid_on(*stack.layers[stack.active].asleep, base_mm_);
     stack.layers[stack.active].asleep.reset();
-    stack_ = std::move(stack);
+    painting_.layers = std::move(stack);
     solver.reshape();
     change.after = paint();
     return change;
 }
 
-void LayeredCanvas::restore(film::FilmState then, LayerStack stack,
-                            const film::SupportHeights* other_bare_mm) {
-    film = std::move(then);
-    if (other_bare_mm != nullptr) {
-        bare_mm_ = *other_bare_mm;
-        stack_ = std::move(stack);
-        base_mm_ = base_below_active(stack_, bare_mm_);
+void LayeredCanvas::restore(const PaintingValue& then) {
+    painting_.film = then.film;
+    const bool same_below = films_below_active(then.layers) == films_below_active(painting_.layers);
+    painting_.layers = then.layers;
+    if (then.bare != painting_.bare) {
+        painting_.bare = then.bare;
+        base_mm_ = base_below_active(painting_.layers, painting_.bare->support_mm);
         solver.reshape();
-        return;
+    } else if (!same_below) {
+        base_mm_ = base_of(painting_.layers);
     }
-    if (films_below_active(stack) != films_below_active(stack_)) base_mm_ = base_of(stack);
-    stack_ = std::move(stack);
 }
 
 film::SupportHeights LayeredCanvas::base_of(const LayerStack& stack) const {
-    film::SupportHeights base = base_below_active(stack, bare_mm_);
+    film::SupportHeights base = base_below_active(stack, painting_.bare->support_mm);
     share_equal_tiles(base_mm_, base);
     return base;
 }
 
 LayerStack LayeredCanvas::all_asleep() {
-    LayerStack stack = stack_;
-    stack.layers[stack.active].asleep = asleep(lifter_.lifted_off(film, base_mm_));
+    LayerStack stack = painting_.layers;
+    stack.layers[stack.active].asleep = asleep(lifter_.lifted_off(painting_.film, base_mm_));
     return stack;
 }
 
@@ -259,24 +245,24 @@ void LayeredCanvas::rearrange(const std::function<void(LayerStack&)>& change) {
     const bool same_base = shares_all_tiles(base, base_mm_);
     base_mm_ = std::move(base);
     if (!same_paint || !same_base) {
-        film = layers::laid_on(*stack.layers[stack.active].asleep, base_mm_);
+        painting_.film = layers::laid_on(*stack.layers[stack.active].asleep, base_mm_);
         solver.wake_all();
     }
     stack.layers[stack.active].asleep.reset();
-    stack_ = std::move(stack);
+    painting_.layers = std::move(stack);
 }
 
 void LayeredCanvas::add(const AddLayer& added) {
     rearrange([&](LayerStack& stack) {
         check_room(stack);
         insert_above(stack, stack.active, {.name = added.name},
-                     asleep(film::FilmState(film.shape, film.cell_mm)));
+                     asleep(film::FilmState(painting_.film.shape, painting_.film.cell_mm)));
     });
 }
 
 void LayeredCanvas::select(const SelectLayer& selected) {
-    const std::size_t place = place_of(stack_, selected.layer);
-    if (place == stack_.active) return;
+    const std::size_t place = place_of(painting_.layers, selected.layer);
+    if (place == painting_.layers.active) return;
     rearrange([&](LayerStack& stack) { stack.active = place; });
 }
 
@@ -305,12 +291,12 @@ void LayeredCanvas::ungroup(const UngroupLayers& ungroup) {
 }
 
 void LayeredCanvas::merge_down(const MergeDown& merge) {
-    const std::size_t place = place_of(stack_, merge.layer);
+    const std::size_t place = place_of(painting_.layers, merge.layer);
     if (place == 0)
-        throw core::InputError("there is no layer below \"" + stack_.layers[0].look.name +
+        throw core::InputError("there is no layer below \"" + painting_.layers.layers[0].look.name +
                                "\" to merge it onto.");
-    check_paintable(stack_, place - 1);
-    check_paintable(stack_, place);
+    check_paintable(painting_.layers, place - 1);
+    check_paintable(painting_.layers, place);
     rearrange([&](LayerStack& stack) { merge_onto_lower(stack, place, pool_); });
 }
 
@@ -334,8 +320,8 @@ LayerPaint LayeredCanvas::paint_picture(const PaintPicture& paint) {
     LayerPaint taken;
     rearrange([&](LayerStack& stack) {
         check_room(stack);
-        film::FilmState flat =
-            layers::flat_paint(*paint.picture, paint.place, film.shape, film.cell_mm, pool_);
+        film::FilmState flat = layers::flat_paint(*paint.picture, paint.place, painting_.film.shape,
+                                                  painting_.film.cell_mm, pool_);
         taken = paint_on(flat);
         insert_above(stack, stack.active, {.name = paint.name}, asleep(std::move(flat)));
     });
@@ -373,7 +359,7 @@ LayerPaint LayeredCanvas::clear(const ClearLayer& clear, const grid::Mask* selec
         const std::size_t place = place_of(stack, clear.layer);
         check_unlocked(stack, place);
         AsleepFilm& layer = stack.layers[place].asleep;
-        layers::CutLayer parts{*layer, film::FilmState(film.shape, film.cell_mm)};
+        layers::CutLayer parts{*layer, film::FilmState(painting_.film.shape, painting_.film.cell_mm)};
         if (selection != nullptr) parts = layers::cut(*layer, *selection);
         wiped = paint_on(parts.inside);
         layer = asleep(std::move(parts.outside));
@@ -395,20 +381,17 @@ LayerChange LayeredCanvas::transform(const TransformLayer& transform, const grid
 }
 
 LayerPaint LayeredCanvas::paint() const {
-    LayerPaint sums = paint_on(film);
-    for (const Layer& layer : stack_.layers)
+    LayerPaint sums = paint_on(painting_.film);
+    for (const Layer& layer : painting_.layers.layers)
         if (layer.asleep) document::add(paint_on(*layer.asleep), sums);
     return sums;
 }
 
 film::FilmState LayeredCanvas::view() {
-    if (is_single(stack_)) return film;
-    const film::FilmState active = lifter_.lifted_off(film, base_mm_);
-    return view_.of(bare_canvas_like(film, bare_mm_), seen_layers(stack_, active), pool_);
-}
-
-std::uint64_t LayeredCanvas::state_hash() const {
-    return document::state_hash(film, stack_);
+    if (is_single(painting_.layers)) return painting_.film;
+    const film::FilmState active = lifter_.lifted_off(painting_.film, base_mm_);
+    return view_.of(bare_canvas_like(painting_.film, painting_.bare->support_mm),
+                    seen_layers(painting_.layers, active), pool_);
 }
 
 std::uint64_t state_hash(const film::FilmState& film, const LayerStack& stack) {

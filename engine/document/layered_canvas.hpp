@@ -3,8 +3,10 @@
 
 #include "brush/contents.hpp"
 #include "core/thread_pool.hpp"
-#include "document/layers.hpp"
-#include "document/picture_events.hpp"
+#include "document/actions/group_actions.hpp"
+#include "document/actions/layer_actions.hpp"
+#include "document/actions/picture_actions.hpp"
+#include "document/painting_value.hpp"
 #include "film/medium.hpp"
 #include "film/solver.hpp"
 #include "film/state.hpp"
@@ -45,35 +47,25 @@ struct LayerChange {
     LayerPaint before, after;
 };
 
-/// Not to be copied: the solver holds on to the film.
+/// Moves the paint of a painting's active layer, and changes its layers: film, stack and bare canvas of
+/// the value, which outlives it. Not to be copied: the solver holds on to the film.
 class LayeredCanvas {
   public:
-    LayeredCanvas(film::FilmState bare, const film::Medium& medium, core::ThreadPool& pool);
-
-    /// Goes on with a film on the bare canvas of these heights, that is the stack's active layer on what
-    /// is visible below it.
-    LayeredCanvas(film::FilmState film, film::SupportHeights bare_mm, LayerStack stack,
-                  const film::Medium& medium, core::ThreadPool& pool);
+    LayeredCanvas(PaintingValue& painting, const film::Medium& medium, core::ThreadPool& pool);
 
     LayeredCanvas(const LayeredCanvas&) = delete;
     LayeredCanvas& operator=(const LayeredCanvas&) = delete;
 
-    film::FilmState film;  ///< of the active layer, on what is visible below it
     film::Solver solver;
 
-    const LayerStack& stack() const { return stack_; }
-    const film::SupportHeights& bare_mm() const { return bare_mm_; }
+    /// Returns to film, stack and bare canvas of another value. Which of its paint moves is for the
+    /// caller to say (film::Solver::restart).
+    void restore(const PaintingValue& then);
 
-    /// Returns to a film and a stack of before, on another bare canvas unless that is null. Which of its
-    /// paint moves is for the caller to say (film::Solver::restart).
-    void restore(film::FilmState film, LayerStack stack,
-                 const film::SupportHeights* other_bare_mm = nullptr);
+    /// Cuts the canvas or makes it larger; `bare` is the support of all of it. What is cut off is gone.
+    LayerChange resize(const grid::Extent& extent, std::shared_ptr<const BareCanvas> bare);
 
-    /// Cuts the canvas or makes it larger; `bare_mm` is the support of all of it. What is cut off is
-    /// gone.
-    LayerChange resize(const grid::Extent& extent, film::SupportHeights bare_mm);
-
-    // Changes of the layers (layer_events.hpp, picture_events.hpp). They throw InputError, and leave all
+    // Changes of the layers (actions). They throw InputError, and leave all
     // as it was, for layers and places that there are not, and for changes of what is locked.
 
     void add(const AddLayer& added);
@@ -99,19 +91,15 @@ class LayeredCanvas {
     /// All that is visible as one film (layers/view.hpp).
     film::FilmState view();
 
-    std::uint64_t state_hash() const;
-
   private:
     /// Changes a stack in which every layer is asleep, and lays it out again.
     void rearrange(const std::function<void(LayerStack&)>& change);
     LayerStack all_asleep();
-    void lay_out(LayerStack stack);
     film::SupportHeights base_of(const LayerStack& stack) const;
 
     core::ThreadPool& pool_;
-    film::SupportHeights bare_mm_;  ///< the support's own
-    film::SupportHeights base_mm_;  ///< with all that is visible below the active layer
-    LayerStack stack_;
+    PaintingValue& painting_;
+    film::SupportHeights base_mm_;  ///< the bare support with all that is visible below the active layer
     layers::Lifter lifter_;
     layers::View view_;
 };

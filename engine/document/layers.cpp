@@ -1,7 +1,7 @@
 #include "document/layers.hpp"
 
 #include "core/error.hpp"
-#include "core/number_text.hpp"
+#include "document/actions/field_checks.hpp"
 
 #include <algorithm>
 #include <set>
@@ -94,12 +94,7 @@ bool is_single(const LayerStack& stack) {
 }
 
 void check_look(const LayerLook& look) {
-    if (look.name.size() > kMostLayerName)
-        throw core::InputError("the name of a layer has " + std::to_string(look.name.size()) +
-                               " bytes, but at most " + std::to_string(kMostLayerName) + " are kept.");
-    if (!(look.opacity >= 0.0 && look.opacity <= 1.0))
-        throw core::InputError("the opacity of the layer is " + core::number_text(look.opacity) +
-                               ", but must lie between 0 and 1.");
+    check_fields(look);
 }
 
 void check_stack(const LayerStack& stack) {

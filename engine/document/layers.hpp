@@ -1,7 +1,8 @@
 // The layers of a painting from below, each with strata of dried paint and a wet film.
 #pragma once
 
-#include "document/layer_events.hpp"
+#include "document/actions/group_actions.hpp"
+#include "document/actions/layer_actions.hpp"
 #include "film/state.hpp"
 
 #include <cstddef>
@@ -9,10 +10,6 @@
 #include <vector>
 
 namespace pastoso::document {
-
-/// More than a painter can tell apart, and few enough to look through all of them.
-inline constexpr std::size_t kMostLayers = 100;
-inline constexpr std::size_t kMostLayerName = 200;
 
 struct Layer {
     LayerId id = 0;

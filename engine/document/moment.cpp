@@ -4,10 +4,17 @@
 
 #include <functional>
 #include <mutex>
+#include <type_traits>
 #include <utility>
 
 namespace pastoso::document {
 namespace {
+
+/// Fields whose bytes are those of the struct, or shared by every moment.
+template <class Field>
+constexpr bool kCountedByItsSize =
+    std::is_trivially_copyable_v<Field> || std::is_same_v<Field, UseMedium> ||
+    std::is_same_v<Field, std::shared_ptr<const BareCanvas>>;
 
 /// Of all layers and of the well.
 template <class Tiles>
@@ -24,28 +31,28 @@ struct AllFilms {
 };
 
 const Layer* layer_of(const Moment& moment, LayerId id) {
-    for (const Layer& layer : moment.layers.layers)
+    for (const Layer& layer : moment.value.layers.layers)
         if (layer.id == id) return &layer;
     return nullptr;
 }
 
 bool is_active(const Moment& moment, std::size_t place) {
-    return place == moment.layers.active;
+    return place == moment.value.layers.active;
 }
 
 /// Whether both have the very same film asleep.
 bool is_shared(const Moment& older, std::size_t place, const Moment& newer) {
-    const Layer& layer = older.layers.layers[place];
+    const Layer& layer = older.value.layers.layers[place];
     const Layer* then = layer_of(newer, layer.id);
     return !is_active(older, place) && then != nullptr && then->asleep == layer.asleep;
 }
 
 const film::FilmState& film_of(const Moment& moment, std::size_t place) {
-    return is_active(moment, place) ? moment.canvas.film : *moment.layers.layers[place].asleep;
+    return is_active(moment, place) ? moment.value.film : *moment.value.layers.layers[place].asleep;
 }
 
 film::FilmState film_of_layer(const Moment& moment, LayerId id) {
-    const film::FilmState& canvas = moment.canvas.film;
+    const film::FilmState& canvas = moment.value.film;
     const Layer* layer = layer_of(moment, id);
     if (layer == nullptr) return {canvas.shape, canvas.cell_mm};
     return layer->asleep ? *layer->asleep : canvas;
@@ -56,55 +63,76 @@ film::FilmState film_of_layer(const Moment& moment, LayerId id) {
 /// own relief: they have no tile in common.
 film::FilmState counterpart(const Layer& layer, bool active, const grid::Shape& shape,
                             const Moment& newer) {
-    if (shape != newer.canvas.film.shape) return {shape, newer.canvas.film.cell_mm};
+    if (shape != newer.value.film.shape) return {shape, newer.value.film.cell_mm};
     film::FilmState film = film_of_layer(newer, layer.id);
     const Layer* then = layer_of(newer, layer.id);
     if (active)
-        film.support_mm = newer.canvas.film.support_mm;
+        film.support_mm = newer.value.film.support_mm;
     else if (then != nullptr && !then->asleep)
         film.support_mm = film::SupportHeights(film.shape);
     return film;
 }
 
 const film::FilmState& well_of(const Moment& moment, const film::FilmState& bare) {
-    return moment.well ? moment.well->film : bare;
+    return moment.value.well ? *moment.value.well : bare;
 }
+
+/// Takes the films out of a value, tiles and all.
+struct FilmRemover {
+    void operator()(film::FilmState& film) const { film = {}; }
+    void operator()(LayerStack& stack) const {
+        for (Layer& layer : stack.layers)
+            layer.asleep.reset();
+    }
+    void operator()(std::optional<film::FilmState>& well) const {
+        if (well) *well = {};
+    }
+    void operator()(auto&) const {}
+};
 
 Moment without_films(const Moment& moment) {
     Moment rest = moment;
-    rest.canvas.film = {};
-    for (Layer& layer : rest.layers.layers)
-        layer.asleep.reset();
-    if (rest.well) rest.well->film = {};
+    for_each_field(FilmRemover{}, rest.value);
     return rest;
 }
 
-std::size_t bytes_without_films(const Moment& moment) {
-    std::size_t bytes = sizeof(Moment) + moment.canvas.awake.size() / 8 +
-                        moment.layers.layers.size() * sizeof(Layer) +
-                        moment.layers.groups.size() * sizeof(LayerGroup);
-    if (moment.brush)
-        bytes += moment.brush->held.size() * sizeof(brush::Contents) +
-                 moment.brush->tip.bristles.size() * sizeof(brush::Bristle);
-    return bytes;
-}
+/// What a field of the older value takes besides films and besides what the newer one shares with it.
+struct FieldBytes {
+    std::size_t sum = 0;
 
-std::size_t unshared_picture_bytes(const Moment& older, const Moment& newer) {
-    const bool shared =
-        !older.tracing || (newer.tracing && older.tracing->picture == newer.tracing->picture);
-    return shared ? 0 : older.tracing->picture->rgba.size();
-}
+    void operator()(const std::optional<BrushInHand>& brush, const std::optional<BrushInHand>&) {
+        if (!brush) return;
+        sum += brush->brush.held.size() * sizeof(brush::Contents) +
+               brush->brush.tip.bristles.size() * sizeof(brush::Bristle);
+    }
+    void operator()(const LayerStack& stack, const LayerStack&) {
+        sum += stack.layers.size() * sizeof(Layer) + stack.groups.size() * sizeof(LayerGroup);
+    }
+    void operator()(const SharedTracing& older, const SharedTracing& newer) {
+        if (older && !(newer && older->picture == newer->picture)) sum += older->picture->rgba.size();
+    }
+    void operator()(const Selection& older, const Selection& newer) {
+        if (older && older != newer) sum += grid::bytes_in_part(*older);
+    }
+    void operator()(const film::FilmState&, const film::FilmState&) {}
+    void operator()(const std::optional<film::FilmState>&, const std::optional<film::FilmState>&) {}
+    template <class Plain>
+    void operator()(const Plain&, const Plain&) {
+        static_assert(kCountedByItsSize<Plain>, "say what this field of a painting takes");
+    }
+};
 
-std::size_t unshared_selection_bytes(const Moment& older, const Moment& newer) {
-    const bool shared = !older.selection || older.selection == newer.selection;
-    return shared ? 0 : grid::bytes_in_part(*older.selection);
+std::size_t bytes_without_films(const Moment& older, const Moment& newer) {
+    FieldBytes bytes;
+    for_each_field(bytes, older.value, newer.value);
+    return sizeof(Moment) + (older.awake.size() + older.well_awake.size()) / 8 + bytes.sum;
 }
 
 /// Makes the older moment's films of the newer one's.
 template <class Tiles>
 void put(const AllFilms<Tiles>& films, const grid::Shape& shape, const Moment& newer, Moment& older) {
     for (std::size_t place = 0; place < films.layers.size(); ++place) {
-        Layer& layer = older.layers.layers[place];
+        Layer& layer = older.value.layers.layers[place];
         if (!films.layers[place]) {
             layer.asleep = layer_of(newer, layer.id)->asleep;
             continue;
@@ -112,13 +140,13 @@ void put(const AllFilms<Tiles>& films, const grid::Shape& shape, const Moment& n
         film::FilmState film = counterpart(layer, is_active(older, place), shape, newer);
         films.layers[place]->put_into(film);
         if (is_active(older, place))
-            older.canvas.film = std::move(film);
+            older.value.film = std::move(film);
         else
             layer.asleep = std::make_shared<const film::FilmState>(std::move(film));
     }
     if (!films.well) return;
-    older.well->film = well_of(newer, bare_well());
-    films.well->put_into(older.well->film);
+    older.value.well = well_of(newer, bare_well());
+    films.well->put_into(*older.value.well);
 }
 
 }  // namespace
@@ -130,14 +158,14 @@ struct MomentDifference::Tiles {
 
     static std::shared_ptr<const Raw> taken(const Moment& older, const Moment& newer) {
         auto raw = std::make_shared<Raw>();
-        for (std::size_t place = 0; place < older.layers.layers.size(); ++place) {
+        for (std::size_t place = 0; place < older.value.layers.layers.size(); ++place) {
             auto& tiles = raw->layers.emplace_back();
             if (is_shared(older, place, newer)) continue;
-            const Layer& layer = older.layers.layers[place];
+            const Layer& layer = older.value.layers.layers[place];
             tiles.emplace(film_of(older, place),
-                          counterpart(layer, is_active(older, place), older.canvas.film.shape, newer));
+                          counterpart(layer, is_active(older, place), older.value.film.shape, newer));
         }
-        if (older.well) raw->well.emplace(older.well->film, well_of(newer, bare_well()));
+        if (older.value.well) raw->well.emplace(*older.value.well, well_of(newer, bare_well()));
         return raw;
     }
 
@@ -149,7 +177,7 @@ struct MomentDifference::Tiles {
             auto& layer = packed->layers.emplace_back();
             if (tiles) layer.emplace(*tiles, film_of(older, place), rest);
         }
-        if (raw.well) packed->well.emplace(*raw.well, older.well->film, rest);
+        if (raw.well) packed->well.emplace(*raw.well, *older.value.well, rest);
         return packed;
     }
 
@@ -181,9 +209,8 @@ struct MomentDifference::Tiles {
 
 MomentDifference::MomentDifference(const Moment& older, const Moment& newer)
     : rest_(without_films(older)),
-      shape_(older.canvas.film.shape),
-      rest_bytes_(bytes_without_films(older) + unshared_selection_bytes(older, newer) +
-                  unshared_picture_bytes(older, newer)),
+      shape_(older.value.film.shape),
+      rest_bytes_(bytes_without_films(older, newer)),
       tiles_(std::make_shared<Tiles>()) {
     tiles_->raw = Tiles::taken(older, newer);
     tiles_->older = std::make_shared<const Moment>(older);

@@ -62,7 +62,7 @@ class MomentStack {
     std::deque<MomentDifference> below_;
     std::optional<Moment> top_;
     std::future<Moment> coming_top_;  ///< valid while the top is being made whole
-    Step coming_step_{};
+    UndoStep coming_step_{};
 };
 
 }  // namespace pastoso::document

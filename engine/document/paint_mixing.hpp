@@ -1,7 +1,7 @@
 // From a recipe to the coefficients of the paint.
 #pragma once
 
-#include "document/events.hpp"
+#include "document/paint_recipe.hpp"
 #include "film/cell/paint_cell.hpp"
 #include "film/medium.hpp"
 

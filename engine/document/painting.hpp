@@ -8,7 +8,7 @@
 #include "document/events.hpp"
 #include "document/layers.hpp"
 #include "document/selection.hpp"
-#include "document/steps.hpp"
+#include "document/undo_step.hpp"
 #include "film/solver.hpp"
 #include "film/state.hpp"
 #include "grid/tiled_field.hpp"
@@ -65,6 +65,7 @@ struct StageTimes {
     double film_s = 0.0;
 };
 
+struct LivingPainting;
 struct PaintingState;
 
 /// Single-threaded to the outside: one thread owns it and calls everything but what a Snapshot holds.
@@ -128,8 +129,7 @@ class Painting {
     std::uint64_t state_hash() const;  ///< of the canvas, and of the well where there is something in it
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    std::unique_ptr<LivingPainting> living_;
 };
 
 }  // namespace pastoso::document

@@ -7,14 +7,12 @@
 
 namespace pastoso::document {
 
-/// Only a stroke is a step for certain; what else may be one is not counted on.
 std::size_t undo_depth(const Recording& recording) {
     std::size_t below = 0, most = 0;
     for (const Event& event : recording.events) {
-        const bool goes_on =
-            std::holds_alternative<Redo>(event.action) || std::holds_alternative<PenDown>(event.action);
-        if (std::holds_alternative<Undo>(event.action)) ++below;
-        if (goes_on && below > 0) --below;
+        const UndoRole role = undo_role(event.action);
+        if (role == UndoRole::Undo) ++below;
+        if ((role == UndoRole::Redo || role == UndoRole::Step) && below > 0) --below;
         most = std::max(most, below);
     }
     return most;

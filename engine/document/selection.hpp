@@ -1,7 +1,7 @@
 // The cells that tools may change.
 #pragma once
 
-#include "document/selection_events.hpp"
+#include "document/actions/selection_actions.hpp"
 #include "film/state.hpp"
 #include "grid/extent.hpp"
 #include "layers/transform.hpp"
@@ -12,7 +12,7 @@ namespace pastoso::document {
 
 using Selection = std::shared_ptr<const grid::Mask>;  ///< null: none is selected, all may be changed
 
-/// What the lines and the ranges of selection_events.hpp hold of a film on a bare support.
+/// What the lines and the ranges of selection_actions.hpp hold of a film on a bare support.
 grid::Mask area_of(const SelectArea& select, const film::FilmState& film);
 grid::Mask area_of(const SelectByHeight& select, const film::FilmState& film,
                    const film::SupportHeights& bare_mm);

@@ -19,8 +19,6 @@ constexpr double kLength = 1.2, kBend_rad = 1.1;
 constexpr double kFirstBead = 0.56, kLastBead = 0.36;
 constexpr int kBeads = 48;
 
-constexpr film::SolverOptions kRim = {.edge_x = film::Edge::Wall, .edge_y = film::Edge::Wall};
-
 double size_mm_of(double volume_mm3) {
     return std::cbrt(2.0 * volume_mm3 / (core::kPi * kSteepness));
 }
@@ -58,13 +56,9 @@ film::FilmState bare_well() {
     return film::FilmState(shape, 1.0 / kWellPxPerMm);
 }
 
-Well::Well(const film::Medium& medium, core::ThreadPool& pool)
-    : film(bare_well()), solver(film, medium, kRim, pool) {
-    solver.set_gravity(film::tilted_gravity(0.0));
-}
-
-brush::Contents squeeze_onto(Well& well, const film::PaintCoefficients& paint, double volume_mm3,
-                             double x_mm, double y_mm) {
+brush::Contents squeeze_onto(film::FilmState& well, film::Solver& solver,
+                             const film::PaintCoefficients& paint, double volume_mm3, double x_mm,
+                             double y_mm) {
     const double size_mm = size_mm_of(volume_mm3);
     x_mm = kept_within(x_mm, size_mm, kWellWidth_mm);
     y_mm = kept_within(y_mm, size_mm, kWellHeight_mm);
@@ -77,8 +71,8 @@ brush::Contents squeeze_onto(Well& well, const film::PaintCoefficients& paint, d
         const Bead bead = bead_at(along);
         const grid::Rect cells = brush::put_down(
             tube, volume_mm3 / kBeads, x_mm + bead.x * size_mm, y_mm + bead.y * size_mm,
-            bead.radius * size_mm, core::scramble(static_cast<std::uint32_t>(i)), well.film, scratch);
-        well.solver.wake(cells);
+            bead.radius * size_mm, core::scramble(static_cast<std::uint32_t>(i)), well, scratch);
+        solver.wake(cells);
     }
     brush::Contents squeezed = before;
     squeezed -= tube;

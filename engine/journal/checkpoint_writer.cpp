@@ -36,7 +36,7 @@ void CheckpointWriter::write_file(const Job& job) {
     const auto begin = std::chrono::steady_clock::now();
     const document::PaintingState& state = job.state;
     core::ThreadPool pool(1);
-    project::save_project(folder_ / job.checkpoint.file, {state, {state.settings, {}, state.tick}},
+    project::save_project(folder_ / job.checkpoint.file, {state, {state.value.bare->settings, {}, state.tick}},
                           pool);
     written_(job.checkpoint, {});
     files_.push_back(job.checkpoint.file);

@@ -115,7 +115,7 @@ JournalWriter::~JournalWriter() {
 void JournalWriter::note(const document::Event& event) {
     ++events_;
     since_checkpoint_.note(event.action);
-    painted_since_ = painted_since_ || changes_painting(event.action);
+    painted_since_ = painted_since_ || document::traits_of(event.action).changes_painting;
     const std::lock_guard lock(mutex_);
     pending_.push_back(event);
     tick_ = event.tick;

@@ -165,7 +165,7 @@ void add_strokes(const fs::path& folder, const Candidate& candidate, const Journ
         recovered.strokes.events.insert(recovered.strokes.events.end(), played.events.begin(),
                                         played.events.end());
     } else {
-        recovered.strokes.canvas = recovered.painting.settings;
+        recovered.strokes.canvas = recovered.painting.value.bare->settings;
         recovered.notes.push_back(damaged_place(folder, content) +
                                   ": is damaged; the painting is there, but some of its strokes are "
                                   "missing, so that they cannot be replayed.");
@@ -210,7 +210,7 @@ std::size_t unsaved_changes(const JournalContent& content) {
     for (const Run& run : content.runs) {
         for (std::size_t i = 0; i < run.recording.events.size(); ++i)
             changes +=
-                run.first_event + i >= saved && changes_painting(run.recording.events[i].action) ? 1 : 0;
+                run.first_event + i >= saved && document::traits_of(run.recording.events[i].action).changes_painting ? 1 : 0;
     }
     const bool start_is_saved = content.header && content.header->start_is_saved;
     return changes + (content.saved || start_is_saved ? 0 : 1);

@@ -19,7 +19,4 @@ class UndoReach {
     bool crossed_ = false;
 };
 
-/// Whether the action itself changes what lies on canvas and well.
-bool changes_painting(const document::Action& action);
-
 }  // namespace pastoso::journal

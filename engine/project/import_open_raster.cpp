@@ -20,7 +20,7 @@ constexpr const char* kStackEntry = "stack.xml";
 /// A whole picture, packed or not.
 constexpr std::size_t kMostPictureBytes = std::size_t{1} << 29;
 
-/// The recording of the canvas can be read again (io/picture_json.hpp).
+/// The recording of the canvas can be read again (document::kMostRecordedPixels).
 constexpr double kMostPixelsInAll = 4e8;
 /// As the file has them: a few bytes can unfold to many, and a picture can be named again and again.
 constexpr double kMostPixelsUnpacked = 2e9;

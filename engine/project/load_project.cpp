@@ -1,7 +1,7 @@
 #include "core/error.hpp"
 #include "core/memory.hpp"
-#include "document/action_checks.hpp"
 #include "document/canvas.hpp"
+#include "document/set_up.hpp"
 #include "document/well.hpp"
 #include "files/image.hpp"
 #include "film/support/support.hpp"
@@ -51,23 +51,6 @@ document::Recording read_setup(const ZipReader& archive) {
                                            place_of(archive, kSetupEntry));
 }
 
-/// Takes over what the events of the setup say.
-struct Setup {
-    PaintingState& painting;
-
-    void operator()(const document::UseMedium& use) { painting.medium = use; }
-    void operator()(const document::TiltCanvas& tilt) { painting.tilt = tilt; }
-    void operator()(const document::SetDrying& drying) { painting.air = drying.air; }
-    void operator()(const document::SetStabiliser& set) { painting.aids.stabiliser = set.stabiliser; }
-    void operator()(const document::SetGuide& set) { painting.aids.guide = set.guide; }
-    void operator()(const document::SetSymmetry& set) { painting.symmetry = set.symmetry; }
-    void operator()(const document::TakeBrush& take) {
-        painting.brush = document::BrushState{take, {}, 0};
-    }
-    template <class Other>
-    void operator()(const Other&) {}
-};
-
 void check_memory(const ZipReader& archive, const document::CanvasSettings& canvas) {
     try {
         document::check_canvas_fits(canvas, core::available_memory_bytes());
@@ -115,38 +98,41 @@ film::SupportHeights read_bare_support(const ZipReader& archive, const SurfaceIn
     return bare.film.support_mm;
 }
 
-void make_named_support(const ZipReader& archive, const ProjectIndex& index, LoadedProject& project,
-                        core::ThreadPool& pool) {
+/// The support as its name tells it; says where it is not what was painted on.
+film::SupportHeights make_named_support(const ZipReader& archive, const ProjectIndex& index,
+                                        LoadedProject& project, const document::CanvasSettings& canvas,
+                                        core::ThreadPool& pool) {
     const LayerIndex& layer = index.layers[index.active_layer];
-    PaintingState& painting = project.painting;
-    const document::CanvasSettings& canvas = painting.settings;
-    painting.bare_support_mm = named_support(archive, canvas, index.support_form, pool);
-    painting.canvas.film.support_mm = painting.bare_support_mm;
-    if (!layer.bare_support_checksum ||
-        bare_support_checksum(painting.bare_support_mm, layer.surface.entries) ==
-            layer.bare_support_checksum)
-        return;
-    project.notes.push_back(archive.name() + ": was saved by Pastoso with another form of " +
-                            canvas.support + "; where nothing is painted, the canvas looks different.");
+    film::SupportHeights support_mm = named_support(archive, canvas, index.support_form, pool);
+    if (layer.bare_support_checksum &&
+        bare_support_checksum(support_mm, layer.surface.entries) != layer.bare_support_checksum)
+        project.notes.push_back(archive.name() + ": was saved by Pastoso with another form of " +
+                                canvas.support +
+                                "; where nothing is painted, the canvas looks different.");
+    return support_mm;
 }
 
 /// The active layer lies on the canvas.
-void read_active(const ZipReader& archive, const ProjectIndex& index, LoadedProject& project,
+void read_active(const ZipReader& archive, const ProjectIndex& index,
+                 const document::CanvasSettings& canvas, LoadedProject& project,
                  core::ThreadPool& pool) {
     const LayerIndex& layer = index.layers[index.active_layer];
-    PaintingState& painting = project.painting;
     const grid::Shape& shape = layer.surface.shape;
-    painting.canvas = empty_surface(layer.surface);
-    painting.bare_support_mm = film::SupportHeights(shape);
-    const bool is_named = painting.settings.support != "image";
-    if (is_named) make_named_support(archive, index, project, pool);
+    document::SurfaceState surface = empty_surface(layer.surface);
+    const bool is_named = canvas.support != "image";
+    document::BareCanvas bare{canvas, film::SupportHeights(shape)};
+    if (is_named) bare.support_mm = make_named_support(archive, index, project, canvas, pool);
     if (index.bare_support)
-        painting.bare_support_mm =
+        bare.support_mm =
             read_bare_support(archive, *index.bare_support, shape, layer.surface.cell_mm, pool);
-    painting.canvas.film.support_mm = painting.bare_support_mm;
-    read_tiles(archive, layer.surface.entries, painting.canvas, pool);
+    surface.film.support_mm = bare.support_mm;
+    read_tiles(archive, layer.surface.entries, surface, pool);
     // Format 1 does not tell what an image gave: all that is dry counts as part of it.
-    if (!is_named && !index.bare_support) painting.bare_support_mm = painting.canvas.film.support_mm;
+    if (!is_named && !index.bare_support) bare.support_mm = surface.film.support_mm;
+    PaintingState& painting = project.painting;
+    painting.value.bare = std::make_shared<const document::BareCanvas>(std::move(bare));
+    painting.value.film = std::move(surface.film);
+    painting.solver = std::move(surface.solver);
 }
 
 std::shared_ptr<const film::FilmState> read_asleep(const ZipReader& archive, const LayerIndex& layer,
@@ -156,14 +142,14 @@ std::shared_ptr<const film::FilmState> read_asleep(const ZipReader& archive, con
     return std::make_shared<const film::FilmState>(std::move(surface.film));
 }
 
-void read_layers(const ZipReader& archive, const ProjectIndex& index, LoadedProject& project,
+void read_layers(const ZipReader& archive, const ProjectIndex& index,
+                 const document::CanvasSettings& canvas, LoadedProject& project,
                  core::ThreadPool& pool) {
-    const document::CanvasSettings& canvas = project.painting.settings;
     for (const LayerIndex& layer : index.layers)
         check_surface(archive, "canvas", layer.surface, document::canvas_shape(canvas),
                       1.0 / canvas.px_per_mm);
-    read_active(archive, index, project, pool);
-    document::LayerStack& stack = project.painting.layers = stack_of(index);
+    read_active(archive, index, canvas, project, pool);
+    document::LayerStack& stack = project.painting.value.layers = stack_of(index);
     for (std::size_t place = 0; place < stack.layers.size(); ++place)
         if (place != stack.active)
             stack.layers[place].asleep = read_asleep(archive, index.layers[place], pool);
@@ -173,8 +159,10 @@ void read_well(const ZipReader& archive, const SurfaceIndex& index, PaintingStat
                core::ThreadPool& pool) {
     const film::FilmState bare = document::bare_well();
     check_surface(archive, "mixing well", index, bare.shape, bare.cell_mm);
-    painting.well = empty_surface(index);
-    read_tiles(archive, index.entries, *painting.well, pool);
+    document::SurfaceState surface = empty_surface(index);
+    read_tiles(archive, index.entries, surface, pool);
+    painting.value.well = std::move(surface.film);
+    painting.well_solver = std::move(surface.solver);
 }
 
 /// Brushes hold millilitres, of paint that no channel counts more than a few thousand of per millimetre.
@@ -186,25 +174,24 @@ bool is_possible(const brush::Contents& held) {
                        [most](double amount) { return amount >= -kRounding && amount <= most; });
 }
 
-void read_brush(const ZipReader& archive, const BrushIndex& index, PaintingState& painting) {
+void read_brush(const ZipReader& archive, const BrushIndex& index, document::PaintingValue& painting) {
     if (!painting.brush) archive.fail(kSetupEntry, "there is no brush in hand that could hold paint.");
-    document::BrushState& state = *painting.brush;
-    const brush::Brush brush(document::preset_of(state.taken), state.taken.size_mm, state.taken.seed);
+    brush::Brush& brush = painting.brush->brush;
     const Bytes content = read_packed(archive, index.held);
     if (content.size() != brush.held.size() * sizeof(brush::Contents)) {
         archive.fail(index.held.entry,
                      "holds the paint of another brush than the one in hand, which has " +
                          std::to_string(brush.held.size()) + " bristles.");
     }
-    state.held.resize(brush.held.size());
-    std::memcpy(static_cast<void*>(state.held.data()), content.data(), content.size());
-    state.strokes_begun = index.strokes_begun;
-    if (!std::all_of(state.held.begin(), state.held.end(), is_possible))
+    std::memcpy(static_cast<void*>(brush.held.data()), content.data(), content.size());
+    brush.strokes_begun = index.strokes_begun;
+    if (!std::all_of(brush.held.begin(), brush.held.end(), is_possible))
         archive.fail(index.held.entry, "a bristle holds what none can.");
 }
 
-void read_selection(const ZipReader& archive, const PackedEntry& packed, PaintingState& painting) {
-    const grid::Shape shape = document::canvas_shape(painting.settings);
+void read_selection(const ZipReader& archive, const PackedEntry& packed,
+                    document::PaintingValue& painting) {
+    const grid::Shape shape = painting.film.shape;
     if (packed.size != mask_bytes(shape))
         archive.fail(packed.entry, "holds a selection of another canvas than this one.");
     grid::Mask mask = mask_of_bits(shape, read_packed(archive, packed));
@@ -212,7 +199,8 @@ void read_selection(const ZipReader& archive, const PackedEntry& packed, Paintin
     painting.selection = std::make_shared<const grid::Mask>(std::move(mask));
 }
 
-void read_tracing(const ZipReader& archive, const document::SetTracing& set, PaintingState& painting) {
+void read_tracing(const ZipReader& archive, const document::SetTracing& set,
+                  document::PaintingValue& painting) {
     const Bytes file = archive.read(kTracingEntry, kMostTracingBytes);
     auto picture = std::make_shared<pigment::Picture>();
     try {
@@ -225,20 +213,20 @@ void read_tracing(const ZipReader& archive, const document::SetTracing& set, Pai
 }
 
 /// Strokes that cannot be read cost their replay, not the painting.
-void read_strokes(const ZipReader& archive, const PackedEntry& strokes, LoadedProject& project) {
-    const PaintingState& painting = project.painting;
+void read_strokes(const ZipReader& archive, const PackedEntry& strokes,
+                  const document::CanvasSettings& canvas, std::int64_t tick, LoadedProject& project) {
     const std::string text = text_of(read_packed(archive, strokes));
     try {
         project.strokes = recordings::recording_from_json(text, place_of(archive, kStrokesEntry),
                                                           recordings::Names::MayBeUnknown);
     } catch (const core::InputError& error) {
-        project.strokes = {painting.settings, {}, 0};
+        project.strokes = {canvas, {}, 0};
         project.notes.push_back(
             std::string("The painting is whole, but its strokes cannot be replayed: ") + error.what());
     }
-    if (!project.strokes.events.empty() && project.strokes.events.back().tick > painting.tick)
+    if (!project.strokes.events.empty() && project.strokes.events.back().tick > tick)
         archive.fail(kStrokesEntry, "tells of strokes that are later than the painting.");
-    project.strokes.end_tick = painting.tick;
+    project.strokes.end_tick = tick;
 }
 
 LoadedProject loaded(const ZipReader& archive, core::ThreadPool& pool) {
@@ -247,23 +235,20 @@ LoadedProject loaded(const ZipReader& archive, core::ThreadPool& pool) {
     check_memory(archive, setup.canvas);
     LoadedProject project;
     PaintingState& painting = project.painting;
-    painting.settings = setup.canvas;
-    for (const document::Event& event : setup.events)
-        std::visit(Setup{painting}, event.action);
-    if (painting.medium.name.empty()) archive.fail(kSetupEntry, "there is no medium in hand.");
+    document::PaintingValue& value = painting.value;
+    document::set_up(setup, value);
+    if (value.medium.name.empty()) archive.fail(kSetupEntry, "there is no medium in hand.");
     painting.tick = index.tick;
     painting.ageing = index.ageing;
-    painting.taken = index.taken;
-    painting.wiped = index.wiped;
-    painting.forgotten_run_off = index.forgotten_run_off;
-    read_layers(archive, index, project, pool);
+    value.flows = index.flows;
+    read_layers(archive, index, setup.canvas, project, pool);
     if (index.well) read_well(archive, *index.well, painting, pool);
-    if (index.brush.has_value() != painting.brush.has_value())
+    if (index.brush.has_value() != value.brush.has_value())
         archive.fail(kIndexEntry, "the brush in hand is told of only in part.");
-    if (index.brush) read_brush(archive, *index.brush, painting);
-    if (index.selection) read_selection(archive, *index.selection, painting);
-    if (index.tracing) read_tracing(archive, *index.tracing, painting);
-    read_strokes(archive, index.strokes, project);
+    if (index.brush) read_brush(archive, *index.brush, value);
+    if (index.selection) read_selection(archive, *index.selection, value);
+    if (index.tracing) read_tracing(archive, *index.tracing, value);
+    read_strokes(archive, index.strokes, setup.canvas, painting.tick, project);
     return project;
 }
 
@@ -290,9 +275,7 @@ document::Recording load_strokes(const std::filesystem::path& path, std::vector<
     const ZipReader archive(path);
     const ProjectIndex index = read_index(archive);
     LoadedProject project;
-    project.painting.settings = read_setup(archive).canvas;
-    project.painting.tick = index.tick;
-    read_strokes(archive, index.strokes, project);
+    read_strokes(archive, index.strokes, read_setup(archive).canvas, index.tick, project);
     notes.insert(notes.end(), project.notes.begin(), project.notes.end());
     return project.strokes;
 }
@@ -306,9 +289,8 @@ ProjectSummary project_summary(const std::filesystem::path& path) {
     const ZipReader archive(path);
     const ProjectIndex index = read_index(archive);
     const document::Recording setup = read_setup(archive);
-    PaintingState painting;
-    for (const document::Event& event : setup.events)
-        std::visit(Setup{painting}, event.action);
+    document::PaintingValue painting;
+    document::set_up(setup, painting);
     std::map<std::string, KindSize> sizes;
     for (const LayerIndex& layer : index.layers)
         add_sizes(layer.surface, sizes);

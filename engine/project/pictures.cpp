@@ -47,15 +47,15 @@ std::vector<std::uint8_t> cover_of(const film::FilmState& layer, core::ThreadPoo
 }
 
 std::vector<LayerPicture> layer_pictures(const PaintingState& painting, core::ThreadPool& pool) {
-    const film::FilmState& film = painting.canvas.film;
+    const film::FilmState& film = painting.value.film;
     film::FilmState canvas(film.shape, film.cell_mm);
-    canvas.support_mm = painting.bare_support_mm;
+    canvas.support_mm = painting.value.bare->support_mm;
     std::vector<LayerPicture> pictures = {{"Canvas", true, picture_of(canvas, pool), {}}};
     const document::LayerFilms films =
-        document::layers_apart(film, painting.bare_support_mm, painting.layers);
+        document::layers_apart(film, painting.value.bare->support_mm, painting.value.layers);
     std::vector<layers::SeenLayer> seen;
     for (std::size_t place = 0; place < films.size(); ++place) {
-        const document::LayerLook look = document::effective_look(painting.layers, place);
+        const document::LayerLook look = document::effective_look(painting.value.layers, place);
         seen.push_back({films[place].get(), look.opacity});
         pictures.push_back({look.name, look.visible,
                             picture_of(layers::View().of(canvas, seen, pool), pool),
@@ -74,11 +74,12 @@ std::string entry_of(const Pictures& pictures, std::size_t index) {
 
 Pictures pictures_of(const PaintingState& painting, core::ThreadPool& pool) {
     Pictures pictures;
-    pictures.merged = picture_of(
-        document::view_of(painting.canvas.film, painting.bare_support_mm, painting.layers, pool), pool);
-    pictures.px_per_mm = pictures.merged.width / painting.settings.width_mm;
-    if (document::is_single(painting.layers))
-        pictures.layers = {{painting.layers.layers[0].look.name, true, pictures.merged, {}}};
+    pictures.merged = picture_of(document::view_of(painting.value.film, painting.value.bare->support_mm,
+                                                   painting.value.layers, pool),
+                                 pool);
+    pictures.px_per_mm = pictures.merged.width / painting.value.bare->settings.width_mm;
+    if (document::is_single(painting.value.layers))
+        pictures.layers = {{painting.value.layers.layers[0].look.name, true, pictures.merged, {}}};
     else
         pictures.layers = layer_pictures(painting, pool);
     return pictures;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/thread_pool.hpp"
+#include "document/events.hpp"
 #include "document/painting_state.hpp"
 
 #include <cstddef>

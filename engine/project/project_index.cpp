@@ -1,12 +1,10 @@
 #include "project/project_index.hpp"
 
-#include "document/action_checks.hpp"
 #include "files/json_place.hpp"
+#include "recordings/action_json.hpp"
 #include "packing/packed_bytes.hpp"
 #include "project/project_layout.hpp"
 #include "project/tile_kinds.hpp"
-#include "recordings/layers_json.hpp"
-#include "recordings/picture_json.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -343,9 +341,9 @@ std::string index_to_json(const ProjectIndex& index) {
               {"tick", index.tick},
               {"ageing", ageing_json(index.ageing)},
               {"account",
-               {{"taken", contents_json(index.taken)},
-                {"wiped", contents_json(index.wiped)},
-                {"forgotten_run_off", totals_json(index.forgotten_run_off)}}},
+               {{"taken", contents_json(index.flows.taken)},
+                {"wiped", contents_json(index.flows.wiped)},
+                {"forgotten_run_off", totals_json(index.flows.forgotten_run_off)}}},
               {"layers", std::move(layers)},
               {"stack", stack_json(index)}};
     if (index.bare_support) json["bare_support"] = surface_json(*index.bare_support);
@@ -371,9 +369,9 @@ ProjectIndex index_from_json(const std::string& text, const std::string& name) {
     index.ageing = read_ageing(root.entry("ageing"));
     const JsonPlace account = root.entry("account");
     account.allow_only({"taken", "wiped", "forgotten_run_off"});
-    index.taken = read_contents(account.entry("taken"));
-    index.wiped = read_contents(account.entry("wiped"));
-    index.forgotten_run_off = read_totals(account.entry("forgotten_run_off"));
+    index.flows.taken = read_contents(account.entry("taken"));
+    index.flows.wiped = read_contents(account.entry("wiped"));
+    index.flows.forgotten_run_off = read_totals(account.entry("forgotten_run_off"));
     read_layers(root, index);
     if (const auto bare = root.optional_entry("bare_support")) index.bare_support = read_surface(*bare);
     index.support_form = read_form(root.optional_entry("support_form"));

@@ -1,6 +1,7 @@
 // pastoso/index.json: what a project file holds, and where.
 #pragma once
 
+#include "document/actions/picture_actions.hpp"
 #include "document/painting_state.hpp"
 #include "film/support/support.hpp"
 
@@ -57,8 +58,7 @@ struct ProjectIndex {
     std::string program;  ///< that wrote it
     std::int64_t tick = 0;
     film::AgeingClock::Pending ageing{};
-    brush::Contents taken{}, wiped{};
-    film::Totals forgotten_run_off{};
+    document::PaintFlows flows{};
     std::vector<LayerIndex> layers{};  ///< from below; version 1 has one
     std::vector<document::LayerGroup> groups{};
     std::size_t active_layer = 0;

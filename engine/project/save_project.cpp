@@ -1,7 +1,7 @@
-#include "brush/preset.hpp"
 #include "core/text_file.hpp"
-#include "document/action_checks.hpp"
+#include "document/set_up.hpp"
 #include "files/image.hpp"
+#include "recordings/recording_json.hpp"
 #include "project/mask_bits.hpp"
 #include "project/project.hpp"
 #include "project/project_archive.hpp"
@@ -17,26 +17,6 @@ namespace pastoso::project {
 namespace {
 
 using document::PaintingState;
-
-/// What puts medium, brush and all else in hand again, as a recording. The brush is told in full: one
-/// that comes with the program may be another in a later version.
-document::Recording setup_of(const PaintingState& painting) {
-    document::Recording setup;
-    setup.canvas = painting.settings;
-    const auto add = [&](document::Action action) { setup.events.push_back({0, std::move(action)}); };
-    add(painting.medium);
-    add(painting.tilt);
-    add(document::SetDrying{painting.air});
-    add(document::SetStabiliser{painting.aids.stabiliser});
-    add(document::SetGuide{painting.aids.guide});
-    add(document::SetSymmetry{painting.symmetry});
-    if (painting.brush) {
-        document::TakeBrush take = painting.brush->taken;
-        take.definition = brush::preset_to_json(document::preset_of(take));
-        add(std::move(take));
-    }
-    return setup;
-}
 
 SurfaceIndex surface_index(const document::SurfaceState& surface) {
     const film::FilmState& film = surface.film;
@@ -63,9 +43,9 @@ struct Draft {
 
 std::vector<SurfaceIndex*> surfaces_of(ProjectIndex& index) {
     std::vector<SurfaceIndex*> surfaces;
+    if (index.bare_support) surfaces.push_back(&*index.bare_support);
     for (LayerIndex& layer : index.layers)
         surfaces.push_back(&layer.surface);
-    if (index.bare_support) surfaces.push_back(&*index.bare_support);
     if (index.well) surfaces.push_back(&*index.well);
     return surfaces;
 }
@@ -80,13 +60,15 @@ SurfaceIndex add_surface(const document::SurfaceState& surface, const std::strin
 
 /// The active layer, on the canvas and with the memory of its solver.
 LayerIndex add_active(const PaintingState& painting, std::size_t place, Draft& draft) {
-    LayerIndex layer{painting.layers.layers[place],
-                     layer_picture(place),
-                     add_surface(painting.canvas, layer_folder(place), draft, &painting.bare_support_mm),
-                     {}};
-    if (painting.settings.support != "image")
-        layer.bare_support_checksum =
-            bare_support_checksum(painting.bare_support_mm, layer.surface.entries);
+    const document::PaintingValue& value = painting.value;
+    const document::BareCanvas& bare = *value.bare;
+    LayerIndex layer{
+        value.layers.layers[place],
+        layer_picture(place),
+        add_surface({value.film, painting.solver}, layer_folder(place), draft, &bare.support_mm),
+        {}};
+    if (bare.settings.support != "image")
+        layer.bare_support_checksum = bare_support_checksum(bare.support_mm, layer.surface.entries);
     return layer;
 }
 
@@ -95,53 +77,69 @@ LayerIndex add_asleep(const document::Layer& layer, std::size_t place, Draft& dr
         layer, layer_picture(place), add_surface({*layer.asleep, {}}, layer_folder(place), draft), {}};
 }
 
-void add_layers(const PaintingState& painting, Draft& draft) {
-    const document::LayerStack& stack = painting.layers;
-    ProjectIndex& index = draft.index;
-    index.groups = stack.groups;
-    index.active_layer = stack.active;
-    index.next_layer = stack.next_layer;
-    index.next_group = stack.next_group;
-    for (std::size_t place = 0; place < stack.layers.size(); ++place)
-        index.layers.push_back(place == stack.active ? add_active(painting, place, draft)
-                                                     : add_asleep(stack.layers[place], place, draft));
+/// A height image of the painter's own may be gone when the file is opened.
+void add_bare_support(const document::BareCanvas& bare, double cell_mm, Draft& draft) {
+    if (bare.settings.support != "image") return;
+    document::SurfaceState surface{film::FilmState(bare.support_mm.shape(), cell_mm), {}};
+    surface.film.support_mm = bare.support_mm;
+    draft.index.bare_support = add_surface(surface, kBareSupportFolder, draft);
 }
 
-/// A height image of the painter's own may be gone when the file is opened.
-void add_bare_support(const PaintingState& painting, Draft& draft) {
-    if (painting.settings.support != "image") return;
-    const film::FilmState& canvas = painting.canvas.film;
-    document::SurfaceState bare{film::FilmState(canvas.shape, canvas.cell_mm), {}};
-    bare.film.support_mm = painting.bare_support_mm;
-    draft.index.bare_support = add_surface(bare, kBareSupportFolder, draft);
-}
+/// Puts each field of a painting into the archive; what is in the set-up is in an entry of its own.
+struct FieldKeeper {
+    const PaintingState& painting;
+    Draft& draft;
+
+    void operator()(const std::shared_ptr<const document::BareCanvas>& bare) const {
+        add_bare_support(*bare, painting.value.film.cell_mm, draft);
+        draft.index.support_form = film::form_of(bare->support_mm);
+    }
+    /// With the stack.
+    void operator()(const film::FilmState&) const {}
+    void operator()(const document::LayerStack& stack) const {
+        ProjectIndex& index = draft.index;
+        index.groups = stack.groups;
+        index.active_layer = stack.active;
+        index.next_layer = stack.next_layer;
+        index.next_group = stack.next_group;
+        for (std::size_t place = 0; place < stack.layers.size(); ++place)
+            index.layers.push_back(place == stack.active
+                                       ? add_active(painting, place, draft)
+                                       : add_asleep(stack.layers[place], place, draft));
+    }
+    void operator()(const std::optional<film::FilmState>& well) const {
+        if (well) draft.index.well = add_surface({*well, painting.well_solver}, kWellFolder, draft);
+    }
+    void operator()(const std::optional<document::BrushInHand>& in_hand) const {
+        if (!in_hand) return;
+        const auto held = std::as_bytes(std::span(in_hand->brush.held));
+        draft.index.brush = {in_hand->brush.strokes_begun, add_packed(kBrushEntry, held, draft.archive)};
+    }
+    void operator()(const document::Selection& selection) const {
+        if (selection)
+            draft.index.selection = add_packed(kSelectionEntry, mask_bits(*selection), draft.archive);
+    }
+    void operator()(const document::SharedTracing& tracing) const {
+        if (!tracing) return;
+        draft.index.tracing = {tracing->place, tracing->opacity};
+        draft.archive.add(kTracingEntry, files::png_file(*tracing->picture));
+    }
+    void operator()(const document::PaintFlows& flows) const { draft.index.flows = flows; }
+    void operator()(const document::UseMedium&) const {}
+    void operator()(const document::TiltCanvas&) const {}
+    void operator()(const film::DryingAir&) const {}
+    void operator()(const brush::HandAids&) const {}
+    void operator()(const brush::Symmetry&) const {}
+};
 
 void add_painting(const Project& project, Draft& draft) {
     const PaintingState& painting = project.painting;
-    ProjectIndex& index = draft.index;
-    index = {.program = PASTOSO_VERSION,
-             .tick = painting.tick,
-             .ageing = painting.ageing,
-             .taken = painting.taken,
-             .wiped = painting.wiped,
-             .forgotten_run_off = painting.forgotten_run_off};
-    add_layers(painting, draft);
-    add_bare_support(painting, draft);
-    index.support_form = film::form_of(painting.bare_support_mm);
-    if (painting.well) index.well = add_surface(*painting.well, kWellFolder, draft);
-    if (painting.brush) {
-        const auto held = std::as_bytes(std::span(painting.brush->held));
-        index.brush = {painting.brush->strokes_begun, add_packed(kBrushEntry, held, draft.archive)};
-    }
-    if (painting.selection)
-        index.selection = add_packed(kSelectionEntry, mask_bits(*painting.selection), draft.archive);
-    if (painting.tracing) {
-        const layers::Tracing& tracing = *painting.tracing;
-        index.tracing = {tracing.place, tracing.opacity};
-        draft.archive.add(kTracingEntry, files::png_file(*tracing.picture));
-    }
+    draft.index.program = PASTOSO_VERSION;
+    draft.index.tick = painting.tick;
+    draft.index.ageing = painting.ageing;
+    document::for_each_field(FieldKeeper{painting, draft}, painting.value);
     const std::string strokes = recordings::recording_to_json(project.strokes);
-    index.strokes = add_packed(kStrokesEntry, packing::bytes_of(strokes), draft.archive);
+    draft.index.strokes = add_packed(kStrokesEntry, packing::bytes_of(strokes), draft.archive);
 }
 
 /// The last entry, which says how large all packed ones are.
@@ -165,7 +163,7 @@ void write_archive(const Project& project, const Pictures& pictures, core::Threa
     draft.archive.add("stack.xml", stack_xml(pictures));
     for (PictureFile& file : picture_files(pictures))
         draft.archive.add(file.entry, std::move(file.content));
-    draft.archive.add(kSetupEntry, recordings::recording_to_json(setup_of(project.painting)));
+    draft.archive.add(kSetupEntry, recordings::recording_to_json(document::set_up_of(project.painting.value)));
     add_painting(project, draft);
     std::future<void> packed = std::async(std::launch::async, [&draft, &pool] {
         for (TilePacking& surface : draft.surfaces)

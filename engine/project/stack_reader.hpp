@@ -2,7 +2,7 @@
 // says.
 #pragma once
 
-#include "document/layer_events.hpp"
+#include "document/actions/layer_actions.hpp"
 
 #include <cstddef>
 #include <string>

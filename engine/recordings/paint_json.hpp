@@ -1,7 +1,7 @@
 // Mixtures of paints, and media by their numbers, in JSON files.
 #pragma once
 
-#include "document/events.hpp"
+#include "document/paint_recipe.hpp"
 #include "files/json_place.hpp"
 #include "film/medium.hpp"
 

@@ -30,8 +30,9 @@ void check_relief_path(const std::filesystem::path& path) {
 }
 
 FilmState seen_film(const PaintingState& painting, const ExportChoice& choice, core::ThreadPool& pool) {
-    if (choice.of_well) return painting.well ? painting.well->film : document::bare_well();
-    return document::view_of(painting.canvas.film, painting.bare_support_mm, painting.layers, pool);
+    if (choice.of_well) return painting.value.well ? *painting.value.well : document::bare_well();
+    return document::view_of(painting.value.film, painting.value.bare->support_mm, painting.value.layers,
+                             pool);
 }
 
 ExportSource source_of(const FilmState& film, const ExportChoice& choice, const PictureStyle& style) {
@@ -56,8 +57,8 @@ files::ExportStatus write_pictures(const PaintingState& painting, const ExportCh
     if (choice.kind == ExportKind::Layers) {
         return export_layers(
             choice.path, source,
-            channel_layers(painting.canvas.film, painting.bare_support_mm, painting.layers), pool,
-            keep_going);
+            channel_layers(painting.value.film, painting.value.bare->support_mm, painting.value.layers),
+            pool, keep_going);
     }
     report.files = map_paths(choice.path);
     return export_maps(choice.path, source, style.encoding, pool, keep_going, &report.heights);

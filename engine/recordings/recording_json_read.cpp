@@ -1,14 +1,8 @@
-#include "brush/preset.hpp"
 #include "core/text_file.hpp"
-#include "document/action_checks.hpp"
 #include "document/canvas.hpp"
 #include "files/json_place.hpp"
-#include "recordings/hand_aids_json.hpp"
-#include "recordings/layers_json.hpp"
-#include "recordings/paint_json.hpp"
-#include "recordings/picture_json.hpp"
+#include "recordings/action_json.hpp"
 #include "recordings/recording_json.hpp"
-#include "recordings/selection_json.hpp"
 #include "recordings/stroke_ticks.hpp"
 
 #include <cmath>
@@ -36,174 +30,6 @@ document::CanvasSettings read_canvas(const files::JsonPlace& place) {
     place.guard([&] { document::check_canvas(canvas); });
     return canvas;
 }
-
-/// A preset's name, or all of it.
-void read_preset(const files::JsonPlace& place, document::TakeBrush& take) {
-    if (!place.value().is_object()) {
-        take.preset = place.text();
-        return;
-    }
-    place.guard([&] {
-        const brush::Preset preset = brush::parse_preset(place.value().dump(), "the preset");
-        take.preset = preset.name;
-        take.definition = brush::preset_to_json(preset);
-    });
-}
-
-document::Action read_take_brush(const files::JsonPlace& place) {
-    place.allow_only({"preset", "size_mm", "seed"});
-    document::TakeBrush take;
-    read_preset(place.entry("preset"), take);
-    take.size_mm = place.number_or("size_mm", 0.0);
-    if (const auto seed = place.optional_entry("seed")) {
-        take.seed = static_cast<std::uint32_t>(seed->integer(0, UINT32_MAX));
-    }
-    return take;
-}
-
-document::Action read_load_paint(const files::JsonPlace& place) {
-    place.allow_only(
-        {"paint", "second", "second_share", "share_variation", "side_by_side", "tip_only", "fill"});
-    document::LoadPaint load;
-    load.paint = read_paint(place.entry("paint"));
-    if (const auto second = place.optional_entry("second")) load.second = read_paint(*second);
-    load.second_share = place.number_or("second_share", 0.0);
-    load.share_variation = place.number_or("share_variation", 0.0);
-    load.side_by_side = place.boolean_or("side_by_side", false);
-    load.tip_only = place.boolean_or("tip_only", false);
-    load.fill = place.number_or("fill", 1.0);
-    return load;
-}
-
-document::Action read_clean_brush(const files::JsonPlace& place) {
-    place.allow_only({"share"});
-    return document::CleanBrush{place.number_or("share", 1.0)};
-}
-
-document::Action read_tilt(const files::JsonPlace& place) {
-    place.allow_only({"tilt_deg", "direction_deg"});
-    document::TiltCanvas tilt;
-    tilt.tilt_deg = place.entry("tilt_deg").number();
-    tilt.direction_deg = place.number_or("direction_deg", tilt.direction_deg);
-    return tilt;
-}
-
-document::Action read_medium(const files::JsonPlace& place) {
-    place.allow_only({"name", "numbers"});
-    document::UseMedium use{place.entry("name").text()};
-    const auto numbers = place.optional_entry("numbers");
-    if (!numbers) return use;
-    film::Medium like;
-    place.entry("name").guard([&] { like = film::find_medium(use.name); });
-    use.own = read_medium_numbers(*numbers, like);
-    use.name = like.name;
-    return use;
-}
-
-document::Action read_drying(const files::JsonPlace& place) {
-    place.allow_only({"speed", "fan", "fan_x_mm", "fan_y_mm", "fan_radius_mm"});
-    film::DryingAir air;
-    air.speed = place.entry("speed").number();
-    air.fan = place.number_or("fan", air.fan);
-    air.fan_x_mm = place.number_or("fan_x_mm", air.fan_x_mm);
-    air.fan_y_mm = place.number_or("fan_y_mm", air.fan_y_mm);
-    air.fan_radius_mm = place.number_or("fan_radius_mm", air.fan_radius_mm);
-    return document::SetDrying{air};
-}
-
-document::Action read_picture(const files::JsonPlace& place, double& pixels) {
-    return read_paint_picture(place, pixels);
-}
-
-document::Action read_tracing(const files::JsonPlace& place, double& pixels) {
-    return read_lay_tracing(place, pixels);
-}
-
-document::Action read_tracing_setting(const files::JsonPlace& place) {
-    return read_set_tracing(place);
-}
-
-document::Action read_squeeze(const files::JsonPlace& place) {
-    place.allow_only({"paint", "volume_mm3", "x_mm", "y_mm"});
-    document::SqueezePaint squeeze;
-    squeeze.paint = read_paint(place.entry("paint"));
-    squeeze.volume_mm3 = place.number_or("volume_mm3", squeeze.volume_mm3);
-    squeeze.x_mm = place.entry("x_mm").number();
-    squeeze.y_mm = place.entry("y_mm").number();
-    return squeeze;
-}
-
-document::Action read_resize(const files::JsonPlace& place) {
-    place.allow_only({"x_mm", "y_mm", "width_mm", "height_mm"});
-    return document::ResizeCanvas{place.number_or("x_mm", 0.0), place.number_or("y_mm", 0.0),
-                                  place.entry("width_mm").number(), place.entry("height_mm").number()};
-}
-
-document::Surface read_surface(const files::JsonPlace& place) {
-    const std::string name = place.text();
-    if (name == "canvas") return document::Surface::Canvas;
-    if (name == "well") return document::Surface::Well;
-    place.fail("there is no surface \"" + name + "\"; a stroke is on the \"canvas\" or the \"well\".");
-}
-
-template <class Plain>
-document::Action read_plain(const files::JsonPlace& place) {
-    place.allow_only({});
-    return Plain{};
-}
-
-struct Kind {
-    const char* key;
-    document::Action (*read)(const files::JsonPlace&);
-};
-constexpr Kind kKinds[] = {
-    {"take_brush", read_take_brush},
-    {"load_paint", read_load_paint},
-    {"clean_brush", read_clean_brush},
-    {"use_medium", read_medium},
-    {"tilt_canvas", read_tilt},
-    {"set_drying", read_drying},
-    {"dry_now", read_plain<document::DryNow>},
-    {"undo", read_plain<document::Undo>},
-    {"redo", read_plain<document::Redo>},
-    {"set_stabiliser", read_stabiliser},
-    {"set_guide", read_guide},
-    {"set_symmetry", read_symmetry},
-    {"squeeze_paint", read_squeeze},
-    {"clean_well", read_plain<document::CleanWell>},
-    {"add_layer", read_add_layer},
-    {"select_layer", read_of_layer<document::SelectLayer>},
-    {"set_layer", read_set_layer},
-    {"duplicate_layer", read_of_layer<document::DuplicateLayer>},
-    {"remove_layer", read_of_layer<document::RemoveLayer>},
-    {"clear_layer", read_of_layer<document::ClearLayer>},
-    {"transform_layer", read_transform_layer},
-    {"move_layer", read_move_layer},
-    {"merge_down", read_of_layer<document::MergeDown>},
-    {"flatten_layers", read_plain<document::FlattenLayers>},
-    {"group_layers", read_group_layers},
-    {"set_group", read_set_group},
-    {"move_group", read_move_group},
-    {"ungroup_layers", read_ungroup_layers},
-    {"select_area", read_select_area},
-    {"select_by_height", read_select_by_height},
-    {"select_by_wetness", read_select_by_wetness},
-    {"invert_selection", read_plain<document::InvertSelection>},
-    {"resize_canvas", read_resize},
-    {"set_tracing", read_tracing_setting},
-    {"select_all", read_plain<document::SelectAll>},
-};
-
-/// What holds a picture, and counts its pixels.
-struct PictureKind {
-    const char* key;
-    document::Action (*read)(const files::JsonPlace& place, double& pixels);
-};
-
-constexpr PictureKind kPictureKinds[] = {
-    {"paint_picture", read_picture},
-    {"lay_tracing", read_tracing},
-};
 
 /// [time, x, y, pressure, tilt_x, tilt_y, rotation]; angles left out at the end are 0.
 brush::PenSample read_sample(const files::JsonPlace& place) {
@@ -251,31 +77,10 @@ class EventReader {
 
   private:
     void read_single(const files::JsonPlace& entry, std::int64_t tick) {
-        for (const Kind& kind : kKinds) {
-            const auto content = entry.optional_entry(kind.key);
-            if (!content) continue;
-            entry.allow_only({"tick", kind.key});
-            add(tick, kind.read(*content), *content);
-            return;
-        }
-        for (const PictureKind& kind : kPictureKinds) {
-            const auto content = entry.optional_entry(kind.key);
-            if (!content) continue;
-            entry.allow_only({"tick", kind.key});
-            add(tick, kind.read(*content, picture_pixels_), *content);
-            return;
-        }
-        std::string kinds = "stroke";
-        for (const PictureKind& kind : kPictureKinds)
-            kinds += std::string(", ") + kind.key;
-        for (const Kind& kind : kKinds)
-            kinds += std::string(", ") + kind.key;
-        entry.fail("expected one of " + kinds + " beside the tick.");
-    }
-
-    void add(std::int64_t tick, const document::Action& action, const files::JsonPlace& content) {
-        if (names_ == Names::MustBeKnown) content.guard([&] { document::check_action(action); });
-        events.push_back({tick, action});
+        const FoundAction found = read_action(entry, values_);
+        if (names_ == Names::MustBeKnown)
+            found.content.guard([&] { document::check_action(found.action); });
+        events.push_back({tick, found.action});
     }
 
     void read_stroke(const files::JsonPlace& stroke, std::int64_t first_tick) {
@@ -284,7 +89,8 @@ class EventReader {
         const bool continued = stroke.boolean_or("continued", false);
         const auto named = stroke.optional_entry("surface");
         if (named && continued) named->fail("a stroke that goes on stays on its surface.");
-        const document::Surface surface = named ? read_surface(*named) : document::Surface::Canvas;
+        document::Surface surface = document::Surface::Canvas;
+        if (named) values_.read(*named, stroke, surface);
         if (samples.size() == 0 && !continued) samples.fail("a stroke needs at least one sample.");
         const auto ticks = stroke.optional_entry("ticks");
         if (ticks && ticks->size() != samples.size()) {
@@ -320,7 +126,7 @@ class EventReader {
 
     Names names_;
     std::int64_t last_tick_ = 0;
-    double picture_pixels_ = 0.0;
+    ValueReader values_;
     brush::PenSample last_sample_;
 };
 

@@ -1,6 +1,6 @@
 // Support and film of a scene file.
 #include "core/number_text.hpp"
-#include "document/action_checks.hpp"
+#include "document/actions/actions.hpp"
 #include "document/paint_mixing.hpp"
 #include "files/image.hpp"
 #include "recordings/scene_json_parts.hpp"

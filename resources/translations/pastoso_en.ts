@@ -177,10 +177,6 @@
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Dry now</source>
-        <translation>Dry now</translation>
-    </message>
-    <message>
         <source>Mixing well</source>
         <translation>Mixing well</translation>
     </message>
@@ -321,94 +317,6 @@
         <translation>Click to lock it against painting, clearing and merging</translation>
     </message>
     <message>
-        <source>Stroke</source>
-        <translation>Stroke</translation>
-    </message>
-    <message>
-        <source>Stroke in the mixing well</source>
-        <translation>Stroke in the mixing well</translation>
-    </message>
-    <message>
-        <source>Paint squeezed out</source>
-        <translation>Paint squeezed out</translation>
-    </message>
-    <message>
-        <source>Mixing well wiped</source>
-        <translation>Mixing well wiped</translation>
-    </message>
-    <message>
-        <source>New layer</source>
-        <translation>New layer</translation>
-    </message>
-    <message>
-        <source>Look of a layer</source>
-        <translation>Look of a layer</translation>
-    </message>
-    <message>
-        <source>Layer duplicated</source>
-        <translation>Layer duplicated</translation>
-    </message>
-    <message>
-        <source>Layer removed</source>
-        <translation>Layer removed</translation>
-    </message>
-    <message>
-        <source>Layer cleared</source>
-        <translation>Layer cleared</translation>
-    </message>
-    <message>
-        <source>Transform</source>
-        <translation>Transform</translation>
-    </message>
-    <message>
-        <source>Layer moved</source>
-        <translation>Layer moved</translation>
-    </message>
-    <message>
-        <source>Merged down</source>
-        <translation>Merged down</translation>
-    </message>
-    <message>
-        <source>Flattened</source>
-        <translation>Flattened</translation>
-    </message>
-    <message>
-        <source>Layers grouped</source>
-        <translation>Layers grouped</translation>
-    </message>
-    <message>
-        <source>Look of a group</source>
-        <translation>Look of a group</translation>
-    </message>
-    <message>
-        <source>Group moved</source>
-        <translation>Group moved</translation>
-    </message>
-    <message>
-        <source>Group dissolved</source>
-        <translation>Group dissolved</translation>
-    </message>
-    <message>
-        <source>Selection</source>
-        <translation>Selection</translation>
-    </message>
-    <message>
-        <source>Size of the canvas</source>
-        <translation>Size of the canvas</translation>
-    </message>
-    <message>
-        <source>Picture as paint</source>
-        <translation>Picture as paint</translation>
-    </message>
-    <message>
-        <source>Picture to trace</source>
-        <translation>Picture to trace</translation>
-    </message>
-    <message>
-        <source>Place of the traced picture</source>
-        <translation>Place of the traced picture</translation>
-    </message>
-    <message>
         <source>tip</source>
         <translation>tip</translation>
     </message>
@@ -480,6 +388,10 @@
     <message>
         <source>thinned to %1</source>
         <translation>thinned to %1</translation>
+    </message>
+    <message>
+        <source>Dry now</source>
+        <translation type="unfinished">Dry now</translation>
     </message>
 </context>
 <context>
@@ -2906,6 +2818,97 @@
     <message>
         <source>What comes beyond the canvas is wiped off.</source>
         <translation>What comes beyond the canvas is wiped off.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::document::Table</name>
+    <message>
+        <source>Dry now</source>
+        <translation>Dry now</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Stroke</translation>
+    </message>
+    <message>
+        <source>Paint squeezed out</source>
+        <translation>Paint squeezed out</translation>
+    </message>
+    <message>
+        <source>Mixing well wiped</source>
+        <translation>Mixing well wiped</translation>
+    </message>
+    <message>
+        <source>New layer</source>
+        <translation>New layer</translation>
+    </message>
+    <message>
+        <source>Look of a layer</source>
+        <translation>Look of a layer</translation>
+    </message>
+    <message>
+        <source>Layer duplicated</source>
+        <translation>Layer duplicated</translation>
+    </message>
+    <message>
+        <source>Layer removed</source>
+        <translation>Layer removed</translation>
+    </message>
+    <message>
+        <source>Layer cleared</source>
+        <translation>Layer cleared</translation>
+    </message>
+    <message>
+        <source>Transform</source>
+        <translation>Transform</translation>
+    </message>
+    <message>
+        <source>Layer moved</source>
+        <translation>Layer moved</translation>
+    </message>
+    <message>
+        <source>Merged down</source>
+        <translation>Merged down</translation>
+    </message>
+    <message>
+        <source>Flattened</source>
+        <translation>Flattened</translation>
+    </message>
+    <message>
+        <source>Layers grouped</source>
+        <translation>Layers grouped</translation>
+    </message>
+    <message>
+        <source>Look of a group</source>
+        <translation>Look of a group</translation>
+    </message>
+    <message>
+        <source>Group moved</source>
+        <translation>Group moved</translation>
+    </message>
+    <message>
+        <source>Group dissolved</source>
+        <translation>Group dissolved</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Selection</translation>
+    </message>
+    <message>
+        <source>Size of the canvas</source>
+        <translation>Size of the canvas</translation>
+    </message>
+    <message>
+        <source>Picture as paint</source>
+        <translation>Picture as paint</translation>
+    </message>
+    <message>
+        <source>Picture to trace</source>
+        <translation>Picture to trace</translation>
+    </message>
+    <message>
+        <source>Place of the traced picture</source>
+        <translation>Place of the traced picture</translation>
     </message>
 </context>
 <context>
@@ -5949,6 +5952,13 @@ Drag: move the picture
     <message>
         <source>Flat colour</source>
         <translation>Flat colour</translation>
+    </message>
+</context>
+<context>
+    <name>std</name>
+    <message>
+        <source>Stroke in the mixing well</source>
+        <translation type="unfinished">Stroke in the mixing well</translation>
     </message>
 </context>
 </TS>

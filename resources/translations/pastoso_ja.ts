@@ -177,10 +177,6 @@
         <translation>一時停止</translation>
     </message>
     <message>
-        <source>Dry now</source>
-        <translation>すぐ乾かす</translation>
-    </message>
-    <message>
         <source>Mixing well</source>
         <translation>混色皿</translation>
     </message>
@@ -321,94 +317,6 @@
         <translation>クリックでロックし、描画、消去、結合から守る</translation>
     </message>
     <message>
-        <source>Stroke</source>
-        <translation>ストローク</translation>
-    </message>
-    <message>
-        <source>Stroke in the mixing well</source>
-        <translation>混色皿でのストローク</translation>
-    </message>
-    <message>
-        <source>Paint squeezed out</source>
-        <translation>絵の具の絞り出し</translation>
-    </message>
-    <message>
-        <source>Mixing well wiped</source>
-        <translation>混色皿の拭き取り</translation>
-    </message>
-    <message>
-        <source>New layer</source>
-        <translation>新規レイヤー</translation>
-    </message>
-    <message>
-        <source>Look of a layer</source>
-        <translation>レイヤーの表示設定</translation>
-    </message>
-    <message>
-        <source>Layer duplicated</source>
-        <translation>レイヤーの複製</translation>
-    </message>
-    <message>
-        <source>Layer removed</source>
-        <translation>レイヤーの削除</translation>
-    </message>
-    <message>
-        <source>Layer cleared</source>
-        <translation>レイヤーの消去</translation>
-    </message>
-    <message>
-        <source>Transform</source>
-        <translation>変形</translation>
-    </message>
-    <message>
-        <source>Layer moved</source>
-        <translation>レイヤーの移動</translation>
-    </message>
-    <message>
-        <source>Merged down</source>
-        <translation>下のレイヤーと結合</translation>
-    </message>
-    <message>
-        <source>Flattened</source>
-        <translation>表示レイヤーを結合</translation>
-    </message>
-    <message>
-        <source>Layers grouped</source>
-        <translation>レイヤーのグループ化</translation>
-    </message>
-    <message>
-        <source>Look of a group</source>
-        <translation>グループの表示設定</translation>
-    </message>
-    <message>
-        <source>Group moved</source>
-        <translation>グループの移動</translation>
-    </message>
-    <message>
-        <source>Group dissolved</source>
-        <translation>グループの解除</translation>
-    </message>
-    <message>
-        <source>Selection</source>
-        <translation>選択範囲</translation>
-    </message>
-    <message>
-        <source>Size of the canvas</source>
-        <translation>キャンバスサイズ</translation>
-    </message>
-    <message>
-        <source>Picture as paint</source>
-        <translation>画像を絵の具として追加</translation>
-    </message>
-    <message>
-        <source>Picture to trace</source>
-        <translation>下絵</translation>
-    </message>
-    <message>
-        <source>Place of the traced picture</source>
-        <translation>下絵の位置</translation>
-    </message>
-    <message>
         <source>tip</source>
         <translation>ペン先</translation>
     </message>
@@ -480,6 +388,10 @@
     <message>
         <source>thinned to %1</source>
         <translation>%1 に希釈</translation>
+    </message>
+    <message>
+        <source>Dry now</source>
+        <translation type="unfinished">すぐ乾かす</translation>
     </message>
 </context>
 <context>
@@ -2903,6 +2815,97 @@
     <message>
         <source>What comes beyond the canvas is wiped off.</source>
         <translation>キャンバスからはみ出した絵の具は拭き取られます。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::document::Table</name>
+    <message>
+        <source>Dry now</source>
+        <translation>すぐ乾かす</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>ストローク</translation>
+    </message>
+    <message>
+        <source>Paint squeezed out</source>
+        <translation>絵の具の絞り出し</translation>
+    </message>
+    <message>
+        <source>Mixing well wiped</source>
+        <translation>混色皿の拭き取り</translation>
+    </message>
+    <message>
+        <source>New layer</source>
+        <translation>新規レイヤー</translation>
+    </message>
+    <message>
+        <source>Look of a layer</source>
+        <translation>レイヤーの表示設定</translation>
+    </message>
+    <message>
+        <source>Layer duplicated</source>
+        <translation>レイヤーの複製</translation>
+    </message>
+    <message>
+        <source>Layer removed</source>
+        <translation>レイヤーの削除</translation>
+    </message>
+    <message>
+        <source>Layer cleared</source>
+        <translation>レイヤーの消去</translation>
+    </message>
+    <message>
+        <source>Transform</source>
+        <translation>変形</translation>
+    </message>
+    <message>
+        <source>Layer moved</source>
+        <translation>レイヤーの移動</translation>
+    </message>
+    <message>
+        <source>Merged down</source>
+        <translation>下のレイヤーと結合</translation>
+    </message>
+    <message>
+        <source>Flattened</source>
+        <translation>表示レイヤーを結合</translation>
+    </message>
+    <message>
+        <source>Layers grouped</source>
+        <translation>レイヤーのグループ化</translation>
+    </message>
+    <message>
+        <source>Look of a group</source>
+        <translation>グループの表示設定</translation>
+    </message>
+    <message>
+        <source>Group moved</source>
+        <translation>グループの移動</translation>
+    </message>
+    <message>
+        <source>Group dissolved</source>
+        <translation>グループの解除</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>選択範囲</translation>
+    </message>
+    <message>
+        <source>Size of the canvas</source>
+        <translation>キャンバスサイズ</translation>
+    </message>
+    <message>
+        <source>Picture as paint</source>
+        <translation>画像を絵の具として追加</translation>
+    </message>
+    <message>
+        <source>Picture to trace</source>
+        <translation>下絵</translation>
+    </message>
+    <message>
+        <source>Place of the traced picture</source>
+        <translation>下絵の位置</translation>
     </message>
 </context>
 <context>
@@ -5942,6 +5945,13 @@ Drag: move the picture
     <message>
         <source>Flat colour</source>
         <translation>色のみ</translation>
+    </message>
+</context>
+<context>
+    <name>std</name>
+    <message>
+        <source>Stroke in the mixing well</source>
+        <translation type="unfinished">混色皿でのストローク</translation>
     </message>
 </context>
 </TS>

@@ -177,10 +177,6 @@
         <translation>Pausa</translation>
     </message>
     <message>
-        <source>Dry now</source>
-        <translation>Torka nu</translation>
-    </message>
-    <message>
         <source>Mixing well</source>
         <translation>Blandningsyta</translation>
     </message>
@@ -321,94 +317,6 @@
         <translation>Klicka för att låsa det mot målning, tömning och sammanfogning</translation>
     </message>
     <message>
-        <source>Stroke</source>
-        <translation>Penseldrag</translation>
-    </message>
-    <message>
-        <source>Stroke in the mixing well</source>
-        <translation>Penseldrag på blandningsytan</translation>
-    </message>
-    <message>
-        <source>Paint squeezed out</source>
-        <translation>Färg utklämd</translation>
-    </message>
-    <message>
-        <source>Mixing well wiped</source>
-        <translation>Blandningsytan avtorkad</translation>
-    </message>
-    <message>
-        <source>New layer</source>
-        <translation>Nytt lager</translation>
-    </message>
-    <message>
-        <source>Look of a layer</source>
-        <translation>Lagrets utseende</translation>
-    </message>
-    <message>
-        <source>Layer duplicated</source>
-        <translation>Lager duplicerat</translation>
-    </message>
-    <message>
-        <source>Layer removed</source>
-        <translation>Lager borttaget</translation>
-    </message>
-    <message>
-        <source>Layer cleared</source>
-        <translation>Lager tömt</translation>
-    </message>
-    <message>
-        <source>Transform</source>
-        <translation>Transformera</translation>
-    </message>
-    <message>
-        <source>Layer moved</source>
-        <translation>Lager flyttat</translation>
-    </message>
-    <message>
-        <source>Merged down</source>
-        <translation>Sammanfogat nedåt</translation>
-    </message>
-    <message>
-        <source>Flattened</source>
-        <translation>Synliga lager sammanfogade</translation>
-    </message>
-    <message>
-        <source>Layers grouped</source>
-        <translation>Lager grupperade</translation>
-    </message>
-    <message>
-        <source>Look of a group</source>
-        <translation>Gruppens utseende</translation>
-    </message>
-    <message>
-        <source>Group moved</source>
-        <translation>Grupp flyttad</translation>
-    </message>
-    <message>
-        <source>Group dissolved</source>
-        <translation>Grupp upplöst</translation>
-    </message>
-    <message>
-        <source>Selection</source>
-        <translation>Markering</translation>
-    </message>
-    <message>
-        <source>Size of the canvas</source>
-        <translation>Dukens storlek</translation>
-    </message>
-    <message>
-        <source>Picture as paint</source>
-        <translation>Bild som färg</translation>
-    </message>
-    <message>
-        <source>Picture to trace</source>
-        <translation>Bild att kalkera</translation>
-    </message>
-    <message>
-        <source>Place of the traced picture</source>
-        <translation>Den kalkerade bildens läge</translation>
-    </message>
-    <message>
         <source>tip</source>
         <translation>spets</translation>
     </message>
@@ -480,6 +388,10 @@
     <message>
         <source>thinned to %1</source>
         <translation>förtunnad till %1</translation>
+    </message>
+    <message>
+        <source>Dry now</source>
+        <translation type="unfinished">Torka nu</translation>
     </message>
 </context>
 <context>
@@ -2906,6 +2818,97 @@
     <message>
         <source>What comes beyond the canvas is wiped off.</source>
         <translation>Det som hamnar utanför duken torkas bort.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::document::Table</name>
+    <message>
+        <source>Dry now</source>
+        <translation>Torka nu</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Penseldrag</translation>
+    </message>
+    <message>
+        <source>Paint squeezed out</source>
+        <translation>Färg utklämd</translation>
+    </message>
+    <message>
+        <source>Mixing well wiped</source>
+        <translation>Blandningsytan avtorkad</translation>
+    </message>
+    <message>
+        <source>New layer</source>
+        <translation>Nytt lager</translation>
+    </message>
+    <message>
+        <source>Look of a layer</source>
+        <translation>Lagrets utseende</translation>
+    </message>
+    <message>
+        <source>Layer duplicated</source>
+        <translation>Lager duplicerat</translation>
+    </message>
+    <message>
+        <source>Layer removed</source>
+        <translation>Lager borttaget</translation>
+    </message>
+    <message>
+        <source>Layer cleared</source>
+        <translation>Lager tömt</translation>
+    </message>
+    <message>
+        <source>Transform</source>
+        <translation>Transformera</translation>
+    </message>
+    <message>
+        <source>Layer moved</source>
+        <translation>Lager flyttat</translation>
+    </message>
+    <message>
+        <source>Merged down</source>
+        <translation>Sammanfogat nedåt</translation>
+    </message>
+    <message>
+        <source>Flattened</source>
+        <translation>Synliga lager sammanfogade</translation>
+    </message>
+    <message>
+        <source>Layers grouped</source>
+        <translation>Lager grupperade</translation>
+    </message>
+    <message>
+        <source>Look of a group</source>
+        <translation>Gruppens utseende</translation>
+    </message>
+    <message>
+        <source>Group moved</source>
+        <translation>Grupp flyttad</translation>
+    </message>
+    <message>
+        <source>Group dissolved</source>
+        <translation>Grupp upplöst</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Markering</translation>
+    </message>
+    <message>
+        <source>Size of the canvas</source>
+        <translation>Dukens storlek</translation>
+    </message>
+    <message>
+        <source>Picture as paint</source>
+        <translation>Bild som färg</translation>
+    </message>
+    <message>
+        <source>Picture to trace</source>
+        <translation>Bild att kalkera</translation>
+    </message>
+    <message>
+        <source>Place of the traced picture</source>
+        <translation>Den kalkerade bildens läge</translation>
     </message>
 </context>
 <context>
@@ -5949,6 +5952,13 @@ Dra: flytta bilden
     <message>
         <source>Flat colour</source>
         <translation>Kulör utan ljus</translation>
+    </message>
+</context>
+<context>
+    <name>std</name>
+    <message>
+        <source>Stroke in the mixing well</source>
+        <translation type="unfinished">Penseldrag på blandningsytan</translation>
     </message>
 </context>
 </TS>

@@ -177,10 +177,6 @@
         <translation>暫停</translation>
     </message>
     <message>
-        <source>Dry now</source>
-        <translation>立即乾燥</translation>
-    </message>
-    <message>
         <source>Mixing well</source>
         <translation>調色槽</translation>
     </message>
@@ -321,94 +317,6 @@
         <translation>按一下可鎖定，避免被畫到、清除或合併</translation>
     </message>
     <message>
-        <source>Stroke</source>
-        <translation>筆觸</translation>
-    </message>
-    <message>
-        <source>Stroke in the mixing well</source>
-        <translation>調色槽裡的筆觸</translation>
-    </message>
-    <message>
-        <source>Paint squeezed out</source>
-        <translation>擠出顏料</translation>
-    </message>
-    <message>
-        <source>Mixing well wiped</source>
-        <translation>擦淨調色槽</translation>
-    </message>
-    <message>
-        <source>New layer</source>
-        <translation>新增圖層</translation>
-    </message>
-    <message>
-        <source>Look of a layer</source>
-        <translation>圖層外觀</translation>
-    </message>
-    <message>
-        <source>Layer duplicated</source>
-        <translation>複製圖層</translation>
-    </message>
-    <message>
-        <source>Layer removed</source>
-        <translation>移除圖層</translation>
-    </message>
-    <message>
-        <source>Layer cleared</source>
-        <translation>清除圖層</translation>
-    </message>
-    <message>
-        <source>Transform</source>
-        <translation>變形</translation>
-    </message>
-    <message>
-        <source>Layer moved</source>
-        <translation>移動圖層</translation>
-    </message>
-    <message>
-        <source>Merged down</source>
-        <translation>向下合併</translation>
-    </message>
-    <message>
-        <source>Flattened</source>
-        <translation>平面化</translation>
-    </message>
-    <message>
-        <source>Layers grouped</source>
-        <translation>將圖層組成群組</translation>
-    </message>
-    <message>
-        <source>Look of a group</source>
-        <translation>群組外觀</translation>
-    </message>
-    <message>
-        <source>Group moved</source>
-        <translation>移動群組</translation>
-    </message>
-    <message>
-        <source>Group dissolved</source>
-        <translation>解散群組</translation>
-    </message>
-    <message>
-        <source>Selection</source>
-        <translation>選取範圍</translation>
-    </message>
-    <message>
-        <source>Size of the canvas</source>
-        <translation>畫布尺寸</translation>
-    </message>
-    <message>
-        <source>Picture as paint</source>
-        <translation>圖片轉為顏料</translation>
-    </message>
-    <message>
-        <source>Picture to trace</source>
-        <translation>描圖底圖</translation>
-    </message>
-    <message>
-        <source>Place of the traced picture</source>
-        <translation>底圖的位置</translation>
-    </message>
-    <message>
         <source>tip</source>
         <translation>筆尖</translation>
     </message>
@@ -480,6 +388,10 @@
     <message>
         <source>thinned to %1</source>
         <translation>稀釋至 %1</translation>
+    </message>
+    <message>
+        <source>Dry now</source>
+        <translation type="unfinished">立即乾燥</translation>
     </message>
 </context>
 <context>
@@ -2903,6 +2815,97 @@
     <message>
         <source>What comes beyond the canvas is wiped off.</source>
         <translation>超出畫布的部分會被擦掉。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::document::Table</name>
+    <message>
+        <source>Dry now</source>
+        <translation>立即乾燥</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>筆觸</translation>
+    </message>
+    <message>
+        <source>Paint squeezed out</source>
+        <translation>擠出顏料</translation>
+    </message>
+    <message>
+        <source>Mixing well wiped</source>
+        <translation>擦淨調色槽</translation>
+    </message>
+    <message>
+        <source>New layer</source>
+        <translation>新增圖層</translation>
+    </message>
+    <message>
+        <source>Look of a layer</source>
+        <translation>圖層外觀</translation>
+    </message>
+    <message>
+        <source>Layer duplicated</source>
+        <translation>複製圖層</translation>
+    </message>
+    <message>
+        <source>Layer removed</source>
+        <translation>移除圖層</translation>
+    </message>
+    <message>
+        <source>Layer cleared</source>
+        <translation>清除圖層</translation>
+    </message>
+    <message>
+        <source>Transform</source>
+        <translation>變形</translation>
+    </message>
+    <message>
+        <source>Layer moved</source>
+        <translation>移動圖層</translation>
+    </message>
+    <message>
+        <source>Merged down</source>
+        <translation>向下合併</translation>
+    </message>
+    <message>
+        <source>Flattened</source>
+        <translation>平面化</translation>
+    </message>
+    <message>
+        <source>Layers grouped</source>
+        <translation>將圖層組成群組</translation>
+    </message>
+    <message>
+        <source>Look of a group</source>
+        <translation>群組外觀</translation>
+    </message>
+    <message>
+        <source>Group moved</source>
+        <translation>移動群組</translation>
+    </message>
+    <message>
+        <source>Group dissolved</source>
+        <translation>解散群組</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>選取範圍</translation>
+    </message>
+    <message>
+        <source>Size of the canvas</source>
+        <translation>畫布尺寸</translation>
+    </message>
+    <message>
+        <source>Picture as paint</source>
+        <translation>圖片轉為顏料</translation>
+    </message>
+    <message>
+        <source>Picture to trace</source>
+        <translation>描圖底圖</translation>
+    </message>
+    <message>
+        <source>Place of the traced picture</source>
+        <translation>底圖的位置</translation>
     </message>
 </context>
 <context>
@@ -5942,6 +5945,13 @@ Drag: move the picture
     <message>
         <source>Flat colour</source>
         <translation>只看顏色</translation>
+    </message>
+</context>
+<context>
+    <name>std</name>
+    <message>
+        <source>Stroke in the mixing well</source>
+        <translation type="unfinished">調色槽裡的筆觸</translation>
     </message>
 </context>
 </TS>

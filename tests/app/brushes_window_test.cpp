@@ -2,7 +2,7 @@
 #include "app/window_fixture.hpp"
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
-#include "document/action_checks.hpp"
+#include "document/actions/actions.hpp"
 #include "panels/paint/load_bar.hpp"
 #include "panels/pen/brush_list.hpp"
 #include "panels/pen/curve_editor.hpp"

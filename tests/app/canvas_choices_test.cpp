@@ -1,7 +1,7 @@
 // The canvases that one click puts up.
 #include "start/canvas_choices.hpp"
 
-#include "document/action_checks.hpp"
+#include "document/actions/actions.hpp"
 #include "document/canvas.hpp"
 #include "film/support/support.hpp"
 

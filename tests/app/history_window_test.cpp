@@ -74,11 +74,5 @@ TEST_F(HistoryWindow, AClickGoesBackAndAnotherForthAgain) {
     EXPECT_EQ(rows().size(), 2);
 }
 
-TEST(StepWords, EveryKindHasSome) {
-    using Kind = document::Step::Kind;
-    for (int kind = 0; kind <= static_cast<int>(Kind::SetTracing); ++kind)
-        EXPECT_FALSE(panels::step_words({static_cast<Kind>(kind)}).isEmpty()) << kind;
-}
-
 }  // namespace
 }  // namespace pastoso::tests

@@ -1,6 +1,6 @@
 #include "tools/transform_frame.hpp"
 
-#include "document/action_checks.hpp"
+#include "document/actions/actions.hpp"
 
 #include <gtest/gtest.h>
 

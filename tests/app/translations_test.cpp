@@ -1,6 +1,8 @@
 // The files of the translators: all is translated, and nothing that the program fills in is lost.
+#include "document/actions/actions.hpp"
 #include "source_file.hpp"
 
+#include <set>
 #include <string>
 
 #include <QFile>
@@ -29,7 +31,8 @@ void read_translation(QXmlStreamReader& xml, Message& message) {
 }
 
 std::vector<Message> messages_of(const std::string& language) {
-    QFile file(QString::fromStdString(source_file("resources/translations/pastoso_" + language + ".ts")));
+    QFile file(
+        QString::fromStdString(source_file("resources/translations/pastoso_" + language + ".ts")));
     EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << language;
     QXmlStreamReader xml(&file);
     std::vector<Message> messages;
@@ -72,6 +75,16 @@ TEST_P(Translations, KeepWhatIsFilledInAndTheMnemonics) {
                 << message.source.toStdString() << " -> " << translation.toStdString();
         }
     }
+}
+
+TEST_P(Translations, TellTheUndoStepOfEveryAction) {
+    std::set<std::string> sources;
+    for (const Message& message : messages_of(GetParam()))
+        sources.insert(message.source.toStdString());
+    document::AllActions::for_each([&]<class A>(std::type_identity<A>) {
+        const std::string step(document::Table<A>::kTraits.step);
+        EXPECT_TRUE(step.empty() || sources.contains(step)) << step;
+    });
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, Translations, ::testing::Values("ja", "sv", "zh_TW"));

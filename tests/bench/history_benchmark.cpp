@@ -33,7 +33,7 @@ double new_pages() {
 std::unique_ptr<document::Painting> resting_painting(core::ThreadPool& pool) {
     core::keep_freed_memory();  // as the programs do
     document::PaintingState state = bench::painted_canvas("heavy-body oil", pool);
-    state.canvas.solver = {};
+    state.solver = {};
     auto painting = std::make_unique<document::Painting>(state, pool);
     painting->apply(document::TakeBrush{"flat", 20.0, 1});
     return painting;

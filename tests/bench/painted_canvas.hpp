@@ -78,7 +78,7 @@ inline document::PaintingState painted_canvas(const char* medium, core::ThreadPo
     const document::CanvasSettings settings = square(kCells);
     const film::FilmState piece = painted_piece(medium, pool);
     document::PaintingState painting = document::Painting(settings, pool).state();
-    film::FilmState& film = painting.canvas.film;
+    film::FilmState& film = painting.value.film;
     film.varied = true;
     const auto scale = [](std::int32_t& value, double factor) {
         value = static_cast<std::int32_t>(value * factor);

@@ -12,7 +12,7 @@ namespace {
 
 Project painted_project(const char* medium, core::ThreadPool& pool) {
     document::PaintingState painting = bench::painted_canvas(medium, pool);
-    const document::CanvasSettings settings = painting.settings;
+    const document::CanvasSettings settings = painting.value.bare->settings;
     return {std::move(painting), {settings, {}, 0}};
 }
 

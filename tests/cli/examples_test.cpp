@@ -1,6 +1,6 @@
 #include "cli/run_program.hpp"
 #include "core/text_file.hpp"
-#include "document/action_checks.hpp"
+#include "document/actions/actions.hpp"
 #include "recordings/recording_json.hpp"
 #include "source_file.hpp"
 

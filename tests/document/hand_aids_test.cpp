@@ -1,5 +1,5 @@
 // Symmetry, guides and the stabiliser on a painting: account, undo, replay.
-#include "document/action_checks.hpp"
+#include "document/actions/actions.hpp"
 #include "document/error_of.hpp"
 #include "document/painting.hpp"
 #include "document/player.hpp"
@@ -229,7 +229,7 @@ TEST(HandAidsChecks, RefuseWhatIsOutOfRange) {
     EXPECT_THAT(refused(SetSymmetry{star(17, false)}), HasSubstr("copies is 17"));
     EXPECT_THAT(refused(SetSymmetry{{.centre_x_mm = kNan}}),
                 HasSubstr("the x of the centre of the symmetry in mm is nan"));
-    EXPECT_THAT(refused(SetSymmetry{{.axis_deg = 1000.0}}), HasSubstr("axis of the symmetry is 1000"));
+    EXPECT_THAT(refused(SetSymmetry{{.axis_deg = 1000.0}}), HasSubstr("axis of the symmetry in degrees is 1000"));
     EXPECT_THAT(refused(SetStabiliser{{-1.0, 0.0}}), HasSubstr("smoothing of the stabiliser in ms"));
     EXPECT_THAT(refused(SetStabiliser{{0.0, kNan}}), HasSubstr("string of the stabiliser in mm is nan"));
     EXPECT_THAT(refused(SetGuide{{.form = brush::Ruler{1.0, 1.0, 1.0, 1.0}}}),

@@ -31,10 +31,11 @@ class NoisyFilm {
     }
     Moment moment() const {
         Moment moment;
-        moment.canvas = {film_, std::vector<bool>(16)};
+        moment.value.film = film_;
+        moment.awake = std::vector<bool>(16);
         return moment;
     }
-    void return_to(const Moment& moment) { film_ = moment.canvas.film; }
+    void return_to(const Moment& moment) { film_ = moment.value.film; }
     std::uint64_t hash() const { return film::state_hash(film_); }
 
   private:
@@ -43,7 +44,7 @@ class NoisyFilm {
 };
 
 std::uint64_t hash_of(const Moment& moment) {
-    return film::state_hash(moment.canvas.film);
+    return film::state_hash(moment.value.film);
 }
 
 void change_and_remember(NoisyFilm& film, History& history, int tile = 0) {
@@ -182,13 +183,13 @@ TEST(History, ANewChangeForgetsWhatWasUndone) {
 TEST(History, StepsKeepTheirNamesBothWays) {
     NoisyFilm film;
     History history;
-    history.remember(film.moment(), {Step::Kind::Stroke, "flat"});
+    history.remember(film.moment(), {"Stroke", "flat"});
     film.change(0);
-    history.remember(film.moment(), {Step::Kind::DryNow});
+    history.remember(film.moment(), {"Dry now"});
     film.change(1);
     film.return_to(history.step_back(film.moment()));
     ASSERT_EQ(history.future_steps().size(), 1U);
-    EXPECT_EQ(history.future_steps()[0].step.kind, Step::Kind::DryNow);
+    EXPECT_EQ(history.future_steps()[0].step.name, "Dry now");
     film.return_to(history.step_back(film.moment()));
     ASSERT_EQ(history.future_steps().size(), 2U);
     EXPECT_EQ(history.future_steps()[1].step.brush, "flat");
@@ -251,16 +252,16 @@ TEST(History, BringsBackTheWell) {
     Moment moment = NoisyFilm().moment();
     std::vector<std::optional<std::uint64_t>> wells;
     const auto note = [](const Moment& then) {
-        return then.well ? std::optional(film::state_hash(then.well->film)) : std::nullopt;
+        return then.value.well ? std::optional(film::state_hash(*then.value.well)) : std::nullopt;
     };
     for (int i = 0; i < 6; ++i) {
         wells.push_back(note(moment));
         history.remember(moment, {});
-        if (i % 3 == 0) moment.well.emplace(SurfaceMoment{bare_well(), {}});
+        if (i % 3 == 0) moment.value.well.emplace(bare_well());
         if (i % 3 == 2)
-            moment.well.reset();
+            moment.value.well.reset();
         else
-            moment.well->film.thickness.set(70 * (i % 3), 3, i + 1);
+            moment.value.well->thickness.set(70 * (i % 3), 3, i + 1);
     }
     history.finish_packing();
     for (int i = 5; i >= 0; --i) {
@@ -290,36 +291,36 @@ class NoisyLayers {
     }
     Moment moment() const {
         Moment moment = film_.moment();
-        moment.canvas.film.support_mm = film_.support_mm;
-        moment.layers = stack_;
+        moment.value.film.support_mm = film_.support_mm;
+        moment.value.layers = stack_;
         return moment;
     }
     void return_to(const Moment& moment) {
         film_.return_to(moment);
-        film_.support_mm = moment.canvas.film.support_mm;
-        stack_ = moment.layers;
+        film_.support_mm = moment.value.film.support_mm;
+        stack_ = moment.value.layers;
     }
     std::uint64_t hash() const {
         const Moment now = moment();
-        return state_hash(now.canvas.film, now.layers);
+        return state_hash(now.value.film, now.value.layers);
     }
 
   private:
     /// The active one falls asleep, with a support of its own; another one wakes on the canvas.
     void select(std::size_t place) {
-        film::FilmState asleep = film_.moment().canvas.film;
+        film::FilmState asleep = film_.moment().value.film;
         asleep.support_mm.write(3)[5] = 0x1p-20F * static_cast<float>(place + 1);
         stack_.layers[stack_.active].asleep = std::make_shared<const film::FilmState>(asleep);
         stack_.active = place;
         Moment awake;
-        awake.canvas.film = *stack_.layers[place].asleep;
+        awake.value.film = *stack_.layers[place].asleep;
         film_.return_to(awake);
         stack_.layers[place].asleep.reset();
     }
     void add() {
         stack_.layers.push_back({.id = stack_.next_layer++});
         stack_.layers.back().asleep =
-            std::make_shared<const film::FilmState>(film_.moment().canvas.film);
+            std::make_shared<const film::FilmState>(film_.moment().value.film);
         select(stack_.layers.size() - 1);
     }
     void remove(std::size_t place) {
@@ -342,17 +343,17 @@ TEST(History, ALayerThatIsAsleepCostsNothing) {
     NoisyFilm film;
     History history;
     Moment moment = film.moment();
-    moment.layers.layers.push_back({.id = 2});
-    moment.layers.layers[1].asleep = std::make_shared<const film::FilmState>(moment.canvas.film);
+    moment.value.layers.layers.push_back({.id = 2});
+    moment.value.layers.layers[1].asleep = std::make_shared<const film::FilmState>(moment.value.film);
     for (int i = 0; i < 3; ++i) {
         history.remember(moment, {});
         film.change(i);
-        moment.canvas.film = film.moment().canvas.film;
+        moment.value.film = film.moment().value.film;
     }
     for (const KeptStep& step : history.past_steps())
         EXPECT_LT(step.bytes, 2 * kTileBytes);
     const Moment first = history.step_back(history.step_back(moment));
-    EXPECT_EQ(first.layers.layers[1].asleep, moment.layers.layers[1].asleep);
+    EXPECT_EQ(first.value.layers.layers[1].asleep, moment.value.layers.layers[1].asleep);
 }
 
 /// A random walk over changes, undo and redo, with all that was ever seen kept beside it.

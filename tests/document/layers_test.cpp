@@ -33,7 +33,7 @@ class LayersTest : public testing::Test {
         EXPECT_LT(painting.account().volume_error_rel(), kRounding);
         EXPECT_LT(painting.account().pigment_error_rel(), kRounding);
     }
-    LayerStack stack() const { return painting.state().layers; }
+    LayerStack stack() const { return painting.state().value.layers; }
     std::vector<LayerId> order() const {
         std::vector<LayerId> ids;
         for (const Layer& layer : stack().layers)

@@ -117,7 +117,7 @@ TEST_F(MediaTest, ANewNumberMakesTheFilmVaried) {
     thicker.viscosity_m2_s = 0.1;
     painting.apply(UseMedium{thicker.name, thicker});
     EXPECT_TRUE(painting.film().varied);
-    EXPECT_EQ(painting.state().medium, (UseMedium{thicker.name, thicker}));
+    EXPECT_EQ(painting.state().value.medium, (UseMedium{thicker.name, thicker}));
 }
 
 TEST_F(MediaTest, NumbersOutOfRangeAreRefusedAndNothingChanges) {
@@ -131,7 +131,7 @@ TEST_F(MediaTest, NumbersOutOfRangeAreRefusedAndNothingChanges) {
                      "the medium (\"house paint\"): surface_tension_N_m is null, it must "
                      "be a number from 0.02 to 0.07.");
     }
-    EXPECT_EQ(painting.state().medium, UseMedium{"heavy-body oil"});
+    EXPECT_EQ(painting.state().value.medium, UseMedium{"heavy-body oil"});
 }
 
 TEST_F(MediaTest, PaintsMixTheirConsistencyUnderTheBrush) {

@@ -1,6 +1,6 @@
 #include "document/paint_mixing.hpp"
 
-#include "document/action_checks.hpp"
+#include "document/actions/actions.hpp"
 #include "document/error_of.hpp"
 #include "pigment/appearance.hpp"
 #include "pigment/hex_colour.hpp"

@@ -102,20 +102,20 @@ TEST(PaintingState, DryingPaintAndARagGoOnToTheSameBits) {
 TEST(PaintingState, TellsWhatIsInHand) {
     core::ThreadPool pool(1);
     Painting painting(small_canvas(), pool);
-    EXPECT_FALSE(painting.state().brush);
+    EXPECT_FALSE(painting.state().value.brush);
     painting.apply(UseMedium{"house paint"});
     painting.apply(TiltCanvas{30, 45});
     painting.apply(TakeBrush{"round", 9, 5});
     painting.apply(load_of("PR108", 0.5));
     const PaintingState state = painting.state();
-    EXPECT_EQ(state.medium, UseMedium{"house paint"});
-    EXPECT_EQ(state.tilt, (TiltCanvas{30, 45}));
-    ASSERT_TRUE(state.brush);
-    EXPECT_EQ(state.brush->taken, (TakeBrush{"round", 9, 5}));
-    EXPECT_FALSE(state.well);
+    EXPECT_EQ(state.value.medium, UseMedium{"house paint"});
+    EXPECT_EQ(state.value.tilt, (TiltCanvas{30, 45}));
+    ASSERT_TRUE(state.value.brush);
+    EXPECT_EQ(state.value.brush->taken, (TakeBrush{"round", 9, 5}));
+    EXPECT_FALSE(state.value.well);
     EXPECT_EQ(state_hash(state), painting.state_hash());
-    for (int tile = 0; tile < state.bare_support_mm.tile_count(); ++tile)
-        EXPECT_TRUE(state.bare_support_mm.shares_tile(state.canvas.film.support_mm, tile));
+    for (int tile = 0; tile < state.value.bare->support_mm.tile_count(); ++tile)
+        EXPECT_TRUE(state.value.bare->support_mm.shares_tile(state.value.film.support_mm, tile));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ std::shared_ptr<pigment::Picture> plain(int width, int height, std::uint8_t alph
 
 class PicturePaintingTest : public testing::Test {
   protected:
-    LayerStack stack() const { return painting.state().layers; }
+    LayerStack stack() const { return painting.state().value.layers; }
     void expect_balance() const {
         EXPECT_LT(painting.account().volume_error_rel(), kRounding);
         EXPECT_LT(painting.account().pigment_error_rel(), kRounding);
@@ -45,7 +45,7 @@ TEST_F(PicturePaintingTest, IsALayerAboveTheActiveOne) {
     ASSERT_EQ(stack().layers.size(), 3U);
     EXPECT_EQ(stack().layers[1].look.name, "Photo");
     EXPECT_EQ(stack().active, 1U);
-    EXPECT_EQ(painting.undo_steps().back().step.kind, Step::Kind::PaintPicture);
+    EXPECT_EQ(painting.undo_steps().back().step.name, "Picture as paint");
     EXPECT_EQ(painting.undo_steps().back().step.layer, "Photo");
 }
 

@@ -66,7 +66,8 @@ TEST_F(Resizing, TheClothIsThatOfALargerCanvas) {
     const PaintingState state = painting.state();
     for (int y = 0; y < shape().height; ++y)
         for (int x = 0; x < shape().width; ++x)
-            ASSERT_EQ(state.bare_support_mm.at(x, y), cloth.support_mm.at(x, y)) << x << ", " << y;
+            ASSERT_EQ(state.value.bare->support_mm.at(x, y), cloth.support_mm.at(x, y))
+                << x << ", " << y;
 }
 
 TEST_F(Resizing, WhatIsCutOffIsWipedOff) {
@@ -109,9 +110,9 @@ TEST_F(Resizing, UndoBringsTheCanvasBackAndPaintFlowsOn) {
 TEST_F(Resizing, TheSelectionComesAlong) {
     painting.apply(SelectArea{{{10, 5}, {30, 5}, {30, 20}, {10, 20}}});
     painting.apply(ResizeCanvas{5, 5, 20, 20});
-    EXPECT_EQ(grid::chosen_area(*painting.state().selection), (grid::Rect{15, 0, 60, 45}));
+    EXPECT_EQ(grid::chosen_area(*painting.state().value.selection), (grid::Rect{15, 0, 60, 45}));
     painting.apply(ResizeCanvas{0, 16, 20, 4});
-    EXPECT_EQ(painting.state().selection, nullptr);
+    EXPECT_EQ(painting.state().value.selection, nullptr);
 }
 
 TEST_F(Resizing, AnImageGoesOnBeyondItsEdges) {

@@ -30,7 +30,7 @@ class SelectionTest : public testing::Test {
         painting.apply(TakeBrush{"flat", 10, 1});
         painting.apply(load_of("PB29"));
     }
-    Selection selection() const { return painting.state().selection; }
+    Selection selection() const { return painting.state().value.selection; }
     std::int64_t selected() const { return selection() ? grid::chosen_cells(*selection()) : -1; }
 
     /// Cells of the canvas on which two states differ, and that lie where `where` says.

@@ -39,7 +39,7 @@ TEST_F(TracingPaintingTest, LiesBelowThePaintAndChangesNoneOfIt) {
     const Snapshot after = painting.snapshot();
     for (int tile = 0; tile < before.film.shape.tile_count(); ++tile)
         EXPECT_TRUE(after.film.strata.optics.shares_tile(before.film.strata.optics, tile));
-    EXPECT_EQ(*painting.state().tracing, *tracing());
+    EXPECT_EQ(*painting.state().value.tracing, *tracing());
     EXPECT_EQ(*Painting(painting.state(), pool).snapshot().tracing, *tracing());
 }
 
@@ -57,7 +57,7 @@ TEST_F(TracingPaintingTest, EveryChangeIsUndone) {
     EXPECT_FALSE(painting.can_undo());
     painting.apply(Redo{});
     EXPECT_EQ(tracing()->picture, picture.picture);
-    EXPECT_EQ(painting.redo_steps().back().step.kind, Step::Kind::SetTracing);
+    EXPECT_EQ(painting.redo_steps().back().step.name, "Place of the traced picture");
 }
 
 TEST_F(TracingPaintingTest, WhereThereIsNoneNothingIsSetAndNothingUndone) {

@@ -25,7 +25,7 @@ void advance(Painting& painting, int ticks) {
 
 /// Changes a layer or takes another one, as far as there are such.
 void change_layers(Painting& painting, std::uint32_t number) {
-    const LayerStack stack = painting.state().layers;
+    const LayerStack stack = painting.state().value.layers;
     const std::vector<Layer>& layers = stack.layers;
     const LayerId layer = layers[core::scramble(number + 3) % layers.size()].id;
     const auto choice = core::scramble(number + 4) % 8;
@@ -134,13 +134,13 @@ TEST(PaintingUndo, TellsWhatItTakesBack) {
     painting.apply(Undo{});
     const auto steps = painting.undo_steps();
     ASSERT_EQ(steps.size(), 3U);
-    EXPECT_EQ(steps[0].step.kind, Step::Kind::Stroke);
+    EXPECT_EQ(steps[0].step.name, "Stroke");
     EXPECT_FALSE(steps[0].step.brush.empty());
-    EXPECT_EQ(steps[1].step.kind, Step::Kind::DryNow);
+    EXPECT_EQ(steps[1].step.name, "Dry now");
     EXPECT_GT(steps[1].bytes, 0U);
-    EXPECT_EQ(steps[2].step.kind, Step::Kind::SqueezePaint);
+    EXPECT_EQ(steps[2].step.name, "Paint squeezed out");
     ASSERT_EQ(painting.redo_steps().size(), 1U);
-    EXPECT_EQ(painting.redo_steps()[0].step.kind, Step::Kind::CleanWell);
+    EXPECT_EQ(painting.redo_steps()[0].step.name, "Mixing well wiped");
 }
 
 TEST(PaintingUndo, TellsWhichLayerItWas) {
@@ -153,13 +153,12 @@ TEST(PaintingUndo, TellsWhichLayerItWas) {
     painting.apply(UngroupLayers{1});
     painting.apply(FlattenLayers{});
     const auto steps = painting.undo_steps();
-    const std::vector<std::pair<Step::Kind, std::string>> expected = {
-        {Step::Kind::AddLayer, "Sky"},      {Step::Kind::SetLayer, "Sky"},
-        {Step::Kind::GroupLayers, "Far"},   {Step::Kind::DryNow, "Clouds"},
-        {Step::Kind::UngroupLayers, "Far"}, {Step::Kind::FlattenLayers, ""}};
+    const std::vector<std::pair<std::string, std::string>> expected = {
+        {"New layer", "Sky"},  {"Look of a layer", "Sky"}, {"Layers grouped", "Far"},
+        {"Dry now", "Clouds"}, {"Group dissolved", "Far"}, {"Flattened", ""}};
     ASSERT_EQ(steps.size(), expected.size());
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        EXPECT_EQ(steps[i].step.kind, expected[i].first) << i;
+        EXPECT_EQ(steps[i].step.name, expected[i].first) << i;
         EXPECT_EQ(steps[i].step.layer, expected[i].second) << i;
     }
 }

@@ -29,7 +29,7 @@ constexpr int kMostTiles = 64;
 
 void load_and_paint(std::span<const std::byte> bytes) {
     const LoadedProject project = parse_project(bytes, "file", pool());
-    if (project.painting.canvas.film.shape.tile_count() > kMostTiles) return;
+    if (project.painting.value.film.shape.tile_count() > kMostTiles) return;
     document::Painting painting(project.painting, pool());
     painting.advance_tick();
 }

@@ -121,7 +121,7 @@ TEST_F(BadProject, LayersThatCannotBeAreRefused) {
 
 TEST_F(BadProject, ATracingPictureThatIsNoneIsRefused) {
     Project project = busy_project(pool);
-    project.painting.tracing = std::make_shared<const layers::Tracing>(layers::Tracing{
+    project.painting.value.tracing = std::make_shared<const layers::Tracing>(layers::Tracing{
         std::make_shared<const pigment::Picture>(pigment::Picture{1, 1, {9, 9, 9, 255}}), {1, 2, 3, 4}});
     file = file_of(project, folder, pool);
     EXPECT_THAT(error_of_index("\"opacity\":0.5", "\"opacity\":5"),
@@ -202,7 +202,7 @@ TEST_F(BadProject, ValuesThatCannotBeAreRefusedWithTheirPlace) {
     static constexpr float kInfinite = std::numeric_limits<float>::infinity();
     const auto with = [&](auto&& change) {
         Project project = good;
-        change(project.painting.canvas.film);
+        change(project.painting.value.film);
         return error_of_painting(project);
     };
     EXPECT_EQ(
@@ -238,16 +238,16 @@ TEST_F(BadProject, MotionThatCannotBeIsRefused) {
         change(project.painting);
         return error_of_painting(project);
     };
-    EXPECT_THAT(with([](auto& painting) { painting.canvas.solver.awake[0].activity.waiting_s = 1e30; }),
+    EXPECT_THAT(with([](auto& painting) { painting.solver.awake[0].activity.waiting_s = 1e30; }),
                 HasSubstr("moves as no paint can"));
     EXPECT_THAT(with([](auto& painting) {
-                    painting.canvas.solver.awake[0].activity.extremes.speed_mm_s =
+                    painting.solver.awake[0].activity.extremes.speed_mm_s =
                         std::numeric_limits<float>::quiet_NaN();
                 }),
                 HasSubstr("moves as no paint can"));
     EXPECT_THAT(with([](auto& painting) {
-                    painting.canvas.solver.awake[0].activity.window_s = 0.25F;
-                    painting.canvas.solver.awake[0].window_start = {};
+                    painting.solver.awake[0].activity.window_s = 0.25F;
+                    painting.solver.awake[0].window_start = {};
                 }),
                 HasSubstr("there is no \"window\""));
     EXPECT_THAT(with([](auto& painting) { painting.ageing.drying_s = -1; }),
@@ -259,7 +259,7 @@ TEST_F(BadProject, ABrushThatCannotBeIsRefused) {
     const Project good = busy_project(pool);
     const auto with = [&](auto&& change) {
         Project project = good;
-        change(*project.painting.brush);
+        change(project.painting.value.brush->brush);
         return error_of_painting(project);
     };
     EXPECT_THAT(

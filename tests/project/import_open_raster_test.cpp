@@ -58,17 +58,17 @@ class ImportOpenRaster : public testing::Test {
 
 TEST_F(ImportOpenRaster, MakesALayerOfPaintOfEveryLayer) {
     const LoadedProject project = import(archive_of(small_file()));
-    const document::LayerStack& stack = project.painting.layers;
-    EXPECT_EQ(project.painting.settings.width_mm, 30.0);
-    EXPECT_EQ(project.painting.settings.height_mm, 20.0);
+    const document::LayerStack& stack = project.painting.value.layers;
+    EXPECT_EQ(project.painting.value.bare->settings.width_mm, 30.0);
+    EXPECT_EQ(project.painting.value.bare->settings.height_mm, 20.0);
     ASSERT_EQ(stack.layers.size(), 2U);
     EXPECT_EQ(stack.layers[0].look, (document::LayerLook{.name = "Grey", .visible = false}));
     EXPECT_EQ(stack.layers[1].look, (document::LayerLook{.name = "Red"}));
     ASSERT_EQ(stack.groups.size(), 1U);
     EXPECT_EQ(stack.groups[0].look, (document::LayerLook{.name = "Group", .opacity = 0.5}));
     EXPECT_EQ(stack.layers[1].group, stack.groups[0].id);
-    const document::LayerFilms films =
-        document::layers_apart(project.painting.canvas.film, project.painting.bare_support_mm, stack);
+    const document::LayerFilms films = document::layers_apart(
+        project.painting.value.film, project.painting.value.bare->support_mm, stack);
     // 4 cells per mm: the red square covers 5 to 15 mm.
     EXPECT_EQ(films[1]->support_mm.at(19, 19), 0.0F);
     EXPECT_GT(films[1]->support_mm.at(20, 20), 0.0F);
@@ -109,12 +109,12 @@ TEST_F(ImportOpenRaster, BringsOurOwnPaintingsBackAsTheyLook) {
     Entries entries = entries_of(file_of(before, folder.path(), pool));
     std::erase_if(entries, [](const auto& entry) { return entry.first.starts_with("pastoso/"); });
     ImportSettings settings;
-    settings.px_per_mm = before.painting.settings.px_per_mm;
+    settings.px_per_mm = before.painting.value.bare->settings.px_per_mm;
     settings.support = "panel";
     const LoadedProject after = import(archive_of(entries), settings);
     const auto picture = [&](const document::PaintingState& painting) {
-        const film::FilmState film =
-            document::view_of(painting.canvas.film, painting.bare_support_mm, painting.layers, pool);
+        const film::FilmState film = document::view_of(
+            painting.value.film, painting.value.bare->support_mm, painting.value.layers, pool);
         return shade::render(film, document::kPrimedGround, film.shape.cells(), {}, pool);
     };
     const pigment::LinearImage a = picture(before.painting), b = picture(after.painting);
@@ -142,9 +142,9 @@ TEST_F(ImportOpenRaster, LoadsWhatIsOurOwn) {
 TEST_F(ImportOpenRaster, WithoutLayersIsABareCanvas) {
     const LoadedProject project =
         import(archive_of({{"stack.xml", "<image w='30' h='20'><stack/></image>"}}));
-    EXPECT_EQ(project.painting.layers.layers.size(), 1U);
-    EXPECT_EQ(project.painting.settings.width_mm, kImportedSide_mm);
-    EXPECT_EQ(project.painting.settings.height_mm, 200.0);
+    EXPECT_EQ(project.painting.value.layers.layers.size(), 1U);
+    EXPECT_EQ(project.painting.value.bare->settings.width_mm, kImportedSide_mm);
+    EXPECT_EQ(project.painting.value.bare->settings.height_mm, 200.0);
 }
 
 TEST_F(ImportOpenRaster, RefusesDamagedAndHostileFilesInASentence) {

@@ -2,6 +2,7 @@
 #include "files/image.hpp"
 #include "files/temporary_folder.hpp"
 #include "project/paintings.hpp"
+#include "shade/render.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -29,7 +30,7 @@ TEST_F(WithKrita, ItsExportShowsThePicture) {
     ASSERT_EQ(std::system(command.c_str()), 0);
     const pigment::LinearImage seen = files::read_colour_image(folder / "a.png");
     shade::RenderSettings settings;
-    const film::FilmState& film = project.painting.canvas.film;
+    const film::FilmState& film = project.painting.value.film;
     const pigment::LinearImage own =
         shade::render(film, document::kPrimedGround, film.shape.cells(), settings, pool);
     ASSERT_EQ(seen.width, own.width);

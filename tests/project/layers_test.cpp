@@ -56,7 +56,7 @@ TEST_F(LayeredProject, ComesBackAndGoesOnToTheSameBits) {
         one->advance_tick();
     }
     EXPECT_EQ(again.state_hash(), painting->state_hash());
-    const document::LayerStack stack = again.state().layers, before = painting->state().layers;
+    const document::LayerStack stack = again.state().value.layers, before = painting->state().value.layers;
     EXPECT_EQ(stack.next_layer, before.next_layer);
     EXPECT_EQ(stack.layers[0].look, before.layers[0].look);
 }

@@ -68,7 +68,7 @@ TEST_F(MutatedProject, PaintOfRandomNumbers) {
     const Project good = busy_project(pool);
     for (int turn = 0; turn < 12; ++turn) {
         Project bad = good;
-        film::FilmState& film = bad.painting.canvas.film;
+        film::FilmState& film = bad.painting.value.film;
         for (int change = 0; change < 200; ++change) {
             const int x = static_cast<int>(random() % 180), y = static_cast<int>(random() % 90);
             film::PaintCell cell;

@@ -26,7 +26,7 @@ class OldFormat : public files::TemporaryFolder {
     }
     void expect_looks_as_painted(const LoadedProject& old) {
         EXPECT_THAT(old.notes, testing::IsEmpty());
-        const film::FilmState& film = old.painting.canvas.film;
+        const film::FilmState& film = old.painting.value.film;
         document::Painting again(old.strokes.canvas, pool);
         document::Player player(again, old.strokes);
         while (!player.finished())
@@ -41,14 +41,14 @@ class OldFormat : public files::TemporaryFolder {
 
 TEST_F(OldFormat, OneShowsThePaintingThatWasSaved) {
     const LoadedProject old = load_project(tests::source_file("tests/project/format-1.pastoso"), pool);
-    EXPECT_FALSE(old.painting.canvas.film.strata.optics.is_background(0));
+    EXPECT_FALSE(old.painting.value.film.strata.optics.is_background(0));
     expect_looks_as_painted(old);
 }
 
 TEST_F(OldFormat, ThreeShowsThePaintingThatWasSaved) {
     const LoadedProject old = load_project(tests::source_file("tests/project/format-3.pastoso"), pool);
-    EXPECT_TRUE(film::has_wet_paint(old.painting.canvas.film));
-    EXPECT_TRUE(old.painting.selection);
+    EXPECT_TRUE(film::has_wet_paint(old.painting.value.film));
+    EXPECT_TRUE(old.painting.value.selection);
     expect_looks_as_painted(old);
     EXPECT_LT(document::Painting(old.painting, pool).account().volume_error_rel(), 1e-9);
 }
@@ -64,8 +64,8 @@ TEST_F(OldFormatTwo, LiesOnTheClothThatItWasPaintedOn) {
     const LoadedProject old = loaded();
     EXPECT_THAT(old.notes, testing::IsEmpty());
     const document::PaintingState& painting = old.painting;
-    const document::LayerFilms films =
-        document::layers_apart(painting.canvas.film, painting.bare_support_mm, painting.layers);
+    const document::LayerFilms films = document::layers_apart(
+        painting.value.film, painting.value.bare->support_mm, painting.value.layers);
     ASSERT_EQ(films.size(), 2U);
     EXPECT_FALSE(films[0]->support_mm.is_background(0)) << "the dry red";
     EXPECT_TRUE(films[1]->support_mm.is_background(0)) << "wet paint alone has no relief";
@@ -86,10 +86,10 @@ TEST_F(OldFormatTwo, IsTheSameWhenItIsSavedAnewAndOpened) {
     const LoadedProject again = load_project(folder / "new.pastoso", pool);
     EXPECT_THAT(again.notes, testing::IsEmpty());
     EXPECT_EQ(document::state_hash(again.painting), document::state_hash(old.painting));
-    for (int tile = 0; tile < old.painting.bare_support_mm.tile_count(); ++tile)
+    for (int tile = 0; tile < old.painting.value.bare->support_mm.tile_count(); ++tile)
         for (int cell = 0; cell < grid::kTileCells; ++cell)
-            ASSERT_EQ(again.painting.bare_support_mm.read(tile)[cell],
-                      old.painting.bare_support_mm.read(tile)[cell]);
+            ASSERT_EQ(again.painting.value.bare->support_mm.read(tile)[cell],
+                      old.painting.value.bare->support_mm.read(tile)[cell]);
 }
 
 }  // namespace

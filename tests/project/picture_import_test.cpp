@@ -44,9 +44,9 @@ class PictureImport : public testing::Test {
 
 TEST_F(PictureImport, IsOneLayerOfPaintWithNoMorePixelsThanCells) {
     const LoadedProject project = import_picture(path, {.px_per_mm = 0.5}, pool);
-    EXPECT_EQ(project.painting.settings.support, "linen");
-    ASSERT_EQ(project.painting.layers.layers.size(), 1U);
-    EXPECT_EQ(project.painting.layers.layers[0].look.name, "photo");
+    EXPECT_EQ(project.painting.value.bare->settings.support, "linen");
+    ASSERT_EQ(project.painting.value.layers.layers.size(), 1U);
+    EXPECT_EQ(project.painting.value.layers.layers[0].look.name, "photo");
     ASSERT_EQ(project.strokes.events.size(), 2U);
     const auto& paint = std::get<document::PaintPicture>(project.strokes.events[0].action);
     EXPECT_EQ(paint.picture->width, 150);
@@ -58,9 +58,9 @@ TEST_F(PictureImport, AsASupportIsItsHeights) {
     ImportSettings settings{.as = ImportSettings::As::Support, .px_per_mm = 0.5};
     settings.support_relief_mm = 1.5;
     const LoadedProject project = import_picture(path, settings, pool);
-    EXPECT_EQ(project.painting.settings.support, "image");
+    EXPECT_EQ(project.painting.value.bare->settings.support, "image");
     // Steps of 16 bits.
-    EXPECT_NEAR(project.painting.canvas.film.support_mm.at(20, 20), 1.5F, 1e-4F);
+    EXPECT_NEAR(project.painting.value.film.support_mm.at(20, 20), 1.5F, 1e-4F);
     EXPECT_TRUE(project.strokes.events.empty());
 }
 

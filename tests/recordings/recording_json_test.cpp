@@ -196,7 +196,7 @@ TEST(RecordingJson, MediaOfOnesOwnNeedNameOnlyTheNumbersThatDiffer) {
         "s.json");
     film::Medium expected = film::find_medium("house paint");
     expected.yield_stress_Pa = 7.0;
-    EXPECT_EQ(std::get<UseMedium>(recording.events.at(0).action), (UseMedium{"house paint", expected}));
+    EXPECT_EQ(std::get<UseMedium>(recording.events.at(0).action), (UseMedium{"House Paint", expected}));
 }
 
 TEST(RecordingJson, NumbersOfAMediumAreLocated) {
@@ -254,7 +254,7 @@ TEST(RecordingJson, RefusesSamplesOutOfRange) {
                 HasSubstr("samples[0]: the pressure of the pen is 1.01"));
     EXPECT_THAT(stroke_error("[[-1,1,2,1]]"), HasSubstr("samples[0]: the time of the pen in s is -1"));
     EXPECT_THAT(stroke_error("[[0,1e9,2,1]]"), HasSubstr("samples[0]: the x of the pen in mm is 1e+09"));
-    EXPECT_THAT(stroke_error("[[0,1,2,1,91]]"), HasSubstr("samples[0]: the x tilt of the pen is 91"));
+    EXPECT_THAT(stroke_error("[[0,1,2,1,91]]"), HasSubstr("samples[0]: the x tilt of the pen in degrees is 91"));
     EXPECT_THAT(stroke_error("[[0,1,2]]"), HasSubstr("samples[0]: a sample has 4 to 7 numbers"));
     EXPECT_THAT(stroke_error("[[0,1,2,1,0,0,0,0]]"),
                 HasSubstr("samples[0]: a sample has 4 to 7 numbers"));
@@ -302,7 +302,7 @@ TEST(RecordingJson, RefusesUnknownNamesAndAbsurdValues) {
                 HasSubstr("mix[0]"));
     EXPECT_THAT(error(file_with(R"({"tick":0,"use_medium":{"name":"honey"}})")), HasSubstr("honey"));
     EXPECT_THAT(error(file_with(R"({"tick":0,"tilt_canvas":{"tilt_deg":91}})")),
-                HasSubstr("the tilt of the canvas is 91"));
+                HasSubstr("the tilt of the canvas in degrees is 91"));
     EXPECT_THAT(error(file_with(R"({"tick":0,"take_brush":{"preset":"flat","size_mm":-3}})")),
                 HasSubstr("the width of the brush in mm is -3"));
 }
@@ -347,7 +347,7 @@ TEST(RecordingJson, RefusesBadAids) {
     EXPECT_EQ(refused(R"("set_guide":{"form":"line","from_mm":[1,2]})"),
               "s.json, events[0].set_guide: there is no such entry as \"from_mm\" here.");
     EXPECT_EQ(refused(R"("set_guide":{"form":"ruler","from_mm":[1,2],"to_mm":[1]})"),
-              "s.json, events[0].set_guide.to_mm: expected a point, for example [20, 30].");
+              "s.json, events[0].set_guide.to_mm: expected two numbers, for example [20, 30].");
     EXPECT_THAT(refused(R"("set_guide":{"form":"ruler","from_mm":[1,2],"to_mm":[1,2]})"),
                 HasSubstr("events[0].set_guide: the distance of the ruler's points in mm is 0"));
     EXPECT_THAT(refused(R"("set_stabiliser":{"smoothing_ms":-3})"),

@@ -1,5 +1,7 @@
 #include "recordings/replay_stats.hpp"
 
+#include "core/memory.hpp"
+
 #include <set>
 
 #include <gtest/gtest.h>

@@ -158,7 +158,7 @@ void Exporting::ask(const tools::ExportSettings& settings) {
                                    studio_.session().recording()};
     const auto& events = subject.film.events;
     subject.has_strokes = std::any_of(events.begin(), events.end(), [](const document::Event& event) {
-        return journal::changes_painting(event.action);
+        return document::traits_of(event.action).changes_painting;
     });
     subject.film.events.clear();
     subject.light = light();

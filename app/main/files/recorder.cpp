@@ -41,7 +41,7 @@ void Recorder::watch() {
     document::Recording recording = studio_.session().recording();
     const auto& events = recording.events;
     const bool has_strokes = std::any_of(events.begin(), events.end(), [](const auto& event) {
-        return journal::changes_painting(event.action);
+        return document::traits_of(event.action).changes_painting;
     });
     if (!has_strokes)
         return studio_.report(tr("Nothing has been painted yet that could be shown again."));

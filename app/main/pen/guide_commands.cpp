@@ -1,6 +1,6 @@
 #include "main/pen/guide_commands.hpp"
 
-#include "document/action_checks.hpp"
+#include "document/actions/actions.hpp"
 #include "panels/pen/guides_panel.hpp"
 #include "tools/mirrors.hpp"
 

@@ -1,7 +1,7 @@
 #include "main/pen/hand_controls.hpp"
 
 #include "brush/preset.hpp"
-#include "document/action_checks.hpp"
+#include "document/actions/actions.hpp"
 #include "panels/canvas/easel_panel.hpp"
 #include "panels/colour/colour_panel.hpp"
 #include "panels/paint/load_panel.hpp"

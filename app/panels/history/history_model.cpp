@@ -9,7 +9,7 @@
 namespace pastoso::panels {
 
 void HistoryModel::show(const session::Steps& steps) {
-    std::vector<document::Step> next;
+    std::vector<document::UndoStep> next;
     for (const document::KeptStep& kept : steps.past)
         next.push_back(kept.step);
     for (auto kept = steps.future.rbegin(); kept != steps.future.rend(); ++kept)
@@ -28,7 +28,7 @@ int HistoryModel::rowCount(const QModelIndex& parent) const {
 
 QVariant HistoryModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount()) return {};
-    const document::Step* step =
+    const document::UndoStep* step =
         index.row() == 0 ? nullptr : &steps_[static_cast<std::size_t>(index.row()) - 1];
     const bool undone = index.row() > present_row_;
     switch (role) {

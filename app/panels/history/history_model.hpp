@@ -24,7 +24,7 @@ class HistoryModel : public QAbstractListModel {
     QVariant data(const QModelIndex& index, int role) const override;
 
   private:
-    std::vector<document::Step> steps_;
+    std::vector<document::UndoStep> steps_;
     int present_row_ = 0;
 };
 

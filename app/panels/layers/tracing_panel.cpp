@@ -1,6 +1,6 @@
 #include "panels/layers/tracing_panel.hpp"
 
-#include "document/action_checks.hpp"
+#include "document/actions/actions.hpp"
 #include "panels/colour/picture_board.hpp"
 #include "panels/parts/section.hpp"
 #include "panels/parts/value_row.hpp"

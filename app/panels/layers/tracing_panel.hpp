@@ -1,7 +1,7 @@
 // The picture that is traced: beside the canvas to look at, and how it lies below the paint.
 #pragma once
 
-#include "document/picture_events.hpp"
+#include "document/actions/picture_actions.hpp"
 #include "layers/tracing.hpp"
 
 #include <memory>

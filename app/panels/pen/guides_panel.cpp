@@ -1,7 +1,7 @@
 #include "panels/pen/guides_panel.hpp"
 
 #include "core/units.hpp"
-#include "document/action_checks.hpp"
+#include "document/actions/actions.hpp"
 #include "panels/parts/section.hpp"
 
 #include <cmath>

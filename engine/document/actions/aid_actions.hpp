@@ -1,0 +1,167 @@
+// What steadies, leads and multiplies the hand.
+#pragma once
+
+#include "brush/pen_filter.hpp"
+#include "brush/pen_guide.hpp"
+#include "brush/symmetry.hpp"
+#include "document/actions/pen_actions.hpp"
+#include "document/actions/table.hpp"
+
+#include <type_traits>
+
+namespace pastoso::document {
+
+struct PaintingValue;
+
+/// A symmetry has at most this many copies beside their mirror images.
+inline constexpr int kMostCopies = 16;
+
+/// A guide has a direction.
+inline constexpr double kShortestGuide_mm = 0.1;
+
+struct SetStabiliser {  ///< steadies the hand, from the next stroke on
+    brush::Stabiliser stabiliser;
+    friend bool operator==(const SetStabiliser&, const SetStabiliser&) = default;
+};
+struct SetGuide {  ///< leads the pen on the canvas, from the next stroke on
+    brush::PenGuide guide;
+    friend bool operator==(const SetGuide&, const SetGuide&) = default;
+};
+/// Paints every stroke on the canvas from the next one on with several brushes at once. Each starts with
+/// what the brush in hand holds, taken from the tubes, and is wiped when the stroke ends.
+struct SetSymmetry {
+    brush::Symmetry symmetry;
+    friend bool operator==(const SetSymmetry&, const SetSymmetry&) = default;
+};
+
+using AidActions = ActionList<SetStabiliser, SetGuide, SetSymmetry>;
+
+void check_whole(const SetGuide& set);
+void put_in_hand(const SetStabiliser& set, PaintingValue& painting);
+void put_in_hand(const SetGuide& set, PaintingValue& painting);
+void put_in_hand(const SetSymmetry& set, PaintingValue& painting);
+SetStabiliser in_hand(std::type_identity<SetStabiliser>, const PaintingValue& painting);
+SetGuide in_hand(std::type_identity<SetGuide>, const PaintingValue& painting);
+SetSymmetry in_hand(std::type_identity<SetSymmetry>, const PaintingValue& painting);
+
+template <>
+struct Table<SetStabiliser> {
+    static constexpr ActionTraits kTraits{.key = "set_stabiliser",
+                                          .since = 3,
+                                          .meaning = "steadies the hand, from the next stroke on",
+                                          .undo = UndoRole::NoStep,
+                                          .step = "",
+                                          .changes_painting = false,
+                                          .stroke = StrokeRole::GoesOn,
+                                          .in_set_up = true};
+    static constexpr void fields(auto&& visit) {
+        using Stabiliser = brush::Stabiliser;
+        visit(Number<At<&SetStabiliser::stabiliser, &Stabiliser::smoothing_ms>>{
+            "smoothing_ms", "smoothing of the stabiliser", "ms", 0.0, 2000.0, Presence::Written,
+            "added to the brush's own"});
+        visit(Number<At<&SetStabiliser::stabiliser, &Stabiliser::string_mm>>{
+            "string_mm", "string of the stabiliser", "mm", 0.0, 200.0, Presence::Written,
+            "pulls the brush, where it is longer than the brush's own"});
+    }
+};
+
+template <>
+struct Table<std::monostate> {
+    static constexpr std::string_view kName = "none";
+    static constexpr void fields(auto&&) {}
+};
+
+template <>
+struct Table<brush::StraightLine> {
+    static constexpr std::string_view kName = "line";
+    static constexpr void fields(auto&&) {}
+};
+
+template <>
+struct Table<brush::Ruler> {
+    static constexpr std::string_view kName = "ruler";
+    static constexpr void fields(auto&& visit) {
+        using brush::Ruler;
+        constexpr double kFar_mm = kMaxPenPosition_mm;
+        visit(Pair<At<&Ruler::x1_mm>, At<&Ruler::y1_mm>>{"from_mm", "ruler's first point", "mm",
+                                                         -kFar_mm, kFar_mm, Presence::Required});
+        visit(Pair<At<&Ruler::x2_mm>, At<&Ruler::y2_mm>>{"to_mm", "ruler's second point", "mm", -kFar_mm,
+                                                         kFar_mm, Presence::Required,
+                                                         "at least 0.1 mm from the first"});
+    }
+};
+
+template <>
+struct Table<brush::EllipseCurve> {
+    static constexpr std::string_view kName = "ellipse";
+    static constexpr void fields(auto&& visit) {
+        using Ellipse = brush::EllipseCurve;
+        using enum Presence;
+        constexpr double kFar_mm = kMaxPenPosition_mm;
+        visit(Pair<At<&Ellipse::centre_x_mm>, At<&Ellipse::centre_y_mm>>{
+            "centre_mm", "ellipse's centre", "mm", -kFar_mm, kFar_mm, Required});
+        visit(Number<At<&Ellipse::half_width_mm>>{"half_width_mm", "half width of the ellipse", "mm",
+                                                  kShortestGuide_mm, kFar_mm, Required});
+        visit(Number<At<&Ellipse::half_height_mm>>{"half_height_mm", "half height of the ellipse", "mm",
+                                                   kShortestGuide_mm, kFar_mm, Required});
+        visit(Number<At<&Ellipse::turn_deg>>{"turn_deg", "turn of the ellipse", "degrees", -360.0, 360.0,
+                                             Written});
+    }
+};
+
+template <>
+struct Table<SetGuide> {
+    static constexpr ActionTraits kTraits{
+        .key = "set_guide",
+        .since = 3,
+        .meaning = "leads the pen on the canvas, from the next stroke on",
+        .undo = UndoRole::NoStep,
+        .step = "",
+        .changes_painting = false,
+        .stroke = StrokeRole::GoesOn,
+        .in_set_up = true};
+    static constexpr void fields(auto&& visit) {
+        using Guide = brush::PenGuide;
+        visit(OneOf<At<&SetGuide::guide, &Guide::form>>{"form", "guide"});
+        visit(Number<At<&SetGuide::guide, &Guide::reach_mm>>{
+            "reach_mm", "reach of the guide", "mm", 0.0, kMaxPenPosition_mm, Presence::Optional,
+            "how near a ruler or an ellipse a stroke has to start to run along it; others run beside "
+            "it"});
+        visit(Truth<At<&SetGuide::guide, &Guide::turn_across>>{
+            "turn_across", "turn across the guide", Presence::Optional,
+            "the width of the brush stands across it"});
+    }
+};
+
+template <>
+struct Table<SetSymmetry> {
+    static constexpr ActionTraits kTraits{
+        .key = "set_symmetry",
+        .since = 3,
+        .meaning =
+            "paints every stroke on the canvas with several brushes at once, from the next one on",
+        .undo = UndoRole::NoStep,
+        .step = "",
+        .changes_painting = false,
+        .stroke = StrokeRole::GoesOn,
+        .in_set_up = true};
+    template <auto kMember>
+    using Here = At<&SetSymmetry::symmetry, kMember>;
+    static constexpr void fields(auto&& visit) {
+        using brush::Symmetry;
+        using enum Presence;
+        constexpr double kFar_mm = kMaxPenPosition_mm;
+        visit(Number<Here<&Symmetry::centre_x_mm>>{"centre_x_mm", "x of the centre of the symmetry",
+                                                   "mm", -kFar_mm, kFar_mm, Required});
+        visit(Number<Here<&Symmetry::centre_y_mm>>{"centre_y_mm", "y of the centre of the symmetry",
+                                                   "mm", -kFar_mm, kFar_mm, Required});
+        visit(Number<Here<&Symmetry::axis_deg>>{"axis_deg", "axis of the symmetry", "degrees", -360.0,
+                                                360.0, Optional, "direction of the mirror"});
+        visit(
+            Truth<Here<&Symmetry::mirror>>{"mirror", "mirror", Optional, "mirrors every copy as well"});
+        visit(Whole<Here<&Symmetry::count>>{"count", "number of the symmetry's copies", 1, kMostCopies,
+                                            Optional, "turned evenly about the centre"});
+    }
+};
+
+}  // namespace pastoso::document

@@ -1,0 +1,65 @@
+#include "document/actions/brush_actions.hpp"
+
+#include "core/error.hpp"
+#include "document/living_painting.hpp"
+#include "document/paint_mixing.hpp"
+
+#include <utility>
+
+namespace pastoso::document {
+
+brush::Preset preset_of(const TakeBrush& take) {
+    if (take.definition.empty()) return brush::find_preset(take.preset);
+    return brush::parse_preset(take.definition, "the brush \"" + take.preset + "\"");
+}
+
+void check_whole(const TakeBrush& take) {
+    preset_of(take);
+}
+
+void check_whole(const LoadPaint& load) {
+    check_paint(load.paint);
+    check_paint(load.second);
+}
+
+void check_possible(const LoadPaint&, const LivingPainting& painting) {
+    if (!painting.value.brush) throw core::InputError("there is no brush in hand to take paint with.");
+}
+
+void put_in_hand(const TakeBrush& take, PaintingValue& painting) {
+    painting.brush = BrushInHand{take, brush::Brush(preset_of(take), take.size_mm, take.seed)};
+}
+
+std::optional<TakeBrush> in_hand(std::type_identity<TakeBrush>, const PaintingValue& painting) {
+    if (!painting.brush) return std::nullopt;
+    TakeBrush take = painting.brush->taken;
+    take.definition = brush::preset_to_json(preset_of(take));
+    return take;
+}
+
+void apply(const TakeBrush& take, LivingPainting& painting) {
+    PaintingValue& value = painting.value;
+    if (value.brush) value.flows.wiped += value.brush->brush.clean();
+    put_in_hand(take, value);
+    painting.touch_brush();
+}
+
+void apply(const LoadPaint& load, LivingPainting& painting) {
+    brush::MixedLoad paint{.first = mixed_paint(load.paint, painting.medium), .tip_only = load.tip_only};
+    if (!load.second.ingredients.empty()) {
+        paint.second = mixed_paint(load.second, painting.medium);
+        paint.second_share = load.second_share;
+        paint.share_variation = load.share_variation;
+        paint.side_by_side = load.side_by_side;
+    }
+    painting.value.flows.taken += painting.value.brush->brush.load(paint, load.fill);
+    painting.touch_brush();
+}
+
+void apply(const CleanBrush& clean, LivingPainting& painting) {
+    if (!painting.value.brush) return;
+    painting.value.flows.wiped += painting.value.brush->brush.clean(clean.share);
+    painting.touch_brush();
+}
+
+}  // namespace pastoso::document

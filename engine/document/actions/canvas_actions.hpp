@@ -1,0 +1,86 @@
+// The canvas itself: how it leans, and its size.
+#pragma once
+
+#include "document/actions/pen_actions.hpp"
+#include "document/actions/table.hpp"
+
+#include <type_traits>
+
+namespace pastoso::document {
+
+struct LivingPainting;
+struct PaintingValue;
+
+inline constexpr double kMinCanvasSide_mm = 1.0;
+inline constexpr double kMaxCanvasSide_mm = 5000.0;
+
+struct TiltCanvas {
+    double tilt_deg = 0.0;        ///< 0 flat, 90 upright
+    double direction_deg = 90.0;  ///< where down points on the canvas: 0 right, 90 to the lower edge
+    friend bool operator==(const TiltCanvas&, const TiltCanvas&) = default;
+};
+/// The canvas becomes this rectangle of its own millimetres, in whole cells. What is added is bare: more
+/// of the same cloth, or the outermost heights of an image going on; what is cut off is wiped off. The
+/// selection and the tracing come along. Guides, symmetry and fan stay at their millimetres, which count
+/// from the new corner.
+struct ResizeCanvas {
+    double x_mm = 0.0, y_mm = 0.0;
+    double width_mm = 0.0, height_mm = 0.0;
+    friend bool operator==(const ResizeCanvas&, const ResizeCanvas&) = default;
+};
+
+using CanvasActions = ActionList<TiltCanvas, ResizeCanvas>;
+
+void put_in_hand(const TiltCanvas& tilt, PaintingValue& painting);
+TiltCanvas in_hand(std::type_identity<TiltCanvas>, const PaintingValue& painting);
+void apply(const TiltCanvas& tilt, LivingPainting& painting);
+void apply(const ResizeCanvas& resize, LivingPainting& painting);
+
+template <>
+struct Table<TiltCanvas> {
+    static constexpr ActionTraits kTraits{.key = "tilt_canvas",
+                                          .since = 1,
+                                          .meaning = "leans the canvas",
+                                          .undo = UndoRole::NoStep,
+                                          .step = "",
+                                          .changes_painting = false,
+                                          .stroke = StrokeRole::GoesOn,
+                                          .in_set_up = true};
+    static constexpr void fields(auto&& visit) {
+        visit(Number<At<&TiltCanvas::tilt_deg>>{"tilt_deg", "tilt of the canvas", "degrees", 0.0, 90.0,
+                                                Presence::Required, "0 flat, 90 upright"});
+        visit(Number<At<&TiltCanvas::direction_deg>>{
+            "direction_deg", "direction of the tilt", "degrees", -360.0, 360.0, Presence::Written,
+            "where down points: 0 right, 90 to the lower edge"});
+    }
+};
+
+template <>
+struct Table<ResizeCanvas> {
+    static constexpr ActionTraits kTraits{
+        .key = "resize_canvas",
+        .since = 6,
+        .meaning =
+            "the canvas becomes this rectangle of its own millimetres, in whole cells. What is added is "
+            "bare, more of the same cloth; what is cut off is counted as wiped off. Millimetres count "
+            "from the new corner ever after",
+        .undo = UndoRole::Step,
+        .step = step_name("Size of the canvas"),
+        .changes_painting = true,
+        .stroke = StrokeRole::Ends,
+        .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        using enum Presence;
+        constexpr double kFar_mm = kMaxPenPosition_mm;
+        visit(Number<At<&ResizeCanvas::x_mm>>{"x_mm", "x of the new canvas", "mm", -kFar_mm, kFar_mm,
+                                              Written});
+        visit(Number<At<&ResizeCanvas::y_mm>>{"y_mm", "y of the new canvas", "mm", -kFar_mm, kFar_mm,
+                                              Written});
+        visit(Number<At<&ResizeCanvas::width_mm>>{"width_mm", "width of the new canvas", "mm",
+                                                  kMinCanvasSide_mm, kMaxCanvasSide_mm, Required});
+        visit(Number<At<&ResizeCanvas::height_mm>>{"height_mm", "height of the new canvas", "mm",
+                                                   kMinCanvasSide_mm, kMaxCanvasSide_mm, Required});
+    }
+};
+
+}  // namespace pastoso::document

@@ -1,0 +1,113 @@
+// What can happen to groups of layers (layers.hpp).
+#pragma once
+
+#include "document/actions/layer_look_table.hpp"
+#include "document/actions/table.hpp"
+
+#include <string>
+#include <vector>
+
+namespace pastoso::document {
+
+struct LivingPainting;
+
+struct GroupLayers {  ///< puts layers that lie next to each other, of no group, into a new one
+    std::string name;
+    std::vector<LayerId> layers;
+    friend bool operator==(const GroupLayers&, const GroupLayers&) = default;
+};
+struct SetGroup {
+    GroupId group = 0;
+    LayerLook look;
+    friend bool operator==(const SetGroup&, const SetGroup&) = default;
+};
+struct MoveGroup {
+    GroupId group = 0;
+    int place = 0;  ///< how many of the other layers are below its lowest afterwards
+    friend bool operator==(const MoveGroup&, const MoveGroup&) = default;
+};
+struct UngroupLayers {  ///< leaves the group's layers where they are
+    GroupId group = 0;
+    friend bool operator==(const UngroupLayers&, const UngroupLayers&) = default;
+};
+
+using GroupActions = ActionList<GroupLayers, SetGroup, MoveGroup, UngroupLayers>;
+
+void apply(const GroupLayers& group, LivingPainting& painting);
+void apply(const SetGroup& set, LivingPainting& painting);
+void apply(const MoveGroup& move, LivingPainting& painting);
+void apply(const UngroupLayers& ungroup, LivingPainting& painting);
+
+template <>
+struct Table<GroupLayers> {
+    static constexpr ActionTraits kTraits{.key = "group_layers",
+                                          .since = 5,
+                                          .meaning =
+                                              "puts layers that lie next to each other and are in no "
+                                              "group into a new one. Groups are numbered like layers",
+                                          .undo = UndoRole::Step,
+                                          .step = step_name("Layers grouped"),
+                                          .changes_painting = true,
+                                          .stroke = StrokeRole::Ends,
+                                          .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        visit(
+            Text<At<&GroupLayers::name>>{"name", "name of a group", kMostLayerName, Presence::Required});
+        visit(Value<At<&GroupLayers::layers>>{"layers", "numbers of the layers", Presence::Required});
+    }
+};
+
+template <>
+struct Table<SetGroup> {
+    static constexpr ActionTraits kTraits{.key = "set_group",
+                                          .since = 5,
+                                          .meaning = "how a group is called and shown",
+                                          .undo = UndoRole::Step,
+                                          .step = step_name("Look of a group"),
+                                          .changes_painting = true,
+                                          .stroke = StrokeRole::Ends,
+                                          .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        visit(Part<At<&SetGroup::look>>{});
+        visit(
+            Whole<At<&SetGroup::group>>{"group", "number of the group", 1, kMostId, Presence::Required});
+    }
+};
+
+template <>
+struct Table<MoveGroup> {
+    static constexpr ActionTraits kTraits{.key = "move_group",
+                                          .since = 5,
+                                          .meaning = "changes the order of layers",
+                                          .undo = UndoRole::Step,
+                                          .step = step_name("Group moved"),
+                                          .changes_painting = true,
+                                          .stroke = StrokeRole::Ends,
+                                          .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        visit(Whole<At<&MoveGroup::group>>{"group", "number of the group", 1, kMostId,
+                                           Presence::Required});
+        visit(Whole<At<&MoveGroup::place>>{
+            "place", "position of the group", 0, kMostLayers, Presence::Required,
+            "how many layers that are not in it are below it afterwards"});
+    }
+};
+
+template <>
+struct Table<UngroupLayers> {
+    static constexpr ActionTraits kTraits{
+        .key = "ungroup_layers",
+        .since = 5,
+        .meaning = "leaves the layers of a group where they are, in none",
+        .undo = UndoRole::Step,
+        .step = step_name("Group dissolved"),
+        .changes_painting = true,
+        .stroke = StrokeRole::Ends,
+        .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        visit(Whole<At<&UngroupLayers::group>>{"group", "number of the group", 1, kMostId,
+                                               Presence::Required});
+    }
+};
+
+}  // namespace pastoso::document

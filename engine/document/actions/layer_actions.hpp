@@ -1,0 +1,268 @@
+// What can happen to the layers of a painting (layers.hpp).
+#pragma once
+
+#include "document/actions/layer_look_table.hpp"
+#include "document/actions/pen_actions.hpp"
+#include "document/actions/table.hpp"
+#include "layers/transform.hpp"
+
+#include <string>
+
+namespace pastoso::document {
+
+struct LivingPainting;
+
+/// A transform scales by this along an axis, mirroring aside: what is smaller is not to be seen; larger,
+/// a cell would fill a small canvas.
+inline constexpr double kLeastScale = 0.05, kMostScale = 20.0;
+
+struct AddLayer {  ///< bare and with nothing but a name, above the active one; becomes active
+    std::string name;
+    friend bool operator==(const AddLayer&, const AddLayer&) = default;
+};
+struct SelectLayer {  ///< makes it the active one: its wet paint flows, that of all others keeps still
+    LayerId layer = 0;
+    friend bool operator==(const SelectLayer&, const SelectLayer&) = default;
+};
+struct SetLayer {
+    LayerId layer = 0;
+    LayerLook look;
+    friend bool operator==(const SetLayer&, const SetLayer&) = default;
+};
+struct DuplicateLayer {  ///< with as much paint from the tubes; the copy lies above it, and is active
+    LayerId layer = 0;
+    friend bool operator==(const DuplicateLayer&, const DuplicateLayer&) = default;
+};
+struct RemoveLayer {  ///< with all its paint, which is wiped off; the last one stays
+    LayerId layer = 0;
+    friend bool operator==(const RemoveLayer&, const RemoveLayer&) = default;
+};
+struct ClearLayer {  ///< wipes its paint off, wet and dry: all, or what is selected of it
+    LayerId layer = 0;
+    friend bool operator==(const ClearLayer&, const ClearLayer&) = default;
+};
+/// Moves, turns and scales its paint, or what is selected of it and the selection with it; that is then
+/// laid over the rest (layers/merging.hpp). Paint keeps its thickness: what there is more of afterwards
+/// comes out of the tubes, what there is less of and what comes beyond the canvas is wiped off.
+struct TransformLayer {
+    LayerId layer = 0;
+    layers::Transform transform;
+    friend bool operator==(const TransformLayer&, const TransformLayer&) = default;
+};
+struct MoveLayer {
+    LayerId layer = 0;
+    int place = 0;      ///< how many of the other layers are below it afterwards
+    GroupId group = 0;  ///< that it is in then
+    friend bool operator==(const MoveLayer&, const MoveLayer&) = default;
+};
+struct MergeDown {  ///< onto the one below it (layers/merging.hpp), which keeps its name and its
+                    ///< position
+    LayerId layer = 0;
+    friend bool operator==(const MergeDown&, const MergeDown&) = default;
+};
+struct FlattenLayers {  ///< merges all that are visible into the lowest of them; hidden ones stay
+    friend bool operator==(const FlattenLayers&, const FlattenLayers&) = default;
+};
+
+using LayerActions = ActionList<AddLayer, SelectLayer, SetLayer, DuplicateLayer, RemoveLayer, ClearLayer,
+                                TransformLayer, MoveLayer, MergeDown, FlattenLayers>;
+
+void check_whole(const TransformLayer& move);
+void apply(const AddLayer& add, LivingPainting& painting);
+void apply(const SelectLayer& select, LivingPainting& painting);
+void apply(const SetLayer& set, LivingPainting& painting);
+void apply(const DuplicateLayer& duplicate, LivingPainting& painting);
+void apply(const RemoveLayer& remove, LivingPainting& painting);
+void apply(const ClearLayer& clear, LivingPainting& painting);
+void apply(const TransformLayer& move, LivingPainting& painting);
+void apply(const MoveLayer& move, LivingPainting& painting);
+void apply(const MergeDown& merge, LivingPainting& painting);
+void apply(const FlattenLayers& flatten, LivingPainting& painting);
+
+template <>
+struct Table<AddLayer> {
+    static constexpr ActionTraits kTraits{
+        .key = "add_layer",
+        .since = 5,
+        .meaning =
+            "adds a bare layer above the active one; it becomes active. Layers are numbered from 1, in "
+            "the order in which they come to be",
+        .undo = UndoRole::Step,
+        .step = step_name("New layer"),
+        .changes_painting = true,
+        .stroke = StrokeRole::Ends,
+        .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        visit(Text<At<&AddLayer::name>>{"name", "name of a layer", kMostLayerName, Presence::Required});
+    }
+};
+
+template <>
+struct Table<SelectLayer> {
+    static constexpr ActionTraits kTraits{
+        .key = "select_layer",
+        .since = 5,
+        .meaning = "makes a layer the active one: its wet paint flows, that of all others keeps still",
+        .undo = UndoRole::NoStep,
+        .step = "",
+        .changes_painting = false,
+        .stroke = StrokeRole::Ends,
+        .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        visit(Whole<At<&SelectLayer::layer>>{"layer", "number of the layer", 1, kMostId,
+                                             Presence::Required});
+    }
+};
+
+template <>
+struct Table<SetLayer> {
+    static constexpr ActionTraits kTraits{.key = "set_layer",
+                                          .since = 5,
+                                          .meaning = "how a layer is called and shown",
+                                          .undo = UndoRole::Step,
+                                          .step = step_name("Look of a layer"),
+                                          .changes_painting = true,
+                                          .stroke = StrokeRole::Ends,
+                                          .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        visit(Part<At<&SetLayer::look>>{});
+        visit(
+            Whole<At<&SetLayer::layer>>{"layer", "number of the layer", 1, kMostId, Presence::Required});
+    }
+};
+
+template <>
+struct Table<DuplicateLayer> {
+    static constexpr ActionTraits kTraits{
+        .key = "duplicate_layer",
+        .since = 5,
+        .meaning = "the copy lies above its model and becomes active; its paint comes out of the tubes",
+        .undo = UndoRole::Step,
+        .step = step_name("Layer duplicated"),
+        .changes_painting = true,
+        .stroke = StrokeRole::Ends,
+        .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        visit(Whole<At<&DuplicateLayer::layer>>{"layer", "number of the layer", 1, kMostId,
+                                                Presence::Required});
+    }
+};
+
+template <>
+struct Table<RemoveLayer> {
+    static constexpr ActionTraits kTraits{.key = "remove_layer",
+                                          .since = 5,
+                                          .meaning = "what was on it is counted as wiped off",
+                                          .undo = UndoRole::Step,
+                                          .step = step_name("Layer removed"),
+                                          .changes_painting = true,
+                                          .stroke = StrokeRole::Ends,
+                                          .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        visit(Whole<At<&RemoveLayer::layer>>{"layer", "number of the layer", 1, kMostId,
+                                             Presence::Required});
+    }
+};
+
+template <>
+struct Table<ClearLayer> {
+    static constexpr ActionTraits kTraits{
+        .key = "clear_layer",
+        .since = 5,
+        .meaning = "wipes all its paint off, or what is selected of it",
+        .undo = UndoRole::Step,
+        .step = step_name("Layer cleared"),
+        .changes_painting = true,
+        .stroke = StrokeRole::Ends,
+        .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        visit(Whole<At<&ClearLayer::layer>>{"layer", "number of the layer", 1, kMostId,
+                                            Presence::Required});
+    }
+};
+
+template <>
+struct Table<TransformLayer> {
+    static constexpr ActionTraits kTraits{
+        .key = "transform_layer",
+        .since = 6,
+        .meaning =
+            "its paint, or what is selected of it, is scaled and turned about the centre, then moved; "
+            "paint keeps its thickness ([0030](decisions/0030-transforms.md))",
+        .undo = UndoRole::Step,
+        .step = step_name("Transform"),
+        .changes_painting = true,
+        .stroke = StrokeRole::Ends,
+        .in_set_up = false};
+    template <auto kMember>
+    using In = At<&TransformLayer::transform, kMember>;
+    static constexpr void fields(auto&& visit) {
+        visit(Whole<At<&TransformLayer::layer>>{"layer", "number of the layer", 1, kMostId,
+                                                Presence::Required});
+        using layers::Transform;
+        using enum Presence;
+        constexpr double kFar_mm = kMaxPenPosition_mm;
+        visit(Pair<In<&Transform::centre_x_mm>, In<&Transform::centre_y_mm>>{
+            "centre_mm", "transform's centre", "mm", -kFar_mm, kFar_mm, Written});
+        visit(Pair<In<&Transform::move_x_mm>, In<&Transform::move_y_mm>>{
+            "move_mm", "transform's move", "mm", -kFar_mm, kFar_mm, Written});
+        visit(Number<In<&Transform::turn_deg>>{"turn_deg", "turn of the transform", "degrees", -360.0,
+                                               360.0, Written, "clockwise"});
+        visit(Pair<In<&Transform::scale_x>, In<&Transform::scale_y>>{
+            "scale", "transform's scale", "", -kMostScale, kMostScale, Written,
+            "at least 0.05 each; negative to mirror"});
+    }
+};
+
+template <>
+struct Table<MoveLayer> {
+    static constexpr ActionTraits kTraits{.key = "move_layer",
+                                          .since = 5,
+                                          .meaning = "changes the order of layers",
+                                          .undo = UndoRole::Step,
+                                          .step = step_name("Layer moved"),
+                                          .changes_painting = true,
+                                          .stroke = StrokeRole::Ends,
+                                          .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        visit(Whole<At<&MoveLayer::layer>>{"layer", "number of the layer", 1, kMostId,
+                                           Presence::Required});
+        visit(Whole<At<&MoveLayer::place>>{"place", "position of the layer", 0, kMostLayers,
+                                           Presence::Required,
+                                           "how many of the others are below it afterwards"});
+        visit(Whole<At<&MoveLayer::group>>{"group", "group of the layer", 0, kMostId, Presence::Optional,
+                                           "that it is in then; 0: none"});
+    }
+};
+
+template <>
+struct Table<MergeDown> {
+    static constexpr ActionTraits kTraits{.key = "merge_down",
+                                          .since = 5,
+                                          .meaning = "merges a layer onto the one below it",
+                                          .undo = UndoRole::Step,
+                                          .step = step_name("Merged down"),
+                                          .changes_painting = true,
+                                          .stroke = StrokeRole::Ends,
+                                          .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        visit(Whole<At<&MergeDown::layer>>{"layer", "number of the layer", 1, kMostId,
+                                           Presence::Required});
+    }
+};
+
+template <>
+struct Table<FlattenLayers> {
+    static constexpr ActionTraits kTraits{
+        .key = "flatten_layers",
+        .since = 5,
+        .meaning = "merges all that are visible into the lowest of them",
+        .undo = UndoRole::Step,
+        .step = step_name("Flattened"),
+        .changes_painting = true,
+        .stroke = StrokeRole::Ends,
+        .in_set_up = false};
+    static constexpr void fields(auto&&) {}
+};
+
+}  // namespace pastoso::document

@@ -1,0 +1,25 @@
+// The fields that actions on layers and on groups share.
+#pragma once
+
+#include "document/actions/table.hpp"
+#include "document/layer_look.hpp"
+
+#include <limits>
+
+namespace pastoso::document {
+
+inline constexpr std::int64_t kMostId = std::numeric_limits<LayerId>::max();
+
+template <>
+struct Table<LayerLook> {
+    static constexpr void fields(auto&& visit) {
+        using enum Presence;
+        visit(Text<At<&LayerLook::name>>{"name", "name of a layer", kMostLayerName, Required});
+        visit(Truth<At<&LayerLook::visible>>{"visible", "visible", Optional});
+        visit(Truth<At<&LayerLook::locked>>{"locked", "locked", Optional, "nothing is painted on it"});
+        visit(
+            Number<At<&LayerLook::opacity>>{"opacity", "opacity of the layer", "", 0.0, 1.0, Optional});
+    }
+};
+
+}  // namespace pastoso::document

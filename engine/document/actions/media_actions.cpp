@@ -1,0 +1,62 @@
+#include "document/actions/media_actions.hpp"
+
+#include "core/check.hpp"
+#include "document/living_painting.hpp"
+#include "film/cell/drying.hpp"
+
+namespace pastoso::document {
+
+film::Medium medium_of(const UseMedium& use) {
+    film::Medium medium = film::find_medium(use.name);
+    if (!use.own) return medium;
+    PASTOSO_CHECK(use.own->name == medium.name);
+    return *use.own;
+}
+
+void check_whole(const UseMedium& use) {
+    film::check_numbers(medium_of(use), "the medium");
+}
+
+void check_possible(const DryNow&, const LivingPainting& painting) {
+    check_unlocked(painting.value.layers, painting.value.layers.active);
+}
+
+UndoStep undo_step(const DryNow&, const LivingPainting& painting) {
+    return {.name = Table<DryNow>::kTraits.step, .layer = painting.active_layer().look.name};
+}
+
+void put_in_hand(const UseMedium& use, PaintingValue& painting) {
+    painting.medium = {medium_of(use).name, use.own};
+}
+
+void put_in_hand(const SetDrying& set, PaintingValue& painting) {
+    painting.air = set.air;
+}
+
+UseMedium in_hand(std::type_identity<UseMedium>, const PaintingValue& painting) {
+    return painting.medium;
+}
+
+SetDrying in_hand(std::type_identity<SetDrying>, const PaintingValue& painting) {
+    return {painting.air};
+}
+
+void apply(const UseMedium& use, LivingPainting& painting) {
+    PaintingValue& value = painting.value;
+    const film::Medium next = medium_of(use);
+    if (next != painting.medium) {
+        const bool brush_holds_paint = value.brush && value.brush->brush.contents().volume_mm3 > 0.0;
+        value.film.varied = film::has_wet_paint(value.film) || brush_holds_paint || value.well;
+        if (value.well) value.well->varied = true;
+    }
+    painting.medium = next;
+    put_in_hand(use, value);
+    painting.canvas.solver.set_medium(next);
+    if (painting.well_solver) painting.well_solver->set_medium(next);
+}
+
+void apply(const DryNow&, LivingPainting& painting) {
+    film::dry_now(painting.value.film, painting.pool, painting.value.selection.get());
+}
+
+}  // namespace pastoso::document

@@ -1,0 +1,60 @@
+#include "document/actions/picture_actions.hpp"
+
+#include "core/check.hpp"
+#include "document/actions/field_checks.hpp"
+#include "document/living_painting.hpp"
+
+#include <memory>
+
+namespace pastoso::document {
+namespace {
+
+void check_picture(const SharedPicture& picture) {
+    PASTOSO_CHECK(picture != nullptr);
+    const int width = picture->width, height = picture->height;
+    check_between("width of the picture", "pixels", width, 1, pigment::kMostPictureSide_px);
+    check_between("height of the picture", "pixels", height, 1, pigment::kMostPictureSide_px);
+    check_between("number of the picture's pixels", "", 1.0 * width * height, 1,
+                  pigment::kMostPicturePixels);
+    PASTOSO_CHECK_OP(picture->rgba.size(), ==, std::size_t{4} * width * height);
+}
+
+void trace(layers::Tracing tracing, LivingPainting& painting) {
+    painting.value.tracing = std::make_shared<const layers::Tracing>(std::move(tracing));
+}
+
+}  // namespace
+
+void check_whole(const PaintPicture& paint) {
+    check_picture(paint.picture);
+}
+
+void check_whole(const LayTracing& lay) {
+    check_picture(lay.picture);
+}
+
+bool changes_anything(const LayTracing& lay, const LivingPainting& painting) {
+    return lay.picture || painting.value.tracing;
+}
+
+bool changes_anything(const SetTracing&, const LivingPainting& painting) {
+    return painting.value.tracing != nullptr;
+}
+
+void apply(const PaintPicture& paint, LivingPainting& painting) {
+    painting.value.flows.taken += painting.contents_of(painting.canvas.paint_picture(paint));
+}
+
+void apply(const LayTracing& lay, LivingPainting& painting) {
+    const SharedTracing& before = painting.value.tracing;
+    if (lay.picture)
+        trace({lay.picture, lay.place, before ? before->opacity : layers::Tracing{}.opacity}, painting);
+    else
+        painting.value.tracing.reset();
+}
+
+void apply(const SetTracing& set, LivingPainting& painting) {
+    trace({painting.value.tracing->picture, set.place, set.opacity}, painting);
+}
+
+}  // namespace pastoso::document

@@ -1,0 +1,158 @@
+// How a painter chooses what tools may change.
+#pragma once
+
+#include "document/actions/pen_actions.hpp"
+#include "document/actions/table.hpp"
+#include "grid/mask.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace pastoso::document {
+
+struct LivingPainting;
+
+/// Where no cell is selected, everything is: tools may change the whole canvas. Then Add and Intersect
+/// are Replace, Subtract leaves all but the region. A selection of no cell at all is none.
+using grid::Combination;
+
+struct CanvasPoint {
+    double x_mm = 0.0, y_mm = 0.0;
+    friend bool operator==(const CanvasPoint&, const CanvasPoint&) = default;
+};
+
+inline constexpr std::size_t kMostOutlinePoints = 20000;
+
+/// Paint is never higher.
+inline constexpr double kMostPaint_mm = 1000.0;
+
+struct SelectArea {  ///< what a closed line goes around: a rectangle's corners or a lasso
+    std::vector<CanvasPoint> outline{};  ///< 3 to kMostOutlinePoints
+    Combination how = Combination::Replace;
+    friend bool operator==(const SelectArea&, const SelectArea&) = default;
+};
+/// Where the paint that the active layer holds and what is visible below it are so high together, wet
+/// and dry, from the bare support on.
+struct SelectByHeight {
+    double least_mm = 0.0, most_mm = 0.0;  ///< both included, 0 to kMostPaint_mm
+    Combination how = Combination::Replace;
+    friend bool operator==(const SelectByHeight&, const SelectByHeight&) = default;
+};
+struct SelectByWetness {                   ///< where the wet paint of the active layer is so thick
+    double least_mm = 0.0, most_mm = 0.0;  ///< both included, 0 to kMostPaint_mm
+    Combination how = Combination::Replace;
+    friend bool operator==(const SelectByWetness&, const SelectByWetness&) = default;
+};
+struct InvertSelection {
+    friend bool operator==(const InvertSelection&, const InvertSelection&) = default;
+};
+struct SelectAll {  ///< ends the selection
+    friend bool operator==(const SelectAll&, const SelectAll&) = default;
+};
+
+using SelectionActions =
+    ActionList<SelectArea, SelectByHeight, SelectByWetness, InvertSelection, SelectAll>;
+
+void check_whole(const SelectArea& select);
+void check_whole(const SelectByHeight& select);
+void check_whole(const SelectByWetness& select);
+bool changes_anything(const InvertSelection& invert, const LivingPainting& painting);
+bool changes_anything(const SelectAll& select, const LivingPainting& painting);
+void apply(const SelectArea& select, LivingPainting& painting);
+void apply(const SelectByHeight& select, LivingPainting& painting);
+void apply(const SelectByWetness& select, LivingPainting& painting);
+void apply(const InvertSelection& invert, LivingPainting& painting);
+void apply(const SelectAll& select, LivingPainting& painting);
+
+template <>
+struct Table<SelectArea> {
+    static constexpr ActionTraits kTraits{
+        .key = "select_area",
+        .since = 6,
+        .meaning = "tools change nothing but what the closed line goes around",
+        .undo = UndoRole::Step,
+        .step = step_name("Selection"),
+        .changes_painting = true,
+        .stroke = StrokeRole::Ends,
+        .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        visit(Value<At<&SelectArea::outline>>{"outline_mm", "outline", Presence::Required,
+                                              "3 to 20 000 points `[x, y]`"});
+        visit(Value<At<&SelectArea::how>>{"how", "way to select", Presence::Optional,
+                                          "with what is selected already"});
+    }
+};
+
+template <>
+struct Table<SelectByHeight> {
+    static constexpr ActionTraits kTraits{
+        .key = "select_by_height",
+        .since = 6,
+        .meaning =
+            "where the paint of the active layer and of what is visible below it, wet and dry, is so "
+            "high above the bare support",
+        .undo = UndoRole::Step,
+        .step = step_name("Selection"),
+        .changes_painting = true,
+        .stroke = StrokeRole::Ends,
+        .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        visit(Number<At<&SelectByHeight::least_mm>>{"least_mm", "least height", "mm", 0.0, kMostPaint_mm,
+                                                    Presence::Required});
+        visit(Number<At<&SelectByHeight::most_mm>>{"most_mm", "most height", "mm", 0.0, kMostPaint_mm,
+                                                   Presence::Required, "both included"});
+        visit(Value<At<&SelectByHeight::how>>{"how", "way to select", Presence::Optional,
+                                              "with what is selected already"});
+    }
+};
+
+template <>
+struct Table<SelectByWetness> {
+    static constexpr ActionTraits kTraits{
+        .key = "select_by_wetness",
+        .since = 6,
+        .meaning = "where the wet paint of the active layer is so thick",
+        .undo = UndoRole::Step,
+        .step = step_name("Selection"),
+        .changes_painting = true,
+        .stroke = StrokeRole::Ends,
+        .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        visit(Number<At<&SelectByWetness::least_mm>>{"least_mm", "least thickness of wet paint", "mm",
+                                                     0.0, kMostPaint_mm, Presence::Required});
+        visit(Number<At<&SelectByWetness::most_mm>>{"most_mm", "most thickness of wet paint", "mm", 0.0,
+                                                    kMostPaint_mm, Presence::Required, "both included"});
+        visit(Value<At<&SelectByWetness::how>>{"how", "way to select", Presence::Optional,
+                                               "with what is selected already"});
+    }
+};
+
+template <>
+struct Table<InvertSelection> {
+    static constexpr ActionTraits kTraits{
+        .key = "invert_selection",
+        .since = 6,
+        .meaning =
+            "selects what was not selected; a selection of nothing is none: everything may be changed",
+        .undo = UndoRole::MaybeStep,
+        .step = step_name("Selection"),
+        .changes_painting = true,
+        .stroke = StrokeRole::EndsByChange,
+        .in_set_up = false};
+    static constexpr void fields(auto&&) {}
+};
+
+template <>
+struct Table<SelectAll> {
+    static constexpr ActionTraits kTraits{.key = "select_all",
+                                          .since = 6,
+                                          .meaning = "ends the selection",
+                                          .undo = UndoRole::MaybeStep,
+                                          .step = step_name("Selection"),
+                                          .changes_painting = true,
+                                          .stroke = StrokeRole::EndsByChange,
+                                          .in_set_up = false};
+    static constexpr void fields(auto&&) {}
+};
+
+}  // namespace pastoso::document

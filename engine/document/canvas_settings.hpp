@@ -1,0 +1,22 @@
+// What a canvas is made of.
+#pragma once
+
+#include <string>
+
+namespace pastoso::document {
+
+/// The same settings at another resolution give the same canvas, finer or coarser.
+struct CanvasSettings {
+    double width_mm = 300.0;
+    double height_mm = 200.0;
+    double px_per_mm = 4.0;         ///< cells per millimetre
+    std::string support = "linen";  ///< "linen", "cotton duck", "panel", or "image" with support_image
+    std::string support_image{};    ///< path of a height image of the user's own
+    double support_relief_mm =
+        0.0;  ///< height of its white above its black; 0: the support's own relief
+    /// Where on its cloth the canvas begins, in whole cells; of an image, from where it was stretched.
+    double support_x_mm = 0.0, support_y_mm = 0.0;
+    friend bool operator==(const CanvasSettings&, const CanvasSettings&) = default;
+};
+
+}  // namespace pastoso::document

@@ -1,0 +1,168 @@
+#include "document/living_painting.hpp"
+
+#include "core/check.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace pastoso::document {
+namespace {
+
+constexpr const char* kFirstMedium = "heavy-body oil";
+
+PaintingValue bare_painting(const CanvasSettings& settings, film::SupportHeights support_mm) {
+    PaintingValue painting{.bare = std::make_shared<const BareCanvas>(BareCanvas{settings, support_mm}),
+                           .film = {canvas_shape(settings), 1.0 / settings.px_per_mm},
+                           .medium = {kFirstMedium}};
+    PASTOSO_CHECK(support_mm.shape() == painting.film.shape);
+    painting.film.support_mm = std::move(support_mm);
+    return painting;
+}
+
+brush::Contents positive_part(const brush::Contents& contents, double sign) {
+    brush::Contents part;
+    part.volume_mm3 = std::max(0.0, sign * contents.volume_mm3);
+    for (int k = 0; k < film::kPaintChannels; ++k)
+        part.paint[k] = std::max(0.0, sign * contents.paint[k]);
+    return part;
+}
+
+}  // namespace
+
+LivingPainting::LivingPainting(const CanvasSettings& settings, film::SupportHeights support_mm,
+                               core::ThreadPool& threads)
+    : value(bare_painting(settings, std::move(support_mm))),
+      pool(threads),
+      medium(medium_of(value.medium)),
+      canvas(value, medium, threads) {
+    canvas.solver.set_gravity(film::tilted_gravity(0.0));
+}
+
+LivingPainting::LivingPainting(const PaintingState& state, core::ThreadPool& threads)
+    : value(state.value),
+      pool(threads),
+      medium(medium_of(value.medium)),
+      canvas(value, medium, threads),
+      tick(state.tick) {
+    PASTOSO_CHECK(value.film.shape == canvas_shape(value.bare->settings));
+    ageing.restore(state.ageing);
+    canvas.solver.set_gravity(film::tilted_gravity(value.tilt.tilt_deg, value.tilt.direction_deg));
+    canvas.solver.restore(state.solver);
+    if (!value.well) return;
+    PASTOSO_CHECK(value.well->shape == bare_well().shape);
+    used_well().restore(state.well_solver);
+}
+
+PaintingState LivingPainting::state() const {
+    PASTOSO_CHECK(!stroke);
+    return {.value = value,
+            .solver = canvas.solver.state(),
+            .well_solver = well_solver ? well_solver->state() : film::SolverState{},
+            .ageing = ageing.pending(),
+            .tick = tick};
+}
+
+Moment LivingPainting::moment() const {
+    return {.value = value,
+            .awake = canvas.solver.awake_tiles(),
+            .well_awake = well_solver ? well_solver->awake_tiles() : std::vector<bool>{},
+            .run_off = run_off()};
+}
+
+void LivingPainting::begin_stroke_on(Surface surface) {
+    if (surface == Surface::Canvas) {
+        share_varied();
+        touched = &canvas.solver;
+        stroke.emplace(value.brush->brush, value.film, value.aids, value.symmetry, value.selection.get(),
+                       &pool);
+    } else {
+        touched = &used_well();
+        stroke.emplace(value.brush->brush, *value.well, brush::HandAids{value.aids.stabiliser, {}},
+                       brush::Symmetry{}, nullptr, &pool);
+    }
+}
+
+void LivingPainting::end_stroke() {
+    if (!stroke) return;
+    stroke->end();
+    value.flows.wiped += stroke->copied_paint();
+    finish_contacts();
+    stroke.reset();
+}
+
+void LivingPainting::finish_contacts() {
+    for (const grid::Rect& cells : stroke->take_changed_cells())
+        touched->wake(cells);
+    touched->set_air(stroke->air_jets());
+    value.flows.wiped += stroke->take_thrown_away();
+}
+
+void LivingPainting::touch_brush() {
+    if (value.brush) value.brush->touch = ++brush_touches;
+}
+
+film::Solver& LivingPainting::used_well() {
+    if (!value.well) value.well = bare_well();
+    if (!well_solver) {
+        well_solver.emplace(*value.well, medium, kWellSolving, pool);
+        well_solver->set_gravity(film::tilted_gravity(0.0));
+    }
+    share_varied();
+    return *well_solver;
+}
+
+void LivingPainting::share_varied() {
+    if (value.well) value.film.varied = value.well->varied = value.film.varied || value.well->varied;
+}
+
+void LivingPainting::book(const LayerChange& paint) {
+    brush::Contents gained = contents_of(paint.after);
+    gained -= contents_of(paint.before);
+    value.flows.taken += positive_part(gained, 1.0);
+    value.flows.wiped += positive_part(gained, -1.0);
+}
+
+brush::Contents LivingPainting::contents_of(const LayerPaint& paint) const {
+    const double cell_mm = value.film.cell_mm;
+    brush::Contents sum = document::contents_of(paint.wet, cell_mm);
+    sum += document::contents_of(paint.dried, cell_mm);
+    sum.volume_mm3 += film::volume_mm3(paint.evaporated, cell_mm);
+    return sum;
+}
+
+brush::Contents LivingPainting::held_paint() const {
+    brush::Contents sum = value.brush ? value.brush->brush.contents() : brush::Contents{};
+    if (stroke) sum += stroke->copied_paint();
+    return sum;
+}
+
+brush::Contents LivingPainting::paint_in_well() const {
+    return value.well ? document::contents_of(film::totals(*value.well), value.well->cell_mm)
+                      : brush::Contents{};
+}
+
+void LivingPainting::finish_tick(film::AdvanceReport flow) {
+    if (well_solver) {
+        const int awake_tiles = flow.awake_tiles;
+        flow.add(well_solver->advance(kTick_s));
+        flow.awake_tiles += awake_tiles;
+    }
+    film_report.add(flow);
+    age();
+    ++tick;
+}
+
+void LivingPainting::age() {
+    ageing.tick(kTick_s, value.air, value.film, pool);
+    if (!stroke) return;
+    stroke->pass_time(kTick_s);
+    finish_contacts();
+}
+
+const std::shared_ptr<const LayerStack>& LivingPainting::shared_layers() {
+    if (!layers_shown || *layers_shown != value.layers)
+        layers_shown = std::make_shared<const LayerStack>(value.layers);
+    return layers_shown;
+}
+
+}  // namespace pastoso::document

@@ -1,0 +1,146 @@
+#include "recordings/value_json.hpp"
+
+#include "brush/preset.hpp"
+#include "files/base64.hpp"
+#include "files/image.hpp"
+#include "recordings/paint_json.hpp"
+
+#include <array>
+#include <memory>
+#include <utility>
+
+namespace pastoso::recordings {
+namespace {
+
+using document::Combination;
+using document::Surface;
+using files::Json;
+using files::JsonPlace;
+
+constexpr std::array<std::pair<Combination, const char*>, 4> kCombinations = {
+    {{Combination::Replace, "replace"},
+     {Combination::Add, "add"},
+     {Combination::Subtract, "subtract"},
+     {Combination::Intersect, "intersect"}}};
+
+document::CanvasPoint read_point(const JsonPlace& place) {
+    if (place.size() != 2) place.fail("a point of an outline has two numbers, x and y.");
+    return {place.element(0).number(), place.element(1).number()};
+}
+
+}  // namespace
+
+Json value_json(const document::TakeBrush& take) {
+    return take.definition.empty() ? Json(take.preset) : Json::parse(take.definition);
+}
+
+Json value_json(const std::string& name) {
+    return name;
+}
+
+Json value_json(const std::optional<film::Medium>& numbers) {
+    return Json::parse(film::numbers_to_json(*numbers));
+}
+
+Json value_json(const document::PaintRecipe& paint) {
+    return paint_json(paint);
+}
+
+Json value_json(Combination how) {
+    for (const auto& [combination, name] : kCombinations)
+        if (combination == how) return name;
+    return nullptr;
+}
+
+Json value_json(const std::vector<document::CanvasPoint>& outline) {
+    Json points = Json::array();
+    for (const document::CanvasPoint& point : outline)
+        points.push_back({point.x_mm, point.y_mm});
+    return points;
+}
+
+Json value_json(const std::vector<document::LayerId>& layers) {
+    return layers;
+}
+
+Json value_json(const document::SharedPicture& picture) {
+    return files::base64(files::png_file(*picture));
+}
+
+Json value_json(Surface surface) {
+    return surface == Surface::Well ? "well" : "canvas";
+}
+
+void ValueReader::read(const JsonPlace& place, const JsonPlace&, document::TakeBrush& take) {
+    if (!place.value().is_object()) {
+        take.preset = place.text();
+        return;
+    }
+    place.guard([&] {
+        const brush::Preset preset = brush::parse_preset(place.value().dump(), "the preset");
+        take.preset = preset.name;
+        take.definition = brush::preset_to_json(preset);
+    });
+}
+
+void ValueReader::read(const JsonPlace& place, const JsonPlace&, std::string& name) {
+    name = place.text();
+}
+
+/// The numbers that are left out are those of the medium of that name.
+void ValueReader::read(const JsonPlace& place, const JsonPlace& object,
+                       std::optional<film::Medium>& numbers) {
+    const JsonPlace name = object.entry("name");
+    film::Medium like;
+    name.guard([&] { like = film::find_medium(name.text()); });
+    numbers = read_medium_numbers(place, like);
+}
+
+void ValueReader::read(const JsonPlace& place, const JsonPlace&, document::PaintRecipe& paint) {
+    paint = read_paint(place);
+}
+
+void ValueReader::read(const JsonPlace& place, const JsonPlace&, Combination& how) {
+    const std::string wanted = place.text();
+    for (const auto& [combination, name] : kCombinations) {
+        if (wanted != name) continue;
+        how = combination;
+        return;
+    }
+    place.fail("there is no way \"" + wanted +
+               "\" to select; they are replace, add, subtract and intersect.");
+}
+
+void ValueReader::read(const JsonPlace& place, const JsonPlace&,
+                       std::vector<document::CanvasPoint>& outline) {
+    for (std::size_t i = 0; i < place.size(); ++i)
+        outline.push_back(read_point(place.element(i)));
+}
+
+void ValueReader::read(const JsonPlace& place, const JsonPlace&,
+                       std::vector<document::LayerId>& layers) {
+    for (std::size_t i = 0; i < place.size(); ++i)
+        layers.push_back(static_cast<document::LayerId>(place.element(i).integer(1, document::kMostId)));
+}
+
+void ValueReader::read(const JsonPlace& place, const JsonPlace&, document::SharedPicture& picture) {
+    const auto file = files::from_base64(place.text());
+    if (!file) place.fail("the picture is no base64.");
+    auto decoded = std::make_shared<pigment::Picture>();
+    place.guard([&] { *decoded = files::decode_png(*file); });
+    picture_pixels_ += 1.0 * decoded->width * decoded->height;
+    if (picture_pixels_ > document::kMostRecordedPixels)
+        place.fail(
+            "the pictures of this recording are too large; at most 500 million pixels in all are read.");
+    picture = std::move(decoded);
+}
+
+void ValueReader::read(const JsonPlace& place, const JsonPlace&, Surface& surface) {
+    const std::string name = place.text();
+    if (name != "canvas" && name != "well")
+        place.fail("there is no surface \"" + name +
+                   "\"; a stroke is on the \"canvas\" or the \"well\".");
+    surface = name == "well" ? Surface::Well : Surface::Canvas;
+}
+
+}  // namespace pastoso::recordings
