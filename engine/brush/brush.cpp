@@ -27,6 +27,10 @@ double mixed_share(const MixedLoad& paint, const Tip& tip, std::uint32_t index) 
     return std::clamp(paint.second_share + 2.0 * paint.share_variation * deviation, 0.0, 1.0);
 }
 
+bool takes_second(const MixedLoad& paint) {
+    return paint.second_share > 0.0 || paint.share_variation > 0.0 || paint.side_by_side;
+}
+
 /// How high a hair ends above the palette when the brush leans by 45 degrees over one side.
 float end_height_mm(const Bristle& bristle) {
     return bristle.deficit_mm + bristle.root_y_mm;
@@ -88,6 +92,9 @@ Contents Brush::load(const MixedLoad& paint, double fill) {
     check_paint(paint.second);
     Contents taken;
     if (preset.exchange.absorbs) return taken;
+    if (!holds_paint()) consistencies = {};
+    consistencies.add(film::consistency_of(paint.first));
+    if (takes_second(paint)) consistencies.add(film::consistency_of(paint.second));
     const float deepest_mm = paint.tip_only ? dipped_to_mm(tip) : std::numeric_limits<float>::max();
     for (std::size_t i = 0; i < held.size(); ++i) {
         const Bristle& bristle = tip.bristles[i];

@@ -4,6 +4,7 @@
 #include "brush/contents.hpp"
 #include "brush/preset.hpp"
 #include "brush/tip.hpp"
+#include "film/cell/consistency.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -41,6 +42,7 @@ struct Brush {
 
     /// The sum over the bristles.
     Contents contents() const;
+    bool holds_paint() const { return contents().volume_mm3 > 0.0; }
 
     /// What a bristle holds after a full dip (fill 1): thin ones take less.
     double full_dip_mm3(std::size_t bristle) const;
@@ -50,9 +52,10 @@ struct Brush {
 
     Preset preset;  ///< resized
     Tip tip;
-    std::vector<Contents> held;       ///< one per bristle
-    Contents thrown_away;             ///< by a tool that absorbs; not part of contents()
-    std::uint32_t strokes_begun = 0;  ///< seeds what differs from stroke to stroke
+    std::vector<Contents> held;         ///< one per bristle
+    film::Consistencies consistencies;  ///< of what they hold; a brush that holds nothing may name some
+    Contents thrown_away;               ///< by a tool that absorbs; not part of contents()
+    std::uint32_t strokes_begun = 0;    ///< seeds what differs from stroke to stroke
 };
 
 /// No paint absorbs or scatters more: with film::kMaxThickness_mm it bounds what a cell has to hold.

@@ -100,7 +100,7 @@ void PaintDrag::compute_shares(const ExchangeRule& rule, const DragRates& rates,
             if (may_flow && flows(paint[cell], thickness[cell], *most)) {
                 shares_.set(tile.x0 + cell % grid::kTileSize, tile.y0 + cell / grid::kTileSize,
                             rates.share * touch_of(rule, touched, i), touched.cells());
-            } else if (!film.varied) {
+            } else if (!film.consistencies.are_several()) {
                 return;  // all paint is as stiff
             }
         }

@@ -110,6 +110,12 @@ float edge_share(double side_mm, const Swath& swath) {
     return smooth_ramp(0.88, 1.0, std::abs(side_mm - middle_mm) / half_mm);
 }
 
+/// Paint may come from the brush onto the film, and from there into the brush.
+void meet(Brush& brush, film::FilmState& film) {
+    if (brush.holds_paint()) film.consistencies.add(brush.consistencies);
+    brush.consistencies = film.consistencies;
+}
+
 }  // namespace
 
 Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const Placement& placement,
@@ -131,6 +137,7 @@ Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const 
 
 void Stroke::begin(const PenSample& sample) {
     check_finite(sample);
+    meet(brush_, film_);
     const bool anew = brush_.preset.stroke.jitter_seed == JitterSeed::Stroke;
     jitter_seed_ = core::scramble(brush_.tip.seed + (anew ? brush_.strokes_begun : 0));
     ++brush_.strokes_begun;
@@ -158,6 +165,7 @@ void Stroke::end() {
     path_.end();
     paint_steps();
     leave_paint();
+    meet(brush_, film_);
     blowing_.reset();
 }
 

@@ -81,13 +81,13 @@ void put(const TileSet<Block>& set, Field& field) {
 }
 
 FilmSums sums_of(const FilmState& film) {
-    return {film.strata.fixed, film.strata.evaporated, film.varied};
+    return {film.strata.fixed, film.strata.evaporated, film.consistencies};
 }
 
 void put(const FilmSums& sums, FilmState& film) {
     film.strata.fixed = sums.fixed;
     film.strata.evaporated = sums.evaporated;
-    film.varied = sums.varied;
+    film.consistencies = sums.consistencies;
 }
 
 /// What a tile is packed with: large memory that is asked for again and again costs more than packing.

@@ -22,7 +22,7 @@ struct TileSet {
 struct FilmSums {
     film::DriedTotals fixed{};
     std::int64_t evaporated = 0;
-    bool varied = false;
+    film::Consistencies consistencies;
 };
 
 /// Named like the fields of a film.

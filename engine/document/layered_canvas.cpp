@@ -193,6 +193,17 @@ film::FilmState view_of(const film::FilmState& film, const film::SupportHeights&
 LayeredCanvas::LayeredCanvas(PaintingValue& painting, const film::Medium& medium, core::ThreadPool& pool)
     : solver(painting.film, medium, kSolving, pool), pool_(pool), painting_(painting) {
     base_mm_ = base_of(painting.layers);
+    expect_medium();
+}
+
+void LayeredCanvas::set_medium(const film::Medium& medium) {
+    solver.set_medium(medium);
+    expect_medium();
+}
+
+/// The medium in hand may come onto the active layer.
+void LayeredCanvas::expect_medium() {
+    painting_.film.consistencies.add(solver.consistency());
 }
 
 LayerChange LayeredCanvas::resize(const grid::Extent& extent, std::shared_ptr<const BareCanvas> bare) {
@@ -204,6 +215,7 @@ LayerChange LayeredCanvas::resize(const grid::Extent& extent, std::shared_ptr<co
     base_mm_ = base_below_active(stack, bare->support_mm);
     painting_.bare = std::move(bare);
     painting_.film = layers::laid_on(*stack.layers[stack.active].asleep, base_mm_);
+    expect_medium();
     stack.layers[stack.active].asleep.reset();
     painting_.layers = std::move(stack);
     solver.reshape();
@@ -213,6 +225,7 @@ LayerChange LayeredCanvas::resize(const grid::Extent& extent, std::shared_ptr<co
 
 void LayeredCanvas::restore(const PaintingValue& then) {
     painting_.film = then.film;
+    expect_medium();
     const bool same_below = films_below_active(then.layers) == films_below_active(painting_.layers);
     painting_.layers = then.layers;
     if (then.bare != painting_.bare) {
@@ -246,6 +259,8 @@ void LayeredCanvas::rearrange(const std::function<void(LayerStack&)>& change) {
     base_mm_ = std::move(base);
     if (!same_paint || !same_base) {
         painting_.film = layers::laid_on(*stack.layers[stack.active].asleep, base_mm_);
+        painting_.film.consistencies = film::wet_consistencies(painting_.film);
+        expect_medium();
         solver.wake_all();
     }
     stack.layers[stack.active].asleep.reset();

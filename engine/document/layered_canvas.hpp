@@ -58,6 +58,9 @@ class LayeredCanvas {
 
     film::Solver solver;
 
+    /// Paint of it may come onto the active layer from now on; what lies there stays what it is.
+    void set_medium(const film::Medium& medium);
+
     /// Returns to film, stack and bare canvas of another value. Which of its paint moves is for the
     /// caller to say (film::Solver::restart).
     void restore(const PaintingValue& then);
@@ -95,6 +98,7 @@ class LayeredCanvas {
     /// Changes a stack in which every layer is asleep, and lays it out again.
     void rearrange(const std::function<void(LayerStack&)>& change);
     LayerStack all_asleep();
+    void expect_medium();
     film::SupportHeights base_of(const LayerStack& stack) const;
 
     core::ThreadPool& pool_;

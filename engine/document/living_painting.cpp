@@ -71,7 +71,7 @@ Moment LivingPainting::moment() const {
 
 void LivingPainting::begin_stroke_on(Surface surface) {
     if (surface == Surface::Canvas) {
-        share_varied();
+        share_consistencies();
         touched = &canvas.solver;
         stroke.emplace(value.brush->brush, value.film, value.aids, value.symmetry, value.selection.get(),
                        &pool);
@@ -105,14 +105,17 @@ film::Solver& LivingPainting::used_well() {
     if (!value.well) value.well = bare_well();
     if (!well_solver) {
         well_solver.emplace(*value.well, medium, kWellSolving, pool);
+        value.well->consistencies.add(well_solver->consistency());
         well_solver->set_gravity(film::tilted_gravity(0.0));
     }
-    share_varied();
+    share_consistencies();
     return *well_solver;
 }
 
-void LivingPainting::share_varied() {
-    if (value.well) value.film.varied = value.well->varied = value.film.varied || value.well->varied;
+void LivingPainting::share_consistencies() {
+    if (!value.well) return;
+    value.film.consistencies.add(value.well->consistencies);
+    value.well->consistencies = value.film.consistencies;
 }
 
 void LivingPainting::book(const LayerChange& paint) {

@@ -79,8 +79,8 @@ struct LivingPainting {
     film::AdvanceReport film_report;
 
   private:
-    /// What differs on one surface, the brush may carry to the other.
-    void share_varied();
+    /// What lies on one surface, the brush may carry to the other.
+    void share_consistencies();
     void age();
 };
 

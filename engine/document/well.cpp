@@ -65,6 +65,7 @@ brush::Contents squeeze_onto(film::FilmState& well, film::Solver& solver,
     // put_down() never empties what it takes from, so that the tube holds more than it gives.
     const brush::Contents before = amount_of(paint, 2.0 * volume_mm3);
     brush::Contents tube = before;
+    well.consistencies.add(film::consistency_of(paint));
     brush::CellBatch scratch;
     for (int i = 0; i < kBeads; ++i) {
         const double along = (i + 0.5) / kBeads;

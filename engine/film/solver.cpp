@@ -69,7 +69,11 @@ struct Solver::Parts {
         check_medium(medium);
         limits = make_limits(medium, gravity, state.cell_mm);
         constants = make_constants(medium, gravity, options, state.cell_mm);
+        consistency = consistency_of(medium);
     }
+
+    /// Whether what each cell carries has to be looked at.
+    bool is_varied() const { return !state.consistencies.are_only(consistency); }
 
     bool on_canvas_edge(int tile, Side side) const {
         const int x = tile % state.shape.tiles_x(), y = tile / state.shape.tiles_x();
@@ -132,6 +136,7 @@ struct Solver::Parts {
     std::vector<AirJet> air;
     StepLimits limits;
     StepConstants constants;
+    Consistency consistency;  ///< of the medium
     ActivityMap activity;
     std::vector<TileBlock<std::int32_t>> window_start;  ///< thickness when a tile's window began
     LargeStepper large;
@@ -220,7 +225,7 @@ AdvanceReport Solver::Parts::explicit_step(double dt_s) {
     const std::vector<TilePlace> places = places_to_step();
     StepConstants step = constants;
     step.dt_s = static_cast<float>(dt_s);
-    step.varied = state.varied;
+    step.varied = is_varied();
     std::vector<TileResult> results(places.size());
     pool.run(places.size(), [&](std::size_t index, int worker) {
         results[index] = update_tile(state, places[index], step, *scratch[worker]);
@@ -232,7 +237,7 @@ AdvanceReport Solver::Parts::large_step(double dt_s, int halvings) {
     const std::vector<TilePlace> places = places_to_step();
     StepConstants step = constants;
     step.dt_s = static_cast<float>(dt_s);
-    step.varied = state.varied;
+    step.varied = is_varied();
     LargeStepReport solved;
     std::vector<TileResult> results =
         large.step(state, places, step, pool, scratch, halvings == kMostHalvings, solved);
@@ -257,8 +262,8 @@ bool Solver::Parts::step_group(double seconds, const std::function<bool()>& canc
     double remaining = seconds;
     while (remaining > 0.0 && !activity.stepping_tiles().empty()) {
         if (cancelled()) return false;
-        const StepPlan next =
-            plan_step({state, activity, limits, air, medium.density_kg_m3, pool}, options, remaining);
+        const StepPlan next = plan_step(
+            {state, activity, limits, air, medium.density_kg_m3, is_varied(), pool}, options, remaining);
         // A remainder of one part in a million is rounding, not a step of its own.
         const double steps_left = std::max(1.0, std::ceil(remaining / next.step_s - 1e-6));
         const double dt_s = remaining / steps_left;
@@ -299,6 +304,10 @@ void Solver::set_medium(const Medium& medium) {
     parts_->medium = medium;
     parts_->configure();
     wake_all();
+}
+
+const Consistency& Solver::consistency() const {
+    return parts_->consistency;
 }
 
 void Solver::set_gravity(const Gravity& gravity) {

@@ -84,7 +84,10 @@ class Solver {
     Solver(FilmState& state, const Medium& medium, const SolverOptions& options, core::ThreadPool& pool);
     ~Solver();
 
-    void set_medium(const Medium& medium);     ///< wakes all paint
+    /// Wakes all paint. Paint of another consistency than the medium's keeps its own: where the state
+    /// names one, what each cell carries is looked at.
+    void set_medium(const Medium& medium);
+    const Consistency& consistency() const;    ///< of the medium
     void set_gravity(const Gravity& gravity);  ///< wakes all paint when it changes
     /// Lets these jets blow on the paint until they are set anew; wakes what they reach. None: still
     /// air.

@@ -73,6 +73,11 @@ bool has_wet_paint(const FilmState& state) {
     return false;
 }
 
+Consistencies wet_consistencies(const FilmState& state) {
+    const bool none_left = state.consistencies.uniform() && !has_wet_paint(state);
+    return none_left ? Consistencies{} : state.consistencies;
+}
+
 double volume_mm3(std::int64_t thickness_quanta, double cell_mm) {
     return static_cast<double>(thickness_quanta) * kThicknessQuantum_mm * cell_mm * cell_mm;
 }
@@ -107,7 +112,7 @@ std::uint64_t state_hash(const FilmState& state) {
     add_field(state.strata.uppermost, hash);
     hash.add_value(state.strata.fixed);
     hash.add_value(state.strata.evaporated);
-    hash.add_value(state.varied);
+    hash.add_value(state.consistencies.are_several());  // which one it is, the cells tell
     return hash.value();
 }
 

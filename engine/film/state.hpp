@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/hash.hpp"
+#include "film/cell/consistency.hpp"
 #include "film/cell/paint_cell.hpp"
 #include "film/cell/strata.hpp"
 #include "film/support/support_heights.hpp"
@@ -58,9 +59,9 @@ struct FilmState {
 
     Strata strata;  ///< dried paint on the bare support
 
-    /// False as long as all paint has the viscosity and the yield stress of the solver's medium. True:
-    /// what each cell carries is looked at.
-    bool varied = false;
+    /// Those of the wet paint. Paint in cells that carry nothing is of the solver's medium, and is not
+    /// named.
+    Consistencies consistencies;
 };
 
 /// Sums over the canvas, exact: sum over the cells of the integers.
@@ -72,6 +73,9 @@ Totals totals(const FilmState& state);
 
 /// Volume in mm3 of a total of thickness quanta.
 double volume_mm3(std::int64_t thickness_quanta, double cell_mm);
+
+/// Those of the film's paint, of which one that has all dried is no longer any.
+Consistencies wet_consistencies(const FilmState& state);
 
 /// False when no cell can hold wet paint (nothing was painted, or all of it has dried).
 bool has_wet_paint(const FilmState& state);

@@ -41,7 +41,7 @@ struct TileRheology {
 
 TileRheology rheology_of(const PlannedFilm& film, int tile) {
     TileRheology rheology;
-    if (film.state.varied) {
+    if (film.varied) {
         const auto yield_per_Pa = static_cast<float>(1e6 / film.density_kg_m3);
         core::kernels<TileKernels>().rheology(film.state.paint.read(tile),
                                               film.state.thickness.read(tile), kTileCells, yield_per_Pa,
@@ -68,7 +68,7 @@ double largest_of_cells(const PlannedFilm& film, int tile, const Value& value) {
 
 double resting_step_s(const PlannedFilm& film, int tile) {
     const double thickest_mm = thickness_mm(thickest_quanta(film.state, tile));
-    if (!film.state.varied) return film.limits.newtonian_step_s(thickest_mm);
+    if (!film.varied) return film.limits.newtonian_step_s(thickest_mm);
     return film.limits.resting_step_s(
         thickest_mm, largest_of_cells(film, tile, [](int, double h, double viscosity, double) {
             return h * h * h / viscosity;
@@ -86,7 +86,7 @@ double largest_of_tiles(const PlannedFilm& film, const std::vector<int>& tiles, 
 /// What the body force alone makes of the paint that it carries fastest, at most.
 double fastest_speed_mm_s(const PlannedFilm& film) {
     const std::vector<int> tiles = film.activity.stepping_tiles();
-    if (!film.state.varied) {
+    if (!film.varied) {
         std::int32_t thickest = 0;
         for (const int tile : tiles)
             thickest = std::max(thickest, thickest_quanta(film.state, tile));

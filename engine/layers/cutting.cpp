@@ -69,7 +69,7 @@ void keep_tile(const FilmState& layer, const grid::Mask& mask, bool chosen, int 
 
 FilmState part_of(const FilmState& layer, const grid::Mask& mask, bool chosen) {
     FilmState part(layer.shape, layer.cell_mm);
-    part.varied = layer.varied;
+    part.consistencies = layer.consistencies;
     for (int tile = 0; tile < layer.shape.tile_count(); ++tile)
         if (holds_paint(layer, tile)) keep_tile(layer, mask, chosen, tile, part);
     return part;

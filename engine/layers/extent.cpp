@@ -30,7 +30,7 @@ film::FilmState on_extent(const film::FilmState& layer, const grid::Extent& exte
     grid::put_on_extent(strata.soluble_pigment, extent, result.strata.soluble_pigment);
     grid::put_on_extent(strata.optics, extent, result.strata.optics);
     grid::put_on_extent(strata.uppermost, extent, result.strata.uppermost);
-    result.varied = layer.varied;
+    result.consistencies = layer.consistencies;
     result.strata.evaporated = strata.evaporated;
     result.strata.fixed =
         share_fixed(strata.fixed, fixed_relief_quanta(result), fixed_relief_quanta(layer));

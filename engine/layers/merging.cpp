@@ -166,7 +166,9 @@ FilmState merged(const FilmState& lower, const FilmState& upper, double upper_op
         commit(both[index], tiles[index], result);
     result.strata.fixed += upper.strata.fixed;
     result.strata.evaporated += upper.strata.evaporated;
-    result.varied = lower.varied || upper.varied || !both.empty();
+    result.consistencies = film::wet_consistencies(lower);
+    result.consistencies.add(film::wet_consistencies(upper));
+    if (!both.empty()) result.consistencies = film::Consistencies::several();
     return result;
 }
 

@@ -246,7 +246,7 @@ FilmState transformed(const FilmState& layer, const Transform& transform, core::
     const Affine map = in_cells(transform, layer.cell_mm);
     const Resampler resampler(layer, inverse(map));
     FilmState result(layer.shape, layer.cell_mm);
-    result.varied = layer.varied;
+    result.consistencies = layer.consistencies;
     if (!resampler.painted_cells().empty()) {
         const std::vector<int> tiles = tiles_in(layer.shape, reached(resampler.painted_cells(), map));
         std::vector<std::optional<ResultTile>> results(tiles.size());

@@ -236,7 +236,7 @@ FilmState View::of(const FilmState& bare, const std::vector<SeenLayer>& layers, 
         below = &steps_[i].result;
     }
     FilmState seen = *below;
-    if (!layers.empty()) seen.varied = layers.back().film->varied;
+    if (!layers.empty()) seen.consistencies = layers.back().film->consistencies;
     return seen;
 }
 

@@ -1,10 +1,12 @@
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "document/canvas.hpp"
+#include "document/contents.hpp"
 #include "document/set_up.hpp"
 #include "document/well.hpp"
 #include "files/image.hpp"
 #include "film/support/support.hpp"
+#include "project/consistency_record.hpp"
 #include "project/mask_bits.hpp"
 #include "project/project.hpp"
 #include "project/project_index.hpp"
@@ -80,12 +82,22 @@ void check_surface(const ZipReader& archive, const char* which, const SurfaceInd
 /// The surface with all but its tiles.
 document::SurfaceState empty_surface(const SurfaceIndex& index) {
     document::SurfaceState surface{film::FilmState(index.shape, index.cell_mm), {}};
-    surface.film.varied = index.varied;
+    surface.film.consistencies = index.consistencies.value_or(film::Consistencies{});
     surface.film.strata.fixed = index.fixed;
     surface.film.strata.evaporated = index.evaporated;
     surface.solver.calls = index.calls;
     surface.solver.runoff = index.runoff;
     return surface;
+}
+
+/// Reads the tiles, which tell what the index does not.
+void fill(const ZipReader& archive, const SurfaceIndex& index, const film::Medium& in_hand,
+          document::SurfaceState& surface, core::ThreadPool& pool) {
+    read_tiles(archive, index.entries, surface, pool);
+    film::FilmState& film = surface.film;
+    if (!index.consistencies)
+        film.consistencies =
+            told_by_paint(document::contents_of(film::totals(film), film.cell_mm), in_hand);
 }
 
 /// The heights that a painter's own image gave.
@@ -126,19 +138,19 @@ void read_active(const ZipReader& archive, const ProjectIndex& index,
         bare.support_mm =
             read_bare_support(archive, *index.bare_support, shape, layer.surface.cell_mm, pool);
     surface.film.support_mm = bare.support_mm;
-    read_tiles(archive, layer.surface.entries, surface, pool);
+    PaintingState& painting = project.painting;
+    fill(archive, layer.surface, document::medium_of(painting.value.medium), surface, pool);
     // Format 1 does not tell what an image gave: all that is dry counts as part of it.
     if (!is_named && !index.bare_support) bare.support_mm = surface.film.support_mm;
-    PaintingState& painting = project.painting;
     painting.value.bare = std::make_shared<const document::BareCanvas>(std::move(bare));
     painting.value.film = std::move(surface.film);
     painting.solver = std::move(surface.solver);
 }
 
 std::shared_ptr<const film::FilmState> read_asleep(const ZipReader& archive, const LayerIndex& layer,
-                                                   core::ThreadPool& pool) {
+                                                   const film::Medium& in_hand, core::ThreadPool& pool) {
     document::SurfaceState surface = empty_surface(layer.surface);
-    read_tiles(archive, layer.surface.entries, surface, pool);
+    fill(archive, layer.surface, in_hand, surface, pool);
     return std::make_shared<const film::FilmState>(std::move(surface.film));
 }
 
@@ -149,10 +161,11 @@ void read_layers(const ZipReader& archive, const ProjectIndex& index,
         check_surface(archive, "canvas", layer.surface, document::canvas_shape(canvas),
                       1.0 / canvas.px_per_mm);
     read_active(archive, index, canvas, project, pool);
+    const film::Medium in_hand = document::medium_of(project.painting.value.medium);
     document::LayerStack& stack = project.painting.value.layers = stack_of(index);
     for (std::size_t place = 0; place < stack.layers.size(); ++place)
         if (place != stack.active)
-            stack.layers[place].asleep = read_asleep(archive, index.layers[place], pool);
+            stack.layers[place].asleep = read_asleep(archive, index.layers[place], in_hand, pool);
 }
 
 void read_well(const ZipReader& archive, const SurfaceIndex& index, PaintingState& painting,
@@ -160,7 +173,7 @@ void read_well(const ZipReader& archive, const SurfaceIndex& index, PaintingStat
     const film::FilmState bare = document::bare_well();
     check_surface(archive, "mixing well", index, bare.shape, bare.cell_mm);
     document::SurfaceState surface = empty_surface(index);
-    read_tiles(archive, index.entries, surface, pool);
+    fill(archive, index, document::medium_of(painting.value.medium), surface, pool);
     painting.value.well = std::move(surface.film);
     painting.well_solver = std::move(surface.solver);
 }
@@ -187,6 +200,8 @@ void read_brush(const ZipReader& archive, const BrushIndex& index, document::Pai
     brush.strokes_begun = index.strokes_begun;
     if (!std::all_of(brush.held.begin(), brush.held.end(), is_possible))
         archive.fail(index.held.entry, "a bristle holds what none can.");
+    brush.consistencies = index.consistencies.value_or(
+        told_by_paint(brush.contents(), document::medium_of(painting.medium)));
 }
 
 void read_selection(const ZipReader& archive, const PackedEntry& packed,

@@ -1,10 +1,11 @@
 #include "project/project_index.hpp"
 
 #include "files/json_place.hpp"
-#include "recordings/action_json.hpp"
 #include "packing/packed_bytes.hpp"
+#include "project/consistency_record.hpp"
 #include "project/project_layout.hpp"
 #include "project/tile_kinds.hpp"
+#include "recordings/action_json.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -143,7 +144,7 @@ Json surface_json(const SurfaceIndex& surface) {
     }
     return {{"cells", Json::array({surface.shape.width, surface.shape.height})},
             {"cell_mm", surface.cell_mm},
-            {"varied", surface.varied},
+            {"consistency", consistencies_json(surface.consistencies.value())},
             {"fixed", counts_json(surface.fixed.thickness, surface.fixed.pigment)},
             {"evaporated", surface.evaporated},
             {"advances", surface.calls},
@@ -174,9 +175,16 @@ TileEntry read_tile_entry(const JsonPlace& place, const grid::Shape& shape, Seen
     return entry;
 }
 
+/// Versions before 5 tell whether the paint is `varied`, of several media.
+std::optional<film::Consistencies> read_surface_consistencies(const JsonPlace& surface) {
+    const auto varied = surface.optional_entry("varied");
+    if (!varied) return read_consistencies(surface.entry("consistency"));
+    return varied->boolean() ? std::optional(film::Consistencies::several()) : std::nullopt;
+}
+
 SurfaceIndex read_surface(const JsonPlace& place) {
-    place.allow_only(
-        {"cells", "cell_mm", "varied", "fixed", "evaporated", "advances", "run_off", "tile_entries"});
+    place.allow_only({"cells", "cell_mm", "varied", "consistency", "fixed", "evaporated", "advances",
+                      "run_off", "tile_entries"});
     SurfaceIndex surface;
     const JsonPlace cells = place.entry("cells");
     if (cells.size() != 2) cells.fail("expected a width and a height.");
@@ -184,7 +192,7 @@ SurfaceIndex read_surface(const JsonPlace& place) {
     surface.shape.width = static_cast<int>(cells.element(0).integer(1, kMostCells));
     surface.shape.height = static_cast<int>(cells.element(1).integer(1, kMostCells));
     surface.cell_mm = place.entry("cell_mm").number();
-    surface.varied = place.entry("varied").boolean();
+    surface.consistencies = read_surface_consistencies(place);
     read_counts(place.entry("fixed"), surface.fixed.thickness, surface.fixed.pigment);
     surface.evaporated = place.entry("evaporated").integer(0, kMostCounted);
     surface.calls = place.entry("advances").integer(0, kMostCounted / 2);
@@ -297,10 +305,14 @@ film::AgeingClock::Pending read_ageing(const JsonPlace& place) {
 }
 
 BrushIndex read_brush(const JsonPlace& place) {
-    place.allow_only({"strokes_begun", "held"});
+    place.allow_only({"strokes_begun", "consistency", "held"});
     constexpr std::size_t kMostBristles = 2000;
-    return {static_cast<std::uint32_t>(place.entry("strokes_begun").integer(0, UINT32_MAX)),
-            read_packed_alone(place.entry("held"), kMostBristles * sizeof(brush::Contents))};
+    BrushIndex brush{static_cast<std::uint32_t>(place.entry("strokes_begun").integer(0, UINT32_MAX)),
+                     {},
+                     read_packed_alone(place.entry("held"), kMostBristles * sizeof(brush::Contents))};
+    if (const auto told = place.optional_entry("consistency"))
+        brush.consistencies = read_consistencies(*told);
+    return brush;
 }
 
 void check_header(const JsonPlace& root) {
@@ -351,6 +363,7 @@ std::string index_to_json(const ProjectIndex& index) {
     if (index.well) json["well"] = surface_json(*index.well);
     if (index.brush) {
         json["brush"] = {{"strokes_begun", index.brush->strokes_begun},
+                         {"consistency", consistencies_json(index.brush->consistencies.value())},
                          {"held", packed_json(index.brush->held)}};
     }
     if (index.selection) json["selection"] = packed_json(*index.selection);

@@ -13,7 +13,7 @@
 
 namespace pastoso::project {
 
-inline constexpr int kProjectFormatVersion = 4;
+inline constexpr int kProjectFormatVersion = 5;
 
 /// An entry of the archive that is a Zstandard frame with a checksum of its own.
 struct PackedEntry {
@@ -33,7 +33,8 @@ struct TileEntry {
 struct SurfaceIndex {
     grid::Shape shape{};
     double cell_mm = 0.0;
-    bool varied = false;
+    /// Left out where formats before 5 say that it is of one medium.
+    std::optional<film::Consistencies> consistencies{};
     film::DriedTotals fixed{};
     std::int64_t evaporated = 0;
     std::int64_t calls = 0;
@@ -51,6 +52,7 @@ struct LayerIndex {
 
 struct BrushIndex {
     std::uint32_t strokes_begun = 0;
+    std::optional<film::Consistencies> consistencies{};  ///< formats before 5 do not tell
     PackedEntry held;
 };
 

@@ -1,7 +1,6 @@
 #include "core/text_file.hpp"
 #include "document/set_up.hpp"
 #include "files/image.hpp"
-#include "recordings/recording_json.hpp"
 #include "project/mask_bits.hpp"
 #include "project/project.hpp"
 #include "project/project_archive.hpp"
@@ -22,7 +21,7 @@ SurfaceIndex surface_index(const document::SurfaceState& surface) {
     const film::FilmState& film = surface.film;
     return {.shape = film.shape,
             .cell_mm = film.cell_mm,
-            .varied = film.varied,
+            .consistencies = film.consistencies,
             .fixed = film.strata.fixed,
             .evaporated = film.strata.evaporated,
             .calls = surface.solver.calls,
@@ -113,7 +112,8 @@ struct FieldKeeper {
     void operator()(const std::optional<document::BrushInHand>& in_hand) const {
         if (!in_hand) return;
         const auto held = std::as_bytes(std::span(in_hand->brush.held));
-        draft.index.brush = {in_hand->brush.strokes_begun, add_packed(kBrushEntry, held, draft.archive)};
+        draft.index.brush = {in_hand->brush.strokes_begun, in_hand->brush.consistencies,
+                             add_packed(kBrushEntry, held, draft.archive)};
     }
     void operator()(const document::Selection& selection) const {
         if (selection)
@@ -163,7 +163,8 @@ void write_archive(const Project& project, const Pictures& pictures, core::Threa
     draft.archive.add("stack.xml", stack_xml(pictures));
     for (PictureFile& file : picture_files(pictures))
         draft.archive.add(file.entry, std::move(file.content));
-    draft.archive.add(kSetupEntry, recordings::recording_to_json(document::set_up_of(project.painting.value)));
+    draft.archive.add(kSetupEntry,
+                      recordings::recording_to_json(document::set_up_of(project.painting.value)));
     add_painting(project, draft);
     std::future<void> packed = std::async(std::launch::async, [&draft, &pool] {
         for (TilePacking& surface : draft.surfaces)

@@ -79,7 +79,7 @@ inline document::PaintingState painted_canvas(const char* medium, core::ThreadPo
     const film::FilmState piece = painted_piece(medium, pool);
     document::PaintingState painting = document::Painting(settings, pool).state();
     film::FilmState& film = painting.value.film;
-    film.varied = true;
+    film.consistencies = film::Consistencies::several();
     const auto scale = [](std::int32_t& value, double factor) {
         value = static_cast<std::int32_t>(value * factor);
     };

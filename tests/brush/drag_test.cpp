@@ -134,7 +134,7 @@ TEST(Drag, LeavesStiffPaintAtRest) {
 
 TEST(Drag, TellsInkFromOilOnOneCanvas) {
     film::FilmState film = pool(studio::dark_paint());
-    film.varied = true;
+    film.consistencies = film::Consistencies::several();
     studio::cover(film, studio::cells_of(film, 0.0, 20.0, 60.0, 40.0), kPool_mm, studio::light_paint());
     Brush brush = dragging_brush(0.8);
     brush.preset.exchange.mix = brush.preset.exchange.pickup = 0.0;

@@ -41,7 +41,7 @@ Painted painted(const Preset& preset, const Ground& ground, int threads) {
     Painted result{studio::linen(50.0, 32.0, 4.0), {}, {}};
     if (ground.wet_mm > 0.0) {
         studio::cover(result.film, {60, 0, 130, 128}, ground.wet_mm, ground.paint);
-        result.film.varied = true;
+        result.film.consistencies = film::Consistencies::several();
     }
     Brush brush(preset);
     brush.load(studio::dark_paint(), 0.8);

@@ -49,7 +49,7 @@ struct TwoFilms {
         newer.paint.reset(2);
         newer.strata.evaporated = 9;
         newer.strata.fixed.thickness = 4;
-        newer.varied = true;
+        newer.consistencies.add(film::Consistency{5.0F, 3.0F});
     }
     film::FilmState older, newer;
 };
@@ -90,7 +90,7 @@ TEST(PackedFilmTiles, GiveTheOlderFilmBack) {
     film::FilmState film = films.newer;
     packed.put_into(film);
     EXPECT_EQ(film::state_hash(film), film::state_hash(films.older));
-    EXPECT_EQ(film.varied, films.older.varied);
+    EXPECT_EQ(film.consistencies, films.older.consistencies);
     EXPECT_TRUE(film.thickness.is_background(5));
     EXPECT_TRUE(film.support_mm.shares_tile(films.older.support_mm, 5)) << "the bare support's own tile";
     EXPECT_LT(packed.bytes(), tiles.bytes() / 2);

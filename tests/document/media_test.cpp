@@ -39,11 +39,11 @@ class MediaTest : public testing::Test {
 
 TEST_F(MediaTest, OneMediumLeavesTheFilmUniform) {
     paint_stroke("house paint", load_of("PB29"), 0.0, 10.0);
-    EXPECT_FALSE(painting.film().varied);
+    EXPECT_FALSE(painting.film().consistencies.are_several());
     paint_stroke("house paint", load_of("PY35"), 1.0, 14.0);
-    EXPECT_FALSE(painting.film().varied);
+    EXPECT_FALSE(painting.film().consistencies.are_several());
     paint_stroke("ink glaze", load_of("PY35"), 2.0, 14.0);
-    EXPECT_TRUE(painting.film().varied);
+    EXPECT_TRUE(painting.film().consistencies.are_several());
 }
 
 TEST_F(MediaTest, ABareCanvasAndACleanBrushStartAnew) {
@@ -51,9 +51,10 @@ TEST_F(MediaTest, ABareCanvasAndACleanBrushStartAnew) {
     painting.apply(Undo{});
     painting.apply(CleanBrush{});
     painting.apply(UseMedium{"heavy-body oil"});
-    EXPECT_FALSE(painting.film().varied);
+    EXPECT_FALSE(painting.film().consistencies.are_several());
     painting.apply(Redo{});
-    EXPECT_TRUE(painting.film().varied) << "what Redo brings back is of another medium";
+    EXPECT_TRUE(painting.film().consistencies.are_several())
+        << "what Redo brings back is of another medium";
 }
 
 TEST_F(MediaTest, AnotherMediumInHandDoesNotThinWhatLiesThere) {
@@ -85,7 +86,7 @@ TEST_F(MediaTest, NumbersThatWereNotChangedChangeNothing) {
         paint_wave(*each, 0.0, 10.0);
         each->apply(UseMedium{"House paint", own});
         each->advance_tick();
-        EXPECT_FALSE(each->film().varied);
+        EXPECT_FALSE(each->film().consistencies.are_several());
     }
     EXPECT_EQ(painting.state_hash(), other.state_hash());
 }
@@ -116,7 +117,7 @@ TEST_F(MediaTest, ANewNumberMakesTheFilmVaried) {
     film::Medium thicker = film::find_medium("house paint");
     thicker.viscosity_m2_s = 0.1;
     painting.apply(UseMedium{thicker.name, thicker});
-    EXPECT_TRUE(painting.film().varied);
+    EXPECT_TRUE(painting.film().consistencies.are_several());
     EXPECT_EQ(painting.state().value.medium, (UseMedium{thicker.name, thicker}));
 }
 

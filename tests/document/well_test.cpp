@@ -215,8 +215,8 @@ TEST_F(WellTest, AnotherMediumIsCarriedAsItIs) {
     stroke(Surface::Well, 20, 40, 40);
     painting.apply(UseMedium{"heavy-body oil"});
     stroke(Surface::Canvas, 8, 32, 15);
-    EXPECT_TRUE(painting.film().varied);
-    EXPECT_TRUE(painting.well()->varied);
+    EXPECT_TRUE(painting.film().consistencies.are_several());
+    EXPECT_TRUE(painting.well()->consistencies.are_several());
     advance(10);
     expect_balance();
 }

@@ -102,7 +102,7 @@ TEST(SceneFilm, FormsOfTwoPaintsMix) {
     const Medium oil = find_medium("heavy-body oil");
     scene.film = {{Slab{}, 0.25, {}}, {Box{{0, 0, 20, 30}}, 0.25, {}, oil}};
     const FilmState film = make_film(scene);
-    EXPECT_TRUE(film.varied);
+    EXPECT_TRUE(film.consistencies.are_several());
     const auto per_mm = [&film](int x, int channel) {
         return film.paint.at(x, 3)[channel] * kPaintQuantum / thickness_mm(film.thickness.at(x, 3));
     };

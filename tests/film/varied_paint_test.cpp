@@ -26,7 +26,7 @@ void set_rheology(Bench& bench, const std::function<double(int, int)>& viscosity
                   const std::function<double(int, int)>& yield) {
     bench.tint(kViscosityChannel, [&](int x, int y) { return std::log(viscosity(x, y)); });
     bench.tint(kYieldChannel, [&](int x, int y) { return 1e-3 * yield(x, y); });
-    bench.state.varied = true;
+    bench.state.consistencies = film::Consistencies::several();
 }
 
 /// Mean velocity of a Bingham film of 1 mm under kForce.
@@ -155,7 +155,7 @@ TEST(VariedPaint, GivesTheSameBitsOnAnyNumberOfThreads) {
     const auto hash = [](int threads) {
         core::ThreadPool pool(threads);
         FilmState film = patchwork(4);
-        film.varied = true;
+        film.consistencies = film::Consistencies::several();
         Solver solver(film, find_medium("house paint"), {}, pool);
         solver.set_gravity(tilted_gravity(60.0));
         solver.advance(0.01);
@@ -173,7 +173,7 @@ TEST(VariedPaint, NearlyDryPaintStandsOnAnUprightCanvas) {
         const auto bump = [](int x, int y) { return 0.05 * drop_height(2 * x, 2 * y); };
         lay(film, bump, kRed, medium);
         dry(film, {.speed = 1.0}, dried_share * medium.touch_dry_s * 0.15 / 0.3, pool);
-        film.varied = true;
+        film.consistencies = film::Consistencies::several();
         const FilmState before = film;
         Solver solver(film, medium, {}, pool);
         solver.set_gravity(tilted_gravity(90.0));

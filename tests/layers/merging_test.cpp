@@ -72,7 +72,7 @@ TEST_F(MergedCell, WetPaintsRunTogether) {
     EXPECT_EQ(both.thickness.at(0, 0), lower.thickness.at(0, 0) + upper.thickness.at(0, 0));
     EXPECT_EQ(both.paint.at(0, 0)[3], lower.paint.at(0, 0)[3] + upper.paint.at(0, 0)[3]);
     EXPECT_EQ(both.strata.optics.at(0, 0), film::kClearStrata);
-    EXPECT_TRUE(both.varied);
+    EXPECT_TRUE(both.consistencies.are_several());
 }
 
 TEST_F(MergedCell, MoreThanACellHoldsIsDryBelow) {

@@ -85,7 +85,7 @@ class Transforming : public testing::Test {
     }
     static FilmState cut_to(const FilmState& all, int x0, int y0, int x1, int y1) {
         FilmState layer = test::bare_layer();
-        layer.varied = true;
+        layer.consistencies = film::Consistencies::several();
         for (int y = y0; y < y1; ++y)
             for (int x = x0; x < x1; ++x) {
                 layer.thickness.set(x, y, all.thickness.at(x, y));

@@ -81,16 +81,17 @@ TEST_F(BadProject, ATruncatedFileIsRefusedWhereverItEnds) {
 
 TEST_F(BadProject, OtherVersionsAreRefused) {
     EXPECT_EQ(
-        error_of_index("\"version\":4", "\"version\":5"),
-        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 5; this "
-        "program reads up to 4).");
-    EXPECT_THAT(error_of_index("\"version\":4", "\"version\":0"),
+        error_of_index("\"version\":5", "\"version\":6"),
+        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 6; this "
+        "program reads up to 5).");
+    EXPECT_THAT(error_of_index("\"version\":5", "\"version\":0"),
                 HasSubstr("version: 0 is not between"));
     EXPECT_THAT(error_of_index("pastoso-project", "pastoso-scene"), HasSubstr("this is no painting"));
 }
 
 TEST_F(BadProject, AnIndexThatSaysTooMuchOrTooLittleIsRefused) {
-    EXPECT_THAT(error_of_index("\"varied\":", "\"vared\":"), HasSubstr("no such entry as \"vared\""));
+    EXPECT_THAT(error_of_index("\"evaporated\":", "\"evaported\":"),
+                HasSubstr("no such entry as \"evaported\""));
     EXPECT_THAT(error_of_index("\"tick\":", "\"tock\":"), HasSubstr("tock"));
     EXPECT_THAT(error_of_index("\"kind\":\"paint\"", "\"kind\":\"magic\""),
                 HasSubstr("tile_entries[1].kind: there is no such kind of tiles as \"magic\"."));

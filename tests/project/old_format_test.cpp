@@ -92,5 +92,21 @@ TEST_F(OldFormatTwo, IsTheSameWhenItIsSavedAnewAndOpened) {
                       old.painting.value.bare->support_mm.read(tile)[cell]);
 }
 
+/// Its upper layer is of the medium in hand; that of the lower one, oil, no entry tells.
+TEST_F(OldFormat, FourTellsByThePaintInWhichMediumALayerIs) {
+    const LoadedProject old = load_project(tests::source_file("tests/project/format-4.pastoso"), pool);
+    const auto acrylic = film::consistency_of(film::find_medium("fluid acrylic"));
+    EXPECT_EQ(old.painting.canvas.film.consistencies.uniform(), acrylic);
+    EXPECT_EQ(old.painting.brush->consistencies.uniform(), acrylic);
+    const film::FilmState oil = *old.painting.layers.layers[0].asleep;
+    EXPECT_TRUE(oil.consistencies.are_several());
+    document::Painting painting(old.painting, pool);
+    painting.apply(document::SelectLayer{1});
+    for (int i = 0; i < 60; ++i)
+        painting.advance_tick();
+    EXPECT_EQ(film::totals(painting.film()).thickness, film::totals(oil).thickness)
+        << "oil does not run off";
+}
+
 }  // namespace
 }  // namespace pastoso::project

@@ -58,7 +58,7 @@ struct FieldComparer {
     }
     void operator()(const film::FilmState& a, const film::FilmState& b) const {
         EXPECT_EQ(film::state_hash(a), film::state_hash(b));
-        EXPECT_EQ(a.varied, b.varied);
+        EXPECT_EQ(a.consistencies, b.consistencies);
     }
     void operator()(const std::optional<film::FilmState>& a,
                     const std::optional<film::FilmState>& b) const {
@@ -80,6 +80,7 @@ struct FieldComparer {
         ASSERT_EQ(a.has_value(), b.has_value());
         if (!a) return;
         EXPECT_EQ(a->brush.held, b->brush.held);
+        EXPECT_EQ(a->brush.consistencies, b->brush.consistencies);
         EXPECT_EQ(a->brush.strokes_begun, b->brush.strokes_begun);
         EXPECT_EQ(a->taken.size_mm, b->taken.size_mm);
         EXPECT_EQ(a->taken.seed, b->taken.seed);
@@ -131,7 +132,7 @@ TEST_F(ProjectRoundTrip, AnUntouchedCanvasComesBack) {
 TEST_F(ProjectRoundTrip, ABusyPaintingComesBack) {
     const Project project = busy_project(pool);
     const auto& film = project.painting.value.film;
-    ASSERT_TRUE(film.varied);
+    ASSERT_TRUE(film.consistencies.are_several());
     ASSERT_GT(film.strata.fixed.thickness + film.strata.evaporated, 0);
     ASSERT_FALSE(project.painting.solver.awake.empty());
     ASSERT_TRUE(project.painting.value.well);

@@ -47,7 +47,6 @@ void return_to(const Moment& then, LivingPainting& painting) {
     return_well_to(then, same_medium, painting);
     now.selection = then.value.selection;
     now.tracing = then.value.tracing;
-    if (!same_medium) now.film.varied = true;
     now.flows = {.taken = then.value.flows.taken,
                  .wiped = then.value.flows.wiped,
                  .forgotten_run_off = difference(painting.canvas.solver.runoff(), then.run_off)};

@@ -44,15 +44,15 @@ SetDrying in_hand(std::type_identity<SetDrying>, const PaintingValue& painting) 
 void apply(const UseMedium& use, LivingPainting& painting) {
     PaintingValue& value = painting.value;
     const film::Medium next = medium_of(use);
-    if (next != painting.medium) {
-        const bool brush_holds_paint = value.brush && value.brush->brush.contents().volume_mm3 > 0.0;
-        value.film.varied = film::has_wet_paint(value.film) || brush_holds_paint || value.well;
-        if (value.well) value.well->varied = true;
-    }
+    const bool brush_holds_paint = value.brush && value.brush->brush.holds_paint();
+    const bool begins_anew = !film::has_wet_paint(value.film) && !brush_holds_paint && !value.well;
+    if (next != painting.medium && begins_anew) value.film.consistencies = {};
     painting.medium = next;
     put_in_hand(use, value);
-    painting.canvas.solver.set_medium(next);
-    if (painting.well_solver) painting.well_solver->set_medium(next);
+    painting.canvas.set_medium(next);
+    if (!painting.well_solver) return;
+    painting.well_solver->set_medium(next);
+    value.well->consistencies.add(painting.well_solver->consistency());
 }
 
 void apply(const DryNow&, LivingPainting& painting) {

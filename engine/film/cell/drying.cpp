@@ -137,7 +137,7 @@ void dry(FilmState& state, const DryingAir& air, double seconds, core::ThreadPoo
         const double rate = air.rate_at((x + 0.5) * state.cell_mm, (y + 0.5) * state.cell_mm);
         return static_cast<std::int32_t>(std::min(quanta * rate, double{kForEver}));
     };
-    if (dry_tiles(state, time_at, pool)) state.varied = true;
+    if (dry_tiles(state, time_at, pool)) state.consistencies = Consistencies::several();
 }
 
 void dry_now(FilmState& state, core::ThreadPool& pool, const grid::Mask* only) {

@@ -97,7 +97,7 @@ void store(const Pile& pile, int x, int y, FilmState& film) {
     const std::int32_t thickness = in_quanta(pile.thickness_mm, kThicknessQuantum_mm);
     if (thickness == 0) return;
     film.thickness.set(x, y, thickness);
-    if (!film.varied && !pile.is_coloured()) return;
+    if (!film.consistencies.are_several() && !pile.is_coloured()) return;
     PaintCell cell;
     for (int k = 0; k < kPaintChannels; ++k)
         cell[k] = in_quanta(pile.paint[k], kPaintQuantum);
@@ -163,8 +163,9 @@ SupportHeights make_support(const Scene& scene) {
 FilmState make_film(const Scene& scene) {
     FilmState film(scene.shape, scene.cell_mm);
     film.support_mm = make_support(scene);
-    film.varied = std::any_of(scene.film.begin(), scene.film.end(),
-                              [](const Primitive& primitive) { return primitive.medium.has_value(); });
+    const auto has_own_medium = [](const Primitive& primitive) { return primitive.medium.has_value(); };
+    if (std::any_of(scene.film.begin(), scene.film.end(), has_own_medium))
+        film.consistencies = Consistencies::several();
     std::vector<Layer> layers;
     for (const Primitive& primitive : scene.film)
         layers.emplace_back(primitive, scene);
