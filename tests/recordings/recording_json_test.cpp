@@ -254,7 +254,8 @@ TEST(RecordingJson, RefusesSamplesOutOfRange) {
                 HasSubstr("samples[0]: the pressure of the pen is 1.01"));
     EXPECT_THAT(stroke_error("[[-1,1,2,1]]"), HasSubstr("samples[0]: the time of the pen in s is -1"));
     EXPECT_THAT(stroke_error("[[0,1e9,2,1]]"), HasSubstr("samples[0]: the x of the pen in mm is 1e+09"));
-    EXPECT_THAT(stroke_error("[[0,1,2,1,91]]"), HasSubstr("samples[0]: the x tilt of the pen in degrees is 91"));
+    EXPECT_THAT(stroke_error("[[0,1,2,1,91]]"),
+                HasSubstr("samples[0]: the x tilt of the pen in degrees is 91"));
     EXPECT_THAT(stroke_error("[[0,1,2]]"), HasSubstr("samples[0]: a sample has 4 to 7 numbers"));
     EXPECT_THAT(stroke_error("[[0,1,2,1,0,0,0,0]]"),
                 HasSubstr("samples[0]: a sample has 4 to 7 numbers"));

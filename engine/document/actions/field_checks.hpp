@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/error.hpp"
-#include "document/actions/table.hpp"
 #include "core/number_text.hpp"
+#include "document/actions/table.hpp"
 
 #include <string>
 #include <type_traits>

@@ -53,7 +53,8 @@ struct Table<GroupLayers> {
     static constexpr void fields(auto&& visit) {
         visit(
             Text<At<&GroupLayers::name>>{"name", "name of a group", kMostLayerName, Presence::Required});
-        visit(Value<At<&GroupLayers::layers>>{"layers", "numbers of the layers", Presence::Required});
+        visit(Value<At<&GroupLayers::layers>>{"layers", "numbers of the layers", Presence::Required,
+                                              "a list of them"});
     }
 };
 

@@ -79,7 +79,8 @@ struct Table<SelectArea> {
         visit(Value<At<&SelectArea::outline>>{"outline_mm", "outline", Presence::Required,
                                               "3 to 20 000 points `[x, y]`"});
         visit(Value<At<&SelectArea::how>>{"how", "way to select", Presence::Optional,
-                                          "with what is selected already"});
+                                          "`\"replace\"` (default), `\"add\"`, `\"subtract\"` or "
+                                          "`\"intersect\"`, with what is selected already"});
     }
 };
 
@@ -102,7 +103,8 @@ struct Table<SelectByHeight> {
         visit(Number<At<&SelectByHeight::most_mm>>{"most_mm", "most height", "mm", 0.0, kMostPaint_mm,
                                                    Presence::Required, "both included"});
         visit(Value<At<&SelectByHeight::how>>{"how", "way to select", Presence::Optional,
-                                              "with what is selected already"});
+                                              "`\"replace\"` (default), `\"add\"`, `\"subtract\"` or "
+                                              "`\"intersect\"`, with what is selected already"});
     }
 };
 
@@ -123,7 +125,8 @@ struct Table<SelectByWetness> {
         visit(Number<At<&SelectByWetness::most_mm>>{"most_mm", "most thickness of wet paint", "mm", 0.0,
                                                     kMostPaint_mm, Presence::Required, "both included"});
         visit(Value<At<&SelectByWetness::how>>{"how", "way to select", Presence::Optional,
-                                               "with what is selected already"});
+                                               "`\"replace\"` (default), `\"add\"`, `\"subtract\"` or "
+                                               "`\"intersect\"`, with what is selected already"});
     }
 };
 
