@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/worker.hpp"
+#include "pigment/image.hpp"
 #include "session/tank_session.hpp"
 #include "session/tea_session.hpp"
-#include "shade/render.hpp"
 #include "trace/tracer.hpp"
 
 #include <atomic>
@@ -58,7 +58,7 @@ class LiquidPicture {
     mutable std::mutex mutex_;
     Progress progress_;
     std::shared_ptr<const trace::Picture> radiance_;
-    std::shared_ptr<const shade::Image8> shown_;
+    std::shared_ptr<const pigment::Image8> shown_;
     core::Worker<LiquidPictureOrder> worker_;
 };
 

@@ -93,7 +93,7 @@ TEST(OverviewPainter, DeliversWhatWasAskedForLast) {
     bool done = false;
     OverviewPainter painter(
         64, 64,
-        [&](const shade::Image8& picture) {
+        [&](const pigment::Image8& picture) {
             if (done || red_at(picture, 8, 8) > 100 || red_at(picture, 60, 24) > 100) return;
             done = true;
             dark.set_value();

@@ -66,7 +66,7 @@ TEST_F(CliErrors, AbsurdCanvasesAndValues) {
                      "A canvas of 5000 x 5000 mm at 6.5 px/mm needs about");
     expect_bad_input({"replay", pen, "--canvas", "5000x5000mm", "--px-per-mm", "60"},
                      "at most 32768 a side");
-    expect_bad_input(small({"replay", pen, "--tilt", "120"}), "the tilt of the canvas is 120");
+    expect_bad_input(small({"replay", pen, "--tilt", "120"}), "the tilt of the canvas in degrees is 120");
     expect_bad_input({"replay", pen, "--size-mm", "1000"}, "the width of the brush in mm is 1000");
 }
 

@@ -83,8 +83,8 @@ inline void go_on(Painting& painting, const std::vector<Action>& actions, int ti
 
 inline film::FilmState paint_of(const Painting& painting, LayerId layer) {
     const PaintingState state = painting.state();
-    return *layers_apart(state.canvas.film, state.bare_support_mm,
-                         state.layers)[place_of(state.layers, layer)];
+    return *layers_apart(state.value.film, state.value.bare->support_mm,
+                         state.value.layers)[place_of(state.value.layers, layer)];
 }
 
 /// The share of the paint that lies elsewhere now.

@@ -1,4 +1,4 @@
-#include "stored_image.hpp"
+#include "files/stored_image.hpp"
 
 #include <algorithm>
 

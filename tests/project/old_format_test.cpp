@@ -96,9 +96,9 @@ TEST_F(OldFormatTwo, IsTheSameWhenItIsSavedAnewAndOpened) {
 TEST_F(OldFormat, FourTellsByThePaintInWhichMediumALayerIs) {
     const LoadedProject old = load_project(tests::source_file("tests/project/format-4.pastoso"), pool);
     const auto acrylic = film::consistency_of(film::find_medium("fluid acrylic"));
-    EXPECT_EQ(old.painting.canvas.film.consistencies.uniform(), acrylic);
-    EXPECT_EQ(old.painting.brush->consistencies.uniform(), acrylic);
-    const film::FilmState oil = *old.painting.layers.layers[0].asleep;
+    EXPECT_EQ(old.painting.value.film.consistencies.uniform(), acrylic);
+    EXPECT_EQ(old.painting.value.brush->brush.consistencies.uniform(), acrylic);
+    const film::FilmState oil = *old.painting.value.layers.layers[0].asleep;
     EXPECT_TRUE(oil.consistencies.are_several());
     document::Painting painting(old.painting, pool);
     painting.apply(document::SelectLayer{1});

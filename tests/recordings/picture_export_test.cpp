@@ -7,7 +7,7 @@
 #include "recordings/map_export.hpp"
 #include "recordings/surface_values.hpp"
 #include "shade/canvas.hpp"
-#include "stored_image.hpp"
+#include "files/stored_image.hpp"
 
 #include <cmath>
 

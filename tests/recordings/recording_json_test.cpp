@@ -344,7 +344,7 @@ TEST(RecordingJson, RefusesBadAids) {
                 HasSubstr("set_symmetry.mirror: expected true or false"));
     EXPECT_EQ(
         refused(R"("set_guide":{"form":"spiral"})"),
-        "s.json, events[0].set_guide.form: \"spiral\" is not one of none, line, ruler and ellipse.");
+        "s.json, events[0].set_guide.form: \"spiral\" is not one of none, line, ruler, ellipse.");
     EXPECT_EQ(refused(R"("set_guide":{"form":"line","from_mm":[1,2]})"),
               "s.json, events[0].set_guide: there is no such entry as \"from_mm\" here.");
     EXPECT_EQ(refused(R"("set_guide":{"form":"ruler","from_mm":[1,2],"to_mm":[1]})"),

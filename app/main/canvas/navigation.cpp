@@ -31,7 +31,7 @@ Navigation::Navigation(Studio& studio, panels::NavigatorPanel* panel, QDockWidge
     const QSize size = kMostPicture * studio_.window().devicePixelRatioF();
     painter_ = std::make_unique<session::OverviewPainter>(
         size.width(), size.height(),
-        [panel](const shade::Image8& picture) {
+        [panel](const pigment::Image8& picture) {
             QMetaObject::invokeMethod(
                 panel, [panel, image = image_of(picture)] { panel->map().show_picture(image); });
         },

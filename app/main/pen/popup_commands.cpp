@@ -88,7 +88,7 @@ void PopupCommands::make_palette() {
     const int side = static_cast<int>(panels::PopupPalette::kThumbnail * pixels);
     thumbnails_ = std::make_unique<session::ThumbnailPainter>(
         side, side,
-        [palette = palette_](const std::string& name, const shade::Image8& thumbnail) {
+        [palette = palette_](const std::string& name, const pigment::Image8& thumbnail) {
             const QImage image = QImage(thumbnail.rgb.data(), thumbnail.width, thumbnail.height,
                                         3 * thumbnail.width, QImage::Format_RGB888)
                                      .copy();
