@@ -129,7 +129,7 @@ void take_accidents(Camera& camera) {
     camera.look_at_canvas().scaledToWidth(240, Qt::SmoothTransformation).save(&thumbnail, "PNG");
     journal::Unfinished painting;
     painting.painting = "/home/painter/apples.pastoso";
-    painting.canvas = camera.window().session().canvas();
+    painting.canvas = camera.window().studio().session().canvas();
     painting.last_painted = std::chrono::system_clock::now() - std::chrono::minutes(3);
     painting.changes = 27;
     painting.thumbnail = thumbnail.data().toStdString();

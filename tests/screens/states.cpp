@@ -2,6 +2,7 @@
 
 #include "appearance/theme.hpp"
 #include "dialogs/settings_dialog.hpp"
+#include "main/window_parts.hpp"
 #include "panels/pen/pen_pad.hpp"
 #include "panels/popup/popup_palette.hpp"
 #include "start/start_page.hpp"
@@ -38,7 +39,7 @@ void show_only(QWidget& dialog, dialogs::SettingsDialog::Page page) {
 
 /// The painting without what surrounds it in the window.
 QPixmap canvas_alone(Camera& camera) {
-    view::CanvasView& canvas = camera.window().canvas();
+    view::CanvasView& canvas = camera.window().studio().canvas();
     const QPointF corner = canvas.widget_position({0.0, 0.0});
     const QPointF opposite = canvas.widget_position(canvas.canvas_size_mm());
     return camera.look_at_canvas().copy(QRectF(corner, opposite).toRect());
@@ -50,7 +51,7 @@ void name_file(QWidget& dialog, const QString& path) {
 }
 
 void take_start_page(Camera& camera) {
-    camera.window().show_start_page();
+    camera.window().parts().start.show_page();
     pass_time();
     pass_time();
     camera.take(QStringLiteral("start-page"));
@@ -102,7 +103,7 @@ void take_popups(Camera& camera) {
     pass_time();
     if (auto* palette = camera.window().findChild<panels::PopupPalette*>()) {
         constexpr QSize kPart(640, 460);
-        camera.save(middle_of(with(canvas, camera.window().canvas(), *palette), kPart),
+        camera.save(middle_of(with(canvas, camera.window().studio().canvas(), *palette), kPart),
                     QStringLiteral("popup-palette"));
         palette->hide();
     } else {
