@@ -24,7 +24,8 @@ class UntouchedPaint : public testing::TestWithParam<std::tuple<NamedActions, in
     void expect_it_stays(const std::vector<Action>& other_medium) {
         const auto& [place, doing] = GetParam();
         Painting painting(small_canvas(), pool);
-        Player player(painting, standing_oil());
+        const Recording recording = standing_oil();
+        Player player(painting, recording);
         while (!player.finished())
             player.play_tick();
         go_on(painting, place.actions);
