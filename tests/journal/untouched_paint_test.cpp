@@ -1,7 +1,7 @@
 // Paint that was saved and opened again, or recovered, while another medium was in hand stays what it
 // is.
 #include "document/media_cases.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 #include "journal/journals.hpp"
 
 #include <set>
