@@ -78,7 +78,7 @@ TEST_F(PhysicsWindow, ANumberGoesIntoThePaintAndBack) {
     mouse_stroke(line_mm({10, 10}, {30, 10}));
     session().wait_until_applied();
     EXPECT_GT(volume_mm3(), 0.0);
-    EXPECT_EQ(session().capture().painting.medium, medium());
+    EXPECT_EQ(session().capture().painting.value.medium, medium());
 
     QTest::mouseClick(&find<QPushButton>("medium_reset"), Qt::LeftButton);
     EXPECT_EQ(medium(), document::UseMedium{"heavy-body oil"});
@@ -137,7 +137,7 @@ TEST_F(PhysicsWindow, WhatIsSavedHasTheNumbersSetAMomentAgo) {
     const TemporaryFolder folder;
     find<QSlider>("yield_stress_slider").setValue(10);
     parts().files.save_painting(QString::fromStdString((folder.path() / "a.pastoso").string()));
-    EXPECT_TRUE(session().capture().painting.medium.own.has_value());
+    EXPECT_TRUE(session().capture().painting.value.medium.own.has_value());
     EXPECT_TRUE(parts().files.saver().wait().isEmpty());
 }
 

@@ -37,7 +37,7 @@ class PicturePaintWindow : public WindowTest {
     }
     std::vector<std::string> layer_names() {
         std::vector<std::string> names;
-        for (const document::Layer& layer : session().capture().painting.layers.layers)
+        for (const document::Layer& layer : session().capture().painting.value.layers.layers)
             names.push_back(layer.look.name);
         return names;
     }

@@ -1,5 +1,6 @@
 #include "main/liquids/tank_recorder.hpp"
 
+#include "files/image.hpp"
 #include "glass/tank_view.hpp"
 #include "main/liquids/tank_surface_file.hpp"
 
