@@ -100,7 +100,7 @@ class Keyboard : public WindowTest {
         settle();
     }
 
-    static void open(QWidget& dialog) {
+    void open(QWidget& dialog) {
         dialog.show();
         wait_until_shown(dialog);
         QApplication::setActiveWindow(&dialog);
