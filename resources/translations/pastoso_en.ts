@@ -391,7 +391,7 @@
     </message>
     <message>
         <source>Dry now</source>
-        <translation type="unfinished">Dry now</translation>
+        <translation>Dry now</translation>
     </message>
 </context>
 <context>
@@ -5958,7 +5958,7 @@ Drag: move the picture
     <name>std</name>
     <message>
         <source>Stroke in the mixing well</source>
-        <translation type="unfinished">Stroke in the mixing well</translation>
+        <translation>Stroke in the mixing well</translation>
     </message>
 </context>
 </TS>

@@ -391,7 +391,7 @@
     </message>
     <message>
         <source>Dry now</source>
-        <translation type="unfinished">すぐ乾かす</translation>
+        <translation>すぐ乾かす</translation>
     </message>
 </context>
 <context>
@@ -5951,7 +5951,7 @@ Drag: move the picture
     <name>std</name>
     <message>
         <source>Stroke in the mixing well</source>
-        <translation type="unfinished">混色皿でのストローク</translation>
+        <translation>混色皿でのストローク</translation>
     </message>
 </context>
 </TS>

@@ -391,7 +391,7 @@
     </message>
     <message>
         <source>Dry now</source>
-        <translation type="unfinished">Torka nu</translation>
+        <translation>Torka nu</translation>
     </message>
 </context>
 <context>
@@ -5958,7 +5958,7 @@ Dra: flytta bilden
     <name>std</name>
     <message>
         <source>Stroke in the mixing well</source>
-        <translation type="unfinished">Penseldrag på blandningsytan</translation>
+        <translation>Penseldrag på blandningsytan</translation>
     </message>
 </context>
 </TS>

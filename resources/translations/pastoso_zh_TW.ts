@@ -391,7 +391,7 @@
     </message>
     <message>
         <source>Dry now</source>
-        <translation type="unfinished">立即乾燥</translation>
+        <translation>立即乾燥</translation>
     </message>
 </context>
 <context>
@@ -5951,7 +5951,7 @@ Drag: move the picture
     <name>std</name>
     <message>
         <source>Stroke in the mixing well</source>
-        <translation type="unfinished">調色槽裡的筆觸</translation>
+        <translation>調色槽裡的筆觸</translation>
     </message>
 </context>
 </TS>
