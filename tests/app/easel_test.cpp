@@ -15,9 +15,9 @@ using ::testing::ElementsAre;
 
 /// Names of the posted actions, in their order.
 std::vector<std::string> names(const std::vector<Action>& actions) {
-    static const char* const kNames[] = {"brush",  "load",  "clean",    "medium",  "tilt",     "drying",
-                                         "dry",    "down",  "move",     "up",      "undo",     "redo",
-                                         "steady", "guide", "symmetry", "squeeze", "wipe well"};
+    static const char* const kNames[] = {"brush",     "load", "clean", "medium", "drying", "dry",
+                                         "tilt",      "size", "down",  "move",   "up",     "squeeze",
+                                         "wipe well", "undo", "redo",  "steady", "guide",  "symmetry"};
     std::vector<std::string> list;
     for (const Action& action : actions)
         list.emplace_back(kNames[action.index()]);
