@@ -22,8 +22,8 @@ class ThreadPool {
     int thread_count() const { return static_cast<int>(workers_.size()) + 1; }
 
     /// Calls body(index, worker) once for every index in [0, count), worker in [0, thread_count()), and
-    /// returns when all calls have. The body must not throw and must not call run() of the same pool.
-    /// Only one thread at a time may call run().
+    /// returns when all calls have. Throws one of what the body threw. The body must not call run() of
+    /// the same pool, and only one thread at a time may call run().
     void run(std::size_t count, const std::function<void(std::size_t index, int worker)>& body);
 
   private:
