@@ -118,7 +118,7 @@ struct Lanes {
     Raw<T, kCount> raw;
 
     Lanes() = default;
-    PASTOSO_LANE_MEMBER explicit Lanes(Raw<T, kCount> values) : raw(values) {}
+    PASTOSO_LANE_MEMBER explicit Lanes(const Raw<T, kCount>& values) : raw(values) {}
     /// The same number in all lanes.
     PASTOSO_LANE_MEMBER Lanes(T number) : raw(number - Raw<T, kCount>{}) {}
     /// A number for each lane.

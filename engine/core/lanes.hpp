@@ -55,13 +55,36 @@ PASTOSO_LANE_FUNCTION To bits(T a) {
 
 // Lanes.
 
+// Of floats in whole registers by name: the compiler does not always find the instruction by itself.
 template <class T, int N>
 PASTOSO_LANE_FUNCTION Lanes<T, N> min(Lanes<T, N> a, Lanes<T, N> b) {
-    return Lanes<T, N>(a.raw < b.raw ? a.raw : b.raw);
+    using V [[maybe_unused]] = Lanes<T, N>;
+    [[maybe_unused]] constexpr int kBytes = std::is_same_v<T, float> ? 4 * N : 0;
+#if defined(__AVX512F__)
+    if constexpr (kBytes == 64) return V(_mm512_min_ps(a.raw, b.raw));
+#endif
+#if defined(__AVX2__)
+    if constexpr (kBytes == 32) return V(_mm256_min_ps(a.raw, b.raw));
+#endif
+#if defined(__SSE4_1__)
+    if constexpr (kBytes == 16) return V(_mm_min_ps(a.raw, b.raw));
+#endif
+    return V(a.raw < b.raw ? a.raw : b.raw);
 }
 template <class T, int N>
 PASTOSO_LANE_FUNCTION Lanes<T, N> max(Lanes<T, N> a, Lanes<T, N> b) {
-    return Lanes<T, N>(a.raw > b.raw ? a.raw : b.raw);
+    using V [[maybe_unused]] = Lanes<T, N>;
+    [[maybe_unused]] constexpr int kBytes = std::is_same_v<T, float> ? 4 * N : 0;
+#if defined(__AVX512F__)
+    if constexpr (kBytes == 64) return V(_mm512_max_ps(a.raw, b.raw));
+#endif
+#if defined(__AVX2__)
+    if constexpr (kBytes == 32) return V(_mm256_max_ps(a.raw, b.raw));
+#endif
+#if defined(__SSE4_1__)
+    if constexpr (kBytes == 16) return V(_mm_max_ps(a.raw, b.raw));
+#endif
+    return V(a.raw > b.raw ? a.raw : b.raw);
 }
 template <class To, class T, int N>
 PASTOSO_LANE_FUNCTION Lanes<To, N> convert(Lanes<T, N> a) {
