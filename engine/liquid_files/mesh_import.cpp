@@ -22,10 +22,6 @@ const Format* format_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-bool is_mesh_import_path(const std::filesystem::path& path) {
-    return format_of(path) != nullptr;
-}
-
 liquid::TriangleMesh import_mesh(const std::filesystem::path& path) {
     const Format* format = format_of(path);
     if (format == nullptr) {

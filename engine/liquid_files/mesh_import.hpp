@@ -13,9 +13,6 @@ namespace pastoso::liquid_files {
 
 inline constexpr std::size_t kMostMeshTriangles = 10'000'000, kMostMeshVertices = 10'000'000;
 
-/// Whether a file's name ends in .obj or .stl, in letters of any case.
-bool is_mesh_import_path(const std::filesystem::path& path);
-
 /// Reads a mesh, which may be empty and need not be closed. Throws InputError that names the file, the
 /// line or byte in it and the value when the file cannot be read, is neither of them, ends too early,
 /// names vertices that are not there, holds a number that is not finite, or more than the limits above.

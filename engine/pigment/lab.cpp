@@ -93,10 +93,6 @@ Lab lab(const LinearRgb& colour) {
     return lab(relative, {1.0, 1.0, 1.0});
 }
 
-double hue_difference_deg(double a_deg, double b_deg) {
-    return std::abs(std::remainder(a_deg - b_deg, 360.0));
-}
-
 double ciede2000(const Lab& first, const Lab& second) {
     const double stretch = 1.5 - 0.5 * vividness(0.5 * (first.chroma() + second.chroma()));
     const Lab p{first.lightness, first.a * stretch, first.b};

@@ -34,9 +34,6 @@ double relative_luminance(const LinearRgb& colour);
 /// Lab of a colour in linear sRGB, which may lie outside the gamut.
 Lab lab(const LinearRgb& colour);
 
-/// The angle between two hues, 0 to 180 degrees.
-double hue_difference_deg(double a_deg, double b_deg);
-
 /// The colour difference CIEDE2000 (Sharma, Wu, Dalal: Color Research and Application 30, 2005), all
 /// weights 1. About 1 is seen side by side, 2 to 3 at a second look.
 double ciede2000(const Lab& first, const Lab& second);

@@ -1,5 +1,4 @@
 // Cost of the stages of a step of the liquid, in the cup and in a box.
-#include "liquid/classic/cosine_pressure.hpp"
 #include "liquid/classic/periodic.hpp"
 #include "liquid/flow/flow.hpp"
 #include "liquid/tea/cup.hpp"
@@ -82,20 +81,6 @@ void advect_two_scalars(benchmark::State& run) {
         flow.advect_cells(std::array{&milk, &coldness}, 0.01F, KeepSum::Yes, pool);
 }
 BENCHMARK(advect_two_scalars)
-    ->ArgNames({"cells", "threads"})
-    ->ArgsProduct({{64, 128}, {1, 2}})
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
-
-void cosine_pressure(benchmark::State& run) {
-    core::ThreadPool pool(static_cast<int>(run.range(1)));
-    CosinePressure direct(box(run));
-    VelocityField velocity(box(run));
-    stir(velocity);
-    for (auto _ : run)
-        direct.project(velocity, pool);
-}
-BENCHMARK(cosine_pressure)
     ->ArgNames({"cells", "threads"})
     ->ArgsProduct({{64, 128}, {1, 2}})
     ->UseRealTime()

@@ -93,14 +93,8 @@ void fill_metaballs(benchmark::State& run, const BallKernel& kernel) {
 BENCHMARK_CAPTURE(fill_metaballs, compact, CompactBalls{})
     ->ArgsProduct({{1000, 10000, 100000}, {64, 128}})
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(fill_metaballs, cut_off, CutOffBalls{})
-    ->ArgsProduct({{10000}, {128}})
-    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(fill_metaballs, inverse_square, InverseSquareBalls{})
     ->ArgsProduct({{1000, 10000, 100000}, {64, 128}})
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(fill_metaballs, inverse, InverseBalls{})
-    ->ArgsProduct({{10000}, {128}})
     ->Unit(benchmark::kMillisecond);
 
 /// Every ball at every sample, the loop over balls in single precision; one layer of the lattice is

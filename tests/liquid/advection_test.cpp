@@ -63,21 +63,51 @@ TEST(Sampling, APointThatIsNoNumberIsPutSomewhereInTheBox) {
     EXPECT_EQ(sample(field, Location::Cell, {1e30F, -1e30F, 0.0F}, Interpolation::Linear), 2.0F);
 }
 
+/// Carries cells along a velocity in a periodic box.
+class PeriodicCells {
+  public:
+    explicit PeriodicCells(const grid::BoxShape& shape,
+                           Interpolation interpolation = Interpolation::LimitedCubic)
+        : velocity(shape),
+          interpolation_(interpolation),
+          advection_(shape, whole(shape), Edges::Periodic),
+          next_(shape) {}
+
+    void advect(grid::BoxField& field, float dt_s, core::ThreadPool& pool) {
+        fill_periodic_ghosts(field, pool);
+        advection_.follow(velocity, pool);
+        const AdvectedPair pair = {&field, &next_};
+        advection_.advect({&pair, 1}, Location::Cell, dt_s, interpolation_, pool);
+        std::swap(field, next_);
+        fill_periodic_ghosts(field, pool);
+    }
+
+    VelocityField velocity;
+
+  private:
+    static std::array<RowRanges, 4> whole(const grid::BoxShape& shape) {
+        const RowRanges cells = RowRanges::whole(shape, Location::Cell);
+        return {cells, cells, cells, cells};
+    }
+
+    Interpolation interpolation_;
+    Advection advection_;
+    grid::BoxField next_;
+};
+
 TEST(Advection, AUniformFlowShiftsAPeriodicPatternExactly) {
     // One cell a step: the way back ends on samples, where every interpolation is exact.
     core::ThreadPool pool(2);
     const grid::BoxShape shape{16, 12, 8, 0.25F};
-    PeriodicFlow flow(shape);
+    PeriodicCells flow(shape);
     for (const int axis : kAxes)
-        flow.velocity().along(axis) = grid::BoxField(shape, axis == 0   ? 0.5F
-                                                            : axis == 1 ? -0.25F
-                                                                        : 0.0F);
+        flow.velocity.along(axis) = grid::BoxField(shape, axis == 0 ? 0.5F : axis == 1 ? -0.25F : 0.0F);
     grid::BoxField field(shape);
     cases::fill_randomly(field, 4);
     fill_periodic_ghosts(field, pool);
     const grid::BoxField before = field;
     for (int step = 0; step < 3; ++step)
-        flow.advect_cells(std::array{&field}, 1.0F, pool);
+        flow.advect(field, 1.0F, pool);
     for (int k = 0; k < 8; ++k)
         for (int j = 0; j < 12; ++j)
             for (int i = 0; i < 16; ++i)
@@ -89,9 +119,9 @@ TEST(Advection, AUniformFlowShiftsAPeriodicPatternExactly) {
 double sine_error(int cells, Interpolation interpolation) {
     core::ThreadPool pool(2);
     const grid::BoxShape shape{cells, cells, 4, 1.0F / static_cast<float>(cells)};
-    PeriodicFlow flow(shape, {.interpolation = interpolation});
-    flow.velocity().x = grid::BoxField(shape, 1.0F);
-    flow.velocity().y = grid::BoxField(shape, 0.7F);
+    PeriodicCells flow(shape, interpolation);
+    flow.velocity.x = grid::BoxField(shape, 1.0F);
+    flow.velocity.y = grid::BoxField(shape, 0.7F);
     grid::BoxField field(shape);
     const auto value = [](const glm::vec3& p) {
         return std::sin(2.0F * kPi * p.x) * std::cos(2.0F * kPi * p.y);
@@ -101,7 +131,7 @@ double sine_error(int cells, Interpolation interpolation) {
     const int steps = cells / 3;
     const float dt_s = 0.45F * shape.cell_m;
     for (int step = 0; step < steps; ++step)
-        flow.advect_cells(std::array{&field}, dt_s, pool);
+        flow.advect(field, dt_s, pool);
     const glm::vec3 moved = glm::vec3(1.0F, 0.7F, 0.0F) * (dt_s * static_cast<float>(steps));
     double sum = 0.0;
     for (int j = 0; j < cells; ++j)
@@ -135,9 +165,9 @@ struct Turned {
 Turned turn_slotted_sphere(int cells, Interpolation interpolation) {
     core::ThreadPool pool(2);
     const grid::BoxShape shape{cells, cells, cells, 1.0F / static_cast<float>(cells)};
-    PeriodicFlow flow(shape, {.interpolation = interpolation});
-    fill(flow.velocity().x, Location::FaceX, [](const glm::vec3& p) { return 0.5F - p.y; });
-    fill(flow.velocity().y, Location::FaceY, [](const glm::vec3& p) { return p.x - 0.5F; });
+    PeriodicCells flow(shape, interpolation);
+    fill(flow.velocity.x, Location::FaceX, [](const glm::vec3& p) { return 0.5F - p.y; });
+    fill(flow.velocity.y, Location::FaceY, [](const glm::vec3& p) { return p.x - 0.5F; });
     grid::BoxField field(shape);
     fill(field, Location::Cell, [](const glm::vec3& p) {
         const glm::vec3 r = p - glm::vec3(0.5F, 0.75F, 0.5F);
@@ -147,7 +177,7 @@ Turned turn_slotted_sphere(int cells, Interpolation interpolation) {
     const grid::BoxField before = field;
     const int steps = cells * 158 / 64;
     for (int step = 0; step < steps; ++step)
-        flow.advect_cells(std::array{&field}, 2.0F * kPi / static_cast<float>(steps), pool);
+        flow.advect(field, 2.0F * kPi / static_cast<float>(steps), pool);
     Turned turned{};
     double sum_before = 0.0, sum_after = 0.0;
     for (int k = 0; k < cells; ++k)

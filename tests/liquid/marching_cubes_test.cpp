@@ -210,7 +210,9 @@ TEST(MarchingCubes, CellsOfABoxAreSampledAtTheirMiddles) {
                 field.at(i, j, k) = 0.2F - 0.1F * (static_cast<float>(i) + 0.5F);
     MarchingOptions options;
     options.border = MeshBorder::Open;
-    const TriangleMesh mesh = marching_cubes(samples_of(field), 0.0F, pool, options);
+    const SampleView samples{cell_centres(field.shape()), field.row(0, 0), field.shape().stride_y(),
+                             field.shape().stride_z()};
+    const TriangleMesh mesh = marching_cubes(samples, 0.0F, pool, options);
     ASSERT_FALSE(mesh.empty());
     for (const glm::vec3& position : mesh.positions_m) {
         EXPECT_NEAR(position.x, 0.2F, 1e-6F);

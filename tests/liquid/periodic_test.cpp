@@ -1,10 +1,8 @@
-// The periodic box and the closed box's direct pressure.
+// The periodic box.
 #include "liquid/classic/periodic.hpp"
 
 #include "core/error.hpp"
-#include "liquid/classic/cosine_pressure.hpp"
 #include "liquid/flow_cases.hpp"
-#include "liquid/pressure/pressure.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -27,6 +25,20 @@ double energy(const VelocityField& velocity) {
                     sum += u * u;
                 }
     return sum;
+}
+
+/// The largest divergence of a cell in 1/s.
+float largest_periodic_divergence(const VelocityField& velocity) {
+    const grid::BoxShape& shape = velocity.shape();
+    float largest = 0.0F;
+    for (int k = 0; k < shape.nz; ++k)
+        for (int j = 0; j < shape.ny; ++j)
+            for (int i = 0; i < shape.nx; ++i)
+                largest =
+                    std::max(largest, std::abs((velocity.x.at(i + 1, j, k) - velocity.x.at(i, j, k)) +
+                                               (velocity.y.at(i, j + 1, k) - velocity.y.at(i, j, k)) +
+                                               (velocity.z.at(i, j, k + 1) - velocity.z.at(i, j, k))));
+    return largest / shape.cell_m;
 }
 
 TEST(PeriodicFlow, ProjectionLeavesNoDivergenceAndChangesNothingTwice) {
@@ -61,24 +73,6 @@ TEST(PeriodicFlow, AShearWaveDecaysExactly) {
         std::exp(-static_cast<double>(0.01F) * 16.0 * kPi * kPi * kSteps * static_cast<double>(0.05F));
     for (int j = 0; j < kCells; ++j)
         EXPECT_NEAR(flow.velocity().x.at(3, j, 1), decay * wave(j), 5e-6 * decay);
-}
-
-TEST(PeriodicFlow, ACellWaveDiffusesExactly) {
-    core::ThreadPool pool(1);
-    const grid::BoxShape shape{16, 16, 16, 1.0F / 16.0F};
-    PeriodicFlow flow(shape);
-    grid::BoxField field(shape);
-    const auto wave = [](int i, int k) {
-        return std::cos(2.0 * kPi * (i + 0.5) / 16.0) * std::sin(4.0 * kPi * k / 16.0);
-    };
-    for (int k = 0; k < 16; ++k)
-        for (int j = 0; j < 16; ++j)
-            for (int i = 0; i < 16; ++i)
-                field.at(i, j, k) = static_cast<float>(wave(i, k));
-    flow.diffuse_cells(field, 0.02F, 0.5F, pool);
-    const double decay = std::exp(-0.01 * (4.0 + 16.0) * kPi * kPi);
-    for (int i = 0; i < 16; ++i)
-        EXPECT_NEAR(field.at(i, 5, 3), decay * wave(i, 3), 1e-6);
 }
 
 struct Decay {
@@ -139,61 +133,6 @@ TEST(PeriodicFlow, ReflectionIsOfSecondOrder) {
     EXPECT_GT(order(VelocityAdvection::Reflected), 1.7);
 }
 
-TEST(CosinePressure, SolvesAWaveExactly) {
-    core::ThreadPool pool(2);
-    for (const grid::BoxShape shape : {grid::BoxShape{16, 12, 20, 1.0F}, grid::BoxShape{7, 9, 5, 1.0F},
-                                       grid::BoxShape{20, 4, 33, 1.0F}}) {
-        grid::BoxField source(shape), pressure(shape);
-        const auto wave = [&](int i, int j, int k) {
-            return std::cos(kPi * 2 * (i + 0.5) / shape.nx) * std::cos(kPi * 3 * (j + 0.5) / shape.ny) *
-                   std::cos(kPi * (k + 0.5) / shape.nz);
-        };
-        const double eigenvalue = 6.0 - 2.0 * std::cos(2 * kPi / shape.nx) -
-                                  2.0 * std::cos(3 * kPi / shape.ny) - 2.0 * std::cos(kPi / shape.nz);
-        for (int k = 0; k < shape.nz; ++k)
-            for (int j = 0; j < shape.ny; ++j)
-                for (int i = 0; i < shape.nx; ++i)
-                    source.at(i, j, k) = static_cast<float>(eigenvalue * wave(i, j, k)) + 3.0F;
-        CosinePressure(shape).solve(source, pressure, pool);
-        for (int k = 0; k < shape.nz; ++k)
-            for (int j = 0; j < shape.ny; ++j)
-                for (int i = 0; i < shape.nx; ++i)
-                    ASSERT_NEAR(pressure.at(i, j, k), wave(i, j, k), 2e-5);
-    }
-}
-
-TEST(CosinePressure, AgreesWithConjugateGradients) {
-    core::ThreadPool pool(2);
-    const grid::BoxShape shape{24, 32, 20, 0.1F};
-    const VelocityField velocity = cases::random_velocity(shape, 11);
-    VelocityField direct = velocity, iterated = velocity;
-    CosinePressure(shape).project(direct, pool);
-    const Walls walls(shape, cases::no_walls);
-    EXPECT_LT(largest_divergence(walls, direct), 2e-6F / shape.cell_m);
-    EXPECT_TRUE(Projection(walls).project(walls, iterated, {1e-6F, 50}, pool).converged);
-    for (const int axis : kAxes)
-        for (int k = 0; k < shape.nz; ++k)
-            for (int j = 0; j < shape.ny; ++j)
-                for (int i = 0; i < shape.nx; ++i)
-                    if (walls.open().along(axis).at(i, j, k) > 0.0F) {
-                        ASSERT_NEAR(direct.along(axis).at(i, j, k), iterated.along(axis).at(i, j, k),
-                                    1e-5F);
-                    }
-}
-
-TEST(CosinePressure, TheSameBitsOnAnyNumberOfThreads) {
-    const grid::BoxShape shape{22, 9, 35, 0.1F};
-    const auto projected = [&](int threads) {
-        core::ThreadPool pool(threads);
-        VelocityField velocity = cases::random_velocity(shape, 3);
-        CosinePressure(shape).project(velocity, pool);
-        return velocity;
-    };
-    const VelocityField one = projected(1);
-    EXPECT_EQ(one, projected(2));
-    EXPECT_EQ(one, projected(3));
-}
-
 TEST(PeriodicFlow, RefusesWhatMeansNothing) {
     EXPECT_THROW(PeriodicFlow({0, 8, 8, 1.0F}), core::InputError);
     EXPECT_THROW(PeriodicFlow({8, 8, 8, std::nanf("")}), core::InputError);
@@ -201,7 +140,6 @@ TEST(PeriodicFlow, RefusesWhatMeansNothing) {
     core::ThreadPool pool(1);
     EXPECT_THROW(PeriodicFlow({8, 8, 8, 1.0F}).diffuse_and_project(std::nanf(""), pool),
                  core::InputError);
-    EXPECT_THROW(CosinePressure({4096, 4096, 4096, 1.0F}), core::InputError);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "pigment/lab.hpp"
 #include "pigment/palette.hpp"
 
+#include <cmath>
 #include <initializer_list>
 #include <utility>
 
@@ -23,7 +24,7 @@ Lab masstone(std::initializer_list<std::pair<const char*, double>> recipe) {
 }
 
 void expect_hue(const Lab& colour, double hue_deg) {
-    EXPECT_LE(hue_difference_deg(colour.hue_deg(), hue_deg), kHueTolerance_deg)
+    EXPECT_LE(std::abs(std::remainder(colour.hue_deg() - hue_deg, 360.0)), kHueTolerance_deg)
         << "hue " << colour.hue_deg() << " chroma " << colour.chroma();
 }
 

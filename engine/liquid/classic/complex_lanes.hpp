@@ -3,8 +3,6 @@
 
 #include "liquid/flow/sample_lanes.hpp"
 
-#include <complex>
-
 namespace pastoso::liquid {
 namespace {
 
@@ -19,16 +17,11 @@ PASTOSO_LANE_FUNCTION Four numbers_swapped(Four v) {
 PASTOSO_LANE_FUNCTION Four conjugate(Four v) {
     return v * Four{1.0F, -1.0F, 1.0F, -1.0F};
 }
-PASTOSO_LANE_FUNCTION Four times_i(Four v) {
-    return parts_swapped(v) * Four{-1.0F, 1.0F, -1.0F, 1.0F};
-}
 
 /// A factor of complex numbers: its real part, and its imaginary part with the signs that it has in a
 /// product.
 struct Turn {
     Four real, imaginary;
-    explicit Turn(std::complex<float> w)
-        : real(Four(w.real())), imaginary{-w.imag(), w.imag(), -w.imag(), w.imag()} {}
     Turn(Four real_parts, Four imaginary_parts) : real(real_parts), imaginary(imaginary_parts) {}
 };
 PASTOSO_LANE_FUNCTION Four times(Four v, const Turn& w) {

@@ -27,14 +27,11 @@ int period_for(int least) {
     }
 }
 
-double smooth_part(double q, FarKernel kernel) {
+double smooth_part(double q) {
     constexpr double kEnd = static_cast<double>(kNearReach) * static_cast<double>(kNearReach);
-    const bool square = kernel == FarKernel::InverseSquare;
-    if (q >= kEnd) return square ? 1.0 / q : 1.0 / std::sqrt(q);
+    if (q >= kEnd) return 1.0 / q;
     const double e = q / kEnd - 1.0;
-    if (square) return (1.0 - e * (1.0 - e * (1.0 - e * (1.0 - e * (1.0 - e))))) / kEnd;
-    return (1.0 - e * (0.5 - e * (0.375 - e * (0.3125 - e * (0.2734375 - e * 0.24609375))))) /
-           static_cast<double>(kNearReach);
+    return (1.0 - e * (1.0 - e * (1.0 - e * (1.0 - e * (1.0 - e))))) / kEnd;
 }
 
 /// What spreading by quintic B-splines multiplies a frequency by: their transform at the samples.
@@ -73,8 +70,8 @@ Memory owned(Pointer memory) {
 FarField::Axis::Axis(int count)
     : samples(count), slots(count + kSplinePoints - 1), period(period_for(2 * (count + kMargin))) {}
 
-FarField::FarField(int nx, int ny, int nz, FarKernel kernel)
-    : x_(nx), y_(ny), z_(nz), kernel_(kernel), row_stride_((x_.frequencies() + 7) / 8 * 8) {
+FarField::FarField(int nx, int ny, int nz)
+    : x_(nx), y_(ny), z_(nz), row_stride_((x_.frequencies() + 7) / 8 * 8) {
     const std::size_t numbers = product(z_.slots, y_.period, row_stride_);
     values_ = owned<FftwComplexes>(fftwf_alloc_complex(numbers));
     columns_ = owned<FftwComplexes>(fftwf_alloc_complex(product(z_.period, kColumns, 1)));
@@ -83,9 +80,8 @@ FarField::FarField(int nx, int ny, int nz, FarKernel kernel)
     make_plans();
 }
 
-bool FarField::serves(const Lattice& lattice, FarKernel kernel) const {
-    return lattice.nx == x_.samples && lattice.ny == y_.samples && lattice.nz == z_.samples &&
-           kernel == kernel_;
+bool FarField::serves(const Lattice& lattice) const {
+    return lattice.nx == x_.samples && lattice.ny == y_.samples && lattice.nz == z_.samples;
 }
 
 bool FarField::reaches(const Lattice& lattice, const Ball& ball) {
@@ -118,9 +114,8 @@ void FarField::transform_kernel() {
                     use(*value++, i, j, k);
     };
     for_each([&](float& value, int i, int j, int k) {
-        value = static_cast<float>(smooth_part(
-            static_cast<double>(i) * i + static_cast<double>(j) * j + static_cast<double>(k) * k,
-            kernel_));
+        value = static_cast<float>(smooth_part(static_cast<double>(i) * i + static_cast<double>(j) * j +
+                                               static_cast<double>(k) * k));
     });
     fftwf_execute(plan.get());
     const double numbers = static_cast<double>(x_.period) * y_.period * z_.period;
@@ -239,7 +234,7 @@ void FarField::to_samples(SampledField& field, core::ThreadPool& pool) {
 }
 
 void FarField::add(const std::vector<Ball>& balls, SampledField& field, core::ThreadPool& pool) {
-    PASTOSO_CHECK(serves(field.lattice(), kernel_));
+    PASTOSO_CHECK(serves(field.lattice()));
     clear(pool);
     spread(balls);
     to_frequencies(pool);

@@ -1,6 +1,6 @@
-// The smooth part of balls that never end, summed over a lattice by Fourier transform.
+// The smooth part of inverse-square balls, which never end, summed over a lattice by Fourier transform.
 //
-// phi(q) = q^-1 or q^(-1/2), q = r^2, is P(q) below Q = kNearReach^2, its Taylor polynomial of the fifth
+// phi(q) = 1/q, q = r^2, is P(q) below Q = kNearReach^2, its Taylor polynomial of the fifth
 // degree at Q, and itself beyond: five times continuously differentiable, and so smooth on the scale of
 // the lattice that it may be spread by quintic B-splines. The lattice is continued by zeros to twice its
 // size; what repeats with that period does not reach back.
@@ -17,14 +17,12 @@ namespace pastoso::liquid {
 
 inline constexpr float kNearReach = 8.0F;  ///< in spacings
 
-enum class FarKernel { InverseSquare, Inverse };
-
 class FarField {
   public:
     /// For lattices of so many samples.
-    FarField(int nx, int ny, int nz, FarKernel kernel);
+    FarField(int nx, int ny, int nz);
 
-    bool serves(const Lattice& lattice, FarKernel kernel) const;
+    bool serves(const Lattice& lattice) const;
 
     /// Whether a ball stands where it can be spread.
     static bool reaches(const Lattice& lattice, const Ball& ball);
@@ -53,7 +51,6 @@ class FarField {
     void clear(core::ThreadPool& pool);
 
     Axis x_, y_, z_;
-    FarKernel kernel_;
     std::ptrdiff_t row_stride_;  ///< of complex numbers
     FftwReals symbol_;           ///< the kernel's transform, of frequencies from 0 to the highest
     FftwComplexes values_;       ///< slots in z, period in y, frequencies in x

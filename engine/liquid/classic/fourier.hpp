@@ -52,16 +52,12 @@ class FourierBox {
     /// The sum without dividing: nx ny nz times what forward() was given.
     void backward(core::ThreadPool& pool);
 
-    // What these are made of, for whoever has more to do while a slice, or a row in all slices, is in
-    // the processor's cache: first all slices, then all rows across them; back in the opposite order.
-    // Different ones may be done at the same time.
-
+  private:
     void forward_slice(int k);
     void forward_across(int j);
     void backward_across(int j);
     void backward_slice(int k);
 
-  private:
     struct Plans;
     FourierExtent extent_;
     AlignedFloats values_;

@@ -158,41 +158,6 @@ void PeriodicFlow::diffuse_and_project(float dt_s, core::ThreadPool& pool) {
         store(spectra_[static_cast<std::size_t>(axis)], velocity_.along(axis), pool);
 }
 
-void PeriodicFlow::diffuse_cells(grid::BoxField& field, float diffusivity_m2_s, float dt_s,
-                                 core::ThreadPool& pool) {
-    check_rate(diffusivity_m2_s, dt_s);
-    FourierBox& spectrum = spectra_[0];
-    load(field, spectrum, pool);
-    const AxisDecays decay = decays(diffusivity_m2_s, dt_s);
-    for_slices(pool, 0, shape().nz, [&](int k) {
-        for (int j = 0; j < shape().ny; ++j)
-            for (int i = 0; i <= shape().nx / 2; ++i)
-                spectrum.row(j, k)[i] *=
-                    decay[0][static_cast<std::size_t>(i)] *
-                    (decay[1][static_cast<std::size_t>(j)] * decay[2][static_cast<std::size_t>(k)]);
-    });
-    store(spectrum, field, pool);
-}
-
-void PeriodicFlow::advect_cells(std::span<grid::BoxField* const> fields, float dt_s,
-                                core::ThreadPool& pool) {
-    PASTOSO_CHECK_OP(fields.size(), <=, kMaxFieldsTogether);
-    std::array<AdvectedPair, kMaxFieldsTogether> pairs{};
-    for (std::size_t f = 0; f < fields.size(); ++f) {
-        PASTOSO_CHECK(fields[f]->shape() == shape());
-        if (cells_[f].values().empty()) cells_[f] = grid::BoxField(shape());
-        fill_periodic_ghosts(*fields[f], pool);
-        pairs[f] = {fields[f], &cells_[f]};
-    }
-    advection_.follow(velocity_, pool);
-    advection_.advect(std::span(pairs).first(fields.size()), Location::Cell, dt_s,
-                      parameters_.interpolation, pool);
-    for (std::size_t f = 0; f < fields.size(); ++f) {
-        std::swap(*fields[f], cells_[f]);
-        fill_periodic_ghosts(*fields[f], pool);
-    }
-}
-
 void PeriodicFlow::carry(std::span<glm::vec3> points_m, float dt_s, core::ThreadPool& pool) const {
     carry_points(points_m, velocity_, dt_s, Edges::Periodic, Interpolation::Cubic, pool);
 }
@@ -218,19 +183,6 @@ void PeriodicFlow::advect_velocity(float dt_s, core::ThreadPool& pool) {
     reflect(reflected_, velocity_, pool);
     advection_.follow(velocity_, pool);
     advect_faces(reflected_, 0.5F * dt_s, pool);
-}
-
-float largest_periodic_divergence(const VelocityField& velocity) {
-    const grid::BoxShape& shape = velocity.shape();
-    float largest = 0.0F;
-    for (int k = 0; k < shape.nz; ++k)
-        for (int j = 0; j < shape.ny; ++j)
-            for (int i = 0; i < shape.nx; ++i)
-                largest =
-                    std::max(largest, std::abs((velocity.x.at(i + 1, j, k) - velocity.x.at(i, j, k)) +
-                                               (velocity.y.at(i, j + 1, k) - velocity.y.at(i, j, k)) +
-                                               (velocity.z.at(i, j, k + 1) - velocity.z.at(i, j, k))));
-    return largest / shape.cell_m;
 }
 
 }  // namespace pastoso::liquid

@@ -33,12 +33,6 @@ class PeriodicFlow {
     /// Viscosity over dt_s and pressure together.
     void diffuse_and_project(float dt_s, core::ThreadPool& pool);
     void project(core::ThreadPool& pool) { diffuse_and_project(0.0F, pool); }
-    /// dq/dt = kappa laplace q, exactly.
-    void diffuse_cells(grid::BoxField& field, float diffusivity_m2_s, float dt_s,
-                       core::ThreadPool& pool);
-
-    /// Fills the fields' ghosts, before and after.
-    void advect_cells(std::span<grid::BoxField* const> fields, float dt_s, core::ThreadPool& pool);
     void carry(std::span<glm::vec3> points_m, float dt_s, core::ThreadPool& pool) const;
     /// Leaves the velocity with divergence: the next step's projection removes it.
     void advect_velocity(float dt_s, core::ThreadPool& pool);
@@ -63,10 +57,6 @@ class PeriodicFlow {
     std::array<Axis, 3> axes_;
     std::array<FourierBox, 3> spectra_;
     VelocityField velocity_, advected_, reflected_;
-    std::array<grid::BoxField, kMaxFieldsTogether> cells_;
 };
-
-/// The largest divergence of a cell in 1/s.
-float largest_periodic_divergence(const VelocityField& velocity);
 
 }  // namespace pastoso::liquid

@@ -70,19 +70,6 @@ void add_compact(const BallSlab& slab, const Ball* balls, const std::uint32_t* o
     });
 }
 
-void add_cut_off(const BallSlab& slab, const Ball* balls, const std::uint32_t* order,
-                 std::size_t count) {
-    add_balls(slab, balls, order, count, [](const Ball& ball) {
-        const float inverse = 1.0F / ball.reach, a = ball.strength;
-        return [=](float q) {
-            const float r = __builtin_sqrtf(q) * inverse;
-            const float left = lanes::max(1.0F - r, 0.0F);
-            const float inner = a * (1.0F - 3.0F * (r * r)), outer = 1.5F * a * (left * left);
-            return r <= 1.0F / 3.0F ? inner : outer;
-        };
-    });
-}
-
 void add_near_inverse_square(const BallSlab& slab, const Ball* balls, const std::uint32_t* order,
                              std::size_t count) {
     add_balls(slab, balls, order, count, [least = slab.least_square](const Ball& ball) {
@@ -97,23 +84,6 @@ void add_near_inverse_square(const BallSlab& slab, const Ball* balls, const std:
     });
 }
 
-void add_near_inverse(const BallSlab& slab, const Ball* balls, const std::uint32_t* order,
-                      std::size_t count) {
-    add_balls(slab, balls, order, count, [least = slab.least_square](const Ball& ball) {
-        const float end = ball.reach * ball.reach, inverse = 1.0F / end, strength = ball.strength;
-        const float root = 1.0F / ball.reach;
-        return [=](float square) {
-            const float q = lanes::max(square, least);
-            const float e = q * inverse - 1.0F;
-            const float smooth =
-                root *
-                (1.0F - e * (0.5F - e * (0.375F - e * (0.3125F - e * (0.2734375F - e * 0.24609375F)))));
-            return q < end ? strength * (1.0F / __builtin_sqrtf(q) - smooth) : 0.0F;
-        };
-    });
-}
-
 }  // namespace pastoso::liquid::PASTOSO_ISA
 
-PASTOSO_REGISTER_KERNELS(pastoso::liquid, BallKernels, add_compact, add_cut_off, add_near_inverse_square,
-                         add_near_inverse)
+PASTOSO_REGISTER_KERNELS(pastoso::liquid, BallKernels, add_compact, add_near_inverse_square)

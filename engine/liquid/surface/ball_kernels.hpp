@@ -30,10 +30,9 @@ using AddBalls = void (*)(const BallSlab& slab, const Ball* balls, const std::ui
 
 struct BallKernels {
     AddBalls compact;  ///< strength (1 - r^2/reach^2)^3
-    AddBalls cut_off;  ///< CutOffBalls with a = strength, b = reach
-    /// strength (1/q - P(q)) and strength (q^(-1/2) - P(q)), q = r^2; P is the quintic Taylor polynomial
-    /// at q = reach^2 (far_field.hpp).
-    AddBalls near_inverse_square, near_inverse;
+    /// strength (1/q - P(q)), q = r^2; P is the quintic Taylor polynomial at q = reach^2
+    /// (far_field.hpp).
+    AddBalls near_inverse_square;
 
     static const BallKernels baseline, avx2, avx512;
 };

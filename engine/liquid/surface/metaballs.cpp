@@ -8,8 +8,6 @@
 #include <cmath>
 #include <vector>
 
-#include <glm/geometric.hpp>
-
 namespace pastoso::liquid {
 namespace {
 
@@ -22,29 +20,7 @@ double size_of(const Parcel& parcel, const Metaballs& balls) {
     return std::cbrt(volumes);
 }
 
-double value(const CompactBalls& balls, double size, double r_m) {
-    const double reach_m =
-        std::max(static_cast<double>(balls.radius_m) * size, static_cast<double>(balls.least_radius_m));
-    const double u = std::max(0.0, 1.0 - r_m * r_m / (reach_m * reach_m));
-    return u * u * u;
-}
-
-double value(const InverseSquareBalls& balls, double size, double r_m) {
-    const double a_m = static_cast<double>(balls.a_m) * size, r = std::max(r_m, kLeastDistance_m);
-    return kInverseSquareFactor * a_m * a_m / (r * r);
-}
-
-double value(const InverseBalls& balls, double size, double r_m) {
-    return static_cast<double>(balls.a_m) * size / std::max(r_m, kLeastDistance_m);
-}
-
-double value(const CutOffBalls& balls, double size, double r_m) {
-    const double r = r_m / (static_cast<double>(balls.b_m) * size), a = static_cast<double>(balls.a);
-    if (r > 1.0) return 0.0;
-    return r <= 1.0 / 3.0 ? a * (1.0 - 3.0 * r * r) : 1.5 * a * (1.0 - r) * (1.0 - r);
-}
-
-// The same kernels in spacings of a lattice.
+/// A kernel in spacings of a lattice.
 struct Form {
     float reach, strength;
 };
@@ -60,18 +36,8 @@ Form form(const InverseSquareBalls& balls, double size, double spacing_m) {
     return {kNearReach, static_cast<float>(kInverseSquareFactor * a * a)};
 }
 
-Form form(const InverseBalls& balls, double size, double spacing_m) {
-    return {kNearReach, static_cast<float>(static_cast<double>(balls.a_m) * size / spacing_m)};
-}
-
-Form form(const CutOffBalls& balls, double size, double spacing_m) {
-    return {static_cast<float>(static_cast<double>(balls.b_m) * size / spacing_m), balls.a};
-}
-
 AddBalls near_kernel(const BallKernel& kernel, const BallKernels& kernels) {
-    const AddBalls of_kernel[] = {kernels.compact, kernels.near_inverse_square, kernels.near_inverse,
-                                  kernels.cut_off};
-    return of_kernel[kernel.index()];
+    return std::holds_alternative<CompactBalls>(kernel) ? kernels.compact : kernels.near_inverse_square;
 }
 
 /// Parcels with volume as balls of a lattice.
@@ -93,8 +59,8 @@ void take_balls(std::span<const Parcel> parcels, const Metaballs& balls, const L
 }
 
 /// The whole sum of balls beside the lattice, where the transform does not reach.
-void add_one_by_one(const std::vector<Ball>& balls, FarKernel kernel, float least_square,
-                    SampledField& field, core::ThreadPool& pool) {
+void add_one_by_one(const std::vector<Ball>& balls, float least_square, SampledField& field,
+                    core::ThreadPool& pool) {
     const Lattice& lattice = field.lattice();
     pool.run(static_cast<std::size_t>(lattice.nz), [&](std::size_t layer, int) {
         const int k = static_cast<int>(layer);
@@ -105,8 +71,7 @@ void add_one_by_one(const std::vector<Ball>& balls, FarKernel kernel, float leas
                 float* row = field.row(j, k);
                 for (int i = 0; i < lattice.nx; ++i) {
                     const float x = static_cast<float>(i) - ball.x;
-                    const float q = std::max(across + x * x, least_square);
-                    row[i] += ball.strength / (kernel == FarKernel::InverseSquare ? q : std::sqrt(q));
+                    row[i] += ball.strength / std::max(across + x * x, least_square);
                 }
             }
         }
@@ -115,14 +80,14 @@ void add_one_by_one(const std::vector<Ball>& balls, FarKernel kernel, float leas
 
 }  // namespace
 
-struct MetaballField::Memory {
+struct MetaballField::Buffers {
     BallSplat splat;
     std::unique_ptr<FarField> far;
     std::vector<Ball> balls, beside;
 };
 
 MetaballField::MetaballField(core::ThreadPool& pool)
-    : pool_(pool), memory_(std::make_unique<Memory>()) {}
+    : pool_(pool), buffers_(std::make_unique<Buffers>()) {}
 
 MetaballField::~MetaballField() = default;
 
@@ -131,35 +96,22 @@ void MetaballField::fill(std::span<const Parcel> parcels, const Metaballs& balls
     PASTOSO_CHECK_OP(balls.unit_volume_m3, >, 0.0F);
     const Lattice lattice = field.lattice();
     field.assign(lattice);
-    take_balls(parcels, balls, lattice, memory_->balls);
+    take_balls(parcels, balls, lattice, buffers_->balls);
     const double least = kLeastDistance_m / static_cast<double>(lattice.spacing_m);
     const auto least_square = static_cast<float>(least * least);
-    const bool is_square = std::holds_alternative<InverseSquareBalls>(balls.kernel);
-    if (is_square || std::holds_alternative<InverseBalls>(balls.kernel)) {
-        const FarKernel kernel = is_square ? FarKernel::InverseSquare : FarKernel::Inverse;
-        if (!memory_->far || !memory_->far->serves(lattice, kernel))
-            memory_->far = std::make_unique<FarField>(lattice.nx, lattice.ny, lattice.nz, kernel);
+    if (std::holds_alternative<InverseSquareBalls>(balls.kernel)) {
+        if (!buffers_->far || !buffers_->far->serves(lattice))
+            buffers_->far = std::make_unique<FarField>(lattice.nx, lattice.ny, lattice.nz);
         const auto beside =
-            std::stable_partition(memory_->balls.begin(), memory_->balls.end(),
+            std::stable_partition(buffers_->balls.begin(), buffers_->balls.end(),
                                   [&](const Ball& ball) { return FarField::reaches(lattice, ball); });
-        memory_->beside.assign(beside, memory_->balls.end());
-        memory_->balls.erase(beside, memory_->balls.end());
-        memory_->far->add(memory_->balls, field, pool_);
-        add_one_by_one(memory_->beside, kernel, least_square, field, pool_);
+        buffers_->beside.assign(beside, buffers_->balls.end());
+        buffers_->balls.erase(beside, buffers_->balls.end());
+        buffers_->far->add(buffers_->balls, field, pool_);
+        add_one_by_one(buffers_->beside, least_square, field, pool_);
     }
-    memory_->splat.add(memory_->balls, near_kernel(balls.kernel, core::kernels<BallKernels>(isa)),
-                       least_square, field, pool_);
-}
-
-double metaball_sum(std::span<const Parcel> parcels, const Metaballs& balls, const glm::vec3& point_m) {
-    double sum = 0.0;
-    for (const Parcel& parcel : parcels) {
-        if (!(parcel.volume_m3 > 0.0F)) continue;
-        const double r_m = glm::length(glm::dvec3(point_m) - glm::dvec3(parcel.position_m));
-        const double size = size_of(parcel, balls);
-        sum += std::visit([&](const auto& kernel) { return value(kernel, size, r_m); }, balls.kernel);
-    }
-    return sum;
+    buffers_->splat.add(buffers_->balls, near_kernel(balls.kernel, core::kernels<BallKernels>(isa)),
+                        least_square, field, pool_);
 }
 
 }  // namespace pastoso::liquid

@@ -31,34 +31,19 @@ struct InverseSquareBalls {
 };
 inline constexpr float kInverseSquareThreshold = 0.5F;
 
-/// a s / r, everywhere.
-struct InverseBalls {
-    float a_m = 0.002F;
-};
-
-/// With b the length times s: a (1 - 3 r^2/b^2) up to b/3, 3a/2 (1 - r/b)^2 up to b, 0 beyond (P.
-/// Bourke, "Implicit Surfaces", 1997).
-struct CutOffBalls {
-    float a = 1.0F;
-    float b_m = 0.0024F;
-};
-
-using BallKernel = std::variant<CompactBalls, InverseSquareBalls, InverseBalls, CutOffBalls>;
+using BallKernel = std::variant<CompactBalls, InverseSquareBalls>;
 
 struct Metaballs {
     BallKernel kernel = CompactBalls{};
     float unit_volume_m3 = 26e-6F / 12000.0F;  ///< V0 > 0
 };
 
-/// The sum at one point, in double precision, one ball after the other.
-double metaball_sum(std::span<const Parcel> parcels, const Metaballs& balls, const glm::vec3& point_m);
-
 /// Fills lattices with the sum, and keeps its working memory.
 ///
-/// Kernels that end are added ball by ball where they are; in every point in the order of the parcels.
-/// The two that never end cannot be cut: in a cloud the far balls make up most of the sum. Each is the
-/// sum of a near part that ends after eight spacings and of a smooth one, which is spread to the lattice
-/// by quintic B-splines and summed by a Fourier transform over twice the lattice, so that nothing comes
+/// Compact balls are added one by one where they are; in every point in the order of the parcels. Those
+/// that never end cannot be cut: in a cloud the far balls make up most of the sum. Each is the sum of a
+/// near part that ends after eight spacings and of a smooth one, which is spread to the lattice by
+/// quintic B-splines and summed by a Fourier transform over twice the lattice, so that nothing comes
 /// back around (after the particle-mesh Ewald method, U. Essmann et al., J. Chem. Phys. 103, 1995).
 /// Relative error below 2e-5.
 class MetaballField {
@@ -75,9 +60,9 @@ class MetaballField {
               core::Isa isa = core::best_isa());
 
   private:
-    struct Memory;
+    struct Buffers;
     core::ThreadPool& pool_;
-    std::unique_ptr<Memory> memory_;
+    std::unique_ptr<Buffers> buffers_;
 };
 
 }  // namespace pastoso::liquid

@@ -32,9 +32,4 @@ void SampledField::assign(const Lattice& lattice, float value) {
     values_.assign(static_cast<std::size_t>(stride_z()) * static_cast<std::size_t>(lattice.nz), value);
 }
 
-SampleView samples_of(const grid::BoxField& field) {
-    return {cell_centres(field.shape()), field.row(0, 0), field.shape().stride_y(),
-            field.shape().stride_z()};
-}
-
 }  // namespace pastoso::liquid

@@ -61,7 +61,4 @@ class SampledField {
     std::vector<float> values_;
 };
 
-/// A field of cells as samples at their middles, without the ghosts.
-SampleView samples_of(const grid::BoxField& field);
-
 }  // namespace pastoso::liquid
