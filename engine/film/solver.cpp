@@ -404,7 +404,7 @@ SolverState Solver::state() const {
             state.awake.push_back({tile, activity, {}});
             if (activity.window_s > 0.0F) state.awake.back().window_start = parts_->window_start[tile];
         }
-        if (pressures[tile]) state.pressures.push_back({tile, *pressures[tile]});
+        if (pressures[tile]) state.pressures.push_back({tile, pressures[tile]});
     }
     return state;
 }
@@ -420,7 +420,7 @@ void Solver::restore(const SolverState& state) {
     parts_->activity.restore(state.calls, std::move(tiles));
     LargeStepper::Pressures pressures(parts_->window_start.size());
     for (const SolverState::TilePressure& known : state.pressures)
-        pressures[known.tile] = std::make_unique<const CellArray>(known.pressure_mm2_s2);
+        pressures[known.tile] = known.pressure_mm2_s2;
     parts_->large.restore(pressures);
     parts_->runoff = state.runoff;
 }

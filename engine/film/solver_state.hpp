@@ -5,7 +5,6 @@
 #include "film/state.hpp"
 #include "film/tile_activity.hpp"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -20,7 +19,7 @@ struct SolverState {
     };
     struct TilePressure {
         int tile = 0;
-        std::array<float, grid::kTileCells> pressure_mm2_s2{};  ///< of the last large step
+        grid::TileBlock<float> pressure_mm2_s2;  ///< of the last large step
     };
 
     std::int64_t calls = 0;                 ///< of Solver::advance(), which waits are counted in

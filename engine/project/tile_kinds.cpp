@@ -311,14 +311,13 @@ std::vector<int> pressure_tiles(const SurfaceSource& source) {
 }
 
 void encode_pressure(const SurfaceSource& source, int tile, std::byte* out) {
-    encode_values(listed(source.surface.solver.pressures, tile).pressure_mm2_s2.data(), {}, out);
+    encode_values(listed(source.surface.solver.pressures, tile).pressure_mm2_s2.read(), {}, out);
 }
 
 std::string decode_pressure(const std::byte* in, int tile, SurfaceTarget& target) {
-    const auto block = decoded_values<float>(in, {});
     auto& pressure = target.surface.solver.pressures[target.pressure_at[tile]].pressure_mm2_s2;
-    std::copy_n(block.read(), kTileCells, pressure.begin());
-    return checked(pressure.data(), target.surface.film.shape, tile, "a pressure", [](float value) {
+    pressure = decoded_values<float>(in, {});
+    return checked(pressure.write(), target.surface.film.shape, tile, "a pressure", [](float value) {
         return is_within(value, -kStrongestPressure_mm2_s2, kStrongestPressure_mm2_s2);
     });
 }

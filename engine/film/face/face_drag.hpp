@@ -71,12 +71,6 @@ PASTOSO_LANE_FUNCTION BinghamDrag<F> bingham_drag(F drag, F stress) {
     return {shear / (load * (one + drag + half * plug3) + F(1e-20F)), one - plug3};
 }
 
-/// The same from |w| and the yield velocity y.
-template <class F>
-PASTOSO_LANE_FUNCTION BinghamDrag<F> bingham_drag(F drag, F speed, F yield_speed) {
-    return bingham_drag(drag, F(drag * speed / yield_speed));
-}
-
 /// The law of paint without a yield stress is Newton's, which leaves 1 / (1 + drag).
 template <bool kYield, class F>
 PASTOSO_LANE_FUNCTION BinghamDrag<F> drag_law(F drag, F stress) {

@@ -193,6 +193,13 @@ struct LargeStepper::Pass {
             return tile == nullptr ? nullptr : (tile->*field).data() + y * kTileSize;
         };
     }
+    auto last_pressures() const {
+        return [this](int tile_x, int tile_y, int y) -> const float* {
+            const LargeTile* tile = partner(tile_x, tile_y);
+            if (tile == nullptr || !tile->last_pressure) return nullptr;
+            return tile->last_pressure.read() + y * kTileSize;
+        };
+    }
     auto thickness_rows() const {
         return [this](int tile_x, int tile_y, int y) {
             return state.thickness.read(tile_y * state.shape.tiles_x() + tile_x) + y * kTileSize;
@@ -253,9 +260,14 @@ struct LargeStepper::Pass {
 float LargeStepper::Pass::assemble(const TilePlace& place, bool again, LargeTile& tile,
                                    LargeScratch& large, WorkerScratch& worker) const {
     gather_tile(state, place, constants, worker);
-    gather_window(columns(place).next_cells, rows(place).next_cells, kTileSize + 2, kBlockStride,
-                  cells(again ? &LargeTile::pressure : &LargeTile::last_pressure),
-                  &large.lagged_pressure[block_index(-1, -1)]);
+    const auto gather_lagged = [&](const auto& row_of) {
+        gather_window(columns(place).next_cells, rows(place).next_cells, kTileSize + 2, kBlockStride,
+                      row_of, &large.lagged_pressure[block_index(-1, -1)]);
+    };
+    if (again)
+        gather_lagged(cells(&LargeTile::pressure));
+    else
+        gather_lagged(last_pressures());
     return kernels.assemble(constants, place.columns.extent, place.rows.extent, place.closed,
                             place.canvas_edges, again, large, worker.tile, tile);
 }
@@ -414,12 +426,13 @@ void LargeStepper::Pass::compute_residuals(bool first) {
     const auto is_new = [](const LargeTile& tile) { return tile.state.change_is_new(); };
     const ChosenPlaces stale = places_where(
         [&](const TilePlace& place, const LargeTile&) { return any_around(place, is_new); });
-    for_each_of(stale, [&](const TilePlace& place, LargeTile& tile, LargeScratch& large,
-                           WorkerScratch&) {
-        gather_next(place, cells(&LargeTile::change), large.change);
-        tile.state.note_error(kernels.compute_residual(constants, place.columns.extent, place.rows.extent,
-                                                    state.thickness.read(place.tile), large, tile));
-    });
+    for_each_of(stale,
+                [&](const TilePlace& place, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
+                    gather_next(place, cells(&LargeTile::change), large.change);
+                    tile.state.note_error(
+                        kernels.compute_residual(constants, place.columns.extent, place.rows.extent,
+                                                 state.thickness.read(place.tile), large, tile));
+                });
 }
 
 /// The tiles that have changed and have an error left; the first time all but those that only give and
@@ -568,7 +581,7 @@ std::vector<TileResult> LargeStepper::Pass::finish() {
         const TilePlace& place = places[index];
         gather_quanta(state, place.columns, place.rows, place.tile_x, worker.tile.block);
         gather_next(place, cells(&LargeTile::share), large.share);
-        tile.last_pressure = tile.pressure;
+        tile.last_pressure = grid::TileBlock<float>::copy_of(tile.pressure.data());
         worker.tile.large_fluxes = true;
         gather_window(columns(place).next_cells, rows(place).next_cells, kTileSize + 2, kBlockStride,
                       cells(&LargeTile::supply), &worker.tile.supply[block_index(-1, -1)]);
@@ -625,8 +638,7 @@ LargeStepper::LargeStepper(grid::Shape shape, Edge edge_x, Edge edge_y, int thre
 LargeStepper::Pressures LargeStepper::pressures() const {
     Pressures pressures(tiles_.size());
     for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
-        if (tiles_[tile])
-            pressures[tile] = std::make_unique<const CellArray>(tiles_[tile]->last_pressure);
+        if (tiles_[tile]) pressures[tile] = tiles_[tile]->last_pressure;
     return pressures;
 }
 
@@ -635,7 +647,7 @@ void LargeStepper::restore(const Pressures& pressures) {
         tiles_[tile].reset();
         if (!pressures[tile]) continue;
         tiles_[tile] = std::make_unique<LargeTile>();
-        tiles_[tile]->last_pressure = *pressures[tile];
+        tiles_[tile]->last_pressure = pressures[tile];
     }
 }
 

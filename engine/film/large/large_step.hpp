@@ -41,8 +41,9 @@ class LargeStepper {
     /// Forgets a tile that fell asleep.
     void forget(int tile) { tiles_[tile].reset(); }
 
-    /// What a step leaves for the next one: the pressure of each tile's surface, where there was one.
-    using Pressures = std::vector<std::unique_ptr<const CellArray>>;
+    /// What a step leaves for the next one: the pressure of each tile's surface in mm2/s2, where there
+    /// was one.
+    using Pressures = std::vector<grid::TileBlock<float>>;
     Pressures pressures() const;
     void restore(const Pressures& pressures);
 

@@ -5,6 +5,7 @@
 
 #include "film/explicit/tile_step.hpp"
 #include "film/large/large_tile_state.hpp"
+#include "grid/tile_block.hpp"
 
 #include <algorithm>
 #include <array>
@@ -63,14 +64,14 @@ struct LargeTile {
     alignas(64) CellArray residual;       ///< Pi + S d - p
     alignas(64)
         PatchArray correction;  ///< of p, found by the sweep under way in the tile and its overlap
-    alignas(64) CellArray last_pressure;  ///< p of the last step, 0 where unknown
-    alignas(64) CellArray share;          ///< of a cell's outflow that is granted, 0..1
-    alignas(64) CellArray next_share;     ///< the same after the pass under way
-    alignas(64) CellArray supply;         ///< what a cell holds over what leaves it in the step
-    float largest_mobility = 0.0F;        ///< of its faces
-    float flux_error = 0.0F;              ///< by what part its last drag got a flux wrong
+    grid::TileBlock<float> last_pressure;  ///< p of the last step; none where unknown
+    alignas(64) CellArray share;           ///< of a cell's outflow that is granted, 0..1
+    alignas(64) CellArray next_share;      ///< the same after the pass under way
+    alignas(64) CellArray supply;          ///< what a cell holds over what leaves it in the step
+    float largest_mobility = 0.0F;         ///< of its faces
+    float flux_error = 0.0F;               ///< by what part its last drag got a flux wrong
     bool inertial = false;  ///< the old velocity of some of its paint matters for the new one
-    bool crowded = false;  ///< the same: a cell, or one of its margin, has more than kCrowded_quanta
+    bool crowded = false;   ///< the same: a cell, or one of its margin, has more than kCrowded_quanta
     LargeTileState state;
 };
 
