@@ -46,23 +46,26 @@ std::vector<std::uint8_t> cover_of(const film::FilmState& layer, core::ThreadPoo
     return covered;
 }
 
-std::vector<LayerPicture> layer_pictures(const PaintingState& painting, core::ThreadPool& pool) {
+/// Each view is one layer laid over that of all below: a View keeps what it saw.
+void add_layer_pictures(const PaintingState& painting, core::ThreadPool& pool, Pictures& pictures) {
     const film::FilmState& film = painting.value.film;
     film::FilmState canvas(film.shape, film.cell_mm);
     canvas.support_mm = painting.value.bare->support_mm;
-    std::vector<LayerPicture> pictures = {{"Canvas", true, picture_of(canvas, pool), {}}};
+    pictures.layers = {{"Canvas", true, picture_of(canvas, pool), {}}};
     const document::LayerFilms films =
         document::layers_apart(film, painting.value.bare->support_mm, painting.value.layers);
+    layers::View view;
     std::vector<layers::SeenLayer> seen;
     for (std::size_t place = 0; place < films.size(); ++place) {
         const document::LayerLook look = document::effective_look(painting.value.layers, place);
         seen.push_back({films[place].get(), look.opacity});
-        pictures.push_back({look.name, look.visible,
-                            picture_of(layers::View().of(canvas, seen, pool), pool),
-                            cover_of(*films[place], pool)});
+        pictures.layers.push_back({look.name, look.visible,
+                                   picture_of(view.of(canvas, seen, pool), pool),
+                                   cover_of(*films[place], pool)});
         if (!look.visible) seen.pop_back();
     }
-    return pictures;
+    pictures.merged = pictures.layers.back().visible ? pictures.layers.back().picture
+                                                     : picture_of(view.of(canvas, seen, pool), pool);
 }
 
 std::string entry_of(const Pictures& pictures, std::size_t index) {
@@ -74,14 +77,13 @@ std::string entry_of(const Pictures& pictures, std::size_t index) {
 
 Pictures pictures_of(const PaintingState& painting, core::ThreadPool& pool) {
     Pictures pictures;
-    pictures.merged = picture_of(document::view_of(painting.value.film, painting.value.bare->support_mm,
-                                                   painting.value.layers, pool),
-                                 pool);
-    pictures.px_per_mm = pictures.merged.width / painting.value.bare->settings.width_mm;
-    if (document::is_single(painting.value.layers))
+    if (document::is_single(painting.value.layers)) {
+        pictures.merged = picture_of(painting.value.film, pool);
         pictures.layers = {{painting.value.layers.layers[0].look.name, true, pictures.merged, {}}};
-    else
-        pictures.layers = layer_pictures(painting, pool);
+    } else {
+        add_layer_pictures(painting, pool, pictures);
+    }
+    pictures.px_per_mm = pictures.merged.width / painting.value.bare->settings.width_mm;
     return pictures;
 }
 

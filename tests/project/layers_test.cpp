@@ -56,7 +56,8 @@ TEST_F(LayeredProject, ComesBackAndGoesOnToTheSameBits) {
         one->advance_tick();
     }
     EXPECT_EQ(again.state_hash(), painting->state_hash());
-    const document::LayerStack stack = again.state().value.layers, before = painting->state().value.layers;
+    const document::LayerStack stack = again.state().value.layers,
+                               before = painting->state().value.layers;
     EXPECT_EQ(stack.next_layer, before.next_layer);
     EXPECT_EQ(stack.layers[0].look, before.layers[0].look);
 }
@@ -95,6 +96,31 @@ TEST_F(LayeredProject, ItsPicturesLaidOverOneAnotherAreThePainting) {
         difference += std::abs(static_cast<double>(sum.rgb[i] - pictures.merged.rgb[i]));
     // Shadows fall beyond the paint's edge.
     EXPECT_LT(difference / static_cast<double>(sum.rgb.size()), 2e-3);
+}
+
+/// Bit by bit: every layer is shown over the view of those below it alone, whichever were looked at
+/// before.
+TEST_F(LayeredProject, EachPictureIsTheOneOfItsLayersAlone) {
+    for (const bool top_is_visible : {false, true}) {
+        painting->apply(
+            document::SetLayer{3, {.name = "Top", .visible = top_is_visible, .opacity = 0.7}});
+        const document::PaintingState state = painting->state();
+        const Pictures pictures = pictures_of(state, pool);
+        const auto picture_of = [&](document::LayerStack stack) {
+            const auto seen =
+                document::view_of(state.value.film, state.value.bare->support_mm, stack, pool);
+            return shade::render(seen, document::kPrimedGround, seen.shape.cells(), {}, pool).rgb;
+        };
+        EXPECT_EQ(pictures.merged.rgb, picture_of(state.value.layers));
+        for (std::size_t shown = 0; shown < state.value.layers.layers.size(); ++shown) {
+            document::LayerStack stack = state.value.layers;
+            for (std::size_t place = 0; place < stack.layers.size(); ++place) {
+                document::LayerLook& look = stack.layers[place].look;
+                look.visible = place == shown || (place < shown && look.visible);
+            }
+            EXPECT_EQ(pictures.layers[shown + 1].picture.rgb, picture_of(stack)) << shown;
+        }
+    }
 }
 
 TEST_F(LayeredProject, AFullyPaintedCanvasKeepsItsBareSupport) {
