@@ -46,14 +46,8 @@ SetSymmetry in_hand(std::type_identity<SetSymmetry>, const PaintingValue& painti
 
 template <>
 struct Table<SetStabiliser> {
-    static constexpr ActionTraits kTraits{.key = "set_stabiliser",
-                                          .since = 3,
-                                          .meaning = "steadies the hand, from the next stroke on",
-                                          .undo = UndoRole::NoStep,
-                                          .step = "",
-                                          .changes_painting = false,
-                                          .stroke = StrokeRole::GoesOn,
-                                          .in_set_up = true};
+    static constexpr ActionTraits kTraits =
+        setting("set_stabiliser", 3, "steadies the hand, from the next stroke on");
     static constexpr void fields(auto&& visit) {
         using Stabiliser = brush::Stabiliser;
         visit(Number<At<&SetStabiliser::stabiliser, &Stabiliser::smoothing_ms>>{
@@ -111,15 +105,8 @@ struct Table<brush::EllipseCurve> {
 
 template <>
 struct Table<SetGuide> {
-    static constexpr ActionTraits kTraits{
-        .key = "set_guide",
-        .since = 3,
-        .meaning = "leads the pen on the canvas, from the next stroke on",
-        .undo = UndoRole::NoStep,
-        .step = "",
-        .changes_painting = false,
-        .stroke = StrokeRole::GoesOn,
-        .in_set_up = true};
+    static constexpr ActionTraits kTraits =
+        setting("set_guide", 3, "leads the pen on the canvas, from the next stroke on");
     static constexpr void fields(auto&& visit) {
         using Guide = brush::PenGuide;
         visit(OneOf<At<&SetGuide::guide, &Guide::form>>{"form", "guide"});
@@ -135,16 +122,9 @@ struct Table<SetGuide> {
 
 template <>
 struct Table<SetSymmetry> {
-    static constexpr ActionTraits kTraits{
-        .key = "set_symmetry",
-        .since = 3,
-        .meaning =
-            "paints every stroke on the canvas with several brushes at once, from the next one on",
-        .undo = UndoRole::NoStep,
-        .step = "",
-        .changes_painting = false,
-        .stroke = StrokeRole::GoesOn,
-        .in_set_up = true};
+    static constexpr ActionTraits kTraits =
+        setting("set_symmetry", 3,
+                "paints every stroke on the canvas with several brushes at once, from the next one on");
     template <auto kMember>
     using Here = At<&SetSymmetry::symmetry, kMember>;
     static constexpr void fields(auto&& visit) {

@@ -38,14 +38,7 @@ void apply(const ResizeCanvas& resize, LivingPainting& painting);
 
 template <>
 struct Table<TiltCanvas> {
-    static constexpr ActionTraits kTraits{.key = "tilt_canvas",
-                                          .since = 1,
-                                          .meaning = "leans the canvas",
-                                          .undo = UndoRole::NoStep,
-                                          .step = "",
-                                          .changes_painting = false,
-                                          .stroke = StrokeRole::GoesOn,
-                                          .in_set_up = true};
+    static constexpr ActionTraits kTraits = setting("tilt_canvas", 1, "leans the canvas");
     static constexpr void fields(auto&& visit) {
         visit(Number<At<&TiltCanvas::tilt_deg>>{"tilt_deg", "tilt of the canvas", "degrees", 0.0, 90.0,
                                                 Presence::Required, "0 flat, 90 upright"});
@@ -57,18 +50,11 @@ struct Table<TiltCanvas> {
 
 template <>
 struct Table<ResizeCanvas> {
-    static constexpr ActionTraits kTraits{
-        .key = "resize_canvas",
-        .since = 6,
-        .meaning =
-            "the canvas becomes this rectangle of its own millimetres, in whole cells. What is added is "
-            "bare, more of the same cloth; what is cut off is counted as wiped off. Millimetres count "
-            "from the new corner ever after",
-        .undo = UndoRole::Step,
-        .step = step_name("Size of the canvas"),
-        .changes_painting = true,
-        .stroke = StrokeRole::Ends,
-        .in_set_up = false};
+    static constexpr ActionTraits kTraits = change(
+        "resize_canvas", 6, step_name("Size of the canvas"),
+        "the canvas becomes this rectangle of its own millimetres, in whole cells. What is added is "
+        "bare, more of the same cloth; what is cut off is counted as wiped off. Millimetres count "
+        "from the new corner ever after");
     static constexpr void fields(auto&& visit) {
         using enum Presence;
         constexpr double kFar_mm = kMaxPenPosition_mm;

@@ -40,16 +40,10 @@ void apply(const UngroupLayers& ungroup, LivingPainting& painting);
 
 template <>
 struct Table<GroupLayers> {
-    static constexpr ActionTraits kTraits{.key = "group_layers",
-                                          .since = 5,
-                                          .meaning =
-                                              "puts layers that lie next to each other and are in no "
-                                              "group into a new one. Groups are numbered like layers",
-                                          .undo = UndoRole::Step,
-                                          .step = step_name("Layers grouped"),
-                                          .changes_painting = true,
-                                          .stroke = StrokeRole::Ends,
-                                          .in_set_up = false};
+    static constexpr ActionTraits kTraits =
+        change("group_layers", 5, step_name("Layers grouped"),
+               "puts layers that lie next to each other and are in no "
+               "group into a new one. Groups are numbered like layers");
     static constexpr void fields(auto&& visit) {
         visit(
             Text<At<&GroupLayers::name>>{"name", "name of a group", kMostLayerName, Presence::Required});
@@ -60,34 +54,20 @@ struct Table<GroupLayers> {
 
 template <>
 struct Table<SetGroup> {
-    static constexpr ActionTraits kTraits{.key = "set_group",
-                                          .since = 5,
-                                          .meaning = "how a group is called and shown",
-                                          .undo = UndoRole::Step,
-                                          .step = step_name("Look of a group"),
-                                          .changes_painting = true,
-                                          .stroke = StrokeRole::Ends,
-                                          .in_set_up = false};
+    static constexpr ActionTraits kTraits =
+        change("set_group", 5, step_name("Look of a group"), "how a group is called and shown");
     static constexpr void fields(auto&& visit) {
         visit(Part<At<&SetGroup::look>>{});
-        visit(
-            Whole<At<&SetGroup::group>>{"group", "number of the group", 1, kMostId, Presence::Required});
+        visit(kGroupNumber<&SetGroup::group>);
     }
 };
 
 template <>
 struct Table<MoveGroup> {
-    static constexpr ActionTraits kTraits{.key = "move_group",
-                                          .since = 5,
-                                          .meaning = "changes the order of layers",
-                                          .undo = UndoRole::Step,
-                                          .step = step_name("Group moved"),
-                                          .changes_painting = true,
-                                          .stroke = StrokeRole::Ends,
-                                          .in_set_up = false};
+    static constexpr ActionTraits kTraits =
+        change("move_group", 5, step_name("Group moved"), "changes the order of layers");
     static constexpr void fields(auto&& visit) {
-        visit(Whole<At<&MoveGroup::group>>{"group", "number of the group", 1, kMostId,
-                                           Presence::Required});
+        visit(kGroupNumber<&MoveGroup::group>);
         visit(Whole<At<&MoveGroup::place>>{
             "place", "position of the group", 0, kMostLayers, Presence::Required,
             "how many layers that are not in it are below it afterwards"});
@@ -96,19 +76,10 @@ struct Table<MoveGroup> {
 
 template <>
 struct Table<UngroupLayers> {
-    static constexpr ActionTraits kTraits{
-        .key = "ungroup_layers",
-        .since = 5,
-        .meaning = "leaves the layers of a group where they are, in none",
-        .undo = UndoRole::Step,
-        .step = step_name("Group dissolved"),
-        .changes_painting = true,
-        .stroke = StrokeRole::Ends,
-        .in_set_up = false};
-    static constexpr void fields(auto&& visit) {
-        visit(Whole<At<&UngroupLayers::group>>{"group", "number of the group", 1, kMostId,
-                                               Presence::Required});
-    }
+    static constexpr ActionTraits kTraits =
+        change("ungroup_layers", 5, step_name("Group dissolved"),
+               "leaves the layers of a group where they are, in none");
+    static constexpr void fields(auto&& visit) { visit(kGroupNumber<&UngroupLayers::group>); }
 };
 
 }  // namespace pastoso::document

@@ -81,17 +81,10 @@ void apply(const FlattenLayers& flatten, LivingPainting& painting);
 
 template <>
 struct Table<AddLayer> {
-    static constexpr ActionTraits kTraits{
-        .key = "add_layer",
-        .since = 5,
-        .meaning =
-            "adds a bare layer above the active one; it becomes active. Layers are numbered from 1, in "
-            "the order in which they come to be",
-        .undo = UndoRole::Step,
-        .step = step_name("New layer"),
-        .changes_painting = true,
-        .stroke = StrokeRole::Ends,
-        .in_set_up = false};
+    static constexpr ActionTraits kTraits = change(
+        "add_layer", 5, step_name("New layer"),
+        "adds a bare layer above the active one; it becomes active. Layers are numbered from 1, in "
+        "the order in which they come to be");
     static constexpr void fields(auto&& visit) {
         visit(Text<At<&AddLayer::name>>{"name", "name of a layer", kMostLayerName, Presence::Required});
     }
@@ -108,97 +101,51 @@ struct Table<SelectLayer> {
         .changes_painting = false,
         .stroke = StrokeRole::Ends,
         .in_set_up = false};
-    static constexpr void fields(auto&& visit) {
-        visit(Whole<At<&SelectLayer::layer>>{"layer", "number of the layer", 1, kMostId,
-                                             Presence::Required});
-    }
+    static constexpr void fields(auto&& visit) { visit(kLayerNumber<&SelectLayer::layer>); }
 };
 
 template <>
 struct Table<SetLayer> {
-    static constexpr ActionTraits kTraits{.key = "set_layer",
-                                          .since = 5,
-                                          .meaning = "how a layer is called and shown",
-                                          .undo = UndoRole::Step,
-                                          .step = step_name("Look of a layer"),
-                                          .changes_painting = true,
-                                          .stroke = StrokeRole::Ends,
-                                          .in_set_up = false};
+    static constexpr ActionTraits kTraits =
+        change("set_layer", 5, step_name("Look of a layer"), "how a layer is called and shown");
     static constexpr void fields(auto&& visit) {
         visit(Part<At<&SetLayer::look>>{});
-        visit(
-            Whole<At<&SetLayer::layer>>{"layer", "number of the layer", 1, kMostId, Presence::Required});
+        visit(kLayerNumber<&SetLayer::layer>);
     }
 };
 
 template <>
 struct Table<DuplicateLayer> {
-    static constexpr ActionTraits kTraits{
-        .key = "duplicate_layer",
-        .since = 5,
-        .meaning = "the copy lies above its model and becomes active; its paint comes out of the tubes",
-        .undo = UndoRole::Step,
-        .step = step_name("Layer duplicated"),
-        .changes_painting = true,
-        .stroke = StrokeRole::Ends,
-        .in_set_up = false};
-    static constexpr void fields(auto&& visit) {
-        visit(Whole<At<&DuplicateLayer::layer>>{"layer", "number of the layer", 1, kMostId,
-                                                Presence::Required});
-    }
+    static constexpr ActionTraits kTraits =
+        change("duplicate_layer", 5, step_name("Layer duplicated"),
+               "the copy lies above its model and becomes active; its paint comes out of the tubes");
+    static constexpr void fields(auto&& visit) { visit(kLayerNumber<&DuplicateLayer::layer>); }
 };
 
 template <>
 struct Table<RemoveLayer> {
-    static constexpr ActionTraits kTraits{.key = "remove_layer",
-                                          .since = 5,
-                                          .meaning = "what was on it is counted as wiped off",
-                                          .undo = UndoRole::Step,
-                                          .step = step_name("Layer removed"),
-                                          .changes_painting = true,
-                                          .stroke = StrokeRole::Ends,
-                                          .in_set_up = false};
-    static constexpr void fields(auto&& visit) {
-        visit(Whole<At<&RemoveLayer::layer>>{"layer", "number of the layer", 1, kMostId,
-                                             Presence::Required});
-    }
+    static constexpr ActionTraits kTraits =
+        change("remove_layer", 5, step_name("Layer removed"), "what was on it is counted as wiped off");
+    static constexpr void fields(auto&& visit) { visit(kLayerNumber<&RemoveLayer::layer>); }
 };
 
 template <>
 struct Table<ClearLayer> {
-    static constexpr ActionTraits kTraits{
-        .key = "clear_layer",
-        .since = 5,
-        .meaning = "wipes all its paint off, or what is selected of it",
-        .undo = UndoRole::Step,
-        .step = step_name("Layer cleared"),
-        .changes_painting = true,
-        .stroke = StrokeRole::Ends,
-        .in_set_up = false};
-    static constexpr void fields(auto&& visit) {
-        visit(Whole<At<&ClearLayer::layer>>{"layer", "number of the layer", 1, kMostId,
-                                            Presence::Required});
-    }
+    static constexpr ActionTraits kTraits = change("clear_layer", 5, step_name("Layer cleared"),
+                                                   "wipes all its paint off, or what is selected of it");
+    static constexpr void fields(auto&& visit) { visit(kLayerNumber<&ClearLayer::layer>); }
 };
 
 template <>
 struct Table<TransformLayer> {
-    static constexpr ActionTraits kTraits{
-        .key = "transform_layer",
-        .since = 6,
-        .meaning =
-            "its paint, or what is selected of it, is scaled and turned about the centre, then moved; "
-            "paint keeps its thickness ([0030](decisions/0030-transforms.md))",
-        .undo = UndoRole::Step,
-        .step = step_name("Transform"),
-        .changes_painting = true,
-        .stroke = StrokeRole::Ends,
-        .in_set_up = false};
+    static constexpr ActionTraits kTraits = change(
+        "transform_layer", 6, step_name("Transform"),
+        "its paint, or what is selected of it, is scaled and turned about the centre, then moved; "
+        "paint keeps its thickness ([0030](decisions/0030-transforms.md))");
     template <auto kMember>
     using In = At<&TransformLayer::transform, kMember>;
     static constexpr void fields(auto&& visit) {
-        visit(Whole<At<&TransformLayer::layer>>{"layer", "number of the layer", 1, kMostId,
-                                                Presence::Required});
+        visit(kLayerNumber<&TransformLayer::layer>);
         using layers::Transform;
         using enum Presence;
         constexpr double kFar_mm = kMaxPenPosition_mm;
@@ -216,17 +163,10 @@ struct Table<TransformLayer> {
 
 template <>
 struct Table<MoveLayer> {
-    static constexpr ActionTraits kTraits{.key = "move_layer",
-                                          .since = 5,
-                                          .meaning = "changes the order of layers",
-                                          .undo = UndoRole::Step,
-                                          .step = step_name("Layer moved"),
-                                          .changes_painting = true,
-                                          .stroke = StrokeRole::Ends,
-                                          .in_set_up = false};
+    static constexpr ActionTraits kTraits =
+        change("move_layer", 5, step_name("Layer moved"), "changes the order of layers");
     static constexpr void fields(auto&& visit) {
-        visit(Whole<At<&MoveLayer::layer>>{"layer", "number of the layer", 1, kMostId,
-                                           Presence::Required});
+        visit(kLayerNumber<&MoveLayer::layer>);
         visit(Whole<At<&MoveLayer::place>>{"place", "position of the layer", 0, kMostLayers,
                                            Presence::Required,
                                            "how many of the others are below it afterwards"});
@@ -237,31 +177,16 @@ struct Table<MoveLayer> {
 
 template <>
 struct Table<MergeDown> {
-    static constexpr ActionTraits kTraits{.key = "merge_down",
-                                          .since = 5,
-                                          .meaning = "merges a layer onto the one below it",
-                                          .undo = UndoRole::Step,
-                                          .step = step_name("Merged down"),
-                                          .changes_painting = true,
-                                          .stroke = StrokeRole::Ends,
-                                          .in_set_up = false};
-    static constexpr void fields(auto&& visit) {
-        visit(Whole<At<&MergeDown::layer>>{"layer", "number of the layer", 1, kMostId,
-                                           Presence::Required});
-    }
+    static constexpr ActionTraits kTraits =
+        change("merge_down", 5, step_name("Merged down"), "merges a layer onto the one below it");
+    static constexpr void fields(auto&& visit) { visit(kLayerNumber<&MergeDown::layer>); }
 };
 
 template <>
 struct Table<FlattenLayers> {
-    static constexpr ActionTraits kTraits{
-        .key = "flatten_layers",
-        .since = 5,
-        .meaning = "merges all that are visible into the lowest of them",
-        .undo = UndoRole::Step,
-        .step = step_name("Flattened"),
-        .changes_painting = true,
-        .stroke = StrokeRole::Ends,
-        .in_set_up = false};
+    static constexpr ActionTraits kTraits =
+        change("flatten_layers", 5, step_name("Flattened"),
+               "merges all that are visible into the lowest of them");
     static constexpr void fields(auto&&) {}
 };
 

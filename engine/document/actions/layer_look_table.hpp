@@ -10,6 +10,13 @@ namespace pastoso::document {
 
 inline constexpr std::int64_t kMostId = std::numeric_limits<LayerId>::max();
 
+template <auto kMember>
+inline constexpr Whole<At<kMember>> kLayerNumber{"layer", "number of the layer", 1, kMostId,
+                                                 Presence::Required};
+template <auto kMember>
+inline constexpr Whole<At<kMember>> kGroupNumber{"group", "number of the group", 1, kMostId,
+                                                 Presence::Required};
+
 template <>
 struct Table<LayerLook> {
     static constexpr void fields(auto&& visit) {

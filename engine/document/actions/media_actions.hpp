@@ -51,19 +51,12 @@ void apply(const DryNow& dry, LivingPainting& painting);
 
 template <>
 struct Table<UseMedium> {
-    static constexpr ActionTraits kTraits{
-        .key = "use_medium",
-        .since = 1,
-        .meaning =
-            "takes a medium in hand, which the next paint is mixed with. Paint brings viscosity, yield "
-            "stress, solids and drying time of its medium along; density, surface tension, contact "
-            "angles, "
-            "slip and the alpha range are those of the medium used last, for all wet paint",
-        .undo = UndoRole::NoStep,
-        .step = "",
-        .changes_painting = false,
-        .stroke = StrokeRole::GoesOn,
-        .in_set_up = true};
+    static constexpr ActionTraits kTraits = setting(
+        "use_medium", 1,
+        "takes a medium in hand, which the next paint is mixed with. Paint brings viscosity, yield "
+        "stress, solids and drying time of its medium along; density, surface tension, contact "
+        "angles, "
+        "slip and the alpha range are those of the medium used last, for all wet paint");
     static constexpr void fields(auto&& visit) {
         visit(Value<At<&UseMedium::name>>{"name", "medium", Presence::Required});
         visit(Value<At<&UseMedium::own>>{
@@ -74,14 +67,7 @@ struct Table<UseMedium> {
 
 template <>
 struct Table<SetDrying> {
-    static constexpr ActionTraits kTraits{.key = "set_drying",
-                                          .since = 2,
-                                          .meaning = "how fast paint dries from now on",
-                                          .undo = UndoRole::NoStep,
-                                          .step = "",
-                                          .changes_painting = false,
-                                          .stroke = StrokeRole::GoesOn,
-                                          .in_set_up = true};
+    static constexpr ActionTraits kTraits = setting("set_drying", 2, "how fast paint dries from now on");
     template <auto kMember>
     using InAir = At<&SetDrying::air, kMember>;
     static constexpr void fields(auto&& visit) {
@@ -103,15 +89,9 @@ struct Table<SetDrying> {
 
 template <>
 struct Table<DryNow> {
-    static constexpr ActionTraits kTraits{
-        .key = "dry_now",
-        .since = 2,
-        .meaning = "all wet paint of the active layer becomes dry, or what is selected of it",
-        .undo = UndoRole::Step,
-        .step = step_name("Dry now"),
-        .changes_painting = true,
-        .stroke = StrokeRole::Ends,
-        .in_set_up = false};
+    static constexpr ActionTraits kTraits =
+        change("dry_now", 2, step_name("Dry now"),
+               "all wet paint of the active layer becomes dry, or what is selected of it");
     static constexpr void fields(auto&&) {}
 };
 

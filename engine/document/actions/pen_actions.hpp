@@ -70,14 +70,8 @@ struct Table<brush::PenSample> {
 
 template <>
 struct Table<PenDown> {
-    static constexpr ActionTraits kTraits{.key = "stroke",
-                                          .since = 1,
-                                          .meaning = "the pen comes down",
-                                          .undo = UndoRole::Step,
-                                          .step = step_name("Stroke"),
-                                          .changes_painting = true,
-                                          .stroke = StrokeRole::Ends,
-                                          .in_set_up = false};
+    static constexpr ActionTraits kTraits =
+        change("stroke", 1, step_name("Stroke"), "the pen comes down");
     static constexpr std::string_view kStepInWell = step_name("Stroke in the mixing well");
     static constexpr void fields(auto&& visit) {
         visit(Part<At<&PenDown::sample>>{});

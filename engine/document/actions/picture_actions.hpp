@@ -81,17 +81,10 @@ struct Table<layers::PicturePlace> {
 
 template <>
 struct Table<PaintPicture> {
-    static constexpr ActionTraits kTraits{
-        .key = "paint_picture",
-        .since = 6,
-        .meaning =
-            "adds a layer above the active one, which becomes active, and puts a picture on it as thin, "
-            "dry paint ([0031](decisions/0031-pictures.md))",
-        .undo = UndoRole::Step,
-        .step = step_name("Picture as paint"),
-        .changes_painting = true,
-        .stroke = StrokeRole::Ends,
-        .in_set_up = false};
+    static constexpr ActionTraits kTraits = change(
+        "paint_picture", 6, step_name("Picture as paint"),
+        "adds a layer above the active one, which becomes active, and puts a picture on it as thin, "
+        "dry paint ([0031](decisions/0031-pictures.md))");
     static constexpr void fields(auto&& visit) {
         visit(Part<At<&PaintPicture::place>>{});
         visit(Text<At<&PaintPicture::name>>{"name", "name of a layer", kMostLayerName,
@@ -105,17 +98,10 @@ struct Table<PaintPicture> {
 
 template <>
 struct Table<LayTracing> {
-    static constexpr ActionTraits kTraits{
-        .key = "lay_tracing",
-        .since = 7,
-        .meaning =
-            "the picture lies below the paint to be traced, in place of the one before; `{}` takes that "
-            "away. It is no paint, and in no picture of the painting",
-        .undo = UndoRole::MaybeStep,
-        .step = step_name("Picture to trace"),
-        .changes_painting = true,
-        .stroke = StrokeRole::EndsByChange,
-        .in_set_up = false};
+    static constexpr ActionTraits kTraits = possible_change(
+        "lay_tracing", 7, step_name("Picture to trace"),
+        "the picture lies below the paint to be traced, in place of the one before; `{}` takes that "
+        "away. It is no paint, and in no picture of the painting");
     /// An action without a picture is told by an empty object.
     static constexpr bool kEmptyIsDefault = true;
     static UndoRole undo_role(const LayTracing& lay) {
@@ -132,15 +118,9 @@ struct Table<LayTracing> {
 
 template <>
 struct Table<SetTracing> {
-    static constexpr ActionTraits kTraits{
-        .key = "set_tracing",
-        .since = 7,
-        .meaning = "where the picture that is traced lies from now on, and how strongly it shows",
-        .undo = UndoRole::MaybeStep,
-        .step = step_name("Place of the traced picture"),
-        .changes_painting = true,
-        .stroke = StrokeRole::EndsByChange,
-        .in_set_up = false};
+    static constexpr ActionTraits kTraits =
+        possible_change("set_tracing", 7, step_name("Place of the traced picture"),
+                        "where the picture that is traced lies from now on, and how strongly it shows");
     static constexpr void fields(auto&& visit) {
         visit(Part<At<&SetTracing::place>>{});
         visit(Number<At<&SetTracing::opacity>>{"opacity", "opacity of the tracing picture", "", 0.0, 1.0,

@@ -64,97 +64,64 @@ void apply(const SelectByWetness& select, LivingPainting& painting);
 void apply(const InvertSelection& invert, LivingPainting& painting);
 void apply(const SelectAll& select, LivingPainting& painting);
 
+template <auto kMember>
+inline constexpr Value<At<kMember>> kWayToSelect{"how", "way to select", Presence::Optional,
+                                                 "`\"replace\"` (default), `\"add\"`, `\"subtract\"` or "
+                                                 "`\"intersect\"`, with what is selected already"};
+
 template <>
 struct Table<SelectArea> {
-    static constexpr ActionTraits kTraits{
-        .key = "select_area",
-        .since = 6,
-        .meaning = "tools change nothing but what the closed line goes around",
-        .undo = UndoRole::Step,
-        .step = step_name("Selection"),
-        .changes_painting = true,
-        .stroke = StrokeRole::Ends,
-        .in_set_up = false};
+    static constexpr ActionTraits kTraits =
+        change("select_area", 6, step_name("Selection"),
+               "tools change nothing but what the closed line goes around");
     static constexpr void fields(auto&& visit) {
         visit(Value<At<&SelectArea::outline>>{"outline_mm", "outline", Presence::Required,
                                               "3 to 20 000 points `[x, y]`"});
-        visit(Value<At<&SelectArea::how>>{"how", "way to select", Presence::Optional,
-                                          "`\"replace\"` (default), `\"add\"`, `\"subtract\"` or "
-                                          "`\"intersect\"`, with what is selected already"});
+        visit(kWayToSelect<&SelectArea::how>);
     }
 };
 
 template <>
 struct Table<SelectByHeight> {
-    static constexpr ActionTraits kTraits{
-        .key = "select_by_height",
-        .since = 6,
-        .meaning =
-            "where the paint of the active layer and of what is visible below it, wet and dry, is so "
-            "high above the bare support",
-        .undo = UndoRole::Step,
-        .step = step_name("Selection"),
-        .changes_painting = true,
-        .stroke = StrokeRole::Ends,
-        .in_set_up = false};
+    static constexpr ActionTraits kTraits =
+        change("select_by_height", 6, step_name("Selection"),
+               "where the paint of the active layer and of what is visible below it, wet and dry, is so "
+               "high above the bare support");
     static constexpr void fields(auto&& visit) {
         visit(Number<At<&SelectByHeight::least_mm>>{"least_mm", "least height", "mm", 0.0, kMostPaint_mm,
                                                     Presence::Required});
         visit(Number<At<&SelectByHeight::most_mm>>{"most_mm", "most height", "mm", 0.0, kMostPaint_mm,
                                                    Presence::Required, "both included"});
-        visit(Value<At<&SelectByHeight::how>>{"how", "way to select", Presence::Optional,
-                                              "`\"replace\"` (default), `\"add\"`, `\"subtract\"` or "
-                                              "`\"intersect\"`, with what is selected already"});
+        visit(kWayToSelect<&SelectByHeight::how>);
     }
 };
 
 template <>
 struct Table<SelectByWetness> {
-    static constexpr ActionTraits kTraits{
-        .key = "select_by_wetness",
-        .since = 6,
-        .meaning = "where the wet paint of the active layer is so thick",
-        .undo = UndoRole::Step,
-        .step = step_name("Selection"),
-        .changes_painting = true,
-        .stroke = StrokeRole::Ends,
-        .in_set_up = false};
+    static constexpr ActionTraits kTraits =
+        change("select_by_wetness", 6, step_name("Selection"),
+               "where the wet paint of the active layer is so thick");
     static constexpr void fields(auto&& visit) {
         visit(Number<At<&SelectByWetness::least_mm>>{"least_mm", "least thickness of wet paint", "mm",
                                                      0.0, kMostPaint_mm, Presence::Required});
         visit(Number<At<&SelectByWetness::most_mm>>{"most_mm", "most thickness of wet paint", "mm", 0.0,
                                                     kMostPaint_mm, Presence::Required, "both included"});
-        visit(Value<At<&SelectByWetness::how>>{"how", "way to select", Presence::Optional,
-                                               "`\"replace\"` (default), `\"add\"`, `\"subtract\"` or "
-                                               "`\"intersect\"`, with what is selected already"});
+        visit(kWayToSelect<&SelectByWetness::how>);
     }
 };
 
 template <>
 struct Table<InvertSelection> {
-    static constexpr ActionTraits kTraits{
-        .key = "invert_selection",
-        .since = 6,
-        .meaning =
-            "selects what was not selected; a selection of nothing is none: everything may be changed",
-        .undo = UndoRole::MaybeStep,
-        .step = step_name("Selection"),
-        .changes_painting = true,
-        .stroke = StrokeRole::EndsByChange,
-        .in_set_up = false};
+    static constexpr ActionTraits kTraits = possible_change(
+        "invert_selection", 6, step_name("Selection"),
+        "selects what was not selected; a selection of nothing is none: everything may be changed");
     static constexpr void fields(auto&&) {}
 };
 
 template <>
 struct Table<SelectAll> {
-    static constexpr ActionTraits kTraits{.key = "select_all",
-                                          .since = 6,
-                                          .meaning = "ends the selection",
-                                          .undo = UndoRole::MaybeStep,
-                                          .step = step_name("Selection"),
-                                          .changes_painting = true,
-                                          .stroke = StrokeRole::EndsByChange,
-                                          .in_set_up = false};
+    static constexpr ActionTraits kTraits =
+        possible_change("select_all", 6, step_name("Selection"), "ends the selection");
     static constexpr void fields(auto&&) {}
 };
 

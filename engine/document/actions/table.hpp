@@ -58,6 +58,25 @@ struct ActionTraits {
     Given<bool> in_set_up;  ///< puts something in hand that a saved painting is opened with
 };
 
+// The traits of most actions.
+
+/// It changes the painting, ends a stroke in progress, and Undo takes it back.
+constexpr ActionTraits change(const char* key, int since, std::string_view step,
+                              std::string_view meaning) {
+    return {key, since, meaning, UndoRole::Step, step, true, StrokeRole::Ends, false};
+}
+
+/// The same where it changes anything; where not, it is as if it had not happened.
+constexpr ActionTraits possible_change(const char* key, int since, std::string_view step,
+                                       std::string_view meaning) {
+    return {key, since, meaning, UndoRole::MaybeStep, step, true, StrokeRole::EndsByChange, false};
+}
+
+/// Of the set-up: it says how the next strokes are painted or how paint flows.
+constexpr ActionTraits setting(const char* key, int since, std::string_view meaning) {
+    return {key, since, meaning, UndoRole::NoStep, "", false, StrokeRole::GoesOn, true};
+}
+
 /// Specialised for every action: kTraits, and fields(visit), which calls visit(field) for each field in
 /// the order in which recordings have them. Parts of actions have tables of fields alone. Where what an
 /// action says decides on its role in Undo, there is also undo_role(action).

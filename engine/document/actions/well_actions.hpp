@@ -36,17 +36,10 @@ void apply(const CleanWell& clean, LivingPainting& painting);
 
 template <>
 struct Table<SqueezePaint> {
-    static constexpr ActionTraits kTraits{
-        .key = "squeeze_paint",
-        .since = 4,
-        .meaning =
-            "paint out of the tube onto the mixing well, moved inwards where the heap would hang "
-            "over the rim",
-        .undo = UndoRole::Step,
-        .step = step_name("Paint squeezed out"),
-        .changes_painting = true,
-        .stroke = StrokeRole::Ends,
-        .in_set_up = false};
+    static constexpr ActionTraits kTraits =
+        change("squeeze_paint", 4, step_name("Paint squeezed out"),
+               "paint out of the tube onto the mixing well, moved inwards where the heap would hang "
+               "over the rim");
     static constexpr void fields(auto&& visit) {
         using enum Presence;
         visit(Value<At<&SqueezePaint::paint>>{"paint", "paint", Required});
