@@ -54,8 +54,9 @@ ExportOutcome Exporter::written(ExportJob& job) {
     if (const auto* choice = std::get_if<recordings::ExportChoice>(&job.choice))
         outcome.report = recordings::export_painting(job.painting, *choice, pool, keep_going);
     else
-        outcome.report = recordings::export_timelapse(
-            std::move(job.recording), std::get<recordings::TimelapseChoice>(job.choice), pool, keep_going);
+        outcome.report = recordings::export_timelapse(job.record.value().recording(),
+                                                      std::get<recordings::TimelapseChoice>(job.choice),
+                                                      pool, keep_going);
     return outcome;
 }
 

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "core/worker.hpp"
+#include "document/recorder.hpp"
 #include "recordings/painting_export.hpp"
 #include "recordings/timelapse.hpp"
 
 #include <atomic>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -18,7 +20,7 @@ namespace pastoso::commands {
 
 struct ExportJob {
     document::PaintingState painting;
-    document::Recording recording;  ///< what a time-lapse shows; otherwise empty
+    std::optional<document::Recorder> record;  ///< of what a time-lapse shows; otherwise none
     std::variant<recordings::ExportChoice, recordings::TimelapseChoice> choice;
 };
 

@@ -11,7 +11,8 @@ ProjectSaver::ProjectSaver(QObject* parent)
       worker_(
           [this](Job& job) {
               core::ThreadPool pool;
-              project::save_project(job.path.toStdString(), job.project, pool);
+              project::save_project(job.path.toStdString(),
+                                    {std::move(job.painting), job.record.recording()}, pool);
               end(job.path, {});
           },
           [this](Job& job, const std::string& fault) { end(job.path, QString::fromStdString(fault)); }) {
@@ -26,9 +27,10 @@ QString ProjectSaver::wait() {
     return error_;
 }
 
-void ProjectSaver::save(project::Project project, const QString& path) {
+void ProjectSaver::save(document::PaintingState painting, document::Recorder record,
+                        const QString& path) {
     wait();
-    worker_.add({std::move(project), path});
+    worker_.add({std::move(painting), std::move(record), path});
 }
 
 void ProjectSaver::end(const QString& path, const QString& error) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/worker.hpp"
+#include "document/recorder.hpp"
 #include "project/project.hpp"
 
 #include <QObject>
@@ -17,7 +18,7 @@ class ProjectSaver : public QObject {
     ~ProjectSaver() override;
 
     /// Returns at once; waits first if the painting before is still being written.
-    void save(project::Project project, const QString& path);
+    void save(document::PaintingState painting, document::Recorder record, const QString& path);
 
     /// Until nothing is being written any more. Returns what went wrong with the last painting, empty
     /// when it is in its file.
@@ -29,7 +30,8 @@ class ProjectSaver : public QObject {
 
   private:
     struct Job {
-        project::Project project;
+        document::PaintingState painting;
+        document::Recorder record;
         QString path;
     };
 

@@ -168,9 +168,9 @@ std::vector<std::string> PaintSession::take_errors() {
     return std::exchange(errors_, {});
 }
 
-document::Recording PaintSession::recording() const {
+document::Recorder PaintSession::record() const {
     const std::lock_guard lock(mutex_);
-    return recorder_.recording();
+    return recorder_;
 }
 
 std::vector<std::string> PaintSession::paints_used() const {
@@ -196,11 +196,11 @@ void PaintSession::hand_out_capture() {
         if (wanted_capture_ == nullptr || !posted_.empty()) return;
     }
     if (painting_->stroke_in_progress()) apply(document::PenUp{});
-    Capture capture{painting_->state(), {}, changes_, journal_ ? journal_->events() : 0};
+    document::PaintingState state = painting_->state();
     const std::lock_guard lock(mutex_);
     recorder_.note_tick(painting_->tick());
-    capture.recording = recorder_.recording();
-    std::exchange(wanted_capture_, nullptr)->set_value(std::move(capture));
+    std::exchange(wanted_capture_, nullptr)
+        ->set_value({std::move(state), recorder_, changes_, journal_ ? journal_->events() : 0});
 }
 
 void PaintSession::note_saved(const std::filesystem::path& path, std::uint64_t journal_events) {

@@ -51,7 +51,7 @@ struct Steps {
 /// A painting between two strokes, with all that was done to it.
 struct Capture {
     document::PaintingState painting;
-    document::Recording recording;
+    document::Recorder record;
     std::int64_t changes = 0;          ///< Status::changes at that moment
     std::uint64_t journal_events = 0;  ///< actions in the journal until then
 };
@@ -106,7 +106,9 @@ class PaintSession {
     std::vector<std::string> take_errors();
 
     /// Everything that was done so far.
-    document::Recording recording() const;
+    document::Recording recording() const { return record().recording(); }
+    /// The same, packed: it can be unpacked where it keeps nobody waiting.
+    document::Recorder record() const;
 
     /// The names of all paints that came out of their tubes so far (document/paint_reading.hpp).
     std::vector<std::string> paints_used() const;

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <span>
+#include <utility>
 
 namespace pastoso::document {
 namespace {
@@ -68,8 +69,9 @@ void go_on(Numbers next, Numbers& last, Numbers& before) {
 }  // namespace
 
 void PackedMoves::add(const TimedSample& move) {
-    if (blocks_.empty() || blocks_.back().size() + kMostMoveBytes > kBlockBytes)
-        blocks_.emplace_back().reserve(kBlockBytes);
+    if (open_.size() + kMostMoveBytes > kBlockBytes)
+        full_.push_back(std::make_shared<const Block>(std::exchange(open_, {})));
+    open_.reserve(kBlockBytes);
     const Numbers numbers = numbers_of(move);
     Numbers differences{};
     std::uint64_t lengths = 0;
@@ -77,25 +79,29 @@ void PackedMoves::add(const TimedSample& move) {
         differences[i] = folded(numbers[i] - (2 * last_[i] - before_[i]));
         lengths |= static_cast<std::uint64_t>(bytes_needed(differences[i])) << (4 * i);
     }
-    std::vector<std::byte>& block = blocks_.back();
-    append(lengths, kLengthsBytes, block);
+    append(lengths, kLengthsBytes, open_);
     for (int i = 0; i < kNumbers; ++i)
-        append(differences[i], lengths >> (4 * i) & 15, block);
+        append(differences[i], lengths >> (4 * i) & 15, open_);
     go_on(numbers, last_, before_);
     ++size_;
 }
 
 std::size_t PackedMoves::bytes() const {
-    return blocks_.size() * kBlockBytes;
+    return (full_.size() + (open_.empty() ? 0 : 1)) * kBlockBytes;
+}
+
+const PackedMoves::Block& PackedMoves::block(std::size_t index) const {
+    return index < full_.size() ? *full_[index] : open_;
 }
 
 TimedSample PackedMoves::Reader::next() {
-    if (block_ < moves_.blocks_.size() && place_ == moves_.blocks_[block_].size()) {
+    if (place_ == moves_.block(block_).size()) {
         ++block_;
         place_ = 0;
     }
-    PASTOSO_CHECK_OP(block_, <, moves_.blocks_.size());
-    const std::span<const std::byte> block(moves_.blocks_[block_]);
+    PASTOSO_CHECK_OP(block_, <=, moves_.full_.size());
+    const std::span<const std::byte> block(moves_.block(block_));
+    PASTOSO_CHECK_OP(place_, <, block.size());
     const std::uint64_t lengths = taken(block, kLengthsBytes, place_);
     Numbers numbers{};
     for (int i = 0; i < kNumbers; ++i)

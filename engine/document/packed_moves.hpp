@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace pastoso::document {
@@ -19,7 +20,7 @@ struct TimedSample {
 /// Appended one by one and read back bit by bit as they were. The bits of each number, taken as an
 /// integer, are told by their difference from the straight line through the two moves before,
 /// 2 a[n-1] - a[n-2] modulo 2^64: nothing of what stays or goes on evenly, five or six bytes of a
-/// coordinate. What was appended is never moved in memory, and no room is kept for more than a block.
+/// coordinate. Copies share the blocks that are full, and no room is kept for more than a block.
 class PackedMoves {
   public:
     /// Tick and sample as integers.
@@ -46,7 +47,12 @@ class PackedMoves {
     };
 
   private:
-    std::vector<std::vector<std::byte>> blocks_;  ///< a move is whole in one of them
+    using Block = std::vector<std::byte>;  ///< of whole moves
+
+    const Block& block(std::size_t index) const;
+
+    std::vector<std::shared_ptr<const Block>> full_;
+    Block open_;  ///< the last one
     std::size_t size_ = 0;
     Numbers last_{}, before_{};
 };

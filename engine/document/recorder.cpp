@@ -15,10 +15,12 @@ void Recorder::add(std::int64_t tick, const Action& action) {
 }
 
 void Recorder::append(const Event& event) {
+    strokes_ += std::holds_alternative<PenDown>(event.action) ? 1 : 0;
+    changes_painting_ |= traits_of(event.action).changes_painting;
     if (const auto* move = std::get_if<PenMove>(&event.action))
         moves_.add({event.tick, move->sample});
     else
-        others_.push_back({moves_.size(), event});
+        others_.add({moves_.size(), event});
 }
 
 void Recorder::note_tick(std::int64_t tick) {
@@ -37,9 +39,9 @@ Recording Recorder::recording() const {
             recording.events.push_back({move.tick, PenMove{move.sample}});
         }
     };
-    for (const Other& other : others_) {
-        add_moves_until(other.moves_before);
-        recording.events.push_back(other.event);
+    for (std::size_t i = 0; i < others_.size(); ++i) {
+        add_moves_until(others_[i].moves_before);
+        recording.events.push_back(others_[i].event);
     }
     add_moves_until(moves_.size());
     return recording;

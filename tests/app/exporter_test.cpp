@@ -91,7 +91,9 @@ class ExporterTest : public ::testing::Test {
     void start(const recordings::ExportChoice& choice) {
         exporter_.start({painted(stroke_), {}, choice});
     }
-    void start(const recordings::TimelapseChoice& choice) { exporter_.start({{}, stroke_, choice}); }
+    void start(const recordings::TimelapseChoice& choice) {
+        exporter_.start({{}, document::Recorder(stroke_), choice});
+    }
     ExportOutcome ended() {
         constexpr int kPatience_ms = std::chrono::milliseconds(tests::kPatience).count();
         EXPECT_TRUE(QTest::qWaitFor([this] { return outcome_.has_value(); }, kPatience_ms));

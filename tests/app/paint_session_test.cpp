@@ -129,14 +129,15 @@ TEST(PaintSession, ACapturedPaintingGoesOnInAnotherSessionWithItsWholeRecording)
     session->post(PenDown{sample_at(1.0, 6.0, 20.0)});
     const Capture capture = session->capture();
     session.reset();
+    const Recording until_then = capture.record.recording();
     EXPECT_EQ(capture.changes, 2);
     // The stroke in progress was ended.
-    ASSERT_TRUE(std::holds_alternative<PenUp>(capture.recording.events.back().action));
-    EXPECT_EQ(capture.recording.end_tick, capture.painting.tick);
+    ASSERT_TRUE(std::holds_alternative<PenUp>(until_then.events.back().action));
+    EXPECT_EQ(until_then.end_tick, capture.painting.tick);
 
     auto pool = std::make_unique<core::ThreadPool>(2);
     auto painting = std::make_unique<Painting>(capture.painting, *pool);
-    PaintSession next(std::move(pool), std::move(painting), {}, capture.recording);
+    PaintSession next(std::move(pool), std::move(painting), {}, until_then);
     EXPECT_EQ(next.status().changes, 0);
     EXPECT_GE(next.status().tick, capture.painting.tick);
     post_stroke(next, 2.0, 10.0);
@@ -144,8 +145,9 @@ TEST(PaintSession, ACapturedPaintingGoesOnInAnotherSessionWithItsWholeRecording)
     EXPECT_EQ(later.changes, 1);
 
     core::ThreadPool alone(1);
-    Painting replayed(later.recording.canvas, alone);
-    Player player(replayed, later.recording);
+    const Recording whole = later.record.recording();
+    Painting replayed(whole.canvas, alone);
+    Player player(replayed, whole);
     while (!player.finished())
         player.play_tick();
     EXPECT_EQ(replayed.state_hash(), document::state_hash(later.painting));
@@ -156,7 +158,7 @@ TEST(PaintSession, CapturesWhilePaused) {
     hold_still(*session);
     take_loaded_brush(*session);
     post_stroke(*session, 0.0, 15.0);
-    EXPECT_EQ(session->capture().recording.events.size(), 1U + 3U + 27U);
+    EXPECT_EQ(session->capture().record.recording().events.size(), 1U + 3U + 27U);
 }
 
 TEST(PaintSession, UndoTakesTheLastStrokeBackAndRedoBringsItAgain) {
@@ -256,17 +258,18 @@ TEST(PaintSession, AHurriedRecordingPaintsTheSameAndShowsLess) {
     // the recording begins and where it ends.
     const std::int64_t pictures = shown;
     EXPECT_LE(pictures, 2 + (WallClock::now() - begin) / std::chrono::milliseconds(16));
-    const Capture then = second->capture();
-    EXPECT_EQ(then.recording.events.size(), recording.events.size());
-    EXPECT_EQ(then.recording.events.back().tick - then.recording.events.front().tick, kLastTick);
+    const Capture capture = second->capture();
+    const Recording then = capture.record.recording();
+    EXPECT_EQ(then.events.size(), recording.events.size());
+    EXPECT_EQ(then.events.back().tick - then.events.front().tick, kLastTick);
 
     core::ThreadPool pool(1);
-    Painting painting(then.recording.canvas, pool);
-    Player player(painting, then.recording);
+    Painting painting(then.canvas, pool);
+    Player player(painting, then);
     while (!player.finished())
         player.play_tick();
     EXPECT_GT(paint_on(*second), 0);
-    EXPECT_EQ(painting.state_hash(), document::state_hash(then.painting));
+    EXPECT_EQ(painting.state_hash(), document::state_hash(capture.painting));
 
     post_stroke(*second, 9.0, 10.0);
     post_stroke(*second, 9.5, 20.0);
@@ -362,7 +365,7 @@ TEST(PaintSession, WhateverFailsIsToldAndThePaintStandsStill) {
         EXPECT_THAT(session.take_errors(), ElementsAre(HasSubstr(sentence)));
         EXPECT_TRUE(session.status().failed && session.status().paused);
         post_stroke(session, 0.0, 15.0);
-        EXPECT_EQ(session.capture().recording.events.size(), 30U);
+        EXPECT_EQ(session.capture().record.recording().events.size(), 30U);
         session.set_paused(false);
         EXPECT_FALSE(session.status().failed);
         const std::int64_t tick = session.status().tick;

@@ -2,6 +2,7 @@
 
 #include "core/random.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -113,6 +114,36 @@ TEST(Recorder, GoesOnWithAPast) {
     wanted.events.push_back({wanted.end_tick, PenMove{drawn(7).sample}});
     recorder.add(wanted.end_tick, PenMove{drawn(7).sample});
     EXPECT_EQ(recorder.recording(), wanted);
+}
+
+/// Copied at every size around those of its blocks.
+TEST(Recorder, ACopyStaysAsItWasWhileTheSessionGoesOn) {
+    const Recording whole = mixed_session();
+    Recorder recorder(whole.canvas);
+    std::vector<Recorder> copies;
+    for (const Event& event : whole.events) {
+        copies.push_back(recorder);
+        recorder.add(event.tick, event.action);
+    }
+    for (std::size_t count = 0; count < copies.size(); count += 71) {
+        const Recording then = copies[count].recording();
+        ASSERT_EQ(then.events.size(), count);
+        EXPECT_TRUE(std::equal(then.events.begin(), then.events.end(), whole.events.begin()));
+    }
+    copies[100].add(whole.end_tick, PenUp{});
+    EXPECT_EQ(recorder.recording().events, whole.events);
+}
+
+TEST(Recorder, TellsWhatItHoldsWithoutUnpacking) {
+    const Recording session = mixed_session();
+    const Recorder recorder(session);
+    EXPECT_EQ(recorder.strokes(), 30);
+    EXPECT_EQ(recorder.end_tick(), session.end_tick);
+    EXPECT_TRUE(recorder.changes_painting());
+    Recorder untouched(session.canvas);
+    untouched.add(3, TakeBrush{"flat"});
+    EXPECT_FALSE(untouched.changes_painting());
+    EXPECT_EQ(untouched.strokes(), 0);
 }
 
 TEST(RecorderDeathTest, TimeDoesNotRunBack) {

@@ -50,7 +50,7 @@ class Saver {
         if (thread_.joinable()) thread_.join();
         thread_ = std::thread([this, capture = session_.capture()] {
             core::ThreadPool pool(1);
-            project::save_project(path_, {capture.painting, capture.recording}, pool);
+            project::save_project(path_, {capture.painting, capture.record.recording()}, pool);
             session_.note_saved(path_, capture.journal_events);
         });
     }

@@ -154,13 +154,10 @@ bool Exporting::may_begin() {
 void Exporting::ask(const tools::ExportSettings& settings) {
     if (!may_begin()) return;
     const auto painting = studio_.session().snapshot();
+    const document::Recorder record = studio_.session().record();
     dialogs::ExportSubject subject{{painting->film.shape, painting->film.cell_mm},
-                                   studio_.session().recording()};
-    const auto& events = subject.film.events;
-    subject.has_strokes = std::any_of(events.begin(), events.end(), [](const document::Event& event) {
-        return document::traits_of(event.action).changes_painting;
-    });
-    subject.film.events.clear();
+                                   {record.canvas(), {}, record.end_tick()},
+                                   record.changes_painting()};
     subject.light = light();
     auto* dialog = new dialogs::ExportDialog(std::move(subject), settings, proposal(),
                                              exported_.has_value(), &studio_.window());
@@ -183,7 +180,7 @@ void Exporting::start(const tools::ExportSettings& settings, const std::filesyst
     session::Capture capture = studio_.session().capture();
     commands::ExportJob job;
     if (settings.form == ExportForm::Timelapse) {
-        job.recording = std::move(capture.recording);
+        job.record = std::move(capture.record);
         job.choice = tools::timelapse_choice(settings, path, light());
     } else {
         job.painting = std::move(capture.painting);

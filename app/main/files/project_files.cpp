@@ -217,7 +217,7 @@ void ProjectFiles::save_painting(const QString& path) {
     show_title();
     studio_.window().setWindowModified(false);
     studio_.report(tr("Saving %1...").arg(path));
-    saver_.save({std::move(capture.painting), std::move(capture.recording)}, path);
+    saver_.save(std::move(capture.painting), std::move(capture.record), path);
 }
 
 /// Saving ends a stroke in progress, so it waits for the hand.
