@@ -19,7 +19,7 @@ void TankRenderer::initialise(QOpenGLExtraFunctions* gl) {
     gl_->glGenVertexArrays(1, &empty_array_);
     for (GLuint* texture : {&level_, &solids_, &milk_})
         gl_->glGenTextures(1, texture);
-    moment_.reset();
+    snapshot_.reset();
 }
 
 void TankRenderer::release() {
@@ -32,7 +32,7 @@ void TankRenderer::release() {
 }
 
 void TankRenderer::upload_level(bool anew) {
-    const liquid::SampledField& level_m = moment_->far_m;
+    const liquid::SampledField& level_m = snapshot_->far_m;
     const liquid::Lattice& lattice = level_m.lattice();
     upload_volume(
         *gl_, level_,
@@ -50,13 +50,13 @@ void TankRenderer::upload_solids(const tank::Domain& domain) {
                   true);
 }
 
-void TankRenderer::show(std::shared_ptr<const session::TankMoment> moment) {
-    const bool anew = moment_ == nullptr || moment_->place != moment->place;
-    moment_ = std::move(moment);
+void TankRenderer::show(std::shared_ptr<const session::TankSnapshot> snapshot) {
+    const bool anew = snapshot_ == nullptr || snapshot_->place != snapshot->place;
+    snapshot_ = std::move(snapshot);
     gl_->glActiveTexture(GL_TEXTURE0 + kLevelUnit);
     upload_level(anew);
-    if (anew) upload_solids(*moment_->place->domain);
-    const grid::BoxField& milk = moment_->seen.milk;
+    if (anew) upload_solids(*snapshot_->place->domain);
+    const grid::BoxField& milk = snapshot_->seen.milk;
     const grid::BoxShape& shape = milk.shape();
     upload_volume(*gl_, milk_,
                   {milk.row(0, 0), shape.nx, shape.ny, shape.nz, shape.stride_y(), shape.stride_z()},
@@ -66,17 +66,17 @@ void TankRenderer::show(std::shared_ptr<const session::TankMoment> moment) {
 
 void TankRenderer::draw(QOpenGLFramebufferObject& target, const QRect& part, const GlassCamera& camera,
                         int pass, Quality quality) {
-    const tank::TankScene& scene = moment_->place->scene;
+    const tank::TankScene& scene = snapshot_->place->scene;
     program_->bind();
     set_rays(*program_, camera, target.size(), pass);
     program_->setUniformValue("size_m", vector(scene.size_m()));
     program_->setUniformValue("cells", vector(glm::vec3(scene.cells)));
     program_->setUniformValue("cell_m", static_cast<float>(scene.cell_m));
-    program_->setUniformValue("wall_m", trace::tank_wall_m(moment_->seen.milk.shape()));
+    program_->setUniformValue("wall_m", trace::tank_wall_m(snapshot_->seen.milk.shape()));
     program_->setUniformValue("unit_m", session::longest_side_m(scene));
-    program_->setUniformValue("rest_m", session::rest_level_m(*moment_));
+    program_->setUniformValue("rest_m", session::rest_level_m(*snapshot_));
     program_->setUniformValue("liquid_per_m",
-                              vector(trace::tank_absorption_per_m(moment_->seen.milk.shape())));
+                              vector(trace::tank_absorption_per_m(snapshot_->seen.milk.shape())));
     program_->setUniformValue("has_milk", has_milk_);
     program_->setUniformValue("has_solids", has_solids_);
     program_->setUniformValue("most_steps", quality == Quality::Draft ? kDraftSteps : kFullSteps);

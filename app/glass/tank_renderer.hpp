@@ -14,7 +14,7 @@ class TankRenderer : public LiquidRenderer {
     void release() override;
 
     /// What draw() shows from now on.
-    void show(std::shared_ptr<const session::TankMoment> moment);
+    void show(std::shared_ptr<const session::TankSnapshot> snapshot);
 
     void draw(QOpenGLFramebufferObject& target, const QRect& part, const GlassCamera& camera, int pass,
               Quality quality) override;
@@ -26,7 +26,7 @@ class TankRenderer : public LiquidRenderer {
     QOpenGLExtraFunctions* gl_ = nullptr;
     std::unique_ptr<QOpenGLShaderProgram> program_;
     GLuint empty_array_ = 0, level_ = 0, solids_ = 0, milk_ = 0;
-    std::shared_ptr<const session::TankMoment> moment_;
+    std::shared_ptr<const session::TankSnapshot> snapshot_;
     bool has_milk_ = false, has_solids_ = false;
 };
 

@@ -33,11 +33,11 @@ TankView::~TankView() {
 }
 
 /// Another tank is looked at from its front.
-void TankView::show_moment(std::shared_ptr<const session::TankMoment> moment) {
-    if (moment == wanted_) return;
+void TankView::show_moment(std::shared_ptr<const session::TankSnapshot> snapshot) {
+    if (snapshot == wanted_) return;
     const bool other =
-        wanted_ == nullptr || wanted_->place->scene.size_m() != moment->place->scene.size_m();
-    wanted_ = std::move(moment);
+        wanted_ == nullptr || wanted_->place->scene.size_m() != snapshot->place->scene.size_m();
+    wanted_ = std::move(snapshot);
     if (other) look_from_front();
     take_moment();
 }

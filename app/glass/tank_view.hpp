@@ -14,7 +14,7 @@ class TankView : public GlassView {
     ~TankView() override;
 
     /// Shows this from the next frame on.
-    void show_moment(std::shared_ptr<const session::TankMoment> moment);
+    void show_moment(std::shared_ptr<const session::TankSnapshot> snapshot);
     void show_wind(const session::TankWind& wind);
     void show_velocity(bool shown);
     bool velocity_shown() const { return velocity_shown_; }
@@ -24,7 +24,7 @@ class TankView : public GlassView {
     void look_from_front() override;
 
     /// What the latest frame showed; null before the first.
-    const session::TankMoment* shown() const { return shown_.get(); }
+    const session::TankSnapshot* shown() const { return shown_.get(); }
 
     /// Where a place of the liquid at rest is seen on the widget.
     QPointF widget_position(const glm::vec2& on_liquid_m) const { return seen(on_surface(on_liquid_m)); }
@@ -48,7 +48,7 @@ class TankView : public GlassView {
     void draw_wind(QPainter& painter) const;
 
     TankRenderer renderer_;
-    std::shared_ptr<const session::TankMoment> wanted_, shown_;
+    std::shared_ptr<const session::TankSnapshot> wanted_, shown_;
     session::TankWind wind_;
     bool velocity_shown_ = false;
     float ball_radius_m_ = 0.0F;

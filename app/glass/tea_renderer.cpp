@@ -50,11 +50,11 @@ void TeaRenderer::release() {
     gl_ = nullptr;
 }
 
-void TeaRenderer::show(const session::TeaMoment& moment) {
-    settings_ = moment.settings;
-    stream_m_ = moment.stream_m;
-    upload_milk(moment.milk);
-    upload_share(moment.seen.dissolved);
+void TeaRenderer::show(const session::TeaSnapshot& snapshot) {
+    settings_ = snapshot.settings;
+    stream_m_ = snapshot.stream_m;
+    upload_milk(snapshot.milk);
+    upload_share(snapshot.seen.dissolved);
     milk_is_drawn_ = false;
 }
 

@@ -14,7 +14,7 @@ class TeaRenderer : public LiquidRenderer {
     void release() override;
 
     /// What draw() shows from now on.
-    void show(const session::TeaMoment& moment);
+    void show(const session::TeaSnapshot& snapshot);
 
     /// Milk is drawn anew when the camera or the moment is another than before, or all of it when
     /// `target` has another size.

@@ -18,9 +18,9 @@ TeaView::~TeaView() {
     release_graphics();
 }
 
-void TeaView::show_moment(std::shared_ptr<const session::TeaMoment> moment) {
-    if (moment == wanted_) return;
-    wanted_ = std::move(moment);
+void TeaView::show_moment(std::shared_ptr<const session::TeaSnapshot> snapshot) {
+    if (snapshot == wanted_) return;
+    wanted_ = std::move(snapshot);
     take_moment();
 }
 

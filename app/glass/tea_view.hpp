@@ -17,7 +17,7 @@ class TeaView : public GlassView {
     ~TeaView() override;
 
     /// Shows this from the next frame on.
-    void show_moment(std::shared_ptr<const session::TeaMoment> moment);
+    void show_moment(std::shared_ptr<const session::TeaSnapshot> snapshot);
 
     /// Marks the axis of the force on the tea, while it is on.
     void show_force(const session::TeaForce& force);
@@ -25,7 +25,7 @@ class TeaView : public GlassView {
     void look_from_front() override;
 
     /// What the latest frame showed; null before the first.
-    const session::TeaMoment* shown() const { return shown_.get(); }
+    const session::TeaSnapshot* shown() const { return shown_.get(); }
 
     /// Where a place of the tea's surface is seen on the widget.
     QPointF widget_position(const glm::vec2& on_tea_m) const { return seen(on_surface(on_tea_m)); }
@@ -49,7 +49,7 @@ class TeaView : public GlassView {
     glm::vec3 on_surface(const glm::vec2& on_tea_m) const;
 
     TeaRenderer renderer_;
-    std::shared_ptr<const session::TeaMoment> wanted_, shown_;
+    std::shared_ptr<const session::TeaSnapshot> wanted_, shown_;
     session::TeaForce force_;
 };
 

@@ -18,7 +18,7 @@ void GraphicsWidget::initializeGL() {
         make_graphics();
         ready_ = true;
     } catch (const core::InputError& error) {
-        give_up(QString::fromUtf8(error.what()));
+        fail(QString::fromUtf8(error.what()));
     }
 }
 
@@ -30,7 +30,7 @@ void GraphicsWidget::release_graphics() {
     ready_ = false;
 }
 
-void GraphicsWidget::give_up(const QString& sentence) {
+void GraphicsWidget::fail(const QString& sentence) {
     ready_ = false;
     Q_EMIT failed(sentence);
 }

@@ -32,7 +32,7 @@ class GraphicsWidget : public QOpenGLWidget {
     void release_graphics();
 
     /// Nothing more is drawn.
-    void give_up(const QString& sentence);
+    void fail(const QString& sentence);
 
     void initializeGL() override;
 

@@ -21,8 +21,8 @@
 #include "main/liquids/tank_mode.hpp"
 #include "main/liquids/tea_mode.hpp"
 #include "main/paint/light_choice.hpp"
-#include "main/paint/paint_memory.hpp"
 #include "main/paint/paint_picking.hpp"
+#include "main/paint/paint_settings.hpp"
 #include "main/paint/well_commands.hpp"
 #include "main/panel_set.hpp"
 #include "main/pen/brush_jar.hpp"
@@ -32,7 +32,7 @@
 #include "main/pen/popup_commands.hpp"
 #include "main/program/key_commands.hpp"
 #include "main/program/preference_commands.hpp"
-#include "main/program/window_memory.hpp"
+#include "main/program/window_settings.hpp"
 
 namespace pastoso::main {
 
@@ -64,8 +64,8 @@ struct WindowParts {
     DroppedFiles dropped;
     Exporting exporting;
     Recorder recorder;
-    PaintMemory paints;
-    WindowMemory memory;
+    PaintSettings paints;
+    WindowSettings memory;
     KeyCommands keys;
     PreferenceCommands preferences;
     CanvasPlace place;

@@ -72,22 +72,25 @@ void LiquidPicture::publish(trace::Picture radiance, int samples, bool finished)
     notify_();
 }
 
-trace::Scene traced_tea(const TeaMoment& moment, const trace::Camera& camera, core::ThreadPool& pool) {
-    const liquid::Cup& cup = moment.settings.cup;
+trace::Scene traced_tea(const TeaSnapshot& snapshot, const trace::Camera& camera,
+                        core::ThreadPool& pool) {
+    const liquid::Cup& cup = snapshot.settings.cup;
     liquid::MilkSurfaces surfaces(pool);
-    liquid::MilkSurface milk = surfaces.make(moment.seen.parcels, cup, moment.seen.dissolved.shape());
-    trace::Scene scene = trace::tea_scene(cup, moment.seen.dissolved, std::move(milk.mesh));
+    liquid::MilkSurface milk =
+        surfaces.make(snapshot.seen.parcels, cup, snapshot.seen.dissolved.shape());
+    trace::Scene scene = trace::tea_scene(cup, snapshot.seen.dissolved, std::move(milk.mesh));
     scene.camera = camera;
     return scene;
 }
 
-trace::Scene traced_tank(const TankMoment& moment, const trace::Camera& camera, core::ThreadPool& pool) {
+trace::Scene traced_tank(const TankSnapshot& snapshot, const trace::Camera& camera,
+                         core::ThreadPool& pool) {
     constexpr int kSolidParts = 3;  // samples along a cell: edges stay sharp
-    const grid::BoxField& milk = moment.seen.milk;
+    const grid::BoxField& milk = snapshot.seen.milk;
     const float overlap_m = trace::kTankOverlap_cells * milk.shape().cell_m;
     trace::Scene scene =
-        trace::tank_scene(milk, liquid_surface(*moment.place, moment.seen, overlap_m, pool),
-                          tank::solid_mesh(moment.place->scene, kSolidParts, pool), 1.0F);
+        trace::tank_scene(milk, liquid_surface(*snapshot.place, snapshot.seen, overlap_m, pool),
+                          tank::solid_mesh(snapshot.place->scene, kSolidParts, pool), 1.0F);
     const float model = trace::tank_model_scale(milk.shape());
     scene.camera.eye_m = model * camera.eye_m;
     scene.camera.target_m = model * camera.target_m;

@@ -63,9 +63,11 @@ class LiquidPicture {
 };
 
 /// The glass at one moment, its milk with all the volume of the parcels, twice as fine as the cells.
-trace::Scene traced_tea(const TeaMoment& moment, const trace::Camera& camera, core::ThreadPool& pool);
+trace::Scene traced_tea(const TeaSnapshot& snapshot, const trace::Camera& camera,
+                        core::ThreadPool& pool);
 
 /// The tank at one moment, as trace::tank_scene() draws it. The camera stands in the tank's own metres.
-trace::Scene traced_tank(const TankMoment& moment, const trace::Camera& camera, core::ThreadPool& pool);
+trace::Scene traced_tank(const TankSnapshot& snapshot, const trace::Camera& camera,
+                         core::ThreadPool& pool);
 
 }  // namespace pastoso::session

@@ -60,9 +60,9 @@ TankSession::~TankSession() {
     end();
 }
 
-std::shared_ptr<const TankMoment> TankSession::moment() const {
+std::shared_ptr<const TankSnapshot> TankSession::snapshot() const {
     const std::lock_guard lock(mutex());
-    return moment_;
+    return snapshot_;
 }
 
 TankStatus TankSession::status() const {
@@ -74,7 +74,7 @@ TankStatus TankSession::status() const {
 
 TankSession::Kept TankSession::kept() const {
     const std::lock_guard lock(mutex());
-    return {moment_ != nullptr ? moment_->place : nullptr, given_frames_};
+    return {snapshot_ != nullptr ? snapshot_->place : nullptr, given_frames_};
 }
 
 void TankSession::new_tank(const tank::TankScene& scene) {
@@ -137,9 +137,9 @@ void TankSession::set_waiting(bool waits) {
     }});
 }
 
-void TankSession::take(const std::shared_ptr<const TankMoment>& moment) {
-    post({[this, moment] {
-        if (moment->place == place_ && moment->seen.step == moments_) taken_ = true;
+void TankSession::take(const std::shared_ptr<const TankSnapshot>& snapshot) {
+    post({[this, snapshot] {
+        if (snapshot->place == place_ && snapshot->seen.step == moments_) taken_ = true;
     }});
 }
 
@@ -170,27 +170,27 @@ TankSeen TankSession::seen_now() {
 }
 
 void TankSession::make_moment(LiquidStatus& status) {
-    auto moment = std::make_shared<TankMoment>();
-    moment->place = place_;
-    moment->seen = shown_step() ? frames_.at(*shown_step()) : seen_now();
-    moment->far_m = far_level(moment->seen.level_m);
-    moment->drains_open = drains_open_;
-    moment->waits = waits() && !shown_step();
-    status.step = moment->seen.step;
+    auto snapshot = std::make_shared<TankSnapshot>();
+    snapshot->place = place_;
+    snapshot->seen = shown_step() ? frames_.at(*shown_step()) : seen_now();
+    snapshot->far_m = far_level(snapshot->seen.level_m);
+    snapshot->drains_open = drains_open_;
+    snapshot->waits = waits() && !shown_step();
+    status.step = snapshot->seen.step;
     status.last_step = moments_;
-    status.time_s = moment->seen.time_s;
+    status.time_s = snapshot->seen.time_s;
     status.last_s = tank_->time_s();
     status.kept = frames_.steps();
     status.kept_bytes = frames_.bytes();
-    made_ = std::move(moment);
+    made_ = std::move(snapshot);
 }
 
 void TankSession::give_moment() {
-    if (made_ != nullptr) moment_ = std::exchange(made_, nullptr);
+    if (made_ != nullptr) snapshot_ = std::exchange(made_, nullptr);
     given_frames_ = frames_;
     seen_.wind = wind_;
     seen_.drains_open = drains_open_;
-    seen_.volume_m3 = moment_ != nullptr ? moment_->seen.volume_m3 : 0.0;
+    seen_.volume_m3 = snapshot_ != nullptr ? snapshot_->seen.volume_m3 : 0.0;
 }
 
 liquid::TriangleMesh liquid_surface(const TankPlace& place, const TankSeen& seen, float reach_m,
@@ -202,9 +202,10 @@ liquid::TriangleMesh liquid_surface(const TankPlace& place, const TankSeen& seen
     return mesh;
 }
 
-float rest_level_m(const TankMoment& moment) {
-    const glm::vec3 size_m = moment.place->scene.size_m();
-    return std::min(static_cast<float>(moment.seen.volume_m3) / (size_m.x * size_m.y), 0.95F * size_m.z);
+float rest_level_m(const TankSnapshot& snapshot) {
+    const glm::vec3 size_m = snapshot.place->scene.size_m();
+    return std::min(static_cast<float>(snapshot.seen.volume_m3) / (size_m.x * size_m.y),
+                    0.95F * size_m.z);
 }
 
 float longest_side_m(const tank::TankScene& scene) {

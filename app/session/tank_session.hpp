@@ -28,7 +28,7 @@ struct TankWind {
 };
 
 /// The tank at one moment. It never changes.
-struct TankMoment {
+struct TankSnapshot {
     std::shared_ptr<const TankPlace> place;
     TankSeen seen;
     liquid::SampledField far_m;  ///< as far_level()
@@ -65,9 +65,9 @@ class TankSession : public LiquidSession {
     /// is missed, however slow what is done with it. What the hand does holds meanwhile.
     void set_waiting(bool waits);
     /// Goes on; nothing happens when another moment waits.
-    void take(const std::shared_ptr<const TankMoment>& moment);
+    void take(const std::shared_ptr<const TankSnapshot>& snapshot);
 
-    std::shared_ptr<const TankMoment> moment() const;  ///< null before the first
+    std::shared_ptr<const TankSnapshot> snapshot() const;  ///< null before the first
     TankStatus status() const;
 
     /// All that is kept by now, and of which tank.
@@ -97,10 +97,10 @@ class TankSession : public LiquidSession {
     bool drains_open_ = false;
     int moments_ = 0;                     ///< that were reached
     bool waits_ = false, taken_ = false;  ///< at every moment; this one is taken
-    std::shared_ptr<const TankMoment> made_;
+    std::shared_ptr<const TankSnapshot> made_;
 
     // Under the mutex.
-    std::shared_ptr<const TankMoment> moment_;
+    std::shared_ptr<const TankSnapshot> snapshot_;
     TankFrames given_frames_;
     TankStatus seen_;  ///< but for what all liquids have
 };
@@ -111,7 +111,7 @@ liquid::TriangleMesh liquid_surface(const TankPlace& place, const TankSeen& seen
                                     core::ThreadPool& pool);
 
 /// Liquid at rest would stand so high, about.
-float rest_level_m(const TankMoment& moment);
+float rest_level_m(const TankSnapshot& snapshot);
 
 float longest_side_m(const tank::TankScene& scene);
 

@@ -37,9 +37,9 @@ TeaSession::~TeaSession() {
     end();
 }
 
-std::shared_ptr<const TeaMoment> TeaSession::moment() const {
+std::shared_ptr<const TeaSnapshot> TeaSession::snapshot() const {
     const std::lock_guard lock(mutex());
-    return moment_;
+    return snapshot_;
 }
 
 TeaStatus TeaSession::status() const {
@@ -123,26 +123,26 @@ std::optional<glm::vec2> TeaSession::stream() const {
 }
 
 void TeaSession::make_moment(LiquidStatus& status) {
-    auto moment = std::make_shared<TeaMoment>();
-    moment->settings = with_force(settings_, force_);
-    moment->seen = frame_now();
-    moment->time_s = moment->seen.step * settings_.step_s;
-    moment->stream_m = stream();
-    moment->milk = surfaces_
-                       .make(moment->seen.parcels, settings_.cup, moment->seen.dissolved.shape(),
-                             surface_for_screen())
-                       .mesh;
-    status.step = moment->seen.step;
+    auto snapshot = std::make_shared<TeaSnapshot>();
+    snapshot->settings = with_force(settings_, force_);
+    snapshot->seen = frame_now();
+    snapshot->time_s = snapshot->seen.step * settings_.step_s;
+    snapshot->stream_m = stream();
+    snapshot->milk = surfaces_
+                         .make(snapshot->seen.parcels, settings_.cup, snapshot->seen.dissolved.shape(),
+                               surface_for_screen())
+                         .mesh;
+    status.step = snapshot->seen.step;
     status.last_step = tea_->steps();
-    status.time_s = moment->time_s;
+    status.time_s = snapshot->time_s;
     status.last_s = tea_->time_s();
     status.kept = frames_.steps();
     status.kept_bytes = frames_.bytes();
-    made_ = std::move(moment);
+    made_ = std::move(snapshot);
 }
 
 void TeaSession::give_moment() {
-    if (made_ != nullptr) moment_ = std::exchange(made_, nullptr);
+    if (made_ != nullptr) snapshot_ = std::exchange(made_, nullptr);
     seen_.pouring = hand_m_.has_value();
     seen_.force = force_;
     seen_.milk_m3 = tea_ != nullptr ? tea_->poured_m3() : 0.0;

@@ -14,7 +14,7 @@
 namespace pastoso::session {
 
 /// The glass at one moment. It never changes.
-struct TeaMoment {
+struct TeaSnapshot {
     liquid::TeaSettings settings;
     TeaFrame seen;
     double time_s = 0.0;
@@ -55,7 +55,7 @@ class TeaSession : public LiquidSession {
     /// Milk is poured there, until told nothing. However short that is, some is poured.
     void pour(std::optional<glm::vec2> at_m);
 
-    std::shared_ptr<const TeaMoment> moment() const;  ///< null before the first
+    std::shared_ptr<const TeaSnapshot> snapshot() const;  ///< null before the first
     TeaStatus status() const;
 
   private:
@@ -79,10 +79,10 @@ class TeaSession : public LiquidSession {
     TeaFrames frames_;
     std::optional<glm::vec2> hand_m_;
     bool hand_has_poured_ = true;  ///< since it was told to
-    std::shared_ptr<const TeaMoment> made_;
+    std::shared_ptr<const TeaSnapshot> made_;
 
     // Under the mutex.
-    std::shared_ptr<const TeaMoment> moment_;
+    std::shared_ptr<const TeaSnapshot> snapshot_;
     TeaStatus seen_;  ///< but for what all liquids have
 };
 

@@ -17,7 +17,7 @@ class AreaDrag {
   public:
     void press(AreaForm form, const glm::dvec2& place_mm, grid::Combination how);
     bool active() const { return form_.has_value(); }
-    void give_up() { form_.reset(); }
+    void cancel() { form_.reset(); }
 
     /// `px_mm` is as large as a pixel of the screen: a lasso keeps no points that are nearer. `square`
     /// makes both sides of a rectangle as long as its longer one.

@@ -109,7 +109,7 @@ bool CanvasView::prepare_textures() {
     try {
         textures_.initialise(&gl(), wanted_->film.shape);
     } catch (const core::InputError& error) {
-        give_up(QString::fromUtf8(error.what()));
+        fail(QString::fromUtf8(error.what()));
         return false;
     }
     relight_ = false;

@@ -19,7 +19,7 @@ grid::Combination combination(Qt::KeyboardModifiers modifiers) {
 
 void CanvasView::draw_areas(std::optional<AreaForm> form) {
     area_form_ = form;
-    area_drag_.give_up();
+    area_drag_.cancel();
     set_cursor();
 }
 
@@ -61,7 +61,7 @@ void CanvasView::release_area() {
 /// Escape gives up the outline that is being drawn, or else goes back to painting.
 void CanvasView::leave_areas() {
     if (area_drag_.active()) {
-        area_drag_.give_up();
+        area_drag_.cancel();
         update();
         Q_EMIT area_given_up();
     } else if (area_form_) {

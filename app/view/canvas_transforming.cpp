@@ -130,7 +130,7 @@ bool CanvasView::press_frame_key(int key) {
         set_cursor();
         Q_EMIT frame_dragged(*frame_);
     } else {
-        Q_EMIT frame_given_up();
+        Q_EMIT frame_cancelled();
     }
     return true;
 }

@@ -88,7 +88,7 @@ void CanvasView::show_snapshot(std::shared_ptr<const document::Snapshot> snapsho
 void CanvasView::begin_other_canvas() {
     shown_.reset();
     preview_.reset();
-    area_drag_.give_up();
+    area_drag_.cancel();
     guide_drag_.release();
     damage_all();
 }

@@ -164,7 +164,7 @@ class CanvasView : public graphics::GraphicsWidget {
     /// The frame was dragged; what it shows is to be kept; it is to be taken away.
     void frame_dragged(const tools::TransformFrame& frame);
     void frame_accepted();
-    void frame_given_up();
+    void frame_cancelled();
 
   protected:
     void make_graphics() override;

@@ -26,7 +26,7 @@ constexpr float kLargestBite = 0.9F;
 /// Height of a groove's bottom above tau, in depths of the groove.
 constexpr float kGrooveRise = 0.25F;
 /// A film thinner than 10 nm is not left behind: it would be invisible and keep cells wet for ever.
-constexpr std::int32_t kTraceQuanta = 336;
+constexpr std::int32_t kNegligibleQuanta = 336;
 
 /// The channels in groups of one register: one, two or four.
 constexpr int kGroups = film::kPaintChannels / kLanes;
@@ -114,8 +114,9 @@ PASTOSO_LANE_FUNCTION Wanted wanted_at(const ExchangeRule& rule, const Hairs& ha
     const Ints capacity_left = lanes::max(Ints(0), film::kMaxThickness_quanta - quanta);
     const Floats ground = lanes::convert<float>(lanes::min(quanta, found)) * kQuantum_mm;
     const Floats swap_mm = rule.mix * share * lanes::min(ground, Floats(rule.mix_depth_mm));
-    return {lanes::min(change, capacity_left),
-            lanes::convert<std::int32_t>(lanes::select(capacity_left > 0, swap_mm, none) * kQuantaPerMm)};
+    return {
+        lanes::min(change, capacity_left),
+        lanes::convert<std::int32_t>(lanes::select(capacity_left > 0, swap_mm, none) * kQuantaPerMm)};
 }
 
 /// Adds numbers that are not negative to sums wide enough for all of them.
@@ -219,7 +220,7 @@ PASTOSO_LANE_FUNCTION void settle_change(const ApplyRule& rule, const TileCells&
     const auto wanted = lanes::load<Ints>(cells.change + first + i);
     const Ints scaled = lanes::convert<std::int32_t>(lanes::convert<float>(wanted) * rule.deposit_scale);
     const Ints fitting = lanes::select(wanted > none, scaled, wanted);
-    const Ints change = lanes::select(fitting != none && h + fitting < kTraceQuanta, -h, fitting);
+    const Ints change = lanes::select(fitting != none && h + fitting < kNegligibleQuanta, -h, fitting);
     const Ints swap = lanes::convert<std::int32_t>(
         lanes::convert<float>(lanes::load<Ints>(cells.swap + first + i)) * rule.swap_scale);
     const Floats share = lanes::convert<float>(swap + lanes::max(-change, none)) /

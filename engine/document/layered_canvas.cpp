@@ -17,9 +17,9 @@ namespace {
 /// Paint that hardly moves is brought up to date once a second.
 constexpr film::SolverOptions kSolving{.longest_wait_s = 64.0 / 60.0};
 
-using AsleepFilm = std::shared_ptr<const film::FilmState>;
+using InactiveFilm = std::shared_ptr<const film::FilmState>;
 
-AsleepFilm asleep(film::FilmState film) {
+InactiveFilm inactive_film(film::FilmState film) {
     return std::make_shared<const film::FilmState>(std::move(film));
 }
 
@@ -62,7 +62,7 @@ void check_room(const LayerStack& stack) {
 }
 
 /// Puts a new layer over the one at `place`, into the same group, and makes it active.
-void insert_above(LayerStack& stack, std::size_t place, LayerLook look, AsleepFilm film) {
+void insert_above(LayerStack& stack, std::size_t place, LayerLook look, InactiveFilm film) {
     const Layer layer{stack.next_layer++, stack.layers[place].group, std::move(look), std::move(film)};
     stack.active = place + 1;
     stack.layers.insert(stack.layers.begin() + static_cast<std::ptrdiff_t>(stack.active), layer);
@@ -90,8 +90,8 @@ void merge_onto_lower(LayerStack& stack, std::size_t upper, core::ThreadPool& po
     const auto opacity = [&](std::size_t place) {
         return same_group ? stack.layers[place].look.opacity : effective_look(stack, place).opacity;
     };
-    const film::FilmState ground = opaque(*below.asleep, opacity(lower), pool);
-    below.asleep = asleep(layers::merged(ground, *above.asleep, opacity(upper), pool));
+    const film::FilmState ground = opaque(*below.inactive, opacity(lower), pool);
+    below.inactive = inactive_film(layers::merged(ground, *above.inactive, opacity(upper), pool));
     below.look.opacity = 1.0;
     if (!same_group) below.group = 0;
     const bool was_active = stack.active == upper;
@@ -116,9 +116,9 @@ std::vector<std::size_t> visible_places(const LayerStack& stack) {
 film::FilmState flattened(const LayerStack& stack, const std::vector<std::size_t>& places,
                           core::ThreadPool& pool) {
     const auto opacity = [&](std::size_t place) { return effective_look(stack, place).opacity; };
-    film::FilmState sum = opaque(*stack.layers[places[0]].asleep, opacity(places[0]), pool);
+    film::FilmState sum = opaque(*stack.layers[places[0]].inactive, opacity(places[0]), pool);
     for (std::size_t i = 1; i < places.size(); ++i)
-        sum = layers::merged(sum, *stack.layers[places[i]].asleep, opacity(places[i]), pool);
+        sum = layers::merged(sum, *stack.layers[places[i]].inactive, opacity(places[i]), pool);
     return sum;
 }
 
@@ -146,7 +146,7 @@ std::vector<layers::SeenLayer> seen_layers(const LayerStack& stack, const film::
     for (std::size_t place = 0; place < stack.layers.size(); ++place) {
         const LayerLook look = effective_look(stack, place);
         const film::FilmState* layer =
-            place == stack.active ? &active : stack.layers[place].asleep.get();
+            place == stack.active ? &active : stack.layers[place].inactive.get();
         if (look.visible) seen.push_back({layer, look.opacity});
     }
     return seen;
@@ -156,7 +156,7 @@ std::vector<layers::SeenLayer> seen_layers(const LayerStack& stack, const film::
 LayerFilms films_below_active(const LayerStack& stack) {
     LayerFilms films;
     for (std::size_t place = 0; place < stack.active; ++place)
-        if (effective_look(stack, place).visible) films.push_back(stack.layers[place].asleep);
+        if (effective_look(stack, place).visible) films.push_back(stack.layers[place].inactive);
     return films;
 }
 
@@ -172,8 +172,8 @@ LayerFilms layers_apart(const film::FilmState& film, const film::SupportHeights&
                         const LayerStack& stack) {
     LayerFilms films;
     for (const Layer& layer : stack.layers)
-        films.push_back(layer.asleep);
-    films[stack.active] = asleep(layers::lifted_off(film, base_below_active(stack, bare_mm)));
+        films.push_back(layer.inactive);
+    films[stack.active] = inactive_film(layers::lifted_off(film, base_below_active(stack, bare_mm)));
     return films;
 }
 
@@ -208,15 +208,15 @@ void LayeredCanvas::expect_medium() {
 
 LayerChange LayeredCanvas::resize(const grid::Extent& extent, std::shared_ptr<const BareCanvas> bare) {
     PASTOSO_CHECK(bare->support_mm.shape() == extent.shape);
-    LayerStack stack = all_asleep();
+    LayerStack stack = all_inactive();
     LayerChange change{.before = paint(), .after = {}};
     for (Layer& layer : stack.layers)
-        layer.asleep = asleep(layers::on_extent(*layer.asleep, extent));
+        layer.inactive = inactive_film(layers::on_extent(*layer.inactive, extent));
     base_mm_ = base_below_active(stack, bare->support_mm);
     painting_.bare = std::move(bare);
-    painting_.film = layers::laid_on(*stack.layers[stack.active].asleep, base_mm_);
+    painting_.film = layers::laid_on(*stack.layers[stack.active].inactive, base_mm_);
     expect_medium();
-    stack.layers[stack.active].asleep.reset();
+    stack.layers[stack.active].inactive.reset();
     painting_.layers = std::move(stack);
     solver.reshape();
     change.after = paint();
@@ -243,27 +243,27 @@ film::SupportHeights LayeredCanvas::base_of(const LayerStack& stack) const {
     return base;
 }
 
-LayerStack LayeredCanvas::all_asleep() {
+LayerStack LayeredCanvas::all_inactive() {
     LayerStack stack = painting_.layers;
-    stack.layers[stack.active].asleep = asleep(lifter_.lifted_off(painting_.film, base_mm_));
+    stack.layers[stack.active].inactive = inactive_film(lifter_.lifted_off(painting_.film, base_mm_));
     return stack;
 }
 
 void LayeredCanvas::rearrange(const std::function<void(LayerStack&)>& change) {
-    LayerStack stack = all_asleep();
-    const AsleepFilm active = stack.layers[stack.active].asleep;
+    LayerStack stack = all_inactive();
+    const InactiveFilm active = stack.layers[stack.active].inactive;
     change(stack);
-    const bool same_paint = stack.layers[stack.active].asleep == active;
+    const bool same_paint = stack.layers[stack.active].inactive == active;
     film::SupportHeights base = base_of(stack);
     const bool same_base = shares_all_tiles(base, base_mm_);
     base_mm_ = std::move(base);
     if (!same_paint || !same_base) {
-        painting_.film = layers::laid_on(*stack.layers[stack.active].asleep, base_mm_);
+        painting_.film = layers::laid_on(*stack.layers[stack.active].inactive, base_mm_);
         painting_.film.consistencies = film::wet_consistencies(painting_.film);
         expect_medium();
         solver.wake_all();
     }
-    stack.layers[stack.active].asleep.reset();
+    stack.layers[stack.active].inactive.reset();
     painting_.layers = std::move(stack);
 }
 
@@ -271,7 +271,7 @@ void LayeredCanvas::add(const AddLayer& added) {
     rearrange([&](LayerStack& stack) {
         check_room(stack);
         insert_above(stack, stack.active, {.name = added.name},
-                     asleep(film::FilmState(painting_.film.shape, painting_.film.cell_mm)));
+                     inactive_film(film::FilmState(painting_.film.shape, painting_.film.cell_mm)));
     });
 }
 
@@ -323,7 +323,7 @@ void LayeredCanvas::flatten() {
             check_unlocked(stack, place);
         Layer flat{.id = stack.layers[visible[0]].id,
                    .look = {.name = stack.layers[visible[0]].look.name},
-                   .asleep = asleep(flattened(stack, visible, pool_))};
+                   .inactive = inactive_film(flattened(stack, visible, pool_))};
         for (auto place = visible.rbegin(); place != visible.rend(); ++place)
             stack.layers.erase(stack.layers.begin() + static_cast<std::ptrdiff_t>(*place));
         insert_between_groups(stack, visible[0], std::move(flat));
@@ -338,7 +338,7 @@ LayerPaint LayeredCanvas::paint_picture(const PaintPicture& paint) {
         film::FilmState flat = layers::flat_paint(*paint.picture, paint.place, painting_.film.shape,
                                                   painting_.film.cell_mm, pool_);
         taken = paint_on(flat);
-        insert_above(stack, stack.active, {.name = paint.name}, asleep(std::move(flat)));
+        insert_above(stack, stack.active, {.name = paint.name}, inactive_film(std::move(flat)));
     });
     return taken;
 }
@@ -348,10 +348,10 @@ LayerPaint LayeredCanvas::duplicate(const DuplicateLayer& duplicate) {
     rearrange([&](LayerStack& stack) {
         check_room(stack);
         const std::size_t place = place_of(stack, duplicate.layer);
-        film::FilmState copy = *stack.layers[place].asleep;
+        film::FilmState copy = *stack.layers[place].inactive;
         copy.strata.evaporated = 0;
         taken = paint_on(copy);
-        insert_above(stack, place, stack.layers[place].look, asleep(std::move(copy)));
+        insert_above(stack, place, stack.layers[place].look, inactive_film(std::move(copy)));
     });
     return taken;
 }
@@ -362,7 +362,7 @@ LayerPaint LayeredCanvas::remove(const RemoveLayer& remove) {
         const std::size_t place = place_of(stack, remove.layer);
         if (stack.layers.size() == 1) throw core::InputError("a painting keeps its last layer.");
         check_unlocked(stack, place);
-        wiped = paint_on(*stack.layers[place].asleep);
+        wiped = paint_on(*stack.layers[place].inactive);
         erase_layer(stack, place);
     });
     return wiped;
@@ -373,11 +373,11 @@ LayerPaint LayeredCanvas::clear(const ClearLayer& clear, const grid::Mask* selec
     rearrange([&](LayerStack& stack) {
         const std::size_t place = place_of(stack, clear.layer);
         check_unlocked(stack, place);
-        AsleepFilm& layer = stack.layers[place].asleep;
+        InactiveFilm& layer = stack.layers[place].inactive;
         layers::CutLayer parts{*layer, film::FilmState(painting_.film.shape, painting_.film.cell_mm)};
         if (selection != nullptr) parts = layers::cut(*layer, *selection);
         wiped = paint_on(parts.inside);
-        layer = asleep(std::move(parts.outside));
+        layer = inactive_film(std::move(parts.outside));
     });
     return wiped;
 }
@@ -387,9 +387,9 @@ LayerChange LayeredCanvas::transform(const TransformLayer& transform, const grid
     rearrange([&](LayerStack& stack) {
         const std::size_t place = place_of(stack, transform.layer);
         check_unlocked(stack, place);
-        AsleepFilm& layer = stack.layers[place].asleep;
+        InactiveFilm& layer = stack.layers[place].inactive;
         paint.before = paint_on(*layer);
-        layer = asleep(transformed(*layer, transform.transform, selection, pool_));
+        layer = inactive_film(transformed(*layer, transform.transform, selection, pool_));
         paint.after = paint_on(*layer);
     });
     return paint;
@@ -398,7 +398,7 @@ LayerChange LayeredCanvas::transform(const TransformLayer& transform, const grid
 LayerPaint LayeredCanvas::paint() const {
     LayerPaint sums = paint_on(painting_.film);
     for (const Layer& layer : painting_.layers.layers)
-        if (layer.asleep) document::add(paint_on(*layer.asleep), sums);
+        if (layer.inactive) document::add(paint_on(*layer.inactive), sums);
     return sums;
 }
 
@@ -415,7 +415,7 @@ std::uint64_t state_hash(const film::FilmState& film, const LayerStack& stack) {
     hash.add_value(stack.active);
     for (std::size_t place = 0; place < stack.layers.size(); ++place) {
         const Layer& layer = stack.layers[place];
-        add_to_hash(place == stack.active ? film : *layer.asleep, layer, hash);
+        add_to_hash(place == stack.active ? film : *layer.inactive, layer, hash);
     }
     for (const LayerGroup& group : stack.groups) {
         hash.add_value(group.id);

@@ -95,9 +95,9 @@ class LayeredCanvas {
     film::FilmState view();
 
   private:
-    /// Changes a stack in which every layer is asleep, and lays it out again.
+    /// Changes a stack in which every layer is inactive, and lays it out again.
     void rearrange(const std::function<void(LayerStack&)>& change);
-    LayerStack all_asleep();
+    LayerStack all_inactive();
     void expect_medium();
     film::SupportHeights base_of(const LayerStack& stack) const;
 

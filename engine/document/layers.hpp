@@ -17,7 +17,7 @@ struct Layer {
     LayerLook look{};
     /// Its paint, apart from what it lies on (layers/apart.hpp); null for the active layer, whose film
     /// lies on the canvas.
-    std::shared_ptr<const film::FilmState> asleep{};
+    std::shared_ptr<const film::FilmState> inactive{};
     friend bool operator==(const Layer&, const Layer&) = default;
 };
 
@@ -35,7 +35,7 @@ struct LayerStack {
     LayerId next_layer = 1;
     GroupId next_group = 1;
 
-    /// Films that are asleep are equal when they are the same.
+    /// Inactive films are equal when they are the same.
     friend bool operator==(const LayerStack&, const LayerStack&) = default;
 };
 
@@ -65,7 +65,7 @@ void check_paintable(const LayerStack& stack, std::size_t place);
 /// Throws InputError, naming the layer, when it is locked.
 void check_unlocked(const LayerStack& stack, std::size_t place);
 
-// Changes of the order. All layers are asleep or none of those that move is active; they throw
+// Changes of the order. All layers are inactive or none of those that move is active; they throw
 // InputError and leave the stack as it was when there is no such layer or place.
 
 void move_layer(LayerStack& stack, const MoveLayer& move);

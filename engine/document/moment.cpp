@@ -40,27 +40,27 @@ bool is_active(const Moment& moment, std::size_t place) {
     return place == moment.value.layers.active;
 }
 
-/// Whether both have the very same film asleep.
+/// Whether both have the very same film, inactive.
 bool is_shared(const Moment& older, std::size_t place, const Moment& newer) {
     const Layer& layer = older.value.layers.layers[place];
     const Layer* then = layer_of(newer, layer.id);
-    return !is_active(older, place) && then != nullptr && then->asleep == layer.asleep;
+    return !is_active(older, place) && then != nullptr && then->inactive == layer.inactive;
 }
 
 const film::FilmState& film_of(const Moment& moment, std::size_t place) {
-    return is_active(moment, place) ? moment.value.film : *moment.value.layers.layers[place].asleep;
+    return is_active(moment, place) ? moment.value.film : *moment.value.layers.layers[place].inactive;
 }
 
 film::FilmState film_of_layer(const Moment& moment, LayerId id) {
     const film::FilmState& canvas = moment.value.film;
     const Layer* layer = layer_of(moment, id);
     if (layer == nullptr) return {canvas.shape, canvas.cell_mm};
-    return layer->asleep ? *layer->asleep : canvas;
+    return layer->inactive ? *layer->inactive : canvas;
 }
 
 /// What the tiles of an older moment's layer are told against: the newer moment's film of that layer, if
-/// there is one of that shape. The support of the active layer is the canvas, of one that is asleep its
-/// own relief: they have no tile in common.
+/// there is one of that shape. The support of the active layer is the canvas, of one that is inactive
+/// its own relief: they have no tile in common.
 film::FilmState counterpart(const Layer& layer, bool active, const grid::Shape& shape,
                             const Moment& newer) {
     if (shape != newer.value.film.shape) return {shape, newer.value.film.cell_mm};
@@ -68,7 +68,7 @@ film::FilmState counterpart(const Layer& layer, bool active, const grid::Shape& 
     const Layer* then = layer_of(newer, layer.id);
     if (active)
         film.support_mm = newer.value.film.support_mm;
-    else if (then != nullptr && !then->asleep)
+    else if (then != nullptr && !then->inactive)
         film.support_mm = film::SupportHeights(film.shape);
     return film;
 }
@@ -82,7 +82,7 @@ struct FilmRemover {
     void operator()(film::FilmState& film) const { film = {}; }
     void operator()(LayerStack& stack) const {
         for (Layer& layer : stack.layers)
-            layer.asleep.reset();
+            layer.inactive.reset();
     }
     void operator()(std::optional<film::FilmState>& well) const {
         if (well) *well = {};
@@ -134,7 +134,7 @@ void put(const AllFilms<Tiles>& films, const grid::Shape& shape, const Moment& n
     for (std::size_t place = 0; place < films.layers.size(); ++place) {
         Layer& layer = older.value.layers.layers[place];
         if (!films.layers[place]) {
-            layer.asleep = layer_of(newer, layer.id)->asleep;
+            layer.inactive = layer_of(newer, layer.id)->inactive;
             continue;
         }
         film::FilmState film = counterpart(layer, is_active(older, place), shape, newer);
@@ -142,7 +142,7 @@ void put(const AllFilms<Tiles>& films, const grid::Shape& shape, const Moment& n
         if (is_active(older, place))
             older.value.film = std::move(film);
         else
-            layer.asleep = std::make_shared<const film::FilmState>(std::move(film));
+            layer.inactive = std::make_shared<const film::FilmState>(std::move(film));
     }
     if (!films.well) return;
     older.value.well = well_of(newer, bare_well());
@@ -242,7 +242,7 @@ bool MomentDifference::is_unpacked() const {
     return tiles_->locked(&Tiles::raw) != nullptr;
 }
 
-void MomentDifference::give_up_unpacked() {
+void MomentDifference::drop_unpacked() {
     std::shared_ptr<const Tiles::Raw> unused;  // freed after the lock
     const std::lock_guard lock(tiles_->mutex);
     if (tiles_->packed != nullptr) unused = std::exchange(tiles_->raw, nullptr);

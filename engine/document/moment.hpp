@@ -40,7 +40,7 @@ class MomentDifference {
     void pack();
     bool is_unpacked() const;
     /// Keeps what is packed alone, if it is packed.
-    void give_up_unpacked();
+    void drop_unpacked();
     /// None: not packed yet.
     std::optional<std::size_t> packed_bytes() const;
 

@@ -129,7 +129,7 @@ std::size_t MomentStack::unpacked_bytes() const {
 void MomentStack::limit_unpacked(std::size_t bytes) {
     std::size_t sum = 0;
     for (std::size_t i = below_.size(); i-- > 0;)
-        if (below_[i].is_unpacked() && (sum += below_[i].bytes()) > bytes) below_[i].give_up_unpacked();
+        if (below_[i].is_unpacked() && (sum += below_[i].bytes()) > bytes) below_[i].drop_unpacked();
 }
 
 std::vector<KeptStep> MomentStack::steps() const {

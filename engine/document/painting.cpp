@@ -56,9 +56,9 @@ void Painting::advance_tick() {
     living_->finish_tick(living_->canvas.solver.advance(kTick_s));
 }
 
-bool Painting::advance_tick_unless(const std::function<bool()>& give_up) {
+bool Painting::advance_tick_unless(const std::function<bool()>& cancelled) {
     const ScopedTimer timer(living_->times.film_s);
-    const auto report = living_->canvas.solver.advance_unless(give_up, kTick_s);
+    const auto report = living_->canvas.solver.advance_unless(cancelled, kTick_s);
     if (!report) return false;
     living_->finish_tick(*report);
     return true;

@@ -97,9 +97,9 @@ class Painting {
     /// Lets one tick (kTick_s) of paint time pass.
     void advance_tick();
 
-    /// The same, but `give_up` is asked again and again; once it says true the painting is put back as
+    /// The same, but `cancelled` is asked again and again; once it says true the painting is put back as
     /// it was before the tick, and false is returned.
-    bool advance_tick_unless(const std::function<bool()>& give_up);
+    bool advance_tick_unless(const std::function<bool()>& cancelled);
 
     /// Memory that the states kept for Undo may hold beside the living one (512 MiB at first); the
     /// oldest go first. 0 switches Undo off.

@@ -147,8 +147,9 @@ void read_active(const ZipReader& archive, const ProjectIndex& index,
     painting.solver = std::move(surface.solver);
 }
 
-std::shared_ptr<const film::FilmState> read_asleep(const ZipReader& archive, const LayerIndex& layer,
-                                                   const film::Medium& in_hand, core::ThreadPool& pool) {
+std::shared_ptr<const film::FilmState> read_inactive(const ZipReader& archive, const LayerIndex& layer,
+                                                     const film::Medium& in_hand,
+                                                     core::ThreadPool& pool) {
     document::SurfaceState surface = empty_surface(layer.surface);
     fill(archive, layer.surface, in_hand, surface, pool);
     return std::make_shared<const film::FilmState>(std::move(surface.film));
@@ -165,7 +166,7 @@ void read_layers(const ZipReader& archive, const ProjectIndex& index,
     document::LayerStack& stack = project.painting.value.layers = stack_of(index);
     for (std::size_t place = 0; place < stack.layers.size(); ++place)
         if (place != stack.active)
-            stack.layers[place].asleep = read_asleep(archive, index.layers[place], in_hand, pool);
+            stack.layers[place].inactive = read_inactive(archive, index.layers[place], in_hand, pool);
 }
 
 void read_well(const ZipReader& archive, const SurfaceIndex& index, PaintingState& painting,

@@ -71,9 +71,9 @@ LayerIndex add_active(const PaintingState& painting, std::size_t place, Draft& d
     return layer;
 }
 
-LayerIndex add_asleep(const document::Layer& layer, std::size_t place, Draft& draft) {
+LayerIndex add_inactive(const document::Layer& layer, std::size_t place, Draft& draft) {
     return {
-        layer, layer_picture(place), add_surface({*layer.asleep, {}}, layer_folder(place), draft), {}};
+        layer, layer_picture(place), add_surface({*layer.inactive, {}}, layer_folder(place), draft), {}};
 }
 
 /// A height image of the painter's own may be gone when the file is opened.
@@ -104,7 +104,7 @@ struct FieldKeeper {
         for (std::size_t place = 0; place < stack.layers.size(); ++place)
             index.layers.push_back(place == stack.active
                                        ? add_active(painting, place, draft)
-                                       : add_asleep(stack.layers[place], place, draft));
+                                       : add_inactive(stack.layers[place], place, draft));
     }
     void operator()(const std::optional<film::FilmState>& well) const {
         if (well) draft.index.well = add_surface({*well, painting.well_solver}, kWellFolder, draft);

@@ -281,8 +281,8 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>wet, asleep</source>
-        <translation>wet, asleep</translation>
+        <source>wet, inactive</source>
+        <translation>wet, inactive</translation>
     </message>
     <message>
         <source>A group: its eye, its lock and its opacity hold for all of its layers</source>
@@ -293,8 +293,8 @@
         <translation>You paint on this layer; its wet paint flows and dries</translation>
     </message>
     <message>
-        <source>Its wet paint is asleep: it neither flows nor dries, and stays as wet as it is until you choose this layer</source>
-        <translation>Its wet paint is asleep: it neither flows nor dries, and stays as wet as it is until you choose this layer</translation>
+        <source>Its wet paint keeps still: it neither flows nor dries, and stays as wet as it is until you choose this layer</source>
+        <translation>Its wet paint keeps still: it neither flows nor dries, and stays as wet as it is until you choose this layer</translation>
     </message>
     <message>
         <source>Click to paint on this layer; a double click names it, dragging moves it</source>

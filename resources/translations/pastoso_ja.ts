@@ -281,7 +281,7 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>wet, asleep</source>
+        <source>wet, inactive</source>
         <translation>濡れたまま休止中</translation>
     </message>
     <message>
@@ -293,7 +293,7 @@
         <translation>描画中のレイヤー。濡れた絵の具は流れ、乾いていく</translation>
     </message>
     <message>
-        <source>Its wet paint is asleep: it neither flows nor dries, and stays as wet as it is until you choose this layer</source>
+        <source>Its wet paint keeps still: it neither flows nor dries, and stays as wet as it is until you choose this layer</source>
         <translation>濡れた絵の具は休止中。このレイヤーを選ぶまで、流れも乾きもせず濡れたまま保たれる</translation>
     </message>
     <message>

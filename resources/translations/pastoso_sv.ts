@@ -281,7 +281,7 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>wet, asleep</source>
+        <source>wet, inactive</source>
         <translation>våt, sover</translation>
     </message>
     <message>
@@ -293,7 +293,7 @@
         <translation>Du målar på det här lagret; dess våta färg flyter och torkar</translation>
     </message>
     <message>
-        <source>Its wet paint is asleep: it neither flows nor dries, and stays as wet as it is until you choose this layer</source>
+        <source>Its wet paint keeps still: it neither flows nor dries, and stays as wet as it is until you choose this layer</source>
         <translation>Den våta färgen sover: den varken flyter eller torkar, och förblir lika våt tills du väljer lagret</translation>
     </message>
     <message>

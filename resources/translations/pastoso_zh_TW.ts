@@ -281,7 +281,7 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>wet, asleep</source>
+        <source>wet, inactive</source>
         <translation>未乾，休眠中</translation>
     </message>
     <message>
@@ -293,7 +293,7 @@
         <translation>你正畫在這個圖層上；上面的濕顏料會流動、會乾</translation>
     </message>
     <message>
-        <source>Its wet paint is asleep: it neither flows nor dries, and stays as wet as it is until you choose this layer</source>
+        <source>Its wet paint keeps still: it neither flows nor dries, and stays as wet as it is until you choose this layer</source>
         <translation>這個圖層的濕顏料正在休眠：不流動也不會乾，在你選取這個圖層之前都保持現在的濕度</translation>
     </message>
     <message>

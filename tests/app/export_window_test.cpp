@@ -102,7 +102,7 @@ class ExportWindow : public WindowTest {
         }
         EXPECT_GT(seen.size(), 6U);
     }
-    void give_up() {
+    void cancel() {
         dialog()->reject();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
@@ -268,7 +268,7 @@ TEST_F(ExportWindow, VideosAreThereWhereFfmpegIs) {
     EXPECT_THAT(outcome(), StartsWith("film.mp4: a video is made by the program ffmpeg, which is not "
                                       "installed"));
     EXPECT_FALSE(ok().isEnabled());
-    give_up();
+    cancel();
     core::write_text_file(path("ffmpeg"), "#!/bin/sh\n");
     std::filesystem::permissions(path("ffmpeg"), std::filesystem::perms::owner_all);
     open();
@@ -409,7 +409,7 @@ TEST_F(ExportWindow, ExportAgainNeedsNoDialog) {
     open();
     EXPECT_EQ(name(), path("a.png").string());
     EXPECT_EQ(ok().text().toStdString(), "Replace");
-    give_up();
+    cancel();
     parts().files.new_canvas(canvas_settings());
     EXPECT_FALSE(action(Command::ExportAgain)->isEnabled()) << "that was another painting";
     open();
@@ -453,7 +453,7 @@ TEST_F(ExportWindow, TheLastChoicesAreThereAgain) {
     EXPECT_EQ(dialog()->settings().form, ExportForm::Relief);
     EXPECT_EQ(part<QDoubleSpinBox>("base_mm").value(), 4.5);
     EXPECT_EQ(name(), path("painting.obj").string());
-    give_up();
+    cancel();
 
     const std::filesystem::path file = settings_file().parent_path() / "export.json";
     core::write_text_file(file, "{\"version\": 1, \"form\": 3}");

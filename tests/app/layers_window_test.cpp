@@ -104,7 +104,7 @@ class LayersWindow : public WindowTest {
         };
         add(painting->active != nullptr ? *painting->active : painting->film);
         for (const document::Layer& layer : painting->layers->layers)
-            if (layer.asleep != nullptr) add(*layer.asleep);
+            if (layer.inactive != nullptr) add(*layer.inactive);
         return sum_mm3;
     }
     void paint_upper_half() { mouse_stroke(line_mm({8.0, 10.0}, {52.0, 10.0})); }
@@ -344,7 +344,7 @@ TEST_F(LayersWindow, PicturesShowThePaintOfEachLayer) {
     wait_for([&] { return covered(1, 10) && !picture_of(2).isNull(); });
     EXPECT_FALSE(covered(1, 30));
     EXPECT_FALSE(covered(2, 10));
-    EXPECT_TRUE(tree().layers().item(tree().layers().index_of(layer(1))).asleep_wet);
+    EXPECT_TRUE(tree().layers().item(tree().layers().index_of(layer(1))).inactive_wet);
     paint_lower_half();
     wait_for([&] { return covered(2, 30); });
     EXPECT_FALSE(covered(2, 10));

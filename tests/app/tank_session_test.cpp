@@ -43,10 +43,10 @@ TEST(TankSession, LiquidIsThereAndTimePasses) {
     EXPECT_TRUE(status.paused);
     // Sixteen cells a side, four of them full, eight drops to each: exactly what the scene says.
     EXPECT_NEAR(status.volume_m3, 0.16 * 0.16 * 0.04, 1e-9);
-    const auto moment = session.moment();
-    ASSERT_NE(moment, nullptr);
-    EXPECT_EQ(moment->seen.step, 5);
-    EXPECT_NEAR(rest_level_m(*moment), 0.04F, 1e-6F);
+    const auto snapshot = session.snapshot();
+    ASSERT_NE(snapshot, nullptr);
+    EXPECT_EQ(snapshot->seen.step, 5);
+    EXPECT_NEAR(rest_level_m(*snapshot), 0.04F, 1e-6F);
     // Moments are equally far apart, whatever the steps were.
     for (const int step : status.kept)
         EXPECT_NEAR(session.kept().frames.at(step).time_s, step * kTankMoment_s, 1e-6);
@@ -60,18 +60,18 @@ TEST(TankSession, TimePassesByItselfUnlessItIsPaused) {
     session.set_paused(true);
     session.wait_until_applied();
     EXPECT_TRUE(session.status().paused);
-    EXPECT_EQ(session.moment()->seen.step, session.status().last_step);
+    EXPECT_EQ(session.snapshot()->seen.step, session.status().last_step);
 }
 
 TEST(TankSession, TheSurfaceHoldsTheLiquidWithinTheTank) {
     TankSession session(small_tank(), true, [] {});
     session.wait_until_applied();
     core::ThreadPool pool;
-    const auto moment = session.moment();
-    const liquid::TriangleMesh mesh = liquid_surface(*moment->place, moment->seen, 0.0F, pool);
+    const auto snapshot = session.snapshot();
+    const liquid::TriangleMesh mesh = liquid_surface(*snapshot->place, snapshot->seen, 0.0F, pool);
     // Samples a cell apart cut the edges off, and see the level a third of a cell too low: one twelfth
     // of four cells.
-    EXPECT_NEAR(liquid::volume_m3(mesh), moment->seen.volume_m3, 0.1 * moment->seen.volume_m3);
+    EXPECT_NEAR(liquid::volume_m3(mesh), snapshot->seen.volume_m3, 0.1 * snapshot->seen.volume_m3);
     for (const glm::vec3& at_m : mesh.positions_m)
         for (const int axis : {0, 1, 2}) {
             EXPECT_GT(at_m[axis], -1e-5F);
@@ -88,8 +88,8 @@ TEST(TankSession, ASphereAddsItsVolumeAndItsMilk) {
     const double sphere_m3 = 4.0 / 3.0 * 3.14159265 * 0.03 * 0.03 * 0.03;
     // Drops of half a cell's side: 2 cells deep, its surface is known to a tenth of its volume.
     EXPECT_NEAR(session.status().volume_m3 - before_m3, sphere_m3, 0.1 * sphere_m3);
-    EXPECT_GT(session.moment()->seen.milk.at(8, 8, 11), 0.9F);
-    EXPECT_EQ(session.moment()->seen.milk.at(8, 8, 1), 0.0F);
+    EXPECT_GT(session.snapshot()->seen.milk.at(8, 8, 11), 0.9F);
+    EXPECT_EQ(session.snapshot()->seen.milk.at(8, 8, 1), 0.0F);
 }
 
 TEST(TankSession, TheDrainEmptiesTheTankWhileItIsOpen) {
@@ -100,7 +100,7 @@ TEST(TankSession, TheDrainEmptiesTheTankWhileItIsOpen) {
     EXPECT_NEAR(full_m3, 0.16 * 0.16 * 0.04, 1e-9);
     session.open_drains(true);
     // Half of it falls through the hole in less than a second; two are enough.
-    for (int moment = 0; moment < 120 && session.status().volume_m3 > 0.5 * full_m3; ++moment)
+    for (int snapshot = 0; snapshot < 120 && session.status().volume_m3 > 0.5 * full_m3; ++snapshot)
         advance(session, 1);
     EXPECT_LT(session.status().volume_m3, 0.5 * full_m3);
     session.open_drains(false);
@@ -134,7 +134,7 @@ TEST(TankSession, TheWindMovesTheLiquidWhereItBlows) {
         // The surface drifts along, before it has come to the wall; below it the liquid comes back, more
         // slowly than it.
         double fastest_m_s = 0.0;
-        for (const FlowArrow& arrow : session.moment()->seen.arrows)
+        for (const FlowArrow& arrow : session.snapshot()->seen.arrows)
             if (std::abs(static_cast<double>(arrow.velocity_m_s.x)) > std::abs(fastest_m_s))
                 fastest_m_s = static_cast<double>(arrow.velocity_m_s.x);
         EXPECT_GT(fastest_m_s * (direction_deg == 0.0 ? 1.0 : -1.0), 0.02);
@@ -149,7 +149,7 @@ TEST(TankSession, NumbersChangeWhileTimePasses) {
     session.set_numbers(numbers);
     session.add_sphere({{0.08F, 0.08F, 0.11F}, 0.03F}, 1.0F);
     advance(session, 6);
-    EXPECT_GT(session.moment()->seen.milk.at(8, 8, 11), 0.9F);
+    EXPECT_GT(session.snapshot()->seen.milk.at(8, 8, 11), 0.9F);
 }
 
 TEST(TankSession, WhatCannotBeIsToldAndChangesNothing) {
@@ -181,7 +181,7 @@ TEST(TankSession, AnyMomentIsShownAgainAndTheLastGoesOn) {
     session.wait_until_applied();
     EXPECT_TRUE(session.status().paused);
     EXPECT_FALSE(session.status().shows_last);
-    EXPECT_EQ(session.moment()->seen.step, 3);
+    EXPECT_EQ(session.snapshot()->seen.step, 3);
     const int last = session.status().last_step;
     session.set_paused(false);
     wait_for_moment(session, last + 1);
@@ -189,10 +189,11 @@ TEST(TankSession, AnyMomentIsShownAgainAndTheLastGoesOn) {
 }
 
 /// The moment that waits at that step, when it has come.
-std::shared_ptr<const TankMoment> waiting_moment(const TankSession& session, int step) {
+std::shared_ptr<const TankSnapshot> waiting_moment(const TankSession& session, int step) {
     const auto waits = [&] {
-        const auto moment = session.moment();
-        return moment != nullptr && moment->waits && moment->seen.step == step ? moment : nullptr;
+        const auto snapshot = session.snapshot();
+        return snapshot != nullptr && snapshot->waits && snapshot->seen.step == step ? snapshot
+                                                                                     : nullptr;
     };
     return tests::comes_true([&] { return waits() != nullptr; }) ? waits() : nullptr;
 }
@@ -202,27 +203,27 @@ TEST(TankSession, EveryMomentWaitsUntilItIsTaken) {
     session.set_waiting(true);
     session.set_full_speed(true);
     session.wait_until_applied();
-    const int first = session.status().last_step + (session.moment()->waits ? 0 : 1);
+    const int first = session.status().last_step + (session.snapshot()->waits ? 0 : 1);
     for (int step = first; step < first + 4; ++step) {
-        const auto moment = waiting_moment(session, step);
-        ASSERT_NE(moment, nullptr) << step;
-        EXPECT_NEAR(moment->seen.time_s, step * kTankMoment_s, 1e-6);
-        session.take(moment);
+        const auto snapshot = waiting_moment(session, step);
+        ASSERT_NE(snapshot, nullptr) << step;
+        EXPECT_NEAR(snapshot->seen.time_s, step * kTankMoment_s, 1e-6);
+        session.take(snapshot);
     }
     // Another one is none that waits.
     const auto last = waiting_moment(session, first + 4);
     ASSERT_NE(last, nullptr);
-    TankMoment other = *last;
+    TankSnapshot other = *last;
     other.seen.step = first;
-    session.take(std::make_shared<const TankMoment>(other));
+    session.take(std::make_shared<const TankSnapshot>(other));
     session.add_sphere({{0.08F, 0.08F, 0.12F}, 0.03F}, 0.0F);
     session.wait_until_applied();
-    EXPECT_EQ(session.moment()->seen.step, first + 4);
-    EXPECT_TRUE(session.moment()->waits);
+    EXPECT_EQ(session.snapshot()->seen.step, first + 4);
+    EXPECT_TRUE(session.snapshot()->waits);
     EXPECT_GT(session.status().volume_m3, last->seen.volume_m3 + 1e-5);
     session.set_waiting(false);
     wait_for_moment(session, first + 8);
-    EXPECT_FALSE(session.moment()->waits);
+    EXPECT_FALSE(session.snapshot()->waits);
 }
 
 /// In a model of the usual size, seen from where the window sees it.
@@ -234,7 +235,7 @@ TEST(TankSession, APictureShowsTheTankAsItIsSeen) {
     camera.eye_m = {0.3F, -0.5F, 0.2F};
     camera.target_m = {0.08F, 0.08F, 0.07F};
     camera.field_of_view_deg = 31.0F;
-    const trace::Scene scene = traced_tank(*session.moment(), camera, pool);
+    const trace::Scene scene = traced_tank(*session.snapshot(), camera, pool);
     const float model = trace::kTankModel_m / 0.16F;
     EXPECT_NEAR(glm::distance(scene.camera.eye_m, model * camera.eye_m), 0.0F, 1e-6F);
     EXPECT_NEAR(glm::distance(scene.camera.target_m, model * camera.target_m), 0.0F, 1e-6F);

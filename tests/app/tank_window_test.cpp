@@ -118,7 +118,7 @@ TEST_F(TankWindow, TheChooserGoesFromTeaToTankAndBack) {
     EXPECT_TRUE(action(Command::GlassTank)->isChecked());
     EXPECT_EQ(tank().page().panel().chooser().choice(), QStringLiteral("two-liquids"));
     liquid().wait_until_applied();
-    EXPECT_EQ(liquid().moment()->place->scene.name, "Two liquids");
+    EXPECT_EQ(liquid().snapshot()->place->scene.name, "Two liquids");
     EXPECT_TRUE(tea.session().status().paused);
     choose(tank().page().panel().chooser(), glass::GlassChooser::tea_key());
     EXPECT_TRUE(tea.page().isVisible());
@@ -157,9 +157,9 @@ TEST_F(TankWindow, KeysChooseAndPause) {
     key(Qt::Key_F4);
     EXPECT_TRUE(liquid().status().paused);
     key(Qt::Key_F7);
-    EXPECT_EQ(liquid().moment()->place->scene.name, "Two liquids");
+    EXPECT_EQ(liquid().snapshot()->place->scene.name, "Two liquids");
     key(Qt::Key_F6);
-    EXPECT_EQ(liquid().moment()->place->scene.name, "Falling liquid");
+    EXPECT_EQ(liquid().snapshot()->place->scene.name, "Falling liquid");
     EXPECT_EQ(tank().page().panel().chooser().choice(), QStringLiteral("falling-liquid"));
 }
 
@@ -206,7 +206,7 @@ TEST_F(TankWindow, APressOnTheLiquidLetsABallFall) {
     liquid().wait_until_applied();
     EXPECT_GT(liquid().status().volume_m3, before_m3 + 1e-6);
     // Where it was pressed, and at the top.
-    const auto& level_m = liquid().moment()->seen.level_m;
+    const auto& level_m = liquid().snapshot()->seen.level_m;
     EXPECT_LT(level_m.at(1 + 4, 1 + 8, 1 + 14), 0.0F);
     EXPECT_GT(level_m.at(1 + 12, 1 + 8, 1 + 14), 0.0F);
 }

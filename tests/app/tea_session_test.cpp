@@ -39,11 +39,11 @@ TEST(TeaSession, PoursTheMilkOfTheRecipe) {
     EXPECT_TRUE(status.paused);
     EXPECT_EQ(status.last_step, 10);
     EXPECT_NEAR(status.milk_m3, small_glass().milk_m3, 1e-9);
-    const auto moment = session.moment();
-    ASSERT_NE(moment, nullptr);
-    EXPECT_EQ(moment->seen.step, 10);
-    EXPECT_FALSE(moment->seen.parcels.empty());
-    EXPECT_FALSE(moment->milk.triangles.empty());
+    const auto snapshot = session.snapshot();
+    ASSERT_NE(snapshot, nullptr);
+    EXPECT_EQ(snapshot->seen.step, 10);
+    EXPECT_FALSE(snapshot->seen.parcels.empty());
+    EXPECT_FALSE(snapshot->milk.triangles.empty());
 }
 
 TEST(TeaSession, StandsStillWhilePaused) {
@@ -84,12 +84,12 @@ TEST(TeaSession, TheForceStirsWhileItIsOn) {
     session.set_force(force);
     session.wait_until_applied();
     EXPECT_EQ(session.status().force, force);
-    EXPECT_EQ(session.moment()->settings.swirl_rad_s2, force.swirl_rad_s2);
-    EXPECT_EQ(session.moment()->settings.swirl_x_m, 0.04);
+    EXPECT_EQ(session.snapshot()->settings.swirl_rad_s2, force.swirl_rad_s2);
+    EXPECT_EQ(session.snapshot()->settings.swirl_x_m, 0.04);
     force.on = false;
     session.set_force(force);
     session.wait_until_applied();
-    EXPECT_EQ(session.moment()->settings.swirl_rad_s2, 0.0);
+    EXPECT_EQ(session.snapshot()->settings.swirl_rad_s2, 0.0);
 }
 
 TEST(TeaSession, WhatCannotBeIsToldAndChangesNothing) {
@@ -102,7 +102,7 @@ TEST(TeaSession, WhatCannotBeIsToldAndChangesNothing) {
     std::vector<std::string> errors = session.take_errors();
     ASSERT_EQ(errors.size(), 1U);
     EXPECT_NE(errors[0].find("viscosity_m2_s is -1"), std::string::npos) << errors[0];
-    EXPECT_EQ(session.moment()->settings.viscosity_m2_s, small_glass().viscosity_m2_s);
+    EXPECT_EQ(session.snapshot()->settings.viscosity_m2_s, small_glass().viscosity_m2_s);
     bad = small_glass();
     bad.cells = 4096;
     session.new_glass(bad);
@@ -128,7 +128,7 @@ TEST(TeaSession, AnyMomentIsShownAgainAndTheLastGoesOn) {
     EXPECT_TRUE(status.paused);
     EXPECT_FALSE(status.shows_last);
     EXPECT_EQ(status.step, 7);
-    EXPECT_EQ(session.moment()->seen.step, 7);
+    EXPECT_EQ(session.snapshot()->seen.step, 7);
     const int last = status.last_step;
     session.set_paused(false);
     wait_for_step(session, last + 1);
@@ -181,8 +181,8 @@ TEST(LiquidPicture, IsTracedAndEndsWhenItIsTold) {
     TeaSession session(small_glass(), true, [] {});
     session.wait_until_applied();
     LiquidPictureOrder order;
-    order.scene = [moment = session.moment()](core::ThreadPool& pool) {
-        return traced_tea(*moment, {}, pool);
+    order.scene = [snapshot = session.snapshot()](core::ThreadPool& pool) {
+        return traced_tea(*snapshot, {}, pool);
     };
     order.width = order.height = 24;
     order.samples = 3;
@@ -210,8 +210,8 @@ TEST(LiquidPicture, TellsWhyThereIsNone) {
     TeaSession session(small_glass(), true, [] {});
     session.wait_until_applied();
     LiquidPictureOrder order;
-    order.scene = [moment = session.moment()](core::ThreadPool& pool) {
-        return traced_tea(*moment, {}, pool);
+    order.scene = [snapshot = session.snapshot()](core::ThreadPool& pool) {
+        return traced_tea(*snapshot, {}, pool);
     };
     order.width = 0;
     LiquidPicture picture(order, [] {});

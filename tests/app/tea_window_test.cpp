@@ -238,7 +238,7 @@ TEST_F(TeaWindow, ScenesAreSavedAndOpened) {
     key(Qt::Key_F1);
     tea().open_scene(file);
     glass().wait_until_applied();
-    EXPECT_EQ(glass().moment()->settings.cells, 16);
+    EXPECT_EQ(glass().snapshot()->settings.cells, 16);
     EXPECT_TRUE(glass().status().force.on);
     EXPECT_EQ(tea().page().panel().settings().parcels, 400);
     EXPECT_THROW(tea().open_scene(QStringLiteral("/nowhere.json")), std::runtime_error);

@@ -10,6 +10,9 @@ set(replaced
     "room_quanta|capacity_left_quanta"
     "cut_to_room|cut_to_capacity"
     "SolverMemory|SolverState"
+    "give_up|cancel, drop or fail"
+    "TeaMoment|TeaSnapshot"
+    "[Aa]sleepFilm|inactive"
     "find_(residual|source|velocities|fluxes|growth|shares|tufts)|compute_*")
 
 file(GLOB_RECURSE sources RELATIVE ${SOURCE} ${SOURCE}/engine/*.[ch]pp ${SOURCE}/app/*.[ch]pp)

@@ -274,7 +274,7 @@ TEST(History, BringsBackTheWell) {
     }
 }
 
-/// Layers that come, go, wake, fall asleep and lie on something else.
+/// Layers that come, go, become active, inactive and lie on something else.
 class NoisyLayers {
   public:
     NoisyLayers() { add(); }
@@ -306,20 +306,21 @@ class NoisyLayers {
     }
 
   private:
-    /// The active one falls asleep, with a support of its own; another one wakes on the canvas.
+    /// The active one becomes inactive, with a support of its own; another one becomes active on the
+    /// canvas.
     void select(std::size_t place) {
-        film::FilmState asleep = film_.moment().value.film;
-        asleep.support_mm.write(3)[5] = 0x1p-20F * static_cast<float>(place + 1);
-        stack_.layers[stack_.active].asleep = std::make_shared<const film::FilmState>(asleep);
+        film::FilmState inactive = film_.moment().value.film;
+        inactive.support_mm.write(3)[5] = 0x1p-20F * static_cast<float>(place + 1);
+        stack_.layers[stack_.active].inactive = std::make_shared<const film::FilmState>(inactive);
         stack_.active = place;
         Moment awake;
-        awake.value.film = *stack_.layers[place].asleep;
+        awake.value.film = *stack_.layers[place].inactive;
         film_.return_to(awake);
-        stack_.layers[place].asleep.reset();
+        stack_.layers[place].inactive.reset();
     }
     void add() {
         stack_.layers.push_back({.id = stack_.next_layer++});
-        stack_.layers.back().asleep =
+        stack_.layers.back().inactive =
             std::make_shared<const film::FilmState>(film_.moment().value.film);
         select(stack_.layers.size() - 1);
     }
@@ -344,7 +345,7 @@ TEST(History, ALayerThatIsAsleepCostsNothing) {
     History history;
     Moment moment = film.moment();
     moment.value.layers.layers.push_back({.id = 2});
-    moment.value.layers.layers[1].asleep = std::make_shared<const film::FilmState>(moment.value.film);
+    moment.value.layers.layers[1].inactive = std::make_shared<const film::FilmState>(moment.value.film);
     for (int i = 0; i < 3; ++i) {
         history.remember(moment, {});
         film.change(i);
@@ -353,7 +354,7 @@ TEST(History, ALayerThatIsAsleepCostsNothing) {
     for (const KeptStep& step : history.past_steps())
         EXPECT_LT(step.bytes, 2 * kTileBytes);
     const Moment first = history.step_back(history.step_back(moment));
-    EXPECT_EQ(first.value.layers.layers[1].asleep, moment.value.layers.layers[1].asleep);
+    EXPECT_EQ(first.value.layers.layers[1].inactive, moment.value.layers.layers[1].inactive);
 }
 
 /// A random walk over changes, undo and redo, with all that was ever seen kept beside it.

@@ -62,10 +62,10 @@ TEST_F(LayersTest, OnlyTheActiveLayersPaintFlows) {
     painting.apply(TiltCanvas{80, 90});
     paint("PB29", 0.0, 10.0);
     painting.apply(AddLayer{"Second"});
-    const auto asleep = stack().layers[0].asleep;
+    const auto inactive = stack().layers[0].inactive;
     paint("PY35", 1.0, 12.0, 20);
-    EXPECT_EQ(stack().layers[0].asleep, asleep);
-    EXPECT_GT(film::totals(*asleep).thickness, 0);
+    EXPECT_EQ(stack().layers[0].inactive, inactive);
+    EXPECT_GT(film::totals(*inactive).thickness, 0);
     painting.apply(SelectLayer{1});
     const std::uint64_t before = film::state_hash(painting.film());
     painting.advance_tick();

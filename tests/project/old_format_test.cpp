@@ -98,7 +98,7 @@ TEST_F(OldFormat, FourTellsByThePaintInWhichMediumALayerIs) {
     const auto acrylic = film::consistency_of(film::find_medium("fluid acrylic"));
     EXPECT_EQ(old.painting.value.film.consistencies.uniform(), acrylic);
     EXPECT_EQ(old.painting.value.brush->brush.consistencies.uniform(), acrylic);
-    const film::FilmState oil = *old.painting.value.layers.layers[0].asleep;
+    const film::FilmState oil = *old.painting.value.layers.layers[0].inactive;
     EXPECT_TRUE(oil.consistencies.are_several());
     document::Painting painting(old.painting, pool);
     painting.apply(document::SelectLayer{1});

@@ -72,7 +72,7 @@ struct FieldComparer {
         for (std::size_t place = 0; place < a.layers.size(); ++place) {
             EXPECT_EQ(a.layers[place].id, b.layers[place].id);
             EXPECT_EQ(a.layers[place].look, b.layers[place].look);
-            if (place != a.active) (*this)(*a.layers[place].asleep, *b.layers[place].asleep);
+            if (place != a.active) (*this)(*a.layers[place].inactive, *b.layers[place].inactive);
         }
         EXPECT_EQ(a.groups, b.groups);
         EXPECT_EQ(a.active, b.active);

@@ -2,12 +2,12 @@
 
 #include "core/text_file.hpp"
 #include "document/error_of.hpp"
+#include "files/stored_image.hpp"
 #include "files/temporary_folder.hpp"
 #include "layers/apart.hpp"
 #include "recordings/channel_names.hpp"
 #include "recordings/surface_values.hpp"
 #include "shade/canvas.hpp"
-#include "files/stored_image.hpp"
 
 #include <cmath>
 #include <random>
@@ -54,7 +54,7 @@ std::shared_ptr<const FilmState> shared(const FilmState& film) {
     return std::make_shared<const FilmState>(film);
 }
 
-/// Three layers on an uneven support: one asleep, the active one, and a faded, hidden one above.
+/// Three layers on an uneven support: one inactive, the active one, and a faded, hidden one above.
 class LayerExport : public files::TemporaryFolder {
   protected:
     LayerExport() {
@@ -65,13 +65,13 @@ class LayerExport : public files::TemporaryFolder {
         stack.layers.push_back({.id = 2, .look = {.name = "Glaze"}});
         stack.layers.push_back({.id = 3,
                                 .look = {.name = "Glaze", .visible = false, .opacity = 0.5},
-                                .asleep = shared(upper)});
+                                .inactive = shared(upper)});
         stack.active = 1;
         lay_out();
     }
 
     void lay_out() {
-        stack.layers[0].asleep = shared(lower);
+        stack.layers[0].inactive = shared(lower);
         active = layers::laid_on(middle, document::base_below_active(stack, bare_mm));
         view = document::view_of(active, bare_mm, stack, pool);
     }

@@ -12,7 +12,7 @@ using commands::Command;
 UndoCommands::UndoCommands(Studio& studio, panels::HistoryPanel* history, LayerTransform& transform)
     : studio_(studio), history_(history), transform_(transform) {
     studio_.commands().on(Command::Undo, [this](bool) {
-        if (!transform_.give_up()) studio_.easel().undo();
+        if (!transform_.cancel()) studio_.easel().undo();
     });
     studio_.commands().on(Command::Redo, [this](bool) {
         transform_.end();
@@ -43,7 +43,7 @@ void UndoCommands::show_steps() {
 }
 
 void UndoCommands::go_back(int steps) {
-    transform_.give_up();
+    transform_.cancel();
     for (; steps > 0; --steps)
         studio_.easel().undo();
     for (; steps < 0; ++steps)

@@ -31,7 +31,7 @@ bool same_paint(const film::FilmState& a, const film::FilmState& b) {
 /// The film of a layer, by itself or on what lies below it.
 std::shared_ptr<const film::FilmState> film_of(
     const document::Layer& layer, const std::shared_ptr<const document::Snapshot>& painting) {
-    if (layer.asleep != nullptr) return layer.asleep;
+    if (layer.inactive != nullptr) return layer.inactive;
     if (painting->active != nullptr) return painting->active;
     return {painting, &painting->film};
 }

@@ -67,11 +67,11 @@ LayerTransform::LayerTransform(Studio& studio, panels::BrushPanel* brushes) : st
         if (on)
             begin();
         else
-            give_up();
+            cancel();
     });
-    connect(brushes, &panels::BrushPanel::brush_taken, this, &LayerTransform::give_up);
+    connect(brushes, &panels::BrushPanel::brush_taken, this, &LayerTransform::cancel);
     connect(&studio_.canvas(), &view::CanvasView::frame_accepted, this, &LayerTransform::apply);
-    connect(&studio_.canvas(), &view::CanvasView::frame_given_up, this, &LayerTransform::give_up);
+    connect(&studio_.canvas(), &view::CanvasView::frame_cancelled, this, &LayerTransform::cancel);
     connect(&studio_, &Studio::session_ends, this, &LayerTransform::end);
     connect(&studio_, &Studio::published, this,
             [this](const auto& painting, const auto& status) { follow(*painting, status); });
@@ -121,7 +121,7 @@ void LayerTransform::open_dialog(const tools::TransformFrame& frame, const QSize
     connect(&studio_.canvas(), &view::CanvasView::frame_dragged, dialog,
             &dialogs::TransformDialog::show_frame);
     connect(dialog, &QDialog::accepted, this, &LayerTransform::apply);
-    connect(dialog, &QDialog::rejected, this, &LayerTransform::give_up);
+    connect(dialog, &QDialog::rejected, this, &LayerTransform::cancel);
     const QSize size = dialog->sizeHint();
     const bool frame_is_left =
         studio_.canvas().widget_position(frame.centre_mm()).x() < 0.5 * studio_.canvas().width();
@@ -147,7 +147,7 @@ bool LayerTransform::end() {
     return true;
 }
 
-bool LayerTransform::give_up() {
+bool LayerTransform::cancel() {
     if (!end()) return false;
     studio_.report(tr("The paint stays as it is."));
     return true;
@@ -159,7 +159,7 @@ void LayerTransform::apply() {
     const auto wanted =
         tools::transform_of(*studio_.canvas().frame(), 1.0 / transforming_->bare->settings.px_per_mm);
     if (!wanted) {
-        give_up();
+        cancel();
         return;
     }
     end();
@@ -174,7 +174,7 @@ void LayerTransform::follow(const document::Snapshot& painting, const session::S
     const bool same = layers.layers[layers.active].id == transforming_->layer &&
                       painting.selection == transforming_->selection &&
                       painting.bare == transforming_->bare && problem_of(layers).isEmpty();
-    if (!same || status.replaying) give_up();
+    if (!same || status.replaying) cancel();
 }
 
 }  // namespace pastoso::main

@@ -31,7 +31,7 @@ class LayerTransform : public QObject {
 
     /// Takes the frame away and leaves the paint as it is. False: there was none.
     bool end();
-    bool give_up();  ///< the same, and says so
+    bool cancel();  ///< the same, and says so
 
   Q_SIGNALS:
     void changed();  ///< active()

@@ -187,9 +187,9 @@ void TankMode::ask_open() {
 void TankMode::show_published() {
     const session::TankStatus status = session_->status();
     const bool refused = tell_refusals();
-    if (const auto moment = session_->moment()) {
-        page_->view().show_moment(moment);
-        recorder_->look(moment);
+    if (const auto snapshot = session_->snapshot()) {
+        page_->view().show_moment(snapshot);
+        recorder_->look(snapshot);
         // What was refused is not to be read as if it held.
         if (refused || status.glass != shown_glass_) show_tank(status);
     }
@@ -242,9 +242,9 @@ void TankMode::blow_harder(double by_m_s) {
 
 session::LiquidPictureOrder TankMode::picture_order() const {
     session::LiquidPictureOrder order;
-    if (const auto moment = session_->moment())
-        order.scene = [moment, camera = page_->view().camera().traced()](core::ThreadPool& pool) {
-            return session::traced_tank(*moment, camera, pool);
+    if (const auto snapshot = session_->snapshot())
+        order.scene = [snapshot, camera = page_->view().camera().traced()](core::ThreadPool& pool) {
+            return session::traced_tank(*snapshot, camera, pool);
         };
     return order;
 }
@@ -276,11 +276,11 @@ void TankMode::show_recorded() {
 // ---- surfaces
 
 GlassMode::MeshWriter TankMode::mesh_writer() const {
-    const auto moment = session_->moment();
-    if (moment == nullptr) return {};
-    return [moment](const std::filesystem::path& file, const BackgroundExport::Stops& stops) {
+    const auto snapshot = session_->snapshot();
+    if (snapshot == nullptr) return {};
+    return [snapshot](const std::filesystem::path& file, const BackgroundExport::Stops& stops) {
         core::ThreadPool pool;
-        return write_tank_surface(*moment->place, moment->seen, file, pool, stops);
+        return write_tank_surface(*snapshot->place, snapshot->seen, file, pool, stops);
     };
 }
 

@@ -37,7 +37,7 @@ pigment::Image8 image_of(const QImage& picture) {
     return image;
 }
 
-bool is_same(const session::TankMoment& a, const session::TankMoment& b) {
+bool is_same(const session::TankSnapshot& a, const session::TankSnapshot& b) {
     return a.place == b.place && a.seen.step == b.seen.step;
 }
 
@@ -77,27 +77,27 @@ void TankRecorder::stop(Recorded what) {
     if (!stopped->writing) file_done(what, {});
 }
 
-void TankRecorder::look(std::shared_ptr<const session::TankMoment> moment) {
-    moment_ = std::move(moment);
+void TankRecorder::look(std::shared_ptr<const session::TankSnapshot> snapshot) {
+    snapshot_ = std::move(snapshot);
     proceed();
 }
 
 void TankRecorder::proceed() {
-    if (moment_ == nullptr || !moment_->waits) return;
+    if (snapshot_ == nullptr || !snapshot_->waits) return;
     bool all_have_it = true;
     for (const Recorded what : kRecorded)
         if (series(what) && !take(what)) all_have_it = false;
-    if (all_have_it) session_.take(std::exchange(moment_, nullptr));
+    if (all_have_it) session_.take(std::exchange(snapshot_, nullptr));
 }
 
 /// False when the moment has to wait: for the file before, or for the view.
 bool TankRecorder::take(Recorded what) {
     Series& recorded = *series(what);
-    if (recorded.stopping || (recorded.taken != nullptr && is_same(*recorded.taken, *moment_)))
+    if (recorded.stopping || (recorded.taken != nullptr && is_same(*recorded.taken, *snapshot_)))
         return true;
-    const bool seen = view_.finished() && view_.shown() == moment_.get();
+    const bool seen = view_.finished() && view_.shown() == snapshot_.get();
     if (recorded.writing || (what == Recorded::Pictures && !seen)) return false;
-    recorded.taken = moment_;
+    recorded.taken = snapshot_;
     recorded.writing = true;
     const QString name = QStringLiteral("%1/liquid_%2.%3")
                              .arg(recorded.folder)
@@ -119,9 +119,9 @@ TankRecorder::Write TankRecorder::writer(Recorded what) {
         return [picture = view_.picture()](const std::filesystem::path& file) {
             files::write_image(file, image_of(picture));
         };
-    return [this, moment = moment_](const std::filesystem::path& file) {
+    return [this, snapshot = snapshot_](const std::filesystem::path& file) {
         core::ThreadPool pool;
-        write_tank_surface(*moment->place, moment->seen, file, pool,
+        write_tank_surface(*snapshot->place, snapshot->seen, file, pool,
                            [this] { return worker_.cancelled(); });
     };
 }

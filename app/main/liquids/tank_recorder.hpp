@@ -42,7 +42,7 @@ class TankRecorder : public QObject {
     int written(Recorded what) const { return records(what) ? series(what)->written : 0; }
 
     /// To be told of every moment that is published.
-    void look(std::shared_ptr<const session::TankMoment> moment);
+    void look(std::shared_ptr<const session::TankSnapshot> snapshot);
 
   Q_SIGNALS:
     void progressed();
@@ -56,7 +56,7 @@ class TankRecorder : public QObject {
         QString folder, ending;
         int next = 1, written = 0;
         bool writing = false, stopping = false;
-        std::shared_ptr<const session::TankMoment> taken;  ///< the latest one
+        std::shared_ptr<const session::TankSnapshot> taken;  ///< the latest one
     };
 
     struct Order {
@@ -79,7 +79,7 @@ class TankRecorder : public QObject {
     session::TankSession& session_;
     glass::TankView& view_;
     std::array<std::optional<Series>, 2> series_;
-    std::shared_ptr<const session::TankMoment> moment_;  ///< the latest one
+    std::shared_ptr<const session::TankSnapshot> snapshot_;  ///< the latest one
     core::Worker<Order> worker_;
 };
 

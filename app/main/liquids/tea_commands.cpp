@@ -129,13 +129,13 @@ void TeaMode::ask_save() {
 
 /// With all its volume.
 GlassMode::MeshWriter TeaMode::mesh_writer() const {
-    const auto moment = session_->moment();
-    if (moment == nullptr) return {};
-    return [moment](const std::filesystem::path& file, const BackgroundExport::Stops& stops) {
+    const auto snapshot = session_->snapshot();
+    if (snapshot == nullptr) return {};
+    return [snapshot](const std::filesystem::path& file, const BackgroundExport::Stops& stops) {
         core::ThreadPool pool;
         liquid::MilkSurfaces surfaces(pool);
-        const liquid::MilkSurface milk =
-            surfaces.make(moment->seen.parcels, moment->settings.cup, moment->seen.dissolved.shape());
+        const liquid::MilkSurface milk = surfaces.make(snapshot->seen.parcels, snapshot->settings.cup,
+                                                       snapshot->seen.dissolved.shape());
         return liquid_files::export_mesh(file, milk.mesh, {}, [&stops](double) { return !stops(); });
     };
 }

@@ -64,12 +64,12 @@ void TeaMode::make_page() {
     connect(&page_->panel(), &glass::TeaPanel::numbers_changed, this,
             [this](const liquid::TeaSettings& settings) {
                 // What only the next glass can have is none of this one's.
-                const auto moment = session_->moment();
-                if (moment == nullptr) return;
+                const auto snapshot = session_->snapshot();
+                if (snapshot == nullptr) return;
                 liquid::TeaSettings numbers = settings;
-                numbers.cells = moment->settings.cells;
-                numbers.parcels = moment->settings.parcels;
-                numbers.milk_m3 = moment->settings.milk_m3;
+                numbers.cells = snapshot->settings.cells;
+                numbers.parcels = snapshot->settings.parcels;
+                numbers.milk_m3 = snapshot->settings.milk_m3;
                 session_->set_numbers(numbers);
             });
     page_->panel().show_settings({});
@@ -85,19 +85,19 @@ void TeaMode::show_published() {
         // What was refused is not to be read as if it held.
         force_ = session_->status().force;
         page_->panel().show_force(force_);
-        if (const auto moment = session_->moment()) page_->panel().show_settings(moment->settings);
+        if (const auto snapshot = session_->snapshot()) page_->panel().show_settings(snapshot->settings);
     }
     const session::TeaStatus status = session_->status();
-    if (const auto moment = session_->moment()) page_->view().show_moment(moment);
+    if (const auto snapshot = session_->snapshot()) page_->view().show_moment(snapshot);
     page_->show_status(status);
     show_running(status);
 }
 
 session::LiquidPictureOrder TeaMode::picture_order() const {
     session::LiquidPictureOrder order;
-    if (const auto moment = session_->moment())
-        order.scene = [moment, camera = page_->view().camera().traced()](core::ThreadPool& pool) {
-            return session::traced_tea(*moment, camera, pool);
+    if (const auto snapshot = session_->snapshot())
+        order.scene = [snapshot, camera = page_->view().camera().traced()](core::ThreadPool& pool) {
+            return session::traced_tea(*snapshot, camera, pool);
         };
     return order;
 }

@@ -55,7 +55,7 @@ void paint_picture(QPainter* painter, const QRect& box, const QImage& picture) {
 QString remarks(const Item& item) {
     QStringList remarks;
     if (item.look.opacity < 1.0) remarks += QObject::tr("%1 %").arg(qRound(100.0 * item.look.opacity));
-    if (item.asleep_wet) remarks += QObject::tr("wet, asleep");
+    if (item.inactive_wet) remarks += QObject::tr("wet, inactive");
     return remarks.join(QStringLiteral(" \u00b7 "));
 }
 
@@ -63,9 +63,9 @@ QString name_hint(const Item& item) {
     if (item.is_group)
         return QObject::tr("A group: its eye, its lock and its opacity hold for all of its layers");
     if (item.active) return QObject::tr("You paint on this layer; its wet paint flows and dries");
-    if (item.asleep_wet)
+    if (item.inactive_wet)
         return QObject::tr(
-            "Its wet paint is asleep: it neither flows nor dries, and stays as wet as it is until you "
+            "Its wet paint keeps still: it neither flows nor dries, and stays as wet as it is until you "
             "choose this layer");
     return QObject::tr("Click to paint on this layer; a double click names it, dragging moves it");
 }

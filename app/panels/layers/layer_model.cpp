@@ -76,7 +76,7 @@ LayerModel::Item LayerModel::item(const QModelIndex& index) const {
     const std::size_t place = document::place_of(stack_, row.layer);
     item.active = place == stack_.active;
     const auto picture = pictures_.find(row.layer);
-    item.asleep_wet = !item.active && picture != pictures_.end() && picture->second.wet;
+    item.inactive_wet = !item.active && picture != pictures_.end() && picture->second.wet;
     if (!index.parent().isValid()) return item;
     const document::LayerLook group = tools::look_of(stack_, row_at(index.parent()));
     item.group_shown = group.visible;

@@ -21,8 +21,8 @@ class LayerModel : public QAbstractItemModel {
         bool is_group = false;
         document::LayerLook look{};  ///< what it says itself
         bool active = false;
-        bool asleep_wet = false;  ///< its wet paint waits until it is active
-        bool group_shown = true;  ///< what its group says
+        bool inactive_wet = false;  ///< its wet paint waits until it is active
+        bool group_shown = true;    ///< what its group says
         bool group_locked = false;
         int layers = 0;  ///< of a group
     };

@@ -1,4 +1,4 @@
-#include "main/program/window_memory.hpp"
+#include "main/program/window_settings.hpp"
 
 #include "commands/command_names.hpp"
 #include "core/user_data.hpp"
@@ -47,8 +47,8 @@ std::vector<std::string> recent_names(const commands::CommandRegistry& commands)
 
 }  // namespace
 
-WindowMemory::WindowMemory(Studio& studio, const PanelSet& panels, LightChoice& light,
-                           UndoCommands& undo, WellCommands& well, StartCommands& start)
+WindowSettings::WindowSettings(Studio& studio, const PanelSet& panels, LightChoice& light,
+                               UndoCommands& undo, WellCommands& well, StartCommands& start)
     : studio_(studio),
       panels_(panels),
       light_(light),
@@ -59,7 +59,7 @@ WindowMemory::WindowMemory(Studio& studio, const PanelSet& panels, LightChoice& 
     studio_.commands().on(commands::Command::ResetPanels, [this](bool) { reset_panels(); });
 }
 
-void WindowMemory::recall() {
+void WindowSettings::recall() {
     QMainWindow& window = studio_.window();
     first_panels_ = window.saveState(kPanelsVersion);
     tools::Settings settings;
@@ -81,7 +81,7 @@ void WindowMemory::recall() {
     well_.set_sized(window.restoreState(from_text(settings.panels), kPanelsVersion));
 }
 
-void WindowMemory::remember() {
+void WindowSettings::remember() {
     const tools::Hand& hand = studio_.easel().hand();
     tools::Settings settings;
     settings.steadying = panels_.brushes->steadying();
@@ -99,7 +99,7 @@ void WindowMemory::remember() {
     file_.remember([&settings](const auto& file) { tools::write_settings(settings, file); });
 }
 
-void WindowMemory::reset_panels() {
+void WindowSettings::reset_panels() {
     studio_.window().restoreState(first_panels_, kPanelsVersion);
     well_.set_sized(false);
     QDockWidget* first = panels_.docks.at(commands::Command::ToolPanel);

@@ -1,4 +1,4 @@
-#include "main/paint/paint_memory.hpp"
+#include "main/paint/paint_settings.hpp"
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
@@ -17,32 +17,32 @@ constexpr int kSettling_ms = 1000;
 
 }  // namespace
 
-PaintMemory::PaintMemory(Studio& studio, panels::ColourPanel* colours)
+PaintSettings::PaintSettings(Studio& studio, panels::ColourPanel* colours)
     : studio_(studio), colours_(colours), file_(studio, core::user_data_path("paints.json")) {
     changed_.setSingleShot(true);
     changed_.setInterval(kSettling_ms);
-    connect(&changed_, &QTimer::timeout, this, &PaintMemory::remember);
+    connect(&changed_, &QTimer::timeout, this, &PaintSettings::remember);
     connect(colours_, &panels::ColourPanel::refused, &studio_, &Studio::report);
-    connect(colours_, &panels::ColourPanel::palette_wanted, this, &PaintMemory::ask_palette);
+    connect(colours_, &panels::ColourPanel::palette_wanted, this, &PaintSettings::ask_palette);
 }
 
-void PaintMemory::recall() {
+void PaintSettings::recall() {
     file_.recall([this](const auto& file) { colours_->show_shelf(tools::read_shelf(file)); });
     connect(colours_, &panels::ColourPanel::shelf_changed, &changed_, qOverload<>(&QTimer::start));
 }
 
-void PaintMemory::remember() {
+void PaintSettings::remember() {
     changed_.stop();
     file_.remember([this](const auto& file) { tools::write_shelf(colours_->shelf(), file); });
 }
 
-void PaintMemory::ask_palette() {
+void PaintSettings::ask_palette() {
     const QString path = QFileDialog::getOpenFileName(&studio_.window(), tr("Open a palette"), QString(),
                                                       tr("Palettes (*.gpl)"));
     if (!path.isEmpty()) open_palette(path);
 }
 
-void PaintMemory::open_palette(const QString& path) {
+void PaintSettings::open_palette(const QString& path) {
     try {
         const std::string file = path.toStdString();
         colours_->show_palette(pigment::parse_gpl(core::read_text_file(file), file));

@@ -15,11 +15,11 @@ class StartCommands;
 class UndoCommands;
 class WellCommands;
 
-class WindowMemory : public QObject {
+class WindowSettings : public QObject {
     Q_OBJECT
   public:
-    WindowMemory(Studio& studio, const PanelSet& panels, LightChoice& light, UndoCommands& undo,
-                 WellCommands& well, StartCommands& start);
+    WindowSettings(Studio& studio, const PanelSet& panels, LightChoice& light, UndoCommands& undo,
+                   WellCommands& well, StartCommands& start);
 
     /// A file that cannot be read is told, and left as it is.
     void recall();

@@ -13,10 +13,10 @@ class ColourPanel;
 
 namespace pastoso::main {
 
-class PaintMemory : public QObject {
+class PaintSettings : public QObject {
     Q_OBJECT
   public:
-    PaintMemory(Studio& studio, panels::ColourPanel* colours);
+    PaintSettings(Studio& studio, panels::ColourPanel* colours);
 
     /// A file that cannot be read is told, and left as it is.
     void recall();
