@@ -1,8 +1,8 @@
 #include "glass/panel_parts.hpp"
 
 #include "glass/glass_chooser.hpp"
-#include "glass/number_row.hpp"
 #include "panels/parts/section.hpp"
+#include "panels/parts/value_row.hpp"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -62,12 +62,15 @@ QGridLayout* rows_under(QVBoxLayout* column) {
     return grid;
 }
 
-NumberRow* add_number(QGridLayout* grid, const NumberWords& number, const char* name, double least,
-                      double most) {
-    return new NumberRow(
-        grid, QString::fromLatin1(name), words_of(number.words), words_of(number.hint),
-        {number.scale * least, number.scale * most, number.usual_least, number.usual_most,
-         number.decimals, words_of(number.unit), number.logarithmic});
+ValueRow* add_number(QGridLayout* grid, const NumberWords& number, const char* name, double least,
+                     double most) {
+    return new ValueRow(grid, QString::fromLatin1(name), words_of(number.words), words_of(number.hint),
+                        {number.scale * least,
+                         number.scale * most,
+                         number.decimals,
+                         words_of(number.unit),
+                         number.logarithmic,
+                         {{number.usual_least, number.usual_most}}});
 }
 
 QString words_of(const char* text) {

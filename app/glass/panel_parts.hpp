@@ -8,10 +8,15 @@ class QGridLayout;
 class QVBoxLayout;
 class QWidget;
 
+namespace pastoso::panels {
+class ValueRow;
+}
+
 namespace pastoso::glass {
 
+using panels::ValueRow;
+
 class GlassChooser;
-class NumberRow;
 
 /// The actions on the page of any liquid.
 struct GlassActions {
@@ -43,8 +48,8 @@ struct NumberWords {
 };
 
 /// A row for it at the end of a grid; name and limits, in SI, are those that it has in files.
-NumberRow* add_number(QGridLayout* grid, const NumberWords& number, const char* name, double least,
-                      double most);
+ValueRow* add_number(QGridLayout* grid, const NumberWords& number, const char* name, double least,
+                     double most);
 
 /// Words of a table in the language of the window.
 QString words_of(const char* text);

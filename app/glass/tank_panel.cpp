@@ -1,8 +1,8 @@
 #include "glass/tank_panel.hpp"
 
 #include "glass/glass_chooser.hpp"
-#include "glass/number_row.hpp"
 #include "panels/parts/section.hpp"
+#include "panels/parts/value_row.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -76,16 +76,17 @@ void TankPanel::add_balls(QVBoxLayout* column, const TankActions& actions) {
     QVBoxLayout* section = section_under(column, tr("Balls and drain"));
     section->addWidget(panels::button_row({actions.ball, actions.drain}));
     QGridLayout* grid = rows_under(section);
-    radius_ = new NumberRow(grid, QStringLiteral("ball_radius"), tr("Ball's radius"),
-                            tr("How large the ball is that falls where you press"),
-                            {0.1, 1e4, 5.0, 100.0, 1, tr(" mm"), true});
-    milk_ = new NumberRow(grid, QStringLiteral("ball_milk"), tr("Milk in it"),
-                          tr("How much of the ball is milk"), {0.0, 100.0, 0.0, 100.0, 0, tr(" %")});
-    connect(radius_, &NumberRow::chosen, this, [this](double value) {
+    radius_ = new ValueRow(grid, QStringLiteral("ball_radius"), tr("Ball's radius"),
+                           tr("How large the ball is that falls where you press"),
+                           {0.1, 1e4, 1, tr(" mm"), true, {{5.0, 100.0}}});
+    milk_ = new ValueRow(grid, QStringLiteral("ball_milk"), tr("Milk in it"),
+                         tr("How much of the ball is milk"),
+                         {0.0, 100.0, 0, tr(" %"), false, {{0.0, 100.0}}});
+    connect(radius_, &ValueRow::chosen, this, [this](double value) {
         ball_.radius_m = static_cast<float>(1e-3 * value);
         Q_EMIT ball_changed(ball_);
     });
-    connect(milk_, &NumberRow::chosen, this, [this](double value) {
+    connect(milk_, &ValueRow::chosen, this, [this](double value) {
         ball_.milk = static_cast<float>(1e-2 * value);
         Q_EMIT ball_changed(ball_);
     });
@@ -97,16 +98,16 @@ void TankPanel::add_wind(QVBoxLayout* column, const TankActions& actions) {
     section->addWidget(
         panels::icon_row({actions.left, actions.right, actions.stronger, actions.weaker}));
     QGridLayout* grid = rows_under(section);
-    speed_ = new NumberRow(grid, QStringLiteral("wind_speed"), tr("Speed"), tr("How fast the air goes"),
-                           {0.0, tank::kMostSpeed_m_s, 0.0, 20.0, 1, tr(" m/s")});
-    direction_ = new NumberRow(grid, QStringLiteral("wind_direction"), tr("Blows to"),
-                               tr("0 to the right along the front, 90 away from it"),
-                               {-360.0, 360.0, -180.0, 180.0, 0, tr("°")});
-    drag_ = new NumberRow(grid, QStringLiteral("wind_drag"), tr("Drags"),
-                          tr("How firmly it takes the liquid's surface along"),
-                          {0.0, 1e4, 0.0, 50.0, 1, tr(" /s")});
-    const auto take = [this](NumberRow* row, double session::TankWind::*number) {
-        connect(row, &NumberRow::chosen, this, [this, number](double value) {
+    speed_ = new ValueRow(grid, QStringLiteral("wind_speed"), tr("Speed"), tr("How fast the air goes"),
+                          {0.0, tank::kMostSpeed_m_s, 1, tr(" m/s"), false, {{0.0, 20.0}}});
+    direction_ = new ValueRow(grid, QStringLiteral("wind_direction"), tr("Blows to"),
+                              tr("0 to the right along the front, 90 away from it"),
+                              {-360.0, 360.0, 0, tr("°"), false, {{-180.0, 180.0}}});
+    drag_ = new ValueRow(grid, QStringLiteral("wind_drag"), tr("Drags"),
+                         tr("How firmly it takes the liquid's surface along"),
+                         {0.0, 1e4, 1, tr(" /s"), false, {{0.0, 50.0}}});
+    const auto take = [this](ValueRow* row, double session::TankWind::*number) {
+        connect(row, &ValueRow::chosen, this, [this, number](double value) {
             wind_.*number = value;
             Q_EMIT wind_changed(wind_);
         });
@@ -142,8 +143,8 @@ void TankPanel::add_numbers(QVBoxLayout* column) {
     QGridLayout* grid = rows_under(section_under(column, tr("Liquid")));
     for (const TankRow& row : kRows) {
         const tank::TankNumber& number = number_of(row);
-        NumberRow* shown = add_number(grid, row.shown, number.key, number.least, number.most);
-        connect(shown, &NumberRow::chosen, this, [this, &row](double value) {
+        ValueRow* shown = add_number(grid, row.shown, number.key, number.least, number.most);
+        connect(shown, &ValueRow::chosen, this, [this, &row](double value) {
             scene_.*row.value = value / row.shown.scale;
             Q_EMIT numbers_changed(scene_);
         });

@@ -58,10 +58,10 @@ class TankPanel : public QWidget {
     session::TankWind wind_;
     TankBall ball_;
     GlassChooser* chooser_ = nullptr;
-    NumberRow *radius_ = nullptr, *milk_ = nullptr;
+    ValueRow *radius_ = nullptr, *milk_ = nullptr;
     QLabel* recorded_ = nullptr;
-    NumberRow *speed_ = nullptr, *direction_ = nullptr, *drag_ = nullptr;
-    std::vector<NumberRow*> shown_;
+    ValueRow *speed_ = nullptr, *direction_ = nullptr, *drag_ = nullptr;
+    std::vector<ValueRow*> shown_;
 };
 
 }  // namespace pastoso::glass

@@ -1,9 +1,9 @@
 #include "glass/tea_panel.hpp"
 
 #include "glass/glass_chooser.hpp"
-#include "glass/number_row.hpp"
 #include "glass/tea_words.hpp"
 #include "panels/parts/section.hpp"
+#include "panels/parts/value_row.hpp"
 
 #include <utility>
 
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kCells[] = {32, 48, 64, 96, 128};
 
-NumberRow* add_row(QGridLayout* grid, const TeaRow& row) {
+ValueRow* add_row(QGridLayout* grid, const TeaRow& row) {
     const liquid::TeaNumber& number = number_of(row);
     return add_number(grid, row.shown, number.key, number.least, number.most);
 }
@@ -77,7 +77,7 @@ void TeaPanel::add_glass(QVBoxLayout* column, const TeaActions& actions) {
     connect(cells_, &QComboBox::activated, this,
             [this] { settings_.cells = cells_->currentData().toInt(); });
     connect(parcels_, &QSpinBox::valueChanged, this, [this](int count) { settings_.parcels = count; });
-    connect(milk_, &NumberRow::chosen, this,
+    connect(milk_, &ValueRow::chosen, this,
             [this](double ml) { settings_.milk_m3 = ml / poured_milk().shown.scale; });
 }
 
@@ -87,17 +87,17 @@ void TeaPanel::add_force(QVBoxLayout* column, const TeaActions& actions) {
     section->addWidget(
         panels::icon_row({actions.left, actions.right, actions.away, actions.near, actions.recentre}));
     QGridLayout* grid = rows_under(section);
-    swirl_ = new NumberRow(grid, QStringLiteral("swirl_rad_s2"), tr("Around the axis"),
-                           tr("How fast the stirring gets faster; below 0 it goes the other way round"),
-                           {-1e3, 1e3, -20.0, 20.0, 1, tr(" rad/s²")});
-    push_ = new NumberRow(grid, QStringLiteral("push_m_s2"), tr("Downwards"),
-                          tr("A push down along the axis; below 0 it goes up"),
-                          {-1e3, 1e3, -2.0, 2.0, 2, tr(" m/s²")});
-    connect(swirl_, &NumberRow::chosen, this, [this](double value) {
+    swirl_ = new ValueRow(grid, QStringLiteral("swirl_rad_s2"), tr("Around the axis"),
+                          tr("How fast the stirring gets faster; below 0 it goes the other way round"),
+                          {-1e3, 1e3, 1, tr(" rad/s²"), false, {{-20.0, 20.0}}});
+    push_ = new ValueRow(grid, QStringLiteral("push_m_s2"), tr("Downwards"),
+                         tr("A push down along the axis; below 0 it goes up"),
+                         {-1e3, 1e3, 2, tr(" m/s²"), false, {{-2.0, 2.0}}});
+    connect(swirl_, &ValueRow::chosen, this, [this](double value) {
         force_.swirl_rad_s2 = value;
         Q_EMIT force_changed(force_);
     });
-    connect(push_, &NumberRow::chosen, this, [this](double value) {
+    connect(push_, &ValueRow::chosen, this, [this](double value) {
         force_.push_m_s2 = value;
         Q_EMIT force_changed(force_);
     });
@@ -106,8 +106,8 @@ void TeaPanel::add_force(QVBoxLayout* column, const TeaActions& actions) {
 void TeaPanel::add_numbers(QVBoxLayout* column, const TeaSection& section) {
     QGridLayout* grid = rows_under(section_under(column, words_of(section.heading)));
     for (const TeaRow& row : section.rows) {
-        NumberRow* shown = add_row(grid, row);
-        connect(shown, &NumberRow::chosen, this, [this, &row](double value) {
+        ValueRow* shown = add_row(grid, row);
+        connect(shown, &ValueRow::chosen, this, [this, &row](double value) {
             settings_.*row.value = value / row.shown.scale;
             Q_EMIT numbers_changed(settings_);
         });

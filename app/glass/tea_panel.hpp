@@ -51,7 +51,7 @@ class TeaPanel : public QWidget {
 
     struct Shown {
         const TeaRow* row;
-        NumberRow* widget;
+        ValueRow* widget;
     };
 
     liquid::TeaSettings settings_;
@@ -59,7 +59,7 @@ class TeaPanel : public QWidget {
     GlassChooser* chooser_ = nullptr;
     QComboBox* cells_ = nullptr;
     QSpinBox* parcels_ = nullptr;
-    NumberRow *milk_ = nullptr, *swirl_ = nullptr, *push_ = nullptr;
+    ValueRow *milk_ = nullptr, *swirl_ = nullptr, *push_ = nullptr;
     std::vector<Shown> shown_;
 };
 

@@ -69,19 +69,17 @@ QWidget* LightPanel::lamp_section() {
     layout->addWidget(dial_, 0, Qt::AlignHCenter);
     auto* values = new QWidget;
     auto* grid = rows_of(values);
-    azimuth_ = new ValueRow(grid, tr("From"),
+    azimuth_ = new ValueRow(grid, QStringLiteral("lamp_azimuth"), tr("From"),
                             tr("Where the light comes from: 0 right, 90 above, 180 left, 270 below"),
                             {0.0, 360.0, 0, tr("\u00b0")});
-    azimuth_->name(QStringLiteral("lamp_azimuth"));
-    elevation_ = new ValueRow(grid, tr("Height"), tr("Low light rakes over the relief, 90 is overhead"),
+    elevation_ = new ValueRow(grid, QStringLiteral("lamp_height"), tr("Height"),
+                              tr("Low light rakes over the relief, 90 is overhead"),
                               {kLowest_deg, 90.0, 0, tr("\u00b0")});
-    elevation_->name(QStringLiteral("lamp_height"));
     ambient_ =
-        new ValueRow(grid, tr("Even light"),
+        new ValueRow(grid, QStringLiteral("lamp_ambient"), tr("Even light"),
                      tr("The part of the light that comes from all sides; the lamp gives the rest. "
                         "More of it softens the relief"),
                      {0.0, kPercent, 0, tr(" %")});
-    ambient_->name(QStringLiteral("lamp_ambient"));
     layout->addWidget(values);
     const auto moves = [this](ValueRow* row, double shade::Lighting::*part, double scale) {
         connect(row, &ValueRow::chosen, this, [this, part, scale](double value) {
@@ -117,12 +115,11 @@ QWidget* LightPanel::varnish_section() {
     layout->addWidget(finish_);
     auto* values = new QWidget;
     auto* grid = rows_of(values);
-    amount_ = new ValueRow(grid, tr("Amount"), tr("A thin coat evens the gloss only in part"),
-                           {0.0, kPercent, 0, tr(" %")});
-    amount_->name(QStringLiteral("varnish_amount"));
-    yellowing_ = new ValueRow(grid, tr("Aged"), tr("Old varnish turns yellow: 100 % is about a century"),
+    amount_ = new ValueRow(grid, QStringLiteral("varnish_amount"), tr("Amount"),
+                           tr("A thin coat evens the gloss only in part"), {0.0, kPercent, 0, tr(" %")});
+    yellowing_ = new ValueRow(grid, QStringLiteral("varnish_yellowing"), tr("Aged"),
+                              tr("Old varnish turns yellow: 100 % is about a century"),
                               {0.0, kPercent, 0, tr(" %")});
-    yellowing_->name(QStringLiteral("varnish_yellowing"));
     layout->addWidget(values);
     connect(finish_, &QComboBox::activated, this, [this] {
         varnish_.finish = static_cast<shade::Finish>(finish_->currentData().toInt());

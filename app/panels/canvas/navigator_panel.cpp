@@ -28,12 +28,12 @@ NavigatorPanel::NavigatorPanel(const std::vector<QAction*>& nearness,
     auto* grid = new QGridLayout(values);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(4);
-    zoom_ = new ValueRow(grid, tr("Zoom"), tr("Screen pixels for a pixel of the saved picture"),
+    zoom_ = new ValueRow(grid, QStringLiteral("navigator_zoom"), tr("Zoom"),
+                         tr("Screen pixels for a pixel of the saved picture"),
                          {kPercent * least_zoom, kPercent * most_zoom, 1, tr(" %"), true});
-    zoom_->name(QStringLiteral("navigator_zoom"));
-    angle_ = new ValueRow(grid, tr("Turned"), tr("How far the canvas is turned, clockwise"),
-                          {-180.0, 180.0, 1, tr("\u00b0")});
-    angle_->name(QStringLiteral("navigator_angle"));
+    angle_ =
+        new ValueRow(grid, QStringLiteral("navigator_angle"), tr("Turned"),
+                     tr("How far the canvas is turned, clockwise"), {-180.0, 180.0, 1, tr("\u00b0")});
     column->addWidget(values);
     column->addWidget(button_row(nearness));
     column->addWidget(button_row(standing));

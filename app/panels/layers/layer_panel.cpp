@@ -65,10 +65,9 @@ LayerPanel::LayerPanel(const std::vector<QAction*>& buttons, const std::vector<Q
 void LayerPanel::make_opacity_row(QWidget* parent) {
     auto* grid = new QGridLayout(parent);
     grid->setContentsMargins(0, 0, 0, 0);
-    opacity_ =
-        new ValueRow(grid, tr("Opacity"), tr("Fades what its paint does to light; its relief stays"),
-                     {0.0, 100.0, 0, tr(" %")});
-    opacity_->name(QStringLiteral("layer_opacity"));
+    opacity_ = new ValueRow(grid, QStringLiteral("layer_opacity"), tr("Opacity"),
+                            tr("Fades what its paint does to light; its relief stays"),
+                            {0.0, 100.0, 0, tr(" %")});
     connect(opacity_, &ValueRow::chosen, this, [this] {
         faded_ = chosen_;
         fading_.start();

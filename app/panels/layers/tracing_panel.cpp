@@ -49,9 +49,8 @@ TracingPanel::TracingPanel(const std::vector<QAction*>& picture, const std::vect
 void TracingPanel::make_rows(QWidget* parent) {
     auto* grid = new QGridLayout(parent);
     grid->setContentsMargins(0, 0, 0, 0);
-    opacity_ = new ValueRow(grid, tr("Opacity"), tr("How strongly it shows below the paint"),
-                            {0.0, 100.0, 0, tr(" %")});
-    opacity_->name(QStringLiteral("tracing_opacity"));
+    opacity_ = new ValueRow(grid, QStringLiteral("tracing_opacity"), tr("Opacity"),
+                            tr("How strongly it shows below the paint"), {0.0, 100.0, 0, tr(" %")});
     connect(opacity_, &ValueRow::chosen, this, &TracingPanel::value_chosen);
     const auto number = [&](const QString& words, double least_mm, const char* name) {
         auto* box = new QDoubleSpinBox;

@@ -56,12 +56,12 @@ LoadPanel::LoadPanel(const std::vector<QAction*>& actions, QAction* swap, QWidge
     auto* grid = new QGridLayout(values);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(4);
-    fill_ = new ValueRow(grid, tr("Fill"), tr("How full the brush is dipped; little leaves a dry brush"),
+    fill_ = new ValueRow(grid, QStringLiteral("dip_fill"), tr("Fill"),
+                         tr("How full the brush is dipped; little leaves a dry brush"),
                          {5.0, 120.0, 0, tr(" %")});
-    fill_->name(QStringLiteral("dip_fill"));
-    share_ = new ValueRow(grid, tr("Second"), tr("The second paint's share of a half-mixed load"),
-                          {0.0, 100.0, 0, tr(" %")});
-    share_->name(QStringLiteral("dip_share"));
+    share_ =
+        new ValueRow(grid, QStringLiteral("dip_share"), tr("Second"),
+                     tr("The second paint's share of a half-mixed load"), {0.0, 100.0, 0, tr(" %")});
     column->addWidget(bar_);
     column->addWidget(fullness_);
     column->addLayout(buttons);

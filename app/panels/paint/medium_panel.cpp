@@ -83,9 +83,8 @@ QWidget* MediumPanel::numbers(const MediumSection& part) {
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(4);
     for (const MediumRow& number : part.rows) {
-        auto* row =
-            new ValueRow(grid, words_of(number.words), words_of(number.hint), shown_range(number));
-        row->name(QLatin1String(number.name));
+        auto* row = new ValueRow(grid, QLatin1String(number.name), words_of(number.words),
+                                 words_of(number.hint), shown_range(number));
         connect(row, &ValueRow::chosen, this, [this, &number](double value) {
             medium_ = tools::with_number(medium_, number.member, value / number.scale);
             show_numbers(medium_);

@@ -9,15 +9,26 @@
 #include <QSlider>
 
 namespace pastoso::panels {
+namespace {
 
-ValueRow::ValueRow(QGridLayout* grid, const QString& words, const QString& hint, const ValueRange& range)
+SliderScale scale_of(const ValueRange& range) {
+    const ValueRange::Usual ends = range.usual.value_or(ValueRange::Usual{range.least, range.most});
+    return {ends.least, ends.most, range.logarithmic};
+}
+
+}  // namespace
+
+ValueRow::ValueRow(QGridLayout* grid, const QString& name, const QString& words, const QString& hint,
+                   const ValueRange& range)
     : QObject(grid->parentWidget()),
-      scale_{range.least, range.most, range.logarithmic},
+      scale_(scale_of(range)),
       label_(new QLabel(words)),
       slider_(new QSlider(Qt::Horizontal)),
       number_(new QDoubleSpinBox) {
     label_->setObjectName(QStringLiteral("reading"));
     label_->setToolTip(hint);
+    slider_->setObjectName(name + QStringLiteral("_slider"));
+    number_->setObjectName(name);
     slider_->setRange(0, SliderScale::kSteps);
     slider_->setToolTip(hint);
     slider_->setAccessibleName(words);
@@ -73,11 +84,6 @@ void ValueRow::setVisible(bool visible) {
     label_->setVisible(visible);
     slider_->setVisible(visible);
     number_->setVisible(visible);
-}
-
-void ValueRow::name(const QString& name) {
-    slider_->setObjectName(name + QStringLiteral("_slider"));
-    number_->setObjectName(name);
 }
 
 }  // namespace pastoso::panels

@@ -3,6 +3,8 @@
 
 #include "panels/parts/slider_scale.hpp"
 
+#include <optional>
+
 #include <QWidget>
 
 class QDoubleSpinBox;
@@ -13,17 +15,23 @@ class QSlider;
 namespace pastoso::panels {
 
 struct ValueRange {
-    double least = 0.0, most = 1.0;
+    double least = 0.0, most = 1.0;  ///< that may be typed
     int decimals = 0;
     QString unit{};            ///< with the space before it
-    bool logarithmic = false;  ///< the slider goes by equal factors; `least` is above 0
+    bool logarithmic = false;  ///< the slider goes by equal factors; its least value is above 0
+    struct Usual {
+        double least, most;
+    };
+    std::optional<Usual> usual{};  ///< from end to end of the slider, where that is not all
 };
 
 /// Adds a row to a grid: a label, the slider, the number. Owned by the grid's widget.
 class ValueRow : public QObject {
     Q_OBJECT
   public:
-    ValueRow(QGridLayout* grid, const QString& words, const QString& hint, const ValueRange& range);
+    /// `name` is the number's object name; the slider's has "_slider" behind it.
+    ValueRow(QGridLayout* grid, const QString& name, const QString& words, const QString& hint,
+             const ValueRange& range);
 
     double value() const;
 
@@ -32,9 +40,6 @@ class ValueRow : public QObject {
 
     void setEnabled(bool enabled);
     void setVisible(bool visible);
-
-    /// So that tests and style sheets find slider and number.
-    void name(const QString& name);
 
   Q_SIGNALS:
     void chosen(double value);

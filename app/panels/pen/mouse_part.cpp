@@ -18,9 +18,9 @@ MousePart::MousePart(const tools::MouseSettings& mouse, QWidget* parent)
     auto* rows = new QWidget;
     auto* grid = new QGridLayout(rows);
     grid->setContentsMargins(0, 0, 0, 0);
-    auto* pressure = new ValueRow(grid, tr("Pressure"), tr("How hard the brush is pressed"),
+    auto* pressure = new ValueRow(grid, QStringLiteral("mouse_pressure"), tr("Pressure"),
+                                  tr("How hard the brush is pressed"),
                                   {100.0 * tools::kLeastMousePressure, 100.0, 0, tr(" %")});
-    pressure->name(QStringLiteral("mouse_pressure"));
     pressure->show_value(100.0 * mouse_.pressure);
     connect(pressure, &ValueRow::chosen, this, [this](double value) {
         mouse_.pressure = 0.01 * value;
