@@ -55,8 +55,7 @@ struct Table<UseMedium> {
         "use_medium", 1,
         "takes a medium in hand, which the next paint is mixed with. Paint brings viscosity, yield "
         "stress, solids and drying time of its medium along; density, surface tension, contact "
-        "angles, "
-        "slip and the alpha range are those of the medium used last, for all wet paint");
+        "angles, slip and the alpha range are those of the medium used last, for all wet paint");
     static constexpr void fields(auto&& visit) {
         visit(Value<At<&UseMedium::name>>{"name", "medium", Presence::Required});
         visit(Value<At<&UseMedium::own>>{
