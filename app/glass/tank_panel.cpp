@@ -80,8 +80,7 @@ void TankPanel::add_balls(QVBoxLayout* column, const TankActions& actions) {
                            tr("How large the ball is that falls where you press"),
                            {0.1, 1e4, 1, tr(" mm"), true, {{5.0, 100.0}}});
     milk_ = new ValueRow(grid, QStringLiteral("ball_milk"), tr("Milk in it"),
-                         tr("How much of the ball is milk"),
-                         {0.0, 100.0, 0, tr(" %"), false, {{0.0, 100.0}}});
+                         tr("How much of the ball is milk"), {0.0, 100.0, 0, tr(" %")});
     connect(radius_, &ValueRow::chosen, this, [this](double value) {
         ball_.radius_m = static_cast<float>(1e-3 * value);
         Q_EMIT ball_changed(ball_);

@@ -205,7 +205,7 @@ grid::Rect apply_batch(CellBatch& batch, WantedSums wanted, double deposit_share
     if (!empty)
         rule.given = given_paint(held, 1.0 - deposit_share - swap_share, batch.count(), cell_area_mm2);
     rule.dither_seed = dither_seed;
-    alignas(64) ChangeSums gained;  // clearing it took a sixth of this function from other addresses
+    alignas(64) ChangeSums gained;  // across cache lines, clearing it takes a sixth of this function
     for (const CellBatch::TilePart& part : batch.parts()) {
         if (!changes_anything(batch, part)) continue;
         const TileCells cells = {film.thickness.write(part.tile),

@@ -10,7 +10,6 @@
 #include "recordings/recording_json.hpp"
 #include "tools/export_names.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include <QAction>

@@ -1,10 +1,8 @@
 #include "main/files/recorder.hpp"
 
-#include "journal/undo_reach.hpp"
 #include "main/files/replay_window.hpp"
 #include "panels/history/recorder_panel.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include <QMainWindow>
