@@ -1,6 +1,7 @@
 #include "film/support/support.hpp"
 
 #include "core/error.hpp"
+#include "film/support/smooth_noise.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -228,6 +229,18 @@ TEST(ImageSupport, IsMirroredWithItsImage) {
     for (int y = 0; y < 20; ++y) {
         for (int x = 0; x < 30; ++x)
             EXPECT_NEAR(field.at(x, y), other.at(29 - x, 19 - y), finest_level_mm(1.0));
+    }
+}
+
+TEST(NoiseWalk, IsTheNoiseItselfToTheBit) {
+    NoiseWalk walk(5);
+    double x = 0.0, y = 0.0;
+    for (std::uint32_t i = 0; i < 5000; ++i) {
+        // Steps within the same four numbers, to others, and far away, on both sides of 0.
+        const double reach = i % 100 == 0 ? 1000.0 : 0.7;
+        x = (i % 100 == 0 ? 0.0 : x) + reach * (pastoso::core::uniform_noise(i, 1) - 0.5);
+        y = (i % 100 == 0 ? 0.0 : y) + reach * (pastoso::core::uniform_noise(i, 2) - 0.5);
+        ASSERT_EQ(walk.at(x, y), smooth_noise(x, y, 5)) << x << " " << y;
     }
 }
 

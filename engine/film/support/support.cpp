@@ -26,13 +26,19 @@ constexpr double kGessoRelief_mm = 0.02;
 constexpr double kFineBrushMark_mm = 0.3;
 
 /// Brush marks in gesso, long in x and narrow in y, in two widths, over a fine grain.
-float gesso_height(double x_mm, double y_mm) {
-    const double drift_mm = 3.0 * smooth_noise(x_mm / 40.0, y_mm / 60.0, 1);
-    const float broad = smooth_noise(x_mm / 30.0, (y_mm + drift_mm) / 1.2, 2);
-    const float fine = smooth_noise(x_mm / 9.0, (y_mm + drift_mm) / kFineBrushMark_mm, 3);
-    const float grain = smooth_noise(x_mm / 0.6, y_mm / 0.4, 4);
-    return 0.4F * broad + 0.4F * fine + 0.2F * grain;
-}
+class Gesso {
+  public:
+    float height(double x_mm, double y_mm) {
+        const double drift_mm = 3.0 * drift_.at(x_mm / 40.0, y_mm / 60.0);
+        const float broad = broad_.at(x_mm / 30.0, (y_mm + drift_mm) / 1.2);
+        const float fine = fine_.at(x_mm / 9.0, (y_mm + drift_mm) / kFineBrushMark_mm);
+        const float grain = grain_.at(x_mm / 0.6, y_mm / 0.4);
+        return 0.4F * broad + 0.4F * fine + 0.2F * grain;
+    }
+
+  private:
+    NoiseWalk drift_{1}, broad_{2}, fine_{3}, grain_{4};
+};
 
 /// B-spline coefficients of a grey image whose pixels are means over their area.
 class SplineImage {
@@ -113,11 +119,11 @@ SupportHeights panel_support(grid::Shape shape, double cell_mm, double relief_mm
     PASTOSO_CHECK_OP(cell_mm, >, 0.0);
     const int samples = samples_per_cell(cell_mm, kFineBrushMark_mm / 2.0);
     const double first_sample = static_cast<double>(place.x0) * samples;
-    const auto fill_row = [=](double y_cells, std::span<float> heights) {
+    const auto fill_row = [=, gesso = Gesso()](double y_cells, std::span<float> heights) mutable {
         const double step_mm = cell_mm / samples;
         for (std::size_t k = 0; k < heights.size(); ++k) {
             heights[k] =
-                gesso_height((first_sample + static_cast<double>(k) + 0.5) * step_mm, y_cells * cell_mm);
+                gesso.height((first_sample + static_cast<double>(k) + 0.5) * step_mm, y_cells * cell_mm);
         }
     };
     return sampled_in(form, {shape, place.y0}, samples, relief_mm, pool, [&] { return fill_row; });
