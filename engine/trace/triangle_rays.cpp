@@ -2,15 +2,18 @@
 
 #include "core/check.hpp"
 #include "core/error.hpp"
+#include "trace/sheared_ray.hpp"
 
+#include <algorithm>
 #include <embree3/rtcore.h>
+#include <limits>
 #include <string>
 #include <utility>
 
+#include <glm/common.hpp>
+
 namespace pastoso::trace {
 namespace {
-
-static_assert(kNoTriangle == RTC_INVALID_GEOMETRY_ID);
 
 template <auto release>
 struct Release {
@@ -55,11 +58,35 @@ RTCRay embree_ray(const MeshRay& ray) {
     return out;
 }
 
+/// By how much of the mesh's farthest coordinate the boxes around triangles are too wide: the ray meets
+/// a triangle's box before the triangle, however the two are rounded.
+constexpr float kMargin = 1e-6F;
+
+float farthest_coordinate(const liquid::TriangleMesh& mesh) {
+    glm::vec3 farthest(0.0F);
+    for (const glm::vec3& position : mesh.positions_m)
+        farthest = glm::max(farthest, glm::abs(position));
+    return std::max({farthest.x, farthest.y, farthest.z});
+}
+
+/// What the callbacks need of a ray. Embree hands its context on to them, of which this is one.
+struct Query : RTCIntersectContext {
+    explicit Query(const MeshRay& ray)
+        : nearest(ray.nearest), sheared(ray), hit{ray.farthest, 0.0F, 0.0F, kNoTriangle} {
+        rtcInitIntersectContext(this);
+    }
+    float nearest;
+    ShearedRay sheared;
+    MeshHit hit;  ///< the nearest so far; of equally near ones that of the lowest number
+};
+
 }  // namespace
 
 struct TriangleRays::State {
     State(liquid::TriangleMesh given, core::Isa isa)
-        : mesh(std::move(given)), device(rtcNewDevice(configuration(isa).c_str())) {
+        : mesh(std::move(given)),
+          margin(kMargin * farthest_coordinate(mesh)),
+          device(rtcNewDevice(configuration(isa).c_str())) {
         check_error(device.get(), mesh.triangles.size());
         scene.reset(rtcNewScene(device.get()));
         check_error(device.get(), mesh.triangles.size());
@@ -73,23 +100,60 @@ struct TriangleRays::State {
         check_error(device.get(), mesh.triangles.size());
     }
 
-    /// Embree reads the mesh where it is, four floats for each position: one more must follow the last.
     void attach_mesh() {
-        const std::size_t positions = mesh.positions_m.size();
-        mesh.positions_m.emplace_back(0.0F);
-        const Geometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+        const Geometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER));
         check_error(device.get(), mesh.triangles.size());
-        rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                   mesh.positions_m.data(), 0, sizeof(glm::vec3), positions);
-        rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                   mesh.triangles.data(), 0, sizeof(mesh.triangles[0]),
-                                   mesh.triangles.size());
+        rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(mesh.triangles.size()));
+        rtcSetGeometryUserData(geometry.get(), this);
+        rtcSetGeometryBoundsFunction(geometry.get(), &bound, nullptr);
+        rtcSetGeometryIntersectFunction(geometry.get(), &intersect);
+        rtcSetGeometryOccludedFunction(geometry.get(), &occlude);
         rtcCommitGeometry(geometry.get());
         rtcAttachGeometry(scene.get(), geometry.get());
         check_error(device.get(), mesh.triangles.size());
     }
 
+    static void bound(const RTCBoundsFunctionArguments* asked) {
+        const auto& state = *static_cast<const State*>(asked->geometryUserPtr);
+        const auto& [a, b, c] = state.mesh.triangles[asked->primID];
+        const glm::vec3 &pa = state.mesh.positions_m[a], &pb = state.mesh.positions_m[b],
+                        &pc = state.mesh.positions_m[c];
+        const glm::vec3 low = glm::min(pa, glm::min(pb, pc)) - state.margin,
+                        high = glm::max(pa, glm::max(pb, pc)) + state.margin;
+        *asked->bounds_o = {low.x, low.y, low.z, 0.0F, high.x, high.y, high.z, 0.0F};
+    }
+
+    /// Takes the triangle for the query's nearest where it is that.
+    bool meet(std::uint32_t triangle, Query& query) const {
+        const auto& [a, b, c] = mesh.triangles[triangle];
+        MeshHit met{0.0F, 0.0F, 0.0F, triangle};
+        if (!query.sheared.meets(mesh.positions_m[a], mesh.positions_m[b], mesh.positions_m[c], met))
+            return false;
+        const bool counts = met.distance > query.nearest &&
+                            (met.distance < query.hit.distance ||
+                             (met.distance == query.hit.distance && triangle < query.hit.triangle));
+        if (counts) query.hit = met;
+        return counts;
+    }
+
+    // Embree asks with one ray each time, and for a box that it has met.
+
+    static void intersect(const RTCIntersectFunctionNArguments* asked) {
+        const auto& state = *static_cast<const State*>(asked->geometryUserPtr);
+        auto& query = *static_cast<Query*>(asked->context);
+        auto& found = *reinterpret_cast<RTCRayHit*>(asked->rayhit);
+        if (state.meet(asked->primID, query)) found.ray.tfar = query.hit.distance;
+    }
+
+    static void occlude(const RTCOccludedFunctionNArguments* asked) {
+        const auto& state = *static_cast<const State*>(asked->geometryUserPtr);
+        auto& query = *static_cast<Query*>(asked->context);
+        auto& ray = *reinterpret_cast<RTCRay*>(asked->ray);
+        if (state.meet(asked->primID, query)) ray.tfar = -std::numeric_limits<float>::infinity();
+    }
+
     liquid::TriangleMesh mesh;
+    float margin;
     Device device;
     EmbreeScene scene;
 };
@@ -107,25 +171,23 @@ const liquid::TriangleMesh& TriangleRays::mesh() const {
 }
 
 MeshHit TriangleRays::closest(const MeshRay& ray) const {
-    if (empty()) return {ray.farthest, 0.0F, 0.0F, kNoTriangle};
-    RTCRayHit query;
-    query.ray = embree_ray(ray);
-    query.hit.geomID = query.hit.primID = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    query.hit.u = query.hit.v = 0.0F;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(state_->scene.get(), &context, &query);
-    return {query.ray.tfar, query.hit.u, query.hit.v, query.hit.primID};
+    Query query(ray);
+    if (empty()) return query.hit;
+    RTCRayHit found;
+    found.ray = embree_ray(ray);
+    found.hit.geomID = found.hit.primID = RTC_INVALID_GEOMETRY_ID;
+    found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    found.hit.u = found.hit.v = 0.0F;
+    rtcIntersect1(state_->scene.get(), &query, &found);
+    return query.hit;
 }
 
 bool TriangleRays::anything_between(const MeshRay& ray) const {
     if (empty()) return false;
-    RTCRay query = embree_ray(ray);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(state_->scene.get(), &context, &query);
-    return query.tfar < 0.0F;
+    Query query(ray);
+    RTCRay found = embree_ray(ray);
+    rtcOccluded1(state_->scene.get(), &query, &found);
+    return query.hit.triangle != kNoTriangle;
 }
 
 }  // namespace pastoso::trace

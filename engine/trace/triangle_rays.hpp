@@ -1,4 +1,5 @@
-// Where rays meet the triangles of a mesh, found by Embree 3. No other file knows Embree.
+// Where rays meet the triangles of a mesh. Embree 3 finds the triangles that a ray comes near; where it
+// meets them is computed here, to the same bits on every instruction set. No other file knows Embree.
 #pragma once
 
 #include "core/isa.hpp"
@@ -28,19 +29,19 @@ class TriangleRays {
     /// Without triangles: nothing is ever met.
     TriangleRays();
     /// Every triangle must be of positions that exist, none of them beyond 1e18. Embree's code is that
-    /// for `isa`, and what it finds has other last bits in each. Built on the calling thread. Throws
-    /// InputError when memory runs out.
+    /// for `isa`. Built on the calling thread. Throws InputError when memory runs out.
     explicit TriangleRays(liquid::TriangleMesh mesh, core::Isa isa = core::best_isa());
     ~TriangleRays();
     TriangleRays(TriangleRays&&) noexcept;
     TriangleRays& operator=(TriangleRays&&) noexcept;
 
     bool empty() const { return state_ == nullptr; }
-    /// What the constructor was given, and behind it one position that belongs to no triangle.
+    /// What the constructor was given.
     const liquid::TriangleMesh& mesh() const;
 
-    /// The nearest triangle on the way; triangle = kNoTriangle and distance = ray.farthest when there is
-    /// none. Neighbouring triangles leave no gap between them.
+    /// The nearest triangle on the way, of equally near ones the first of the mesh; triangle =
+    /// kNoTriangle and distance = ray.farthest when there is none. Neighbouring triangles leave no gap
+    /// between them.
     MeshHit closest(const MeshRay& ray) const;
     /// Whether any triangle is on the way.
     bool anything_between(const MeshRay& ray) const;
