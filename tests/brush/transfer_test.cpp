@@ -29,13 +29,10 @@ Contact contact_at(double x_mm, double y_mm) {
     return contact;
 }
 
-StepRates rates_of(const Brush& brush, double step_mm = 0.2) {
-    return step_rates(brush, HandPose{}, step_mm, kCell_mm);
-}
-
-grid::Rect touch(Brush& brush, film::FilmState& film, const Contact& contact) {
+grid::Rect touch(Brush& brush, film::FilmState& film, const Contact& contact,
+                 const HandPose& hand = HandPose{}) {
     CellBatch scratch;
-    const StepRates rates = rates_of(brush);
+    const StepRates rates = step_rates(brush, hand, 0.2, kCell_mm);
     const ExchangeRule rule = exchange_rule(brush, 0, contact, rates);
     return apply_touch(brush, 0, plan_touch(rule, contact, rates, film, scratch), 1, film, scratch);
 }
@@ -86,6 +83,31 @@ TEST(Exchange, TakesPaintInTheWay) {
     after += brush.contents();
     EXPECT_LT(studio::balance_error(after, before), 1e-14);
     EXPECT_LT(studio::thickness_mm(film, 32, 32), 0.5);
+}
+
+// What the dynamics make of the pen's pressure, tilt and speed.
+TEST(StepRates, AreThePresetsNumbersTimesTheHandsFactors) {
+    const Brush brush = small_brush();
+    HandPose hand;
+    hand.film = 0.5;
+    hand.reach = 0.25;
+    hand.pickup = 2.0;
+    const StepRates rates = step_rates(brush, hand, 0.2, kCell_mm);
+    EXPECT_FLOAT_EQ(rates.film_mm, static_cast<float>(0.5 * brush.preset.paint.film_mm));
+    EXPECT_FLOAT_EQ(rates.reach, static_cast<float>(0.25 * brush.preset.paint.reach));
+    EXPECT_FLOAT_EQ(rates.pickup, static_cast<float>(2.0 * brush.preset.exchange.pickup));
+    hand.pickup = 1000.0;
+    EXPECT_EQ(step_rates(brush, hand, 0.2, kCell_mm).pickup, 1.0F);
+}
+
+TEST(Exchange, AHandThatTakesNothingUpLeavesPaintInTheWay) {
+    Brush brush(studio::flat_preset(2.0, 4));
+    film::FilmState film = studio::smooth(8.0, 8.0);
+    studio::cover(film, 0.5, studio::light_paint());
+    HandPose hand;
+    hand.pickup = 0.0;
+    EXPECT_TRUE(touch(brush, film, contact_at(4.0, 4.0), hand).empty());
+    EXPECT_EQ(brush.held[0].volume_mm3, 0.0);
 }
 
 TEST(Exchange, SwapsColourWithoutMovingVolume) {

@@ -113,6 +113,18 @@ TEST(LiquidTank, ADrainEmptiesWhatLiesAboveIt) {
     EXPECT_LT(volume_m3(tank), 0.02);  // a film of less than half a cell
 }
 
+TEST(LiquidTank, ADrainShutsAtItsTime) {
+    TankScene scene = dam(16, {1.0F, 1.0F, 0.3F});
+    scene.drains.push_back({block({0.4F, 0.4F, 0.0F}, {0.6F, 0.6F, 0.1F}), 0.0, 0.2});
+    core::ThreadPool pool(2);
+    LiquidTank tank(scene);
+    tank.advance_to(0.2, pool);
+    const double left_m3 = volume_m3(tank);
+    EXPECT_LT(left_m3, 0.29);
+    tank.advance_to(0.5, pool);
+    EXPECT_EQ(volume_m3(tank), left_m3);
+}
+
 TEST(LiquidTank, WindPushesWhereItPoints) {
     core::ThreadPool pool(2);
     for (const double direction_deg : {0.0, 90.0, 225.0}) {
