@@ -50,7 +50,7 @@ LivingPainting::LivingPainting(const PaintingState& state, core::ThreadPool& thr
     canvas.solver.restore(state.solver);
     if (!value.well) return;
     PASTOSO_CHECK(value.well->shape == bare_well().shape);
-    used_well().restore(state.well_solver);
+    make_well_solver().restore(state.well_solver);
 }
 
 PaintingState LivingPainting::state() const {
@@ -103,12 +103,14 @@ void LivingPainting::touch_brush() {
 
 film::Solver& LivingPainting::used_well() {
     if (!value.well) value.well = bare_well();
-    if (!well_solver) {
-        well_solver.emplace(*value.well, medium, kWellSolving, pool);
-        value.well->consistencies.add(well_solver->consistency());
-        well_solver->set_gravity(film::tilted_gravity(0.0));
-    }
+    if (!well_solver) value.well->consistencies.add(make_well_solver().consistency());
     share_consistencies();
+    return *well_solver;
+}
+
+film::Solver& LivingPainting::make_well_solver() {
+    well_solver.emplace(*value.well, medium, kWellSolving, pool);
+    well_solver->set_gravity(film::tilted_gravity(0.0));
     return *well_solver;
 }
 

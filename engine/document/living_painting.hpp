@@ -79,6 +79,7 @@ struct LivingPainting {
     film::AdvanceReport film_report;
 
   private:
+    film::Solver& make_well_solver();
     /// What lies on one surface, the brush may carry to the other.
     void share_consistencies();
     void age();

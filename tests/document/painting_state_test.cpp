@@ -1,6 +1,9 @@
 // A painting that is made again of its state goes on as if nothing had happened.
 #include "document/painting_state.hpp"
 
+#include "core/error.hpp"
+#include "document/hasty_painter.hpp"
+#include "document/painting.hpp"
 #include "document/player.hpp"
 #include "document/well_session.hpp"
 #include "film/state.hpp"
@@ -96,6 +99,35 @@ TEST(PaintingState, DryingPaintAndARagGoOnToTheSameBits) {
         bool changed = false;
         EXPECT_EQ(hash_with_change_at(recording, tick, changed), whole.state_hash()) << tick;
         EXPECT_TRUE(changed) << tick;
+    }
+}
+
+film::Consistencies well_of(const PaintingState& state) {
+    return state.value.well ? state.value.well->consistencies : film::Consistencies{};
+}
+
+// To take a painting up again is to change nothing: whatever came before, layers, several media and a
+// well among it.
+TEST(PaintingState, MakesTheSamePaintingAgainAfterAnyAction) {
+    core::ThreadPool pool(2);
+    for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+        Painting painting(hasty_canvas(), pool);
+        HastyPainter painter(seed);
+        for (int turn = 0; turn < 60; ++turn) {
+            for (const Action& action : painter.next()) {
+                try {
+                    painting.apply(action);
+                } catch (const core::InputError&) {
+                    continue;  // there is no such layer, or nothing that could be done
+                }
+                if (std::holds_alternative<PenUp>(action)) painting.advance_tick();
+            }
+            const PaintingState state = painting.state();
+            const PaintingState again = Painting(state, pool).state();
+            ASSERT_EQ(state_hash(again), state_hash(state)) << "turn " << turn << " of seed " << seed;
+            ASSERT_EQ(again.value.film.consistencies, state.value.film.consistencies);
+            ASSERT_EQ(well_of(again), well_of(state));
+        }
     }
 }
 

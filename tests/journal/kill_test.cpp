@@ -2,12 +2,13 @@
 // follows from a seed: its journal soon holds what was done, and what it holds comes back, to the bit.
 #include "core/random.hpp"
 #include "core/text_file.hpp"
+#include "document/hasty_painter.hpp"
 #include "document/painting.hpp"
 #include "document/player.hpp"
 #include "files/temporary_folder.hpp"
-#include "journal/hasty_actions.hpp"
 #include "journal/journal_file.hpp"
 #include "journal/recovery.hpp"
+#include "journal/restless_painter.hpp"
 #include "patience.hpp"
 
 #include <fstream>
@@ -129,7 +130,7 @@ class Kill : public files::TemporaryFolder {
     std::size_t expect_hasty(const document::Recording& strokes, const document::Recording& past,
                              std::uint32_t seed) {
         EXPECT_TRUE(std::equal(past.events.begin(), past.events.end(), strokes.events.begin()));
-        HastyPainter painter(seed);
+        document::HastyPainter painter(seed);
         std::vector<Action> actions;
         std::size_t done = 0;
         const auto skip_to = [&](const Action* wanted) {

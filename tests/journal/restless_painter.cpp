@@ -1,7 +1,9 @@
 // restless_painter FOLDER SEED [PROJECT]: paints in a session with a journal until it is killed, saving
 // now and then, and tells in a file how far it is: lines of "actions events ticks" of what is certainly
 // applied. An action that changes nothing, as Undo at the beginning, is no event of the recording.
-#include "journal/hasty_actions.hpp"
+#include "journal/restless_painter.hpp"
+
+#include "document/hasty_painter.hpp"
 #include "journal/recovery.hpp"
 #include "project/project.hpp"
 #include "session/paint_session.hpp"
@@ -23,7 +25,7 @@ constexpr journal::Pace kHurried = {.replay_s = 0.02, .idle_s = 0.2, .rests = 0.
 
 std::unique_ptr<session::PaintSession> started(const fs::path& folder, const fs::path& project) {
     auto pool = std::make_unique<core::ThreadPool>(2);
-    journal::Beginning beginning{.canvas = journal::hasty_canvas()};
+    journal::Beginning beginning{.canvas = document::hasty_canvas()};
     std::unique_ptr<document::Painting> painting;
     document::Recording past;
     if (project.empty()) {
@@ -63,7 +65,7 @@ class Saver {
 
 [[noreturn]] void paint(const fs::path& folder, std::uint32_t seed, const fs::path& project) {
     const auto session = started(folder, project);
-    journal::HastyPainter painter(seed);
+    document::HastyPainter painter(seed);
     Saver saver(*session, folder / journal::kSavedName);
     std::ofstream progress(folder / journal::kProgressName);
     std::size_t done = 0;

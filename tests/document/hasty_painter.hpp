@@ -5,18 +5,12 @@
 #include "document/events.hpp"
 
 #include <memory>
-#include <string>
 #include <vector>
 
-namespace pastoso::journal {
+namespace pastoso::document {
 
-/// Where the painting program saves to, keeps its journals and tells how far it is, in its folder.
-inline constexpr const char* kSavedName = "saved.pastoso";
-inline constexpr const char* kJournalsName = "journals";
-inline constexpr const char* kProgressName = "progress";
-
-inline document::CanvasSettings hasty_canvas() {
-    document::CanvasSettings canvas;
+inline CanvasSettings hasty_canvas() {
+    CanvasSettings canvas;
     canvas.width_mm = 60.0;
     canvas.height_mm = 40.0;
     canvas.px_per_mm = 2.0;
@@ -29,8 +23,7 @@ class HastyPainter {
 
     /// What is done next: a stroke as a rule, now and then Undo, Redo, DryNow, other paint, the well,
     /// layers, selections, tracing pictures.
-    std::vector<document::Action> next() {
-        using namespace document;
+    std::vector<Action> next() {
         if (!began_) {
             began_ = true;
             return {UseMedium{"soft-body acrylic"}, TiltCanvas{50, 90}, TakeBrush{"flat", 8, 1}, dip()};
@@ -70,21 +63,21 @@ class HastyPainter {
             pigment::Picture{1, 2, {255, 0, 0, 255, 0, 0, static_cast<std::uint8_t>(choice(256)), 128}});
     }
 
-    document::Action own_medium() {
+    Action own_medium() {
         film::Medium medium = film::find_medium("soft-body acrylic");
         medium.yield_stress_Pa = 30.0 * uniform();
-        return document::UseMedium{medium.name, medium};
+        return UseMedium{medium.name, medium};
     }
 
-    document::Action dip() {
+    Action dip() {
         static constexpr const char* kPaints[] = {"PR108", "PY35", "PB29"};
-        document::LoadPaint load;
+        LoadPaint load;
         load.paint.ingredients = {{kPaints[choice(3)], 1.0}};
         return load;
     }
 
-    std::vector<document::Action> stroke(document::Surface surface) {
-        std::vector<document::Action> actions;
+    std::vector<Action> stroke(Surface surface) {
+        std::vector<Action> actions;
         const double x_mm = 50.0 * uniform(), y_mm = 40.0 * uniform();
         const int samples = 5 + choice(60);
         for (int i = 0; i < samples; ++i) {
@@ -94,11 +87,11 @@ class HastyPainter {
             sample.y_mm = y_mm + 3.0 * uniform();
             sample.pressure = 0.3 + 0.5 * uniform();
             if (i == 0)
-                actions.emplace_back(document::PenDown{sample, surface});
+                actions.emplace_back(PenDown{sample, surface});
             else
-                actions.emplace_back(document::PenMove{sample});
+                actions.emplace_back(PenMove{sample});
         }
-        actions.emplace_back(document::PenUp{});
+        actions.emplace_back(PenUp{});
         return actions;
     }
 
@@ -108,4 +101,4 @@ class HastyPainter {
     double time_s_ = 0.0;
 };
 
-}  // namespace pastoso::journal
+}  // namespace pastoso::document
