@@ -97,9 +97,10 @@ void CanvasView::wheelEvent(QWheelEvent* event) {
     follow_pointer(event->position());
 }
 
+/// Draws at once, so the canvas is fitted before.
 void CanvasView::resizeEvent(QResizeEvent* event) {
-    QOpenGLWidget::resizeEvent(event);
     if (fitted_) fit();
+    QOpenGLWidget::resizeEvent(event);
     place_legend();
     Q_EMIT view_changed();
 }

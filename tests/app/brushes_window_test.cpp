@@ -270,6 +270,26 @@ TEST_F(BrushesWindow, TheBrushInHandIsInView) {
     EXPECT_TRUE(list().viewport()->rect().contains(list().visualItemRect(list().currentItem())));
 }
 
+TEST_F(BrushesWindow, ThumbnailsAreWantedOnceTheirRowsAreSeen) {
+    std::vector<panels::BrushEntry> entries;
+    for (int i = 0; i < 60; ++i)
+        entries.push_back({QString::number(i), QStringLiteral("Family")});
+    panels::BrushList many;
+    std::vector<int> wanted;
+    QObject::connect(&many, &panels::BrushList::thumbnail_wanted, &many,
+                     [&](int entry) { wanted.push_back(entry); });
+    many.show_entries(entries);
+    many.resize(200, 300);
+    many.show();
+    EXPECT_TRUE(wanted.empty()) << "it does not stand on the screen yet";
+    wait_for([&] { return !wanted.empty(); });
+    EXPECT_EQ(wanted.front(), 0);
+    EXPECT_LT(wanted.size(), 20U);
+    many.scrollToBottom();
+    wait_for([&] { return wanted.back() == 59; });
+    EXPECT_LT(wanted.size(), 40U);
+}
+
 TEST_F(BrushesWindow, AKeptBrushIsListedAndTakenAndComesBackWithTheProgram) {
     EXPECT_FALSE(studio().commands().action(Command::RenameBrush)->isEnabled());
     studio().easel().set_brush_width(12.0);

@@ -4,6 +4,7 @@
 #include "main/window_parts.hpp"
 
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include <QAction>
@@ -40,6 +41,17 @@ TEST_F(Navigation, TheWheelKeepsThePointUnderTheCursor) {
         EXPECT_NEAR(after.y, before.y, 1e-6);
     }
     EXPECT_GT(canvas().view_transform().zoom, 1.0);
+}
+
+TEST_F(Navigation, AFittedCanvasIsDrawnWhereItLiesInTheWindowThatBecameLarger) {
+    const view::ViewTransform before = canvas().view_transform();
+    std::optional<view::ViewTransform> drawn;
+    // Comes between the new size and the frame that is drawn at once.
+    QObject::connect(&canvas(), &QOpenGLWidget::resized, &canvas(), [&] { drawn = canvas().view_transform(); });
+    window().resize(window().size() + QSize(60, 40));
+    wait_for([&] { return drawn.has_value(); });
+    EXPECT_FALSE(*drawn == before);
+    EXPECT_TRUE(*drawn == canvas().view_transform());
 }
 
 TEST_F(Navigation, SpaceAndDragMoveTheCanvasAndPaintNothing) {

@@ -3,7 +3,6 @@
 #include "appearance/shown_names.hpp"
 
 #include <QPixmap>
-#include <QScrollBar>
 
 namespace pastoso::panels {
 namespace {
@@ -27,7 +26,6 @@ BrushList::BrushList(QWidget* parent) : QListWidget(parent) {
     };
     connect(this, &QListWidget::itemClicked, this, take);
     connect(this, &QListWidget::itemActivated, this, take);
-    connect(verticalScrollBar(), &QScrollBar::valueChanged, this, &BrushList::ask_for_thumbnails);
 }
 
 void BrushList::show_entries(const std::vector<BrushEntry>& entries) {
@@ -40,7 +38,6 @@ void BrushList::show_entries(const std::vector<BrushEntry>& entries) {
         add_entry(entry);
         asked_[items_.size() - 1] = !entry.fault.isEmpty();
     }
-    ask_for_thumbnails();
 }
 
 void BrushList::add_entry(const BrushEntry& entry) {
@@ -89,12 +86,16 @@ void BrushList::set_thumbnail(const QString& name, const QImage& image) {
 void BrushList::showEvent(QShowEvent* event) {
     QListWidget::showEvent(event);
     scroll_to_current();
-    ask_for_thumbnails();
 }
 
 void BrushList::resizeEvent(QResizeEvent* event) {
     QListWidget::resizeEvent(event);
     scroll_to_current();
+}
+
+/// A row that is painted is seen; while the window is still being laid out, none is.
+void BrushList::paintEvent(QPaintEvent* event) {
+    QListWidget::paintEvent(event);
     ask_for_thumbnails();
 }
 
@@ -105,7 +106,6 @@ void BrushList::scroll_to_current() {
 }
 
 void BrushList::ask_for_thumbnails() {
-    if (!isVisible()) return;
     for (std::size_t entry = 0; entry < items_.size(); ++entry) {
         if (asked_[entry] || !viewport()->rect().intersects(visualItemRect(items_[entry]))) continue;
         asked_[entry] = true;

@@ -43,6 +43,7 @@ class BrushList : public QListWidget {
   protected:
     void showEvent(QShowEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
 
   private:
     void add_heading(const QString& family);
