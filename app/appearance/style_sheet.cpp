@@ -9,6 +9,7 @@ QToolTip { background: <field>; color: <text>; border: 1px solid <line>; padding
 QLabel#heading { font-weight: 600; color: <quiet_text>; }
 QLabel#reading { color: <quiet_text>; }
 QLabel#canvas_note { background: <window>; color: <text>; border: 1px solid <line>; border-radius: 4px; padding: 5px 9px; }
+QFrame#message_bar { background: <window>; border: 1px solid <warning>; border-left: 5px solid <warning>; border-radius: 4px; }
 QToolBar { background: <window>; border: none; border-bottom: 1px solid <edge>; spacing: 4px; padding: 4px; }
 QMenuBar { background: <window>; border-bottom: 1px solid <edge>; }
 QMenuBar::item { padding: 5px 10px; background: transparent; }

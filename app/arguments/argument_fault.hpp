@@ -18,4 +18,15 @@ inline std::string argument_fault(const CLI::App& program, const CLI::ParseError
     return fault + " (" + program.get_name() + " --help shows what there is).";
 }
 
+/// The first option that stands with an equals sign and nothing after it, "--output="; empty where there
+/// is none. CLI11 would take the next word for its value.
+inline std::string option_without_value(int argc, const char* const* argv) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        if (word == "--") break;
+        if (word.starts_with("--") && word.find('=') + 1 == word.size()) return word;
+    }
+    return {};
+}
+
 }  // namespace pastoso::arguments

@@ -1,14 +1,14 @@
 #include "cli/convert.hpp"
 
 #include "cli/export.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/printing.hpp"
 #include "cli/usage_error.hpp"
 #include "core/number_text.hpp"
 #include "core/thread_pool.hpp"
 #include "document/canvas.hpp"
 #include "files/file_access.hpp"
 #include "project/import_open_raster.hpp"
-
-#include <cstdio>
 
 namespace pastoso::cli {
 namespace {
@@ -50,9 +50,9 @@ void print_canvas(const ConvertOptions& options, const document::PaintingState& 
     const document::CanvasSettings& canvas = painting.value.bare->settings;
     const grid::Shape shape = document::canvas_shape(canvas);
     const std::size_t layers = painting.value.layers.layers.size();
-    std::printf("%s: %s x %s mm, %d x %d cells, %zu %s\n", options.output.c_str(),
-                number_text(canvas.width_mm).c_str(), number_text(canvas.height_mm).c_str(), shape.width,
-                shape.height, layers, layers == 1 ? "layer" : "layers");
+    print("%s: %s x %s mm, %d x %d cells, %zu %s\n", options.output.c_str(),
+          number_text(canvas.width_mm).c_str(), number_text(canvas.height_mm).c_str(), shape.width,
+          shape.height, layers, layers == 1 ? "layer" : "layers");
 }
 
 }  // namespace
@@ -64,11 +64,13 @@ void run_convert(const ConvertOptions& options) {
     }
     if (!project::is_project_path(options.output))
         throw UsageError("a picture becomes a painting: name the second file NAME.pastoso.");
+    watch_for_interrupts();
     files::check_writable(options.output);
     core::ThreadPool pool(options.threads);
     const project::LoadedProject project = imported(options, pool);
     for (const std::string& note : project.notes)
-        std::fprintf(stderr, "pastoso-cli: %s\n", note.c_str());
+        complain(note);
+    stop_if_interrupted();
     project::save_project(options.output, project, pool);
     print_canvas(options, project.painting);
 }

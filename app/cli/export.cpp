@@ -1,6 +1,7 @@
 #include "cli/export.hpp"
 
 #include "cli/interrupt.hpp"
+#include "cli/printing.hpp"
 #include "cli/progress.hpp"
 #include "cli/usage_error.hpp"
 #include "core/number_text.hpp"
@@ -56,18 +57,18 @@ std::vector<recordings::ExportChoice> choices_of(const ExportOptions& options) {
     return choices;
 }
 
-void print(const recordings::ExportChoice& choice, const recordings::ExportReport& report) {
+void tell(const recordings::ExportChoice& choice, const recordings::ExportReport& report) {
     if (choice.kind == recordings::ExportKind::Relief) {
-        std::printf("%s: %zu triangles, %s x %s mm\n", choice.path.c_str(), report.triangles,
-                    number_text(report.width_mm).c_str(), number_text(report.height_mm).c_str());
+        print("%s: %zu triangles, %s x %s mm\n", choice.path.c_str(), report.triangles,
+              number_text(report.width_mm).c_str(), number_text(report.height_mm).c_str());
         return;
     }
     for (const auto& file : report.files)
-        std::printf("%s: %d x %d pixels\n", file.c_str(), report.width_px, report.height_px);
+        print("%s: %d x %d pixels\n", file.c_str(), report.width_px, report.height_px);
     if (choice.kind == recordings::ExportKind::Maps)
-        std::printf("heights: %s mm (black) to %s mm (white) on a canvas %s mm wide\n",
-                    number_text(report.heights.black_mm).c_str(),
-                    number_text(report.heights.white_mm).c_str(), number_text(report.width_mm).c_str());
+        print("heights: %s mm (black) to %s mm (white) on a canvas %s mm wide\n",
+              number_text(report.heights.black_mm).c_str(), number_text(report.heights.white_mm).c_str(),
+              number_text(report.width_mm).c_str());
 }
 
 /// Throws Interrupted where the export was stopped.
@@ -81,7 +82,7 @@ void write(const document::PaintingState& painting, const recordings::ExportChoi
         });
     if (report.status == files::ExportStatus::Stopped) throw Interrupted{};
     progress.clear();
-    print(choice, report);
+    tell(choice, report);
 }
 
 }  // namespace
@@ -95,7 +96,7 @@ void run_export(const ExportOptions& options) {
     core::ThreadPool pool(options.threads);
     const project::LoadedProject project = project::load_project(options.project, pool);
     for (const std::string& note : project.notes)
-        std::fprintf(stderr, "pastoso-cli: %s\n", note.c_str());
+        complain(note);
     for (const recordings::ExportChoice& choice : choices)
         write(project.painting, choice, pool, options.quiet);
 }

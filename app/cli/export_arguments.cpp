@@ -1,23 +1,22 @@
 #include "cli/arguments.hpp"
+#include "cli/option.hpp"
 #include "cli/shared_arguments.hpp"
-
-#include <CLI/CLI.hpp>
 
 namespace pastoso::cli {
 namespace {
 
 void add_relief_options(CLI::App& command, ExportOptions& options) {
-    command
-        .add_option("--base-mm", options.base_mm, "Reliefs: thickness below the canvas's lowest level")
+    add_number(command, "--base-mm", options.base_mm, {0.1, 100.0},
+               "Reliefs: thickness below the canvas's lowest level")
         ->type_name("MM")
         ->capture_default_str();
-    command.add_option("--exaggerate", options.exaggeration, "Reliefs: heights are multiplied by this")
+    add_number(command, "--exaggerate", options.exaggeration, {0.01, 100.0},
+               "Reliefs: heights are multiplied by this")
         ->type_name("FACTOR")
         ->capture_default_str();
-    command
-        .add_option("--resolution-mm", options.resolution_mm,
-                    "Reliefs: distance of points (default: a cell, or 1/1000 of the longer side where "
-                    "that is more)")
+    add_number(command, "--resolution-mm", options.resolution_mm, {0.0, 1000.0},
+               "Reliefs: distance of points (default: a cell, or 1/1000 of the longer side where "
+               "that is more)")
         ->type_name("MM");
 }
 
@@ -26,13 +25,12 @@ void add_relief_options(CLI::App& command, ExportOptions& options) {
 void add_export(CLI::App& program, ExportOptions& options) {
     CLI::App& command = *program.add_subcommand(
         "export", "Make a picture, maps or a printable relief of a project file");
-    command.add_option("PROJECT", options.project, "A painting: FILE.pastoso")->required();
-    command
-        .add_option("-o,--output", options.output,
-                    "The picture: .png, .tif, .jpg, .webp or .exr; or a relief for 3D printing, in "
-                    "millimetres: .stl, .ply or .obj")
+    add_text(command, "PROJECT", options.project, "A painting: FILE.pastoso")->required();
+    add_text(command, "-o,--output", options.output,
+             "The picture: .png, .tif, .jpg, .webp or .exr; or a relief for 3D printing, in "
+             "millimetres: .stl, .ply or .obj")
         ->type_name("FILE");
-    command.add_option("--well", options.well, "A picture of the mixing well")->type_name("FILE");
+    add_text(command, "--well", options.well, "A picture of the mixing well")->type_name("FILE");
     command.add_flag("--layers", options.layers,
                      "Into .exr, beside the picture: lit, albedo, normal, height_mm, wetness, gloss and "
                      "cover of every layer");
@@ -41,10 +39,10 @@ void add_export(CLI::App& program, ExportOptions& options) {
                      "(OpenGL, +Y up), FILE-height and FILE-roughness: .png, .tif or .exr");
     command.add_flag("--flat", options.flat,
                      "Pictures without light and shade: the paint's own colours, no relief");
-    command.add_option("--scale", options.scale, "Pixels per cell; at most 32768 pixels a side")
+    add_number(command, "--scale", options.scale, {0.0625, 64.0},
+               "Pixels per cell; at most 32768 pixels a side")
         ->type_name("S")
-        ->capture_default_str()
-        ->check(CLI::Range(0.0625, 64.0));
+        ->capture_default_str();
     add_picture_options(command, options.picture);
     add_relief_options(command, options);
     add_threads_option(command, options.threads);

@@ -5,6 +5,7 @@
 #include "cli/usage_error.hpp"
 #include "core/check.hpp"
 #include "core/error.hpp"
+#include "core/looking.hpp"
 #include "liquid_files/traced_picture.hpp"
 #include "trace/tracer.hpp"
 
@@ -79,8 +80,7 @@ FrameFiles::FrameFiles(fs::path folder, std::string name, const FrameFileOptions
 }
 
 bool FrameFiles::is_wanted(int frame) const {
-    std::error_code ignored;
-    return frame % options_.every == 0 && !fs::exists(path_of(frame), ignored);
+    return frame % options_.every == 0 && !core::is_there(path_of(frame));
 }
 
 fs::path FrameFiles::path_of(int frame) const {

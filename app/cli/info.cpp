@@ -2,6 +2,7 @@
 
 #include "brush/preset.hpp"
 #include "cli/paint_info.hpp"
+#include "cli/printing.hpp"
 #include "cli/progress.hpp"
 #include "cli/recording_source.hpp"
 #include "cli/usage_error.hpp"
@@ -30,26 +31,24 @@ namespace {
 using core::number_text;
 
 void print_program() {
-    std::printf("pastoso-cli %s, %s build by %s\n", PASTOSO_VERSION, PASTOSO_BUILD_TYPE,
-                PASTOSO_COMPILER);
-    std::printf("instruction set %s, %u processors\n", core::name_of(core::best_isa()),
-                std::thread::hardware_concurrency());
-    std::printf("\nBrushes:\n");
+    print("pastoso-cli %s, %s build by %s\n", PASTOSO_VERSION, PASTOSO_BUILD_TYPE, PASTOSO_COMPILER);
+    print("instruction set %s, %u processors\n", core::name_of(core::best_isa()),
+          std::thread::hardware_concurrency());
+    print("\nBrushes:\n");
     for (const brush::Preset& preset : brush::bundled_presets()) {
-        std::printf("  %-24s %s, %s mm wide\n", preset.name.c_str(),
-                    std::string(name_of(preset.tip.shape)).c_str(),
-                    number_text(preset.tip.width_mm).c_str());
+        print("  %-24s %s, %s mm wide\n", preset.name.c_str(),
+              std::string(name_of(preset.tip.shape)).c_str(), number_text(preset.tip.width_mm).c_str());
     }
-    std::printf("\nPigments:\n");
+    print("\nPigments:\n");
     for (const pigment::Pigment& pigment : pigment::bundled_palette()) {
-        std::printf("  %-10s %s\n", pigment.ci_name.c_str(), pigment.name.c_str());
+        print("  %-10s %s\n", pigment.ci_name.c_str(), pigment.name.c_str());
     }
-    std::printf("\nMedia:\n");
+    print("\nMedia:\n");
     for (const film::Medium& medium : film::bundled_media()) {
-        std::printf("  %-20s %s\n", medium.name.c_str(), medium.description.c_str());
+        print("  %-20s %s\n", medium.name.c_str(), medium.description.c_str());
     }
-    std::printf("\nLights:\n  D65, D50, A, LED, or the path of a CSV file\n");
-    std::printf("\nSupports:\n  linen, cotton duck, panel, or the path of a height image\n");
+    print("\nLights:\n  D65, D50, A, LED, or the path of a CSV file\n");
+    print("\nSupports:\n  linen, cotton duck, panel, or the path of a height image\n");
 }
 
 std::string paint_text(const document::PaintRecipe& paint) {
@@ -86,18 +85,17 @@ struct Inventory {
 };
 
 void print_names(const char* what, const std::set<std::string>& names) {
-    std::printf("%s:", what);
+    print("%s:", what);
     for (const std::string& name : names)
-        std::printf(" %s%s", name.c_str(), name == *names.rbegin() ? "" : ",");
-    std::printf("\n");
+        print(" %s%s", name.c_str(), name == *names.rbegin() ? "" : ",");
+    print("\n");
 }
 
 void print_canvas(const document::CanvasSettings& canvas) {
     const grid::Shape shape = document::canvas_shape(canvas);
-    std::printf("canvas: %s x %s mm, %s, %s px/mm (%d x %d cells)\n",
-                number_text(canvas.width_mm).c_str(), number_text(canvas.height_mm).c_str(),
-                canvas.support.c_str(), number_text(canvas.px_per_mm).c_str(), shape.width,
-                shape.height);
+    print("canvas: %s x %s mm, %s, %s px/mm (%d x %d cells)\n", number_text(canvas.width_mm).c_str(),
+          number_text(canvas.height_mm).c_str(), canvas.support.c_str(),
+          number_text(canvas.px_per_mm).c_str(), shape.width, shape.height);
 }
 
 std::string time_text(std::int64_t ticks) {
@@ -108,23 +106,21 @@ std::string time_text(std::int64_t ticks) {
 void print_state(const std::string& path) {
     core::ThreadPool pool;
     const project::LoadedProject project = project::load_project(path, pool);
-    std::printf("state: %016llx\n",
-                static_cast<unsigned long long>(document::state_hash(project.painting)));
+    print("state: %016llx\n", static_cast<unsigned long long>(document::state_hash(project.painting)));
     for (const std::string& note : project.notes)
-        std::printf("note: %s\n", note.c_str());
+        print("note: %s\n", note.c_str());
 }
 
 void print_project(const std::string& path) {
     const project::ProjectSummary summary = project::project_summary(path);
-    std::printf("%s: painting, saved by Pastoso %s\n", path.c_str(), summary.program.c_str());
+    print("%s: painting, saved by Pastoso %s\n", path.c_str(), summary.program.c_str());
     print_canvas(summary.canvas);
-    std::printf("painted for: %s\n", time_text(summary.tick).c_str());
-    std::printf("medium: %s\nbrush: %s\n", summary.medium.c_str(),
-                summary.brush.empty() ? "none" : summary.brush.c_str());
+    print("painted for: %s\n", time_text(summary.tick).c_str());
+    print("medium: %s\nbrush: %s\n", summary.medium.c_str(),
+          summary.brush.empty() ? "none" : summary.brush.c_str());
     for (const project::KindSize& size : summary.sizes) {
-        std::printf("%s: %.2f MB in %.2f MB\n", size.kind.c_str(),
-                    1e-6 * static_cast<double>(size.bytes),
-                    1e-6 * static_cast<double>(size.packed_bytes));
+        print("%s: %.2f MB in %.2f MB\n", size.kind.c_str(), 1e-6 * static_cast<double>(size.bytes),
+              1e-6 * static_cast<double>(size.packed_bytes));
     }
     print_state(path);
 }
@@ -134,13 +130,13 @@ void print_json_recording(const std::string& path) {
     Inventory inventory;
     for (const document::Event& event : recording.events)
         std::visit(inventory, event.action);
-    std::printf("%s: stroke recording\n", path.c_str());
+    print("%s: stroke recording\n", path.c_str());
     print_canvas(recording.canvas);
-    std::printf("duration: %s\n", time_text(recording.end_tick).c_str());
-    std::printf("events: %zu\nstrokes: %ld\n", recording.events.size(), inventory.strokes);
+    print("duration: %s\n", time_text(recording.end_tick).c_str());
+    print("events: %zu\nstrokes: %ld\n", recording.events.size(), inventory.strokes);
     if (inventory.well_strokes + inventory.squeezes > 0) {
-        std::printf("mixing well: %ld of the strokes, paint squeezed %ld times\n",
-                    inventory.well_strokes, inventory.squeezes);
+        print("mixing well: %ld of the strokes, paint squeezed %ld times\n", inventory.well_strokes,
+              inventory.squeezes);
     }
     print_names("brushes", inventory.brushes);
     print_names("paints", inventory.paints);
@@ -156,16 +152,16 @@ void print_pen_trace(const std::string& path) {
         for (const brush::PenSample& sample : stroke)
             strongest = std::max(strongest, sample.pressure);
     }
-    std::printf("%s: pen recording in four columns\n", path.c_str());
-    std::printf("duration: %s\n", duration_text(trace.strokes.back().back().time_s).c_str());
-    std::printf("samples: %zu\nstrokes: %zu\n", samples, trace.strokes.size());
-    std::printf("strongest pressure: %s\n", number_text(strongest).c_str());
+    print("%s: pen recording in four columns\n", path.c_str());
+    print("duration: %s\n", duration_text(trace.strokes.back().back().time_s).c_str());
+    print("samples: %zu\nstrokes: %zu\n", samples, trace.strokes.size());
+    print("strongest pressure: %s\n", number_text(strongest).c_str());
 }
 
 bool names_an_image(const std::string& path) {
-    static constexpr std::array<const char*, 13> kExtensions = {".png", ".tif", ".tiff", ".jpg", ".jpeg",
+    static constexpr std::array<const char*, 14> kExtensions = {".png", ".tif", ".tiff", ".jpg", ".jpeg",
                                                                 ".exr", ".bmp", ".tga",  ".hdr", ".webp",
-                                                                ".pgm", ".ppm", ".gif"};
+                                                                ".pgm", ".ppm", ".gif",  ".psd"};
     const std::string extension = std::filesystem::path(path).extension().string();
     return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
@@ -173,13 +169,12 @@ bool names_an_image(const std::string& path) {
 void print_image(const std::string& path) {
     const files::GreyImage image = files::read_grey_image(path);
     const auto [darkest, lightest] = std::minmax_element(image.values.begin(), image.values.end());
-    std::printf("%s: image\nsize: %d x %d pixels\ngrey values: %.3f to %.3f\n", path.c_str(),
-                image.width, image.height, static_cast<double>(*darkest),
-                static_cast<double>(*lightest));
+    print("%s: image\nsize: %d x %d pixels\ngrey values: %.3f to %.3f\n", path.c_str(), image.width,
+          image.height, static_cast<double>(*darkest), static_cast<double>(*lightest));
 }
 
 void print_file(const std::string& path) {
-    if (names_an_image(path))
+    if (names_an_image(path) || files::holds_picture(path))
         print_image(path);
     else if (project::is_project_path(path))
         print_project(path);

@@ -1,6 +1,5 @@
 #include "cli/arguments.hpp"
-
-#include <CLI/CLI.hpp>
+#include "cli/option.hpp"
 
 namespace pastoso::cli {
 
@@ -8,12 +7,10 @@ void add_info(CLI::App& program, InfoOptions& options) {
     CLI::App& command = *program.add_subcommand(
         "info",
         "Describe a painting, a recording or an image, paints and colours, or the program itself");
-    command
-        .add_option(
-            "ABOUT", options.about,
-            "A file; or \"paints\"; \"paint NAME\"; \"closest COLOUR\" for the recipe of a colour, "
-            "out of the box or out of the paints named after it; \"palette FILE.gpl\". Without: "
-            "version, brushes, pigments, media and supports")
+    add_texts(command, "ABOUT", options.about,
+              "A file; or \"paints\"; \"paint NAME\"; \"closest COLOUR\" for the recipe of a colour, "
+              "out of the box or out of the paints named after it; \"palette FILE.gpl\". Without: "
+              "version, brushes, pigments, media and supports")
         ->type_name("");
     command.footer(
         "Example:\n  pastoso-cli info strokes.json\n  pastoso-cli info paint PB29\n"

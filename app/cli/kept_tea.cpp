@@ -1,5 +1,6 @@
 #include "cli/kept_tea.hpp"
 
+#include "core/looking.hpp"
 #include "liquid_files/tea_checkpoint.hpp"
 
 #include <algorithm>
@@ -24,8 +25,7 @@ std::filesystem::path KeptTea::state_path() const {
 }
 
 std::optional<liquid::TeaState> KeptTea::state() const {
-    std::error_code ignored;
-    if (!std::filesystem::exists(state_path(), ignored)) return std::nullopt;
+    if (!core::is_there(state_path())) return std::nullopt;
     return liquid_files::read_tea_checkpoint(state_path(), frames_.scene_hash);
 }
 

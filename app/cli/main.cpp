@@ -5,6 +5,7 @@
 #include "cli/info.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/options.hpp"
+#include "cli/printing.hpp"
 #include "cli/recover.hpp"
 #include "cli/replay.hpp"
 #include "cli/simulate.hpp"
@@ -13,9 +14,10 @@
 #include "cli/timelapse.hpp"
 #include "cli/usage_error.hpp"
 #include "core/fault.hpp"
+#include "core/isa_request.hpp"
 #include "core/memory.hpp"
 
-#include <cstdio>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -24,7 +26,31 @@
 namespace pastoso::cli {
 namespace {
 
-enum ExitStatus { kDone = 0, kBadInput = 1, kBadUsage = 2, kStopped = 130 };
+enum ExitStatus { kDone = 0, kBadInput = 1, kBadUsage = 2 };
+
+/// The first argument is a subcommand, or an option.
+void check_subcommand(const CLI::App& app, const std::string& first) {
+    if (first.starts_with('-')) return;
+    std::string names;
+    const auto subcommands = app.get_subcommands({});
+    for (const CLI::App* command : subcommands) {
+        if (command->check_name(first)) return;
+        if (command == subcommands.back())
+            names += " and ";
+        else if (!names.empty())
+            names += ", ";
+        names += command->get_name();
+    }
+    throw UsageError("there is no subcommand \"" + first + "\", only " + names + ".");
+}
+
+/// What --help and --version ask for.
+int print_help(const CLI::App& app, const CLI::Success& wanted) {
+    std::ostringstream text;
+    const int status = app.exit(wanted, text);
+    print("%s", text.str().c_str());
+    return status;
+}
 
 int run(int argc, char** argv) {
     ReplayOptions replay, sheet;
@@ -37,6 +63,9 @@ int run(int argc, char** argv) {
     TeaRenderOptions tea_render;
     TankOptions tank;
     InfoOptions info;
+    if (const std::string option = arguments::option_without_value(argc, argv); !option.empty())
+        throw UsageError(option +
+                         ": no value follows the \"=\" (pastoso-cli --help shows what there is).");
     CLI::App app("Paints with thick wet paint, without a screen.", "pastoso-cli");
     app.set_version_flag("--version", "pastoso-cli " PASTOSO_VERSION);
     app.require_subcommand(1);
@@ -51,17 +80,11 @@ int run(int argc, char** argv) {
     add_tea(app, tea, tea_render);
     add_tank(app, tank);
     add_info(app, info);
-    const std::string first = argc > 1 ? argv[1] : "-";
-    const auto is_named = [&](const CLI::App* command) { return command->check_name(first); };
-    if (!first.starts_with('-') && app.get_subcommands(is_named).empty()) {
-        throw UsageError("there is no subcommand \"" + first +
-                         "\", only replay, sheet, export, timelapse, recover, simulate, tea, tank "
-                         "and info.");
-    }
+    if (argc > 1) check_subcommand(app, argv[1]);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& wanted) {
-        return app.exit(wanted);
+        return print_help(app, wanted);
     } catch (const CLI::ParseError& error) {
         throw UsageError(arguments::argument_fault(app, error));
     }
@@ -88,8 +111,8 @@ int run(int argc, char** argv) {
     return kDone;
 }
 
-int fail(const std::string& message, ExitStatus status) {
-    std::fprintf(stderr, "pastoso-cli: %s\n", message.c_str());
+int fail(const std::string& message, int status) {
+    complain(message);
     return status;
 }
 
@@ -99,12 +122,17 @@ int fail(const std::string& message, ExitStatus status) {
 int main(int argc, char** argv) {
     using namespace pastoso::cli;
     pastoso::core::keep_freed_memory();
+    outlive_failed_writes();
     try {
-        return run(argc, argv);
+        pastoso::core::check_isa_request();
+        const int status = run(argc, argv);
+        stop_if_interrupted();
+        finish_printing();
+        return status;
     } catch (const UsageError& error) {
         return fail(error.what(), kBadUsage);
     } catch (const Interrupted&) {
-        return fail("stopped.", kStopped);
+        return fail("stopped.", interrupted_status());
     } catch (...) {
         return fail(pastoso::core::caught_fault(), kBadInput);
     }

@@ -1,5 +1,6 @@
 #include "cli/paint_info.hpp"
 
+#include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "pigment/appearance.hpp"
@@ -41,16 +42,15 @@ std::string strength_text(const pigment::Coefficients& paint) {
 
 void print_row(const Pigment& paint) {
     const pigment::Coefficients& coefficients = paint.coefficients;
-    std::printf("  %-10s %-9s %-10s %-9s %5d %% %8s  %s\n", paint.ci_name.c_str(),
-                shown(pigment::masstone(coefficients)).c_str(),
-                shown(pigment::undertone(coefficients)).c_str(),
-                shown(pigment::tint(coefficients)).c_str(), opacity_percent(coefficients),
-                strength_text(coefficients).c_str(), paint.name.c_str());
+    print("  %-10s %-9s %-10s %-9s %5d %% %8s  %s\n", paint.ci_name.c_str(),
+          shown(pigment::masstone(coefficients)).c_str(),
+          shown(pigment::undertone(coefficients)).c_str(), shown(pigment::tint(coefficients)).c_str(),
+          opacity_percent(coefficients), strength_text(coefficients).c_str(), paint.name.c_str());
 }
 
 void print_rows(const char* heading, const std::vector<Pigment>& paints) {
     if (paints.empty()) return;
-    std::printf("\n%s:\n", heading);
+    print("\n%s:\n", heading);
     for (const Pigment& paint : paints)
         print_row(paint);
 }
@@ -68,10 +68,10 @@ std::vector<Pigment> outside_the_box() {
 }
 
 void print_bands(const char* what, const float* first) {
-    std::printf("%s:", what);
+    print("%s:", what);
     for (int band = 0; band < pigment::kBands; ++band)
-        std::printf(" %.4g", static_cast<double>(first[band]));
-    std::printf("\n");
+        print(" %.4g", static_cast<double>(first[band]));
+    print("\n");
 }
 
 pigment::Srgb8 parse_colour(const std::string& text) {
@@ -95,12 +95,12 @@ pigment::RecipeFinder finder_of(std::span<const std::string> names) {
 }  // namespace
 
 void print_paints() {
-    std::printf("  %-10s %-9s %-10s %-9s %7s %8s  %s\n", "Paint", "Masstone", "Undertone", "Tint",
-                "Opacity", "Tinting", "Name");
+    print("  %-10s %-9s %-10s %-9s %7s %8s  %s\n", "Paint", "Masstone", "Undertone", "Tint", "Opacity",
+          "Tinting", "Name");
     print_rows("The box", pigment::default_box());
     print_rows("Other paints", outside_the_box());
     print_rows("Your own", pigment::user_pigments().pigments);
-    std::printf(
+    print(
         "\nColours as a screen shows them whose white is titanium white. Masstone: thick. Undertone: a\n"
         "film of 25 um over white. Tint: one part in ten of white. Opacity: how light 0.1 mm is over\n"
         "black, of what it is over white. Tinting: the parts of white that one part still colours.\n");
@@ -112,13 +112,12 @@ void print_paints() {
 
 void print_paint(const std::string& name) {
     const pigment::Coefficients paint = pigment::named_paint(name);
-    std::printf("%s: %s\n", name.c_str(), pigment::painters_name(name).c_str());
-    std::printf("masstone: %s\n", shown(pigment::masstone(paint)).c_str());
-    std::printf("undertone: %s (25 um over white)\n", shown(pigment::undertone(paint)).c_str());
-    std::printf("tint: %s (1 part in 10 of white)\n", shown(pigment::tint(paint)).c_str());
-    std::printf("opacity: %d %% (0.1 mm over black, of what it is over white)\n",
-                opacity_percent(paint));
-    std::printf("tinting strength: 1 part colours %s parts of white\n", strength_text(paint).c_str());
+    print("%s: %s\n", name.c_str(), pigment::painters_name(name).c_str());
+    print("masstone: %s\n", shown(pigment::masstone(paint)).c_str());
+    print("undertone: %s (25 um over white)\n", shown(pigment::undertone(paint)).c_str());
+    print("tint: %s (1 part in 10 of white)\n", shown(pigment::tint(paint)).c_str());
+    print("opacity: %d %% (0.1 mm over black, of what it is over white)\n", opacity_percent(paint));
+    print("tinting strength: 1 part colours %s parts of white\n", strength_text(paint).c_str());
     print_bands("absorption per mm, violet to red", paint.data());
     print_bands("scattering per mm, violet to red", paint.data() + pigment::kBands);
 }
@@ -126,26 +125,25 @@ void print_paint(const std::string& name) {
 void print_closest(const std::string& colour, std::span<const std::string> paints) {
     const pigment::LinearRgb on_screen = pigment::decoded(parse_colour(colour));
     const pigment::Recipe recipe = finder_of(paints).closest(pigment::paint_colour(on_screen));
-    std::printf("%s\n", colour.c_str());
-    std::printf("closest recipe: %s (dE %.1f)\n", pigment::recipe_text(recipe).c_str(),
-                recipe.difference);
+    print("%s\n", colour.c_str());
+    print("closest recipe: %s (dE %.1f)\n", pigment::recipe_text(recipe).c_str(), recipe.difference);
     for (const pigment::RecipePart& part : recipe.ingredients)
-        std::printf("  %3d  %-10s %s\n", part.parts, part.ci_name.c_str(),
-                    pigment::painters_name(part.ci_name).c_str());
-    std::printf("the colour's own paint: %s (dE %.1f)\n", colour.c_str(),
-                pigment::rgb_paint(on_screen).difference);
+        print("  %3d  %-10s %s\n", part.parts, part.ci_name.c_str(),
+              pigment::painters_name(part.ci_name).c_str());
+    print("the colour's own paint: %s (dE %.1f)\n", colour.c_str(),
+          pigment::rgb_paint(on_screen).difference);
 }
 
 void print_palette(const std::string& path) {
     const pigment::ColourPalette palette = pigment::parse_gpl(core::read_text_file(path), path);
     const pigment::RecipeFinder finder(pigment::default_box());
-    std::printf("%s: palette of colours\nname: %s\ncolours: %zu\n\n", path.c_str(), palette.name.c_str(),
-                palette.colours.size());
+    print("%s: palette of colours\nname: %s\ncolours: %zu\n\n", path.c_str(), palette.name.c_str(),
+          palette.colours.size());
     for (const pigment::NamedColour& colour : palette.colours) {
         const pigment::Recipe recipe =
             finder.closest(pigment::paint_colour(pigment::decoded(colour.colour)));
-        std::printf("%s  dE %4.1f  %-32s %s\n", pigment::hex_colour(colour.colour).c_str(),
-                    recipe.difference, pigment::recipe_text(recipe).c_str(), colour.name.c_str());
+        print("%s  dE %4.1f  %-32s %s\n", pigment::hex_colour(colour.colour).c_str(), recipe.difference,
+              pigment::recipe_text(recipe).c_str(), colour.name.c_str());
     }
 }
 

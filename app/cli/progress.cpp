@@ -1,5 +1,7 @@
 #include "cli/progress.hpp"
 
+#include "core/printable.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -39,7 +41,7 @@ Progress::Style Progress::style_for_stderr(bool quiet) {
     return ::isatty(STDERR_FILENO) != 0 ? Style::Bar : Style::Lines;
 }
 
-Progress::Progress(std::string label, Style style) : label_(std::move(label)), style_(style) {}
+Progress::Progress(std::string label, Style style) : label_(core::printable(label)), style_(style) {}
 
 Progress::~Progress() {
     clear();

@@ -1,5 +1,7 @@
 #include "cli/recover.hpp"
 
+#include "cli/interrupt.hpp"
+#include "cli/printing.hpp"
 #include "cli/progress.hpp"
 #include "cli/usage_error.hpp"
 #include "core/error.hpp"
@@ -26,16 +28,16 @@ std::string time_text(std::chrono::system_clock::time_point when) {
     return text;
 }
 
-void print(const journal::Unfinished& painting) {
+void tell(const journal::Unfinished& painting) {
     const std::string when = time_text(painting.last_painted);
     if (!painting.fault.empty()) {
-        std::printf("%s: %s, cannot be read: %s\n", name_of(painting).c_str(), when.c_str(),
-                    painting.fault.c_str());
+        print("%s: %s, cannot be read: %s\n", name_of(painting).c_str(), when.c_str(),
+              painting.fault.c_str());
         return;
     }
-    std::printf("%s: %s, %g x %g mm, %zu changes not saved, %s\n", name_of(painting).c_str(),
-                when.c_str(), painting.canvas.width_mm, painting.canvas.height_mm, painting.changes,
-                painting.painting.empty() ? "without a file" : painting.painting.c_str());
+    print("%s: %s, %g x %g mm, %zu changes not saved, %s\n", name_of(painting).c_str(), when.c_str(),
+          painting.canvas.width_mm, painting.canvas.height_mm, painting.changes,
+          painting.painting.empty() ? "without a file" : painting.painting.c_str());
 }
 
 /// The one of that name, or the latest.
@@ -58,13 +60,16 @@ void recover_into(const std::string& path, const journal::Claim& claim, const Re
     journal::Recovered recovered;
     {
         Progress progress("painting", Progress::style_for_stderr(options.quiet));
-        recovered =
-            journal::recover(claim.folder(), pool, [&](double share) { progress.update(share); });
+        recovered = journal::recover(claim.folder(), pool, [&](double share) {
+            stop_if_interrupted();
+            progress.update(share);
+        });
     }
     for (const std::string& note : recovered.notes)
-        std::fprintf(stderr, "pastoso-cli: %s\n", note.c_str());
+        complain(note);
+    stop_if_interrupted();
     project::save_project(path, recovered, pool);
-    std::printf("%s: the painting\n", path.c_str());
+    print("%s: the painting\n", path.c_str());
 }
 
 void check_options(const RecoverOptions& options) {
@@ -86,16 +91,18 @@ void check_options(const RecoverOptions& options) {
 }  // namespace
 
 void run_recover(const RecoverOptions& options) {
+    watch_for_interrupts();
     check_options(options);
     const auto paintings = journal::unfinished_paintings(journal::journals_path());
     if (options.list) {
         for (const journal::Unfinished& painting : paintings)
-            print(painting);
+            tell(painting);
         return;
     }
     const journal::Unfinished& painting = chosen(paintings, options.name);
     journal::Claim claim = claimed(painting);
     if (!options.output.empty()) recover_into(options.output, claim, options);
+    stop_if_interrupted();
     if (!options.keep) claim.discard();
 }
 

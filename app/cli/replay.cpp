@@ -2,10 +2,12 @@
 
 #include "cli/interrupt.hpp"
 #include "cli/picture.hpp"
+#include "cli/printing.hpp"
 #include "cli/progress.hpp"
 #include "cli/recording_source.hpp"
 #include "cli/stopwatch.hpp"
 #include "core/error.hpp"
+#include "core/naming.hpp"
 #include "core/resources.hpp"
 #include "core/thread_pool.hpp"
 #include "document/player.hpp"
@@ -84,7 +86,7 @@ recordings::ReplayStats stats_of(const document::Painting& painting, const Pictu
 
 void print_picture(const std::string& path, const PictureReport& picture) {
     if (path.empty()) return;
-    std::printf("%s: %d x %d pixels\n", path.c_str(), picture.width_px, picture.height_px);
+    print("%s: %d x %d pixels\n", path.c_str(), picture.width_px, picture.height_px);
 }
 
 void print_summary(const ReplayOptions& options, const document::Recording& recording,
@@ -93,11 +95,21 @@ void print_summary(const ReplayOptions& options, const document::Recording& reco
     const double painted_s = static_cast<double>(recording.end_tick) * document::kTick_s;
     print_picture(options.output, picture);
     print_picture(options.well, well);
-    if (!options.save.empty()) std::printf("%s: the painting\n", options.save.c_str());
-    if (!options.frames.empty()) std::printf("%s: %d frames\n", options.frames.c_str(), frame_count);
-    if (!options.stats.empty()) std::printf("%s: figures\n", options.stats.c_str());
-    std::printf("%.1f s of painting in %.1f s: brush %.1f, film %.1f, rendering %.1f, files %.1f\n",
-                painted_s, stats.wall_s, stats.brush_s, stats.film_s, stats.shade_s, stats.io_s);
+    if (!options.save.empty()) print("%s: the painting\n", options.save.c_str());
+    if (!options.frames.empty()) print("%s: %d frames\n", options.frames.c_str(), frame_count);
+    if (!options.stats.empty()) print("%s: figures\n", options.stats.c_str());
+    print("%.1f s of painting in %.1f s: brush %.1f, film %.1f, rendering %.1f, files %.1f\n", painted_s,
+          stats.wall_s, stats.brush_s, stats.film_s, stats.shade_s, stats.io_s);
+}
+
+/// What a JSON recording says of its canvas, and no option instead, is the file's fault.
+std::unique_ptr<document::Painting> painting_of(const ReplayOptions& options,
+                                                const document::Recording& recording,
+                                                core::ThreadPool& pool) {
+    const auto make = [&] { return recordings::make_painting(recording.canvas, pool); };
+    const bool by_options = options.canvas || options.px_per_mm || options.support || options.relief_mm;
+    return by_options || !is_json_recording(options.strokes) ? make()
+                                                             : core::naming(options.strokes, make);
 }
 
 }  // namespace
@@ -111,14 +123,15 @@ void run_replay(const ReplayOptions& options) {
     const double reading_s = seconds_of([&] { recording = load_recording(options); });
 
     core::ThreadPool pool(options.threads);
-    const std::unique_ptr<document::Painting> painting =
-        recordings::make_painting(recording.canvas, pool);
+    const std::unique_ptr<document::Painting> painting = painting_of(options, recording, pool);
     PictureWriter pictures(recording.canvas, options.scale, style, pool);
     FrameWriter frames(options.frames, options.fps, pictures);
     play(*painting, recording, options, options.frames.empty() ? nullptr : &frames);
     PictureReport picture, well;
     if (!options.output.empty()) picture = pictures.write(*painting, options.output);
+    stop_if_interrupted();
     if (!options.well.empty()) well = pictures.write_well(*painting, options.well);
+    stop_if_interrupted();
 
     double saving_s = 0.0;
     if (!options.save.empty())

@@ -1,29 +1,26 @@
 #include "cli/arguments.hpp"
+#include "cli/option.hpp"
 #include "cli/shared_arguments.hpp"
-
-#include <CLI/CLI.hpp>
+#include "document/canvas.hpp"
 
 namespace pastoso::cli {
 namespace {
 
 void add_paint_options(CLI::App& command, ReplayOptions& options) {
-    command
-        .add_option("--brush", options.brush,
-                    "Text recordings: the tool, by name, or a preset file of your own, NAME.json "
-                    "(default: Flat bristle 20)")
+    add_text(command, "--brush", options.brush,
+             "Text recordings: the tool, by name, or a preset file of your own, NAME.json "
+             "(default: Flat bristle 20)")
         ->type_name("NAME");
-    command.add_option("--size-mm", options.size_mm, "Text recordings: width of the brush's tip")
+    add_number(command, "--size-mm", options.size_mm, {0.5, 200.0},
+               "Text recordings: width of the brush's tip")
         ->type_name("MM");
-    command
-        .add_option(
-            "--paint", options.paints,
-            "Text recordings: PB29, or a mixture by parts PB29=1+PW6=0.5, or thinned PB29@0.3, "
-            "or a colour \"#c03020\", or clear for the medium alone; several are taken in turn, one a "
-            "stroke, the brush being cleaned in between")
+    add_texts(command, "--paint", options.paints,
+              "Text recordings: PB29, or a mixture by parts PB29=1+PW6=0.5, or thinned PB29@0.3, "
+              "or a colour \"#c03020\", or clear for the medium alone; several are taken in turn, one a "
+              "stroke, the brush being cleaned in between")
         ->type_name("PAINT");
-    command
-        .add_option("--palette", options.palette,
-                    "Text recordings: a .gpl file; the names of its colours may stand in --paint")
+    add_text(command, "--palette", options.palette,
+             "Text recordings: a .gpl file; the names of its colours may stand in --paint")
         ->type_name("FILE");
     command.add_flag(
         "--fit", options.fit,
@@ -32,58 +29,50 @@ void add_paint_options(CLI::App& command, ReplayOptions& options) {
 }
 
 void add_canvas_options(CLI::App& command, ReplayOptions& options) {
-    command.add_option("--canvas", options.canvas, "Size of the canvas (text recordings: 300x200mm)")
+    add_text(command, "--canvas", options.canvas, "Size of the canvas (text recordings: 300x200mm)")
         ->type_name("WxHmm");
-    command.add_option("--px-per-mm", options.px_per_mm, "Cells per millimetre (text recordings: 4)")
+    add_number(command, "--px-per-mm", options.px_per_mm, {document::kMinPxPerMm, document::kMaxPxPerMm},
+               "Cells per millimetre (text recordings: 4)")
         ->type_name("N");
-    command
-        .add_option("--support", options.support, "linen, cotton duck, panel, or a height image's path")
+    add_text(command, "--support", options.support,
+             "linen, cotton duck, panel, or a height image's path")
         ->type_name("NAME");
-    command
-        .add_option("--relief-mm", options.relief_mm,
-                    "Height of the support's crowns or of an image's white")
+    add_number(command, "--relief-mm", options.relief_mm, {0.0, 20.0},
+               "Height of the support's crowns or of an image's white")
         ->type_name("MM");
-    command.add_option("--medium", options.medium, "Kind of paint (text recordings: heavy-body oil)")
+    add_text(command, "--medium", options.medium, "Kind of paint (text recordings: heavy-body oil)")
         ->type_name("NAME");
-    command
-        .add_option("--tilt", options.tilt_deg,
-                    "Tilt of the canvas, 0 flat to 90 upright (text recordings: 0)")
+    add_number(command, "--tilt", options.tilt_deg, {0.0, 90.0},
+               "Tilt of the canvas, 0 flat to 90 upright (text recordings: 0)")
         ->type_name("DEG");
-    command
-        .add_option("--tilt-direction", options.tilt_direction_deg,
-                    "Where down points: 0 right, 90 lower edge (default: 90)")
+    add_number(command, "--tilt-direction", options.tilt_direction_deg, {-360.0, 360.0},
+               "Where down points: 0 right, 90 lower edge (default: 90)")
         ->type_name("DEG");
-    command
-        .add_option("--drying", options.drying_speed,
-                    "Seconds of drying in a second of painting, 0 (text recordings) to 100000")
+    add_number(command, "--drying", options.drying_speed, {0.0, 100000.0},
+               "Seconds of drying in a second of painting, 0 (text recordings) to 100000")
         ->type_name("SPEED");
-    command
-        .add_option("--seconds", options.seconds,
-                    "How long the paint runs after the last event (text recordings: 2)")
-        ->type_name("S")
-        ->check(CLI::Range(0.0, 86400.0));
+    add_number(command, "--seconds", options.seconds, {0.0, 86400.0},
+               "How long the paint runs after the last event (text recordings: 2)")
+        ->type_name("S");
 }
 
 void add_output_options(CLI::App& command, ReplayOptions& options) {
-    command.add_option("-o,--output", options.output, "The picture: .png, .tif, .jpg, .webp or .exr")
+    add_text(command, "-o,--output", options.output, "The picture: .png, .tif, .jpg, .webp or .exr")
         ->type_name("FILE");
-    command
-        .add_option("--well", options.well,
-                    "A picture of the mixing well at the end, 3 cells per mm whatever the canvas has")
+    add_text(command, "--well", options.well,
+             "A picture of the mixing well at the end, 3 cells per mm whatever the canvas has")
         ->type_name("FILE");
     add_scale_option(command, options.scale);
     add_picture_options(command, options.picture);
-    command
-        .add_option("--save", options.save,
-                    "Keep the painting, wet as it is at the end, as a project file, FILE.pastoso")
+    add_text(command, "--save", options.save,
+             "Keep the painting, wet as it is at the end, as a project file, FILE.pastoso")
         ->type_name("FILE");
-    command.add_option("--frames", options.frames, "Write frame-00001.png and so on into this folder")
+    add_text(command, "--frames", options.frames, "Write frame-00001.png and so on into this folder")
         ->type_name("DIR");
-    command.add_option("--fps", options.fps, "Frames per second of paint time")
+    add_number(command, "--fps", options.fps, {0.01, 60.0}, "Frames per second of paint time")
         ->type_name("N")
-        ->capture_default_str()
-        ->check(CLI::Range(0.01, 60.0));
-    command.add_option("--stats", options.stats, "Write the figures of the run as one JSON object")
+        ->capture_default_str();
+    add_text(command, "--stats", options.stats, "Write the figures of the run as one JSON object")
         ->type_name("FILE");
     add_threads_option(command, options.threads);
     add_quiet_flag(command, options.quiet);
@@ -94,9 +83,8 @@ void add_output_options(CLI::App& command, ReplayOptions& options) {
 void add_replay(CLI::App& program, ReplayOptions& options) {
     CLI::App& command =
         *program.add_subcommand("replay", "Paint a pen recording, let the paint run, render it");
-    command
-        .add_option("STROKES", options.strokes,
-                    "A recording: .json, or text lines \"seconds x y pressure\"")
+    add_text(command, "STROKES", options.strokes,
+             "A recording: .json, or text lines \"seconds x y pressure\"")
         ->required();
     add_paint_options(command, options);
     add_canvas_options(command, options);
@@ -111,7 +99,9 @@ void add_replay(CLI::App& program, ReplayOptions& options) {
 void add_sheet(CLI::App& program, ReplayOptions& options) {
     CLI::App& command =
         *program.add_subcommand("sheet", "Paint the reference sheet: what every tool does, and colours");
-    command.add_option("--px-per-mm", options.px_per_mm, "Cells per millimetre (5)")->type_name("N");
+    add_number(command, "--px-per-mm", options.px_per_mm, {document::kMinPxPerMm, document::kMaxPxPerMm},
+               "Cells per millimetre (5)")
+        ->type_name("N");
     add_output_options(command, options);
     command.footer("Example:\n  pastoso-cli sheet -o sheet.png");
 }

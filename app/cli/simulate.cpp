@@ -1,6 +1,7 @@
 #include "cli/simulate.hpp"
 
 #include "cli/interrupt.hpp"
+#include "cli/printing.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_report.hpp"
 #include "cli/scene_writer.hpp"
@@ -106,10 +107,10 @@ void write_sheet(const std::vector<RunOutcome>& outcomes, const fs::path& path) 
 
 void print_summary(const recordings::SceneFile& file, const std::vector<RunOutcome>& outcomes,
                    const SimulateOptions& options, double wall_s) {
-    if (!file.title.empty()) std::printf("%s\n", file.title.c_str());
-    std::fputs(report_table(file, outcomes).c_str(), stdout);
-    std::printf("%s: tables, pictures and heights, in %.1f s\n", options.output.c_str(), wall_s);
-    if (!options.stats.empty()) std::printf("%s: figures\n", options.stats.c_str());
+    if (!file.title.empty()) print("%s\n", file.title.c_str());
+    print("%s", report_table(file, outcomes).c_str());
+    print("%s: tables, pictures and heights, in %.1f s\n", options.output.c_str(), wall_s);
+    if (!options.stats.empty()) print("%s: figures\n", options.stats.c_str());
 }
 
 }  // namespace

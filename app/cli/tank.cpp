@@ -3,10 +3,12 @@
 #include "cli/finish.hpp"
 #include "cli/frame_sequence.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/printing.hpp"
 #include "cli/tank_files.hpp"
 #include "cli/usage_error.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "core/looking.hpp"
 #include "core/text_file.hpp"
 #include "liquid_files/frame_index.hpp"
 #include "liquid_files/tank_checkpoint.hpp"
@@ -104,8 +106,7 @@ class TankRun {
     /// Brings the tank to the state that was kept, where all files before it are there; the frame it
     /// then stands at.
     int go_on(int frame_count) {
-        std::error_code ignored;
-        if (!std::filesystem::exists(checkpoint_path(), ignored)) return 0;
+        if (!core::is_there(checkpoint_path())) return 0;
         try {
             liquid_files::TankCheckpoint kept =
                 liquid_files::read_tank_checkpoint(checkpoint_path(), scene_hash_);
@@ -117,7 +118,7 @@ class TankRun {
             series_ = std::move(kept.series);
             return frame;
         } catch (const core::InputError& error) {
-            std::fprintf(stderr, "pastoso-cli: %s The tank begins from the start.\n", error.what());
+            complain(std::string(error.what()) + " The tank begins from the start.");
             return 0;
         }
     }

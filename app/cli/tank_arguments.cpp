@@ -1,30 +1,26 @@
 #include "cli/arguments.hpp"
+#include "cli/option.hpp"
 #include "cli/shared_arguments.hpp"
 #include "files/bundled_files.hpp"
 #include "liquid_files/tank_json.hpp"
-
-#include <CLI/CLI.hpp>
 
 namespace pastoso::cli {
 
 void add_tank(CLI::App& program, TankOptions& options) {
     CLI::App& command =
         *program.add_subcommand("tank", "Let liquid move in a glass tank, measure it and draw it");
-    command
-        .add_option("SCENE", options.scene,
-                    "A scene file (.json), or the name of one that comes with the program")
+    add_text(command, "SCENE", options.scene,
+             "A scene file (.json), or the name of one that comes with the program")
         ->required();
     add_time_options(command, options.seconds, options.fps);
-    command
-        .add_option("--method", options.method,
-                    "How the liquid is followed, in place of what the scene says: " +
-                        files::listed(liquid_files::tank_method_names()))
+    add_text(command, "--method", options.method,
+             "How the liquid is followed, in place of what the scene says: " +
+                 files::listed(liquid_files::tank_method_names()))
         ->type_name("NAME")
         ->check(CLI::IsMember(liquid_files::tank_method_names()));
-    command
-        .add_option("--frames", options.frames,
-                    "Folder for liquid_0001.png and so on, and for series.csv, what is measured at each "
-                    "frame; a run that was stopped goes on there")
+    add_text(command, "--frames", options.frames,
+             "Folder for liquid_0001.png and so on, and for series.csv, what is measured at each "
+             "frame; a run that was stopped goes on there")
         ->type_name("DIR");
     add_checkpoint_option(command, options.checkpoint_s);
     add_frame_file_options(

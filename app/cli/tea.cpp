@@ -5,6 +5,7 @@
 #include "cli/frame_sequence.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/kept_tea.hpp"
+#include "cli/printing.hpp"
 #include "cli/tea_files.hpp"
 #include "cli/usage_error.hpp"
 #include "core/error.hpp"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -92,7 +92,7 @@ int go_on(MilkTea& tea, int steps_per_frame, int frame_count, const KeptTea& kep
         tea.set_state(std::move(*state));
         return frame;
     } catch (const core::InputError& error) {
-        std::fprintf(stderr, "pastoso-cli: %s The tea begins from the start.\n", error.what());
+        complain(std::string(error.what()) + " The tea begins from the start.");
         return 0;
     }
 }

@@ -1,10 +1,9 @@
 #include "cli/arguments.hpp"
+#include "cli/option.hpp"
 #include "cli/shared_arguments.hpp"
 #include "files/bundled_files.hpp"
 #include "liquid/tea/tea_settings.hpp"
 #include "liquid_files/tea_json.hpp"
-
-#include <CLI/CLI.hpp>
 
 namespace pastoso::cli {
 namespace {
@@ -15,21 +14,19 @@ void add_tea_file_options(CLI::App& command, FrameFileOptions& options) {
         {"png", "exr", "jpg", "tif", "webp", "obj", "ply", "stl", "pbrt", "pbrt-scene", "vdb"},
         "Pictures: png, exr, jpg, tif, webp; the milk's surface: obj, ply, stl, pbrt; a whole scene for "
         "PBRT: pbrt-scene; or volumes, where built with OpenVDB: vdb");
-    command
-        .add_option("--pbrt", options.pbrt_syntax, "PBRT's version that .pbrt files are for: 4, 3, 2")
+    add_number(command, "--pbrt", options.pbrt_syntax, {2, 4},
+               "PBRT's version that .pbrt files are for: 4, 3, 2")
         ->type_name("N")
-        ->capture_default_str()
-        ->check(CLI::Range(2, 4));
+        ->capture_default_str();
 }
 
 void add_render(CLI::App& tea, TeaRenderOptions& options) {
     CLI::App& command = *tea.add_subcommand("render", "Draw frames that were kept, or any part of them");
-    command.add_option("CACHE", options.cache, "The folder that \"tea --cache\" filled")->required();
-    command.add_option("--range", options.range, "Frames to draw, for example 1-1350; all otherwise")
+    add_text(command, "CACHE", options.cache, "The folder that \"tea --cache\" filled")->required();
+    add_text(command, "--range", options.range, "Frames to draw, for example 1-1350; all otherwise")
         ->type_name("A-B");
-    command
-        .add_option("--frames", options.frames,
-                    "Folder for milk_0001.png and so on; what is there already is kept")
+    add_text(command, "--frames", options.frames,
+             "Folder for milk_0001.png and so on; what is there already is kept")
         ->type_name("DIR")
         ->required();
     add_tea_file_options(command, options.files);
@@ -44,23 +41,23 @@ void add_render(CLI::App& tea, TeaRenderOptions& options) {
 void add_tea(CLI::App& program, TeaOptions& options, TeaRenderOptions& render) {
     CLI::App& command =
         *program.add_subcommand("tea", "Pour milk into a glass of tea, and draw what becomes of it");
-    command.add_option("SCENE", options.scene,
-                       "A scene file (.json), or the name of one that comes with the program; otherwise "
-                       "the usual glass");
+    add_text(command, "SCENE", options.scene,
+             "A scene file (.json), or the name of one that comes with the program; otherwise "
+             "the usual glass");
     add_time_options(command, options.seconds, options.fps);
-    command.add_option("--grid", options.cells, "Cells along each side of the box")
-        ->type_name("N")
-        ->check(CLI::Range(liquid::kMinTeaCells, liquid::kMaxTeaCells));
-    command.add_option("--seed", options.seed, "Another number, another glass")->type_name("N");
+    add_number(command, "--grid", options.cells, {liquid::kMinTeaCells, liquid::kMaxTeaCells},
+               "Cells along each side of the box")
+        ->type_name("N");
+    add_number(command, "--seed", options.seed, {0.0, 4294967295.0}, "Another number, another glass")
+        ->type_name("N");
     command.add_flag(
         "--classic", options.classic,
         "The system of 2010 as it was, 6 cells a side and 1000 particles in a periodic box; "
         "with --grid the same on today's solver");
-    command
-        .add_option("--frames", options.frames,
-                    "Folder for milk_0001.png and so on; what is there already is kept")
+    add_text(command, "--frames", options.frames,
+             "Folder for milk_0001.png and so on; what is there already is kept")
         ->type_name("DIR");
-    command.add_option("--cache", options.cache, "Folder to keep frames in, for \"tea render\"")
+    add_text(command, "--cache", options.cache, "Folder to keep frames in, for \"tea render\"")
         ->type_name("DIR");
     add_checkpoint_option(command, options.checkpoint_s);
     add_tea_file_options(command, options.files);

@@ -1,6 +1,7 @@
 #include "cli/timelapse.hpp"
 
 #include "cli/interrupt.hpp"
+#include "cli/printing.hpp"
 #include "cli/progress.hpp"
 #include "cli/recording_source.hpp"
 #include "cli/usage_error.hpp"
@@ -18,7 +19,7 @@ namespace {
 document::Recording strokes_of_project(const std::string& path, core::ThreadPool& pool) {
     project::LoadedProject project = project::load_project(path, pool);
     for (const std::string& note : project.notes)
-        std::fprintf(stderr, "pastoso-cli: %s\n", note.c_str());
+        complain(note);
     if (project.strokes.events.empty())
         throw core::InputError(path + ": holds no strokes that could be shown again.");
     return std::move(project.strokes);
@@ -51,13 +52,12 @@ void check_usage(const TimelapseOptions& options) {
         throw UsageError("--profile and --depth are for numbered pictures; a video has 8 bits sRGB.");
 }
 
-void print(const recordings::TimelapseChoice& choice, const recordings::TimelapseReport& report) {
+void tell(const recordings::TimelapseChoice& choice, const recordings::TimelapseReport& report) {
     if (files::is_video_path(choice.path))
-        std::printf("%s: %zu frames of %d x %d pixels\n", choice.path.c_str(), report.frames,
-                    report.width_px, report.height_px);
+        print("%s: %zu frames of %d x %d pixels\n", choice.path.c_str(), report.frames, report.width_px,
+              report.height_px);
     else
-        std::printf("%s: %zu frames, %zu of them new\n", choice.path.c_str(), report.frames,
-                    report.written);
+        print("%s: %zu frames, %zu of them new\n", choice.path.c_str(), report.frames, report.written);
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ void run_timelapse(const TimelapseOptions& options) {
         });
     if (report.status == files::ExportStatus::Stopped) throw Interrupted{};
     progress.clear();
-    print(choice, report);
+    tell(choice, report);
 }
 
 }  // namespace pastoso::cli

@@ -257,6 +257,9 @@ constexpr CommandText kCommands[] = {
     CommandText{
         Command::RecorderPanel, kView, QT_TR_NOOP("Recor&der panel"), "Shift+F4",
         QT_TR_NOOP("What is recorded of the painting: watch it grow again, or make a time-lapse")},
+    CommandText{Command::MessagesPanel, kView, QT_TR_NOOP("M&essages"), "Ctrl+Alt+N",
+                QT_TR_NOOP("What you were told last, to be read again and copied"), false, false,
+                Mode::Everywhere},
     CommandText{Command::ResetPanels, kView, QT_TR_NOOP("&Reset the panels"), "Shift+F5",
                 QT_TR_NOOP("Panels and mixing well as they stood at the first start")},
     CommandText{Command::SpaceSrgb, kView, QT_TR_NOOP("Colours for s&RGB"), "Ctrl+Alt+6",

@@ -105,6 +105,7 @@ enum class Command {
     NavigatorPanel,
     LightPanel,
     RecorderPanel,
+    MessagesPanel,
     ResetPanels,
     SpaceSrgb,
     SpaceDisplayP3,

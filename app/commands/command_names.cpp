@@ -113,6 +113,7 @@ constexpr Name kNames[] = {
     {Command::NavigatorPanel, "navigator_panel"},
     {Command::LightPanel, "light_panel"},
     {Command::RecorderPanel, "recorder_panel"},
+    {Command::MessagesPanel, "messages_panel"},
     {Command::ResetPanels, "reset_panels"},
     {Command::SpaceSrgb, "space_srgb"},
     {Command::SpaceDisplayP3, "space_display_p3"},

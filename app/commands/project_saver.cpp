@@ -11,31 +11,53 @@ ProjectSaver::ProjectSaver(QObject* parent)
       worker_(
           [this](Job& job) {
               core::ThreadPool pool;
-              project::save_project(job.path.toStdString(),
-                                    {std::move(job.painting), job.record.recording()}, pool);
-              end(job.path, {});
+              const std::filesystem::path file = job.path.toStdString();
+              project::save_project(file, {std::move(job.painting), job.record.recording()}, pool,
+                                    job.write_protected);
+              end({job.number, job.path, {}, stamp_of(file)});
           },
-          [this](Job& job, const std::string& fault) { end(job.path, QString::fromStdString(fault)); }) {
-}
+          [this](Job& job, const std::string& fault) {
+              end({job.number, job.path, QString::fromStdString(fault), std::nullopt});
+          }) {}
 
 ProjectSaver::~ProjectSaver() {
-    wait();
+    worker_.wait();
 }
 
 QString ProjectSaver::wait() {
     worker_.wait();
-    return error_;
+    return tell();
 }
 
-void ProjectSaver::save(document::PaintingState painting, document::Recorder record,
-                        const QString& path) {
+std::uint64_t ProjectSaver::save(document::PaintingState painting, document::Recorder record,
+                                 const QString& path, core::WriteProtected write_protected) {
     wait();
-    worker_.add({std::move(painting), std::move(record), path});
+    worker_.add({std::move(painting), std::move(record), ++count_, path, write_protected});
+    return count_;
 }
 
-void ProjectSaver::end(const QString& path, const QString& error) {
-    error_ = error;
-    Q_EMIT finished(path, error);
+/// Told on the object's thread: by who waits there, or when its events have their turn.
+void ProjectSaver::end(SaveOutcome outcome) {
+    {
+        const std::lock_guard lock(mutex_);
+        untold_.push_back(std::move(outcome));
+    }
+    QMetaObject::invokeMethod(
+        this, [this] { tell(); }, Qt::QueuedConnection);
+}
+
+QString ProjectSaver::tell() {
+    std::vector<SaveOutcome> outcomes;
+    {
+        const std::lock_guard lock(mutex_);
+        outcomes.swap(untold_);
+    }
+    QString error;
+    for (const SaveOutcome& outcome : outcomes) {
+        error = outcome.error;
+        Q_EMIT finished(outcome);
+    }
+    return error;
 }
 
 }  // namespace pastoso::commands

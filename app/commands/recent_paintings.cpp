@@ -1,6 +1,7 @@
 #include "commands/recent_paintings.hpp"
 
 #include "core/error.hpp"
+#include "core/looking.hpp"
 #include "core/text_file.hpp"
 #include "core/user_data.hpp"
 
@@ -49,15 +50,14 @@ std::vector<std::filesystem::path> known_paintings() {
 std::vector<std::filesystem::path> recent_paintings() {
     std::vector<std::filesystem::path> paintings = known_paintings();
     std::erase_if(paintings, [](const std::filesystem::path& painting) {
-        std::error_code ignored;
-        return !std::filesystem::is_regular_file(painting, ignored);
+        return !core::is_regular_file(painting);
     });
     return paintings;
 }
 
 void remember_painting(const std::filesystem::path& path) {
     if (list_path().empty()) return;
-    const std::filesystem::path whole = std::filesystem::absolute(path);
+    const std::filesystem::path whole = core::absolute_path(path);
     std::vector<std::filesystem::path> paintings = known_paintings();
     std::erase(paintings, whole);
     paintings.insert(paintings.begin(), whole);

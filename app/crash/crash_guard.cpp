@@ -55,7 +55,7 @@ const char* name_of(int signal) {
 }
 
 void write_report(int signal) {
-    const int file = ::open(report_path.data(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, 0600);
+    const int file = ::open(report_path.data(), O_CREAT | O_EXCL | O_NOFOLLOW | O_WRONLY | O_CLOEXEC, 0600);
     if (file < 0) return;
     write_text(file, facts_text.data());
     write_text(file, "Ended by: ");

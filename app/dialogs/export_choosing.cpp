@@ -1,6 +1,6 @@
 // What ExportDialog does when something is chosen in it.
 
-#include "core/error.hpp"
+#include "core/fault.hpp"
 #include "dialogs/export_dialog.hpp"
 #include "document/canvas.hpp"
 #include "tools/export_names.hpp"
@@ -45,8 +45,8 @@ QString breakable(QString sentence) {
 }
 
 /// Without the folder, which stands above it.
-QString fault_words(const core::InputError& error, const Path& path) {
-    QString sentence = QString::fromUtf8(error.what());
+QString fault_words(const std::string& fault, const Path& path) {
+    QString sentence = QString::fromStdString(fault);
     const QString folder = QString::fromStdString(path.parent_path().string()) + QLatin1Char('/');
     if (sentence.startsWith(folder)) sentence.remove(0, folder.size());
     return breakable(sentence);
@@ -193,14 +193,10 @@ void ExportDialog::show_outcome() {
     const Path file = path();
     const bool replaces = !file.empty() && tools::is_taken(file, settings_.form);
     export_->setText(replaces && !is_folder(settings_.format()) ? tr("Replace") : tr("Export"));
-    bool possible = true;
-    try {
-        outcome_->setText(export_summary(subject_, settings_, file));
-    } catch (const core::InputError& error) {
-        outcome_->setText(fault_words(error, file));
-        possible = false;
-    }
-    export_->setEnabled(possible);
+    const std::string fault =
+        core::fault_of([&] { outcome_->setText(export_summary(subject_, settings_, file)); });
+    if (!fault.empty()) outcome_->setText(fault_words(fault, file));
+    export_->setEnabled(fault.empty());
     layout()->activate();
     resize(width(), layout()->totalHeightForWidth(width()));
 }

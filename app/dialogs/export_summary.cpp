@@ -1,6 +1,7 @@
 #include "dialogs/export_summary.hpp"
 
 #include "core/error.hpp"
+#include "core/looking.hpp"
 #include "core/memory.hpp"
 #include "document/canvas.hpp"
 #include "files/file_access.hpp"
@@ -16,8 +17,8 @@ using tools::ExportForm;
 using tools::ExportSettings;
 using Path = std::filesystem::path;
 
-QString tr(const char* words) {
-    return QCoreApplication::translate("pastoso::dialogs", words);
+QString tr(const char* words, const char* meaning = nullptr, int count = -1) {
+    return QCoreApplication::translate("pastoso::dialogs", words, meaning, count);
 }
 
 bool is_folder_format(const ExportSettings& settings) {
@@ -67,9 +68,9 @@ QString film_words(const grid::Shape& size, const ExportSubject& subject,
                    const recordings::TimelapseChoice& choice) {
     const double painted_s = static_cast<double>(subject.film.end_tick) * document::kTick_s;
     const std::int64_t frames = recordings::frame_count(subject.film, choice);
-    return tr("%1 of painting become %2 of film: %3 frames of %4 × %5 pixels.")
+    return tr("%1 of painting become %2 of film: %n frame(s) of %3 × %4 pixels.", nullptr,
+              static_cast<int>(frames))
         .arg(duration(painted_s), duration(static_cast<double>(frames) / choice.fps))
-        .arg(frames)
         .arg(size.width)
         .arg(size.height);
 }
@@ -80,10 +81,10 @@ void check_folder(const Path& folder) {
     const auto refuse = [&](const QString& sentence) {
         throw core::InputError(sentence.arg(name).toStdString());
     };
-    if (!std::filesystem::exists(folder)) return files::check_writable(folder);
-    if (!std::filesystem::is_directory(folder))
+    if (!core::is_there(folder)) return files::check_writable(folder);
+    if (!core::is_folder(folder))
         refuse(tr("%1 is a file; numbered pictures go into a folder."));
-    if (std::filesystem::exists(folder / "frame-00001.png"))
+    if (core::is_there(folder / "frame-00001.png"))
         refuse(tr("The folder %1 holds the frames of another time-lapse; name another one."));
     files::check_writable(folder / "frame-00001.png");
 }
@@ -99,8 +100,7 @@ void check_timelapse(const ExportSubject& subject, const ExportSettings& setting
 
 void check_path(const Path& path) {
     if (path.empty()) throw core::InputError(tr("The file needs a name.").toStdString());
-    std::error_code unseen;
-    if (!std::filesystem::is_directory(path.parent_path(), unseen))
+    if (!core::is_folder(path.parent_path()))
         throw core::InputError(tr("There is no folder %1.")
                                    .arg(QString::fromStdString(path.parent_path().string()))
                                    .toStdString());

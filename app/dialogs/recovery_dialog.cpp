@@ -50,6 +50,9 @@ RecoveryDialog::RecoveryDialog(std::vector<journal::Unfinished> paintings, QWidg
         if (recover_->isEnabled()) accept();
     });
     list_paintings();
+    connect(&pictures_, &UnfinishedPictures::painted, this, &RecoveryDialog::show_picture);
+    for (const journal::Unfinished& painting : paintings_)
+        pictures_.want(painting);
 }
 
 const journal::Unfinished& RecoveryDialog::chosen() const {
@@ -61,6 +64,14 @@ void RecoveryDialog::list_paintings() {
     for (const journal::Unfinished& painting : paintings_)
         list_->addItem(new QListWidgetItem(unfinished_picture(painting, kPicture_px), unfinished_words(painting)));
     list_->setCurrentRow(0);
+}
+
+void RecoveryDialog::show_picture(const journal::Unfinished& painting) {
+    for (std::size_t i = 0; i < paintings_.size(); ++i) {
+        if (paintings_[i].folder != painting.folder) continue;
+        paintings_[i].thumbnail = painting.thumbnail;
+        list_->item(static_cast<int>(i))->setIcon(unfinished_picture(painting, kPicture_px));
+    }
 }
 
 void RecoveryDialog::show_chosen() {

@@ -1,6 +1,7 @@
 // Offers the paintings that a program left unfinished.
 #pragma once
 
+#include "dialogs/unfinished_pictures.hpp"
 #include "journal/recovery.hpp"
 
 #include <functional>
@@ -35,6 +36,7 @@ class RecoveryDialog : public QDialog {
 
   private:
     void list_paintings();
+    void show_picture(const journal::Unfinished& painting);
     void show_chosen();
     void discard_chosen();
 
@@ -44,6 +46,7 @@ class RecoveryDialog : public QDialog {
     QLabel* fault_ = nullptr;
     QPushButton* recover_ = nullptr;
     QPushButton* discard_ = nullptr;
+    UnfinishedPictures pictures_;
 };
 
 }  // namespace pastoso::dialogs

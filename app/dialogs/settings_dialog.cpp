@@ -78,16 +78,17 @@ void SettingsDialog::add_choice(QFormLayout* form, const QString& words, const Q
 }
 
 void SettingsDialog::add_number(QFormLayout* form, const QString& words, const QString& name, int most,
-                                const QString& words_for_none, const QString& unit,
+                                const QString& words_for_none, const UnitWords& unit,
                                 int tools::Preferences::*preference) {
     auto* box = new QSpinBox;
     box->setObjectName(name);
     box->setRange(0, most);
     box->setSpecialValueText(words_for_none);
-    box->setSuffix(unit);
     box->setKeyboardTracking(false);
     box->setValue(preferences_.*preference);
-    connect(box, &QSpinBox::valueChanged, this, [this, preference](int value) {
+    box->setSuffix(unit(box->value()));
+    connect(box, &QSpinBox::valueChanged, this, [this, box, unit, preference](int value) {
+        box->setSuffix(unit(value));
         preferences_.*preference = value;
         Q_EMIT changed(preferences_);
     });
@@ -127,8 +128,10 @@ QWidget* SettingsDialog::make_keeping(int undo_memory_MiB) {
     form->addRow(tr("Memory for undo"), memory);
     form->addRow(QString(), note(tr("The steps that you can return to. The oldest are given up when it "
                                     "is full; 500 are kept at most.")));
-    add_number(form, tr("Save by itself every"), QStringLiteral("autosave"), tools::kMostAutosave_min,
-               tr("Never"), tr(" minutes"), &tools::Preferences::autosave_min);
+    add_number(
+        form, tr("Save by itself every"), QStringLiteral("autosave"), tools::kMostAutosave_min,
+        tr("Never"), [](int minutes) { return tr(" minute(s)", nullptr, minutes); },
+        &tools::Preferences::autosave_min);
     form->addRow(QString(),
                  note(tr("Into the painting's own file, once it has one. Whatever you choose, "
                          "every stroke is kept aside within a second and offered to you "
@@ -139,9 +142,10 @@ QWidget* SettingsDialog::make_keeping(int undo_memory_MiB) {
 QWidget* SettingsDialog::make_performance() {
     auto* page = new QWidget;
     QFormLayout* form = form_on(page);
-    add_number(form, tr("Threads"), QStringLiteral("threads"), tools::kMostThreads,
-               tr("All of the machine (%1)").arg(core::processor_count()), QString(),
-               &tools::Preferences::threads);
+    add_number(
+        form, tr("Threads"), QStringLiteral("threads"), tools::kMostThreads,
+        tr("All of the machine (%1)").arg(core::processor_count()), [](int) { return QString(); },
+        &tools::Preferences::threads);
     form->addRow(QString(), note(tr("How many things the program works on at once, from the next "
                                     "painting on. The paint flows the same with any number.")));
     form->addRow(QString(), note(tr("How carefully moving paint is shown follows from how fast this "

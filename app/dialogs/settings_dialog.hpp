@@ -4,6 +4,7 @@
 
 #include "tools/preferences.hpp"
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,9 @@ class SettingsDialog : public QDialog {
     void undo_memory_changed(int MiB);
 
   private:
+    /// Of a number, as it is said behind it.
+    using UnitWords = std::function<QString(int)>;
+
     QWidget* make_appearance();
     QWidget* make_keeping(int undo_memory_MiB);
     QWidget* make_performance();
@@ -41,7 +45,7 @@ class SettingsDialog : public QDialog {
                     const std::vector<std::pair<QString, std::string>>& choices,
                     std::string tools::Preferences::*preference);
     void add_number(QFormLayout* form, const QString& words, const QString& name, int most,
-                    const QString& words_for_none, const QString& unit,
+                    const QString& words_for_none, const UnitWords& unit,
                     int tools::Preferences::*preference);
 
     tools::Preferences preferences_;

@@ -1,6 +1,7 @@
 #include "glass/liquid_picture_dialog.hpp"
 
 #include "core/error.hpp"
+#include "core/fault.hpp"
 #include "liquid_files/traced_picture.hpp"
 
 #include <algorithm>
@@ -149,13 +150,12 @@ void LiquidPictureDialog::show_progress() {
         if (!progress.error.empty())
             progress_->setText(QString::fromStdString(progress.error));
         else if (progress.finished)
-            progress_->setText(tr("%1 samples in %2 s, without noise")
-                                   .arg(progress.samples)
+            progress_->setText(tr("%n sample(s) in %1 s, without noise", nullptr, progress.samples)
                                    .arg(progress.seconds, 0, 'f', 1));
         else if (progress.samples == 0)
             progress_->setText(tr("Finding the surface..."));
         else
-            progress_->setText(tr("%1 of %2 samples").arg(progress.samples).arg(wanted_samples_));
+            progress_->setText(tr("%1 of %n sample(s)", nullptr, wanted_samples_).arg(progress.samples));
         if (const auto shown = work_->shown()) {
             const QImage view(shown->rgb.data(), shown->width, shown->height, 3 * shown->width,
                               QImage::Format_RGB888);
@@ -192,11 +192,9 @@ void LiquidPictureDialog::ask_save() {
         this, tr("Save the picture"), words_.file,
         tr("Pictures (%1)").arg(QStringLiteral("*.png *.exr *.tif *.tiff *.jpg *.jpeg *.webp")));
     if (path.isEmpty()) return;
-    try {
-        save(path);
-    } catch (const core::InputError& error) {
-        QMessageBox::warning(this, tr("Save the picture"), QString::fromUtf8(error.what()));
-    }
+    const std::string fault = core::fault_of([&] { save(path); });
+    if (!fault.empty())
+        QMessageBox::warning(this, tr("Save the picture"), QString::fromStdString(fault));
 }
 
 void LiquidPictureDialog::put_on_canvas() {

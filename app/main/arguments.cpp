@@ -1,12 +1,33 @@
 #include "main/arguments.hpp"
 
 #include "arguments/argument_fault.hpp"
+#include "core/printable.hpp"
 
+#include <charconv>
 #include <cstdio>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
 namespace pastoso::main {
+
+namespace {
+
+void complain(const std::string& sentence) {
+    std::fprintf(stderr, "pastoso: %s\n", core::printable(sentence).c_str());
+}
+
+/// CLI11's own range lets pass what is no number.
+std::string delay_problem(const std::string& text) {
+    constexpr double kLongest_s = 86400.0;
+    double delay_s = 0.0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), delay_s);
+    const bool whole = result.ec == std::errc() && result.ptr == text.data() + text.size();
+    if (whole && delay_s >= 0.0 && delay_s <= kLongest_s) return {};
+    return "\"" + text + "\" is no number from 0 to 86400";
+}
+
+}  // namespace
 
 ParsedArguments parse_arguments(int argc, char** argv) {
     ParsedArguments parsed;
@@ -16,21 +37,27 @@ ParsedArguments parse_arguments(int argc, char** argv) {
     app.set_version_flag("--version", "pastoso " PASTOSO_VERSION);
     app.add_option(
         "file", arguments.file,
-        "A painting (.pastoso) to go on with, or a recording (.json) to replay into the window");
+        "A painting (.pastoso) to go on with, a picture to begin with, or a recording (.json) to replay "
+        "into the window");
     auto* screenshot = app.add_option("--screenshot", arguments.screenshot,
                                       "Save a picture of the window to this file and leave");
     app.add_option("--after", arguments.after_s, "Seconds to wait before the screenshot")
         ->capture_default_str()
-        ->check(CLI::Range(0.0, 86400.0))
+        ->check(CLI::Validator(delay_problem, "0 to 86400"))
         ->needs(screenshot);
     app.add_flag("--profile", arguments.profile,
                  "Tell at the end how long strokes took to the painting and to the screen");
+    if (const std::string option = arguments::option_without_value(argc, argv); !option.empty()) {
+        complain(option + ": no value follows the \"=\" (pastoso --help shows what there is).");
+        parsed.exit_status = 2;
+        return parsed;
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& wanted) {
         parsed.exit_status = app.exit(wanted);
     } catch (const CLI::ParseError& error) {
-        std::fprintf(stderr, "pastoso: %s\n", arguments::argument_fault(app, error).c_str());
+        complain(arguments::argument_fault(app, error));
         parsed.exit_status = 2;
     }
     return parsed;

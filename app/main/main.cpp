@@ -1,7 +1,9 @@
 // pastoso: the window.
 
 #include "core/fault.hpp"
+#include "core/isa_request.hpp"
 #include "core/memory.hpp"
+#include "core/printable.hpp"
 #include "crash/crash_guard.hpp"
 #include "crash/crash_reports.hpp"
 #include "dialogs/crash_dialog.hpp"
@@ -13,8 +15,6 @@
 #include "main/program/machine_facts.hpp"
 #include "main/program/preference_commands.hpp"
 #include "main/window_parts.hpp"
-#include "project/project.hpp"
-#include "recordings/recording_json.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -38,7 +38,7 @@ void ask_for_opengl() {
 }
 
 int fail(const std::string& sentence) {
-    std::fprintf(stderr, "pastoso: %s\n", sentence.c_str());
+    std::fprintf(stderr, "pastoso: %s\n", pastoso::core::printable(sentence).c_str());
     return EXIT_FAILURE;
 }
 
@@ -95,12 +95,10 @@ void note_graphics(MainWindow& window) {
 
 int run(QApplication& application, const Arguments& arguments,
         const pastoso::main::KeptPreferences& preferences) {
-    pastoso::document::Recording recording;
-    const bool opens = arguments.file && pastoso::project::is_project_path(*arguments.file);
-    if (arguments.file && !opens) recording = pastoso::recordings::read_recording_json(*arguments.file);
-    MainWindow window(recording.canvas, !arguments.screenshot, preferences);
-    if (opens) window.parts().files.open_painting(QString::fromStdString(arguments.file->string()));
-    if (arguments.file && !opens) window.replay(recording);
+    MainWindow window({}, !arguments.screenshot, preferences);
+    const std::string fault = arguments.file ? window.open_file(*arguments.file) : "";
+    if (!fault.empty() && arguments.screenshot) return fail(fault);
+    const bool with_page = (!arguments.file || !fault.empty()) && !arguments.profile;
     QObject::connect(
         &window.studio().canvas(), &pastoso::view::CanvasView::failed, &application,
         [](const QString& sentence) { QApplication::exit(fail(sentence.toStdString())); },
@@ -110,9 +108,7 @@ int run(QApplication& application, const Arguments& arguments,
     if (arguments.screenshot)
         take_screenshot_later(window, arguments);
     else
-        QTimer::singleShot(0, &window, [&window, with_page = !arguments.file && !arguments.profile] {
-            meet_painter(window, with_page);
-        });
+        QTimer::singleShot(0, &window, [&window, with_page] { meet_painter(window, with_page); });
     if (!arguments.profile) return QApplication::exec();
     const auto times = std::make_shared<pastoso::session::FrameTimes>();
     window.studio().measure(times);
@@ -124,6 +120,7 @@ int run(QApplication& application, const Arguments& arguments,
 int start(int argc, char** argv) {
     const auto [arguments, exit_status] = pastoso::main::parse_arguments(argc, argv);
     if (exit_status) return *exit_status;
+    pastoso::core::check_isa_request();
     ask_for_opengl();
     pastoso::main::expect_display();
     pastoso::main::Application application(argc, argv);

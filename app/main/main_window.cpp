@@ -4,6 +4,7 @@
 #include "panels/layers/tracing_panel.hpp"
 #include "panels/paint/medium_panel.hpp"
 #include "pigment/user_pigments.hpp"
+#include "recordings/recording_json.hpp"
 
 #include <QCloseEvent>
 
@@ -44,6 +45,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
 MainWindow::~MainWindow() = default;
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    event->ignore();  // also where asking fails
     event->setAccepted(parts_->exporting.may_stop() && parts_->files.may_discard());
     if (!event->isAccepted()) return;
     parts_->exporting.exporter().stop();
@@ -58,6 +60,19 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 void MainWindow::replay(const document::Recording& recording) {
     parts_->transform.end();
     parts_->files.replay(recording);
+}
+
+std::string MainWindow::open_file(const std::filesystem::path& file) {
+    const QString path = QString::fromStdString(file.string());
+    const std::string fault = core::fault_of([&] {
+        if (ProjectFiles::opens(path))
+            parts_->files.open_painting(path);
+        else
+            replay(recordings::read_recording_json(file));
+    });
+    if (!fault.empty())
+        studio_.messages().raise({panels::Matter::Opening, QString::fromStdString(fault)});
+    return fault;
 }
 
 }  // namespace pastoso::main

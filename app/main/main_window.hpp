@@ -5,7 +5,9 @@
 #include "main/program/kept_preferences.hpp"
 #include "main/studio.hpp"
 
+#include <filesystem>
 #include <memory>
+#include <string>
 
 #include <QMainWindow>
 
@@ -30,6 +32,10 @@ class MainWindow : public QMainWindow {
 
     /// Puts up the recording's canvas and paints on it what was recorded.
     void replay(const document::Recording& recording);
+
+    /// Puts up what the program is started with: a painting, a picture, or a recording. Where it cannot
+    /// be, that stands in the window, whose canvas stays as it is, and the sentence is returned.
+    std::string open_file(const std::filesystem::path& file);
 
   protected:
     void closeEvent(QCloseEvent* event) override;

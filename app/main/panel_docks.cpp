@@ -9,6 +9,7 @@
 #include "panels/history/recorder_panel.hpp"
 #include "panels/layers/layer_panel.hpp"
 #include "panels/layers/tracing_panel.hpp"
+#include "panels/messages/message_panel.hpp"
 #include "panels/paint/load_panel.hpp"
 #include "panels/paint/medium_panel.hpp"
 #include "panels/pen/curves_panel.hpp"
@@ -88,6 +89,8 @@ void make_panels(Studio& studio, PanelSet& panels) {
         new panels::NavigatorPanel({action(Command::FitCanvas), action(Command::ActualPixels)},
                                    {action(Command::TurnUpright), action(Command::MirrorView)},
                                    view::kSmallestZoom, view::kLargestZoom);
+    panels.messages = new panels::MessagePanel;
+    panels.messages->follow(studio.messages());
     panels.recorder = new panels::RecorderPanel(
         {action(Command::Play), action(Command::MakeTimelapse), action(Command::SaveRecording)});
 }
@@ -180,11 +183,13 @@ void add_docks(Studio& studio, PanelSet& panels) {
          {Command::TracingPanel, "tracing_panel", QT_TR_NOOP("Tracing"), panels.tracing},
          {Command::HistoryPanel, "history_panel", QT_TR_NOOP("History"), panels.history},
          {Command::NavigatorPanel, "navigator_panel", QT_TR_NOOP("Navigator"), panels.navigator},
-         {Command::RecorderPanel, "recorder_panel", QT_TR_NOOP("Recorder"), panels.recorder}});
+         {Command::RecorderPanel, "recorder_panel", QT_TR_NOOP("Recorder"), panels.recorder},
+         {Command::MessagesPanel, "messages_panel", QT_TR_NOOP("Messages"), panels.messages}});
     layers->raise();
     first->raise();
     // Opened when they are needed: so many names would not fit beside one another.
-    for (const Command rare : {Command::GuidesPanel, Command::TracingPanel, Command::RecorderPanel})
+    for (const Command rare :
+         {Command::GuidesPanel, Command::TracingPanel, Command::RecorderPanel, Command::MessagesPanel})
         panels.docks.at(rare)->hide();
     // As narrow as what they hold allows: the canvas gets the rest.
     window.resizeDocks({first}, {1}, Qt::Horizontal);

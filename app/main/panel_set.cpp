@@ -135,6 +135,17 @@ void add_middle(Studio& studio, const PanelSet& panels) {
     studio.window().setCentralWidget(middle);
 }
 
+/// Beside the line in which they pass.
+QToolButton* make_message_button(Studio& studio) {
+    auto* button = new QToolButton;
+    button->setObjectName(QStringLiteral("show_messages"));
+    button->setDefaultAction(studio.commands().action(commands::Command::MessagesPanel));
+    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    return button;
+}
+
 QDockWidget* add_well(Studio& studio) {
     using commands::Command;
     QAction* squeeze = studio.commands().action(Command::SqueezePaint);
@@ -163,6 +174,7 @@ PanelSet lay_out(Studio& studio) {
     add_docks(studio, panels);
     panels.readings = new panels::StatusReadings;
     window.statusBar()->setSizeGripEnabled(false);
+    window.statusBar()->addPermanentWidget(make_message_button(studio));
     window.statusBar()->addPermanentWidget(panels.readings);
     window.resize(1280, 800);
     studio.canvas().setFocus();

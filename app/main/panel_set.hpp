@@ -20,6 +20,7 @@ class LayerPanel;
 class LightPanel;
 class LoadPanel;
 class MediumPanel;
+class MessagePanel;
 class NavigatorPanel;
 class PaintPanel;
 class RecorderPanel;
@@ -47,6 +48,7 @@ struct PanelSet {
     panels::NavigatorPanel* navigator = nullptr;
     panels::LightPanel* lights = nullptr;
     panels::RecorderPanel* recorder = nullptr;
+    panels::MessagePanel* messages = nullptr;
     panels::StatusReadings* readings = nullptr;
     QComboBox* medium = nullptr;
     QDockWidget* well = nullptr;

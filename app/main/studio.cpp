@@ -7,9 +7,20 @@
 
 #include <QAction>
 #include <QMainWindow>
+#include <QMessageBox>
 #include <QStatusBar>
 
 namespace pastoso::main {
+namespace {
+
+/// As a sentence of its own.
+QString sentence_of(const std::string& fault) {
+    QString sentence = QString::fromStdString(fault);
+    if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
+    return sentence;
+}
+
+}  // namespace
 
 Studio::Studio(QMainWindow& window)
     : window_(window),
@@ -21,17 +32,26 @@ Studio::Studio(QMainWindow& window)
       well_(new view::CanvasView(easel_.get(), document::Surface::Well)) {
     if (auto* application = qobject_cast<Application*>(QCoreApplication::instance()))
         connect(application, &Application::failed, this, &Studio::report_refusal, Qt::QueuedConnection);
+    constexpr int kReadingTime_ms = 12000;
+    connect(&messages_, &panels::MessageLog::passed, this, [this](const QString& sentence) {
+        window_.statusBar()->showMessage(sentence, kReadingTime_ms);
+    });
 }
 
 void Studio::put_up(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<document::Painting> painting,
-                    document::Recording past, std::unique_ptr<journal::JournalWriter> journal) {
+                    document::Recording past, std::unique_ptr<journal::JournalWriter> journal,
+                    session::PaintSession::BeginJournal begin_journal) {
     if (session_) {
         Q_EMIT session_ends();
         session_->discard_journal();
     }
+    for (const panels::Matter matter :
+         {panels::Matter::Saving, panels::Matter::Opening, panels::Matter::Notes})
+        messages_.solve(matter);
     session_ = std::make_unique<session::PaintSession>(
         std::move(pool), std::move(painting), queued_refresh(this, [this] { show_published(); }),
-        std::move(past), commands_.action(commands::Command::Pause)->isChecked(), std::move(journal));
+        std::move(past), commands_.action(commands::Command::Pause)->isChecked(), std::move(journal),
+        std::move(begin_journal));
     session_->measure(times_);
     Q_EMIT session_begun();
 }
@@ -66,13 +86,42 @@ void Studio::choose_paint(const document::PaintRecipe& paint) {
 }
 
 void Studio::report(const QString& sentence) {
-    constexpr int kReadingTime_ms = 12000;
-    window_.statusBar()->showMessage(sentence, kReadingTime_ms);
+    messages_.add(sentence);
 }
 
-void Studio::report_refusal(QString sentence) {
-    if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
-    report(sentence);
+void Studio::report_refusal(const QString& sentence) {
+    report(sentence_of(sentence.toStdString()));
+}
+
+void Studio::report_notes(const QString& file, const std::vector<std::string>& notes) {
+    using panels::Matter;
+    if (notes.size() == 1) {
+        messages_.raise({Matter::Notes, sentence_of(notes.front())});
+        return;
+    }
+    for (const std::string& note : notes)
+        report(sentence_of(note));
+    if (notes.empty()) return;
+    QAction* show = commands_.action(commands::Command::MessagesPanel);
+    messages_.raise({Matter::Notes,
+                     tr("%1 is open, and %n note(s) tell what is not as it was in the file.", nullptr,
+                        static_cast<int>(notes.size()))
+                         .arg(file),
+                     tr("Show them"), [show] { show->trigger(); }});
+}
+
+bool Studio::attempt(const Work& work) {
+    const std::string fault = core::fault_of(work);
+    if (!fault.empty()) report(sentence_of(fault));
+    return fault.empty();
+}
+
+bool Studio::attempt(const QString& title, const Work& work) {
+    const std::string fault = core::fault_of(work);
+    if (fault.empty()) return true;
+    report(sentence_of(fault));
+    QMessageBox::warning(&window_, title, sentence_of(fault));
+    return false;
 }
 
 core::Tell Studio::teller() {

@@ -1,15 +1,19 @@
 // What the parts of the window share: the painting that is worked on, the hand that paints it, the views
-// that show it, the commands, and the line in which the painter is told what happens.
+// that show it, the commands, and the messages in which the painter is told what happens.
 #pragma once
 
 #include "commands/command_registry.hpp"
 #include "core/fault.hpp"
+#include "panels/messages/message_log.hpp"
 #include "session/paint_session.hpp"
 #include "tools/easel.hpp"
 #include "view/canvas_view.hpp"
 
 #include <array>
+#include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <QObject>
 
@@ -40,7 +44,8 @@ class Studio : public QObject {
     /// Puts another painting on the easel in place of the one before, whose journal goes; as
     /// session::PaintSession does it.
     void put_up(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<document::Painting> painting,
-                document::Recording past, std::unique_ptr<journal::JournalWriter> journal);
+                document::Recording past, std::unique_ptr<journal::JournalWriter> journal,
+                session::PaintSession::BeginJournal begin_journal);
 
     /// From now on all sessions tell these how long the painter waits, and the canvas how long what they
     /// publish takes to the screen.
@@ -55,12 +60,25 @@ class Studio : public QObject {
     void show_hand() { Q_EMIT hand_changed(easel_->hand()); }
     void choose_paint(const document::PaintRecipe& paint);
 
-    /// Tells a sentence in the status line.
+    /// What the painter is told, and what of it stands.
+    panels::MessageLog& messages() { return messages_; }
+
+    /// Tells a sentence, which passes in the status line.
     void report(const QString& sentence);
     /// The same of the engine's, which begin small, since many stand behind the name of a file.
-    void report_refusal(QString sentence);
+    void report_refusal(const QString& sentence);
     /// The same from any thread, a little later.
     core::Tell teller();
+
+    /// What of a file is not as it was in it: told one by one, and what is only one stands; of more,
+    /// how many there are.
+    void report_notes(const QString& file, const std::vector<std::string>& notes);
+
+    using Work = std::function<void()>;
+    /// Whatever `work` throws is reported; returns whether it threw nothing.
+    bool attempt(const Work& work);
+    /// The same for what the painter has just asked for and waits for: told under `title` in a dialog.
+    bool attempt(const QString& title, const Work& work);
 
   Q_SIGNALS:
     void session_ends();   ///< another painting comes
@@ -71,6 +89,7 @@ class Studio : public QObject {
 
   private:
     QMainWindow& window_;
+    panels::MessageLog messages_;
     commands::CommandRegistry commands_;
     std::unique_ptr<tools::Easel> easel_;
     std::unique_ptr<session::PaintSession> session_;

@@ -3,7 +3,8 @@
 namespace pastoso::main {
 
 WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_journal)
-    : sizing(studio, panels.readings),
+    : messages(studio),
+      sizing(studio, panels.readings),
       layers(studio, panels.layers, panels.docks.at(commands::Command::LayersPanel)),
       layer_pictures(studio, panels.layers, panels.docks.at(commands::Command::LayersPanel)),
       selection(studio, panels.brushes, panels.readings),
@@ -19,7 +20,7 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       pens(studio),
       popup(studio, brushes, panels.colours),
       files(studio, keeps_journal),
-      start(studio, files),
+      start(studio, files, messages),
       view(studio, panels.readings),
       navigation(studio, panels.navigator, panels.docks.at(commands::Command::NavigatorPanel)),
       light(studio, panels.stand, panels.lights),

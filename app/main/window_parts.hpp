@@ -3,6 +3,7 @@
 #pragma once
 
 #include "main/canvas/canvas_sizing.hpp"
+#include "main/canvas/message_place.hpp"
 #include "main/canvas/navigation.hpp"
 #include "main/canvas/range_selection.hpp"
 #include "main/canvas/selection_commands.hpp"
@@ -40,6 +41,7 @@ namespace pastoso::main {
 struct WindowParts {
     WindowParts(Studio& studio, const PanelSet& panels, bool keeps_journal);
 
+    MessagePlace messages;
     CanvasSizing sizing;
     LayerCommands layers;
     LayerPictures layer_pictures;

@@ -16,6 +16,9 @@ namespace {
 /// picture.
 constexpr auto kLongestBatch = std::chrono::milliseconds(8);
 
+/// From one attempt to begin a journal to the next.
+constexpr auto kJournalPause = std::chrono::seconds(2);
+
 bool is_known(const std::string& paint) {
     try {
         pigment::check_paint_name(paint);
@@ -46,11 +49,13 @@ document::Recording past_of(const document::Painting& painting, document::Record
 PaintSession::PaintSession(std::unique_ptr<core::ThreadPool> pool,
                            std::unique_ptr<document::Painting> painting, Notify notify,
                            document::Recording past, bool paused,
-                           std::unique_ptr<journal::JournalWriter> journal)
+                           std::unique_ptr<journal::JournalWriter> journal, BeginJournal begin_journal)
     : notify_(std::move(notify)),
       pool_(std::move(pool)),
       painting_(std::move(painting)),
       journal_(std::move(journal)),
+      begin_journal_(journal_ ? BeginJournal() : std::move(begin_journal)),
+      journal_tried_(WallClock::now()),
       clock_(WallClock::now()),
       paints_used_(known_paints(past)),
       recorder_(past_of(*painting_, std::move(past))) {
@@ -200,14 +205,29 @@ void PaintSession::hand_out_capture() {
     const std::lock_guard lock(mutex_);
     recorder_.note_tick(painting_->tick());
     std::exchange(wanted_capture_, nullptr)
-        ->set_value({std::move(state), recorder_, changes_, journal_ ? journal_->events() : 0});
+        ->set_value({std::move(state), recorder_, changes_, journal_events()});
+}
+
+std::uint64_t PaintSession::journal_events() const {
+    return journal_ ? journal_->events() : unkept_.size();
+}
+
+bool PaintSession::has_journal() const {
+    const std::lock_guard lock(mutex_);
+    return journal_ != nullptr;
 }
 
 void PaintSession::note_saved(const std::filesystem::path& path, std::uint64_t journal_events) {
-    if (journal_) journal_->note_saved(path, journal_events);
+    const std::lock_guard lock(mutex_);
+    if (journal_)
+        journal_->note_saved(path, journal_events);
+    else
+        saved_before_journal_ = Saved{path, journal_events};
 }
 
 void PaintSession::discard_journal() {
+    const std::lock_guard lock(mutex_);
+    journal_discarded_ = true;
     if (journal_) journal_->discard();
 }
 
@@ -229,6 +249,7 @@ void PaintSession::work() {
     hand_out_capture();
     const auto begin = WallClock::now();
     const bool ticked = advance_if_due();
+    if (begin_journal_) try_to_begin_journal();
     if (journal_) keep_journal();
     if (changed_ && !may_wait()) publish();
     if (ticked) measure_quiet_tick(begin);
@@ -264,7 +285,11 @@ bool PaintSession::wait_for_work() {
         return stopping_ || !posted_.empty() || wanted_capture_ != nullptr || wanted_budget_bytes_;
     };
     if (paused_) {
-        work_.wait(lock, [&] { return ready() || !paused_; });
+        const auto wakes = [&] { return ready() || !paused_; };
+        if (begin_journal_)
+            work_.wait_for(lock, kJournalPause, wakes);
+        else
+            work_.wait(lock, wakes);
         if (!paused_) clock_.restart(WallClock::now());
     } else {
         work_.wait_until(lock, clock_.next(), [&] { return ready() || paused_; });
@@ -344,9 +369,26 @@ void PaintSession::do_action(const document::Action& action) {
     strokes_ += std::holds_alternative<document::PenDown>(action) ? 1 : 0;
     changes_ += document::traits_of(action).changes_painting ? 1 : 0;
     if (journal_) journal_->note({painting_->tick(), action});
+    if (begin_journal_) unkept_.push_back({painting_->tick(), action});
     const std::lock_guard lock(mutex_);
     recorder_.add(painting_->tick(), action);
     document::note_paints(action, paints_used_);
+}
+
+void PaintSession::try_to_begin_journal() {
+    if (WallClock::now() - journal_tried_ < kJournalPause) return;
+    journal_tried_ = WallClock::now();
+    std::unique_ptr<journal::JournalWriter> journal;
+    // Whoever gave no journal has told why; that holds on.
+    if (!core::fault_of([&] { journal = begin_journal_(); }).empty()) return;
+    for (const document::Event& event : std::exchange(unkept_, {}))
+        journal->note(event);
+    begin_journal_ = {};
+    const std::lock_guard lock(mutex_);
+    if (saved_before_journal_)
+        journal->note_saved(saved_before_journal_->path, saved_before_journal_->journal_events);
+    if (journal_discarded_) journal->discard();
+    journal_ = std::move(journal);
 }
 
 void PaintSession::keep_journal() {
@@ -355,11 +397,6 @@ void PaintSession::keep_journal() {
     const double work_s = times.brush_s + times.film_s;
     if (!painting_->stroke_in_progress() && journal_->wants_checkpoint(work_s))
         journal_->write_checkpoint(painting_->state(), work_s);
-    std::vector<std::string> faults = journal_->take_faults();
-    if (faults.empty()) return;
-    changed_ = true;
-    const std::lock_guard lock(mutex_);
-    errors_.insert(errors_.end(), faults.begin(), faults.end());
 }
 
 /// Whether a tick was due.

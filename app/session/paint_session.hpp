@@ -15,6 +15,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <filesystem>
 #include <functional>
 #include <future>
 #include <memory>
@@ -63,14 +64,20 @@ class PaintSession {
   public:
     using Notify = std::function<void()>;
 
+    /// Makes a journal that begins as the session did, on the session's thread. Throws where that cannot
+    /// be yet.
+    using BeginJournal = std::function<std::unique_ptr<journal::JournalWriter>()>;
+
     /// Takes over a painting that has just been made with `pool`; the pool is the session's alone from
     /// now on. `past` is what was done to the painting before, up to its tick; `paused` as in
     /// set_paused(). `notify` is called on the session's thread after every publication and every error;
     /// it must return at once and must not call back into the session. What is painted goes to
     /// `journal`, where there is one; it stays to be recovered unless discard_journal() was called.
+    /// Where there is none yet, `begin_journal` is asked for it every other second; it gets all that was
+    /// painted until then.
     PaintSession(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<document::Painting> painting,
                  Notify notify, document::Recording past = {}, bool paused = false,
-                 std::unique_ptr<journal::JournalWriter> journal = {});
+                 std::unique_ptr<journal::JournalWriter> journal = {}, BeginJournal begin_journal = {});
     ~PaintSession();
     PaintSession(const PaintSession&) = delete;
     PaintSession& operator=(const PaintSession&) = delete;
@@ -121,7 +128,7 @@ class PaintSession {
     void wait_until_applied();
 
     /// Whether what is painted is kept to be recovered.
-    bool has_journal() const { return journal_ != nullptr; }
+    bool has_journal() const;
 
     /// The painter has the painting of that capture in a file.
     void note_saved(const std::filesystem::path& path, std::uint64_t journal_events);
@@ -149,6 +156,8 @@ class PaintSession {
     void hand_out_capture();
     void apply_budget();
     void keep_journal();
+    void try_to_begin_journal();
+    std::uint64_t journal_events() const;
     void measure_quiet_tick(WallClock::time_point begin) const;
     void measure_publication(const document::Snapshot* snapshot) const;
 
@@ -157,7 +166,10 @@ class PaintSession {
     // Of the session's thread alone.
     std::unique_ptr<core::ThreadPool> pool_;
     std::unique_ptr<document::Painting> painting_;
-    std::unique_ptr<journal::JournalWriter> journal_;
+    std::unique_ptr<journal::JournalWriter> journal_;  ///< changed under the lock
+    BeginJournal begin_journal_;                       ///< as long as there is no journal
+    std::vector<document::Event> unkept_;              ///< what that is to begin with
+    WallClock::time_point journal_tried_;
     TickClock clock_;
     std::int64_t strokes_ = 0;
     std::int64_t changes_ = 0;
@@ -186,6 +198,12 @@ class PaintSession {
     WallClock::time_point hand_moved_;
     std::atomic<bool> action_waits_ = false;  ///< asked in the middle of a tick
     std::promise<Capture>* wanted_capture_ = nullptr;
+    struct Saved {
+        std::filesystem::path path;
+        std::uint64_t journal_events = 0;
+    };
+    std::optional<Saved> saved_before_journal_;
+    bool journal_discarded_ = false;
     std::optional<std::size_t> wanted_budget_bytes_;
     std::uint64_t posted_count_ = 0;
     std::uint64_t applied_count_ = 0;

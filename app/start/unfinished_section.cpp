@@ -18,10 +18,12 @@ constexpr int kPicture_px = 56;
 
 UnfinishedSection::UnfinishedSection(QWidget* parent) : QWidget(parent), rows_(section_column(this)) {
     setVisible(false);
+    connect(&pictures_, &dialogs::UnfinishedPictures::painted, this, &UnfinishedSection::show_picture);
 }
 
 void UnfinishedSection::show_paintings(const std::vector<journal::Unfinished>& paintings) {
     delete shown_;
+    pictures_of_.clear();
     shown_ = new QWidget;
     auto* column = section_column(shown_);
     auto* head = new QHBoxLayout;
@@ -39,13 +41,22 @@ void UnfinishedSection::show_paintings(const std::vector<journal::Unfinished>& p
     setVisible(!paintings.empty());
 }
 
+void UnfinishedSection::show_picture(const journal::Unfinished& painting) {
+    const auto picture = pictures_of_.find(painting.folder);
+    if (picture != pictures_of_.end())
+        picture->second->setPixmap(
+            dialogs::unfinished_picture(painting, kPicture_px, devicePixelRatioF()));
+}
+
 QWidget* UnfinishedSection::row(const journal::Unfinished& painting) {
     auto* row = new QWidget;
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(12);
     auto* picture = new QLabel;
-    picture->setPixmap(dialogs::unfinished_picture(painting, kPicture_px, devicePixelRatioF()));
+    pictures_of_[painting.folder] = picture;
+    show_picture(painting);
+    pictures_.want(painting);
     layout->addWidget(picture);
     auto* words = new QLabel(dialogs::unfinished_words(painting));
     words->setToolTip(QString::fromStdString(painting.fault));

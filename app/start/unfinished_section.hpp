@@ -1,13 +1,16 @@
 // The part of the start page that brings back paintings that a program left unfinished.
 #pragma once
 
+#include "dialogs/unfinished_pictures.hpp"
 #include "journal/recovery.hpp"
 
 #include <filesystem>
+#include <map>
 #include <vector>
 
 #include <QWidget>
 
+class QLabel;
 class QVBoxLayout;
 
 namespace pastoso::start {
@@ -26,9 +29,12 @@ class UnfinishedSection : public QWidget {
 
   private:
     QWidget* row(const journal::Unfinished& painting);
+    void show_picture(const journal::Unfinished& painting);
 
     QVBoxLayout* rows_;
     QWidget* shown_ = nullptr;
+    std::map<std::filesystem::path, QLabel*> pictures_of_;  ///< by the journal's folder
+    dialogs::UnfinishedPictures pictures_;
 };
 
 }  // namespace pastoso::start

@@ -1,5 +1,6 @@
 #include "tools/export_names.hpp"
 
+#include "core/looking.hpp"
 #include "core/text.hpp"
 
 #include <algorithm>
@@ -27,11 +28,6 @@ bool is_known(const std::string& ending) {
     return false;
 }
 
-bool exists(const Path& path) {
-    std::error_code unseen;
-    return std::filesystem::exists(path, unseen);
-}
-
 }  // namespace
 
 Path with_ending(const Path& path, const ExportFormat& format) {
@@ -55,7 +51,7 @@ std::optional<std::size_t> format_of(const Path& path, ExportForm form, std::siz
 bool is_taken(const Path& path, ExportForm form) {
     const std::vector<Path> files =
         form == ExportForm::Maps ? recordings::map_paths(path) : std::vector<Path>{path};
-    return std::any_of(files.begin(), files.end(), exists);
+    return std::any_of(files.begin(), files.end(), core::is_there);
 }
 
 Path untaken(const Path& path, ExportForm form) {

@@ -1,5 +1,6 @@
 #include "tools/memory_file.hpp"
 
+#include "core/looking.hpp"
 #include "core/text_file.hpp"
 
 namespace pastoso::tools {
@@ -11,8 +12,7 @@ constexpr std::size_t kMostBytes = std::size_t{4} << 20;
 
 void read_memory(const std::filesystem::path& file, int version,
                  const std::function<void(const files::JsonPlace& root)>& read) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored)) return;
+    if (!core::is_there(file)) return;
     const std::string name = file.string();
     const files::Json json = files::parse_json(core::read_text_file(file, kMostBytes), name);
     const files::JsonPlace root(json, name);

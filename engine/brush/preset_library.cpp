@@ -1,6 +1,7 @@
 #include "brush/preset_library.hpp"
 
 #include "core/error.hpp"
+#include "core/looking.hpp"
 #include "core/text.hpp"
 #include "core/text_file.hpp"
 
@@ -97,7 +98,7 @@ void rename_preset(const PresetLibrary& library, const Entry& own, const std::st
         throw core::InputError("There is already a brush \"" + same->preset.name + "\".");
     const std::filesystem::path folder = own.file.parent_path(), old_file = own.file;
     const std::filesystem::path file = preset_file(new_name, folder);
-    if (file != old_file && std::filesystem::exists(file))
+    if (file != old_file && core::is_there(file))
         throw core::InputError("There is already a file " + file.string() + ".");
     Preset renamed = own.preset;
     renamed.name = new_name;

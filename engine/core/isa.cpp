@@ -1,7 +1,12 @@
 #include "core/isa.hpp"
 
+#include "core/error.hpp"
+#include "core/isa_request.hpp"
+
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace pastoso::core {
@@ -16,18 +21,20 @@ Isa processor_isa() {
     return Isa::Baseline;
 }
 
-Isa requested_isa() {
+constexpr Isa kAll[] = {Isa::Baseline, Isa::Avx2, Isa::Avx512};
+
+/// Nothing where no set there is is asked for.
+std::optional<Isa> requested_isa() {
     const char* request = std::getenv("PASTOSO_ISA");
-    if (request == nullptr) return Isa::Avx512;
-    if (std::string_view(request) == "baseline") return Isa::Baseline;
-    if (std::string_view(request) == "avx2") return Isa::Avx2;
-    return Isa::Avx512;
+    for (const Isa isa : kAll)
+        if (request != nullptr && std::string_view(request) == name_of(isa)) return isa;
+    return std::nullopt;
 }
 
 }  // namespace
 
 Isa best_isa() {
-    static const Isa isa = std::min(processor_isa(), requested_isa());
+    static const Isa isa = std::min(processor_isa(), requested_isa().value_or(Isa::Avx512));
     return isa;
 }
 
@@ -37,6 +44,13 @@ const char* name_of(Isa isa) {
         case Isa::Avx2: return "avx2";
         default: return "baseline";
     }
+}
+
+void check_isa_request() {
+    const char* request = std::getenv("PASTOSO_ISA");
+    if (request == nullptr || requested_isa()) return;
+    throw InputError("PASTOSO_ISA is \"" + std::string(request) +
+                     "\", but there are baseline, avx2 and avx512.");
 }
 
 }  // namespace pastoso::core

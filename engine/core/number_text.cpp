@@ -11,6 +11,13 @@ std::string number_text(double value) {
     return {digits.data(), result.ptr};
 }
 
+std::string number_text(double value, int digits) {
+    std::array<char, 32> text;
+    const auto result = std::to_chars(text.data(), text.data() + text.size(), value,
+                                      std::chars_format::general, digits);
+    return {text.data(), result.ptr};
+}
+
 std::string hex_text(std::uint64_t value) {
     static constexpr char kDigits[] = "0123456789abcdef";
     std::string text(16, '0');

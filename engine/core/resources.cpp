@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "core/error.hpp"
+#include "core/looking.hpp"
 
 namespace pastoso::core {
 
@@ -16,7 +17,7 @@ std::filesystem::path resource_path(const std::filesystem::path& relative) {
                                              ? std::filesystem::path(override_folder)
                                              : program_folder().parent_path() / "share" / "pastoso";
     std::filesystem::path path = folder / relative;
-    if (!std::filesystem::exists(path)) {
+    if (!is_there(path)) {
         throw InputError(path.string() + ": this file of the program itself is missing; reinstall it or set "
                                          "PASTOSO_RESOURCES to the folder that holds it.");
     }

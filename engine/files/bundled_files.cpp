@@ -1,6 +1,7 @@
 #include "files/bundled_files.hpp"
 
 #include "core/error.hpp"
+#include "core/looking.hpp"
 #include "core/resources.hpp"
 #include "core/text_file.hpp"
 
@@ -23,11 +24,10 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 fs::path scene_path(const std::string& path_or_name, const std::string& folder) {
-    std::error_code ignored;
     const fs::path path = path_or_name;
-    if (path.has_extension() || path.has_parent_path() || fs::exists(path, ignored)) return path;
+    if (path.has_extension() || path.has_parent_path() || core::is_there(path)) return path;
     const fs::path bundled = core::resource_path(folder) / (path_or_name + ".json");
-    if (!fs::exists(bundled, ignored)) {
+    if (!core::is_there(bundled)) {
         throw core::InputError(
             "There is no scene \"" + path_or_name +
             "\"; give a file ending in .json, or one of: " + listed(bundled_names(folder)) + ".");

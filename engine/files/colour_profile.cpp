@@ -3,7 +3,6 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
-#include "files/file_access.hpp"
 #include "pigment/colour.hpp"
 
 #include <lcms2.h>
@@ -177,7 +176,6 @@ IccProfile linear_icc_profile(WorkingSpace space) {
 }
 
 IccProfile read_icc_profile(const std::filesystem::path& path) {
-    check_readable(path);
     IccProfile bytes = core::read_text_file(path, kMaxProfileBytes);
     const Workshop workshop;
     const Profile profile = open_profile(workshop, bytes);

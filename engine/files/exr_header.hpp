@@ -1,12 +1,15 @@
 // What an OpenEXR file says of itself before its pixels.
 #pragma once
 
-#include <filesystem>
+#include "core/regular_file.hpp"
+
+#include <string>
 
 namespace pastoso::files {
 
-/// Throws InputError when `path` is an OpenEXR file with an attribute that would reach beyond its end:
-/// libraries make room for it as it is told, gigabytes for a hundred bytes. Other files pass.
-void check_exr_header(const std::filesystem::path& path);
+/// Throws InputError when an OpenEXR file has an attribute that would reach beyond its end, or tells of
+/// more pixels than are read (picture_rows.hpp): libraries make room for it as it is told, gigabytes for
+/// a hundred bytes. `name` begins the sentence: "a.exr: ".
+void check_exr_header(const core::RegularFile& file, const std::string& name);
 
 }  // namespace pastoso::files

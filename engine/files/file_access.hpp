@@ -5,11 +5,10 @@
 
 namespace pastoso::files {
 
-/// Throws InputError when `path` cannot be opened for reading or is a folder.
+/// Throws InputError when `path` cannot be opened for reading or is no regular file.
 void check_readable(const std::filesystem::path& path);
 
-/// Throws InputError when a file at `path` could not be written: the folder is missing or not writable,
-/// or `path` itself is a folder. Leaves nothing behind.
+/// Throws InputError where core::OutputFile would not be made for `path`. Leaves nothing behind.
 void check_writable(const std::filesystem::path& path);
 
 /// Creates the folder where it is missing (its parent must exist) and checks that files can be put

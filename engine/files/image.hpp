@@ -1,4 +1,5 @@
-// Pictures in files: the format follows the file's extension. OpenImageIO is loaded at the first use.
+// Pictures in files: they are written in the format of the file's extension, and read in the one that the
+// file has. OpenImageIO is loaded at the first use, but not for reading PNG.
 #pragma once
 
 #include "files/colour_profile.hpp"
@@ -43,10 +44,13 @@ std::string png_file(const pigment::Image8& image, double px_per_mm = 0.0);
 std::string png_file(const pigment::Image8& image, double px_per_mm,
                      const std::vector<std::uint8_t>& covered);
 
-/// Reads any image that OpenImageIO knows into linear light of the working space: by the ICC profile in
-/// the file, or the chromaticities of an EXR; what says nothing is sRGB, linear where it holds floats.
-/// Grey becomes three equal values; transparency is left out. Throws InputError when it is no image, is
-/// larger than read_grey_image() reads, or holds an ICC profile that is none.
+/// Whether the file begins as a picture does that can be read. Throws InputError when it cannot be opened.
+bool holds_picture(const std::filesystem::path& path);
+
+/// Reads a picture (open_picture() of picture_rows.hpp says which) into linear light of the working
+/// space: by the ICC profile in the file, or the chromaticities of an EXR; what says nothing is sRGB,
+/// linear where it holds floats. Grey becomes three equal values; transparency is left out. Throws
+/// InputError when it is no image, is too large, is cut off, or holds an ICC profile that is none.
 pigment::LinearImage read_colour_image(const std::filesystem::path& path,
                                        pigment::WorkingSpace space = pigment::WorkingSpace::Srgb);
 
@@ -62,7 +66,7 @@ struct StoredPicture {
 StoredPicture read_picture(const std::filesystem::path& path);
 
 /// A PNG file in memory, its values as they stand there. Throws InputError "the picture ..." when it is
-/// damaged, or larger than read_grey_image() reads.
+/// damaged or too large.
 pigment::Picture decode_png(std::string_view file);
 
 /// The same with its colours in sRGB, by the ICC profile in the file where there is one; those beyond it
@@ -72,9 +76,9 @@ pigment::Picture decode_png_to_srgb(std::string_view file);
 /// decode_png() the other way round, exactly; packed fast rather than small.
 std::string png_file(const pigment::Picture& picture);
 
-/// Reads any image that OpenImageIO knows as one grey value a pixel: the first of one or two channels,
-/// the luminance of three or more, as stored. Throws InputError when it is no image or is larger than
-/// 32768 pixels a side or 100 million in all.
+/// Reads a picture as one grey value a pixel: the first of one or two channels, the luminance of three or
+/// more, as stored, multiplied by the alpha. Throws InputError as read_colour_image() does, but for
+/// profiles, which are not looked at.
 GreyImage read_grey_image(const std::filesystem::path& path);
 
 }  // namespace pastoso::files

@@ -4,11 +4,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 extern "C" {
 
 /// Raised whenever a declaration below changes; a module of another number is refused.
-inline constexpr int kPastosoImagesAbi = 7;
+inline constexpr int kPastosoImagesAbi = 9;
 
 enum PastosoSampleType {
     kPastosoUint8 = 0,
@@ -36,66 +37,53 @@ struct PastosoPicture {
     const float* chromaticities;  ///< x and y of red, green, blue and white; null: not said
 };
 
+/// Where a picture file's bytes go. What fails there is told there and not to the module: format libraries may end
+/// the program when they hear of it.
+struct PastosoSink {
+    void* target;
+    void (*write_at)(void* target, std::uint64_t place, const void* bytes, std::size_t count);
+};
+
 /// A picture file that is being written, owned by the module.
 struct PastosoWriter;
 
-/// A picture file, allocated by the module.
-struct PastosoFile {
-    char* bytes;
-    std::size_t count;
-};
-
-/// One value a pixel, allocated by the module.
-struct PastosoGrey {
-    float* values;
-    int width, height;
-};
-
-/// Three values a pixel as they stand in the file (integers as 0 to 1), allocated by the module.
-struct PastosoColours {
-    float* rgb;
-    int width, height;
-    int is_linear;      ///< 1 where the file says so or holds floats
-    char* icc_profile;  ///< null where there is none
+/// What a picture file says of itself before its pixels. The profile lives as long as the reader.
+struct PastosoHead {
+    int width, height, channels;
+    int alpha_channel;        ///< -1: none
+    int is_linear;            ///< 1 where the file says so or holds floats
+    int colours_have_alpha;   ///< 1: they are multiplied by it (associated)
+    int rows_at_once;         ///< rows are read in multiples of this, but for the last ones
+    const void* icc_profile;  ///< null where there is none
     std::size_t icc_bytes;
     int has_chromaticities;
     float chromaticities[8];
-    float* alpha;                     ///< one value a pixel; null where there is none
-    int colours_have_alpha;           ///< 1: they are multiplied by it (associated)
     int orientation;                  ///< of EXIF: 1 upright to 8
     double px_per_mm_x, px_per_mm_y;  ///< 0: not said
 };
 
-/// Red, green, blue and alpha of each pixel as they stand in the file, not multiplied, allocated by the
-/// module.
-struct PastosoPixels {
-    unsigned char* rgba;
-    int width, height;
-    char* icc_profile;  ///< null where there is none
-    std::size_t icc_bytes;
-};
+/// A picture file that is being read, owned by the module.
+struct PastosoReader;
 
 using PastosoImagesAbi = int();
 /// These return 0, or 1 and a sentence's predicate in `error`, for example "is not an image".
-using PastosoImagesOpen = int(const PastosoPicture* picture, const char* path, PastosoWriter** writer,
-                              char* error, std::size_t capacity);
+using PastosoImagesOpen = int(const PastosoPicture* picture, const PastosoSink* sink,
+                              PastosoWriter** writer, char* error, std::size_t capacity);
 using PastosoImagesWriteRows = int(PastosoWriter* writer, const void* rows, int count, char* error,
                                    std::size_t capacity);
 /// After all rows have been written.
 using PastosoImagesFinish = int(PastosoWriter* writer, char* error, std::size_t capacity);
 /// Frees the writer, finished or not.
 using PastosoImagesClose = void(PastosoWriter* writer);
-using PastosoImagesEncode = int(const PastosoPicture* picture, const void* rows, PastosoFile* file,
-                                char* error, std::size_t capacity);
-using PastosoImagesFreeFile = void(PastosoFile* file);
-using PastosoImagesReadGrey = int(const char* path, PastosoGrey* grey, char* error,
-                                  std::size_t capacity);
-using PastosoImagesFree = void(PastosoGrey* grey);
-using PastosoImagesReadColours = int(const char* path, PastosoColours* colours, char* error,
-                                     std::size_t capacity);
-using PastosoImagesFreeColours = void(PastosoColours* colours);
-using PastosoImagesDecodePng = int(const void* bytes, std::size_t count, PastosoPixels* pixels,
-                                   char* error, std::size_t capacity);
-using PastosoImagesFreePixels = void(PastosoPixels* pixels);
+/// Reads from an open file, which remains the caller's, with the reader of that format and no other
+/// (OpenImageIO's name). No more is kept than some libraries need: 1 GiB at most.
+using PastosoImagesReadOpen = int(const char* format, int descriptor, PastosoReader** reader,
+                                  PastosoHead* head, char* error, std::size_t capacity);
+/// The first channels of the next rows, interleaved; integers as 0 to 1.
+using PastosoImagesReadRows = int(PastosoReader* reader, int channels, int count, float* rows,
+                                  char* error, std::size_t capacity);
+/// After all rows have been read: whether the file held them all.
+using PastosoImagesReadFinish = int(PastosoReader* reader, char* error, std::size_t capacity);
+using PastosoImagesReadClose = void(PastosoReader* reader);
 
 }  // extern "C"

@@ -30,14 +30,10 @@ ImagesLibrary open_library() {
             find<PastosoImagesWriteRows>(module, "pastoso_images_write_rows"),
             find<PastosoImagesFinish>(module, "pastoso_images_finish"),
             find<PastosoImagesClose>(module, "pastoso_images_close"),
-            find<PastosoImagesEncode>(module, "pastoso_images_encode"),
-            find<PastosoImagesFreeFile>(module, "pastoso_images_free_file"),
-            find<PastosoImagesReadGrey>(module, "pastoso_images_read_grey"),
-            find<PastosoImagesFree>(module, "pastoso_images_free"),
-            find<PastosoImagesReadColours>(module, "pastoso_images_read_colours"),
-            find<PastosoImagesFreeColours>(module, "pastoso_images_free_colours"),
-            find<PastosoImagesDecodePng>(module, "pastoso_images_decode_png"),
-            find<PastosoImagesFreePixels>(module, "pastoso_images_free_pixels")};
+            find<PastosoImagesReadOpen>(module, "pastoso_images_read_open"),
+            find<PastosoImagesReadRows>(module, "pastoso_images_read_rows"),
+            find<PastosoImagesReadFinish>(module, "pastoso_images_read_finish"),
+            find<PastosoImagesReadClose>(module, "pastoso_images_read_close")};
 }
 
 }  // namespace

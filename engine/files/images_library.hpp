@@ -10,14 +10,10 @@ struct ImagesLibrary {
     PastosoImagesWriteRows* write_rows = nullptr;
     PastosoImagesFinish* finish = nullptr;
     PastosoImagesClose* close = nullptr;
-    PastosoImagesEncode* encode = nullptr;
-    PastosoImagesFreeFile* free_file = nullptr;
-    PastosoImagesReadGrey* read_grey = nullptr;
-    PastosoImagesFree* free = nullptr;
-    PastosoImagesReadColours* read_colours = nullptr;
-    PastosoImagesFreeColours* free_colours = nullptr;
-    PastosoImagesDecodePng* decode_png = nullptr;
-    PastosoImagesFreePixels* free_pixels = nullptr;
+    PastosoImagesReadOpen* read_open = nullptr;
+    PastosoImagesReadRows* read_rows = nullptr;
+    PastosoImagesReadFinish* read_finish = nullptr;
+    PastosoImagesReadClose* read_close = nullptr;
 };
 
 /// The module "pastoso-images.so" in ../lib/pastoso beside the program's folder, opened at the first

@@ -3,7 +3,6 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "core/text_file.hpp"
 #include "files/image.hpp"
 
 #include <algorithm>
@@ -90,8 +89,8 @@ void write_picture(const std::filesystem::path& path, const pigment::LinearImage
                    const PictureEncoding& encoding, double px_per_mm) {
     const ImageLayout layout =
         picture_layout(path, image.width, image.height, image.space, encoding, px_per_mm);
-    core::write_aside(path, [&](const std::filesystem::path& temporary) {
-        ImageWriter writer(temporary, path, layout);
+    core::write_aside(path, [&](core::OutputFile& file) {
+        ImageWriter writer(file, layout);
         write_picture_rows(writer, layout, image);
         writer.finish();
     });

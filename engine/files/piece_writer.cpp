@@ -1,8 +1,5 @@
 #include "files/piece_writer.hpp"
 
-#include "core/error.hpp"
-#include "core/text_file.hpp"
-
 namespace pastoso::files {
 namespace {
 
@@ -18,28 +15,22 @@ void PieceWriter::item_done() {
 }
 
 void PieceWriter::flush() {
-    stream_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    file_.append(buffer_);
+    file_.check();
     buffer_.clear();
-}
-
-bool PieceWriter::finish() {
-    flush();
-    stream_.flush();
-    return static_cast<bool>(stream_);
 }
 
 ExportStatus write_in_pieces(const std::filesystem::path& path, std::size_t items,
                              const KeepGoing& keep_going,
                              const std::function<void(PieceWriter&)>& write) {
-    const bool written = core::write_aside_unless(path, [&](const std::filesystem::path& temporary) {
-        PieceWriter writer(temporary, items, keep_going);
+    const bool written = core::write_aside_unless(path, [&](core::OutputFile& file) {
+        PieceWriter writer(file, items, keep_going);
         try {
             write(writer);
         } catch (const PieceWriter::Stopped&) {
             return false;
         }
-        if (!writer.finish())
-            throw core::InputError(path.string() + ": cannot be written (the disk may be full).");
+        writer.flush();
         return keep_going(1.0);
     });
     return written ? ExportStatus::Written : ExportStatus::Stopped;

@@ -1,11 +1,11 @@
 // A large file that is written in pieces, aside, and can be stopped.
 #pragma once
 
+#include "core/output_file.hpp"
 #include "files/keep_going.hpp"
 
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -30,12 +30,11 @@ class PieceWriter {
                                         const std::function<void(PieceWriter&)>& write);
     struct Stopped {};
 
-    PieceWriter(const std::filesystem::path& file, std::size_t items, const KeepGoing& keep_going)
-        : stream_(file, std::ios::binary), items_(items), keep_going_(keep_going) {}
+    PieceWriter(core::OutputFile& file, std::size_t items, const KeepGoing& keep_going)
+        : file_(file), items_(items), keep_going_(keep_going) {}
     void flush();
-    bool finish();
 
-    std::ofstream stream_;
+    core::OutputFile& file_;
     std::string buffer_;
     std::size_t items_, done_ = 0;
     const KeepGoing& keep_going_;

@@ -1,6 +1,7 @@
 #include "files/png_chunks.hpp"
 
 #include "core/check.hpp"
+#include "files/byte_order.hpp"
 
 #include <array>
 #include <cstdint>
@@ -32,20 +33,6 @@ std::uint32_t crc(std::string_view bytes) {
     for (const char byte : bytes)
         value = kCrcTable[(value ^ static_cast<unsigned char>(byte)) & 0xFFU] ^ (value >> 8);
     return ~value;
-}
-
-std::string big_endian(std::uint32_t value) {
-    std::string bytes;
-    for (int shift = 24; shift >= 0; shift -= 8)
-        bytes += static_cast<char>(value >> shift & 0xFFU);
-    return bytes;
-}
-
-std::uint32_t big_endian_at(std::string_view file, std::size_t place) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        value = value << 8 | static_cast<unsigned char>(file[place + i]);
-    return value;
 }
 
 }  // namespace

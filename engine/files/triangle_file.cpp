@@ -1,6 +1,7 @@
 #include "files/triangle_file.hpp"
 
 #include "core/check.hpp"
+#include "core/number_text.hpp"
 #include "core/text.hpp"
 #include "files/piece_writer.hpp"
 
@@ -70,11 +71,11 @@ void write_ply(const Job& job, PieceWriter& writer) {
 }
 
 void add_obj_vector(const char* kind, const Vector& vector, ObjUp up, PieceWriter& writer) {
-    char line[96];
     const auto [x, y, z] = up == ObjUp::Z ? vector : Vector{vector[0], vector[2], -vector[1]};
-    std::snprintf(line, sizeof line, "%s %.9g %.9g %.9g\n", kind, static_cast<double>(x),
-                  static_cast<double>(y), static_cast<double>(z));
-    writer.add_text(line);
+    std::string line = kind;
+    for (const float value : {x, y, z})
+        line += ' ' + core::number_text(static_cast<double>(value), 9);
+    writer.add_text(line + '\n');
 }
 
 void write_obj(const Job& job, PieceWriter& writer) {

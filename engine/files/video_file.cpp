@@ -2,9 +2,9 @@
 
 #include "core/check.hpp"
 #include "core/error.hpp"
+#include "core/looking.hpp"
 #include "core/number_text.hpp"
 #include "core/text.hpp"
-#include "core/text_file.hpp"
 #include "files/file_access.hpp"
 
 #include <cerrno>
@@ -13,6 +13,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <sstream>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
@@ -34,6 +35,7 @@ std::vector<std::string> arguments_of(const Path& ffmpeg, const Path& file, int 
             "-nostdin",
             "-loglevel",
             "error",
+            "-xerror",
             "-y",
             "-f",
             "rawvideo",
@@ -59,7 +61,8 @@ std::vector<std::string> arguments_of(const Path& ffmpeg, const Path& file, int 
 
 /// What runs in the child between fork and exec: nothing that allocates.
 [[noreturn]] void become(char* const* words, int input, int complaints) {
-    ::signal(SIGINT, SIG_IGN);  // Ctrl-C is for us, who end the child by its input
+    for (const int signal : {SIGINT, SIGHUP})  // they are for us, who end the child by its input
+        ::signal(signal, SIG_IGN);
     ::dup2(input, STDIN_FILENO);
     ::dup2(complaints, STDOUT_FILENO);
     ::dup2(complaints, STDERR_FILENO);
@@ -72,11 +75,21 @@ void ignore_broken_pipes() {
     ::signal(SIGPIPE, SIG_IGN);
 }
 
-std::string first_line(const Path& file) {
-    std::istringstream text(core::read_text_file(file));
-    std::string line;
-    std::getline(text, line);
+std::string first_line(int file) {
+    std::string text(512, '\0');
+    const ssize_t count = ::pread(file, text.data(), text.size(), 0);
+    text.resize(count < 0 ? 0 : static_cast<std::size_t>(count));
+    const std::string line = text.substr(0, text.find('\n'));
     return line.empty() ? "no reason given" : line;
+}
+
+/// ffmpeg knows the part file alone, of which nobody has heard.
+std::string with_name(std::string sentence, const Path& part, const Path& path) {
+    for (const std::string& known : {"file:" + part.string(), part.string()}) {
+        for (std::size_t at = sentence.find(known); at != std::string::npos; at = sentence.find(known))
+            sentence.replace(at, known.size(), path.filename().string());
+    }
+    return sentence;
 }
 
 }  // namespace
@@ -93,8 +106,7 @@ Path find_program(const std::string& name) {
     std::istringstream list(folders == nullptr ? "" : folders);
     for (std::string folder; std::getline(list, folder, ':');) {
         const Path program = Path(folder) / name;
-        std::error_code missing;
-        if (std::filesystem::is_regular_file(program, missing) && ::access(program.c_str(), X_OK) == 0)
+        if (core::is_regular_file(program) && ::access(program.c_str(), X_OK) == 0)
             return program;
     }
     return {};
@@ -109,33 +121,31 @@ void check_video_path(const Path& path) {
     check_writable(path);
 }
 
-VideoWriter::VideoWriter(const Path& file, const Path& path, int width, int height, double fps)
-    : path_(path), complaints_(file.string() + ".log"), width_(width), height_(height) {
+VideoWriter::VideoWriter(const core::OutputFile& file, int width, int height, double fps)
+    : path_(file.path()), part_(file.part()), width_(width), height_(height) {
     ignore_broken_pipes();
     const Path ffmpeg = find_program("ffmpeg");
-    std::vector<std::string> arguments = arguments_of(ffmpeg, file, width, height, fps);
+    std::vector<std::string> arguments = arguments_of(ffmpeg, file.part(), width, height, fps);
     std::vector<char*> words;
     for (std::string& argument : arguments)
         words.push_back(argument.data());
     words.push_back(nullptr);
-    const int log = ::open(complaints_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+    complaints_ = ::memfd_create("ffmpeg", MFD_CLOEXEC);
     int ends[2] = {-1, -1};
-    if (log >= 0 && ::pipe2(ends, O_CLOEXEC) == 0) process_ = ::fork();
-    if (process_ == 0) become(words.data(), ends[0], log);
+    if (complaints_ >= 0 && ::pipe2(ends, O_CLOEXEC) == 0) process_ = ::fork();
+    if (process_ == 0) become(words.data(), ends[0], complaints_);
     const int reason = errno;
-    if (log >= 0) ::close(log);
     if (ends[0] >= 0) ::close(ends[0]);
     pipe_ = ends[1];
     if (process_ > 0) return;
     if (pipe_ >= 0) ::close(pipe_);
-    ::unlink(complaints_.c_str());
-    throw core::InputError(path.string() + ": ffmpeg cannot be started (" + std::strerror(reason) +
-                           ").");
+    if (complaints_ >= 0) ::close(complaints_);
+    throw core::InputError(path_.string() + ": ffmpeg cannot be started (" + std::strerror(reason) + ").");
 }
 
 VideoWriter::~VideoWriter() {
     wait();
-    ::unlink(complaints_.c_str());
+    ::close(complaints_);
 }
 
 int VideoWriter::wait() {
@@ -153,7 +163,7 @@ int VideoWriter::wait() {
 void VideoWriter::fail() {
     wait();
     throw core::InputError(path_.string() + ": ffmpeg cannot make the video (" +
-                           first_line(complaints_) + ").");
+                           with_name(first_line(complaints_), part_, path_) + ").");
 }
 
 void VideoWriter::write(const pigment::Image8& frame) {

@@ -2,6 +2,7 @@
 // frames.
 #pragma once
 
+#include "core/output_file.hpp"
 #include "pigment/image.hpp"
 
 #include <filesystem>
@@ -22,9 +23,9 @@ void check_video_path(const std::filesystem::path& path);
 /// ffmpeg at work on a file.
 class VideoWriter {
   public:
-    /// Throws InputError when ffmpeg cannot be started.
-    VideoWriter(const std::filesystem::path& file, const std::filesystem::path& path, int width,
-                int height, double fps);
+    /// ffmpeg writes the part file of `file`, in the format that its name ends in. Throws InputError when ffmpeg
+    /// cannot be started.
+    VideoWriter(const core::OutputFile& file, int width, int height, double fps);
     ~VideoWriter();
     VideoWriter(const VideoWriter&) = delete;
     VideoWriter& operator=(const VideoWriter&) = delete;
@@ -39,9 +40,9 @@ class VideoWriter {
     [[noreturn]] void fail();
     int wait();
 
-    std::filesystem::path path_;
-    std::filesystem::path complaints_;  ///< what ffmpeg prints
+    std::filesystem::path path_, part_;
     int width_, height_;
+    int complaints_ = -1;  ///< a file in memory of what ffmpeg prints
     int pipe_ = -1;
     int process_ = -1;
 };

@@ -1,6 +1,7 @@
 #include "journal/journal_folder.hpp"
 
 #include "core/error.hpp"
+#include "core/looking.hpp"
 #include "core/user_data.hpp"
 #include "journal/journal_file.hpp"
 
@@ -99,8 +100,8 @@ Claim::~Claim() {
 void Claim::discard() {
     std::error_code ignored;
     fs::remove(folder_ / kStrokesFile, ignored);
-    for (const auto& entry : fs::directory_iterator(folder_, ignored))
-        if (entry.path().filename() != kLockFile) fs::remove_all(entry.path(), ignored);
+    for (const fs::path& entry : core::entries_of(folder_))
+        if (entry.filename() != kLockFile) fs::remove_all(entry, ignored);
     fs::remove(folder_ / kLockFile, ignored);
     fs::remove(folder_, ignored);
 }
@@ -108,11 +109,10 @@ void Claim::discard() {
 std::vector<fs::path> abandoned_journals(const fs::path& root) {
     std::vector<fs::path> folders;
     std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(root, ignored)) {
-        const fs::path& folder = entry.path();
+    for (const fs::path& folder : core::entries_of(root)) {
         if (!folder.filename().string().starts_with(kPrefix)) continue;
         auto claim = Claim::on(folder);
-        if (claim && fs::exists(folder / kStrokesFile, ignored))
+        if (claim && core::is_there(folder / kStrokesFile))
             folders.push_back(folder);
         else if (claim)
             claim->discard();  // its program was killed before it began, or while it discarded

@@ -1,6 +1,8 @@
 #include "journal/journal_writer.hpp"
 
+#include "core/disk.hpp"
 #include "core/error.hpp"
+#include "core/looking.hpp"
 #include "journal/frames.hpp"
 
 #include <algorithm>
@@ -8,6 +10,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <iterator>
+#include <span>
 #include <unistd.h>
 #include <utility>
 
@@ -30,21 +33,31 @@ Header header_of(const Beginning& beginning) {
             .start_is_saved = beginning.is_saved};
 }
 
+std::string refusal_of(const std::filesystem::path& path, int reason) {
+    return path.string() + ": cannot be written (" + std::strerror(reason) + ").";
+}
+
 int opened(const std::filesystem::path& path) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-    if (file < 0)
-        throw core::InputError(path.string() + ": cannot be written (" + std::strerror(errno) + ").");
+    if (file < 0) throw core::InputError(refusal_of(path, errno));
     return file;
 }
 
-bool write_all(int file, const std::string& bytes) {
-    for (std::size_t done = 0; done < bytes.size();) {
-        const ssize_t written = ::write(file, bytes.data() + done, bytes.size() - done);
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return false;
-        done += static_cast<std::size_t>(written);
-    }
-    return true;
+/// Whether a file, or a folder with its entries, is on the disk; otherwise errno says why not.
+bool flushed(const std::filesystem::path& path) {
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return false;
+    const bool done = ::fsync(file) == 0;
+    const int reason = errno;
+    ::close(file);
+    errno = reason;
+    return done;
+}
+
+/// So little that a painting hardly fits.
+bool is_almost_full(const std::filesystem::path& folder) {
+    constexpr std::uint64_t kLittle_bytes = 8 << 20;
+    return core::free_bytes(folder).value_or(kLittle_bytes) < kLittle_bytes;
 }
 
 bool is_picture(const document::Event& event) {
@@ -67,8 +80,10 @@ double seconds_since(std::chrono::steady_clock::time_point when) {
 
 }  // namespace
 
-JournalWriter::JournalWriter(const std::filesystem::path& root, const Beginning& beginning, Pace pace)
+JournalWriter::JournalWriter(const std::filesystem::path& root, const Beginning& beginning, Pace pace,
+                             Told told)
     : pace_(pace),
+      told_(std::move(told)),
       claim_(Claim::on_new_folder(root)),
       canvas_(beginning.canvas),
       starts_bare_image_(!beginning.write_start && beginning.canvas.support == "image"),
@@ -77,27 +92,28 @@ JournalWriter::JournalWriter(const std::filesystem::path& root, const Beginning&
       written_tick_(beginning.tick),
       checkpoints_(claim_.folder(), [this](const Checkpoint& checkpoint, const std::string& error) {
           const std::lock_guard lock(mutex_);
-          if (error.empty())
-              pending_frames_.push_back(checkpoint_frame(checkpoint));
-          else
-              fault(error);
+          if (error.empty()) pending_frames_.push_back(checkpoint_frame(checkpoint));
+          checkpoint_failed_ = !error.empty();
+          note_trouble(
+              checkpoint_trouble_,
+              {.reason = error, .disk_is_full = is_almost_full(folder()), .strokes_are_kept = true});
       }) {
     try {
         if (beginning.write_start) beginning.write_start(folder() / kStartFile);
         file_ = opened(folder() / kStrokesFile);
         const document::Recording nothing{canvas_, {}, beginning.tick};
         if (!append(header_frame(header_of(beginning)) + strokes_frame(0, beginning.tick, nothing)))
-            throw core::InputError(folder().string() + ": the journal cannot be written.");
+            throw core::InputError(refusal_of(folder() / kStrokesFile, errno));
+        thread_ = core::Thread([this] { run(); },
+                               [this](const std::string& sentence) {
+                                   const std::lock_guard lock(mutex_);
+                                   note_trouble(strokes_trouble_, {.reason = sentence});
+                               });
     } catch (...) {
         if (file_ >= 0) ::close(file_);
         claim_.discard();
         throw;
     }
-    thread_ = core::Thread([this] { run(); },
-                           [this](const std::string& sentence) {
-                               const std::lock_guard lock(mutex_);
-                               fault(sentence);
-                           });
 }
 
 JournalWriter::~JournalWriter() {
@@ -108,7 +124,8 @@ JournalWriter::~JournalWriter() {
     }
     wake_.notify_all();
     thread_.join();
-    ::close(file_);
+    if (::close(file_) != 0 && !discarded_)
+        note_trouble(strokes_trouble_, {.reason = refusal_of(folder() / kStrokesFile, errno)});
     if (discarded_) claim_.discard();
 }
 
@@ -130,6 +147,7 @@ bool JournalWriter::wants_checkpoint(double work_s) const {
     if (checkpoints_.busy()) return false;
     if (since_checkpoint_.crossed() || starts_bare_image_) return true;
     const double since_s = seconds_since(checkpoint_at_);
+    if (checkpoint_failed_ && since_s >= pace_.rests * pace_.retry_s) return true;
     if (since_s < pace_.rests * checkpoints_.last_took_s()) return false;
     return work_s - work_at_checkpoint_s_ >= pace_.replay_s ||
            (painted_since_ && since_s >= pace_.idle_s);
@@ -153,18 +171,28 @@ void JournalWriter::discard() {
     discarded_ = true;
 }
 
-std::vector<std::string> JournalWriter::take_faults() {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(faults_, {});
-}
-
 void JournalWriter::run() {
+    flush_start();
     std::unique_lock lock(mutex_);
     while (!stopping_) {
         write_pending(lock);
-        wake_.wait_for(lock, std::chrono::duration<double>(pace_.flush_s), [this] { return stopping_; });
+        const double pause_s = strokes_trouble_.reason.empty() ? pace_.flush_s : pace_.retry_s;
+        wake_.wait_for(lock, std::chrono::duration<double>(pause_s), [this] { return stopping_; });
     }
     write_pending(lock);
+}
+
+/// What the start was copied from may not outlive it. Where a folder cannot be flushed (some network
+/// drives), its files stand there nevertheless.
+void JournalWriter::flush_start() {
+    flushed(folder());
+    flushed(folder().parent_path());
+    const std::filesystem::path start = folder() / kStartFile;
+    if (!core::is_there(start) || flushed(start)) return;
+    const int reason = errno;
+    const std::lock_guard lock(mutex_);
+    note_trouble(checkpoint_trouble_,
+                 {.reason = refusal_of(start, reason), .disk_is_full = core::says_full(reason)});
 }
 
 /// What could not be written is tried again with the next batch.
@@ -176,33 +204,31 @@ void JournalWriter::write_pending(std::unique_lock<std::mutex>& lock) {
     std::vector<std::string> frames = std::exchange(pending_frames_, {});
     const std::int64_t tick = tick_;
     lock.unlock();
-    std::string refusal;
-    const bool written = write(events, tick, frames, refusal);
+    const Trouble trouble = write(events, tick, frames);
     lock.lock();
-    if (written) {
+    note_trouble(strokes_trouble_, trouble);
+    if (trouble.reason.empty()) {
         written_events_ += events.size();
         written_tick_ = tick;
-        failing_ = false;
         return;
     }
     pending_.insert(pending_.begin(), std::make_move_iterator(events.begin()),
                     std::make_move_iterator(events.end()));
     pending_frames_.insert(pending_frames_.begin(), frames.begin(), frames.end());
-    if (!std::exchange(failing_, true)) fault(refusal);
 }
 
-/// Otherwise says why it is not written.
-bool JournalWriter::write(const std::vector<document::Event>& events, std::int64_t tick,
-                          const std::vector<std::string>& frames, std::string& refusal) {
-    bool written = false;
-    refusal = core::fault_of([&] {
-        written = append(pending_frames({canvas_, events, tick}, written_events_, frames));
-        if (!written)
-            throw core::InputError(folder().string() + ": the journal cannot be written (" +
-                                   std::strerror(errno) +
-                                   "); what is painted now would not be recovered.");
+/// Without a reason where it is written.
+Trouble JournalWriter::write(const std::vector<document::Event>& events, std::int64_t tick,
+                             const std::vector<std::string>& frames) {
+    Trouble trouble;
+    trouble.reason = core::fault_of([&] {
+        const std::string bytes = pending_frames({canvas_, events, tick}, written_events_, frames);
+        trouble.waiting_bytes = bytes.size();
+        if (append(bytes)) return;
+        trouble.disk_is_full = core::says_full(errno);
+        throw core::InputError(refusal_of(folder() / kStrokesFile, errno));
     });
-    return written;
+    return trouble;
 }
 
 std::string JournalWriter::pending_frames(document::Recording batch, std::uint64_t first_event,
@@ -225,18 +251,28 @@ std::string JournalWriter::pending_frames(document::Recording batch, std::uint64
     return bytes;
 }
 
-/// Nothing half-written stays.
+/// Nothing half-written stays: what could not be flushed is not taken for written either. Otherwise
+/// errno says why it is not written.
 bool JournalWriter::append(const std::string& bytes) {
-    const off_t end = ::lseek(file_, 0, SEEK_END);
-    if (end >= 0 && write_all(file_, bytes) && ::fdatasync(file_) == 0) return true;
+    if (torn_ && ::ftruncate(file_, end_) != 0) return false;
+    torn_ = !core::write_all(file_, std::as_bytes(std::span(bytes)), static_cast<std::uint64_t>(end_)) ||
+            ::fdatasync(file_) != 0;
+    if (!torn_) {
+        end_ += static_cast<std::int64_t>(bytes.size());
+        return true;
+    }
     const int reason = errno;
-    if (end >= 0 && ::ftruncate(file_, end) == 0) ::lseek(file_, end, SEEK_SET);
+    torn_ = ::ftruncate(file_, end_) != 0;
     errno = reason;
     return false;
 }
 
-void JournalWriter::fault(const std::string& sentence) {
-    faults_.push_back(sentence);
+/// Locked. Strokes that are not kept are told before a checkpoint that is not.
+void JournalWriter::note_trouble(Trouble& of, Trouble now) {
+    const bool changes = of.reason != now.reason;
+    of = std::move(now);
+    if (changes && told_)
+        told_(strokes_trouble_.reason.empty() ? checkpoint_trouble_ : strokes_trouble_);
 }
 
 }  // namespace pastoso::journal

@@ -9,6 +9,7 @@
 #include "journal/journal_folder.hpp"
 #include "journal/undo_reach.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -39,14 +40,28 @@ struct Pace {
     /// have passed since then.
     double idle_s = 60.0;
     double rests = 10.0;
+    double retry_s = 2.0;  ///< from what could not be written to the next attempt
+};
+
+/// Why what is painted cannot be kept.
+struct Trouble {
+    std::string reason{};             ///< a sentence; empty: all is kept again
+    bool disk_is_full = false;        ///< that is the reason
+    bool strokes_are_kept = false;    ///< only a checkpoint is not: a recovery takes longer
+    std::uint64_t waiting_bytes = 0;  ///< of strokes, that are not in the file yet
 };
 
 /// The painting's thread notes what it does and never waits for the disk: two threads of the journal
 /// write, one the actions, four times a second and flushed, the other checkpoints, at low priority.
 class JournalWriter {
   public:
+    /// Is told when trouble begins, changes or ends, on any of the journal's threads; must return at
+    /// once and must not call back. The journal goes on trying.
+    using Told = std::function<void(const Trouble& trouble)>;
+
     /// Makes the journal's folder in `root`, and its start. Throws InputError where that cannot be.
-    JournalWriter(const std::filesystem::path& root, const Beginning& beginning, Pace pace = {});
+    JournalWriter(const std::filesystem::path& root, const Beginning& beginning, Pace pace = {},
+                  Told told = {});
 
     /// Everything noted is written; the journal stays to be recovered, unless it was discarded.
     ~JournalWriter();
@@ -76,9 +91,6 @@ class JournalWriter {
     /// Nothing needs to be recovered: the journal goes when the writer does.
     void discard();
 
-    /// What went wrong since the last call, in sentences. The journal goes on trying.
-    std::vector<std::string> take_faults();
-
   private:
     using Clock = std::chrono::steady_clock;
 
@@ -87,13 +99,17 @@ class JournalWriter {
     std::string pending_frames(document::Recording batch, std::uint64_t first_event,
                                const std::vector<std::string>& frames) const;
     bool append(const std::string& bytes);
-    void fault(const std::string& sentence);
-    bool write(const std::vector<document::Event>& events, std::int64_t tick,
-               const std::vector<std::string>& frames, std::string& refusal);
+    void note_trouble(Trouble& of, Trouble now);
+    void flush_start();
+    Trouble write(const std::vector<document::Event>& events, std::int64_t tick,
+                  const std::vector<std::string>& frames);
 
     const Pace pace_;
+    const Told told_;
     Claim claim_;
     int file_ = -1;
+    std::int64_t end_ = 0;  ///< of what is whole in the file
+    bool torn_ = false;     ///< something stands behind it
     document::CanvasSettings canvas_;
 
     // Of the painting's thread.
@@ -103,6 +119,7 @@ class JournalWriter {
     bool painted_since_ = false;
     double work_at_checkpoint_s_ = 0.0;
     Clock::time_point checkpoint_at_;
+    std::atomic<bool> checkpoint_failed_ = false;
 
     std::mutex mutex_;
     std::condition_variable wake_;
@@ -110,8 +127,7 @@ class JournalWriter {
     std::vector<std::string> pending_frames_;  ///< of checkpoints and saves, after the actions
     std::uint64_t written_events_ = 0;         ///< and how many of them are in the file
     std::int64_t tick_ = 0, written_tick_ = 0;
-    std::vector<std::string> faults_;
-    bool failing_ = false;  ///< the last attempt to write failed, and that was told
+    Trouble strokes_trouble_, checkpoint_trouble_;  ///< without a reason: none
     bool discarded_ = false;
     bool stopping_ = false;
 

@@ -1,10 +1,12 @@
 #include "journal/recovery.hpp"
 
 #include "core/error.hpp"
+#include "core/looking.hpp"
 #include "core/text_file.hpp"
 #include "document/painting.hpp"
 #include "document/player.hpp"
 #include "journal/undo_reach.hpp"
+#include "project/pictures.hpp"
 #include "recordings/canvas_support.hpp"
 
 #include <algorithm>
@@ -179,8 +181,9 @@ void tell_losses(const fs::path& folder, const Candidate& candidate, const Journ
     for (const Run& run : content.runs)
         end = std::max(end, run.end_event());
     if (end == candidate.end_event) return;
-    notes.push_back(damaged_place(folder, content) + ": is damaged; " +
-                    std::to_string(end - candidate.end_event) + " actions after it are lost.");
+    const std::uint64_t lost = end - candidate.end_event;
+    notes.push_back(damaged_place(folder, content) + ": is damaged; " + std::to_string(lost) +
+                    (lost == 1 ? " action after it is lost." : " actions after it are lost."));
 }
 
 /// The one that the painter saved it to or opened.
@@ -270,8 +273,7 @@ Recovered recover(const fs::path& folder, core::ThreadPool& pool,
     const JournalContent content = read_journal(folder);
     std::vector<std::string> faults;
     for (const Candidate& candidate : candidates(content)) {
-        std::error_code missing;
-        if (!candidate.file.empty() && !fs::exists(folder / candidate.file, missing)) continue;
+        if (!candidate.file.empty() && !core::is_there(folder / candidate.file)) continue;
         try {
             Recovered recovered = recovered_from(folder, candidate, content, pool, progress);
             recovered.notes.insert(recovered.notes.begin(), faults.begin(), faults.end());
@@ -282,6 +284,11 @@ Recovered recover(const fs::path& folder, core::ThreadPool& pool,
     }
     if (!faults.empty()) throw core::InputError(faults.front());
     throw core::InputError((folder / kStrokesFile).string() + ": does not say what was painted on.");
+}
+
+std::string recovered_thumbnail(const fs::path& folder, core::ThreadPool& pool,
+                                const std::function<void(double)>& progress) {
+    return project::thumbnail_file(recover(folder, pool, progress).painting, pool);
 }
 
 }  // namespace pastoso::journal

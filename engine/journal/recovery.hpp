@@ -32,6 +32,10 @@ struct Unfinished {
 /// Those of paintings that were saved and not changed since, or never touched, are removed.
 std::vector<Unfinished> unfinished_paintings(const std::filesystem::path& root);
 
+/// The picture of what recover() gives, a PNG file as Unfinished::thumbnail is. Takes as long.
+std::string recovered_thumbnail(const std::filesystem::path& folder, core::ThreadPool& pool,
+                                const std::function<void(double)>& progress = {});
+
 struct Recovered : project::Project {
     std::string file{};                ///< path of its project file, empty for a painting that has none
     std::vector<std::string> notes{};  ///< what is missing, in sentences

@@ -3,6 +3,7 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "core/looking.hpp"
 #include "core/text_file.hpp"
 #include "files/json_place.hpp"
 
@@ -78,7 +79,7 @@ FrameIndex read_frame_index(const std::filesystem::path& folder, const FrameInde
 
 FrameIndex keep_frame_index(const std::filesystem::path& folder, const FrameIndexKind& kind,
                             FrameIndex index) {
-    if (std::filesystem::exists(folder / kind.file)) {
+    if (core::is_there(folder / kind.file)) {
         const FrameIndex there = read_frame_index(folder, kind);
         if (there.scene_hash != index.scene_hash || there.fps != index.fps)
             throw core::InputError(folder.string() + ": keeps frames of " + kind.other +

@@ -2,6 +2,7 @@
 
 #include "core/check.hpp"
 #include "core/error.hpp"
+#include "core/looking.hpp"
 #include "liquid_files/box_values.hpp"
 #include "liquid_files/parcel_records.hpp"
 
@@ -84,8 +85,7 @@ TeaFrame read_tea_frame(const std::filesystem::path& path, std::uint64_t scene_h
 }
 
 bool is_whole_tea_frame(const std::filesystem::path& path, std::uint64_t scene_hash) {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored)) return false;
+    if (!core::is_regular_file(path)) return false;
     try {
         return is_allowed(files::PartFileReader(path, kind(), scene_hash));
     } catch (const core::InputError&) {

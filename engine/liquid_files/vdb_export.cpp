@@ -4,9 +4,10 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "core/text_file.hpp"
+#include "core/output_file.hpp"
 
 #include <openvdb/openvdb.h>
+#include <sstream>
 
 namespace pastoso::liquid_files {
 namespace {
@@ -61,6 +62,18 @@ openvdb::GridPtrVec grids_of(const VdbFields& fields) {
     return grids;
 }
 
+/// OpenVDB's own file swallows errors of the disk.
+class VolumeFile : openvdb::io::Archive {
+  public:
+    /// As openvdb::io::File writes them: programs may read one grid alone.
+    std::string bytes_of(const openvdb::GridPtrVec& grids) const {
+        constexpr bool kSeekable = true;
+        std::ostringstream file(std::ios::binary);
+        write(file, grids, kSeekable);
+        return std::move(file).str();
+    }
+};
+
 }  // namespace
 
 bool has_openvdb() {
@@ -72,15 +85,7 @@ void export_vdb(const std::filesystem::path& path, const VdbFields& fields) {
         throw core::InputError(path.string() + ": a volume is saved as .vdb; this name ends otherwise.");
     openvdb::initialize();
     const openvdb::GridPtrVec grids = grids_of(fields);
-    core::write_aside(path, [&](const std::filesystem::path& temporary) {
-        try {
-            openvdb::io::File file(temporary.string());
-            file.write(grids);
-            file.close();
-        } catch (const openvdb::Exception& error) {
-            throw core::InputError(path.string() + ": cannot be written (" + error.what() + ").");
-        }
-    });
+    core::write_aside(path, [&](core::OutputFile& file) { file.append(VolumeFile().bytes_of(grids)); });
 }
 
 }  // namespace pastoso::liquid_files

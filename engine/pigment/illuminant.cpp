@@ -1,6 +1,7 @@
 #include "pigment/illuminant.hpp"
 
 #include "core/error.hpp"
+#include "core/looking.hpp"
 #include "core/resources.hpp"
 #include "core/text.hpp"
 #include "core/text_file.hpp"
@@ -179,7 +180,7 @@ Illuminant find_illuminant(const std::string& name_or_path) {
         return light;
     }
     if (name_or_path.find_first_of("./") == std::string::npos &&
-        !std::filesystem::exists(name_or_path)) {
+        !core::is_there(name_or_path)) {
         throw core::InputError("There is no light \"" + name_or_path +
                                "\"; there are D65, D50, A and LED, or give the path of a CSV file.");
     }

@@ -87,6 +87,11 @@ Pictures pictures_of(const PaintingState& painting, core::ThreadPool& pool) {
     return pictures;
 }
 
+std::string thumbnail_file(const PaintingState& painting, core::ThreadPool& pool) {
+    const document::Painting seen(painting, pool);
+    return files::png_file(pigment::encode_srgb8(thumbnail_of(picture_of(seen.snapshot().film, pool))));
+}
+
 std::string layer_picture(std::size_t place) {
     return "data/layer" + std::to_string(place) + ".png";
 }

@@ -35,6 +35,9 @@ struct Pictures {
 
 Pictures pictures_of(const document::PaintingState& painting, core::ThreadPool& pool);
 
+/// What load_thumbnail() gives of a project of that painting.
+std::string thumbnail_file(const document::PaintingState& painting, core::ThreadPool& pool);
+
 /// An entry of the archive: its name, and how its content is made of the pictures.
 struct PictureFile {
     std::string entry;

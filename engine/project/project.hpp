@@ -1,6 +1,7 @@
 // Project files (.pastoso): a painting saved and opened again (docs/file-format.md).
 #pragma once
 
+#include "core/output_file.hpp"
 #include "core/thread_pool.hpp"
 #include "document/events.hpp"
 #include "document/painting_state.hpp"
@@ -27,7 +28,8 @@ struct LoadedProject : Project {
 
 /// Writes aside, flushes and renames: at any moment `path` is the old file or the whole new one. The
 /// same painting gives the same bytes. Throws InputError when the file cannot be written.
-void save_project(const std::filesystem::path& path, const Project& project, core::ThreadPool& pool);
+void save_project(const std::filesystem::path& path, const Project& project, core::ThreadPool& pool,
+                  core::WriteProtected = core::WriteProtected::Refused);
 
 /// Reads the whole file and checks everything that a painting relies on; what it names is never opened.
 /// Throws InputError "FILE, PLACE: ..." for a file that is damaged, foreign, written by a newer version,

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -19,6 +20,10 @@ using files::Json;
 using files::JsonPlace;
 
 constexpr std::int64_t kMostCounted = std::numeric_limits<std::int64_t>::max();
+/// Of paint, in all surfaces together: what lies in their tiles, and what is painted after, can be added
+/// without an overflow. A thousand times what the largest canvas can hold.
+constexpr std::int64_t kMostPaint = std::int64_t{1} << 61;
+constexpr double kMostPaint_mm3 = 1e18;
 
 std::string hex(std::uint64_t value) {
     static constexpr char kDigits[] = "0123456789abcdef";
@@ -105,11 +110,11 @@ template <std::size_t kCount>
 void read_counts(const JsonPlace& place, std::int64_t& thickness,
                  std::array<std::int64_t, kCount>& channels) {
     place.allow_only({"thickness", "channels"});
-    thickness = place.entry("thickness").integer(-kMostCounted, kMostCounted);
+    thickness = place.entry("thickness").integer(-kMostPaint, kMostPaint);
     const JsonPlace list = place.entry("channels");
     if (list.size() != kCount) list.fail("expected " + std::to_string(kCount) + " numbers.");
     for (std::size_t k = 0; k < kCount; ++k)
-        channels[k] = list.element(k).integer(-kMostCounted, kMostCounted);
+        channels[k] = list.element(k).integer(-kMostPaint, kMostPaint);
 }
 
 Json totals_json(const film::Totals& totals) {
@@ -124,14 +129,20 @@ film::Totals read_totals(const JsonPlace& place) {
 Json contents_json(const brush::Contents& contents) {
     return {{"volume_mm3", contents.volume_mm3}, {"channels", contents.paint}};
 }
+double read_amount(const JsonPlace& place) {
+    const double amount = place.number();
+    if (!(std::abs(amount) <= kMostPaint_mm3)) place.fail("expected an amount of paint up to 1e18.");
+    return amount;
+}
+
 brush::Contents read_contents(const JsonPlace& place) {
     place.allow_only({"volume_mm3", "channels"});
-    brush::Contents contents{.volume_mm3 = place.entry("volume_mm3").number()};
+    brush::Contents contents{.volume_mm3 = read_amount(place.entry("volume_mm3"))};
     const JsonPlace list = place.entry("channels");
     if (list.size() != contents.paint.size())
         list.fail("expected " + std::to_string(contents.paint.size()) + " numbers.");
     for (std::size_t k = 0; k < contents.paint.size(); ++k)
-        contents.paint[k] = list.element(k).number();
+        contents.paint[k] = read_amount(list.element(k));
     return contents;
 }
 
@@ -194,7 +205,7 @@ SurfaceIndex read_surface(const JsonPlace& place) {
     surface.cell_mm = place.entry("cell_mm").number();
     surface.consistencies = read_surface_consistencies(place);
     read_counts(place.entry("fixed"), surface.fixed.thickness, surface.fixed.pigment);
-    surface.evaporated = place.entry("evaporated").integer(0, kMostCounted);
+    surface.evaporated = place.entry("evaporated").integer(0, kMostPaint);
     surface.calls = place.entry("advances").integer(0, kMostCounted / 2);
     surface.runoff = read_totals(place.entry("run_off"));
     const JsonPlace entries = place.entry("tile_entries");
@@ -315,6 +326,28 @@ BrushIndex read_brush(const JsonPlace& place) {
     return brush;
 }
 
+/// The largest of what the account counts of a surface.
+double largest_count(const SurfaceIndex& surface) {
+    double largest = static_cast<double>(surface.evaporated);
+    const auto note = [&](std::int64_t count) {
+        largest = std::max(largest, std::abs(static_cast<double>(count)));
+    };
+    note(surface.fixed.thickness);
+    note(surface.runoff.thickness);
+    std::ranges::for_each(surface.fixed.pigment, note);
+    std::ranges::for_each(surface.runoff.paint, note);
+    return largest;
+}
+
+/// Each count fits; their sum over all layers must, too.
+void check_sums(const JsonPlace& root, const ProjectIndex& index) {
+    double sum = index.well ? largest_count(*index.well) : 0.0;
+    for (const LayerIndex& layer : index.layers)
+        sum += largest_count(layer.surface);
+    if (sum > static_cast<double>(kMostPaint))
+        root.entry("layers").fail("their paint adds up to more than any canvas holds.");
+}
+
 void check_header(const JsonPlace& root) {
     const auto format = root.optional_entry("format");
     if (!format || format->text() != "pastoso-project")
@@ -369,7 +402,8 @@ std::string index_to_json(const ProjectIndex& index) {
     if (index.selection) json["selection"] = packed_json(*index.selection);
     if (index.tracing) json["tracing"] = recordings::set_tracing_json(*index.tracing);
     json["strokes"] = packed_json(index.strokes);
-    return json.dump() + "\n";
+    // Names of files need not be UTF-8.
+    return json.dump(-1, ' ', false, files::Json::error_handler_t::replace) + "\n";
 }
 
 ProjectIndex index_from_json(const std::string& text, const std::string& name) {
@@ -397,6 +431,7 @@ ProjectIndex index_from_json(const std::string& text, const std::string& name) {
         tracing->guard([&] { document::check_action(*index.tracing); });
     }
     index.strokes = read_packed_alone(root.entry("strokes"), kMostStrokesBytes);
+    check_sums(root, index);
     return index;
 }
 

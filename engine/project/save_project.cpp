@@ -1,4 +1,3 @@
-#include "core/text_file.hpp"
 #include "document/set_up.hpp"
 #include "files/image.hpp"
 #include "project/mask_bits.hpp"
@@ -157,12 +156,12 @@ void add_index(Draft& draft, std::future<void>& packed) {
 
 /// Tiles are packed by the pool while this thread makes the pictures' files and writes.
 void write_archive(const Project& project, const Pictures& pictures, core::ThreadPool& pool,
-                   const std::filesystem::path& path, const std::string& name) {
+                   core::OutputFile& file) {
     Draft draft;
     draft.archive.add("mimetype", std::string(kMimeType));
     draft.archive.add("stack.xml", stack_xml(pictures));
-    for (PictureFile& file : picture_files(pictures))
-        draft.archive.add(file.entry, std::move(file.content));
+    for (PictureFile& picture : picture_files(pictures))
+        draft.archive.add(picture.entry, std::move(picture.content));
     draft.archive.add(kSetupEntry,
                       recordings::recording_to_json(document::set_up_of(project.painting.value)));
     add_painting(project, draft);
@@ -171,14 +170,15 @@ void write_archive(const Project& project, const Pictures& pictures, core::Threa
             surface.pack(pool);
     });
     add_index(draft, packed);
-    draft.archive.write(path, name);
+    draft.archive.write(file);
 }
 
-void save_project(const std::filesystem::path& path, const Project& project, core::ThreadPool& pool) {
-    core::write_aside(path, [&](const std::filesystem::path& temporary) {
-        const Pictures pictures = pictures_of(project.painting, pool);
-        write_archive(project, pictures, pool, temporary, path.string());
-    });
+void save_project(const std::filesystem::path& path, const Project& project, core::ThreadPool& pool,
+                  core::WriteProtected write_protected) {
+    const auto write = [&](core::OutputFile& file) {
+        write_archive(project, pictures_of(project.painting, pool), pool, file);
+    };
+    core::write_aside(path, write, write_protected);
 }
 
 bool is_project_path(const std::filesystem::path& path) {

@@ -126,6 +126,16 @@ std::string checked(Value* values, const grid::Shape& shape, int tile, const cha
     return "";
 }
 
+/// Hands a block to `take` when all of it is possible; what is refused is not used at all. Returns what
+/// is wrong.
+template <class Value, class IsPossible, class Take>
+std::string take_checked(grid::TileBlock<Value> block, const grid::Shape& shape, int tile,
+                         const char* what, const IsPossible& is_possible, const Take& take) {
+    std::string fault = checked(block.write(), shape, tile, what, is_possible);
+    if (fault.empty()) take(std::move(block));
+    return fault;
+}
+
 template <class Field>
 constexpr bool kIsAmount = requires(SurfaceState& surface) {
     Field::amount(surface);
@@ -179,11 +189,10 @@ void encode_field(const SurfaceSource& source, int tile, std::byte* out) {
 template <class Field>
 std::string decode_field(const std::byte* in, int tile, SurfaceTarget& target) {
     using Value = typename Field::Value;
-    auto block = decoded_values<Value>(in, expectation<Field>(target.surface, tile));
-    std::string fault = checked(block.write(), target.surface.film.shape, tile, Field::kWhat,
-                                [](const Value& value) { return Field::is_possible(value); });
-    Field::of(target.surface).replace(tile, std::move(block));
-    return fault;
+    return take_checked(
+        decoded_values<Value>(in, expectation<Field>(target.surface, tile)), target.surface.film.shape,
+        tile, Field::kWhat, [](const Value& value) { return Field::is_possible(value); },
+        [&](auto block) { Field::of(target.surface).replace(tile, std::move(block)); });
 }
 
 template <class Field>
@@ -203,23 +212,19 @@ void encode_support(const SurfaceSource& source, int tile, std::byte* out) {
 }
 
 std::string decode_support(const std::byte* in, int tile, SurfaceTarget& target) {
-    auto block = decoded_values<float>(in, {});
-    std::string fault =
-        checked(block.write(), target.surface.film.shape, tile, Support::kWhat, &Support::is_possible);
-    Support::of(target.surface).replace(tile, film::HeightBlock::smallest_of(std::move(block)));
-    return fault;
+    return take_checked(decoded_values<float>(in, {}), target.surface.film.shape, tile, Support::kWhat,
+                        &Support::is_possible, [&](auto heights_mm) {
+                            Support::of(target.surface)
+                                .replace(tile, film::HeightBlock::smallest_of(std::move(heights_mm)));
+                        });
 }
 
-/// Of format 1: the reflectance of strata and support together. What lay below is not known apart, so it
-/// is hidden for good.
-std::string decode_ground(const std::byte* in, int tile, SurfaceTarget& target) {
-    auto ground = decoded_values<pigment::Bands>(in, {});
-    std::string fault = checked(ground.write(), target.surface.film.shape, tile, "a reflectance",
-                                [](const pigment::Bands& bands) {
-                                    return std::all_of(bands.begin(), bands.end(), [](float share) {
-                                        return is_within(share, 0.0F, 0.999F);
-                                    });
-                                });
+bool is_reflectance(const pigment::Bands& bands) {
+    return std::all_of(bands.begin(), bands.end(),
+                       [](float share) { return is_within(share, 0.0F, 0.999F); });
+}
+
+grid::TileBlock<film::StrataOptics> hiding_strata(const grid::TileBlock<pigment::Bands>& ground) {
     auto optics = grid::TileBlock<film::StrataOptics>::filled(film::kClearStrata);
     for (int cell = 0; cell < kTileCells; ++cell) {
         for (int band = 0; band < pigment::kBands; ++band) {
@@ -227,8 +232,16 @@ std::string decode_ground(const std::byte* in, int tile, SurfaceTarget& target) 
             film::set_optics(band, {reflectance, 0.0F, reflectance}, optics.write()[cell]);
         }
     }
-    target.surface.film.strata.optics.replace(tile, std::move(optics));
-    return fault;
+    return optics;
+}
+
+/// Of format 1: the reflectance of strata and support together. What lay below is not known apart, so it
+/// is hidden for good.
+std::string decode_ground(const std::byte* in, int tile, SurfaceTarget& target) {
+    return take_checked(decoded_values<pigment::Bands>(in, {}), target.surface.film.shape, tile,
+                        "a reflectance", &is_reflectance, [&](const auto& ground) {
+                            target.surface.film.strata.optics.replace(tile, hiding_strata(ground));
+                        });
 }
 
 std::vector<int> no_tiles(const SurfaceSource&) {
@@ -277,9 +290,10 @@ void encode_awake(const SurfaceSource& source, int tile, std::byte* out) {
 std::string decode_awake(const std::byte* in, int tile, SurfaceTarget& target) {
     ActivityRecord record;
     std::memcpy(record.data(), in, sizeof record);
-    film::TileActivity& activity = target.surface.solver.awake[target.awake_at[tile]].activity;
-    activity = activity_of(record);
-    return is_possible(activity) ? "" : "tile " + std::to_string(tile) + " moves as no paint can.";
+    const film::TileActivity activity = activity_of(record);
+    if (!is_possible(activity)) return "tile " + std::to_string(tile) + " moves as no paint can.";
+    target.surface.solver.awake[target.awake_at[tile]].activity = activity;
+    return "";
 }
 
 std::vector<int> window_tiles(const SurfaceSource& source) {
@@ -296,11 +310,10 @@ void encode_window(const SurfaceSource& source, int tile, std::byte* out) {
 std::string decode_window(const std::byte* in, int tile, SurfaceTarget& target) {
     if (target.awake_at[tile] < 0)
         return "tile " + std::to_string(tile) + " sleeps, and yet its motion is followed.";
-    auto block = decoded_values<std::int32_t>(in, {});
-    std::string fault = checked(block.write(), target.surface.film.shape, tile, Thickness::kWhat,
-                                &Thickness::is_possible);
-    target.surface.solver.awake[target.awake_at[tile]].window_start = std::move(block);
-    return fault;
+    auto& window_start = target.surface.solver.awake[target.awake_at[tile]].window_start;
+    return take_checked(decoded_values<std::int32_t>(in, {}), target.surface.film.shape, tile,
+                        Thickness::kWhat, &Thickness::is_possible,
+                        [&](auto block) { window_start = std::move(block); });
 }
 
 std::vector<int> pressure_tiles(const SurfaceSource& source) {
@@ -316,10 +329,12 @@ void encode_pressure(const SurfaceSource& source, int tile, std::byte* out) {
 
 std::string decode_pressure(const std::byte* in, int tile, SurfaceTarget& target) {
     auto& pressure = target.surface.solver.pressures[target.pressure_at[tile]].pressure_mm2_s2;
-    pressure = decoded_values<float>(in, {});
-    return checked(pressure.write(), target.surface.film.shape, tile, "a pressure", [](float value) {
-        return is_within(value, -kStrongestPressure_mm2_s2, kStrongestPressure_mm2_s2);
-    });
+    return take_checked(
+        decoded_values<float>(in, {}), target.surface.film.shape, tile, "a pressure",
+        [](float value) {
+            return is_within(value, -kStrongestPressure_mm2_s2, kStrongestPressure_mm2_s2);
+        },
+        [&](auto block) { pressure = std::move(block); });
 }
 
 }  // namespace

@@ -1,13 +1,17 @@
 #include "project/zip_file.hpp"
 
 #include "core/error.hpp"
-#include "files/file_access.hpp"
+#include "core/regular_file.hpp"
+#include "project/zip_destination.hpp"
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <deque>
 #include <exception>
+#include <fcntl.h>
+#include <unistd.h>
 #include <utility>
 #include <zip.h>
 
@@ -37,12 +41,14 @@ struct CloseFile {
     throw core::InputError(name + ": cannot be written (" + text_of(error) + ").");
 }
 
-Archive create(const std::filesystem::path& path, const std::string& name) {
-    int code = 0;
-    Archive archive(zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
-    if (archive) return archive;
+Archive create(ZipDestination& destination, const std::string& name) {
     zip_error_t error;
-    zip_error_init_with_code(&error, code);
+    zip_error_init(&error);
+    zip_source_t* source = destination.source(&error);
+    Archive archive(source == nullptr ? nullptr
+                                      : zip_open_from_source(source, ZIP_CREATE | ZIP_TRUNCATE, &error));
+    if (archive) return archive;
+    zip_source_free(source);
     fail_writing(name, &error);
 }
 
@@ -140,6 +146,17 @@ void add_entry(zip_t* archive, const std::string& entry, Content& content, const
         fail_writing(name, zip_get_error(archive));
 }
 
+/// The source that is made of it closes it.
+std::FILE* stream_of(const std::filesystem::path& path) {
+    const core::RegularFile file(path);
+    const int copy = ::fcntl(file.descriptor(), F_DUPFD_CLOEXEC, 0);
+    std::FILE* stream = copy < 0 ? nullptr : ::fdopen(copy, "rb");
+    if (stream != nullptr) return stream;
+    const std::string reason = std::strerror(errno);
+    if (copy >= 0) ::close(copy);
+    throw core::InputError(path.string() + ": cannot be opened (" + reason + ").");
+}
+
 Archive opened(zip_source_t* source, const std::string& name, zip_error_t* error) {
     Archive archive(source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, error));
     if (archive) return archive;
@@ -169,9 +186,11 @@ void ZipWriter::add(std::string name, std::function<std::string()> make) {
         std::async(std::launch::deferred, [make = std::move(make)] { return copied(make()); }));
 }
 
-void ZipWriter::write(const std::filesystem::path& path, const std::string& name) {
-    std::deque<Content> contents;  // the archive points to them
-    Archive archive = create(path, name);
+void ZipWriter::write(core::OutputFile& file) {
+    const std::string name = file.path().string();
+    ZipDestination destination(file);  // the archive points to it and to the contents
+    std::deque<Content> contents;
+    Archive archive = create(destination, name);
     for (Entry& entry : entries_)
         add_entry(archive.get(), entry.name, contents.emplace_back(std::move(entry.content)), name);
     if (zip_close(archive.get()) != 0) {
@@ -180,6 +199,7 @@ void ZipWriter::write(const std::filesystem::path& path, const std::string& name
         fail_writing(name, zip_get_error(archive.get()));
     }
     archive.release();
+    file.check();
 }
 
 struct ZipReader::Archive {
@@ -187,10 +207,9 @@ struct ZipReader::Archive {
 };
 
 ZipReader::ZipReader(const std::filesystem::path& path) : name_(path.string()) {
-    files::check_readable(path);
     zip_error_t error;
     zip_error_init(&error);
-    zip_source_t* source = zip_source_file_create(path.c_str(), 0, -1, &error);
+    zip_source_t* source = zip_source_filep_create(stream_of(path), 0, -1, &error);
     archive_ = std::make_unique<Archive>(Archive{opened(source, name_, &error)});
 }
 

@@ -1,6 +1,7 @@
 // Zip archives by libzip: written in one go, read entry by entry.
 #pragma once
 
+#include "core/output_file.hpp"
 #include "packing/packed_bytes.hpp"
 
 #include <cstdint>
@@ -31,10 +32,9 @@ class ZipWriter {
     /// An entry whose content is made when its turn comes.
     void add(std::string name, std::function<std::string()> make);
 
-    /// Writes the archive to `path`, where a file may stand, and forgets every entry as soon as it is
-    /// written; once. Throws InputError "NAME: ..." when that fails, and what the making of a content
-    /// threw.
-    void write(const std::filesystem::path& path, const std::string& name);
+    /// Writes the archive into `file` and forgets every entry as soon as it is written; once. Throws InputError
+    /// when that fails, and what the making of a content threw.
+    void write(core::OutputFile& file);
 
   private:
     struct Entry {

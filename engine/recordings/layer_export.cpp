@@ -2,7 +2,6 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "core/text_file.hpp"
 #include "files/image_writer.hpp"
 #include "layers/apart.hpp"
 #include "recordings/channel_names.hpp"
@@ -214,8 +213,8 @@ files::ExportStatus export_layers(const std::filesystem::path& path, const Expor
     const shade::Lattice lattice = export_lattice(source);
     const files::ImageLayout layout = layout_of(source, lattice, layers);
     BandValues band(source, layers, lattice, pool);
-    const bool written = core::write_aside_unless(path, [&](const std::filesystem::path& temporary) {
-        files::ImageWriter writer(temporary, path, layout);
+    const bool written = core::write_aside_unless(path, [&](core::OutputFile& file) {
+        files::ImageWriter writer(file, layout);
         const bool complete = for_each_band(
             lattice, keep_going,
             [&](const Rect& pixels) {

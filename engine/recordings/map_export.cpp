@@ -2,14 +2,12 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "core/text_file.hpp"
 #include "files/image.hpp"
 #include "recordings/surface_values.hpp"
 #include "shade/surface.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <memory>
 
 namespace pastoso::recordings {
@@ -73,15 +71,13 @@ std::vector<Integer> in_steps(const std::vector<float>& values, float black, flo
 /// The four files while they are written.
 class MapWriter {
   public:
-    MapWriter(const std::vector<Path>& temporaries, const std::vector<Path>& paths,
-              const files::ImageLayout& colours, const MapHeights& heights,
+    MapWriter(const std::vector<Path>& paths, const files::ImageLayout& colours, const MapHeights& heights,
               const shade::Lighting& lighting)
         : heights_(heights), lighting_(lighting) {
         for (int map = 0; map < kMapCount; ++map) {
-            const auto i = static_cast<std::size_t>(map);
             layouts_.push_back(map == kBaseColour ? colours : data_layout(colours, map, heights));
-            writers_.push_back(
-                std::make_unique<files::ImageWriter>(temporaries[i], paths[i], layouts_[i]));
+            files_.push_back(std::make_unique<core::OutputFile>(paths[static_cast<std::size_t>(map)]));
+            writers_.push_back(std::make_unique<files::ImageWriter>(*files_.back(), layouts_.back()));
         }
     }
 
@@ -92,9 +88,12 @@ class MapWriter {
             write_data(map, surface);
     }
 
+    /// They take their places after the last is complete.
     void finish() {
         for (const auto& writer : writers_)
             writer->finish();
+        for (const auto& file : files_)
+            file->put_in_place();
     }
 
   private:
@@ -119,19 +118,10 @@ class MapWriter {
     MapHeights heights_;
     shade::Lighting lighting_;
     std::vector<files::ImageLayout> layouts_;
+    std::vector<std::unique_ptr<core::OutputFile>> files_;
     std::vector<std::unique_ptr<files::ImageWriter>> writers_;
     std::vector<float> values_;
 };
-
-/// Writes several files aside; they take their places after the last is complete.
-bool write_all_aside(const std::vector<Path>& paths, std::vector<Path>& temporaries,
-                     const std::function<bool()>& write) {
-    if (temporaries.size() == paths.size()) return write();
-    return core::write_aside_unless(paths[temporaries.size()], [&](const Path& temporary) {
-        temporaries.push_back(temporary);
-        return write_all_aside(paths, temporaries, write);
-    });
-}
 
 /// Between bounds of the surface, in whole micrometres.
 MapHeights heights_of(const film::FilmState& film) {
@@ -172,18 +162,14 @@ files::ExportStatus export_maps(const Path& path, const ExportSource& source,
     const MapHeights heights = heights_of(source.film);
     if (told != nullptr) *told = heights;
     const shade::Renderer renderer(source.film, source.ground, lattice, source.settings, pool);
-    std::vector<Path> temporaries;
-    const bool written = write_all_aside(paths, temporaries, [&] {
-        MapWriter writer(temporaries, paths, colours, heights, source.settings.lighting);
-        shade::SurfaceSamples surface;
-        const bool complete = for_each_band(lattice, keep_going, [&](const Rect& pixels) {
-            renderer.render(pixels, nullptr, &surface);
-            writer.write(surface);
-        });
-        if (complete) writer.finish();
-        return complete;
+    MapWriter writer(paths, colours, heights, source.settings.lighting);
+    shade::SurfaceSamples surface;
+    const bool complete = for_each_band(lattice, keep_going, [&](const Rect& pixels) {
+        renderer.render(pixels, nullptr, &surface);
+        writer.write(surface);
     });
-    return written ? files::ExportStatus::Written : files::ExportStatus::Stopped;
+    if (complete) writer.finish();
+    return complete ? files::ExportStatus::Written : files::ExportStatus::Stopped;
 }
 
 }  // namespace pastoso::recordings

@@ -1,6 +1,5 @@
 #include "recordings/picture_export.hpp"
 
-#include "core/text_file.hpp"
 #include "recordings/surface_values.hpp"
 #include "shade/picture_sheet.hpp"
 
@@ -38,8 +37,8 @@ files::ExportStatus export_picture(const std::filesystem::path& path, const Expo
         files::picture_layout(path, lattice.width, lattice.height, source.settings.viewing.space,
                               encoding, export_px_per_mm(source));
     const shade::Renderer renderer(source.film, source.ground, lattice, source.settings, pool);
-    const bool written = core::write_aside_unless(path, [&](const std::filesystem::path& temporary) {
-        files::ImageWriter writer(temporary, path, layout);
+    const bool written = core::write_aside_unless(path, [&](core::OutputFile& file) {
+        files::ImageWriter writer(file, layout);
         pigment::LinearImage rows;
         const bool complete = for_each_band(lattice, keep_going, [&](const grid::Rect& pixels) {
             render_picture(renderer, source, pixels, &rows);

@@ -2,7 +2,9 @@
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "core/looking.hpp"
 #include "core/memory.hpp"
+#include "core/naming.hpp"
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
 #include "document/canvas.hpp"
@@ -43,7 +45,8 @@ bool play(const Recording& recording, const TimelapseChoice& choice, const std::
           core::ThreadPool& pool, const files::KeepGoing& keep_going,
           const std::function<void(std::size_t frame, const document::Snapshot&)>& show) {
     const std::vector<std::int64_t> ticks = frame_ticks(recording, choice);
-    const std::unique_ptr<document::Painting> painting = make_painting(recording.canvas, pool);
+    const auto make = [&] { return make_painting(recording.canvas, pool); };
+    const std::unique_ptr<document::Painting> painting = core::naming(choice.strokes, make);
     painting->keep_undo_steps(document::undo_depth(recording));
     document::Player player(*painting, recording);
     for (std::size_t frame = 0; frame < wanted.size(); ++frame) {
@@ -106,9 +109,9 @@ Path frame_path(const Path& folder, std::size_t frame) {
 void claim_folder(const Path& folder, const std::string& record) {
     files::make_folder(folder);
     const Path path = folder / kRecordName;
-    if (std::filesystem::exists(path)) {
+    if (core::is_there(path)) {
         if (core::read_text_file(path) == record) return;
-    } else if (!std::filesystem::exists(frame_path(folder, 0))) {
+    } else if (!core::is_there(frame_path(folder, 0))) {
         core::write_text_file(path, record);
         return;
     }
@@ -121,7 +124,7 @@ std::vector<bool> missing_frames(const Path& folder, std::size_t frames) {
     std::vector<bool> missing;
     std::size_t end = 0;
     for (std::size_t frame = 0; frame < frames; ++frame) {
-        missing.push_back(!std::filesystem::exists(frame_path(folder, frame)));
+        missing.push_back(!core::is_there(frame_path(folder, frame)));
         if (missing.back()) end = frame + 1;
     }
     missing.resize(end);
@@ -153,8 +156,8 @@ bool write_video(const Recording& recording, const TimelapseChoice& choice, core
     PictureStyle style = picture_style(choice.picture);
     style.viewing.space = pigment::WorkingSpace::Srgb;
     const grid::Shape first = document::canvas_shape(recording.canvas);
-    return core::write_aside_unless(choice.path, [&](const Path& temporary) {
-        files::VideoWriter video(temporary, choice.path, report.width_px, report.height_px, choice.fps);
+    return core::write_aside_unless(choice.path, [&](core::OutputFile& file) {
+        files::VideoWriter video(file, report.width_px, report.height_px, choice.fps);
         const bool complete = play(recording, choice, std::vector<bool>(report.frames, true), pool,
                                    keep_going, [&](std::size_t, const document::Snapshot& snapshot) {
                                        video.write(pigment::encode_srgb8(frame_picture(
@@ -198,7 +201,7 @@ void check_timelapse(const TimelapseChoice& choice) {
     picture_style(choice.picture);
     if (files::is_video_path(choice.path)) {
         files::check_video_path(choice.path);
-    } else if (choice.path.has_extension() && !std::filesystem::is_directory(choice.path)) {
+    } else if (choice.path.has_extension() && !core::is_folder(choice.path)) {
         throw core::InputError(choice.path.string() +
                                ": a video is saved as .mp4, .mkv or .webm, and a folder's name has no "
                                "ending.");

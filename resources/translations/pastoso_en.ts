@@ -1974,6 +1974,14 @@
         <source>While the liquid moves, its surface at every moment goes into a folder</source>
         <translation>While the liquid moves, its surface at every moment goes into a folder</translation>
     </message>
+    <message>
+        <source>M&amp;essages</source>
+        <translation>M&amp;essages</translation>
+    </message>
+    <message>
+        <source>What you were told last, to be read again and copied</source>
+        <translation>What you were told last, to be read again and copied</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -2002,10 +2010,6 @@
         <translation>A solid of %1 × %2 mm; its front has %3 × %4 points, %5 mm apart.</translation>
     </message>
     <message>
-        <source>%1 of painting become %2 of film: %3 frames of %4 × %5 pixels.</source>
-        <translation>%1 of painting become %2 of film: %3 frames of %4 × %5 pixels.</translation>
-    </message>
-    <message>
         <source>%1 is a file; numbered pictures go into a folder.</source>
         <translation>%1 is a file; numbered pictures go into a folder.</translation>
     </message>
@@ -2024,6 +2028,25 @@
     <message>
         <source>There is no folder %1.</source>
         <translation>There is no folder %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of painting become %2 of film: %n frame(s) of %3 × %4 pixels.</source>
+        <translation>
+            <numerusform>%1 of painting become %2 of film: %n frame of %3 × %4 pixels.</numerusform>
+            <numerusform>%1 of painting become %2 of film: %n frames of %3 × %4 pixels.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Save</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Replace</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Save as...</translation>
     </message>
 </context>
 <context>
@@ -2709,10 +2732,6 @@
         <translation>Never</translation>
     </message>
     <message>
-        <source> minutes</source>
-        <translation> minutes</translation>
-    </message>
-    <message>
         <source>Save by itself every</source>
         <translation>Save by itself every</translation>
     </message>
@@ -2739,6 +2758,13 @@
     <message>
         <source>Copy</source>
         <translation>Copy</translation>
+    </message>
+    <message numerus="yes">
+        <source> minute(s)</source>
+        <translation>
+            <numerusform> minute</numerusform>
+            <numerusform> minutes</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3379,14 +3405,6 @@
         <translation>Keep the picture as fine as it is by now</translation>
     </message>
     <message>
-        <source>%1 samples in %2 s, without noise</source>
-        <translation>%1 samples in %2 s, without noise</translation>
-    </message>
-    <message>
-        <source>%1 of %2 samples</source>
-        <translation>%1 of %2 samples</translation>
-    </message>
-    <message>
         <source>Save the picture</source>
         <translation>Save the picture</translation>
     </message>
@@ -3397,6 +3415,20 @@
     <message>
         <source>Finding the surface...</source>
         <translation>Finding the surface...</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s) in %1 s, without noise</source>
+        <translation>
+            <numerusform>%n sample in %1 s, without noise</numerusform>
+            <numerusform>%n samples in %1 s, without noise</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n sample(s)</source>
+        <translation>
+            <numerusform>%1 of %n sample</numerusform>
+            <numerusform>%1 of %n samples</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3849,6 +3881,10 @@
         <source>Surfaces</source>
         <translation>Surfaces</translation>
     </message>
+    <message>
+        <source>Messages</source>
+        <translation>Messages</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
@@ -3953,20 +3989,12 @@
 <context>
     <name>pastoso::main::Exporting</name>
     <message>
-        <source>Exported %1: %2 triangles, %3 × %4 mm.</source>
-        <translation>Exported %1: %2 triangles, %3 × %4 mm.</translation>
-    </message>
-    <message>
         <source>Exported %1 and %2 more; heights from %3 mm (black) to %4 mm (white).</source>
         <translation>Exported %1 and %2 more; heights from %3 mm (black) to %4 mm (white).</translation>
     </message>
     <message>
         <source>Exported %1: %2 × %3 pixels.</source>
         <translation>Exported %1: %2 × %3 pixels.</translation>
-    </message>
-    <message>
-        <source>Exported %1: %2 frames of %3 × %4 pixels.</source>
-        <translation>Exported %1: %2 frames of %3 × %4 pixels.</translation>
     </message>
     <message>
         <source>Stopped; %1 holds the pictures that are complete.</source>
@@ -3991,10 +4019,6 @@
     <message>
         <source>Exporting %1</source>
         <translation>Exporting %1</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Export</translation>
     </message>
     <message>
         <source>Pastoso</source>
@@ -4031,6 +4055,28 @@
     <message>
         <source>Saved %1.</source>
         <translation>Saved %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %1: %n triangle(s), %2 × %3 mm.</source>
+        <translation>
+            <numerusform>Exported %1: %n triangle, %2 × %3 mm.</numerusform>
+            <numerusform>Exported %1: %n triangles, %2 × %3 mm.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %1: %n frame(s) of %2 × %3 pixels.</source>
+        <translation>
+            <numerusform>Exported %1: %n frame of %2 × %3 pixels.</numerusform>
+            <numerusform>Exported %1: %n frames of %2 × %3 pixels.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 Nothing was exported: make room or choose another place.</source>
+        <translation>%1 Nothing was exported: make room or choose another place.</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>Export...</translation>
     </message>
 </context>
 <context>
@@ -4093,17 +4139,6 @@
     </message>
 </context>
 <context>
-    <name>pastoso::main::PaintMemory</name>
-    <message>
-        <source>Open a palette</source>
-        <translation>Open a palette</translation>
-    </message>
-    <message>
-        <source>Palettes (*.gpl)</source>
-        <translation>Palettes (*.gpl)</translation>
-    </message>
-</context>
-<context>
     <name>pastoso::main::PaintPicking</name>
     <message>
         <source>Picked up wet paint: %1</source>
@@ -4120,6 +4155,17 @@
     <message>
         <source>Picked the colour seen: %1</source>
         <translation>Picked the colour seen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::PaintSettings</name>
+    <message>
+        <source>Open a palette</source>
+        <translation>Open a palette</translation>
+    </message>
+    <message>
+        <source>Palettes (*.gpl)</source>
+        <translation>Palettes (*.gpl)</translation>
     </message>
 </context>
 <context>
@@ -4213,6 +4259,50 @@
     <message>
         <source>Painted from its strokes; the brush is yours when it is done.</source>
         <translation>Painted from its strokes; the brush is yours when it is done.</translation>
+    </message>
+    <message>
+        <source>What you paint is kept again.</source>
+        <translation>What you paint is kept again.</translation>
+    </message>
+    <message>
+        <source>Should the program fail, this painting would come back slowly, from its strokes alone: %1 %2 are free there. Make room; you can paint on.</source>
+        <translation>Should the program fail, this painting would come back slowly, from its strokes alone: %1 %2 are free there. Make room; you can paint on.</translation>
+    </message>
+    <message>
+        <source>The disk is full: what you paint now would be lost if the program failed. It is kept in %1, where %2 are free and %3 wait to be written. Make room there, or save the painting to another disk. You can paint on; as soon as there is room, all of it is kept again.</source>
+        <translation>The disk is full: what you paint now would be lost if the program failed. It is kept in %1, where %2 are free and %3 wait to be written. Make room there, or save the painting to another disk. You can paint on; as soon as there is room, all of it is kept again.</translation>
+    </message>
+    <message>
+        <source>What you paint now would be lost if the program failed: %1 %2 are free there. Make room, or save the painting to another disk. You can paint on; as soon as it can be, all of it is kept again.</source>
+        <translation>What you paint now would be lost if the program failed: %1 %2 are free there. Make room, or save the painting to another disk. You can paint on; as soon as it can be, all of it is kept again.</translation>
+    </message>
+    <message>
+        <source>The painting</source>
+        <translation>The painting</translation>
+    </message>
+    <message>
+        <source>%1 The painting is not saved: make room or choose another place, and save again.</source>
+        <translation>%1 The painting is not saved: make room or choose another place, and save again.</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Save as...</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since you opened or saved it here. Replacing it loses what was changed there.</source>
+        <translation>Another program has changed %1 since you opened or saved it here. Replacing it loses what was changed there.</translation>
+    </message>
+    <message>
+        <source>%1 is protected against being written to.</source>
+        <translation>%1 is protected against being written to.</translation>
+    </message>
+    <message>
+        <source>%1 The painting was not saved by itself.</source>
+        <translation>%1 The painting was not saved by itself.</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Save...</translation>
     </message>
 </context>
 <context>
@@ -4333,6 +4423,20 @@
     <message>
         <source>rectangle</source>
         <translation>rectangle</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::Studio</name>
+    <message numerus="yes">
+        <source>%1 is open, and %n note(s) tell what is not as it was in the file.</source>
+        <translation>
+            <numerusform>%1 is open, and %n note tells what is not as it was in the file.</numerusform>
+            <numerusform>%1 is open, and %n notes tell what is not as it was in the file.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show them</source>
+        <translation>Show them</translation>
     </message>
 </context>
 <context>
@@ -5282,6 +5386,36 @@ Keys: arrows move it, Home puts it back.</translation>
     </message>
 </context>
 <context>
+    <name>pastoso::panels::MessageBar</name>
+    <message>
+        <source>What needs your attention</source>
+        <translation>What needs your attention</translation>
+    </message>
+    <message>
+        <source>Put away</source>
+        <translation>Put away</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::MessagePanel</name>
+    <message>
+        <source>Messages</source>
+        <translation>Messages</translation>
+    </message>
+    <message>
+        <source>Nothing has been told yet.</source>
+        <translation>Nothing has been told yet.</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>Copy all</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Clear</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::MousePart</name>
     <message>
         <source>Pressure</source>
@@ -5589,10 +5723,6 @@ Wheel: closer, farther</translation>
         <translation>paint at rest</translation>
     </message>
     <message>
-        <source>%1 tiles moving, %2 % load</source>
-        <translation>%1 tiles moving, %2 % load</translation>
-    </message>
-    <message>
         <source>%1 × time</source>
         <translation>%1 × time</translation>
     </message>
@@ -5607,6 +5737,13 @@ Wheel: closer, farther</translation>
     <message>
         <source>%1 % selected</source>
         <translation>%1 % selected</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tile(s) moving, %1 % load</source>
+        <translation>
+            <numerusform>%n tile moving, %1 % load</numerusform>
+            <numerusform>%n tiles moving, %1 % load</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -1974,6 +1974,14 @@
         <source>While the liquid moves, its surface at every moment goes into a folder</source>
         <translation>液体が動く間、その表面をすべての瞬間についてフォルダーに保存します</translation>
     </message>
+    <message>
+        <source>M&amp;essages</source>
+        <translation>メッセージ(&amp;E)</translation>
+    </message>
+    <message>
+        <source>What you were told last, to be read again and copied</source>
+        <translation>最近のメッセージをもう一度読み、コピーします</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -2002,10 +2010,6 @@
         <translation>%1 × %2 mm の立体。表面は %3 × %4 点、間隔は %5 mm です。</translation>
     </message>
     <message>
-        <source>%1 of painting become %2 of film: %3 frames of %4 × %5 pixels.</source>
-        <translation>%1 の制作が %2 の動画になります。%4 × %5 ピクセル、%3 フレームです。</translation>
-    </message>
-    <message>
         <source>%1 is a file; numbered pictures go into a folder.</source>
         <translation>%1 はファイルです。連番画像はフォルダーに保存します。</translation>
     </message>
@@ -2024,6 +2028,24 @@
     <message>
         <source>There is no folder %1.</source>
         <translation>フォルダー %1 がありません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of painting become %2 of film: %n frame(s) of %3 × %4 pixels.</source>
+        <translation>
+            <numerusform>%1 の制作が %2 の動画になります。%3 × %4 ピクセル、%n フレームです。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>置き換え</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>名前を付けて保存...</translation>
     </message>
 </context>
 <context>
@@ -2706,10 +2728,6 @@
         <translation>しない</translation>
     </message>
     <message>
-        <source> minutes</source>
-        <translation> 分ごと</translation>
-    </message>
-    <message>
         <source>Save by itself every</source>
         <translation>自動保存</translation>
     </message>
@@ -2736,6 +2754,12 @@
     <message>
         <source>Copy</source>
         <translation>コピー</translation>
+    </message>
+    <message numerus="yes">
+        <source> minute(s)</source>
+        <translation>
+            <numerusform> 分ごと</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3376,14 +3400,6 @@
         <translation>今の細かさの画像で止めます</translation>
     </message>
     <message>
-        <source>%1 samples in %2 s, without noise</source>
-        <translation>%1 サンプル、%2 秒、ノイズ除去済み</translation>
-    </message>
-    <message>
-        <source>%1 of %2 samples</source>
-        <translation>%1 / %2 サンプル</translation>
-    </message>
-    <message>
         <source>Save the picture</source>
         <translation>画像を保存</translation>
     </message>
@@ -3394,6 +3410,18 @@
     <message>
         <source>Finding the surface...</source>
         <translation>表面を求めています...</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s) in %1 s, without noise</source>
+        <translation>
+            <numerusform>%n サンプル、%1 秒、ノイズ除去済み</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n sample(s)</source>
+        <translation>
+            <numerusform>%1 / %n サンプル</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3846,6 +3874,10 @@
         <source>Surfaces</source>
         <translation>表面</translation>
     </message>
+    <message>
+        <source>Messages</source>
+        <translation>メッセージ</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
@@ -3950,20 +3982,12 @@
 <context>
     <name>pastoso::main::Exporting</name>
     <message>
-        <source>Exported %1: %2 triangles, %3 × %4 mm.</source>
-        <translation>%1 をエクスポートしました: 三角形 %2 個、%3 × %4 mm。</translation>
-    </message>
-    <message>
         <source>Exported %1 and %2 more; heights from %3 mm (black) to %4 mm (white).</source>
         <translation>%1 とほか %2 個をエクスポートしました。高さは %3 mm (黒) から %4 mm (白) です。</translation>
     </message>
     <message>
         <source>Exported %1: %2 × %3 pixels.</source>
         <translation>%1 をエクスポートしました: %2 × %3 ピクセル。</translation>
-    </message>
-    <message>
-        <source>Exported %1: %2 frames of %3 × %4 pixels.</source>
-        <translation>%1 をエクスポートしました: %3 × %4 ピクセル、%2 フレーム。</translation>
     </message>
     <message>
         <source>Stopped; %1 holds the pictures that are complete.</source>
@@ -3988,10 +4012,6 @@
     <message>
         <source>Exporting %1</source>
         <translation>%1 をエクスポート中</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>エクスポート</translation>
     </message>
     <message>
         <source>Pastoso</source>
@@ -4028,6 +4048,26 @@
     <message>
         <source>Saved %1.</source>
         <translation>%1 を保存しました。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %1: %n triangle(s), %2 × %3 mm.</source>
+        <translation>
+            <numerusform>%1 をエクスポートしました: 三角形 %n 個、%2 × %3 mm。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %1: %n frame(s) of %2 × %3 pixels.</source>
+        <translation>
+            <numerusform>%1 をエクスポートしました: %2 × %3 ピクセル、%n フレーム。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 Nothing was exported: make room or choose another place.</source>
+        <translation>%1 エクスポートされていません。空きを作るか、別の場所を選んでください。</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>エクスポート...</translation>
     </message>
 </context>
 <context>
@@ -4090,17 +4130,6 @@
     </message>
 </context>
 <context>
-    <name>pastoso::main::PaintMemory</name>
-    <message>
-        <source>Open a palette</source>
-        <translation>パレットを開く</translation>
-    </message>
-    <message>
-        <source>Palettes (*.gpl)</source>
-        <translation>パレット (*.gpl)</translation>
-    </message>
-</context>
-<context>
     <name>pastoso::main::PaintPicking</name>
     <message>
         <source>Picked up wet paint: %1</source>
@@ -4117,6 +4146,17 @@
     <message>
         <source>Picked the colour seen: %1</source>
         <translation>見えている色を拾いました: %1</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::PaintSettings</name>
+    <message>
+        <source>Open a palette</source>
+        <translation>パレットを開く</translation>
+    </message>
+    <message>
+        <source>Palettes (*.gpl)</source>
+        <translation>パレット (*.gpl)</translation>
     </message>
 </context>
 <context>
@@ -4210,6 +4250,50 @@
     <message>
         <source>Painted from its strokes; the brush is yours when it is done.</source>
         <translation>ストロークから描き直しています。終わるとブラシを使えます。</translation>
+    </message>
+    <message>
+        <source>What you paint is kept again.</source>
+        <translation>描いたものの控えが再び取られています。</translation>
+    </message>
+    <message>
+        <source>Should the program fail, this painting would come back slowly, from its strokes alone: %1 %2 are free there. Make room; you can paint on.</source>
+        <translation>プログラムが異常終了した場合、この作品はストロークだけから時間をかけて復元されます。%1 そこの空きは %2 です。空きを作ってください。そのまま描き続けられます。</translation>
+    </message>
+    <message>
+        <source>The disk is full: what you paint now would be lost if the program failed. It is kept in %1, where %2 are free and %3 wait to be written. Make room there, or save the painting to another disk. You can paint on; as soon as there is room, all of it is kept again.</source>
+        <translation>ディスクがいっぱいです。いまプログラムが異常終了すると、描いたものが失われます。控えの場所は %1 で、空きは %2、書き込み待ちは %3 です。そこに空きを作るか、作品を別のディスクに保存してください。そのまま描き続けられます。空きができ次第、すべての控えが再び取られます。</translation>
+    </message>
+    <message>
+        <source>What you paint now would be lost if the program failed: %1 %2 are free there. Make room, or save the painting to another disk. You can paint on; as soon as it can be, all of it is kept again.</source>
+        <translation>いまプログラムが異常終了すると、描いたものが失われます。%1 そこの空きは %2 です。空きを作るか、作品を別のディスクに保存してください。そのまま描き続けられます。可能になり次第、すべての控えが再び取られます。</translation>
+    </message>
+    <message>
+        <source>The painting</source>
+        <translation>作品</translation>
+    </message>
+    <message>
+        <source>%1 The painting is not saved: make room or choose another place, and save again.</source>
+        <translation>%1 作品は保存されていません。空きを作るか別の場所を選び、もう一度保存してください。</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>名前を付けて保存...</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since you opened or saved it here. Replacing it loses what was changed there.</source>
+        <translation>ここで開くか保存したあとに、別のプログラムが %1 を変更しました。置き換えると、その変更は失われます。</translation>
+    </message>
+    <message>
+        <source>%1 is protected against being written to.</source>
+        <translation>%1 は書き込みが禁止されています。</translation>
+    </message>
+    <message>
+        <source>%1 The painting was not saved by itself.</source>
+        <translation>%1 作品は自動保存されませんでした。</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>保存...</translation>
     </message>
 </context>
 <context>
@@ -4330,6 +4414,19 @@
     <message>
         <source>rectangle</source>
         <translation>長方形</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::Studio</name>
+    <message numerus="yes">
+        <source>%1 is open, and %n note(s) tell what is not as it was in the file.</source>
+        <translation>
+            <numerusform>%1 を開きました。ファイルと異なる点についてのメッセージが %n 件あります。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show them</source>
+        <translation>表示</translation>
     </message>
 </context>
 <context>
@@ -5275,6 +5372,36 @@ Keys: arrows move it, Home puts it back.</source>
     </message>
 </context>
 <context>
+    <name>pastoso::panels::MessageBar</name>
+    <message>
+        <source>What needs your attention</source>
+        <translation>注意が必要なこと</translation>
+    </message>
+    <message>
+        <source>Put away</source>
+        <translation>閉じる</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::MessagePanel</name>
+    <message>
+        <source>Messages</source>
+        <translation>メッセージ</translation>
+    </message>
+    <message>
+        <source>Nothing has been told yet.</source>
+        <translation>まだメッセージはありません。</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>すべてコピー</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>消去</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::MousePart</name>
     <message>
         <source>Pressure</source>
@@ -5582,10 +5709,6 @@ Wheel: closer, farther</source>
         <translation>絵の具は静止</translation>
     </message>
     <message>
-        <source>%1 tiles moving, %2 % load</source>
-        <translation>%1 タイルが動作中、負荷 %2 %</translation>
-    </message>
-    <message>
         <source>%1 × time</source>
         <translation>%1 倍速</translation>
     </message>
@@ -5600,6 +5723,12 @@ Wheel: closer, farther</source>
     <message>
         <source>%1 % selected</source>
         <translation>%1 % を選択中</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tile(s) moving, %1 % load</source>
+        <translation>
+            <numerusform>%n タイルが動作中、負荷 %1 %</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -1974,6 +1974,14 @@
         <source>While the liquid moves, its surface at every moment goes into a folder</source>
         <translation>Medan vätskan rör sig läggs dess yta i varje ögonblick i en mapp</translation>
     </message>
+    <message>
+        <source>M&amp;essages</source>
+        <translation>M&amp;eddelanden</translation>
+    </message>
+    <message>
+        <source>What you were told last, to be read again and copied</source>
+        <translation>Det senaste som meddelats, att läsa igen och kopiera</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -2002,10 +2010,6 @@
         <translation>En solid kropp på %1 × %2 mm; framsidan har %3 × %4 punkter, %5 mm emellan.</translation>
     </message>
     <message>
-        <source>%1 of painting become %2 of film: %3 frames of %4 × %5 pixels.</source>
-        <translation>%1 målande blir %2 film: %3 bildrutor på %4 × %5 pixlar.</translation>
-    </message>
-    <message>
         <source>%1 is a file; numbered pictures go into a folder.</source>
         <translation>%1 är en fil; numrerade bilder läggs i en mapp.</translation>
     </message>
@@ -2024,6 +2028,25 @@
     <message>
         <source>There is no folder %1.</source>
         <translation>Det finns ingen mapp %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of painting become %2 of film: %n frame(s) of %3 × %4 pixels.</source>
+        <translation>
+            <numerusform>%1 målande blir %2 film: %n bildruta på %3 × %4 pixlar.</numerusform>
+            <numerusform>%1 målande blir %2 film: %n bildrutor på %3 × %4 pixlar.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Spara</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersätt</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Spara som...</translation>
     </message>
 </context>
 <context>
@@ -2564,10 +2587,10 @@
         <translation>
             <numerusform>%1
 %2
-%3 × %4 mm, osparade ändringar: %n</numerusform>
+%3 × %4 mm, %n osparad ändring</numerusform>
             <numerusform>%1
 %2
-%3 × %4 mm, osparade ändringar: %n</numerusform>
+%3 × %4 mm, %n osparade ändringar</numerusform>
         </translation>
     </message>
     <message>
@@ -2709,10 +2732,6 @@
         <translation>Aldrig</translation>
     </message>
     <message>
-        <source> minutes</source>
-        <translation> minuter emellan</translation>
-    </message>
-    <message>
         <source>Save by itself every</source>
         <translation>Spara automatiskt</translation>
     </message>
@@ -2739,6 +2758,13 @@
     <message>
         <source>Copy</source>
         <translation>Kopiera</translation>
+    </message>
+    <message numerus="yes">
+        <source> minute(s)</source>
+        <translation>
+            <numerusform> minut emellan</numerusform>
+            <numerusform> minuter emellan</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3379,14 +3405,6 @@
         <translation>Behåll bilden så fin som den är nu</translation>
     </message>
     <message>
-        <source>%1 samples in %2 s, without noise</source>
-        <translation>%1 sampel på %2 s, utan brus</translation>
-    </message>
-    <message>
-        <source>%1 of %2 samples</source>
-        <translation>%1 av %2 sampel</translation>
-    </message>
-    <message>
         <source>Save the picture</source>
         <translation>Spara bilden</translation>
     </message>
@@ -3397,6 +3415,20 @@
     <message>
         <source>Finding the surface...</source>
         <translation>Söker ytan...</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s) in %1 s, without noise</source>
+        <translation>
+            <numerusform>%n sampel på %1 s, utan brus</numerusform>
+            <numerusform>%n sampel på %1 s, utan brus</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n sample(s)</source>
+        <translation>
+            <numerusform>%1 av %n sampel</numerusform>
+            <numerusform>%1 av %n sampel</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3849,6 +3881,10 @@
         <source>Surfaces</source>
         <translation>Ytor</translation>
     </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meddelanden</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
@@ -3953,20 +3989,12 @@
 <context>
     <name>pastoso::main::Exporting</name>
     <message>
-        <source>Exported %1: %2 triangles, %3 × %4 mm.</source>
-        <translation>Exporterade %1: %2 trianglar, %3 × %4 mm.</translation>
-    </message>
-    <message>
         <source>Exported %1 and %2 more; heights from %3 mm (black) to %4 mm (white).</source>
         <translation>Exporterade %1 och %2 till; höjder från %3 mm (svart) till %4 mm (vitt).</translation>
     </message>
     <message>
         <source>Exported %1: %2 × %3 pixels.</source>
         <translation>Exporterade %1: %2 × %3 pixlar.</translation>
-    </message>
-    <message>
-        <source>Exported %1: %2 frames of %3 × %4 pixels.</source>
-        <translation>Exporterade %1: %2 bildrutor på %3 × %4 pixlar.</translation>
     </message>
     <message>
         <source>Stopped; %1 holds the pictures that are complete.</source>
@@ -3991,10 +4019,6 @@
     <message>
         <source>Exporting %1</source>
         <translation>Exporterar %1</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportera</translation>
     </message>
     <message>
         <source>Pastoso</source>
@@ -4031,6 +4055,28 @@
     <message>
         <source>Saved %1.</source>
         <translation>Sparade %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %1: %n triangle(s), %2 × %3 mm.</source>
+        <translation>
+            <numerusform>Exporterade %1: %n triangel, %2 × %3 mm.</numerusform>
+            <numerusform>Exporterade %1: %n trianglar, %2 × %3 mm.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %1: %n frame(s) of %2 × %3 pixels.</source>
+        <translation>
+            <numerusform>Exporterade %1: %n bildruta på %2 × %3 pixlar.</numerusform>
+            <numerusform>Exporterade %1: %n bildrutor på %2 × %3 pixlar.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 Nothing was exported: make room or choose another place.</source>
+        <translation>%1 Inget exporterades: frigör utrymme eller välj en annan plats.</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>Exportera...</translation>
     </message>
 </context>
 <context>
@@ -4093,17 +4139,6 @@
     </message>
 </context>
 <context>
-    <name>pastoso::main::PaintMemory</name>
-    <message>
-        <source>Open a palette</source>
-        <translation>Öppna en palett</translation>
-    </message>
-    <message>
-        <source>Palettes (*.gpl)</source>
-        <translation>Paletter (*.gpl)</translation>
-    </message>
-</context>
-<context>
     <name>pastoso::main::PaintPicking</name>
     <message>
         <source>Picked up wet paint: %1</source>
@@ -4120,6 +4155,17 @@
     <message>
         <source>Picked the colour seen: %1</source>
         <translation>Hämtade kulören som syns: %1</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::PaintSettings</name>
+    <message>
+        <source>Open a palette</source>
+        <translation>Öppna en palett</translation>
+    </message>
+    <message>
+        <source>Palettes (*.gpl)</source>
+        <translation>Paletter (*.gpl)</translation>
     </message>
 </context>
 <context>
@@ -4213,6 +4259,50 @@
     <message>
         <source>Painted from its strokes; the brush is yours when it is done.</source>
         <translation>Målas fram drag för drag; penseln blir din när det är klart.</translation>
+    </message>
+    <message>
+        <source>What you paint is kept again.</source>
+        <translation>Det du målar sparas undan igen.</translation>
+    </message>
+    <message>
+        <source>Should the program fail, this painting would come back slowly, from its strokes alone: %1 %2 are free there. Make room; you can paint on.</source>
+        <translation>Om programmet skulle haverera återkommer målningen långsamt, enbart ur sina drag: %1 %2 är ledigt där. Frigör utrymme; du kan måla vidare.</translation>
+    </message>
+    <message>
+        <source>The disk is full: what you paint now would be lost if the program failed. It is kept in %1, where %2 are free and %3 wait to be written. Make room there, or save the painting to another disk. You can paint on; as soon as there is room, all of it is kept again.</source>
+        <translation>Disken är full: det du målar nu skulle gå förlorat om programmet havererade. Det sparas undan i %1, där %2 är ledigt och %3 väntar på att skrivas. Frigör utrymme där, eller spara målningen på en annan disk. Du kan måla vidare; så snart det finns utrymme sparas allt undan igen.</translation>
+    </message>
+    <message>
+        <source>What you paint now would be lost if the program failed: %1 %2 are free there. Make room, or save the painting to another disk. You can paint on; as soon as it can be, all of it is kept again.</source>
+        <translation>Det du målar nu skulle gå förlorat om programmet havererade: %1 %2 är ledigt där. Frigör utrymme, eller spara målningen på en annan disk. Du kan måla vidare; så snart det går sparas allt undan igen.</translation>
+    </message>
+    <message>
+        <source>The painting</source>
+        <translation>Målningen</translation>
+    </message>
+    <message>
+        <source>%1 The painting is not saved: make room or choose another place, and save again.</source>
+        <translation>%1 Målningen är inte sparad: frigör utrymme eller välj en annan plats, och spara igen.</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Spara som...</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since you opened or saved it here. Replacing it loses what was changed there.</source>
+        <translation>Ett annat program har ändrat %1 sedan du öppnade eller sparade den här. Om den ersätts går det som ändrades där förlorat.</translation>
+    </message>
+    <message>
+        <source>%1 is protected against being written to.</source>
+        <translation>%1 är skrivskyddad.</translation>
+    </message>
+    <message>
+        <source>%1 The painting was not saved by itself.</source>
+        <translation>%1 Målningen sparades inte automatiskt.</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Spara...</translation>
     </message>
 </context>
 <context>
@@ -4333,6 +4423,20 @@
     <message>
         <source>rectangle</source>
         <translation>rektangel</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::Studio</name>
+    <message numerus="yes">
+        <source>%1 is open, and %n note(s) tell what is not as it was in the file.</source>
+        <translation>
+            <numerusform>%1 är öppnad, och %n anmärkning säger vad som inte är som det var i filen.</numerusform>
+            <numerusform>%1 är öppnad, och %n anmärkningar säger vad som inte är som det var i filen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show them</source>
+        <translation>Visa dem</translation>
     </message>
 </context>
 <context>
@@ -5282,6 +5386,36 @@ Tangenter: pilarna flyttar den, Home ställer tillbaka den.</translation>
     </message>
 </context>
 <context>
+    <name>pastoso::panels::MessageBar</name>
+    <message>
+        <source>What needs your attention</source>
+        <translation>Det som behöver din uppmärksamhet</translation>
+    </message>
+    <message>
+        <source>Put away</source>
+        <translation>Lägg undan</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::MessagePanel</name>
+    <message>
+        <source>Messages</source>
+        <translation>Meddelanden</translation>
+    </message>
+    <message>
+        <source>Nothing has been told yet.</source>
+        <translation>Inget har meddelats än.</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>Kopiera allt</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Rensa</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::MousePart</name>
     <message>
         <source>Pressure</source>
@@ -5589,10 +5723,6 @@ Hjulet: närmare, längre bort</translation>
         <translation>färgen i vila</translation>
     </message>
     <message>
-        <source>%1 tiles moving, %2 % load</source>
-        <translation>%1 rutor rör sig, %2 % last</translation>
-    </message>
-    <message>
         <source>%1 × time</source>
         <translation>%1 × tiden</translation>
     </message>
@@ -5607,6 +5737,13 @@ Hjulet: närmare, längre bort</translation>
     <message>
         <source>%1 % selected</source>
         <translation>%1 % markerat</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tile(s) moving, %1 % load</source>
+        <translation>
+            <numerusform>%n ruta rör sig, %1 % last</numerusform>
+            <numerusform>%n rutor rör sig, %1 % last</numerusform>
+        </translation>
     </message>
 </context>
 <context>

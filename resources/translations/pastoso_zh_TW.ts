@@ -1974,6 +1974,14 @@
         <source>While the liquid moves, its surface at every moment goes into a folder</source>
         <translation>液體流動時，將每個時刻的表面存入資料夾</translation>
     </message>
+    <message>
+        <source>M&amp;essages</source>
+        <translation>訊息(&amp;E)</translation>
+    </message>
+    <message>
+        <source>What you were told last, to be read again and copied</source>
+        <translation>最近的訊息，可再次閱讀和複製</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -2002,10 +2010,6 @@
         <translation>%1 × %2 mm 的實體；正面有 %3 × %4 個點，間距 %5 mm。</translation>
     </message>
     <message>
-        <source>%1 of painting become %2 of film: %3 frames of %4 × %5 pixels.</source>
-        <translation>%1 的作畫過程會成為 %2 的影片：%3 個影格，%4 × %5 像素。</translation>
-    </message>
-    <message>
         <source>%1 is a file; numbered pictures go into a folder.</source>
         <translation>%1 是檔案；連號圖片需要放在資料夾裡。</translation>
     </message>
@@ -2024,6 +2028,24 @@
     <message>
         <source>There is no folder %1.</source>
         <translation>沒有資料夾 %1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of painting become %2 of film: %n frame(s) of %3 × %4 pixels.</source>
+        <translation>
+            <numerusform>%1 的作畫過程會成為 %2 的影片：%n 個影格，%3 × %4 像素。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>儲存</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>取代</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>另存新檔...</translation>
     </message>
 </context>
 <context>
@@ -2706,10 +2728,6 @@
         <translation>永不</translation>
     </message>
     <message>
-        <source> minutes</source>
-        <translation> 分鐘</translation>
-    </message>
-    <message>
         <source>Save by itself every</source>
         <translation>自動儲存間隔</translation>
     </message>
@@ -2736,6 +2754,12 @@
     <message>
         <source>Copy</source>
         <translation>複製</translation>
+    </message>
+    <message numerus="yes">
+        <source> minute(s)</source>
+        <translation>
+            <numerusform> 分鐘</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3376,14 +3400,6 @@
         <translation>保留目前細緻程度的圖片</translation>
     </message>
     <message>
-        <source>%1 samples in %2 s, without noise</source>
-        <translation>%1 次取樣，%2 秒，已去除雜訊</translation>
-    </message>
-    <message>
-        <source>%1 of %2 samples</source>
-        <translation>%1 / %2 次取樣</translation>
-    </message>
-    <message>
         <source>Save the picture</source>
         <translation>儲存圖片</translation>
     </message>
@@ -3394,6 +3410,18 @@
     <message>
         <source>Finding the surface...</source>
         <translation>正在尋找表面...</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s) in %1 s, without noise</source>
+        <translation>
+            <numerusform>%n 次取樣，%1 秒，已去除雜訊</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n sample(s)</source>
+        <translation>
+            <numerusform>%1 / %n 次取樣</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3846,6 +3874,10 @@
         <source>Surfaces</source>
         <translation>表面</translation>
     </message>
+    <message>
+        <source>Messages</source>
+        <translation>訊息</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
@@ -3950,20 +3982,12 @@
 <context>
     <name>pastoso::main::Exporting</name>
     <message>
-        <source>Exported %1: %2 triangles, %3 × %4 mm.</source>
-        <translation>已匯出 %1：%2 個三角形，%3 × %4 mm。</translation>
-    </message>
-    <message>
         <source>Exported %1 and %2 more; heights from %3 mm (black) to %4 mm (white).</source>
         <translation>已匯出 %1 和另外 %2 個檔案；高度從 %3 mm（黑）到 %4 mm（白）。</translation>
     </message>
     <message>
         <source>Exported %1: %2 × %3 pixels.</source>
         <translation>已匯出 %1：%2 × %3 像素。</translation>
-    </message>
-    <message>
-        <source>Exported %1: %2 frames of %3 × %4 pixels.</source>
-        <translation>已匯出 %1：%2 個影格，%3 × %4 像素。</translation>
     </message>
     <message>
         <source>Stopped; %1 holds the pictures that are complete.</source>
@@ -3988,10 +4012,6 @@
     <message>
         <source>Exporting %1</source>
         <translation>正在匯出 %1</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>匯出</translation>
     </message>
     <message>
         <source>Pastoso</source>
@@ -4028,6 +4048,26 @@
     <message>
         <source>Saved %1.</source>
         <translation>已儲存 %1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %1: %n triangle(s), %2 × %3 mm.</source>
+        <translation>
+            <numerusform>已匯出 %1：%n 個三角形，%2 × %3 mm。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %1: %n frame(s) of %2 × %3 pixels.</source>
+        <translation>
+            <numerusform>已匯出 %1：%n 個影格，%2 × %3 像素。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 Nothing was exported: make room or choose another place.</source>
+        <translation>%1 沒有匯出任何檔案：請清出空間，或選擇別的位置。</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>匯出...</translation>
     </message>
 </context>
 <context>
@@ -4090,17 +4130,6 @@
     </message>
 </context>
 <context>
-    <name>pastoso::main::PaintMemory</name>
-    <message>
-        <source>Open a palette</source>
-        <translation>開啟調色盤</translation>
-    </message>
-    <message>
-        <source>Palettes (*.gpl)</source>
-        <translation>調色盤 (*.gpl)</translation>
-    </message>
-</context>
-<context>
     <name>pastoso::main::PaintPicking</name>
     <message>
         <source>Picked up wet paint: %1</source>
@@ -4117,6 +4146,17 @@
     <message>
         <source>Picked the colour seen: %1</source>
         <translation>已取用看到的顏色：%1</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::PaintSettings</name>
+    <message>
+        <source>Open a palette</source>
+        <translation>開啟調色盤</translation>
+    </message>
+    <message>
+        <source>Palettes (*.gpl)</source>
+        <translation>調色盤 (*.gpl)</translation>
     </message>
 </context>
 <context>
@@ -4210,6 +4250,50 @@
     <message>
         <source>Painted from its strokes; the brush is yours when it is done.</source>
         <translation>正在依筆觸重新畫出；完成後就能繼續作畫。</translation>
+    </message>
+    <message>
+        <source>What you paint is kept again.</source>
+        <translation>你畫的內容又開始保留了。</translation>
+    </message>
+    <message>
+        <source>Should the program fail, this painting would come back slowly, from its strokes alone: %1 %2 are free there. Make room; you can paint on.</source>
+        <translation>萬一程式出問題，這幅畫只能靠筆觸慢慢救回：%1 那裡剩下 %2。請清出空間；你可以繼續畫。</translation>
+    </message>
+    <message>
+        <source>The disk is full: what you paint now would be lost if the program failed. It is kept in %1, where %2 are free and %3 wait to be written. Make room there, or save the painting to another disk. You can paint on; as soon as there is room, all of it is kept again.</source>
+        <translation>磁碟已滿：萬一程式出問題，你現在畫的內容會遺失。這些內容保留在 %1，那裡剩下 %2，還有 %3 等著寫入。請在那裡清出空間，或把畫作存到別的磁碟。你可以繼續畫；一有空間，全部內容就會再次保留。</translation>
+    </message>
+    <message>
+        <source>What you paint now would be lost if the program failed: %1 %2 are free there. Make room, or save the painting to another disk. You can paint on; as soon as it can be, all of it is kept again.</source>
+        <translation>萬一程式出問題，你現在畫的內容會遺失：%1 那裡剩下 %2。請清出空間，或把畫作存到別的磁碟。你可以繼續畫；一旦可以寫入，全部內容就會再次保留。</translation>
+    </message>
+    <message>
+        <source>The painting</source>
+        <translation>畫作</translation>
+    </message>
+    <message>
+        <source>%1 The painting is not saved: make room or choose another place, and save again.</source>
+        <translation>%1 畫作尚未儲存：請清出空間或選擇別的位置，再儲存一次。</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>另存新檔...</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since you opened or saved it here. Replacing it loses what was changed there.</source>
+        <translation>你在這裡開啟或儲存之後，別的程式改過 %1。取代它會失去那些更動。</translation>
+    </message>
+    <message>
+        <source>%1 is protected against being written to.</source>
+        <translation>%1 受到寫入保護。</translation>
+    </message>
+    <message>
+        <source>%1 The painting was not saved by itself.</source>
+        <translation>%1 畫作沒有自動儲存。</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>儲存...</translation>
     </message>
 </context>
 <context>
@@ -4330,6 +4414,19 @@
     <message>
         <source>rectangle</source>
         <translation>矩形</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::Studio</name>
+    <message numerus="yes">
+        <source>%1 is open, and %n note(s) tell what is not as it was in the file.</source>
+        <translation>
+            <numerusform>已開啟 %1；有 %n 則訊息說明哪些地方與檔案裡不同。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show them</source>
+        <translation>顯示</translation>
     </message>
 </context>
 <context>
@@ -5275,6 +5372,36 @@ Keys: arrows move it, Home puts it back.</source>
     </message>
 </context>
 <context>
+    <name>pastoso::panels::MessageBar</name>
+    <message>
+        <source>What needs your attention</source>
+        <translation>需要你留意的事</translation>
+    </message>
+    <message>
+        <source>Put away</source>
+        <translation>收起</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::MessagePanel</name>
+    <message>
+        <source>Messages</source>
+        <translation>訊息</translation>
+    </message>
+    <message>
+        <source>Nothing has been told yet.</source>
+        <translation>還沒有訊息。</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>全部複製</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::MousePart</name>
     <message>
         <source>Pressure</source>
@@ -5582,10 +5709,6 @@ Wheel: closer, farther</source>
         <translation>顏料靜止</translation>
     </message>
     <message>
-        <source>%1 tiles moving, %2 % load</source>
-        <translation>%1 個區塊流動中，負載 %2 %</translation>
-    </message>
-    <message>
         <source>%1 × time</source>
         <translation>%1 × 時間</translation>
     </message>
@@ -5600,6 +5723,12 @@ Wheel: closer, farther</source>
     <message>
         <source>%1 % selected</source>
         <translation>已選取 %1 %</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tile(s) moving, %1 % load</source>
+        <translation>
+            <numerusform>%n 個區塊流動中，負載 %1 %</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -433,10 +433,10 @@ TEST_F(ExportWindow, AFilmOfThePaintingIsMadeAgainIntoAFolderOfItsOwn) {
 }
 
 TEST_F(ExportWindow, WhatGoesWrongIsTold) {
-    answer_box("OK");
     parts().exporting.start({}, path("none/a.png"));
-    wait_for([this] { return !asked_.empty(); });
-    EXPECT_THAT(asked_, HasSubstr(path("none/a.png").string() + ": cannot be written"));
+    wait_for([this] { return !studio().messages().standing().empty(); });
+    EXPECT_THAT(studio().messages().standing().front().sentence.toStdString(),
+                HasSubstr(path("none/a.png").string() + ": cannot be written"));
     EXPECT_FALSE(parts().exporting.exporter().busy());
 }
 

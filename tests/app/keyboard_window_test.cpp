@@ -183,7 +183,7 @@ TEST_F(Keyboard, APanelsCommandLeadsIntoItAndEscapeBackToTheCanvas) {
     for (const Command command :
          {Command::ToolPanel, Command::ColourPanel, Command::PhysicsPanel, Command::GuidesPanel,
           Command::LightPanel, Command::LayersPanel, Command::TracingPanel, Command::HistoryPanel,
-          Command::NavigatorPanel, Command::RecorderPanel}) {
+          Command::NavigatorPanel, Command::RecorderPanel, Command::MessagesPanel}) {
         SCOPED_TRACE(action(command)->text().toStdString());
         canvas().setFocus();
         action(command)->trigger();

@@ -77,7 +77,7 @@ TEST_F(PicturePaintWindow, AnOpenRasterFileOpensWithItsLayers) {
     archive.add("stack.xml", std::string("<image w='60' h='40'><stack><layer name='Two' src='a.png'/>"
                                          "<layer name='One' src='a.png' x='20'/></stack></image>"));
     archive.add("a.png", red_png());
-    archive.write(folder.path() / "a.ora", "a.ora");
+    core::write_aside(folder.path() / "a.ora", [&](core::OutputFile& file) { archive.write(file); });
     parts().files.open_painting(QString::fromStdString((folder.path() / "a.ora").string()));
     settle();
     EXPECT_THAT(layer_names(), testing::ElementsAre("One", "Two"));

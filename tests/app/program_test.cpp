@@ -1,6 +1,7 @@
 // The program from outside: what it says and how it ends.
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
+#include "locale_folder.hpp"
 
 #include <array>
 #include <cstdio>
@@ -15,6 +16,7 @@ namespace {
 
 using pastoso::tests::TemporaryFolder;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 struct Outcome {
@@ -86,8 +88,8 @@ class ProgramWithDisplay : public ::testing::Test {
     }
 };
 
-TEST_F(ProgramWithDisplay, SaysInOneSentenceWhatIsWrongWithARecording) {
-    const Outcome missing = run("", "/nowhere/strokes.json");
+TEST_F(ProgramWithDisplay, TakesNoPictureOfARecordingThatItCannotRead) {
+    const Outcome missing = run("", "--screenshot /nowhere/window.png /nowhere/strokes.json");
     EXPECT_EQ(missing.exit_status, 1);
     expect_one_sentence(missing.output);
     EXPECT_THAT(missing.output, HasSubstr("/nowhere/strokes.json"));
@@ -95,10 +97,24 @@ TEST_F(ProgramWithDisplay, SaysInOneSentenceWhatIsWrongWithARecording) {
     const TemporaryFolder folder;
     const auto broken = folder.path() / "broken.json";
     pastoso::core::write_text_file(broken, "{\"version\": 1, ");
-    const Outcome malformed = run("", broken.string());
+    const Outcome malformed = run("", "--screenshot /nowhere/window.png " + broken.string());
     EXPECT_EQ(malformed.exit_status, 1);
     expect_one_sentence(malformed.output);
     EXPECT_THAT(malformed.output, HasSubstr("broken.json"));
+}
+
+TEST_F(ProgramWithDisplay, OpensItsWindowWhateverItIsToBeginWith) {
+    const TemporaryFolder folder;
+    const auto loop = folder.path() / "loop.pastoso";
+    std::filesystem::create_symlink(loop, loop);
+    // What is painted is kept there as soon as the window stands; only a signal ends it then.
+    const std::string kept = (folder.path() / "pastoso" / "journals").string();
+    const Outcome outcome =
+        run_command("env XDG_STATE_HOME=" + folder.path().string() + " timeout 600 sh -c '\"" +
+                    PASTOSO_PROGRAM + "\" " + loop.string() + " & until ls " + kept +
+                    "/*/strokes.journal || ! kill -0 $!; do sleep 0.2; done 2>/dev/null; sleep 1; "
+                    "kill -TERM $!; wait $!'");
+    EXPECT_EQ(outcome.exit_status, 128 + 15) << outcome.output;
 }
 
 TEST_F(ProgramWithDisplay, ShowsItsWindowAndSavesAPictureOfIt) {
@@ -116,6 +132,34 @@ TEST_F(ProgramWithDisplay, TellsHowLongThePainterWaitedWhereAsked) {
     EXPECT_EQ(outcome.exit_status, 0) << outcome.output;
     EXPECT_THAT(outcome.output, HasSubstr("event to snapshot"));
     EXPECT_THAT(outcome.output, HasSubstr("tick without paint"));
+}
+
+TEST_F(ProgramWithDisplay, KeepsTheNumbersOfCInEveryLocale) {
+    const TemporaryFolder folder;
+    const pastoso::tests::LocaleFolder locales;
+    ASSERT_TRUE(locales.is_whole()) << "needs the package locales";
+    for (const char* name : pastoso::tests::LocaleFolder::kNames) {
+        const Outcome outcome =
+            run("LC_ALL=" + std::string(name),
+                "--profile --screenshot " + (folder.path() / "window.png").string() + " --after 0.5");
+        EXPECT_EQ(outcome.exit_status, 0) << outcome.output;
+        EXPECT_THAT(outcome.output, HasSubstr("."));
+        EXPECT_THAT(outcome.output, Not(HasSubstr(","))) << name;
+    }
+}
+
+TEST_F(ProgramWithDisplay, RefusesNumbersThatAreNoneAndSetsOfInstructionsThatAreNot) {
+    for (const char* value : {"nan", "inf", "-1", "1e400", "x"}) {
+        const Outcome outcome = run("", "--screenshot a.png --after " + std::string(value));
+        EXPECT_EQ(outcome.exit_status, 2);
+        expect_one_sentence(outcome.output);
+        EXPECT_THAT(outcome.output, HasSubstr("--after: \"" + std::string(value) + "\""));
+    }
+    EXPECT_EQ(run("", "--screenshot= a.json").exit_status, 2);
+    const Outcome outcome = run("PASTOSO_ISA=avx1024", "");
+    EXPECT_EQ(outcome.exit_status, 1);
+    expect_one_sentence(outcome.output);
+    EXPECT_THAT(outcome.output, HasSubstr("PASTOSO_ISA is \"avx1024\""));
 }
 
 TEST_F(ProgramWithDisplay, LeavesAReportWhereItFails) {

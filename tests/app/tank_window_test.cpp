@@ -22,11 +22,13 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QTest>
+#include <gmock/gmock.h>
 
 namespace pastoso::tests {
 namespace {
 
 using commands::Command;
+using testing::HasSubstr;
 
 class TankWindow : public WindowTest {
   protected:
@@ -278,12 +280,12 @@ TEST_F(TankWindow, PicturesAndSurfacesOfEveryStepAreWritten) {
     wait_for([&] { return recorder.written(main::Recorded::Pictures) >= 3; });
     action(Command::TankRecordPictures)->trigger();
     wait_for([&] { return !recorder.records(main::Recorded::Pictures); });
-    EXPECT_NE(told().find("picture(s) are in " + folder_.path().string()), std::string::npos) << told();
+    EXPECT_THAT(told(), HasSubstr(" pictures are in " + folder_.path().string()));
     wait_for([&] { return recorder.written(main::Recorded::Surfaces) >= 5; });
     EXPECT_TRUE(action(Command::TankRecordSurfaces)->isChecked());
     action(Command::TankRecordSurfaces)->trigger();
     wait_for([&] { return !recorder.records(main::Recorded::Surfaces); });
-    EXPECT_NE(told().find("surface(s) are in " + folder_.path().string()), std::string::npos) << told();
+    EXPECT_THAT(told(), HasSubstr(" surfaces are in " + folder_.path().string()));
     for (const char* name : {"liquid_0001.obj", "liquid_0005.obj", "liquid_0007.png", "liquid_0009.png"})
         EXPECT_GT(std::filesystem::file_size(file(name)), 1000U) << name;
     // What was there stays, and numbers go on after it.

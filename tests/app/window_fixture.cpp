@@ -3,6 +3,7 @@
 #include "appearance/theme.hpp"
 #include "main/program/application.hpp"
 #include "main/program/display.hpp"
+#include "main/program/language.hpp"
 #include "patience.hpp"
 
 #include <algorithm>
@@ -60,6 +61,7 @@ void make_application() {
     format.setProfile(QSurfaceFormat::CoreProfile);
     QSurfaceFormat::setDefaultFormat(format);
     auto* application = new main::Application(argc, argv);
+    main::speak(QStringLiteral("C"));
     appearance::apply_theme(*application, appearance::Theme::Dark);
     stylus();
     eraser_end();

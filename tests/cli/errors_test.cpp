@@ -22,7 +22,9 @@ class CliErrors : public CliTest {
 TEST_F(CliErrors, UsageErrorsEndWithStatusTwo) {
     const std::string pen = short_recording();
     expect_bad_usage({}, "subcommand");
-    expect_bad_usage({"paint"}, "there is no subcommand \"paint\"");
+    expect_bad_usage({"paint"},
+                     "there is no subcommand \"paint\", only replay, sheet, export, convert, timelapse, "
+                     "recover, simulate, tea, tank and info.");
     expect_bad_usage({"replay"}, "STROKES");
     expect_bad_usage({"replay", pen, "--brushes", "x"}, "no place for the argument \"--brushes\"");
     expect_bad_usage({"replay", "--nonsense"}, "no place for the argument \"--nonsense\"");
@@ -66,8 +68,10 @@ TEST_F(CliErrors, AbsurdCanvasesAndValues) {
                      "A canvas of 5000 x 5000 mm at 6.5 px/mm needs about");
     expect_bad_input({"replay", pen, "--canvas", "5000x5000mm", "--px-per-mm", "60"},
                      "at most 32768 a side");
-    expect_bad_input(small({"replay", pen, "--tilt", "120"}), "the tilt of the canvas in degrees is 120");
-    expect_bad_input({"replay", pen, "--size-mm", "1000"}, "the width of the brush in mm is 1000");
+    expect_bad_usage(small({"replay", pen, "--tilt", "120"}),
+                     "--tilt: \"120\" is no number from 0 to 90");
+    expect_bad_usage({"replay", pen, "--size-mm", "1000"},
+                     "--size-mm: \"1000\" is no number from 0.5 to 200");
 }
 
 TEST_F(CliErrors, UnwritableOutputsAreFoundBeforeTheWork) {

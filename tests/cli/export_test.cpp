@@ -90,7 +90,7 @@ TEST_F(CliExport, WhatCannotBeDoneIsToldInASentence) {
     refuse({path("b.jpg"), "--maps"}, 1, "b.jpg: maps are saved as .png, .tif or .exr");
     refuse({path("b.stl"), "--maps"}, 2, "--layers and --maps are for pictures; " + path("b.stl"));
     refuse({path("b.exr"), "--maps", "--layers"}, 2, "--layers and --maps exclude each other.");
-    refuse({path("b.stl"), "--base-mm", "-1"}, 1, "The relief's base in mm is -1, outside the range");
+    refuse({path("b.stl"), "--base-mm", "-1"}, 2, "--base-mm: \"-1\" is no number from 0.1 to 100");
     refuse({path("b.jpg"), "--quality", "0"}, 2, "--quality");
     refuse({path("missing/b.stl")}, 1, "missing/b.stl: cannot be written (No such file or directory).");
     refuse({path("b.tif"), "--depth", "32", "--profile", write("p.icc", "none")}, 1, "p.icc: is no ICC");

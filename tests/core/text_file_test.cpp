@@ -3,11 +3,6 @@
 #include "core/error.hpp"
 #include "core/temporary_folder.hpp"
 
-#include <cstdlib>
-#include <fstream>
-#include <stdexcept>
-#include <unistd.h>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +11,6 @@ namespace {
 namespace fs = std::filesystem;
 using pastoso::core::InputError;
 using pastoso::core::read_text_file;
-using pastoso::core::write_aside;
 using pastoso::core::write_text_file;
 using testing::HasSubstr;
 
@@ -54,58 +48,6 @@ TEST_F(TextFile, WritesNothingButTheFile) {
     write_text_file(file_, "new");
     EXPECT_EQ(read_text_file(file_), "new");
     EXPECT_THAT(names_in(folder_.path()), testing::ElementsAre("a picture.txt"));
-}
-
-TEST_F(TextFile, TheOldFileStaysWhileTheNewOneIsWritten) {
-    write_text_file(file_, "old");
-    write_aside(file_, [&](const fs::path& temporary) {
-        EXPECT_EQ(temporary.extension(), ".txt");
-        std::ofstream(temporary) << "new";
-        EXPECT_EQ(read_text_file(file_), "old");
-    });
-    EXPECT_EQ(read_text_file(file_), "new");
-}
-
-TEST_F(TextFile, TheOldFileStaysWhenTheWriterThrows) {
-    write_text_file(file_, "old");
-    const auto write = [](const fs::path& temporary) {
-        std::ofstream(temporary) << "half of the n";
-        throw std::runtime_error("the writer failed");
-    };
-    EXPECT_THROW(write_aside(file_, write), std::runtime_error);
-    EXPECT_EQ(read_text_file(file_), "old");
-    EXPECT_THAT(names_in(folder_.path()), testing::ElementsAre("a picture.txt"));
-}
-
-TEST_F(TextFile, MissingFoldersAreReportedBeforeAnyWork) {
-    const fs::path lost = folder_.path() / "no such folder" / "a.txt";
-    bool worked = false;
-    const std::string message =
-        error_of([&] { write_aside(lost, [&](const fs::path&) { worked = true; }); });
-    EXPECT_THAT(message, HasSubstr(lost.string()));
-    EXPECT_THAT(message, HasSubstr("No such file or directory"));
-    EXPECT_FALSE(worked);
-}
-
-/// Root may write everywhere; as "nobody" the test is refused like any user.
-class WithoutRoot {
-  public:
-    WithoutRoot() { refused_ = ::geteuid() == 0 && ::seteuid(kNobody) != 0; }
-    ~WithoutRoot() {
-        if (::getuid() == 0 && ::seteuid(0) != 0) std::abort();
-    }
-    bool refused() const { return refused_; }
-
-  private:
-    static constexpr uid_t kNobody = 65534;
-    bool refused_ = false;
-};
-
-TEST_F(TextFile, FoldersWithoutWritePermissionAreReported) {
-    fs::permissions(folder_.path(), fs::perms::owner_read | fs::perms::owner_exec);
-    const WithoutRoot user;
-    if (user.refused()) GTEST_SKIP() << "root cannot become another user here, and may write everywhere";
-    EXPECT_THAT(error_of([&] { write_text_file(file_, "text"); }), HasSubstr("Permission denied"));
 }
 
 TEST_F(TextFile, AFileAsFolderIsReported) {

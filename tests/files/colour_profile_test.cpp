@@ -35,15 +35,49 @@ std::string bytes_of(cmsHPROFILE profile) {
     return bytes;
 }
 
-/// A profile of the primaries of Adobe RGB (1998) with a gamma of 2.2 and D65.
-std::string wide_profile() {
+/// The primaries of Adobe RGB (1998) with a gamma of 2.2 and D65.
+cmsHPROFILE new_wide_profile() {
     const cmsCIExyY white = {0.3127, 0.3290, 1.0};
     const cmsCIExyYTRIPLE primaries = {{0.64, 0.33, 1.0}, {0.21, 0.71, 1.0}, {0.15, 0.06, 1.0}};
     cmsToneCurve* curve = cmsBuildGamma(nullptr, 2.2);
     cmsToneCurve* const curves[] = {curve, curve, curve};
-    const std::string bytes = bytes_of(cmsCreateRGBProfile(&white, &primaries, curves));
+    const cmsHPROFILE profile = cmsCreateRGBProfile(&white, &primaries, curves);
     cmsFreeToneCurve(curve);
-    return bytes;
+    return profile;
+}
+
+std::string wide_profile() {
+    return bytes_of(new_wide_profile());
+}
+
+/// The same of a medium whose white is a dim yellow.
+std::string yellowed_profile() {
+    const cmsHPROFILE profile = new_wide_profile();
+    const cmsCIEXYZ paper = {0.70, 0.72, 0.45};
+    cmsWriteTag(profile, cmsSigMediaWhitePointTag, &paper);
+    return bytes_of(profile);
+}
+
+/// Writes the same value for every colour, by a table for each of the two intents.
+std::string table_profile(double perceptual, double relative) {
+    const cmsHPROFILE profile = cmsCreateProfilePlaceholder(nullptr);
+    cmsSetProfileVersion(profile, 4.3);
+    cmsSetDeviceClass(profile, cmsSigOutputClass);
+    cmsSetColorSpace(profile, cmsSigRgbData);
+    cmsSetPCS(profile, cmsSigLabData);
+    for (const auto& [tag, value] :
+         {std::pair{cmsSigBToA0Tag, perceptual}, {cmsSigBToA1Tag, relative}}) {
+        const std::vector<cmsUInt16Number> corners(std::size_t{8} * 3,
+                                                   static_cast<cmsUInt16Number>(65535.0 * value));
+        cmsPipeline* steps = cmsPipelineAlloc(nullptr, 3, 3);
+        cmsPipelineInsertStage(steps, cmsAT_END, cmsStageAllocToneCurves(nullptr, 3, nullptr));
+        cmsPipelineInsertStage(steps, cmsAT_END,
+                               cmsStageAllocCLut16bit(nullptr, 2, 3, 3, corners.data()));
+        cmsPipelineInsertStage(steps, cmsAT_END, cmsStageAllocToneCurves(nullptr, 3, nullptr));
+        cmsWriteTag(profile, tag, steps);
+        cmsPipelineFree(steps);
+    }
+    return bytes_of(profile);
 }
 
 std::string grey_profile() {
@@ -133,6 +167,14 @@ TEST(IntoWorkingSpace, GreyProfilesApplyToGreys) {
     EXPECT_THAT(image.rgb, Pointwise(testing::FloatNear(1e-3F), {0.25F, 0.25F, 0.25F}));
 }
 
+// A scan of yellowed paper is to be seen as its painter saw it: the eye takes the paper for white.
+TEST(IntoWorkingSpace, TheWhiteOfTheMediumBecomesWhite) {
+    const auto image =
+        read({1.0F, 1.0F, 1.0F, 0.5F, 0.5F, 0.5F}, {yellowed_profile(), false, {}}, WorkingSpace::Srgb);
+    const float grey = std::pow(0.5F, 2.2F);
+    EXPECT_THAT(image.rgb, Pointwise(testing::FloatNear(1e-3F), {1.0F, 1.0F, 1.0F, grey, grey, grey}));
+}
+
 TEST(IntoWorkingSpace, RefusesProfilesThatAreNone) {
     EXPECT_THAT(error_of([] {
                     read(kEncoded, {"this is no profile", false, {}}, WorkingSpace::Srgb);
@@ -177,6 +219,17 @@ TEST(InProfile, ConvertsAndReadsBack) {
         const auto back = read(encoded.rgb, {wide_profile(), false, {}}, space);
         EXPECT_THAT(back.rgb, Pointwise(testing::FloatNear(5e-4F), linear));
     }
+}
+
+TEST(InProfile, WhiteBecomesTheWhiteOfTheMedium) {
+    const auto encoded = in_profile({1, 1, {1.0F, 1.0F, 1.0F}}, yellowed_profile());
+    EXPECT_THAT(encoded.rgb, Pointwise(testing::FloatNear(1e-3F), {1.0F, 1.0F, 1.0F}));
+}
+
+// Its makers have fitted the colours of others into those that a printer has.
+TEST(InProfile, TakesThePerceptualTableWhereThereIsOne) {
+    const auto encoded = in_profile({1, 1, {0.2F, 0.5F, 0.1F}}, table_profile(0.25, 0.75));
+    EXPECT_THAT(encoded.rgb, Pointwise(testing::FloatNear(1e-3F), {0.25F, 0.25F, 0.25F}));
 }
 
 TEST(InProfile, BringsColoursIntoThePicturesGamutFirst) {

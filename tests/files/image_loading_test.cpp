@@ -16,13 +16,16 @@ bool openimageio_is_loaded() {
     return text.find("libOpenImageIO") != std::string::npos;
 }
 
-TEST_F(ImageLoadingTest, OpenImageIoIsLoadedWithTheFirstImageOnly) {
+TEST_F(ImageLoadingTest, OpenImageIoIsLoadedWithTheFirstImageThatIsNoPngOnly) {
     const pigment::Image8 image{1, 1, {1, 2, 3}};
     EXPECT_FALSE(openimageio_is_loaded());
     EXPECT_THROW(write_image(folder / "a.xyz", image), core::InputError);
     check_image_path(folder / "a.png");
     EXPECT_FALSE(openimageio_is_loaded());
     write_image(folder / "a.png", image);
+    png_file(image);
+    EXPECT_FALSE(openimageio_is_loaded());
+    write_image(folder / "a.tif", image);
     EXPECT_TRUE(openimageio_is_loaded());
 }
 

@@ -1,5 +1,5 @@
 // Images of any bytes: refused in a sentence, or heights and colours of as many pixels as they say. The
-// first byte chooses the name's ending, by which the format is guessed first.
+// first byte chooses the name's ending, which must not matter.
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "files/image.hpp"

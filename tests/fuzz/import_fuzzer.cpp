@@ -43,7 +43,7 @@ Bytes archive_with(const std::string& stack, const std::string& picture) {
     ZipWriter archive;
     archive.add("stack.xml", stack);
     archive.add("a.png", picture);
-    archive.write(path, "file");
+    core::write_aside(path, [&](core::OutputFile& file) { archive.write(file); });
     std::ifstream stream(path, std::ios::binary);
     const std::string bytes(std::istreambuf_iterator<char>(stream), {});
     std::filesystem::remove(path);

@@ -106,6 +106,24 @@ TEST_F(BadProject, AnIndexThatSaysTooMuchOrTooLittleIsRefused) {
                 HasSubstr("nested more than 64 deep"));
 }
 
+TEST_F(BadProject, PaintThatAddsUpToMoreThanCanBeCountedIsRefused) {
+    const auto with_counts = [&](const std::string& name, const std::string& count) {
+        return error_of(changed(file, "pastoso/index.json", [&](std::string& index) {
+            const std::string key = "\"" + name + "\":";
+            for (auto at = index.find(key); at != std::string::npos; at = index.find(key, at + 1)) {
+                const auto begin = at + key.size();
+                index.replace(begin, index.find_first_of(",}", begin) - begin, count);
+            }
+        }));
+    };
+    EXPECT_EQ(with_counts("evaporated", "1000"), "");
+    EXPECT_THAT(with_counts("evaporated", "2300000000000000000"), HasSubstr("adds up to more than"))
+        << "each alone can be counted";
+    EXPECT_THAT(with_counts("evaporated", "9223372036854775807"), HasSubstr("evaporated"));
+    EXPECT_THAT(with_counts("thickness", "-9223372036854775807"), HasSubstr("thickness"));
+    EXPECT_THAT(with_counts("volume_mm3", "1e300"), HasSubstr("volume_mm3: expected an amount"));
+}
+
 TEST_F(BadProject, LayersThatCannotBeAreRefused) {
     EXPECT_THAT(error_of_index("\"active\":0", "\"active\":1"),
                 HasSubstr("layers: the active layer is none."));

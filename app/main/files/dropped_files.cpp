@@ -1,6 +1,5 @@
 #include "main/files/dropped_files.hpp"
 
-#include "core/error.hpp"
 #include "main/files/picture_files.hpp"
 #include "main/files/project_files.hpp"
 #include "main/layers/picture_layers.hpp"
@@ -10,7 +9,6 @@
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QUrl>
 
@@ -73,7 +71,8 @@ void DroppedFiles::ask_about_picture(const QString& path, const QPoint& screen_p
     menu->setObjectName(QStringLiteral("dropped_picture"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
     const auto add = [&](const QString& words, std::function<void()> work) {
-        menu->addAction(words, this, [this, work = std::move(work)] { attempt(work); });
+        menu->addAction(words, this,
+                        [this, work = std::move(work)] { studio_.attempt(tr("Open"), work); });
     };
     add(tr("Put it on a &layer, as dry paint"), [this, path] { pictures_.paint_picture(path); });
     add(tr("&Trace it, below the paint"), [this, path] { tracing_.trace_picture(path); });
@@ -81,14 +80,6 @@ void DroppedFiles::ask_about_picture(const QString& path, const QPoint& screen_p
     menu->addSeparator();
     menu->addAction(tr("Leave it"));
     menu->popup(screen_place);
-}
-
-void DroppedFiles::attempt(const std::function<void()>& work) {
-    try {
-        work();
-    } catch (const core::InputError& error) {
-        QMessageBox::warning(&studio_.window(), tr("Open"), QString::fromUtf8(error.what()));
-    }
 }
 
 }  // namespace pastoso::main

@@ -3,8 +3,6 @@
 
 #include "main/studio.hpp"
 
-#include <functional>
-
 #include <QObject>
 #include <QPoint>
 #include <QString>
@@ -27,7 +25,6 @@ class DroppedFiles : public QObject {
   private:
     void take(const QString& path, const QPoint& screen_place);
     void ask_about_picture(const QString& path, const QPoint& screen_place);
-    void attempt(const std::function<void()>& work);
 
     Studio& studio_;
     ProjectFiles& files_;

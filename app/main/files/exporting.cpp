@@ -1,6 +1,6 @@
 #include "main/files/exporting.hpp"
 
-#include "core/error.hpp"
+#include "core/looking.hpp"
 #include "core/user_data.hpp"
 #include "dialogs/export_dialog.hpp"
 #include "journal/undo_reach.hpp"
@@ -41,9 +41,9 @@ QString length_mm(double mm) {
 
 QString words_of(const recordings::ExportReport& report, const QString& name) {
     if (report.triangles > 0)
-        return Exporting::tr("Exported %1: %2 triangles, %3 × %4 mm.")
+        return Exporting::tr("Exported %1: %n triangle(s), %2 × %3 mm.", nullptr,
+                             static_cast<int>(report.triangles))
             .arg(name)
-            .arg(report.triangles)
             .arg(report.width_mm)
             .arg(report.height_mm);
     if (report.files.size() > 1)
@@ -58,9 +58,9 @@ QString words_of(const recordings::ExportReport& report, const QString& name) {
 }
 
 QString words_of(const recordings::TimelapseReport& report, const QString& name) {
-    return Exporting::tr("Exported %1: %2 frames of %3 × %4 pixels.")
+    return Exporting::tr("Exported %1: %n frame(s) of %2 × %3 pixels.", nullptr,
+                         static_cast<int>(report.frames))
         .arg(name)
-        .arg(report.frames)
         .arg(report.width_px)
         .arg(report.height_px);
 }
@@ -70,21 +70,16 @@ QString words_of(const commands::ExportOutcome& outcome) {
     if (outcome.status() == files::ExportStatus::Written)
         return std::visit([&](const auto& report) { return words_of(report, name); }, outcome.report);
     const auto* film = std::get_if<recordings::TimelapseReport>(&outcome.report);
-    if (film != nullptr && film->written > 0 && std::filesystem::is_directory(outcome.path))
+    if (film != nullptr && film->written > 0 && core::is_folder(outcome.path))
         return Exporting::tr("Stopped; %1 holds the pictures that are complete.").arg(name);
     return Exporting::tr("Stopped; %1 was not written.").arg(name);
-}
-
-bool is_folder(const std::filesystem::path& path) {
-    std::error_code unseen;
-    return !path.empty() && std::filesystem::is_directory(path, unseen);
 }
 
 /// Where pictures usually go; not everybody has such a folder.
 std::filesystem::path first_folder() {
     const std::filesystem::path pictures =
         QStandardPaths::writableLocation(QStandardPaths::PicturesLocation).toStdString();
-    return is_folder(pictures) ? pictures : std::filesystem::path(QDir::homePath().toStdString());
+    return core::is_folder(pictures) ? pictures : std::filesystem::path(QDir::homePath().toStdString());
 }
 
 }  // namespace
@@ -134,9 +129,9 @@ void Exporting::remember() {
 std::filesystem::path Exporting::proposal() const {
     if (exported_) return exported_->path;
     const std::filesystem::path painting = files_.path().toStdString();
-    if (!painting.empty()) return std::filesystem::absolute(painting).replace_extension();
+    if (!painting.empty()) return core::absolute_path(painting).replace_extension();
     const std::filesystem::path last = settings_.folder;
-    return (is_folder(last) ? last : first_folder()) / tr("painting").toStdString();
+    return (core::is_folder(last) ? last : first_folder()) / tr("painting").toStdString();
 }
 
 tools::ExportLight Exporting::light() const {
@@ -170,7 +165,7 @@ void Exporting::ask(const tools::ExportSettings& settings) {
 void Exporting::repeat() {
     if (!exported_ || !may_begin()) return;
     const Exported last = *exported_;
-    const bool is_sequence = is_folder(last.path);
+    const bool is_sequence = core::is_folder(last.path);
     start(last.settings, is_sequence ? tools::untaken(last.path, ExportForm::Timelapse) : last.path);
     exported_ = last;
 }
@@ -199,9 +194,13 @@ void Exporting::end(const commands::ExportOutcome& outcome) {
     show_commands();
     const bool closes = std::exchange(closes_after_, false);
     if (!outcome.error.empty()) {
-        QMessageBox::warning(&studio_.window(), tr("Export"), QString::fromStdString(outcome.error));
+        studio_.messages().raise({panels::Matter::Export,
+                                  tr("%1 Nothing was exported: make room or choose another place.")
+                                      .arg(QString::fromStdString(outcome.error)),
+                                  tr("Export..."), [this] { ask(settings_); }});
         return;
     }
+    studio_.messages().solve(panels::Matter::Export);
     studio_.report(words_of(outcome));
     if (closes && outcome.status() == files::ExportStatus::Written) studio_.window().close();
 }
@@ -228,12 +227,10 @@ void Exporting::ask_save_recording() {
     const QString path = QFileDialog::getSaveFileName(&studio_.window(), tr("Export recording"),
                                                       tr("painting.json"), tr("Recordings (*.json)"));
     if (path.isEmpty()) return;
-    try {
+    studio_.attempt(tr("Export recording"), [&] {
         recordings::write_recording_json(path.toStdString(), studio_.session().recording());
         studio_.report(tr("Saved %1.").arg(path));
-    } catch (const core::InputError& error) {
-        QMessageBox::warning(&studio_.window(), tr("Export recording"), QString::fromUtf8(error.what()));
-    }
+    });
 }
 
 }  // namespace pastoso::main

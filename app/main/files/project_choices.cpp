@@ -1,14 +1,11 @@
 // The part of ProjectFiles that puts up what the painter chooses, and first sees to what is on the
 // easel.
 
-#include "core/error.hpp"
 #include "main/files/project_files.hpp"
 #include "main/wait_cursor.hpp"
 #include "recordings/recording_json.hpp"
 
 #include <QAction>
-#include <QMainWindow>
-#include <QMessageBox>
 
 namespace pastoso::main {
 namespace {
@@ -43,12 +40,7 @@ void ProjectFiles::watch(const document::Recording& recording) {
 }
 
 void ProjectFiles::ask_to_put_up(const document::CanvasSettings& canvas) {
-    if (!may_discard()) return;
-    try {
-        new_canvas(canvas);
-    } catch (const core::InputError& error) {
-        QMessageBox::warning(&studio_.window(), tr("New canvas"), QString::fromUtf8(error.what()));
-    }
+    if (may_discard()) studio_.attempt(tr("New canvas"), [&] { new_canvas(canvas); });
 }
 
 void ProjectFiles::ask_to_open(const QString& path) {
@@ -57,24 +49,18 @@ void ProjectFiles::ask_to_open(const QString& path) {
 
 void ProjectFiles::ask_to_recover(const std::filesystem::path& journal) {
     if (!may_discard()) return;
-    QString fault;
-    try {
+    studio_.attempt(tr("Recover"), [&] {
         const WaitCursor waiting;
         recover_painting(journal);
-    } catch (const core::InputError& error) {
-        fault = QString::fromUtf8(error.what());
-    }
-    if (!fault.isEmpty()) QMessageBox::warning(&studio_.window(), tr("Recover"), fault);
+    });
 }
 
 void ProjectFiles::ask_to_watch(const std::filesystem::path& recording) {
     if (!may_discard()) return;
-    try {
+    studio_.attempt(tr("Open"), [&] {
         watch(recordings::read_recording_json(recording));
         studio_.report(tr("Painted from its strokes; the brush is yours when it is done."));
-    } catch (const core::InputError& error) {
-        QMessageBox::warning(&studio_.window(), tr("Open"), QString::fromUtf8(error.what()));
-    }
+    });
 }
 
 bool ProjectFiles::begun() const {

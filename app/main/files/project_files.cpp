@@ -1,8 +1,9 @@
 #include "main/files/project_files.hpp"
 
 #include "commands/recent_paintings.hpp"
-#include "core/error.hpp"
+#include "core/looking.hpp"
 #include "dialogs/new_canvas_dialog.hpp"
+#include "main/files/journal_starts.hpp"
 #include "main/files/picture_files.hpp"
 #include "main/wait_cursor.hpp"
 #include "project/import_open_raster.hpp"
@@ -18,16 +19,11 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMessageBox>
 
 namespace pastoso::main {
 namespace {
 
 using commands::Command;
-
-QString with_ending(const QString& path) {
-    return path.endsWith(QStringLiteral(".pastoso")) ? path : path + QStringLiteral(".pastoso");
-}
 
 project::LoadedProject imported(const std::filesystem::path& path, core::ThreadPool& pool) {
     return project::is_open_raster_path(path) ? project::import_open_raster(path, {}, pool)
@@ -40,34 +36,17 @@ ProjectFiles::ProjectFiles(Studio& studio, bool keeps_journal)
     : studio_(studio), keeps_journal_(keeps_journal) {
     studio_.commands().on(Command::NewCanvas, [this](bool) { ask_new_canvas(); });
     studio_.commands().on(Command::OpenPainting, [this](bool) { ask_open_painting(); });
-    studio_.commands().on(Command::SavePainting, [this](bool) {
-        if (path_.isEmpty())
-            ask_save_painting();
-        else
-            save_painting(path_);
-    });
+    studio_.commands().on(Command::SavePainting, [this](bool) { save(); });
     studio_.commands().on(Command::SavePaintingAs, [this](bool) { ask_save_painting(); });
     recent_ = new QMenu(tr("Open re&cent"), &studio_.window());
     connect(recent_, &QMenu::aboutToShow, this, &ProjectFiles::fill_recent);
-    QAction* save = studio_.commands().action(Command::SavePainting);
-    studio_.window().menuBar()->actions().front()->menu()->insertMenu(save, recent_);
-    connect(&saver_, &commands::ProjectSaver::finished, this,
-            [this](const QString& path, const QString& error) {
-                if (error.isEmpty()) {
-                    if (journal_events_saved_)
-                        studio_.session().note_saved(path.toStdString(), *journal_events_saved_);
-                    commands::remember_painting(path.toStdString());
-                    studio_.report(tr("Saved %1.").arg(path));
-                    return;
-                }
-                saved_changes_ = -1;
-                studio_.window().setWindowModified(true);
-                QMessageBox::warning(&studio_.window(), tr("Save"), error);
-            });
+    QAction* next = studio_.commands().action(Command::SavePainting);
+    studio_.window().menuBar()->actions().front()->menu()->insertMenu(next, recent_);
+    connect(&saver_, &commands::ProjectSaver::finished, this, &ProjectFiles::end_saving);
     connect(&studio_, &Studio::published, this, [this](const auto&, const session::Status& status) {
         if (watched_) saved_changes_ = status.changes;
         watched_ = watched_ && status.replaying;
-        studio_.window().setWindowModified(status.changes != saved_changes_);
+        show_modified();
         if (save_waits_ && !status.stroke_in_progress) save_by_itself();
     });
 }
@@ -83,10 +62,13 @@ void ProjectFiles::start(std::unique_ptr<core::ThreadPool> pool,
                          journal::Beginning beginning) {
     beginning.canvas = painting->settings();
     beginning.tick = painting->tick();
-    auto journal = new_journal(beginning);
-    studio_.put_up(std::move(pool), std::move(painting), std::move(past), std::move(journal));
-    journal_events_saved_.reset();
+    const session::PaintSession::BeginJournal begin_journal = journal_for(beginning);
+    std::unique_ptr<journal::JournalWriter> journal = begun_journal(begin_journal);
+    studio_.put_up(std::move(pool), std::move(painting), std::move(past), std::move(journal),
+                   begin_journal);
+    saving_.reset();
     path_.clear();
+    stamp_.reset();
     saved_changes_ = 0;
     watched_ = false;
     show_title();
@@ -94,12 +76,7 @@ void ProjectFiles::start(std::unique_ptr<core::ThreadPool> pool,
 
 void ProjectFiles::ask_new_canvas() {
     dialogs::NewCanvasDialog dialog(studio_.session().canvas(), &studio_.window());
-    if (dialog.exec() != QDialog::Accepted || !may_discard()) return;
-    try {
-        new_canvas(dialog.settings());
-    } catch (const core::InputError& error) {
-        QMessageBox::warning(&studio_.window(), tr("New canvas"), QString::fromUtf8(error.what()));
-    }
+    if (dialog.exec() == QDialog::Accepted) ask_to_put_up(dialog.settings());
 }
 
 /// A symmetry stands in the middle of the new canvas as it stood in that of the old one.
@@ -128,11 +105,15 @@ void ProjectFiles::replay(const document::Recording& recording) {
     studio_.show_hand();
 }
 
+void ProjectFiles::show_modified() {
+    studio_.window().setWindowModified(studio_.session().status().changes != saved_changes_);
+}
+
 /// What is on the easel now is in no file.
 void ProjectFiles::show_unsaved() {
     saved_changes_ = -1;
     show_title();
-    studio_.window().setWindowModified(true);
+    show_modified();
 }
 
 void ProjectFiles::fill_recent() {
@@ -159,81 +140,55 @@ void ProjectFiles::open_painting(const QString& path) {
     }
     const WaitCursor waiting;
     auto pool = std::make_unique<core::ThreadPool>();
+    const std::filesystem::path file = core::absolute_path(path.toStdString());
+    const auto stamp = commands::stamp_of(file);
     project::LoadedProject project = project::load_project(path.toStdString(), *pool);
     auto painting = std::make_unique<document::Painting>(project.painting, *pool);
-    const std::filesystem::path file = std::filesystem::absolute(path.toStdString());
     start(std::move(pool), std::move(painting), project.strokes,
-          {.painting = file, .write_start = [&file](const std::filesystem::path& start) {
-               std::filesystem::copy_file(file, start);
-           }});
+          {.painting = file, .write_start = copied_start(file)});
     path_ = path;
+    stamp_ = stamp;
     show_title();
     take_up_hand(project.strokes);
     studio_.show_published();
     commands::remember_painting(path.toStdString());
-    for (const std::string& note : project.notes)
-        studio_.report(QString::fromStdString(note));
+    studio_.report_notes(QFileInfo(path).fileName(), project.notes);
+}
+
+bool ProjectFiles::opens(const QString& path) {
+    const QString ending = QStringLiteral("*.") + QFileInfo(path).suffix().toLower();
+    const std::filesystem::path file = path.toStdString();
+    return project::is_project_path(file) || project::is_open_raster_path(file) ||
+           picture_endings().split(QLatin1Char(' ')).contains(ending);
 }
 
 void ProjectFiles::open_picture(const QString& path) {
     const WaitCursor waiting;
     auto pool = std::make_unique<core::ThreadPool>();
-    const project::LoadedProject project = imported(path.toStdString(), *pool);
-    auto painting = std::make_unique<document::Painting>(project.painting, *pool);
-    core::ThreadPool& threads = *pool;
-    start(
-        std::move(pool), std::move(painting), project.strokes,
-        {.write_start =
-             [&](const std::filesystem::path& start) { project::save_project(start, project, threads); },
-         .is_saved = false});
+    const auto project =
+        std::make_shared<const project::LoadedProject>(imported(path.toStdString(), *pool));
+    auto painting = std::make_unique<document::Painting>(project->painting, *pool);
+    start(std::move(pool), std::move(painting), project->strokes,
+          {.write_start = saved_start(project), .is_saved = false});
     show_unsaved();
-    take_up_hand(project.strokes);
+    take_up_hand(project->strokes);
     studio_.show_published();
-    for (const std::string& note : project.notes)
-        studio_.report(QString::fromStdString(note));
+    studio_.report_notes(QFileInfo(path).fileName(), project->notes);
 }
 
 /// The brush that was in hand, as far as this window knows it; otherwise one is taken afresh.
 void ProjectFiles::take_up_hand(const document::Recording& past) {
-    try {
-        studio_.easel().adopt(tools::hand_after(studio_.easel().hand(), past.events));
-        const bool has_brush = std::any_of(
-            past.events.begin(), past.events.end(),
-            [](const auto& event) { return std::holds_alternative<document::TakeBrush>(event.action); });
-        if (!has_brush) studio_.easel().set_up();
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-        studio_.easel().set_up();
-    }
+    const bool known = studio_.attempt(
+        [&] { studio_.easel().adopt(tools::hand_after(studio_.easel().hand(), past.events)); });
+    const bool has_brush = std::any_of(past.events.begin(), past.events.end(), [](const auto& event) {
+        return std::holds_alternative<document::TakeBrush>(event.action);
+    });
+    if (!known || !has_brush) studio_.easel().set_up();
     studio_.show_hand();
 }
 
-void ProjectFiles::save_painting(const QString& path) {
-    Q_EMIT about_to_keep();
-    session::Capture capture = studio_.session().capture();
-    path_ = path;
-    saved_changes_ = capture.changes;
-    journal_events_saved_ = capture.journal_events;
-    show_title();
-    studio_.window().setWindowModified(false);
-    studio_.report(tr("Saving %1...").arg(path));
-    saver_.save(std::move(capture.painting), std::move(capture.record), path);
-}
-
-/// Saving ends a stroke in progress, so it waits for the hand.
-void ProjectFiles::save_by_itself() {
-    const session::Status status = studio_.session().status();
-    const bool needed = !path_.isEmpty() && status.changes != saved_changes_;
-    save_waits_ = needed && status.stroke_in_progress;
-    if (needed && !save_waits_) save_painting(path_);
-}
-
 void ProjectFiles::try_to_open(const QString& path) {
-    try {
-        open_painting(path);
-    } catch (const core::InputError& error) {
-        QMessageBox::warning(&studio_.window(), tr("Open"), QString::fromUtf8(error.what()));
-    }
+    studio_.attempt(tr("Open"), [&] { open_painting(path); });
 }
 
 void ProjectFiles::ask_open_painting() {
@@ -244,39 +199,6 @@ void ProjectFiles::ask_open_painting() {
                                         "All files (*)")
                                          .arg(picture_endings()));
     if (!path.isEmpty()) try_to_open(path);
-}
-
-bool ProjectFiles::ask_save_painting() {
-    const QString proposal = path_.isEmpty() ? tr("painting.pastoso") : path_;
-    QFileDialog dialog(&studio_.window(), tr("Save"), proposal, tr("Paintings (*.pastoso)"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(QStringLiteral("pastoso"));
-    dialog.selectFile(proposal);
-    if (dialog.exec() != QDialog::Accepted) return false;
-    save_painting(with_ending(dialog.selectedFiles().front()));
-    return true;
-}
-
-/// Whether nothing would be lost with this painting, or the painter agrees to lose it.
-bool ProjectFiles::may_discard() {
-    Q_EMIT about_to_keep();
-    studio_.session().wait_until_applied();
-    if (!saver_.wait().isEmpty()) saved_changes_ = -1;
-    if (studio_.session().status().changes == saved_changes_) return true;
-    QMessageBox question(QMessageBox::Question, tr("Pastoso"),
-                         tr("The painting on the easel has changes that are not saved."),
-                         QMessageBox::Save | QMessageBox::Cancel, &studio_.window());
-    question.addButton(tr("Discard them"), QMessageBox::DestructiveRole);
-    question.setDefaultButton(QMessageBox::Save);
-    const int answer = question.exec();
-    if (answer == QMessageBox::Cancel) return false;
-    if (answer != QMessageBox::Save) return true;
-    if (!path_.isEmpty())
-        save_painting(path_);
-    else if (!ask_save_painting())
-        return false;
-    const WaitCursor waiting;
-    return saver_.wait().isEmpty();
 }
 
 }  // namespace pastoso::main

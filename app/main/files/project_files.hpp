@@ -1,7 +1,9 @@
 // Paintings and their files: a fresh canvas, opening, saving, recovering, and what would be lost.
 #pragma once
 
+#include "commands/file_stamp.hpp"
 #include "commands/project_saver.hpp"
+#include "journal/journal_writer.hpp"
 #include "main/studio.hpp"
 
 #include <cstdint>
@@ -37,9 +39,20 @@ class ProjectFiles : public QObject {
     /// no file yet. Throws core::InputError and keeps the old painting when it cannot.
     void open_picture(const QString& path);
 
-    /// Writes the painting to a project file, in the background. From now on that is its file.
-    void save_painting(const QString& path);
-    void save_by_itself();  ///< into its file, where it has one and has changed
+    /// Whether open_painting() takes files of that name; others may be recordings.
+    static bool opens(const QString& path);
+
+    /// Writes the painting to a project file, in the background, whatever stands there. As soon as it
+    /// is written, that is its file; where it cannot be, the painter is told and the painting keeps the
+    /// file that it has.
+    void save_painting(const QString& path, core::WriteProtected = core::WriteProtected::Refused);
+
+    /// The same into the painting's own file, or one that the painter names. Asks first where another
+    /// program has changed the file, or nobody may write to it. False: the painter thought better of it.
+    bool save();
+
+    /// Into its file, where it has one and has changed. Where save() would ask, tells the painter.
+    void save_by_itself();
 
     /// Puts up a painting that a program left unfinished; its journal then goes. Throws core::InputError
     /// and keeps both the old painting and the journal when it cannot.
@@ -84,22 +97,37 @@ class ProjectFiles : public QObject {
   private:
     void start(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<document::Painting> painting,
                document::Recording past, journal::Beginning beginning);
-    std::unique_ptr<journal::JournalWriter> new_journal(const journal::Beginning& beginning);
+    session::PaintSession::BeginJournal journal_for(const journal::Beginning& beginning);
+    std::unique_ptr<journal::JournalWriter> begun_journal(
+        const session::PaintSession::BeginJournal& begin);
     void take_up_hand(const document::Recording& past);
     void try_to_open(const QString& path);
     bool ask_save_painting();  ///< false: the painter thought better of it
+    bool save_to(const QString& path);
+    QString objection_to(const QString& path) const;
+    void end_saving(const commands::SaveOutcome& outcome);
+    void show_trouble(const journal::Trouble& trouble);
     void fill_recent();
     void show_unsaved();
+    void show_modified();
 
     Studio& studio_;
     const bool keeps_journal_;
-    commands::ProjectSaver saver_;
     QString path_;
+    std::optional<commands::FileStamp> stamp_;  ///< of that file as the painting was read or written
     std::int64_t saved_changes_ = 0;
     bool watched_ = false;  ///< a recording is being painted that needs no saving
-    std::optional<std::uint64_t> journal_events_saved_;  ///< of the painting that is being saved
-    bool save_waits_ = false;                            ///< for the stroke in progress to end
+    struct Saving {
+        std::uint64_t number = 0;  ///< the saver's
+        QString path;
+        std::int64_t changes = 0;
+        std::uint64_t journal_events = 0;
+    };
+    std::optional<Saving> saving_;  ///< of the painting on the easel, under way
+    bool save_waits_ = false;       ///< for the stroke in progress to end
+    std::uint64_t journals_ = 0;    ///< begun so far
     QMenu* recent_ = nullptr;
+    commands::ProjectSaver saver_;
 };
 
 }  // namespace pastoso::main

@@ -1,59 +1,142 @@
 // The part of ProjectFiles that keeps paintings on the disk as they grow, and finds those that were left
 // unfinished.
 
+#include "commands/file_stamp.hpp"
+#include "core/disk.hpp"
 #include "core/error.hpp"
 #include "dialogs/recovery_dialog.hpp"
 #include "journal/recovery.hpp"
+#include "main/files/journal_starts.hpp"
 #include "main/files/project_files.hpp"
-#include "project/project.hpp"
 
+#include <chrono>
+#include <sys/stat.h>
 #include <utility>
 
+#include <QFileInfo>
+#include <QLocale>
 #include <QMainWindow>
+#include <QPointer>
 
 namespace pastoso::main {
 
-/// A painting that cannot be kept there is painted nevertheless, and the painter knows.
-std::unique_ptr<journal::JournalWriter> ProjectFiles::new_journal(const journal::Beginning& beginning) {
+namespace {
+
+using panels::Matter;
+
+/// On the disk that holds that folder.
+QString free_room(const std::filesystem::path& folder) {
+    const auto bytes = core::free_bytes(folder);
+    return bytes ? QLocale().formattedDataSize(static_cast<qint64>(*bytes)) : QStringLiteral("?");
+}
+
+/// What a painting begins with is not copied in vain every other second.
+void check_room(const std::filesystem::path& root) {
+    constexpr std::uint64_t kLeast_bytes = 4 << 20;
+    if (core::free_bytes(root).value_or(kLeast_bytes) < kLeast_bytes)
+        throw core::InputError(root.string() + ": the disk is full.");
+}
+
+/// Nobody else has written to the file after the journal.
+bool is_as_left(const std::filesystem::path& file, const std::filesystem::path& journal) {
+    struct stat known {};
+    return ::stat(file.c_str(), &known) == 0 &&
+           std::chrono::system_clock::from_time_t(known.st_mtime) <= journal::last_written(journal);
+}
+
+}  // namespace
+
+/// None where nothing is to be kept.
+session::PaintSession::BeginJournal ProjectFiles::journal_for(const journal::Beginning& beginning) {
     const std::filesystem::path root = journal::journals_path();
-    if (!keeps_journal_ || root.empty()) return nullptr;
+    studio_.messages().solve(Matter::Journal);
+    if (!keeps_journal_ || root.empty()) return {};
+    // The journal outlives these files, but not the studio.
+    const auto told = [studio = &studio_, files = QPointer(this),
+                       number = ++journals_](const journal::Trouble& trouble) {
+        QMetaObject::invokeMethod(
+            studio,
+            [files, number, trouble] {
+                if (files != nullptr && files->journals_ == number) files->show_trouble(trouble);
+            },
+            Qt::QueuedConnection);
+    };
+    return [root, beginning, told] {
+        if (beginning.write_start) check_room(root);
+        auto journal = std::make_unique<journal::JournalWriter>(root, beginning, journal::Pace{}, told);
+        told({});
+        return journal;
+    };
+}
+
+/// A painting that cannot be kept there is painted nevertheless, and the painter knows.
+std::unique_ptr<journal::JournalWriter> ProjectFiles::begun_journal(
+    const session::PaintSession::BeginJournal& begin) {
     std::unique_ptr<journal::JournalWriter> journal;
-    core::guarded(
-        [&] { journal = std::make_unique<journal::JournalWriter>(root, beginning); },
-        [this](const std::string& fault) { studio_.report_refusal(QString::fromStdString(fault)); });
+    if (!begin) return journal;
+    core::guarded([&] { journal = begin(); },
+                  [this](const std::string& fault) { show_trouble({.reason = fault}); });
     return journal;
+}
+
+/// Says where, how much, and what to do.
+void ProjectFiles::show_trouble(const journal::Trouble& trouble) {
+    if (trouble.reason.empty()) {
+        if (studio_.messages().solve(Matter::Journal))
+            studio_.report(tr("What you paint is kept again."));
+        return;
+    }
+    const std::filesystem::path root = journal::journals_path();
+    const QString place = QString::fromStdString(root.string());
+    const QString reason = QString::fromStdString(trouble.reason);
+    QString sentence;
+    if (trouble.strokes_are_kept)
+        sentence = tr("Should the program fail, this painting would come back slowly, from its strokes "
+                      "alone: %1 %2 are free there. Make room; you can paint on.")
+                       .arg(reason, free_room(root));
+    else if (trouble.disk_is_full)
+        sentence =
+            tr("The disk is full: what you paint now would be lost if the program failed. It is "
+               "kept in %1, where %2 are free and %3 wait to be written. Make room there, or save "
+               "the painting to another disk. You can paint on; as soon as there is room, all of "
+               "it is kept again.")
+                .arg(place, free_room(root),
+                     QLocale().formattedDataSize(static_cast<qint64>(trouble.waiting_bytes)));
+    else
+        sentence = tr("What you paint now would be lost if the program failed: %1 %2 are free there. "
+                      "Make room, or save the painting to another disk. You can paint on; as soon as it "
+                      "can be, all of it is kept again.")
+                       .arg(reason, free_room(root));
+    studio_.messages().raise({Matter::Journal, sentence});
 }
 
 void ProjectFiles::recover_painting(const std::filesystem::path& folder) {
     auto claim = journal::Claim::on(folder);
     if (!claim) throw core::InputError(folder.string() + ": another program is at it.");
     auto pool = std::make_unique<core::ThreadPool>();
-    journal::Recovered recovered = journal::recover(folder, *pool);
-    auto painting = std::make_unique<document::Painting>(recovered.painting, *pool);
-    core::ThreadPool& threads = *pool;
+    const auto recovered = std::make_shared<const journal::Recovered>(journal::recover(folder, *pool));
+    auto painting = std::make_unique<document::Painting>(recovered->painting, *pool);
     // Until the painting stands in a journal of its own, the old one stays.
-    start(std::move(pool), std::move(painting), recovered.strokes,
-          {.painting = recovered.file,
-           .write_start =
-               [&](const std::filesystem::path& start) {
-                   project::save_project(start, recovered, threads);
-               },
-           .is_saved = false});
-    path_ = QString::fromStdString(recovered.file);
+    start(std::move(pool), std::move(painting), recovered->strokes,
+          {.painting = recovered->file, .write_start = saved_start(recovered), .is_saved = false});
+    path_ = QString::fromStdString(recovered->file);
+    // Of a file that was written to since, any content is another one.
+    stamp_ = is_as_left(recovered->file, folder) ? commands::stamp_of(recovered->file)
+                                                 : commands::FileStamp{};
     show_unsaved();
-    take_up_hand(recovered.strokes);
+    take_up_hand(recovered->strokes);
     studio_.show_published();
-    for (const std::string& note : recovered.notes)
-        studio_.report(QString::fromStdString(note));
+    studio_.report_notes(path_.isEmpty() ? tr("The painting") : QFileInfo(path_).fileName(),
+                         recovered->notes);
     if (studio_.session().has_journal()) claim->discard();
 }
 
 void ProjectFiles::offer_recovery() {
-    auto paintings = journal::unfinished_paintings(journal::journals_path());
+    std::vector<journal::Unfinished> paintings;
+    studio_.attempt([&] { paintings = journal::unfinished_paintings(journal::journals_path()); });
     if (paintings.empty()) return;
     dialogs::RecoveryDialog dialog(std::move(paintings), &studio_.window());
-    if (dialog.exec() != QDialog::Accepted) return;
-    ask_to_recover(dialog.chosen().folder);
+    if (dialog.exec() == QDialog::Accepted) ask_to_recover(dialog.chosen().folder);
 }
 
 }  // namespace pastoso::main

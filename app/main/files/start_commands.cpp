@@ -2,6 +2,7 @@
 
 #include "commands/recent_paintings.hpp"
 #include "journal/recovery.hpp"
+#include "main/canvas/message_place.hpp"
 #include "main/files/project_files.hpp"
 #include "start/examples_section.hpp"
 #include "start/new_canvas_section.hpp"
@@ -10,14 +11,14 @@
 #include "start/unfinished_section.hpp"
 
 #include <QAction>
-#include <QEvent>
 #include <QMainWindow>
 
 namespace pastoso::main {
 
 using commands::Command;
 
-StartCommands::StartCommands(Studio& studio, ProjectFiles& files) : studio_(studio), files_(files) {
+StartCommands::StartCommands(Studio& studio, ProjectFiles& files, const MessagePlace& messages)
+    : studio_(studio), files_(files), messages_(messages) {
     studio_.commands().on(Command::StartPage, [this](bool) { show_page(); });
     studio_.commands().on(Command::CanvasOnly, [this](bool) { dismiss(); });
     for (const Command liquid : {Command::MilkTea, Command::GlassTank})
@@ -25,11 +26,11 @@ StartCommands::StartCommands(Studio& studio, ProjectFiles& files) : studio_(stud
     connect(&studio_, &Studio::session_begun, this, &StartCommands::dismiss);
     connect(&studio_.canvas(), &view::CanvasView::stroke_begun, this, &StartCommands::dismiss);
     connect(&studio_.canvas(), &view::CanvasView::escaped, this, &StartCommands::dismiss);
-    studio_.canvas().installEventFilter(this);
+    connect(&messages_, &MessagePlace::free_canvas_changed, this, &StartCommands::place);
 }
 
 void StartCommands::show_page() {
-    page().open(studio_.canvas().geometry(), studio_.session().canvas(), files_.begun(),
+    page().open(messages_.free_canvas(), studio_.session().canvas(), files_.begun(),
                 commands::known_paintings(), journal::unfinished_paintings(journal::journals_path()));
 }
 
@@ -90,10 +91,8 @@ bool StartCommands::shown_at_start() const {
 }
 
 /// The page stays over the canvas wherever the panels leave it.
-bool StartCommands::eventFilter(QObject* object, QEvent* event) {
-    const bool moves = event->type() == QEvent::Resize || event->type() == QEvent::Move;
-    if (moves && page_ != nullptr && !page_->isHidden()) page_->lie_on(studio_.canvas().geometry());
-    return QObject::eventFilter(object, event);
+void StartCommands::place() {
+    if (page_ != nullptr && !page_->isHidden()) page_->lie_on(messages_.free_canvas());
 }
 
 }  // namespace pastoso::main

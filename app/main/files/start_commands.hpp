@@ -11,12 +11,14 @@ class StartPage;
 
 namespace pastoso::main {
 
+class MessagePlace;
 class ProjectFiles;
 
 class StartCommands : public QObject {
     Q_OBJECT
   public:
-    StartCommands(Studio& studio, ProjectFiles& files);
+    /// The page leaves those messages free.
+    StartCommands(Studio& studio, ProjectFiles& files, const MessagePlace& messages);
 
     /// Shows the page, with what was left unfinished.
     void show_page();
@@ -28,16 +30,15 @@ class StartCommands : public QObject {
     void set_shown_at_start(bool shown);
     bool shown_at_start() const;
 
-  protected:
-    bool eventFilter(QObject* object, QEvent* event) override;
-
   private:
     start::StartPage& page();
     void connect_choices(start::StartPage& page);
     void dismiss();
+    void place();
 
     Studio& studio_;
     ProjectFiles& files_;
+    const MessagePlace& messages_;
     start::StartPage* page_ = nullptr;  ///< made when it is first wanted
     bool shown_at_start_ = true;
 };

@@ -1,6 +1,5 @@
 #include "main/layers/picture_layers.hpp"
 
-#include "core/error.hpp"
 #include "files/image.hpp"
 #include "main/files/picture_files.hpp"
 #include "main/wait_cursor.hpp"
@@ -11,7 +10,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
-#include <QMessageBox>
 
 namespace pastoso::main {
 
@@ -35,13 +33,7 @@ void PictureLayers::ask_paint_picture() {
     const QString path =
         QFileDialog::getOpenFileName(&studio_.window(), tr("Layer from a picture"), {},
                                      tr("Pictures (%1);;All files (*)").arg(picture_endings()));
-    if (path.isEmpty()) return;
-    try {
-        paint_picture(path);
-    } catch (const core::InputError& error) {
-        QMessageBox::warning(&studio_.window(), tr("Layer from a picture"),
-                             QString::fromUtf8(error.what()));
-    }
+    if (!path.isEmpty()) studio_.attempt(tr("Layer from a picture"), [&] { paint_picture(path); });
 }
 
 }  // namespace pastoso::main

@@ -1,6 +1,5 @@
 #include "main/layers/tracing_commands.hpp"
 
-#include "core/error.hpp"
 #include "files/image.hpp"
 #include "layers/picture_means.hpp"
 #include "main/files/picture_files.hpp"
@@ -14,7 +13,6 @@
 #include <QAction>
 #include <QFileDialog>
 #include <QMainWindow>
-#include <QMessageBox>
 
 namespace pastoso::main {
 namespace {
@@ -78,12 +76,7 @@ void TracingCommands::ask_trace_picture() {
     const QString path =
         QFileDialog::getOpenFileName(&studio_.window(), tr("Trace a picture"), {},
                                      tr("Pictures (%1);;All files (*)").arg(picture_endings()));
-    if (path.isEmpty()) return;
-    try {
-        trace_picture(path);
-    } catch (const core::InputError& error) {
-        QMessageBox::warning(&studio_.window(), tr("Trace a picture"), QString::fromUtf8(error.what()));
-    }
+    if (!path.isEmpty()) studio_.attempt(tr("Trace a picture"), [&] { trace_picture(path); });
 }
 
 void TracingCommands::show(const document::Snapshot& painting) {

@@ -9,7 +9,6 @@
 #include <QAction>
 #include <QFileDialog>
 #include <QMainWindow>
-#include <QMessageBox>
 
 namespace pastoso::main {
 
@@ -124,7 +123,7 @@ void GlassMode::ask_export() {
     const QString path =
         QFileDialog::getSaveFileName(&studio_.window(), words_.export_title, words_.export_file,
                                      tr("Surfaces (*.pbrt *.obj *.ply *.stl)"));
-    if (!path.isEmpty()) try_to(words_.export_title, [&] { export_mesh(path); });
+    if (!path.isEmpty()) studio_.attempt(words_.export_title, [&] { export_mesh(path); });
 }
 
 void GlassMode::export_mesh(const QString& path) {
@@ -137,14 +136,6 @@ void GlassMode::export_mesh(const QString& path) {
     export_.start([write, file, told = words_.exported.arg(path)](const BackgroundExport::Stops& stops) {
         return write(file, stops) == files::ExportStatus::Stopped ? QString() : told;
     });
-}
-
-void GlassMode::try_to(const QString& title, const std::function<void()>& what) {
-    try {
-        what();
-    } catch (const core::InputError& error) {
-        QMessageBox::warning(&studio_.window(), title, QString::fromUtf8(error.what()));
-    }
 }
 
 }  // namespace pastoso::main

@@ -88,9 +88,6 @@ class GlassMode : public QObject {
     /// Whether time passes, and how fast: scrubbing pauses.
     void show_running(const session::LiquidStatus& status);
 
-    /// What it throws of core::InputError is told under that title.
-    void try_to(const QString& title, const std::function<void()>& what);
-
   private:
     void connect_commands();
     void ask_export();

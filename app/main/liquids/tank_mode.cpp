@@ -164,7 +164,7 @@ void TankMode::choose(const QString& key) {
     }
     if (key.isEmpty()) return ask_open();
     if (page_ != nullptr) page_->panel().chooser().show_choice(key_);
-    try_to(tr("Open a tank"), [&] { open_scene(key); });
+    studio().attempt(tr("Open a tank"), [&] { open_scene(key); });
 }
 
 void TankMode::open_scene(const QString& path_or_name) {

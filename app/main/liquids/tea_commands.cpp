@@ -115,14 +115,14 @@ void TeaMode::ask_open() {
     const QString path =
         QFileDialog::getOpenFileName(&studio().window(), tr("Open a scene of milk tea"), {},
                                      tr("Scenes of milk tea (*.json);;All files (*)"));
-    if (!path.isEmpty()) try_to(tr("Open a scene of milk tea"), [&] { open_scene(path); });
+    if (!path.isEmpty()) studio().attempt(tr("Open a scene of milk tea"), [&] { open_scene(path); });
 }
 
 void TeaMode::ask_save() {
     const QString path =
         QFileDialog::getSaveFileName(&studio().window(), tr("Save the scene"),
                                      QStringLiteral("milk_tea.json"), tr("Scenes of milk tea (*.json)"));
-    if (!path.isEmpty()) try_to(tr("Save the scene"), [&] { save_scene(path); });
+    if (!path.isEmpty()) studio().attempt(tr("Save the scene"), [&] { save_scene(path); });
 }
 
 // ---- the surface

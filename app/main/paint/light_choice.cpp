@@ -1,6 +1,5 @@
 #include "main/paint/light_choice.hpp"
 
-#include "core/error.hpp"
 #include "panels/canvas/easel_panel.hpp"
 #include "panels/canvas/light_panel.hpp"
 #include "pigment/illuminant.hpp"
@@ -38,14 +37,12 @@ void LightChoice::colour_views() {
 }
 
 void LightChoice::use(const QString& name_or_path) {
-    try {
+    studio_.attempt([&] {
         viewing_ =
             pigment::viewing_under(pigment::find_illuminant(name_or_path.toStdString()), viewing_.space);
         name_ = name_or_path;
         colour_views();
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-    }
+    });
     stand_->show_illuminant(name_);
     panel_->show_illuminant(name_);
     show();

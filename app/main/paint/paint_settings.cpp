@@ -1,6 +1,5 @@
 #include "main/paint/paint_settings.hpp"
 
-#include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "core/user_data.hpp"
 #include "panels/colour/colour_panel.hpp"
@@ -43,12 +42,10 @@ void PaintSettings::ask_palette() {
 }
 
 void PaintSettings::open_palette(const QString& path) {
-    try {
+    studio_.attempt([&] {
         const std::string file = path.toStdString();
         colours_->show_palette(pigment::parse_gpl(core::read_text_file(file), file));
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-    }
+    });
 }
 
 }  // namespace pastoso::main

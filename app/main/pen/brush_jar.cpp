@@ -1,7 +1,7 @@
 #include "main/pen/brush_jar.hpp"
 
 #include "appearance/shown_names.hpp"
-#include "core/error.hpp"
+#include "core/looking.hpp"
 #include "core/text.hpp"
 #include "core/user_data.hpp"
 #include "panels/pen/brush_list.hpp"
@@ -97,8 +97,7 @@ BrushJar::BrushJar(Studio& studio, panels::BrushPanel* brushes, panels::CurvesPa
 /// For a painter who has just made the folder that is watched from now on.
 bool BrushJar::eventFilter(QObject* window, QEvent* event) {
     if (event->type() == QEvent::ActivationChange && studio_.window().isActiveWindow() &&
-        files_.directories().isEmpty() && !brush_folder().empty() &&
-        std::filesystem::exists(brush_folder())) {
+        files_.directories().isEmpty() && !brush_folder().empty() && core::is_there(brush_folder())) {
         reread();
     }
     return QObject::eventFilter(window, event);
@@ -139,7 +138,7 @@ void BrushJar::show(const tools::Hand& hand) {
 void BrushJar::read() {
     library_ = brush::load_presets(brush_folder());
     QStringList watched;
-    if (std::filesystem::exists(brush_folder()))
+    if (core::is_there(brush_folder()))
         watched += QString::fromStdString(brush_folder().string());
     for (const auto& entry : library_.entries)
         if (entry.own) watched += QString::fromStdString(entry.file.string());
@@ -220,19 +219,17 @@ void BrushJar::save_brush() {
     preset.name = name.toStdString();
     const auto* same = brush::find_entry(library_, preset.name);
     const bool in_the_way = (same != nullptr && same->own) ||
-                            std::filesystem::exists(brush::preset_file(preset.name, brush_folder()));
+                            core::is_there(brush::preset_file(preset.name, brush_folder()));
     if (in_the_way &&
         !confirmed(tr("There is already a tool of your own named \"%1\".").arg(name), tr("Overwrite")))
         return;
-    try {
+    studio_.attempt([&] {
         const std::filesystem::path file = brush::save_preset(preset, brush_folder());
         if (same != nullptr && same->own && same->file != file) brush::delete_preset(*same);
         studio_.easel().change_brush(preset);
         read();
         studio_.report(tr("Kept \"%1\" among your own.").arg(name));
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-    }
+    });
     studio_.show_hand();
 }
 
@@ -241,15 +238,13 @@ void BrushJar::rename_brush() {
     if (entry == nullptr || !entry->own) return;
     QString name = QString::fromStdString(entry->preset.name);
     if (!ask_name(tr("Rename"), name)) return;
-    try {
+    studio_.attempt([&] {
         brush::rename_preset(library_, *entry, name.toStdString());
         brush::Preset preset = tools::preset_in_hand(studio_.easel().hand());
         preset.name = name.toStdString();
         studio_.easel().change_brush(preset);
         read();
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-    }
+    });
     studio_.show_hand();
 }
 
@@ -259,13 +254,11 @@ void BrushJar::delete_brush() {
     const QString name = QString::fromStdString(entry->preset.name);
     if (!confirmed(tr("Throw your tool \"%1\" away? Its file is deleted.").arg(name), tr("Delete")))
         return;
-    try {
+    studio_.attempt([&] {
         brush::delete_preset(*entry);
         read();
         studio_.report(tr("\"%1\" is thrown away; what you have in hand stays.").arg(name));
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-    }
+    });
     studio_.show_hand();
 }
 

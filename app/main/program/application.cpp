@@ -1,16 +1,22 @@
 #include "main/program/application.hpp"
 
 #include "core/fault.hpp"
+#include "core/printable.hpp"
 
+#include <clocale>
 #include <cstdio>
 
 namespace pastoso::main {
+
+Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
+    std::setlocale(LC_NUMERIC, "C");
+}
 
 bool Application::notify(QObject* receiver, QEvent* event) {
     bool is_handled = false;
     core::guarded([&] { is_handled = QApplication::notify(receiver, event); },
                   [this](const std::string& fault) {
-                      std::fprintf(stderr, "pastoso: %s\n", fault.c_str());
+                      std::fprintf(stderr, "pastoso: %s\n", core::printable(fault).c_str());
                       Q_EMIT failed(QString::fromStdString(fault));
                   });
     return is_handled;

@@ -9,7 +9,9 @@ namespace pastoso::main {
 class Application : public QApplication {
     Q_OBJECT
   public:
-    using QApplication::QApplication;
+    /// Numbers keep the notation of C for all libraries, whatever the desktop's language: Qt takes over
+    /// the locale of the environment, and files are no place for its commas.
+    Application(int& argc, char** argv);
 
     /// What a slot or a widget throws ends the event alone; it is told and goes to the error stream.
     bool notify(QObject* receiver, QEvent* event) override;

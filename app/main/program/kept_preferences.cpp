@@ -1,6 +1,6 @@
 #include "main/program/kept_preferences.hpp"
 
-#include "core/error.hpp"
+#include "core/fault.hpp"
 #include "core/user_data.hpp"
 
 namespace pastoso::main {
@@ -10,11 +10,9 @@ std::filesystem::path preferences_file() {
 }
 
 KeptPreferences kept_preferences() {
-    try {
-        return {tools::read_preferences(preferences_file()), {}};
-    } catch (const core::InputError& error) {
-        return {{}, error.what()};
-    }
+    KeptPreferences kept;
+    kept.fault = core::fault_of([&] { kept.values = tools::read_preferences(preferences_file()); });
+    return kept;
 }
 
 }  // namespace pastoso::main

@@ -27,10 +27,11 @@ namespace {
     QT_TRANSLATE_NOOP("QPlatformTheme", "Abort"),
 };
 
-void use(QTranslator& translator, const QLocale& locale, const QString& name, const QString& folder) {
+/// Whether there are such words.
+bool use(QTranslator& translator, const QLocale& locale, const QString& name, const QString& folder) {
     QCoreApplication::removeTranslator(&translator);
-    if (translator.load(locale, name, QStringLiteral("_"), folder))
-        QCoreApplication::installTranslator(&translator);
+    return translator.load(locale, name, QStringLiteral("_"), folder) &&
+           QCoreApplication::installTranslator(&translator);
 }
 
 }  // namespace
@@ -40,7 +41,9 @@ void speak(const QString& language) {
     const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
     QLocale::setDefault(locale);
     use(qt_words, locale, QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
-    use(own_words, locale, QStringLiteral("pastoso"), QStringLiteral(":/translations"));
+    const QString own = QStringLiteral("pastoso"), folder = QStringLiteral(":/translations");
+    // English, too, has words of its own for one and for several.
+    if (!use(own_words, locale, own, folder)) use(own_words, QLocale(QLocale::English), own, folder);
 }
 
 }  // namespace pastoso::main

@@ -1,7 +1,5 @@
 #include "main/program/remembered_file.hpp"
 
-#include "core/error.hpp"
-
 #include <utility>
 
 namespace pastoso::main {
@@ -19,13 +17,7 @@ void RememberedFile::remember(const Work& write) {
 
 /// False: it was not, and the painter knows.
 bool RememberedFile::done(const Work& work) {
-    try {
-        work(file_);
-        return true;
-    } catch (const core::InputError& error) {
-        studio_.report(QString::fromUtf8(error.what()));
-        return false;
-    }
+    return studio_.attempt([&] { work(file_); });
 }
 
 }  // namespace pastoso::main

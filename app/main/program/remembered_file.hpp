@@ -15,11 +15,11 @@ class RememberedFile {
     /// An empty path where there is no home: nothing is written then.
     RememberedFile(Studio& studio, std::filesystem::path file);
 
-    /// Has it read. Where `read` throws core::InputError the painter is told, and the file is left alone
+    /// Has it read. Where `read` throws, the painter is told, and the file is left alone
     /// from then on.
     void recall(const Work& read);
 
-    /// Has it written, if it may be. Where `write` throws core::InputError the painter is told.
+    /// Has it written, if it may be. Where `write` throws, the painter is told.
     void remember(const Work& write);
 
   private:

@@ -89,10 +89,10 @@ void StatusReadings::show_status(const session::Status& status) {
         speed_->clear();
         return;
     }
-    activity_->setText(status.awake_tiles == 0 ? tr("paint at rest")
-                                               : tr("%1 tiles moving, %2 % load")
-                                                     .arg(status.awake_tiles)
-                                                     .arg(std::lround(100.0 * status.load)));
+    activity_->setText(status.awake_tiles == 0
+                           ? tr("paint at rest")
+                           : tr("%n tile(s) moving, %1 % load", nullptr, status.awake_tiles)
+                                 .arg(std::lround(100.0 * status.load)));
     const double speed = status.paint_per_wall;
     speed_->setText(tr("%1 × time").arg(speed, 0, 'f', speed < 0.095 ? 3 : 2));
 }
