@@ -56,6 +56,8 @@ std::vector<std::string> arguments_of(const Path& ffmpeg, const Path& file, int 
             "bt709",
             "-color_trc",
             "bt709",
+            "-fflags",
+            "+bitexact",
             "file:" + file.string()};
 }
 

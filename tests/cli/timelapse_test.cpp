@@ -119,6 +119,17 @@ TEST_F(CliTimelapse, AVideoIsMadeByFfmpeg) {
     }
 }
 
+// Matroska files would hold a random number otherwise.
+TEST_F(CliTimelapse, AVideoOfTheSamePaintingHasTheSameBytes) {
+    const std::string painting = recording();
+    for (const std::string ending : {".mp4", ".mkv", ".webm"}) {
+        for (const char* name : {"first", "second"})
+            ASSERT_EQ(run_cli({"timelapse", "-q", painting, "-o", path(name + ending)}).status, 0);
+        EXPECT_GT(file("first" + ending).size(), 500U) << ending;
+        EXPECT_TRUE(file("first" + ending) == file("second" + ending)) << ending;
+    }
+}
+
 TEST_F(CliTimelapse, WhatFfmpegComplainsOfIsTold) {
     install_ffmpeg("echo no such codec >&2\nexit 1\n");
     const std::string painting = recording();
