@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
 #include <utility>
 
@@ -117,8 +116,7 @@ pigment::Picture stored_picture(PictureRows& rows, const std::string& name) {
 std::unique_ptr<PictureRows> memory_rows(std::string_view file) {
     return png_rows(
         [file](void* to, std::size_t count) mutable {
-            const std::size_t got = std::min(count, file.size());
-            std::memcpy(to, file.data(), got);
+            const std::size_t got = file.copy(static_cast<char*>(to), count);
             file.remove_prefix(got);
             return got;
         },
