@@ -60,16 +60,16 @@ TankSession::~TankSession() {
     end();
 }
 
+TankSession::Published TankSession::published() const {
+    const std::lock_guard lock(mutex());
+    Published published{seen_, snapshot_};
+    static_cast<LiquidStatus&>(published.status) = status_locked();
+    return published;
+}
+
 std::shared_ptr<const TankSnapshot> TankSession::snapshot() const {
     const std::lock_guard lock(mutex());
     return snapshot_;
-}
-
-TankStatus TankSession::status() const {
-    const std::lock_guard lock(mutex());
-    TankStatus status = seen_;
-    static_cast<LiquidStatus&>(status) = status_locked();
-    return status;
 }
 
 TankSession::Kept TankSession::kept() const {

@@ -67,8 +67,14 @@ class TankSession : public LiquidSession {
     /// Goes on; nothing happens when another moment waits.
     void take(const std::shared_ptr<const TankSnapshot>& snapshot);
 
-    std::shared_ptr<const TankSnapshot> snapshot() const;  ///< null before the first
-    TankStatus status() const;
+    /// The latest moment, and what is said of that very one.
+    struct Published {
+        TankStatus status;
+        std::shared_ptr<const TankSnapshot> snapshot;  ///< null before the first
+    };
+    Published published() const;
+    TankStatus status() const { return published().status; }
+    std::shared_ptr<const TankSnapshot> snapshot() const;
 
     /// All that is kept by now, and of which tank.
     struct Kept {

@@ -37,16 +37,16 @@ TeaSession::~TeaSession() {
     end();
 }
 
+TeaSession::Published TeaSession::published() const {
+    const std::lock_guard lock(mutex());
+    Published published{seen_, snapshot_};
+    static_cast<LiquidStatus&>(published.status) = status_locked();
+    return published;
+}
+
 std::shared_ptr<const TeaSnapshot> TeaSession::snapshot() const {
     const std::lock_guard lock(mutex());
     return snapshot_;
-}
-
-TeaStatus TeaSession::status() const {
-    const std::lock_guard lock(mutex());
-    TeaStatus status = seen_;
-    static_cast<LiquidStatus&>(status) = status_locked();
-    return status;
 }
 
 void TeaSession::new_glass(const liquid::TeaSettings& settings) {

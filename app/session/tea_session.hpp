@@ -55,8 +55,14 @@ class TeaSession : public LiquidSession {
     /// Milk is poured there, until told nothing. However short that is, some is poured.
     void pour(std::optional<glm::vec2> at_m);
 
-    std::shared_ptr<const TeaSnapshot> snapshot() const;  ///< null before the first
-    TeaStatus status() const;
+    /// The latest moment, and what is said of that very one.
+    struct Published {
+        TeaStatus status;
+        std::shared_ptr<const TeaSnapshot> snapshot;  ///< null before the first
+    };
+    Published published() const;
+    TeaStatus status() const { return published().status; }
+    std::shared_ptr<const TeaSnapshot> snapshot() const;
 
   private:
     bool has_liquid() const override { return tea_ != nullptr; }

@@ -63,6 +63,17 @@ TEST(TankSession, TimePassesByItselfUnlessItIsPaused) {
     EXPECT_EQ(session.snapshot()->seen.step, session.status().last_step);
 }
 
+TEST(TankSession, WhatIsSaidIsSaidOfWhatIsSeen) {
+    TankSession session(small_tank(), false, [] {});
+    session.set_full_speed(true);
+    session.wait_until_applied();
+    for (int seen = 0; seen < 12;) {
+        const TankSession::Published published = session.published();
+        ASSERT_EQ(published.status.step, published.snapshot->seen.step);
+        seen = published.status.step;
+    }
+}
+
 TEST(TankSession, TheSurfaceHoldsTheLiquidWithinTheTank) {
     TankSession session(small_tank(), true, [] {});
     session.wait_until_applied();

@@ -46,6 +46,17 @@ TEST(TeaSession, PoursTheMilkOfTheRecipe) {
     EXPECT_FALSE(snapshot->milk.triangles.empty());
 }
 
+TEST(TeaSession, WhatIsSaidIsSaidOfWhatIsSeen) {
+    TeaSession session(small_glass(), false, [] {});
+    session.set_full_speed(true);
+    session.wait_until_applied();
+    for (int seen = 0; seen < 12;) {
+        const TeaSession::Published published = session.published();
+        ASSERT_EQ(published.status.step, published.snapshot->seen.step);
+        seen = published.status.step;
+    }
+}
+
 TEST(TeaSession, StandsStillWhilePaused) {
     TeaSession session(small_glass(), true, [] {});
     // After each of them the session would make a step if it could.

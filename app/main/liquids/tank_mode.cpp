@@ -185,9 +185,9 @@ void TankMode::ask_open() {
 // ---- what is published
 
 void TankMode::show_published() {
-    const session::TankStatus status = session_->status();
     const bool refused = tell_refusals();
-    if (const auto snapshot = session_->snapshot()) {
+    const auto [status, snapshot] = session_->published();
+    if (snapshot) {
         page_->view().show_moment(snapshot);
         recorder_->look(snapshot);
         // What was refused is not to be read as if it held.

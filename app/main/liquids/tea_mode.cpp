@@ -81,14 +81,15 @@ void TeaMode::put_away() {
 }
 
 void TeaMode::show_published() {
-    if (tell_refusals()) {
+    const bool refused = tell_refusals();
+    const auto [status, snapshot] = session_->published();
+    if (refused) {
         // What was refused is not to be read as if it held.
-        force_ = session_->status().force;
+        force_ = status.force;
         page_->panel().show_force(force_);
-        if (const auto snapshot = session_->snapshot()) page_->panel().show_settings(snapshot->settings);
+        if (snapshot) page_->panel().show_settings(snapshot->settings);
     }
-    const session::TeaStatus status = session_->status();
-    if (const auto snapshot = session_->snapshot()) page_->view().show_moment(snapshot);
+    if (snapshot) page_->view().show_moment(snapshot);
     page_->show_status(status);
     show_running(status);
 }
