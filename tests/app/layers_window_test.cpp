@@ -237,6 +237,21 @@ TEST_F(LayersWindow, NamesAreEditedInPlace) {
     EXPECT_THAT(names_from_below(), ElementsAre("Paint", "Sky")) << "no name is no name";
 }
 
+TEST_F(LayersWindow, ANameBeingTypedStaysWhenItsRowChanges) {
+    give(Command::AddLayer);
+    give(Command::RenameLayer);
+    auto* editor = tree().viewport()->findChild<QLineEdit*>();
+    ASSERT_NE(editor, nullptr);
+    editor->setText(QStringLiteral("Sky"));
+    const QModelIndex row = tree().currentIndex();
+    Q_EMIT tree().model()->dataChanged(row, row);
+    EXPECT_EQ(editor->text(), QStringLiteral("Sky"));
+    name_by_typing("Sea");
+    EXPECT_THAT(names_from_below(), ElementsAre("Paint", "Sea"));
+    give(Command::RenameLayer);
+    EXPECT_EQ(tree().viewport()->findChild<QLineEdit*>()->text(), QStringLiteral("Sea"));
+}
+
 TEST_F(LayersWindow, TheOpacityFadesTheChosenLayerAndIsUndoneAtOnce) {
     paint_upper_half();
     give(Command::AddLayer);

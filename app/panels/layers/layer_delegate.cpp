@@ -170,6 +170,13 @@ QSize LayerDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex& in
     return {kLayerIconColumn, group ? kGroupRow : kLayerRow};
 }
 
+void LayerDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
+    constexpr const char* kFilled = "filled";
+    if (editor->property(kFilled).toBool()) return;
+    QStyledItemDelegate::setEditorData(editor, index);
+    editor->setProperty(kFilled, true);
+}
+
 void LayerDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                                          const QModelIndex& index) const {
     QRect place = text_place(option.rect, model_->item(index));

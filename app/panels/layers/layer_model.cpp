@@ -40,8 +40,7 @@ void LayerModel::show(const document::LayerStack& stack) {
 void LayerModel::set_picture(document::LayerId layer, const QImage& picture, bool wet) {
     pictures_[layer] = {picture, wet};
     const QModelIndex changed = index_of({.layer = layer}, kEye);
-    // The whole row: a view whose single item changes writes over a name that is being edited.
-    if (changed.isValid()) Q_EMIT dataChanged(changed, changed.siblingAtColumn(kLock));
+    if (changed.isValid()) Q_EMIT dataChanged(changed, changed);
 }
 
 void LayerModel::forget_pictures() {
