@@ -16,10 +16,12 @@
 #include "core/fault.hpp"
 #include "core/isa_request.hpp"
 #include "core/memory.hpp"
+#include "files/bundled_files.hpp"
 
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -31,17 +33,15 @@ enum ExitStatus { kDone = 0, kBadInput = 1, kBadUsage = 2 };
 /// The first argument is a subcommand, or an option.
 void check_subcommand(const CLI::App& app, const std::string& first) {
     if (first.starts_with('-')) return;
-    std::string names;
-    const auto subcommands = app.get_subcommands({});
-    for (const CLI::App* command : subcommands) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) {
         if (command->check_name(first)) return;
-        if (command == subcommands.back())
-            names += " and ";
-        else if (!names.empty())
-            names += ", ";
-        names += command->get_name();
+        names.push_back(command->get_name());
     }
-    throw UsageError("there is no subcommand \"" + first + "\", only " + names + ".");
+    const std::string last = names.back();
+    names.pop_back();
+    throw UsageError("there is no subcommand \"" + first + "\", only " + files::listed(names) + " and " +
+                     last + ".");
 }
 
 /// What --help and --version ask for.
