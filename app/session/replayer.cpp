@@ -1,6 +1,5 @@
 #include "session/replayer.hpp"
 
-#include "recordings/canvas_support.hpp"
 #include "journal/undo_reach.hpp"
 #include "recordings/canvas_support.hpp"
 
@@ -138,21 +137,15 @@ void Replayer::play_tick() {
 }
 
 void Replayer::arrive(std::int64_t tick) {
-    {
-        const std::lock_guard lock(mutex_);
+    publish([this, tick] {
         if (target_ == tick) target_.reset();
         status_.seeking = target_.has_value();
         due_ = Clock::now();
-    }
-    publish();
+    });
 }
 
 void Replayer::end() {
-    {
-        const std::lock_guard lock(mutex_);
-        status_.playing = false;
-    }
-    publish();
+    publish([this] { status_.playing = false; });
 }
 
 /// From the start, or from the latest state kept before that tick.
@@ -197,12 +190,14 @@ void Replayer::publish_if_due() {
     if (Clock::now() - published_at_ >= kBetweenPictures) publish();
 }
 
-void Replayer::publish() {
+/// What is said of the moment changes together with its picture.
+void Replayer::publish(const std::function<void()>& settle) {
     auto snapshot = std::make_shared<const document::Snapshot>(painting_->snapshot());
     {
         const std::lock_guard lock(mutex_);
         status_.tick = snapshot->tick;
         snapshot_ = std::move(snapshot);
+        settle();
     }
     published_at_ = Clock::now();
     notify_();

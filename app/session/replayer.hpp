@@ -73,7 +73,7 @@ class Replayer {
     bool is_there(std::int64_t tick) const;
     void arrive(std::int64_t tick);
     void end();
-    void publish();
+    void publish(const std::function<void()>& settle = [] {});
     void publish_if_due();
 
     const document::Recording recording_;

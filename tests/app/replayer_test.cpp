@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <condition_variable>
 #include <mutex>
+#include <thread>
 
 #include <gmock/gmock.h>
 
@@ -106,6 +107,19 @@ TEST_F(ReplayerTest, EveryMomentIsTheSameHoweverOneComesThere) {
         EXPECT_EQ(replayer_->status().tick, tick);
         EXPECT_EQ(shown(), hash_at(recording, tick)) << tick;
         EXPECT_FALSE(replayer_->status().playing);
+    }
+}
+
+TEST_F(ReplayerTest, WhatIsSaidIsSaidOfWhatIsSeen) {
+    watch(four_strokes());
+    replayer_->set_playing(false);
+    for (int round = 0; round < 200; ++round) {
+        const std::int64_t tick = 20 + round % 2;
+        replayer_->seek(tick);
+        while (replayer_->status().seeking)
+            std::this_thread::yield();
+        ASSERT_EQ(replayer_->status().tick, tick) << round;
+        ASSERT_EQ(replayer_->snapshot()->tick, tick) << round;
     }
 }
 
