@@ -133,6 +133,8 @@ void print_json_recording(const std::string& path) {
     print("%s: stroke recording\n", path.c_str());
     print_canvas(recording.canvas);
     print("duration: %s\n", time_text(recording.end_tick).c_str());
+    if (recording.arithmetic != document::kArithmetic)
+        print("note: its strokes %s\n", document::arithmetic_note(recording.arithmetic).c_str());
     print("events: %zu\nstrokes: %ld\n", recording.events.size(), inventory.strokes);
     if (inventory.well_strokes + inventory.squeezes > 0) {
         print("mixing well: %ld of the strokes, paint squeezed %ld times\n", inventory.well_strokes,

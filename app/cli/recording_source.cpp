@@ -1,6 +1,7 @@
 #include "cli/recording_source.hpp"
 
 #include "cli/brush_choice.hpp"
+#include "cli/printing.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/values.hpp"
 #include "core/error.hpp"
@@ -135,6 +136,11 @@ Recording load_text(const ReplayOptions& options) {
 
 bool is_json_recording(const std::string& path) {
     return std::filesystem::path(path).extension() == ".json";
+}
+
+void tell_arithmetic(const std::string& path, const Recording& recording) {
+    const std::string older = document::arithmetic_note(recording.arithmetic);
+    if (!older.empty()) complain(path + ": its strokes " + older);
 }
 
 document::Recording load_recording(const ReplayOptions& options) {

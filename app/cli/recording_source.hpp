@@ -14,6 +14,10 @@ inline constexpr const char* kDefaultMedium = "heavy-body oil";
 /// apply to the kind of recording.
 document::Recording load_recording(const ReplayOptions& options);
 
+/// Says on the standard error stream that its strokes were painted with another arithmetic, where they
+/// were.
+void tell_arithmetic(const std::string& path, const document::Recording& recording);
+
 /// Whether the file's name ends in .json.
 bool is_json_recording(const std::string& path);
 

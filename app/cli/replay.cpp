@@ -65,6 +65,7 @@ void save_painting(document::Painting& painting, document::Recording recording, 
         painting.apply(document::PenUp{});
         recording.events.push_back({painting.tick(), document::PenUp{}});
     }
+    recording.arithmetic = document::kArithmetic;
     project::save_project(path, {painting.state(), std::move(recording)}, pool);
 }
 
@@ -124,6 +125,7 @@ void run_replay(const ReplayOptions& options) {
 
     core::ThreadPool pool(options.threads);
     const std::unique_ptr<document::Painting> painting = painting_of(options, recording, pool);
+    tell_arithmetic(options.strokes, recording);
     PictureWriter pictures(recording.canvas, options.scale, style, pool);
     FrameWriter frames(options.frames, options.fps, pictures);
     play(*painting, recording, options, options.frames.empty() ? nullptr : &frames);

@@ -77,6 +77,7 @@ void run_timelapse(const TimelapseOptions& options) {
         });
     if (report.status == files::ExportStatus::Stopped) throw Interrupted{};
     progress.clear();
+    if (!project::is_project_path(options.source)) tell_arithmetic(options.source, recording);
     tell(choice, report);
 }
 

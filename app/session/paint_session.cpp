@@ -39,7 +39,7 @@ std::vector<std::string> known_paints(const document::Recording& past) {
 
 /// Until the painting's present tick; of a new painting, nothing.
 document::Recording past_of(const document::Painting& painting, document::Recording past) {
-    if (past.events.empty()) past.canvas = painting.settings();
+    if (past.events.empty()) past = {.canvas = painting.settings(), .events = {}};
     past.end_tick = painting.tick();
     return past;
 }

@@ -18,7 +18,7 @@ float touch_of(const ExchangeRule& rule, const CellBatch& cells, int i) {
     const float t = cells.dx_mm[i] * rule.along_x + cells.dy_mm[i] * rule.along_y;
     const float radius2 = rule.lane ? t * t : s * s + t * t;
     const float lane_share = rule.lane ? std::max(0.0F, 1.0F - std::abs(s)) : 1.0F;
-    const float weight = std::max(0.0F, 1.0F - radius2 * radius2) * lane_share;
+    const float weight = std::max(0.0F, 1.0F - radius2) * (1.0F + rule.crown * radius2) * lane_share;
     const float surface = cells.support_mm[i] + film::thickness_mm(cells.thickness[i]);
     return weight * std::clamp((surface - rule.lowest_mm) * rule.fade_per_mm, 0.0F, 1.0F);
 }
@@ -61,10 +61,11 @@ void drag_faces(const grid::Rect& from, float tip_mm_s, const Share& share,
 
 }  // namespace
 
-DragRates drag_rates(const Brush& brush, const HandPose& hand, double step_mm, double radius_mm) {
-    const double share = brush.preset.exchange.momentum * (1.0 - std::exp(-step_mm / radius_mm));
+DragRates drag_rates(const Brush& brush, const ResolvedTip& tip, const HandPose& hand, double step_mm) {
+    const double share =
+        brush.preset.exchange.momentum * (1.0 - std::exp(-step_mm / brush.tip.radius_mm));
     DragRates rates;
-    rates.share = static_cast<float>(share);
+    rates.share = static_cast<float>(share) * tip.share;
     rates.velocity_x_mm_s = static_cast<float>(hand.speed_mm_s * hand.travel_x);
     rates.velocity_y_mm_s = static_cast<float>(hand.speed_mm_s * hand.travel_y);
     rates.speed_mm_s = std::hypot(rates.velocity_x_mm_s, rates.velocity_y_mm_s);

@@ -14,18 +14,18 @@ namespace pastoso::brush {
 
 /// What the paint below a tip is drawn towards in one step, and how fast.
 struct DragRates {
-    float share = 0.0F;                                    ///< momentum (1 - e^(-ds / r))
+    float share = 0.0F;  ///< momentum (1 - e^(-ds / r)), the resolved footprint's share of it
     float velocity_x_mm_s = 0.0F, velocity_y_mm_s = 0.0F;  ///< of the tip
     float speed_mm_s = 0.0F;                               ///< its absolute value
 };
-DragRates drag_rates(const Brush& brush, const HandPose& hand, double step_mm, double radius_mm);
+DragRates drag_rates(const Brush& brush, const ResolvedTip& tip, const HandPose& hand, double step_mm);
 
 /// Draws the depth-mean velocity u at every face between two wet cells towards the tip's:
 ///
-///     u += s (u_tip - u),    s = momentum (1 - e^(-ds / r)) w chi, the mean of both cells,
+///     u += s (u_tip - u),    s = momentum (1 - e^(-ds / r)) share w chi, the mean of both cells,
 ///
-/// with the weight w and the contact chi of the rule (brush/transfer.hpp). Never faster than the tip or
-/// than the paint was already. A cell whose paint would stop within 2 um,
+/// with the weight w, the share and the contact chi of the rule (brush/transfer.hpp). Never faster than
+/// the tip or than the paint was already. A cell whose paint would stop within 2 um,
 ///
 ///     u_tip h^2 / 3 nu,
 ///

@@ -14,8 +14,6 @@ namespace {
 
 /// Volumes of drops spread over this many powers of e to each side of the mean.
 constexpr double kVolumeSpread = 2.3;
-/// A cap narrower than this, in cells, could miss every cell's middle.
-constexpr double kLeastRadius_cells = 0.75;
 /// Drops that fly on are drawn out: the share of the flight that their mark is long.
 constexpr double kStreakShare = 0.08;
 /// A drawn-out mark is made of this many caps, each smaller than the one before.
@@ -72,16 +70,14 @@ void Droplets::let_fall(const Place& place) {
 }
 
 void Droplets::land(double x_mm, double y_mm, double streak_mm, const HandPose& hand) {
-    const double least_mm = kLeastRadius_cells * film_.cell_mm;
-    const double radius_mm =
-        std::max(cap_radius_mm(next_mm3_, brush_.preset.droplets.steepness), least_mm);
+    const double radius_mm = cap_radius_mm(next_mm3_, brush_.preset.droplets.steepness);
     Contents& bottle = brush_.held.front();
     const int caps = streak_mm > radius_mm ? kStreakCaps : 1;
     double left_mm3 = std::min(next_mm3_, bottle.volume_mm3);
     for (int cap = 0; cap < caps; ++cap) {
         const double volume_mm3 = cap + 1 < caps ? 0.5 * left_mm3 : left_mm3;
         const double along_mm = caps > 1 ? streak_mm * cap / (caps - 1) : 0.0;
-        const double cap_mm = std::max(radius_mm * std::cbrt(volume_mm3 / next_mm3_), least_mm);
+        const double cap_mm = radius_mm * std::cbrt(volume_mm3 / next_mm3_);
         const grid::Rect cells = put_down(bottle, volume_mm3, x_mm + along_mm * hand.travel_x,
                                           y_mm + along_mm * hand.travel_y, cap_mm,
                                           core::scramble(seed_ + drawn_), film_, cells_);

@@ -17,8 +17,8 @@ namespace pastoso::brush {
 ///
 ///     h(d) = s a (1 - (d/a)^2),   a = (2 V / (pi s))^(1/3),
 ///
-/// V its volume, s the preset's steepness; one smaller than a cell fills that cell. Drops are random by
-/// a seed, so that the same pen gives the same drops. Holds on to the brush and the film.
+/// V its volume, s the preset's steepness, as cells see it (put_down). Drops are random by a seed, so
+/// that the same pen gives the same drops. Holds on to the brush and the film.
 class Droplets {
   public:
     /// `limit` as in CellBatch: what falls beside it stays in the bottle.

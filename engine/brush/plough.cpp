@@ -19,8 +19,9 @@ constexpr double kAside_half_widths = 0.25;
 constexpr float kGivesWay_mm = 0.1F;
 /// Lanes on either side whose leaders' marks reach into a lane.
 constexpr int kReachedLanes = 2;
-/// Least width of a heap, in cells.
-constexpr double kLeastSpread_cells = 1.6;
+
+/// Least length of a lane's footprint, in cells.
+constexpr double kLeastReach_cells = 0.75;
 
 struct Place {
     double x_mm, y_mm;
@@ -42,15 +43,22 @@ Place place_at(const HandPose& hand, double along_mm, double across_mm) {
             hand.y_mm + along_mm * hand.travel_y + across_mm * hand.travel_x};
 }
 
+/// Half length of the footprint that clears a lane.
+double reach_mm(const PloughStep& step) {
+    return std::max(step.brush.tip.radius_mm, kLeastReach_cells * step.film.cell_mm);
+}
+
 /// An element's rule turned into one that only clears the way.
-ExchangeRule clearing_rule(ExchangeRule rule, const HandPose& hand, double lane_width_mm,
-                           double radius_mm, double pushed) {
+ExchangeRule clearing_rule(ExchangeRule rule, const HandPose& hand, const StepRates& rates,
+                           double lane_width_mm, double radius_mm, double pushed) {
     rule.lane = true;
+    rule.rate = rates.rate;
     rule.across_x = static_cast<float>(-hand.travel_y / lane_width_mm);
     rule.across_y = static_cast<float>(hand.travel_x / lane_width_mm);
     rule.along_x = static_cast<float>(hand.travel_x / radius_mm);
     rule.along_y = static_cast<float>(hand.travel_y / radius_mm);
-    rule.groove_mm = rule.hair_mm = rule.mix = 0.0F;
+    rule.crown = 1.0F;
+    rule.profile_mm = rule.mix = 0.0F;
     rule.lowest_mm = rule.underside_mm;
     rule.fade_per_mm = 1.0F / kGivesWay_mm;
     rule.pickup = static_cast<float>(pushed);
@@ -121,7 +129,7 @@ grid::Rect Plough::push(const PloughStep& step) {
 
 void Plough::divide(const PloughStep& step) {
     const Tip& tip = step.brush.tip;
-    const double wanted_mm = tip.rigid ? step.rates.lane_mm : kLane_radii * step.rates.radius_mm;
+    const double wanted_mm = tip.rigid ? step.rates.lane_mm : kLane_radii * reach_mm(step);
     const double low_mm = step.swath.low_mm - 0.5 * wanted_mm;
     const double width_mm = step.swath.high_mm + 0.5 * wanted_mm - low_mm;
     // Odd, so that what stands in the middle is nearer to no lane than in the mirror.
@@ -161,13 +169,13 @@ void Plough::align_fronts() {
 }
 
 Contents Plough::clear(const PloughStep& step, const Lane& lane) {
-    const double radius_mm = step.rates.radius_mm;
+    const double radius_mm = reach_mm(step);
     const Place place = place_at(step.hand, lane.front_mm + kAhead_radii * radius_mm, lane.middle_mm);
     Contact contact;
     contact.support_mm = step.poses[lane.leader].support_mm;
     contact.press = step.poses[lane.leader].press;
     const ExchangeRule rule = clearing_rule(exchange_rule(step.brush, lane.leader, contact, step.rates),
-                                            step.hand, lane_width_mm_, radius_mm, pushed_);
+                                            step.hand, step.rates, lane_width_mm_, radius_mm, pushed_);
     if (!stands_in_way(step.film, place, rule, lane_width_mm_, radius_mm)) return {};
     step.scratch.gather(step.film, place.x_mm, place.y_mm, std::hypot(lane_width_mm_, radius_mm));
     Contents moved;
@@ -179,10 +187,9 @@ Contents Plough::clear(const PloughStep& step, const Lane& lane) {
 }
 
 void Plough::heap_ahead(const PloughStep& step, const Lane& lane, Contents moved) {
-    const double along_mm = lane.front_mm + 2.0 * kAhead_radii * step.rates.radius_mm;
+    const double along_mm = lane.front_mm + 2.0 * kAhead_radii * reach_mm(step);
     const Place place = place_at(step.hand, along_mm, lane.middle_mm);
-    const double spread_mm = std::max(lane_width_mm_, kLeastSpread_cells * step.film.cell_mm);
-    heap(step, lane.leader, {place.x_mm, place.y_mm, spread_mm}, moved);
+    heap(step, lane.leader, {place.x_mm, place.y_mm, lane_width_mm_}, moved);
 }
 
 void Plough::heap_beside(const PloughStep& step, double sign, Contents moved) {
@@ -190,7 +197,7 @@ void Plough::heap_beside(const PloughStep& step, double sign, Contents moved) {
     const auto outer = std::max_element(
         lanes_.begin(), lanes_.end(),
         [sign](const Lane& a, const Lane& b) { return sign * a.middle_mm < sign * b.middle_mm; });
-    const double radius_mm = step.rates.radius_mm;
+    const double radius_mm = reach_mm(step);
     const double edge_mm = sign > 0.0 ? step.swath.high_mm : step.swath.low_mm;
     const Place place = place_at(step.hand, outer->front_mm + kAhead_radii * radius_mm, edge_mm);
     heap(step, outer->leader,

@@ -1,5 +1,6 @@
 #include "brush/spill.hpp"
 
+#include "brush/cell_mean.hpp"
 #include "brush/transfer.hpp"
 #include "core/random.hpp"
 
@@ -13,8 +14,10 @@ namespace {
 
 /// Most of what is held that one call puts down.
 constexpr double kLargestShare = 0.95;
-/// Width of a heap: at least this many cells, and this many heights of the paint that lies there.
-constexpr double kLeastSpread_cells = 1.6, kSpread_heights = 0.9;
+/// Least width of a heap, in heights of the paint that lies there.
+constexpr double kSpread_heights = 0.9;
+/// Mean square radius of a heap, in its radii.
+constexpr double kHeapMeanSquare = 1.0 / 3.0;
 /// How far beyond its near side the middle of a heap lies, in its widths.
 constexpr double kOverhang = 0.75;
 /// Bristles this close to the edge of the stroke spill inwards.
@@ -73,19 +76,20 @@ double thickness_at(const film::FilmState& film, double x_mm, double y_mm) {
 
 grid::Rect put_down(Contents& held, double volume_mm3, double x_mm, double y_mm, double spread_mm,
                     std::uint32_t dither_seed, film::FilmState& film, CellBatch& scratch) {
-    scratch.gather(film, x_mm, y_mm, spread_mm);
+    const double radius_mm =
+        resolved_radius_mm(spread_mm, kHeapMeanSquare, kHeapMeanSquare, film.cell_mm);
+    scratch.gather(film, x_mm, y_mm, radius_mm);
     const double quanta = volume_mm3 / (film.cell_mm * film.cell_mm * film::kThicknessQuantum_mm);
-    const WantedSums wanted = plan_heap(quanta, spread_mm, scratch);
+    const WantedSums wanted = plan_heap(quanta, radius_mm, scratch);
     if (wanted.deposit == 0) return {};
     return apply_batch(scratch, wanted, kLargestShare, 0.0, dither_seed, film, held);
 }
 
 HeapPlace place_beside(const film::FilmState& film, double x_mm, double y_mm, double away_x,
                        double away_y, double beside_mm, double least_mm) {
-    const double narrowest_mm = std::max(least_mm, kLeastSpread_cells * film.cell_mm);
-    const double heaped_mm = thickness_at(film, x_mm + away_x * (beside_mm + narrowest_mm),
-                                          y_mm + away_y * (beside_mm + narrowest_mm));
-    const double spread_mm = std::max(narrowest_mm, kSpread_heights * heaped_mm);
+    const double heaped_mm = thickness_at(film, x_mm + away_x * (beside_mm + least_mm),
+                                          y_mm + away_y * (beside_mm + least_mm));
+    const double spread_mm = std::max(least_mm, kSpread_heights * heaped_mm);
     const double away_mm = beside_mm + kOverhang * spread_mm;
     return {x_mm + away_x * away_mm, y_mm + away_y * away_mm, spread_mm};
 }

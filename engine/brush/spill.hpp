@@ -11,8 +11,8 @@
 namespace pastoso::brush {
 
 /// Puts `volume_mm3` of the held paint (19/20 of it at most) onto the film as a heap 1 - (d / spread)^2
-/// around a place. What falls beyond the canvas stays in the tool. Returns the cells that may have
-/// changed.
+/// around a place, widened by what a cell adds to it (brush/cell_mean.hpp). What falls beyond the canvas
+/// stays in the tool. Returns the cells that may have changed.
 grid::Rect put_down(Contents& held, double volume_mm3, double x_mm, double y_mm, double spread_mm,
                     std::uint32_t dither_seed, film::FilmState& film, CellBatch& scratch);
 

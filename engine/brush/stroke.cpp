@@ -123,6 +123,7 @@ Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const 
     : brush_(brush),
       film_(film),
       limit_(limit),
+      resolved_(resolve(brush.tip, brush.preset.paint, film.cell_mm)),
       step_mm_(step_length_mm(brush)),
       turns_(turns_of(brush)),
       guide_(aids.guide),
@@ -237,8 +238,8 @@ void Stroke::take_step(const PathStep& step) {
 void Stroke::paint_step(const PathStep& step) {
     const HandPose hand = pose(step);
     const double turn_mm = turns_ * step_mm_;
-    const StepRates rates = step_rates(brush_, hand, turn_mm, film_.cell_mm);
-    const DragRates drag = drag_rates(brush_, hand, turn_mm, rates.radius_mm);
+    const StepRates rates = step_rates(brush_, resolved_, hand, turn_mm);
+    const DragRates drag = drag_rates(brush_, resolved_, hand, turn_mm);
     const Swath swath = move_bristles(brush_, hand, step_mm_, film_, poses_);
     ++step_count_;
     pass_.set_travel(step_count_ * step_mm_);
@@ -252,7 +253,7 @@ void Stroke::paint_step(const PathStep& step) {
     touch_all({hand, swath, rates, drag});
     for (const StripPlace& place : touching_) {
         note_changed(spill_overflow(brush_, place.element, poses_[place.element], hand, swath,
-                                    {rates.radius_mm, turn_mm, jitter_seed_}, dither_seed(place.element),
+                                    {brush_.tip.radius_mm, turn_mm, jitter_seed_}, dither_seed(place.element),
                                     film_, cells_));
     }
     since_wick_mm_ += step_mm_;
@@ -262,7 +263,7 @@ void Stroke::paint_step(const PathStep& step) {
 }
 
 void Stroke::plough(const HandPose& hand, const Swath& swath) {
-    const StepRates rates = step_rates(brush_, hand, kPloughTurns * step_mm_, film_.cell_mm);
+    const StepRates rates = step_rates(brush_, resolved_, hand, kPloughTurns * step_mm_);
     note_changed(
         plough_.push({brush_, poses_, hand, swath, rates, dither_seed(kPloughSeed), film_, cells_}));
 }

@@ -102,6 +102,7 @@ class Stroke {
     Brush& brush_;
     film::FilmState& film_;
     const grid::Mask* limit_;
+    ResolvedTip resolved_;  ///< on the cells of the film
     double step_mm_;
     std::uint32_t turns_;  ///< steps from one exchange of a bristle to its next
     PenGuide guide_;

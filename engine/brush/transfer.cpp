@@ -8,18 +8,16 @@ namespace pastoso::brush {
 
 namespace {
 
-/// Least radius of a footprint, in cells.
-constexpr double kLeastRadius_cells = 0.75;
 /// Path length after which a bristle has closed 1 - 1/e of the gap, in footprint radii.
 constexpr double kClosingLength_radii = 0.8;
 /// Film against fill: sat = (1 + k) f / (f + k), 1 for a full bristle.
 constexpr float kStarvation = 0.22F;
 /// By how much less a bristle without body reaches than the thickest, in saturations.
 constexpr float kThinBristleLoss = 0.6F, kThickestBody = 1.2F;
+/// Keeps what a bristle among others covers finite.
+constexpr float kLeastAlone = 1e-6F;
 /// Keeps the fade of the contact finite.
 constexpr float kLeastBead_mm = 1e-4F;
-/// Scratches of a knife's edge against the hairs of a brush.
-constexpr float kKnifeHairs = 0.6F;
 /// Shares of its load that an element gives in one step at most, by depositing and by swapping.
 constexpr double kLargestDeposit = 0.5, kLargestKnifeDeposit = 0.7, kLargestSwap = 0.25;
 /// Less than this in a bristle counts as nothing.
@@ -111,11 +109,12 @@ WantedSums limit_plan(CellBatch& batch, WantedSums wanted) {
 
 }  // namespace
 
-StepRates step_rates(const Brush& brush, const HandPose& hand, double step_mm, double cell_mm) {
+StepRates step_rates(const Brush& brush, const ResolvedTip& tip, const HandPose& hand, double step_mm) {
     StepRates rates;
-    rates.radius_mm = std::max(brush.tip.radius_mm, kLeastRadius_cells * cell_mm);
-    rates.lane_mm = brush.tip.rigid ? std::max(brush.tip.lane_mm, cell_mm) : 0.0;
-    const double closing_mm = kClosingLength_radii * rates.radius_mm;
+    rates.tip = &tip;
+    rates.radius_mm = tip.radius_mm;
+    rates.lane_mm = tip.lane_mm;
+    const double closing_mm = kClosingLength_radii * brush.tip.radius_mm;
     rates.rate = static_cast<float>(1.0 - std::exp(-step_mm / closing_mm));
     rates.film_mm = static_cast<float>(brush.preset.paint.film_mm * hand.film);
     rates.reach = static_cast<float>(brush.preset.paint.reach * hand.reach);
@@ -134,17 +133,17 @@ ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact
                          (1.0F + static_cast<float>(paint.edge) * contact.edge) *
                          (1.0F + static_cast<float>(paint.start) * saturation * contact.freshness);
     const float bead = bead_mm(brush, bristle, saturation, contact.press, rates);
-    const bool knife = brush.tip.rigid;
     ExchangeRule rule{};
     set_axes(brush, contact, rates, rule);
     rule.underside_mm = contact.support_mm + tau_mm;
-    rule.groove_mm = knife ? 0.0F : static_cast<float>(paint.groove) * wet_mm;
-    rule.hair_mm = (knife ? kKnifeHairs : 1.0F) * static_cast<float>(paint.hair) * wet_mm;
-    rule.hairs = brush.tip.hairs_of(index);
-    rule.hairs_per_bristle = brush.tip.hairs_per_bristle;
+    rule.crown = rates.tip->crown;
+    rule.cover = rates.tip->cover / std::max({contact.edge, 1.0F - saturation, kLeastAlone});
+    rule.profile_mm = wet_mm;
+    rule.profile = rates.tip->profile_of(index);
+    rule.segments = rates.tip->segments;
     rule.lowest_mm = contact.support_mm - bead;
     rule.fade_per_mm = 1.0F / (0.4F * bead);
-    rule.rate = rates.rate;
+    rule.rate = rates.rate * rates.tip->share;
     rule.pickup = rates.pickup;
     rule.mix = held_mm3 > kEmpty_mm3
                    ? static_cast<float>(brush.preset.exchange.mix) * (0.4F + 1.2F * bristle.body)

@@ -6,8 +6,8 @@
 // its pressure and rho the distance from its middle in footprint radii, a of it across the travel, the
 // wanted surface is
 //
-//   z = s + tau + film sat^2 (groove (a^2 + 1/4) + hair noise(a)),
-//   tau = film sat^2 body (1 - p/2) (1 + edge E) (1 + start sat freshness),
+//   z = s + tau + film sat^2 profile(a),    profile(a) = groove (a^2 + 1/4) + hair noise(a) as cells see
+//   it, tau = film sat^2 body (1 - p/2) (1 + edge E) (1 + start sat freshness),
 //
 // E = 1 along the edges of the stroke. Its paint hangs down to s - bead; a cell with surface c + h is
 // reached by chi = clamp((c + h - (s - bead)) / 0.4 bead), where
@@ -16,15 +16,19 @@
 //   e = sat - 0.6 (1.2 - body) (1 - 0.7 sat),
 //
 // so that a full brush covers the hollows of the weave and a starved one, thin bristles first, only its
-// crowns. In a step ds, with w = 1 - rho^4, the gap g = z - c - h and the share
-// q = (1 - e^(-ds / 0.8 r)) w chi,
+// crowns. In a step ds, with the weight w(rho) of the footprint (brush/resolved_tip.hpp; 1 - rho^4 where
+// cells are fine), the gap g = z - c - h and the share q = (1 - e^(-ds / 0.8 r)) w chi,
 //
-//   g > 0: the cell gains q g (a bristle gives at most half of what it holds),
+//   g > 0: the cell gains q (C (z - c) - h), C the share of it that is covered (a bristle gives at most
+//          half of what it holds),
 //   g < 0: it loses q |g| pickup, at most nine tenths of h,
 //   and equal volumes q mix (0.4 + 1.2 body) min(h, h_0, V / 2 area) are swapped,
 //
 // h_0 being what the tip found there when it came: nothing is swapped with paint that the stroke itself
 // has just laid down, which would blur its streaks.
+//
+// C = min(1, cover w / max(E, 1 - sat)): a bristle that is alone, at the edge of the stroke or with its
+// neighbours starved, leaves in a cell the share that it covers; among others, they cover the rest.
 //
 // The elements of a knife share one s, act within lanes as wide as their distance, w = (1 - |across|)
 // (1 - along^4), which keeps colours apart, and have e = sat, E = 0 and no grooves.
@@ -37,6 +41,7 @@
 #include "brush/bristle_motion.hpp"
 #include "brush/brush.hpp"
 #include "brush/cell_batch.hpp"
+#include "brush/resolved_tip.hpp"
 #include "brush/transfer_kernels.hpp"
 #include "film/state.hpp"
 
@@ -54,12 +59,13 @@ struct Contact {
 
 /// Numbers that stay the same during a step.
 struct StepRates {
-    double radius_mm = 0.0;  ///< of the footprint, at least 3/4 of a cell
+    const ResolvedTip* tip = nullptr;
+    double radius_mm = 0.0;  ///< of the footprint, as resolved
     double lane_mm = 0.0;    ///< half width of a knife element's lane, 0 for bristles
     float rate = 0.0F;       ///< 1 - e^(-ds / 0.8 r)
     float film_mm = 0.0F, reach = 1.0F, pickup = 0.0F;  ///< the preset's, times the hand's factors
 };
-StepRates step_rates(const Brush& brush, const HandPose& hand, double step_mm, double cell_mm);
+StepRates step_rates(const Brush& brush, const ResolvedTip& tip, const HandPose& hand, double step_mm);
 
 /// The equations above for bristle `index`, as the kernels take them.
 ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact,

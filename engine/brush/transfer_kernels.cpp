@@ -23,8 +23,6 @@ constexpr auto kMost_mm = static_cast<float>(film::kMaxThickness_mm);
 constexpr std::int32_t kMostPigment = std::numeric_limits<std::int32_t>::max();
 /// A tool takes at most this share of a cell's paint in one step.
 constexpr float kLargestBite = 0.9F;
-/// Height of a groove's bottom above tau, in depths of the groove.
-constexpr float kGrooveRise = 0.25F;
 /// A film thinner than 10 nm is not left behind: it would be invisible and keep cells wet for ever.
 constexpr std::int32_t kNegligibleQuanta = 336;
 
@@ -37,12 +35,12 @@ using Wrapping = lanes::As<std::uint32_t, Floats>;
 /// For sums of single numbers: half as many as a register of 32 bits holds.
 using Wide = lanes::Widest<std::uint64_t>;
 
-/// Heights of a bristle's hairs, told apart by their number because a table of sixteen can be looked
-/// up within registers.
-struct AnyHairs {
+/// A bristle's profile, told apart by its segments because a table of sixteen can be looked up within
+/// registers.
+struct AnyProfile {
     const float* heights;
 
-    PASTOSO_LANE_MEMBER explicit AnyHairs(const ExchangeRule& rule) : heights(rule.hairs) {}
+    PASTOSO_LANE_MEMBER explicit AnyProfile(const ExchangeRule& rule) : heights(rule.profile) {}
     PASTOSO_LANE_MEMBER Floats at(Ints index, Floats share) const {
         return lanes::generate<Floats>([&](int lane) {
             const float* low = heights + index[lane];
@@ -50,14 +48,14 @@ struct AnyHairs {
         });
     }
 };
-struct SixteenHairs {
+struct SixteenSegments {
     static constexpr int kRegisters = 16 / kLanes;
     Floats low[kRegisters], high[kRegisters];
 
-    PASTOSO_LANE_MEMBER explicit SixteenHairs(const ExchangeRule& rule) {
+    PASTOSO_LANE_MEMBER explicit SixteenSegments(const ExchangeRule& rule) {
         for (int part = 0; part < kRegisters; ++part) {
-            low[part] = lanes::load<Floats>(rule.hairs + part * kLanes);
-            high[part] = lanes::load<Floats>(rule.hairs + 1 + part * kLanes);
+            low[part] = lanes::load<Floats>(rule.profile + part * kLanes);
+            high[part] = lanes::load<Floats>(rule.profile + 1 + part * kLanes);
         }
     }
     PASTOSO_LANE_MEMBER static Floats pick(const Floats* table, Ints index) {
@@ -72,13 +70,13 @@ struct SixteenHairs {
     }
 };
 
-template <class Hairs>
-PASTOSO_LANE_FUNCTION Floats hairs_at(const Hairs& hairs, const ExchangeRule& rule, Floats s) {
-    const float half = 0.5F * static_cast<float>(rule.hairs_per_bristle);
-    const float last = static_cast<float>(rule.hairs_per_bristle) - 0.001F;
+template <class Profile>
+PASTOSO_LANE_FUNCTION Floats profile_at(const Profile& profile, const ExchangeRule& rule, Floats s) {
+    const float half = 0.5F * static_cast<float>(rule.segments);
+    const float last = static_cast<float>(rule.segments) - 0.001F;
     const Floats place = lanes::min(lanes::max(s * half + half, Floats(0.0F)), Floats(last));
     const Ints index = lanes::convert<std::int32_t>(place);
-    return hairs.at(index, place - lanes::convert<float>(index));
+    return profile.at(index, place - lanes::convert<float>(index));
 }
 
 /// What a register of cells is to gain and to swap.
@@ -86,28 +84,29 @@ struct Wanted {
     Ints change, swap;
 };
 
-template <bool kLane, class Hairs>
-PASTOSO_LANE_FUNCTION Wanted wanted_at(const ExchangeRule& rule, const Hairs& hairs,
+template <bool kLane, class Profile>
+PASTOSO_LANE_FUNCTION Wanted wanted_at(const ExchangeRule& rule, const Profile& profile,
                                        const BatchColumns& batch, int i) {
     const auto dx = lanes::load<Floats>(batch.dx_mm + i), dy = lanes::load<Floats>(batch.dy_mm + i);
     const Floats s = dx * rule.across_x + dy * rule.across_y;
     const Floats t = dx * rule.along_x + dy * rule.along_y;
     const Floats s2 = s * s, t2 = t * t, none(0.0F);
     const Floats radius2 = kLane ? t2 : s2 + t2;
-    const Floats core = lanes::max(none, 1.0F - radius2 * radius2);
+    const Floats core = lanes::max(none, 1.0F - radius2) * (1.0F + rule.crown * radius2);
     const Floats weight = kLane ? core * lanes::max(none, 1.0F - lanes::select(s < none, -s, s)) : core;
 
     const auto quanta = lanes::load<Ints>(batch.thickness + i),
                found = lanes::load<Ints>(batch.found + i);
     const Floats h = lanes::convert<float>(quanta) * kQuantum_mm;
-    const Floats wanted = rule.underside_mm + rule.groove_mm * (s2 + kGrooveRise) +
-                          rule.hair_mm * hairs_at(hairs, rule, s);
+    const Floats wanted = rule.underside_mm + rule.profile_mm * profile_at(profile, rule, s);
     const Floats surface = lanes::load<Floats>(batch.support_mm + i) + h;
     const Floats gap = wanted - surface;
     const Floats reached = lanes::max((surface - rule.lowest_mm) * rule.fade_per_mm, none);
     const Floats share = rule.rate * weight * lanes::min(reached, Floats(1.0F));
 
-    const Floats given = lanes::min(share * gap, Floats(kMost_mm));
+    const Floats covered = lanes::min(weight * rule.cover, Floats(1.0F));
+    const Floats missing = covered * (gap + h) - h;
+    const Floats given = lanes::min(share * lanes::max(missing, none), Floats(kMost_mm));
     const Floats taken = lanes::max(share * gap * rule.pickup, -kLargestBite * h);
     const Ints change =
         lanes::convert<std::int32_t>(lanes::select(gap > none, given, taken) * kQuantaPerMm);
@@ -132,12 +131,12 @@ PASTOSO_LANE_FUNCTION std::int64_t total(Wide sums) {
     return static_cast<std::int64_t>(sum);
 }
 
-template <bool kLane, class Hairs>
+template <bool kLane, class Profile>
 PASTOSO_LANE_FUNCTION WantedSums plan_batch(const ExchangeRule& rule, const BatchColumns& batch) {
-    const Hairs hairs(rule);
+    const Profile profile(rule);
     Wide deposit(0), swap(0);
     for (int i = 0; i < batch.padded_count; i += kLanes) {
-        const Wanted wanted = wanted_at<kLane>(rule, hairs, batch, i);
+        const Wanted wanted = wanted_at<kLane>(rule, profile, batch, i);
         lanes::store(batch.change + i, wanted.change);
         lanes::store(batch.swap + i, wanted.swap);
         add_to(deposit, lanes::max(wanted.change, Ints(0)));
@@ -295,12 +294,12 @@ PASTOSO_LANE_FUNCTION void apply_chunk(const ApplyRule& rule, const TileCells& c
 }  // namespace
 
 WantedSums plan(const ExchangeRule& rule, const BatchColumns& batch) {
-    if (rule.hairs_per_bristle == 16) {
-        return rule.lane ? plan_batch<true, SixteenHairs>(rule, batch)
-                         : plan_batch<false, SixteenHairs>(rule, batch);
+    if (rule.segments == 16) {
+        return rule.lane ? plan_batch<true, SixteenSegments>(rule, batch)
+                         : plan_batch<false, SixteenSegments>(rule, batch);
     }
-    return rule.lane ? plan_batch<true, AnyHairs>(rule, batch)
-                     : plan_batch<false, AnyHairs>(rule, batch);
+    return rule.lane ? plan_batch<true, AnyProfile>(rule, batch)
+                     : plan_batch<false, AnyProfile>(rule, batch);
 }
 
 void apply(const ApplyRule& rule, const TileCells& cells, ChangeSums& sums) {

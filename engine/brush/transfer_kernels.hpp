@@ -26,18 +26,20 @@ struct BatchColumns {
 struct ExchangeRule {
     /// Axes of the footprint, divided by its half sizes: s = dx across_x + dy across_y, t likewise.
     float across_x, across_y, along_x, along_y;
-    bool lane;           ///< weight (1 - |s|)(1 - t^4) instead of 1 - (s^2 + t^2)^2
-    float underside_mm;  ///< height the paint surface is driven to, in the middle and without hairs
-    float groove_mm;     ///< how much higher at both sides
-    float hair_mm;       ///< amplitude of the hairs
-    const float* hairs;  ///< from s = -1 to s = 1
-    int hairs_per_bristle;
-    float lowest_mm;     ///< height down to which the hanging paint reaches
-    float fade_per_mm;   ///< contact grows from 0 to 1 over the first 1 / fade_per_mm above it
-    float rate;          ///< share of the gap closed in this step
-    float pickup;        ///< share of that which is taken when paint is in the way
-    float mix;           ///< equal-volume swap, share of the smaller layer
-    float mix_depth_mm;  ///< the tool's own layer in that comparison
+    bool lane;  ///< weight (1 - |s|)(1 - t^2)(1 + crown t^2) instead of (1 - r^2)(1 + crown r^2), r^2 =
+                ///< s^2 + t^2
+    float crown;           ///< -1 to 1
+    float cover;           ///< share of a cell that is covered, over the weight there; at most 1
+    float underside_mm;    ///< height that the paint surface is driven to where the profile is 0
+    float profile_mm;      ///< how much higher where the profile is 1
+    const float* profile;  ///< from s = -1 to s = 1
+    int segments;          ///< of the profile, between segments + 1 heights
+    float lowest_mm;       ///< height down to which the hanging paint reaches
+    float fade_per_mm;     ///< contact grows from 0 to 1 over the first 1 / fade_per_mm above it
+    float rate;            ///< share of the gap closed in this step
+    float pickup;          ///< share of that which is taken when paint is in the way
+    float mix;             ///< equal-volume swap, share of the smaller layer
+    float mix_depth_mm;    ///< the tool's own layer in that comparison
 };
 
 /// Sums over the batch of what the rule wants, quanta.

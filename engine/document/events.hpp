@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/actions/actions.hpp"
+#include "document/arithmetic.hpp"
 #include "document/canvas_settings.hpp"
 
 #include <cstdint>
@@ -23,6 +24,7 @@ struct Recording {
     CanvasSettings canvas;
     std::vector<Event> events;  ///< ticks do not decrease
     std::int64_t end_tick = 0;  ///< how long the paint is let run in all, >= the last event's tick
+    int arithmetic = kArithmetic;  ///< the earliest that any of the events was computed with
     friend bool operator==(const Recording&, const Recording&) = default;
 };
 

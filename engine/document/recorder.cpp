@@ -4,7 +4,8 @@
 
 namespace pastoso::document {
 
-Recorder::Recorder(const Recording& past) : canvas_(past.canvas), end_tick_(past.end_tick) {
+Recorder::Recorder(const Recording& past)
+    : canvas_(past.canvas), end_tick_(past.end_tick), arithmetic_(past.arithmetic) {
     for (const Event& event : past.events)
         append(event);
 }
@@ -29,7 +30,7 @@ void Recorder::note_tick(std::int64_t tick) {
 }
 
 Recording Recorder::recording() const {
-    Recording recording{canvas_, {}, end_tick_};
+    Recording recording{canvas_, {}, end_tick_, arithmetic_};
     recording.events.reserve(moves_.size() + others_.size());
     PackedMoves::Reader moves(moves_);
     std::size_t read = 0;

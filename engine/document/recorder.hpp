@@ -44,6 +44,7 @@ class Recorder {
 
     CanvasSettings canvas_;
     std::int64_t end_tick_ = 0;
+    int arithmetic_ = kArithmetic;
     PackedMoves moves_;
     core::SharedLog<Other> others_;  ///< what is no move
     std::int64_t strokes_ = 0;

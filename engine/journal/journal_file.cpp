@@ -5,6 +5,7 @@
 #include "journal/frames.hpp"
 #include "recordings/recording_json.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <iterator>
 #include <limits>
@@ -97,6 +98,7 @@ void append(Run batch, std::vector<Run>& runs) {
     last.events.insert(last.events.end(), std::make_move_iterator(batch.recording.events.begin()),
                        std::make_move_iterator(batch.recording.events.end()));
     last.end_tick = batch.recording.end_tick;
+    last.arithmetic = std::min(last.arithmetic, batch.recording.arithmetic);
     runs.back().last_frame_at = batch.last_frame_at;
 }
 

@@ -145,9 +145,10 @@ std::optional<document::Recording> strokes_before(const fs::path& folder, const 
                                                   std::vector<std::string>& notes) {
     const Run* run = run_from(content, 0);
     if (!content.header || run == nullptr || run->end_event() < candidate.events) return std::nullopt;
-    document::Recording strokes{run->recording.canvas, {}, 0};
+    document::Recording strokes{run->recording.canvas, {}, 0, run->recording.arithmetic};
     if (!content.header->start.empty())
         strokes = project::load_strokes(folder / content.header->start, notes);
+    strokes.arithmetic = std::min(strokes.arithmetic, run->recording.arithmetic);
     strokes.events.insert(strokes.events.end(), run->recording.events.begin(),
                           run->recording.events.begin() +
                               static_cast<std::ptrdiff_t>(candidate.events - run->first_event));
@@ -173,6 +174,12 @@ void add_strokes(const fs::path& folder, const Candidate& candidate, const Journ
                                   "missing, so that they cannot be replayed.");
     }
     recovered.strokes.end_tick = played.end_tick;
+}
+
+void tell_arithmetic(const Candidate& candidate, std::vector<std::string>& notes) {
+    if (candidate.run == nullptr || candidate.end_event == candidate.events) return;
+    const std::string older = document::arithmetic_note(candidate.run->recording.arithmetic);
+    if (!older.empty()) notes.push_back("The latest strokes " + older);
 }
 
 void tell_losses(const fs::path& folder, const Candidate& candidate, const JournalContent& content,
@@ -202,6 +209,7 @@ Recovered recovered_from(const fs::path& folder, const Candidate& candidate,
         played(*painting, actions_of(candidate), progress, recovered.notes);
     recovered.painting = painting->state();
     add_strokes(folder, candidate, content, actions, recovered);
+    tell_arithmetic(candidate, recovered.notes);
     tell_losses(folder, candidate, content, recovered.notes);
     return recovered;
 }

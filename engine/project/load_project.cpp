@@ -242,6 +242,9 @@ void read_strokes(const ZipReader& archive, const PackedEntry& strokes,
     }
     if (!project.strokes.events.empty() && project.strokes.events.back().tick > tick)
         archive.fail(kStrokesEntry, "tells of strokes that are later than the painting.");
+    const std::string older = document::arithmetic_note(project.strokes.arithmetic);
+    if (!project.strokes.events.empty() && !older.empty())
+        project.notes.push_back("The painting is as it was saved, but its strokes " + older);
     project.strokes.end_tick = tick;
 }
 

@@ -130,6 +130,12 @@ class EventReader {
     brush::PenSample last_sample_;
 };
 
+/// Versions before 9 say nothing of it.
+int read_arithmetic(const files::JsonPlace& root) {
+    const auto arithmetic = root.optional_entry("arithmetic");
+    return arithmetic ? static_cast<int>(arithmetic->integer(1, document::kArithmetic)) : 1;
+}
+
 constexpr files::FileFormat kFormat{"pastoso-strokes", "a stroke recording", "stroke format",
                                     kStrokeFormatVersion};
 
@@ -139,8 +145,9 @@ document::Recording recording_from_json(std::string_view text, const std::string
     const files::Json json = files::parse_json(text, name);
     const files::JsonPlace root(json, name);
     files::check_format(root, kFormat);
-    root.allow_only({"format", "version", "canvas", "end_tick", "events"});
+    root.allow_only({"format", "version", "arithmetic", "canvas", "end_tick", "events"});
     document::Recording recording;
+    recording.arithmetic = read_arithmetic(root);
     recording.canvas = read_canvas(root.entry("canvas"));
     EventReader reader(names);
     const files::JsonPlace entries = root.entry("events");

@@ -118,7 +118,8 @@ class EntryWriter {
 
 /// The oldest version that can say it: not less than the first that still is written.
 int version_needed(const document::Recording& recording) {
-    constexpr int kOldestWritten = 3, kCloth = 6;
+    constexpr int kOldestWritten = 3, kCloth = 6, kWithArithmetic = 9;
+    if (recording.arithmetic > 1) return kWithArithmetic;
     const bool on_cloth = recording.canvas.support_x_mm != 0.0 || recording.canvas.support_y_mm != 0.0;
     int version = on_cloth ? kCloth : kOldestWritten;
     for (const Event& event : recording.events)
@@ -136,6 +137,7 @@ std::string recording_to_json(const document::Recording& recording) {
 
     std::string text =
         "{\n\"format\": \"pastoso-strokes\",\n\"version\": " + std::to_string(version_needed(recording));
+    if (recording.arithmetic > 1) text += ",\n\"arithmetic\": " + std::to_string(recording.arithmetic);
     text += ",\n\"canvas\": " + one_line(canvas_json(recording.canvas));
     text += ",\n\"end_tick\": " + std::to_string(recording.end_tick);
     text += ",\n\"events\": [";

@@ -56,23 +56,24 @@ TEST(Drag, GivesTheMomentumThatTheRuleSays) {
     film::FilmState film = pool(studio::light_paint(), 8.0, 8.0);
     const HandPose hand = {.travel_x = 0.6, .travel_y = 0.8, .speed_mm_s = 200.0};
     const double step_mm = 0.2;
-    const StepRates rates = step_rates(brush, hand, step_mm, film.cell_mm);
+    const ResolvedTip tip = resolve(brush.tip, brush.preset.paint, film.cell_mm);
+    const StepRates rates = step_rates(brush, tip, hand, step_mm);
     Contact contact;
     contact.x_mm = 4.03, contact.y_mm = 3.98;
     const ExchangeRule rule = exchange_rule(brush, 0, contact, rates);
     CellBatch touched;
     touched.gather(film, contact.x_mm, contact.y_mm, rates.radius_mm);
     PaintDrag drag;
-    const DragRates drag_by = drag_rates(brush, hand, step_mm, rates.radius_mm);
+    const DragRates drag_by = drag_rates(brush, tip, hand, step_mm);
     if (drag.find(rule, drag_by, touched, film)) drag.apply(drag_by, film);
 
-    // chi = 1 in a pool that deep; w = 1 - rho^4, at a face the mean of both cells within the footprint.
-    const double share = 0.7 * (1.0 - std::exp(-step_mm / rates.radius_mm));
+    // chi = 1 in a pool that deep; at a face the mean of both cells within the footprint counts.
+    const double share = 0.7 * (1.0 - std::exp(-step_mm / brush.tip.radius_mm)) * tip.share;
     const auto weight = [&](int x, int y) {
         const double dx = (x + 0.5) * film.cell_mm - contact.x_mm;
         const double dy = (y + 0.5) * film.cell_mm - contact.y_mm;
         const double rho2 = (dx * dx + dy * dy) / (rates.radius_mm * rates.radius_mm);
-        return std::max(0.0, 1.0 - rho2 * rho2);
+        return std::max(0.0, 1.0 - rho2) * (1.0 + tip.crown * rho2);
     };
     double expected_x = 0.0, expected_y = 0.0, given_x = 0.0, given_y = 0.0;
     for (int y = 0; y + 1 < film.shape.height; ++y) {

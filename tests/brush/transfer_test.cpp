@@ -32,7 +32,8 @@ Contact contact_at(double x_mm, double y_mm) {
 grid::Rect touch(Brush& brush, film::FilmState& film, const Contact& contact,
                  const HandPose& hand = HandPose{}) {
     CellBatch scratch;
-    const StepRates rates = step_rates(brush, hand, 0.2, kCell_mm);
+    const ResolvedTip tip = resolve(brush.tip, brush.preset.paint, kCell_mm);
+    const StepRates rates = step_rates(brush, tip, hand, 0.2);
     const ExchangeRule rule = exchange_rule(brush, 0, contact, rates);
     return apply_touch(brush, 0, plan_touch(rule, contact, rates, film, scratch), 1, film, scratch);
 }
@@ -68,7 +69,8 @@ TEST(Exchange, ClosesTheShareOfTheGapThatTheRuleSays) {
     touch(brush, film, contact);
     const double tau_mm = preset.paint.film_mm * brush.tip.bristles[0].body * (1.0 - 0.5 * 0.4);
     const double rate = 1.0 - std::exp(-0.2 / (0.8 * brush.tip.radius_mm));
-    EXPECT_NEAR(studio::thickness_mm(film, 32, 32), rate * tau_mm, 1e-6);  // single precision
+    const double share = resolve(brush.tip, brush.preset.paint, kCell_mm).share;
+    EXPECT_NEAR(studio::thickness_mm(film, 32, 32), share * rate * tau_mm, 1e-6);  // single precision
 }
 
 TEST(Exchange, TakesPaintInTheWay) {
@@ -92,12 +94,13 @@ TEST(StepRates, AreThePresetsNumbersTimesTheHandsFactors) {
     hand.film = 0.5;
     hand.reach = 0.25;
     hand.pickup = 2.0;
-    const StepRates rates = step_rates(brush, hand, 0.2, kCell_mm);
+    const ResolvedTip tip = resolve(brush.tip, brush.preset.paint, kCell_mm);
+    const StepRates rates = step_rates(brush, tip, hand, 0.2);
     EXPECT_FLOAT_EQ(rates.film_mm, static_cast<float>(0.5 * brush.preset.paint.film_mm));
     EXPECT_FLOAT_EQ(rates.reach, static_cast<float>(0.25 * brush.preset.paint.reach));
     EXPECT_FLOAT_EQ(rates.pickup, static_cast<float>(2.0 * brush.preset.exchange.pickup));
     hand.pickup = 1000.0;
-    EXPECT_EQ(step_rates(brush, hand, 0.2, kCell_mm).pickup, 1.0F);
+    EXPECT_EQ(step_rates(brush, tip, hand, 0.2).pickup, 1.0F);
 }
 
 TEST(Exchange, AHandThatTakesNothingUpLeavesPaintInTheWay) {
@@ -255,7 +258,7 @@ struct RandomBatch {
     static constexpr int kCount = 96;
     std::vector<float> dx_mm, dy_mm, support_mm;
     std::vector<std::int32_t> thickness, found, cell, change, swap;
-    std::vector<float> hairs;
+    std::vector<float> profile;
 
     explicit RandomBatch(std::uint32_t seed) : change(kCount), swap(kCount) {
         const auto noise = [seed](int i, std::uint32_t stream) {
@@ -271,7 +274,7 @@ struct RandomBatch {
             cell.push_back(i);
         }
         for (int i = 0; i < 17; ++i)
-            hairs.push_back(noise(i, 5) - 0.5F);
+            profile.push_back(noise(i, 5) - 0.5F);
     }
 
     ExchangeRule rule(bool lane) const {
@@ -282,10 +285,9 @@ struct RandomBatch {
         rule.along_y = 1.3F;
         rule.lane = lane;
         rule.underside_mm = 0.3F;
-        rule.groove_mm = 0.1F;
-        rule.hair_mm = 0.07F;
-        rule.hairs = hairs.data();
-        rule.hairs_per_bristle = 16;
+        rule.profile_mm = 0.1F;
+        rule.profile = profile.data();
+        rule.segments = 16;
         rule.lowest_mm = 0.02F;
         rule.fade_per_mm = 30.0F;
         rule.rate = 0.37F;

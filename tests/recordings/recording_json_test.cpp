@@ -211,8 +211,8 @@ TEST(RecordingJson, NumbersOfAMediumAreLocated) {
 
 TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
     EXPECT_EQ(
-        error(R"({"format":"pastoso-strokes","version":9,"more":[]})"),
-        "s.json: this was written by a newer Pastoso (stroke format 9; this program reads up to 8).");
+        error(R"({"format":"pastoso-strokes","version":10,"more":[]})"),
+        "s.json: this was written by a newer Pastoso (stroke format 10; this program reads up to 9).");
 }
 
 TEST(RecordingJson, NamesWhatIsMissingOrMisspelt) {
@@ -342,9 +342,8 @@ TEST(RecordingJson, RefusesBadAids) {
               "must lie between -20000 and 20000.");
     EXPECT_THAT(refused(R"("set_symmetry":{"centre_x_mm":1,"centre_y_mm":1,"mirror":1})"),
                 HasSubstr("set_symmetry.mirror: expected true or false"));
-    EXPECT_EQ(
-        refused(R"("set_guide":{"form":"spiral"})"),
-        "s.json, events[0].set_guide.form: \"spiral\" is not one of none, line, ruler, ellipse.");
+    EXPECT_EQ(refused(R"("set_guide":{"form":"spiral"})"),
+              "s.json, events[0].set_guide.form: \"spiral\" is not one of none, line, ruler, ellipse.");
     EXPECT_EQ(refused(R"("set_guide":{"form":"line","from_mm":[1,2]})"),
               "s.json, events[0].set_guide: there is no such entry as \"from_mm\" here.");
     EXPECT_EQ(refused(R"("set_guide":{"form":"ruler","from_mm":[1,2],"to_mm":[1]})"),
@@ -400,9 +399,24 @@ TEST(RecordingJson, RefusesABadWell) {
 
 TEST(RecordingJson, WithoutTheWellOlderProgramsCanReadIt) {
     Recording recording;
+    recording.arithmetic = 1;
     EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 3,"));
     recording.events = {{0, CleanWell{}}};
     EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 4,"));
+}
+
+TEST(RecordingJson, KnowsTheArithmeticThatItWasPaintedWith) {
+    const std::string now = recording_to_json(Recording{});
+    EXPECT_THAT(now, HasSubstr("\"version\": 9,\n\"arithmetic\": 2,"));
+    EXPECT_EQ(recording_from_json(now, "s.json").arithmetic, document::kArithmetic);
+    EXPECT_EQ(recording_from_json(file_with(R"({"tick":3,"clean_brush":{}})"), "s.json").arithmetic, 1)
+        << "that says nothing";
+    Recording early;
+    early.arithmetic = 1;
+    EXPECT_EQ(recording_from_json(recording_to_json(early), "s.json"), early);
+    std::string later = now;
+    later.replace(later.find("\"arithmetic\": 2"), 15, "\"arithmetic\": 3");
+    EXPECT_EQ(error(later), "s.json, arithmetic: expected a whole number from 1 to 2.");
 }
 
 TEST(RecordingJson, RefusesAbsurdCanvases) {

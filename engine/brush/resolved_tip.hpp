@@ -1,0 +1,49 @@
+// A tip as cells of one size see it. What is finer than a cell is there as its mean over the cell: cells
+// that looked at it in their middles alone would make rows of dots of a hair that crosses them aslant.
+//
+// With a the side of a cell, r the radius of a bristle's footprint and rho the distance from its middle
+// in radii R of the resolved one, the footprint weighs
+//
+//   w(rho) = (1 - rho^2) (1 + crown rho^2),   R^2 = (3/8 r^2 + 0.48 a^2) (6 + 2 crown) / (2 + crown).
+//
+// Its mean square radius is that of 1 - rho^4 on the radius r and of a cell together. Where cells are
+// fine it is 1 - rho^4 (crown 1), flat on top; where they are coarse (1 - rho^2)^2 (crown -1), which
+// meets the canvas without an edge that cells could only draw as steps. `share` keeps its sum over the
+// canvas.
+//
+// It covers 0.7 of a cell in whose middle the tip's own footprint ends, and of others the share
+// min(1, cover w).
+//
+// A bristle's underside is higher than tau by film sat^2 profile(s), s from -1 to 1 across the resolved
+// footprint: groove (s^2 + 1/4) + hair noise(s), each the mean over triangles of half width 3/2 a and
+// 5/2 a, weighed as 1 - s^4, the footprint's own weight.
+//
+// The elements of a knife weigh (1 - |s|)(1 - t^4) on lanes at least as wide as a cell, cover all of
+// what they touch and have no grooves.
+#pragma once
+
+#include "brush/preset.hpp"
+#include "brush/tip.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace pastoso::brush {
+
+struct ResolvedTip {
+    double radius_mm = 0.0;  ///< R; half length of a knife's lane
+    double lane_mm = 0.0;    ///< half width of a knife element's lane, 0 for bristles
+    float crown = 1.0F;      ///< -1 to 1
+    float cover = 1e6F;      ///< share of a cell that a bristle covers, over its weight there
+    float share = 1.0F;      ///< sum of the tip's own weight over that of the resolved one
+    int segments = 16;       ///< of a profile, between segments + 1 heights
+    std::vector<float> profiles;
+
+    /// From one side of the resolved footprint to the other.
+    const float* profile_of(int bristle) const {
+        return &profiles[static_cast<std::size_t>(bristle) * (static_cast<std::size_t>(segments) + 1)];
+    }
+};
+ResolvedTip resolve(const Tip& tip, const PaintPreset& paint, double cell_mm);
+
+}  // namespace pastoso::brush

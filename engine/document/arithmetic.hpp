@@ -1,0 +1,17 @@
+// Which arithmetic strokes are computed with. The same actions give the same bits by the same arithmetic
+// alone; recordings say which one they were painted with.
+#pragma once
+
+#include <string>
+
+namespace pastoso::document {
+
+/// 1: footprints are looked at in the middles of cells. 2: what a cell gets is a mean over it
+/// (brush/resolved_tip.hpp).
+inline constexpr int kArithmetic = 2;
+
+/// What a painter should know of strokes of an earlier arithmetic, as the end of a sentence on them;
+/// empty for those of the present one.
+std::string arithmetic_note(int arithmetic);
+
+}  // namespace pastoso::document
