@@ -416,7 +416,7 @@ TEST(RecordingJson, KnowsTheArithmeticThatItWasPaintedWith) {
     EXPECT_EQ(recording_from_json(recording_to_json(early), "s.json"), early);
     std::string later = now;
     later.replace(later.find("\"arithmetic\": 2"), 15, "\"arithmetic\": 3");
-    EXPECT_EQ(error(later), "s.json, arithmetic: expected a whole number from 1 to 2.");
+    EXPECT_EQ(error(later), "s.json, arithmetic: 3 is not between 1 and 2.");
 }
 
 TEST(RecordingJson, RefusesAbsurdCanvases) {
