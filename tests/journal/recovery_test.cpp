@@ -6,7 +6,9 @@
 #include "files/temporary_folder.hpp"
 #include "journal/journals.hpp"
 
+#include <algorithm>
 #include <fstream>
+#include <span>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -105,8 +107,29 @@ TEST_F(Recovery, ADamagedCheckpointIsToldOf) {
     EXPECT_THAT(recovered.notes, ElementsAre(HasSubstr("checkpoint-1.pastoso")));
 }
 
+/// How many actions a frame holds depends on the writer's pace: four each from now on, so that a place in
+/// the file is one in the painting.
+void put_in_even_frames(std::string& bytes) {
+    constexpr std::size_t kActions = 4;
+    const JournalContent content = parse_journal(std::as_bytes(std::span(bytes)), "journal");
+    const document::Recording& all = content.runs.at(0).recording;
+    bytes = header_frame(content.header.value());
+    for (std::size_t begin = 0; begin < all.events.size(); begin += kActions) {
+        const std::size_t end = std::min(begin + kActions, all.events.size());
+        document::Recording part = all;
+        part.events.assign(all.events.begin() + static_cast<std::ptrdiff_t>(begin),
+                           all.events.begin() + static_cast<std::ptrdiff_t>(end));
+        if (end < all.events.size()) part.end_tick = part.events.back().tick;
+        bytes += strokes_frame(begin, part.events.front().tick, part);
+        for (const Checkpoint& checkpoint : content.checkpoints)
+            if (begin < checkpoint.events && checkpoint.events <= end)
+                bytes += checkpoint_frame(checkpoint);
+    }
+}
+
 TEST_F(Recovery, DamageCostsWhatComesAfterIt) {
     const fs::path journal = left_behind(folder, recording, {}, pool);
+    change(journal / kStrokesFile, put_in_even_frames);
     change(journal / kStrokesFile, [](std::string& bytes) { bytes[bytes.size() * 3 / 4] ^= 1; });
     const Recovered recovered = recover(journal, pool);
     EXPECT_EQ(document::state_hash(recovered.painting), hash_of_replay(recovered.strokes, pool));
@@ -118,6 +141,7 @@ TEST_F(Recovery, DamageCostsWhatComesAfterIt) {
 
 TEST_F(Recovery, DamageBeforeACheckpointCostsTheStrokesAlone) {
     const fs::path journal = left_behind(folder, recording, {ends[3]}, pool);
+    change(journal / kStrokesFile, put_in_even_frames);
     change(journal / kStrokesFile, [](std::string& bytes) { bytes[bytes.size() / 4] ^= 1; });
     const Recovered recovered = recover(journal, pool);
     EXPECT_EQ(document::state_hash(recovered.painting), hash_of_replay(recording, pool));
