@@ -129,7 +129,7 @@ grid::Rect Plough::push(const PloughStep& step) {
 
 void Plough::divide(const PloughStep& step) {
     const Tip& tip = step.brush.tip;
-    const double wanted_mm = tip.rigid ? step.rates.lane_mm : kLane_radii * reach_mm(step);
+    const double wanted_mm = tip.rigid ? step.rates.tip->lane_mm : kLane_radii * reach_mm(step);
     const double low_mm = step.swath.low_mm - 0.5 * wanted_mm;
     const double width_mm = step.swath.high_mm + 0.5 * wanted_mm - low_mm;
     // Odd, so that what stands in the middle is nearer to no lane than in the mirror.

@@ -269,12 +269,12 @@ void Stroke::plough(const HandPose& hand, const Swath& swath) {
 }
 
 void Stroke::touch_all(const Touch& touch) {
-    strips_.divide(touching_, touch.rates.radius_mm, most_strips(brush_, pool_));
+    strips_.divide(touching_, resolved_.radius_mm, most_strips(brush_, pool_));
     while (static_cast<int>(tools_.size()) < strips_.count())
         tools_.emplace_back(limit_);
     const auto act = [&](int bristle, int strip) { return touch_one(bristle, touch, tools_[strip]); };
     if (strips_.count() > 1 && mixes(brush_))
-        pass_.prepare(cells_below(touching_, touch.rates.radius_mm, film_.cell_mm));
+        pass_.prepare(cells_below(touching_, resolved_.radius_mm, film_.cell_mm));
     while (!strips_.run(pool_, act)) {
         for (const int strip : strips_.hindered())
             own_planned_tiles(tools_[strip].cells, film_);

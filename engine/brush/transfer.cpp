@@ -46,8 +46,8 @@ float saturation_of(const Brush& brush, int index) {
 
 /// The axes of an element's footprint, divided by its half sizes.
 void set_axes(const Brush& brush, const Contact& contact, const StepRates& rates, ExchangeRule& rule) {
-    const double along = 1.0 / rates.radius_mm;
-    const double across = brush.tip.rigid ? 1.0 / rates.lane_mm : along;
+    const double along = 1.0 / rates.tip->radius_mm;
+    const double across = brush.tip.rigid ? 1.0 / rates.tip->lane_mm : along;
     rule.lane = brush.tip.rigid;
     rule.across_x = static_cast<float>(contact.across_x * across);
     rule.across_y = static_cast<float>(contact.across_y * across);
@@ -112,8 +112,6 @@ WantedSums limit_plan(CellBatch& batch, WantedSums wanted) {
 StepRates step_rates(const Brush& brush, const ResolvedTip& tip, const HandPose& hand, double step_mm) {
     StepRates rates;
     rates.tip = &tip;
-    rates.radius_mm = tip.radius_mm;
-    rates.lane_mm = tip.lane_mm;
     const double closing_mm = kClosingLength_radii * brush.tip.radius_mm;
     rates.rate = static_cast<float>(1.0 - std::exp(-step_mm / closing_mm));
     rates.film_mm = static_cast<float>(brush.preset.paint.film_mm * hand.film);
@@ -160,7 +158,8 @@ WantedSums plan_exchange(const ExchangeRule& rule, CellBatch& batch) {
 
 WantedSums plan_touch(const ExchangeRule& rule, const Contact& contact, const StepRates& rates,
                       const film::FilmState& film, CellBatch& batch, PassMap* pass) {
-    const double reach_mm = rule.lane ? std::hypot(rates.radius_mm, rates.lane_mm) : rates.radius_mm;
+    const ResolvedTip& tip = *rates.tip;
+    const double reach_mm = rule.lane ? std::hypot(tip.radius_mm, tip.lane_mm) : tip.radius_mm;
     batch.gather(film, contact.x_mm, contact.y_mm, reach_mm, pass);
     return batch.count() > 0 ? plan_exchange(rule, batch) : WantedSums{};
 }

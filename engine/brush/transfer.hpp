@@ -60,9 +60,7 @@ struct Contact {
 /// Numbers that stay the same during a step.
 struct StepRates {
     const ResolvedTip* tip = nullptr;
-    double radius_mm = 0.0;  ///< of the footprint, as resolved
-    double lane_mm = 0.0;    ///< half width of a knife element's lane, 0 for bristles
-    float rate = 0.0F;       ///< 1 - e^(-ds / 0.8 r)
+    float rate = 0.0F;                                  ///< 1 - e^(-ds / 0.8 r)
     float film_mm = 0.0F, reach = 1.0F, pickup = 0.0F;  ///< the preset's, times the hand's factors
 };
 StepRates step_rates(const Brush& brush, const ResolvedTip& tip, const HandPose& hand, double step_mm);

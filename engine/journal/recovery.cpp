@@ -139,15 +139,24 @@ std::string damaged_place(const fs::path& folder, const JournalContent& content)
     return content.damaged_at ? file + ", byte " + std::to_string(*content.damaged_at) : file;
 }
 
+/// The start may have been told of already, as a painting.
+void add_new(const std::vector<std::string>& told, std::vector<std::string>& notes) {
+    for (const std::string& note : told)
+        if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+}
+
 /// All strokes since the canvas was bare, if there is no gap among them.
 std::optional<document::Recording> strokes_before(const fs::path& folder, const Candidate& candidate,
                                                   const JournalContent& content,
                                                   std::vector<std::string>& notes) {
     const Run* run = run_from(content, 0);
     if (!content.header || run == nullptr || run->end_event() < candidate.events) return std::nullopt;
-    document::Recording strokes{run->recording.canvas, {}, 0, run->recording.arithmetic};
-    if (!content.header->start.empty())
-        strokes = project::load_strokes(folder / content.header->start, notes);
+    document::Recording strokes{run->recording.canvas, {}, 0};
+    if (!content.header->start.empty()) {
+        std::vector<std::string> told;
+        strokes = project::load_strokes(folder / content.header->start, told);
+        add_new(told, notes);
+    }
     strokes.arithmetic = std::min(strokes.arithmetic, run->recording.arithmetic);
     strokes.events.insert(strokes.events.end(), run->recording.events.begin(),
                           run->recording.events.begin() +

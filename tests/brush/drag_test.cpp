@@ -62,7 +62,7 @@ TEST(Drag, GivesTheMomentumThatTheRuleSays) {
     contact.x_mm = 4.03, contact.y_mm = 3.98;
     const ExchangeRule rule = exchange_rule(brush, 0, contact, rates);
     CellBatch touched;
-    touched.gather(film, contact.x_mm, contact.y_mm, rates.radius_mm);
+    touched.gather(film, contact.x_mm, contact.y_mm, tip.radius_mm);
     PaintDrag drag;
     const DragRates drag_by = drag_rates(brush, tip, hand, step_mm);
     if (drag.find(rule, drag_by, touched, film)) drag.apply(drag_by, film);
@@ -72,7 +72,7 @@ TEST(Drag, GivesTheMomentumThatTheRuleSays) {
     const auto weight = [&](int x, int y) {
         const double dx = (x + 0.5) * film.cell_mm - contact.x_mm;
         const double dy = (y + 0.5) * film.cell_mm - contact.y_mm;
-        const double rho2 = (dx * dx + dy * dy) / (rates.radius_mm * rates.radius_mm);
+        const double rho2 = (dx * dx + dy * dy) / (tip.radius_mm * tip.radius_mm);
         return std::max(0.0, 1.0 - rho2) * (1.0 + tip.crown * rho2);
     };
     double expected_x = 0.0, expected_y = 0.0, given_x = 0.0, given_y = 0.0;

@@ -5,6 +5,7 @@
 #include "document/well_session.hpp"
 #include "files/temporary_folder.hpp"
 #include "journal/journals.hpp"
+#include "source_file.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -147,6 +148,23 @@ TEST_F(Recovery, DamageBeforeACheckpointCostsTheStrokesAlone) {
     EXPECT_EQ(document::state_hash(recovered.painting), hash_of_replay(recording, pool));
     EXPECT_THAT(recovered.strokes.events, IsEmpty());
     EXPECT_THAT(recovered.notes, ElementsAre(HasSubstr("some of its strokes are missing")));
+}
+
+TEST_F(Recovery, ThatAPaintingIsOfAnEarlierArithmeticIsSaidOnce) {
+    const fs::path old = tests::source_file("tests/project/format-3.pastoso");
+    const document::PaintingState painting = project::load_project(old, pool).painting;
+    fs::path journal;
+    {
+        JournalWriter writer(folder,
+                             {.canvas = painting.value.bare->settings,
+                              .tick = painting.tick,
+                              .painting = old,
+                              .write_start = [&](const fs::path& path) { fs::copy_file(old, path); }});
+        writer.note({painting.tick, document::CleanBrush{}});
+        journal = writer.folder();
+    }
+    EXPECT_THAT(recover(journal, pool).notes,
+                ElementsAre(HasSubstr("were painted with an earlier version of the program")));
 }
 
 TEST_F(Recovery, AStrokeInProgressEndsThere) {

@@ -37,6 +37,7 @@ void ProjectFiles::watch(const document::Recording& recording) {
     studio_.easel().adopt(after);
     studio_.show_hand();
     studio_.show_published();
+    tell_arithmetic(recording);
 }
 
 void ProjectFiles::ask_to_put_up(const document::CanvasSettings& canvas) {

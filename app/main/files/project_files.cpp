@@ -103,6 +103,10 @@ void ProjectFiles::replay(const document::Recording& recording) {
     studio_.easel().lend_brush(true);
     studio_.easel().adopt(tools::hand_after(studio_.easel().hand(), recording.events));
     studio_.show_hand();
+    tell_arithmetic(recording);
+}
+
+void ProjectFiles::tell_arithmetic(const document::Recording& recording) {
     const std::string older = document::arithmetic_note(recording.arithmetic);
     if (!older.empty()) studio_.report_notes({}, {"Its strokes " + older});
 }

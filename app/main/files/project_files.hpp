@@ -101,6 +101,7 @@ class ProjectFiles : public QObject {
     std::unique_ptr<journal::JournalWriter> begun_journal(
         const session::PaintSession::BeginJournal& begin);
     void take_up_hand(const document::Recording& past);
+    void tell_arithmetic(const document::Recording& recording);
     void try_to_open(const QString& path);
     bool ask_save_painting();  ///< false: the painter thought better of it
     bool save_to(const QString& path);
