@@ -7,7 +7,7 @@ namespace pastoso::brush {
 
 /// What a cell of side 1 adds to a footprint's mean square radius. A triangle as wide as two cells has
 /// 1/3; a little more leaves no dots (docs/decisions/0053-means-over-cells.md).
-inline constexpr double kCellMeanSquare = 0.48;
+inline constexpr double kCellMeanSquare = 0.54;
 
 /// The radius of a footprint whose mean square radius is that of a tool's own and of a cell together.
 /// `own` and `resolved` are the mean squares of both in squares of their radii.

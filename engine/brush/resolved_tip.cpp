@@ -10,7 +10,7 @@ namespace pastoso::brush {
 namespace {
 
 /// Radii, in cells, up to which a footprint has no edge and from which it has the whole of it.
-constexpr double kSoftRadius_cells = 2.5, kFirmRadius_cells = 3.9;
+constexpr double kSoftRadius_cells = 2.5, kFirmRadius_cells = 3.4;
 /// Half widths of the means over a groove and over hairs. Grooves are as wide as a footprint and keep
 /// their slopes with the narrower one; hairs need the wider one to leave no dots.
 constexpr double kGrooveMean_cells = 1.5, kHairMean_cells = 2.5;
@@ -23,6 +23,8 @@ constexpr int kLeastSegments = 16;
 constexpr double kKnifeHairs = 0.6;
 /// Height of a groove's bottom above tau, in depths of the groove.
 constexpr double kGrooveRise = 0.25;
+/// What weighs less is not touched: soft footprints have a wide rim of next to nothing.
+constexpr double kLeastTouch = 0.02;
 /// Keeps means finite at the ends of a footprint.
 constexpr double kLeastWeight = 1e-6;
 
@@ -45,6 +47,18 @@ double mean_weight(double crown) {
 /// Mean square of rho under that weight.
 double mean_square(double crown) {
     return (2.0 + crown) / (6.0 + 2.0 * crown);
+}
+
+/// Radius, of 1, beyond which the weight is below kLeastTouch.
+double reach_of(double crown) {
+    // With x = rho^2: crown x^2 + (1 - crown) x = 1 - kLeastTouch, the root written for crown = 0 too.
+    const double b = 1.0 - crown, rest = 1.0 - kLeastTouch;
+    return std::sqrt(2.0 * rest / (b + std::sqrt(b * b + 4.0 * crown * rest)));
+}
+
+/// A footprint that cells widen goes on longer steps.
+double stride_mm(double own_mm, double resolved_mm, double cell_mm) {
+    return std::max(own_mm, std::min((2.0 * own_mm + resolved_mm) / 3.0, kSoftRadius_cells * cell_mm));
 }
 
 /// Heights of the hairs between their tips, s from -1 to 1.
@@ -125,6 +139,8 @@ ResolvedTip resolve(const Tip& tip, const PaintPreset& paint, double cell_mm) {
     resolved.crown = static_cast<float>(crown);
     resolved.radius_mm =
         resolved_radius_mm(tip.radius_mm, mean_square(1.0), mean_square(crown), cell_mm);
+    resolved.stride_mm = stride_mm(tip.radius_mm, resolved.radius_mm, cell_mm);
+    resolved.reach_mm = reach_of(crown) * resolved.radius_mm;
     resolved.lane_mm = tip.rigid ? std::max(tip.lane_mm, cell_mm) : 0.0;
     const double along = tip.radius_mm / resolved.radius_mm;
     const double across = tip.rigid ? tip.lane_mm / resolved.lane_mm : along;

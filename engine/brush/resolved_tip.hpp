@@ -4,7 +4,7 @@
 // With a the side of a cell, r the radius of a bristle's footprint and rho the distance from its middle
 // in radii R of the resolved one, the footprint weighs
 //
-//   w(rho) = (1 - rho^2) (1 + crown rho^2),   R^2 = (3/8 r^2 + 0.48 a^2) (6 + 2 crown) / (2 + crown).
+//   w(rho) = (1 - rho^2) (1 + crown rho^2),   R^2 = (3/8 r^2 + 0.54 a^2) (6 + 2 crown) / (2 + crown).
 //
 // Its mean square radius is that of 1 - rho^4 on the radius r and of a cell together. Where cells are
 // fine it is 1 - rho^4 (crown 1), flat on top; where they are coarse (1 - rho^2)^2 (crown -1), which
@@ -32,6 +32,8 @@ namespace pastoso::brush {
 
 struct ResolvedTip {
     double radius_mm = 0.0;  ///< R; half length of a knife's lane
+    double reach_mm = 0.0;   ///< w is below 0.02 beyond it, and left out
+    double stride_mm = 0.0;  ///< of the preset's spacing: (2 r + R) / 3 up to 2.5 a, at least r
     double lane_mm = 0.0;    ///< half width of a knife element's lane, 0 for bristles
     float crown = 1.0F;      ///< -1 to 1
     float cover = 1e6F;      ///< share of a cell that a bristle covers, over its weight there

@@ -53,10 +53,11 @@ int most_strips(const Brush& brush, const core::ThreadPool* pool) {
     return alone ? 1 : pool->thread_count();
 }
 
-double step_length_mm(const Brush& brush) {
+double step_length_mm(const Brush& brush, const ResolvedTip& resolved) {
     const StrokePreset& stroke = brush.preset.stroke;
-    return std::max(stroke.spacing * std::max(brush.tip.radius_mm, kLeastStepRadius_mm),
-                    stroke.min_spacing_mm);
+    const bool touches = brush.preset.kind == ToolKind::Contact;
+    const double stride_mm = touches ? resolved.stride_mm : brush.tip.radius_mm;
+    return std::max(stroke.spacing * std::max(stride_mm, kLeastStepRadius_mm), stroke.min_spacing_mm);
 }
 
 /// A tip has passed over a cell when it has travelled by its own depth, with what its hairs trail
@@ -68,10 +69,9 @@ double pass_length_mm(const Brush& brush) {
     return kPassDepths * depth_mm + kPassRadii * brush.tip.radius_mm;
 }
 
-PathMeasure path_measure(const Brush& brush) {
-    if (brush.preset.kind != ToolKind::Contact)
-        return {step_length_mm(brush), kPressureSteps * step_length_mm(brush), 0.0};
-    return {step_length_mm(brush),
+PathMeasure path_measure(const Brush& brush, double step_mm) {
+    if (brush.preset.kind != ToolKind::Contact) return {step_mm, kPressureSteps * step_mm, 0.0};
+    return {step_mm,
             kPressSlide * brush.preset.flex.press_depth * brush.preset.tip.length_mm,
             0.5 * brush.tip.half_width_mm};
 }
@@ -124,12 +124,12 @@ Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const 
       film_(film),
       limit_(limit),
       resolved_(resolve(brush.tip, brush.preset.paint, film.cell_mm)),
-      step_mm_(step_length_mm(brush)),
+      step_mm_(step_length_mm(brush, resolved_)),
       turns_(turns_of(brush)),
       guide_(aids.guide),
       placement_(placement),
       filter_(steadying_filter(brush.preset.stroke, aids.stabiliser)),
-      path_(path_measure(brush)),
+      path_(path_measure(brush, step_mm_)),
       poses_(brush.tip.bristles.size()),
       cells_(limit),
       pass_(film.shape, pass_length_mm(brush)),

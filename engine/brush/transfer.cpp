@@ -8,8 +8,8 @@ namespace pastoso::brush {
 
 namespace {
 
-/// Path length after which a bristle has closed 1 - 1/e of the gap, in footprint radii.
-constexpr double kClosingLength_radii = 0.8;
+/// Path length after which a bristle has closed 1 - 1/e of the gap, in strides.
+constexpr double kClosingLength_strides = 0.8;
 /// Film against fill: sat = (1 + k) f / (f + k), 1 for a full bristle.
 constexpr float kStarvation = 0.22F;
 /// By how much less a bristle without body reaches than the thickest, in saturations.
@@ -112,8 +112,9 @@ WantedSums limit_plan(CellBatch& batch, WantedSums wanted) {
 StepRates step_rates(const Brush& brush, const ResolvedTip& tip, const HandPose& hand, double step_mm) {
     StepRates rates;
     rates.tip = &tip;
-    const double closing_mm = kClosingLength_radii * brush.tip.radius_mm;
-    rates.rate = static_cast<float>(1.0 - std::exp(-step_mm / closing_mm));
+    const double closing_mm = kClosingLength_strides * tip.stride_mm;
+    const double closed = tip.stride_mm / brush.tip.radius_mm * (1.0 - std::exp(-step_mm / closing_mm));
+    rates.rate = static_cast<float>(std::min(1.0, closed));
     rates.film_mm = static_cast<float>(brush.preset.paint.film_mm * hand.film);
     rates.reach = static_cast<float>(brush.preset.paint.reach * hand.reach);
     rates.pickup = static_cast<float>(std::min(1.0, brush.preset.exchange.pickup * hand.pickup));
@@ -159,7 +160,7 @@ WantedSums plan_exchange(const ExchangeRule& rule, CellBatch& batch) {
 WantedSums plan_touch(const ExchangeRule& rule, const Contact& contact, const StepRates& rates,
                       const film::FilmState& film, CellBatch& batch, PassMap* pass) {
     const ResolvedTip& tip = *rates.tip;
-    const double reach_mm = rule.lane ? std::hypot(tip.radius_mm, tip.lane_mm) : tip.radius_mm;
+    const double reach_mm = rule.lane ? std::hypot(tip.radius_mm, tip.lane_mm) : tip.reach_mm;
     batch.gather(film, contact.x_mm, contact.y_mm, reach_mm, pass);
     return batch.count() > 0 ? plan_exchange(rule, batch) : WantedSums{};
 }

@@ -17,14 +17,15 @@
 //
 // so that a full brush covers the hollows of the weave and a starved one, thin bristles first, only its
 // crowns. In a step ds, with the weight w(rho) of the footprint (brush/resolved_tip.hpp; 1 - rho^4 where
-// cells are fine), the gap g = z - c - h and the share q = (1 - e^(-ds / 0.8 r)) w chi,
+// cells are fine), the gap g = z - c - h and the share q = min(1, L (1 - e^(-ds / 0.8 L r))) w chi,
 //
 //   g > 0: the cell gains q (C (z - c) - h), C the share of it that is covered (a bristle gives at most
 //          half of what it holds),
 //   g < 0: it loses q |g| pickup, at most nine tenths of h,
 //   and equal volumes q mix (0.4 + 1.2 body) min(h, h_0, V / 2 area) are swapped,
 //
-// h_0 being what the tip found there when it came: nothing is swapped with paint that the stroke itself
+// L r being the stride of the tip (L = 1 where cells are fine; longer steps do as much as shorter ones),
+// h_0 what the tip found there when it came: nothing is swapped with paint that the stroke itself
 // has just laid down, which would blur its streaks.
 //
 // C = min(1, cover w / max(E, 1 - sat)): a bristle that is alone, at the edge of the stroke or with its
@@ -60,7 +61,7 @@ struct Contact {
 /// Numbers that stay the same during a step.
 struct StepRates {
     const ResolvedTip* tip = nullptr;
-    float rate = 0.0F;                                  ///< 1 - e^(-ds / 0.8 r)
+    float rate = 0.0F;                                  ///< min(1, L (1 - e^(-ds / 0.8 L r)))
     float film_mm = 0.0F, reach = 1.0F, pickup = 0.0F;  ///< the preset's, times the hand's factors
 };
 StepRates step_rates(const Brush& brush, const ResolvedTip& tip, const HandPose& hand, double step_mm);
