@@ -18,7 +18,7 @@ constexpr std::uint32_t kMixStream = 9001;
 /// twelfth of the width wide, and some difference between neighbours.
 double mixed_share(const MixedLoad& paint, const Tip& tip, std::uint32_t index) {
     const double u = tip.bristles[index].root_x_mm / tip.half_width_mm;
-    const std::uint32_t stream = tip.seed + kMixStream;
+    const std::uint32_t stream = tip.dip_seed + kMixStream;
     if (paint.side_by_side) return u < 0.0 ? 0.0 : 1.0;
     const double broad = film::smooth_noise(3.0 * u, stream);
     const double narrow = film::smooth_noise(6.0 * u, stream + 1);
@@ -49,11 +49,6 @@ float dipped_to_mm(const Tip& tip) {
     return heights_mm[last];
 }
 
-/// What a bristle takes up in a full dip, of its capacity.
-double share_of_full(const Tip& tip, std::size_t bristle) {
-    return tip.rigid ? 1.0 : 0.4 + 0.6 * tip.bristles[bristle].body;
-}
-
 void check_paint(const film::PaintCoefficients& paint) {
     for (const float coefficient : paint) {
         PASTOSO_CHECK(coefficient >= 0.0F && coefficient <= kStrongestPaint_per_mm);
@@ -80,7 +75,10 @@ Contents paint_of(const MixedLoad& paint, double second_share, double volume_mm3
 }  // namespace
 
 Brush::Brush(const Preset& kind, double width_mm, std::uint32_t seed)
-    : preset(resized(kind, width_mm)), tip(make_tip(preset, seed)), held(tip.bristles.size()) {}
+    : preset(resized(kind, width_mm)),
+      piece(seed),
+      tip(make_tip(preset, piece)),
+      held(tip.bristles.size()) {}
 
 Contents Brush::load(const film::PaintCoefficients& paint, double fill) {
     return load(MixedLoad{.first = paint}, fill);
@@ -92,6 +90,7 @@ Contents Brush::load(const MixedLoad& paint, double fill) {
     check_paint(paint.second);
     Contents taken;
     if (preset.exchange.absorbs) return taken;
+    gather_hairs();
     if (!holds_paint()) consistencies = {};
     consistencies.add(film::consistency_of(paint.first));
     if (takes_second(paint)) consistencies.add(film::consistency_of(paint.second));
@@ -100,7 +99,7 @@ Contents Brush::load(const MixedLoad& paint, double fill) {
         const Bristle& bristle = tip.bristles[i];
         if (end_height_mm(bristle) > deepest_mm) continue;
         const double wanted_mm3 =
-            tip.capacity_mm3 * std::min(fill * share_of_full(tip, i), preset.exchange.overflow);
+            tip.capacity_mm3 * std::min(fill * bristle.full_dip, preset.exchange.overflow);
         const double missing_mm3 = std::max(0.0, wanted_mm3 - held[i].volume_mm3);
         const double share = mixed_share(paint, tip, static_cast<std::uint32_t>(i));
         const Contents dip = paint_of(paint, share, missing_mm3);
@@ -111,17 +110,32 @@ Contents Brush::load(const MixedLoad& paint, double fill) {
 }
 
 double Brush::full_dip_mm3(std::size_t bristle) const {
-    return tip.capacity_mm3 * std::min(share_of_full(tip, bristle), preset.exchange.overflow);
+    return tip.capacity_mm3 * std::min(tip.bristles[bristle].full_dip, preset.exchange.overflow);
 }
 
 Contents Brush::clean(double share) {
     PASTOSO_CHECK(share >= 0.0 && share <= 1.0);
     const Contents before = contents();
+    if (share > 0.0 && share < 1.0) gather_hairs();
     for (Contents& bristle : held)
         bristle = share < 1.0 ? scaled(bristle, 1.0 - share) : Contents{};
     Contents taken = before;
     taken -= contents();
     return taken;
+}
+
+void Brush::gather_hairs() {
+    gathering = {gathering.number + 1, 0.0};
+    shape_tip();
+}
+
+void Brush::wear(double travel_mm) {
+    gathering.worn_mm += travel_mm;
+    shape_tip();
+}
+
+void Brush::shape_tip() {
+    if (preset.paint.gather > 0.0) tip = make_tip(preset, piece, gathering);
 }
 
 Contents Brush::take_thrown_away() {

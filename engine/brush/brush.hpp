@@ -30,11 +30,13 @@ struct Brush {
 
     /// Dips the brush: every bristle that holds less than `fill` of what it can take (0 to 1.2; thin
     /// bristles take less) is topped up with paint of these coefficients (each 0 to
-    /// kStrongestPaint_per_mm), up to the preset's overflow. Returns the paint taken.
+    /// kStrongestPaint_per_mm), up to the preset's overflow. Gathers the hairs anew. Returns the paint
+    /// taken.
     Contents load(const film::PaintCoefficients& paint, double fill);
     Contents load(const MixedLoad& paint, double fill);
 
-    /// Takes paint off, that share (0 to 1) of what every bristle holds, and returns it.
+    /// Takes paint off, that share (0 to 1) of what every bristle holds, and returns it. Hairs that keep
+    /// some are gathered anew.
     Contents clean(double share = 1.0);
 
     /// Hands over what an absorbing tool has thrown away since the last call.
@@ -50,7 +52,17 @@ struct Brush {
     /// Bristle's volume against its capacity; a full one has 1.
     double fill_of(int bristle) const { return held[bristle].volume_mm3 / tip.capacity_mm3; }
 
+    void gather_hairs();
+
+    /// The hand has travelled so far since the last call: the hairs part again.
+    void wear(double travel_mm);
+
+    /// Makes the tip anew from what it follows from.
+    void shape_tip();
+
     Preset preset;  ///< resized
+    std::uint32_t piece = 1;  ///< the seed
+    Gathering gathering;
     Tip tip;
     std::vector<Contents> held;         ///< one per bristle
     film::Consistencies consistencies;  ///< of what they hold; a brush that holds nothing may name some

@@ -57,6 +57,7 @@ struct PaintPreset {
     double groove = 0.5;    ///< ridges between bristles, in films; 0 to 3
     double hair = 0.35;     ///< streaks of single hairs, in films; 0 to 5
     double streak = 0.75;   ///< difference from bristle to bristle; 0 to 1
+    double gather = 0.0;    ///< how far each dip gathers the hairs anew; 0 to 1
     double edge = 0.7;      ///< extra film along the edges of the stroke; 0 to 3
     double start = 0.5;     ///< extra film where the stroke starts; 0 to 5
     double leave = 0.0;     ///< share of the load that stays behind on lifting; 0 to 1

@@ -22,7 +22,7 @@ struct Range {
 
 template <auto kPart, auto kNumber>
 constexpr PresetField row(std::string_view section, std::string_view key, std::string_view unit,
-                          Range range, std::string_view meaning) {
+                          Range range, std::string_view meaning, int since) {
     using Part = std::remove_reference_t<decltype(Preset{}.*kPart)>;
     constexpr bool kWhole = std::is_integral_v<std::remove_reference_t<decltype(Part{}.*kNumber)>>;
     return {section,
@@ -32,44 +32,45 @@ constexpr PresetField row(std::string_view section, std::string_view key, std::s
             range.high,
             kWhole,
             meaning,
+            since,
             get<kPart, kNumber>,
             set<kPart, kNumber>};
 }
 
 template <auto kNumber>
 constexpr PresetField tip(std::string_view key, std::string_view unit, Range range,
-                          std::string_view meaning) {
-    return row<&Preset::tip, kNumber>("tip", key, unit, range, meaning);
+                          std::string_view meaning, int since = 2) {
+    return row<&Preset::tip, kNumber>("tip", key, unit, range, meaning, since);
 }
 template <auto kNumber>
 constexpr PresetField flex(std::string_view key, std::string_view unit, Range range,
-                           std::string_view meaning) {
-    return row<&Preset::flex, kNumber>("flex", key, unit, range, meaning);
+                           std::string_view meaning, int since = 2) {
+    return row<&Preset::flex, kNumber>("flex", key, unit, range, meaning, since);
 }
 template <auto kNumber>
 constexpr PresetField paint(std::string_view key, std::string_view unit, Range range,
-                            std::string_view meaning) {
-    return row<&Preset::paint, kNumber>("paint", key, unit, range, meaning);
+                            std::string_view meaning, int since = 2) {
+    return row<&Preset::paint, kNumber>("paint", key, unit, range, meaning, since);
 }
 template <auto kNumber>
 constexpr PresetField exchange(std::string_view key, std::string_view unit, Range range,
-                               std::string_view meaning) {
-    return row<&Preset::exchange, kNumber>("exchange", key, unit, range, meaning);
+                               std::string_view meaning, int since = 2) {
+    return row<&Preset::exchange, kNumber>("exchange", key, unit, range, meaning, since);
 }
 template <auto kNumber>
 constexpr PresetField stroke(std::string_view key, std::string_view unit, Range range,
-                             std::string_view meaning) {
-    return row<&Preset::stroke, kNumber>("stroke", key, unit, range, meaning);
+                             std::string_view meaning, int since = 2) {
+    return row<&Preset::stroke, kNumber>("stroke", key, unit, range, meaning, since);
 }
 template <auto kNumber>
 constexpr PresetField droplets(std::string_view key, std::string_view unit, Range range,
-                               std::string_view meaning) {
-    return row<&Preset::droplets, kNumber>("droplets", key, unit, range, meaning);
+                               std::string_view meaning, int since = 2) {
+    return row<&Preset::droplets, kNumber>("droplets", key, unit, range, meaning, since);
 }
 template <auto kNumber>
 constexpr PresetField air(std::string_view key, std::string_view unit, Range range,
-                          std::string_view meaning) {
-    return row<&Preset::air, kNumber>("air", key, unit, range, meaning);
+                          std::string_view meaning, int since = 2) {
+    return row<&Preset::air, kNumber>("air", key, unit, range, meaning, since);
 }
 
 constexpr PresetField kFields[] = {
@@ -100,6 +101,8 @@ constexpr PresetField kFields[] = {
     paint<&PaintPreset::groove>("groove", "", {0.0, 3.0}, "Ridges between bristles, in films."),
     paint<&PaintPreset::hair>("hair", "", {0.0, 5.0}, "Streaks of single hairs, in films."),
     paint<&PaintPreset::streak>("streak", "", {0.0, 1.0}, "Difference from bristle to bristle."),
+    paint<&PaintPreset::gather>("gather", "", {0.0, 1.0},
+                                "How far each dip gathers the hairs anew; 0: never.", 3),
     paint<&PaintPreset::edge>("edge", "", {0.0, 3.0}, "Extra film along the edges, in films."),
     paint<&PaintPreset::start>("start", "", {0.0, 5.0}, "Extra film where the stroke starts."),
     paint<&PaintPreset::leave>("leave", "", {0.0, 1.0}, "Share of the load that stays on lifting."),

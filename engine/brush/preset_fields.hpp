@@ -16,6 +16,7 @@ struct PresetField {
     double low, high;          ///< both allowed
     bool whole;                ///< takes whole numbers only
     std::string_view meaning;  ///< for painters, a line
+    int since;                 ///< the version of the format that has it first; before, the default
     double (*get)(const Preset&);
     void (*set)(Preset&, double);
 };

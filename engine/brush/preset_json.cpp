@@ -138,11 +138,12 @@ std::vector<std::string_view> known_sections(ToolKind kind) {
 }
 
 /// Reads the numbers of one section; one that tools of this kind do not have is left out.
-void read_numbers(const Section& root, std::string_view section_name, Preset& preset) {
+void read_numbers(const Section& root, std::string_view section_name, int version, Preset& preset) {
     std::vector<std::string_view> keys = other_keys(section_name, preset.kind);
     std::vector<const PresetField*> fields;
     for (const PresetField& field : preset_fields()) {
-        if (field.section != section_name || !applies_to(field, preset.kind)) continue;
+        if (field.section != section_name || !applies_to(field, preset.kind) || field.since > version)
+            continue;
         fields.push_back(&field);
         keys.push_back(field.key);
     }
@@ -232,7 +233,8 @@ Json parse_json(std::string_view text, const std::string& file_name) {
 Preset parse_preset(std::string_view json_text, const std::string& file_name) {
     const Json json = parse_json(json_text, file_name);
     const Section root(json, file_name, "");
-    root.whole_number("version", {kPresetVersion, kPresetVersion});
+    constexpr int kOldestRead = 2;
+    const auto version = static_cast<int>(root.whole_number("version", {kOldestRead, kPresetVersion}));
     Preset preset;
     preset.kind = root.choice("kind", kKindNames);
     root.check_fields(known_sections(preset.kind));
@@ -241,7 +243,7 @@ Preset parse_preset(std::string_view json_text, const std::string& file_name) {
     if (preset.name.empty()) root.fail("name", "is empty");
     preset.dips = root.truth("dips");
     for (const std::string_view section : kPresetSections)
-        read_numbers(root, section, preset);
+        read_numbers(root, section, version, preset);
     if (preset.kind == ToolKind::Contact) {
         read_tip_shape(root, preset);
         preset.exchange.absorbs = root.section("exchange").truth("absorbs");

@@ -13,7 +13,7 @@ struct Named {
     T value;
 };
 
-inline constexpr int kPresetVersion = 2;
+inline constexpr int kPresetVersion = 3;
 inline constexpr std::size_t kMostCurvePoints = 64;
 
 inline constexpr Named<ToolKind> kKindNames[] = {

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSoftRadius_cells = 2.5, kFirmRadius_cells = 3.4;
 /// Half widths of the means over a groove and over hairs. Grooves are as wide as a footprint and keep
 /// their slopes with the narrower one; hairs need the wider one to leave no dots.
-constexpr double kGrooveMean_cells = 1.5, kHairMean_cells = 2.5;
+constexpr double kGrooveMean_cells = 1.65, kHairMean_cells = 2.5;
 /// Of a cell in whose middle a footprint ends: half of it, and as much as strokes need to hold the
 /// volume that they have on finer cells.
 constexpr double kRimCover = 0.7;

@@ -1,5 +1,6 @@
 #include "brush/stroke_group.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace pastoso::brush {
@@ -41,6 +42,7 @@ void StrokeGroup::end() {
     }
     for (Stroke& stroke : strokes_)
         stroke.end();
+    brush_.wear(travel_mm_);
 }
 
 void StrokeGroup::pass_time(double seconds) {
@@ -79,11 +81,14 @@ std::vector<grid::Rect> StrokeGroup::take_changed_cells() {
 }
 
 void StrokeGroup::begin_strokes(const PenSample& sample) {
+    last_ = sample;
     for (Stroke& stroke : strokes_)
         stroke.begin(sample);
 }
 
 void StrokeGroup::add_to_strokes(const PenSample& sample) {
+    travel_mm_ += std::hypot(sample.x_mm - last_.x_mm, sample.y_mm - last_.y_mm);
+    last_ = sample;
     for (Stroke& stroke : strokes_)
         stroke.add(sample);
 }

@@ -12,7 +12,7 @@ namespace pastoso::brush {
 /// Paints with the brush in hand and, under a symmetry, with a brush of the same kind for every other
 /// copy. These hold at first what the brush in hand holds, that much more paint, and live as long as the
 /// group. Sample by sample the copies paint in turn, in the order of placements(). A straight line is
-/// painted when the pen lifts. Otherwise like Stroke.
+/// painted when the pen lifts; then the hairs of the brush are worn by the way. Otherwise like Stroke.
 class StrokeGroup {
   public:
     StrokeGroup(Brush& brush, film::FilmState& film, const HandAids& aids, const Symmetry& symmetry,
@@ -43,6 +43,8 @@ class StrokeGroup {
 
     HandAids aids_;
     std::vector<PenSample> line_;  ///< of a straight line that is not painted yet
+    PenSample last_;
+    double travel_mm_ = 0.0;
     Brush& brush_;
     std::deque<Brush> copies_;
     std::deque<Stroke> strokes_;  ///< the first with the brush in hand

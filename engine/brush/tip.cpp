@@ -21,8 +21,11 @@ enum Stream : std::uint32_t {
     kBody,
     kHair,
     kFanDeficit,
+    kClumpX,
+    kClumpY,
     kClump = 32,
-    kClumpDeficit = 64
+    kClumpDeficit = 64,
+    kClumpUptake = 96
 };
 
 /// Half width of a comb's tooth, in distances of its teeth.
@@ -92,10 +95,100 @@ double clump_noise(double u, std::uint32_t seed) {
     return sum;
 }
 
+/// The noises of a tip, mean 0.5: its own and those of its latest dip.
+class TipNoise {
+  public:
+    TipNoise(std::uint32_t own, std::uint32_t dip, double gathered)
+        : own_(own),
+          dip_(dip),
+          own_weight_(std::sqrt(1.0 - gathered)),
+          dip_weight_(std::sqrt(gathered)) {}
+
+    std::uint32_t own_seed() const { return own_; }
+
+    double uniform(std::uint32_t index, Stream stream) const {
+        return blended(uniform_noise(index, own_ + stream), uniform_noise(index, dip_ + stream));
+    }
+    double clump(double u, Stream stream) const {
+        return blended(clump_noise(u, own_ + stream), clump_noise(u, dip_ + stream));
+    }
+
+  private:
+    double blended(double own, double dip) const {
+        return 0.5 + own_weight_ * (own - 0.5) + dip_weight_ * (dip - 0.5);
+    }
+
+    std::uint32_t own_, dip_;
+    double own_weight_, dip_weight_;
+};
+
 /// What makes a bristle thick or thin, mean 0.5 before the tip is levelled.
-double body_noise(double u, std::uint32_t index, std::uint32_t seed) {
-    const double raw = 0.65 * clump_noise(u, seed + kClump) + 0.35 * uniform_noise(index, seed + kBody);
+double body_noise(double u, std::uint32_t index, const TipNoise& noise) {
+    const double raw = 0.65 * noise.clump(u, kClump) + 0.35 * noise.uniform(index, kBody);
     return 0.5 + 1.9 * (raw - 0.5);
+}
+
+/// How far the hairs are gathered, 0 to 1: less and less as the brush empties.
+double gathered_share(const PaintPreset& paint, const Gathering& gathering) {
+    if (gathering.number == 0) return 0.0;
+    return paint.gather * std::exp(-gathering.worn_mm / (2.0 * paint.run_mm));
+}
+
+/// Where a bristle goes when wet hairs clump: along with its surroundings, and towards the middle of its
+/// clump, each clump as firmly as chance has it.
+float clumped_mm(float place_mm, double gathered, std::uint32_t seed) {
+    constexpr double kClump_mm = 1.2, kFirmest = 0.7, kSway_mm = 3.0, kFarthest_mm = 0.7;
+    const double place = place_mm / kClump_mm + uniform_noise(0, seed);
+    const double clump = std::floor(place);
+    const auto index = static_cast<std::uint32_t>(static_cast<std::int32_t>(clump));
+    const double firmness = kFirmest * uniform_noise(index + 1, seed);
+    const double sway = 2.0 * film::smooth_noise(place_mm / kSway_mm, seed) - 1.0;
+    const double moved_mm = kFarthest_mm * sway + firmness * (clump + 0.5 - place) * kClump_mm;
+    return static_cast<float>(place_mm + gathered * moved_mm);
+}
+
+/// Draws the hairs together along both sides of the tip.
+void draw_together(double gathered, Tip& tip) {
+    for (Bristle& bristle : tip.bristles) {
+        bristle.root_x_mm = clumped_mm(bristle.root_x_mm, gathered, tip.dip_seed + kClumpX);
+        bristle.root_y_mm = clumped_mm(bristle.root_y_mm, gathered, tip.dip_seed + kClumpY);
+    }
+}
+
+/// That of bristles whose noise is 0.5.
+double mean_body(double streak) {
+    return 1.0 - streak + streak * 1.25 * 0.5;
+}
+
+/// Thin bristles take up less, those of a knife as much as each other.
+double dip_of_body(bool rigid, double body) {
+    return rigid ? 1.0 : 0.4 + 0.6 * body;
+}
+
+/// Sets the mean of what full bristles hold, none more than `most`.
+void level_dips(double mean, double most, Tip& tip) {
+    double sum = 0.0, room = 0.0;
+    for (Bristle& bristle : tip.bristles) {
+        bristle.full_dip = std::min(bristle.full_dip, most);
+        sum += bristle.full_dip, room += most - bristle.full_dip;
+    }
+    const double missing = mean * static_cast<double>(tip.bristles.size()) - sum;
+    for (Bristle& bristle : tip.bristles)
+        bristle.full_dip += missing < 0.0 ? missing * bristle.full_dip / sum
+                                          : missing * (most - bristle.full_dip) / room;
+}
+
+/// Gives each clump its part of a dip, which is as much as any other dip of a tip of that streak.
+void share_dip(double gathered, const Preset& preset, Tip& tip) {
+    constexpr double kMostApart = 0.3, kContrast = 1.9;
+    for (Bristle& bristle : tip.bristles) {
+        const double u = bristle.root_x_mm / tip.half_width_mm;
+        const double noise = kContrast * (clump_noise(u, tip.dip_seed + kClumpUptake) - 0.5);
+        bristle.full_dip = dip_of_body(tip.rigid, bristle.body) *
+                           (1.0 + gathered * std::clamp(noise, -kMostApart, kMostApart));
+    }
+    if (gathered > 0.0)
+        level_dips(dip_of_body(tip.rigid, mean_body(preset.paint.streak)), preset.exchange.overflow, tip);
 }
 
 /// Makes the mean of the noise 0.5, whatever the seed, and turns it into body.
@@ -149,10 +242,11 @@ double point_profile(double radius) {
 
 /// Worn bristles: single hairs and whole clumps are shorter than the longest, few of them much, which
 /// gives the strokes their ragged ends. Sable wears less, a pad is domed.
-double deficit_of(const TipPreset& tip, const Place& place, std::uint32_t index, std::uint32_t seed) {
-    const double shake = uniform_noise(index, seed + kDeficit);
+double deficit_of(const TipPreset& tip, const Place& place, std::uint32_t index,
+                  const TipNoise& noise) {
+    const double shake = std::clamp(noise.uniform(index, kDeficit), 0.0, 1.0);
     const double clump =
-        std::clamp(0.5 + 1.8 * (clump_noise(place.u, seed + kClumpDeficit) - 0.5), 0.0, 1.0);
+        std::clamp(0.5 + 1.8 * (noise.clump(place.u, kClumpDeficit) - 0.5), 0.0, 1.0);
     if (tip.shape == TipShape::Pad) return tip.point_mm * (place.u * place.u + place.v * place.v);
     const bool round = tip.shape == TipShape::Round;
     const double wear = round ? 0.006 : 0.06;
@@ -160,21 +254,22 @@ double deficit_of(const TipPreset& tip, const Place& place, std::uint32_t index,
     if (round) deficit += tip.point_mm * point_profile(std::hypot(place.u, place.v));
     if (tip.shape == TipShape::Filbert) deficit += tip.point_mm * place.u * place.u;
     if (tip.shape == TipShape::Fan)
-        deficit += 0.05 * tip.length_mm * uniform_noise(index, seed + kFanDeficit);
+        deficit += 0.05 * tip.length_mm * std::clamp(noise.uniform(index, kFanDeficit), 0.0, 1.0);
     return deficit;
 }
 
 /// The bristle at a place; body holds its noise and the deficits are to be levelled.
-Bristle make_bristle(const Preset& preset, const Place& place, std::uint32_t index, std::uint32_t seed) {
+Bristle make_bristle(const Preset& preset, const Place& place, std::uint32_t index,
+                     const TipNoise& noise) {
     const TipPreset& tip = preset.tip;
     Bristle bristle;
     bristle.root_x_mm = static_cast<float>(0.5 * tip.width_mm * place.u);
     bristle.root_y_mm = static_cast<float>(0.5 * depth_of(tip) * place.v);
-    bristle.body = static_cast<float>(body_noise(place.u, index, seed));
+    bristle.body = static_cast<float>(body_noise(place.u, index, noise));
     if (tip.shape == TipShape::Fan) place_on_fan(place, tip, bristle);
     if (is_row(tip.shape)) return bristle;
-    bristle.deficit_mm = static_cast<float>(deficit_of(tip, place, index, seed));
-    bristle.stiffness = 0.8F + 0.4F * uniform_noise(index, seed + kStiffness);
+    bristle.deficit_mm = static_cast<float>(deficit_of(tip, place, index, noise));
+    bristle.stiffness = 0.8F + 0.4F * uniform_noise(index, noise.own_seed() + kStiffness);
     return bristle;
 }
 
@@ -207,10 +302,11 @@ std::vector<std::pair<int, int>> nearest_pairs(const std::vector<Bristle>& brist
     return pairs;
 }
 
-void add_hairs(Tip& tip, std::uint32_t seed) {
+void add_hairs(Tip& tip, const TipNoise& noise) {
     const auto count = tip.bristles.size() * static_cast<std::size_t>(tip.hair_count());
     for (std::size_t i = 0; i < count; ++i) {
-        tip.hairs.push_back(uniform_noise(static_cast<std::uint32_t>(i), seed + kHair) - 0.5F);
+        const double height = noise.uniform(static_cast<std::uint32_t>(i), kHair) - 0.5;
+        tip.hairs.push_back(static_cast<float>(std::clamp(height, -0.5, 0.5)));
     }
 }
 
@@ -228,7 +324,7 @@ Tip nozzle(const Preset& preset, std::uint32_t seed) {
 
 }  // namespace
 
-Tip make_tip(const Preset& preset, std::uint32_t seed) {
+Tip make_tip(const Preset& preset, std::uint32_t seed, const Gathering& gathering) {
     const std::uint32_t mixed_seed = core::scramble(core::scramble(preset.tip.seed) + seed);
     if (preset.kind != ToolKind::Contact) return nozzle(preset, mixed_seed);
     const bool row = is_row(preset.tip.shape);
@@ -243,14 +339,19 @@ Tip make_tip(const Preset& preset, std::uint32_t seed) {
     tip.radius_mm = row ? 0.5 * preset.tip.thickness_mm : 0.72 * std::sqrt(tip.area_mm2);
     const double lane_share = preset.tip.shape == TipShape::Comb ? kToothShare : 1.0;
     tip.lane_mm = row ? lane_share * preset.tip.width_mm / count : 0.0;
+    const double gathered = gathered_share(preset.paint, gathering);
+    tip.dip_seed = gathered > 0.0 ? core::scramble(mixed_seed + gathering.number) : mixed_seed;
+    const TipNoise noise(mixed_seed, tip.dip_seed, gathered);
     std::uint32_t index = 0;
     for (const Place& place : row ? edge_places(count) : places(preset.tip, mixed_seed)) {
-        tip.bristles.push_back(make_bristle(preset, place, index++, mixed_seed));
+        tip.bristles.push_back(make_bristle(preset, place, index++, noise));
     }
+    if (!row) draw_together(gathered, tip);
     level_bodies(preset.paint.streak, tip);
+    share_dip(gathered, preset, tip);
     level_deficits(tip);
     measure_distances(tip);
-    add_hairs(tip, mixed_seed);
+    add_hairs(tip, row ? TipNoise(mixed_seed, mixed_seed, 0.0) : noise);
     tip.neighbours = nearest_pairs(tip.bristles);
     return tip;
 }

@@ -1,5 +1,5 @@
-// The tip of a brush: where its bristles are rooted and how they differ from each other. Made once from
-// a preset and a seed, then never changed. A knife or a comb is a row of stiff elements along its edge,
+// The tip of a brush: where its bristles are and how they differ from each other. It follows from a
+// preset, a seed and how the hairs were gathered, and never changes during a stroke. A knife or a comb is a row of stiff elements along its edge,
 // a pad a disc or oval of soft ones without hairs.
 #pragma once
 
@@ -19,6 +19,14 @@ struct Bristle {
     float deficit_mm = 0.0F;    ///< how much shorter than the longest, >= 0
     float stiffness = 1.0F;     ///< 0.8 to 1.2
     float body = 1.0F;          ///< film it leaves against the preset's film, 0.03 to 1.4
+    double full_dip = 1.0;      ///< what it takes up in a full dip, of the capacity
+};
+
+/// How paint drew the hairs of a piece together.
+struct Gathering {
+    std::uint32_t number = 0;  ///< of dips and wipes so far; 0: the hairs lie as they are made
+    double worn_mm = 0.0;      ///< that the hand has travelled since the latest of them
+    friend bool operator==(const Gathering&, const Gathering&) = default;
 };
 
 struct Tip {
@@ -27,6 +35,7 @@ struct Tip {
     /// Pairs of bristles close enough to pass paint on, first < second.
     std::vector<std::pair<int, int>> neighbours;
     std::uint32_t seed = 0;  ///< of everything random about this piece
+    std::uint32_t dip_seed = 0;  ///< of its latest gathering; the piece's where none shows
     int hairs_per_bristle = 16;
     bool rigid = false;           ///< the edge of a knife or a comb
     bool mirrored = false;        ///< seen in a mirror: what leans left leans right
@@ -48,6 +57,11 @@ struct Tip {
 /// Bristles fill the tip's outline evenly (R2 low-discrepancy sequence, M. Roberts 2018); about two
 /// thirds of their differences run smoothly across the width, as clumps do, the rest is each bristle's
 /// own.
-Tip make_tip(const Preset& preset, std::uint32_t seed);
+///
+/// Each dip gathers the hairs anew, as far as g = gather e^(-worn / 2 run) says, with the preset's numbers
+/// of these names: noises are the tip's own with the share 1 - g of their variance, the dip's with g;
+/// bristles move by up to 0.42 g mm into clumps with gaps between them, and what a clump takes up differs
+/// by up to 0.3 g; all of them take up the same in each dip. What a knife's edge scratches is its own.
+Tip make_tip(const Preset& preset, std::uint32_t seed, const Gathering& gathering = {});
 
 }  // namespace pastoso::brush

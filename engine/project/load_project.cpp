@@ -191,6 +191,8 @@ bool is_possible(const brush::Contents& held) {
 void read_brush(const ZipReader& archive, const BrushIndex& index, document::PaintingValue& painting) {
     if (!painting.brush) archive.fail(kSetupEntry, "there is no brush in hand that could hold paint.");
     brush::Brush& brush = painting.brush->brush;
+    brush.gathering = index.gathering;
+    brush.shape_tip();
     const Bytes content = read_packed(archive, index.held);
     if (content.size() != brush.held.size() * sizeof(brush::Contents)) {
         archive.fail(index.held.entry,

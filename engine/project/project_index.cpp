@@ -315,10 +315,22 @@ film::AgeingClock::Pending read_ageing(const JsonPlace& place) {
             read_seconds(place.entry("dissolving_s"))};
 }
 
+brush::Gathering read_gathering(const JsonPlace& place) {
+    brush::Gathering gathering;
+    if (const auto number = place.optional_entry("gatherings"))
+        gathering.number = static_cast<std::uint32_t>(number->integer(0, UINT32_MAX));
+    if (const auto worn = place.optional_entry("worn_mm")) {
+        gathering.worn_mm = worn->number();
+        if (!(gathering.worn_mm >= 0.0)) worn->fail("expected 0 or more.");
+    }
+    return gathering;
+}
+
 BrushIndex read_brush(const JsonPlace& place) {
-    place.allow_only({"strokes_begun", "consistency", "held"});
+    place.allow_only({"strokes_begun", "gatherings", "worn_mm", "consistency", "held"});
     constexpr std::size_t kMostBristles = 2000;
     BrushIndex brush{static_cast<std::uint32_t>(place.entry("strokes_begun").integer(0, UINT32_MAX)),
+                     read_gathering(place),
                      {},
                      read_packed_alone(place.entry("held"), kMostBristles * sizeof(brush::Contents))};
     if (const auto told = place.optional_entry("consistency"))
@@ -396,6 +408,8 @@ std::string index_to_json(const ProjectIndex& index) {
     if (index.well) json["well"] = surface_json(*index.well);
     if (index.brush) {
         json["brush"] = {{"strokes_begun", index.brush->strokes_begun},
+                         {"gatherings", index.brush->gathering.number},
+                         {"worn_mm", index.brush->gathering.worn_mm},
                          {"consistency", consistencies_json(index.brush->consistencies.value())},
                          {"held", packed_json(index.brush->held)}};
     }

@@ -13,7 +13,7 @@
 
 namespace pastoso::project {
 
-inline constexpr int kProjectFormatVersion = 5;
+inline constexpr int kProjectFormatVersion = 6;
 
 /// An entry of the archive that is a Zstandard frame with a checksum of its own.
 struct PackedEntry {
@@ -52,6 +52,7 @@ struct LayerIndex {
 
 struct BrushIndex {
     std::uint32_t strokes_begun = 0;
+    brush::Gathering gathering{};  ///< none in formats before 6
     std::optional<film::Consistencies> consistencies{};  ///< formats before 5 do not tell
     PackedEntry held;
 };

@@ -81,10 +81,10 @@ TEST_F(BadProject, ATruncatedFileIsRefusedWhereverItEnds) {
 
 TEST_F(BadProject, OtherVersionsAreRefused) {
     EXPECT_EQ(
-        error_of_index("\"version\":5", "\"version\":6"),
-        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 6; this "
-        "program reads up to 5).");
-    EXPECT_THAT(error_of_index("\"version\":5", "\"version\":0"),
+        error_of_index("\"version\":6", "\"version\":7"),
+        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 7; this "
+        "program reads up to 6).");
+    EXPECT_THAT(error_of_index("\"version\":6", "\"version\":0"),
                 HasSubstr("version: 0 is not between"));
     EXPECT_THAT(error_of_index("pastoso-project", "pastoso-scene"), HasSubstr("this is no painting"));
 }

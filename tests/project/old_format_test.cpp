@@ -89,6 +89,16 @@ TEST_F(OldFormatTwo, IsTheSameWhenItIsSavedAnewAndOpened) {
                       old.painting.value.bare->support_mm.read(tile)[cell]);
 }
 
+/// Its brush was dipped before dips gathered hairs, and tells a tool of those days.
+TEST_F(OldFormat, FiveHasABrushThatIsAsItWasMade) {
+    const LoadedProject old = load_project(tests::source_file("tests/project/format-5.pastoso"), pool);
+    const brush::Brush& brush = old.painting.value.brush->brush;
+    EXPECT_EQ(brush.gathering, brush::Gathering{});
+    EXPECT_EQ(brush.preset.paint.gather, 0.0);
+    EXPECT_EQ(brush.tip.hairs, brush::make_tip(brush.preset, 3).hairs);
+    EXPECT_EQ(document::state_hash(old.painting), 0xcd826fbe242e536bU);
+}
+
 /// Its upper layer is of the medium in hand; that of the lower one, oil, no entry tells.
 TEST_F(OldFormat, FourTellsByThePaintInWhichMediumALayerIs) {
     const LoadedProject old = load_project(tests::source_file("tests/project/format-4.pastoso"), pool);

@@ -84,6 +84,7 @@ struct FieldComparer {
         EXPECT_EQ(a->brush.held, b->brush.held);
         EXPECT_EQ(a->brush.consistencies, b->brush.consistencies);
         EXPECT_EQ(a->brush.strokes_begun, b->brush.strokes_begun);
+        EXPECT_EQ(a->brush.gathering, b->brush.gathering);
         EXPECT_EQ(a->taken.size_mm, b->taken.size_mm);
         EXPECT_EQ(a->taken.seed, b->taken.seed);
     }

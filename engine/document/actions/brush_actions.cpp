@@ -27,7 +27,10 @@ void check_possible(const LoadPaint&, const LivingPainting& painting) {
 }
 
 void put_in_hand(const TakeBrush& take, PaintingValue& painting) {
-    painting.brush = BrushInHand{take, brush::Brush(preset_of(take), take.size_mm, take.seed)};
+    brush::Brush brush(preset_of(take), take.size_mm, take.seed);
+    if (painting.brush) brush.gathering.number = painting.brush->brush.gathering.number;
+    brush.shape_tip();
+    painting.brush = BrushInHand{take, std::move(brush)};
 }
 
 std::optional<TakeBrush> in_hand(std::type_identity<TakeBrush>, const PaintingValue& painting) {
