@@ -2,6 +2,8 @@
 #include "cli/option.hpp"
 #include "cli/shared_arguments.hpp"
 #include "document/canvas.hpp"
+#include "files/bundled_files.hpp"
+#include "film/support/support.hpp"
 
 namespace pastoso::cli {
 
@@ -28,10 +30,10 @@ void add_convert(CLI::App& program, ConvertOptions& options) {
                "Width of the canvas (default: as the picture's resolution says, otherwise 300 mm "
                "along the longer side)")
         ->type_name("MM");
-    add_text(command, "--support", options.support, "Below the paint: linen, cotton duck or panel")
+    add_text(command, "--support", options.support, "Below the paint: " + files::listed(film::support_names()))
         ->type_name("NAME")
         ->capture_default_str()
-        ->check(CLI::IsMember({"linen", "cotton duck", "panel"}));
+        ->check(CLI::IsMember(film::support_names()));
     add_number(command, "--relief-mm", options.relief_mm, {0.0, 20.0},
                "Height of the support's crowns or of an image's white")
         ->type_name("MM");

@@ -9,8 +9,10 @@
 #include "core/isa.hpp"
 #include "core/number_text.hpp"
 #include "document/canvas.hpp"
+#include "files/bundled_files.hpp"
 #include "files/image.hpp"
 #include "film/medium.hpp"
+#include "film/support/support.hpp"
 #include "pigment/palette.hpp"
 #include "project/project.hpp"
 #include "recordings/recording_json.hpp"
@@ -48,7 +50,8 @@ void print_program() {
         print("  %-20s %s\n", medium.name.c_str(), medium.description.c_str());
     }
     print("\nLights:\n  D65, D50, A, LED, or the path of a CSV file\n");
-    print("\nSupports:\n  linen, cotton duck, panel, or the path of a height image\n");
+    print("\nSupports:\n  %s, or the path of a height image\n",
+          files::listed(film::support_names()).c_str());
 }
 
 std::string paint_text(const document::PaintRecipe& paint) {

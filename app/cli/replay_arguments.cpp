@@ -2,6 +2,8 @@
 #include "cli/option.hpp"
 #include "cli/shared_arguments.hpp"
 #include "document/canvas.hpp"
+#include "files/bundled_files.hpp"
+#include "film/support/support.hpp"
 
 namespace pastoso::cli {
 namespace {
@@ -35,7 +37,7 @@ void add_canvas_options(CLI::App& command, ReplayOptions& options) {
                "Cells per millimetre (text recordings: 4)")
         ->type_name("N");
     add_text(command, "--support", options.support,
-             "linen, cotton duck, panel, or a height image's path")
+             files::listed(film::support_names()) + ", or a height image's path")
         ->type_name("NAME");
     add_number(command, "--relief-mm", options.relief_mm, {0.0, 20.0},
                "Height of the support's crowns or of an image's white")

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/memory.hpp"
+#include "dialogs/support_choices.hpp"
 #include "document/canvas.hpp"
 
 #include <QComboBox>
@@ -16,7 +17,10 @@
 namespace pastoso::dialogs {
 namespace {
 
-constexpr int kImageRow = 3;
+/// Below the supports that have a name.
+int image_row() {
+    return static_cast<int>(supports().size());
+}
 
 }  // namespace
 
@@ -32,9 +36,11 @@ NewCanvasDialog::NewCanvasDialog(const document::CanvasSettings& proposal, QWidg
                          tr(" mm"));
     density_ =
         add_number(document::kMinPxPerMm, document::kMaxPxPerMm, proposal.px_per_mm, tr(" px/mm"));
-    support_->addItems({tr("Linen"), tr("Cotton duck"), tr("Panel"), tr("Height image...")});
+    for (const Support& support : supports())
+        support_->addItem(support.name);
+    support_->addItem(tr("Height image..."));
     connect(support_, &QComboBox::activated, this, [this](int row) {
-        if (row == kImageRow) choose_image();
+        if (row == image_row()) choose_image();
         write_summary();
     });
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("New canvas"));
@@ -75,17 +81,17 @@ void NewCanvasDialog::choose_image() {
         return;
     }
     image_path_ = path;
-    support_->setItemText(kImageRow, tr("Image: %1").arg(QFileInfo(path).fileName()));
+    support_->setItemText(image_row(), tr("Image: %1").arg(QFileInfo(path).fileName()));
 }
 
 document::CanvasSettings NewCanvasDialog::settings() const {
-    static constexpr const char* kSupports[] = {"linen", "cotton duck", "panel", "image"};
     document::CanvasSettings settings;
     settings.width_mm = width_->value();
     settings.height_mm = height_->value();
     settings.px_per_mm = density_->value();
-    settings.support = kSupports[support_->currentIndex()];
-    if (support_->currentIndex() == kImageRow) settings.support_image = image_path_.toStdString();
+    const bool is_image = support_->currentIndex() == image_row();
+    settings.support = is_image ? "image" : supports()[support_->currentIndex()].id;
+    if (is_image) settings.support_image = image_path_.toStdString();
     return settings;
 }
 

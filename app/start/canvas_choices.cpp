@@ -29,14 +29,6 @@ std::vector<CanvasSize> canvas_sizes() {
     };
 }
 
-std::vector<Support> supports() {
-    return {
-        {"linen", Words::tr("Linen"), Words::tr("coarse weave")},
-        {"cotton duck", Words::tr("Cotton duck"), Words::tr("fine weave")},
-        {"panel", Words::tr("Panel"), Words::tr("smooth gesso")},
-    };
-}
-
 double sensible_px_per_mm(double width_mm, double height_mm) {
     const double fitting = std::floor(std::sqrt(kCells / (width_mm * height_mm)));
     return std::clamp(fitting, kCoarsest_px_per_mm, kFinest_px_per_mm);
@@ -54,13 +46,6 @@ document::CanvasSettings canvas_of(const CanvasSize& size, bool upright, const s
 
 QString size_words(const document::CanvasSettings& canvas) {
     return Words::tr("%1 × %2 mm").arg(canvas.width_mm).arg(canvas.height_mm);
-}
-
-QString support_words(const std::string& support) {
-    const auto all = supports();
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const Support& known) { return known.id == support; });
-    return found != all.end() ? found->name.toLower() : Words::tr("an image");
 }
 
 }  // namespace pastoso::start

@@ -1,4 +1,4 @@
-// The canvases that one click puts up: common sizes, and what they are made of.
+// The canvases that one click puts up.
 #pragma once
 
 #include "document/events.hpp"
@@ -17,14 +17,7 @@ struct CanvasSize {
     double px_per_mm = 0.0;  ///< 0: sensible_px_per_mm()
 };
 
-struct Support {
-    std::string id;  ///< as in document::CanvasSettings
-    QString name;
-    QString detail;
-};
-
 std::vector<CanvasSize> canvas_sizes();
-std::vector<Support> supports();
 
 /// Whole cells per millimetre, 3 to 8, so that bristles show on a small canvas and a large one stays
 /// quick.
@@ -34,8 +27,5 @@ document::CanvasSettings canvas_of(const CanvasSize& size, bool upright, const s
 
 /// "297 × 210 mm".
 QString size_words(const document::CanvasSettings& canvas);
-
-/// A support's name within a sentence; that of an image is "image".
-QString support_words(const std::string& support);
 
 }  // namespace pastoso::start

@@ -72,7 +72,7 @@ QToolButton* NewCanvasSection::add_choice(QLayout* row, const QString& words, co
 
 void NewCanvasSection::add_supports(QLayout* row) {
     auto* group = new QButtonGroup(this);
-    for (const Support& support : supports_) {
+    for (const dialogs::Support& support : supports_) {
         support_pictures_.push_back(support_picture(support.id, kSwatch_px));
         QToolButton* button = add_choice(row, QLatin1Char(' ') + support.name,
                                          tr("%1: %2").arg(support.name, support.detail));

@@ -1,6 +1,7 @@
 // The part of the start page that puts up a fresh canvas with one click.
 #pragma once
 
+#include "dialogs/support_choices.hpp"
 #include "start/canvas_choices.hpp"
 #include "start/gallery.hpp"
 
@@ -41,7 +42,7 @@ class NewCanvasSection : public QWidget {
     std::size_t support() const;
 
     const std::vector<CanvasSize> canvas_sizes_ = start::canvas_sizes();
-    const std::vector<Support> supports_ = start::supports();
+    const std::vector<dialogs::Support> supports_ = dialogs::supports();
     std::vector<QImage> support_pictures_;
     std::vector<QToolButton*> support_buttons_;
     QToolButton* lying_ = nullptr;

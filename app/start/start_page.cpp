@@ -112,7 +112,7 @@ void StartPage::open(const QRect& place, const document::CanvasSettings& on_ease
     paint_->setText(begun ? tr("Back to the painting") : tr("Start painting"));
     easel_words_->setText(begun ? tr("The painting stands on the easel as you left it.")
                                 : tr("A canvas of %1, %2, is ready. You can also just paint on it.")
-                                      .arg(support_words(on_easel.support), size_words(on_easel)));
+                                      .arg(dialogs::support_words(on_easel.support), size_words(on_easel)));
     new_canvas_->propose(on_easel);
     unfinished_->show_paintings(unfinished);
     recent_->show_paintings(recent);

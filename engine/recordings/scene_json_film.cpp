@@ -2,7 +2,9 @@
 #include "core/number_text.hpp"
 #include "document/actions/actions.hpp"
 #include "document/paint_mixing.hpp"
+#include "files/bundled_files.hpp"
 #include "files/image.hpp"
+#include "film/support/support.hpp"
 #include "recordings/scene_json_parts.hpp"
 
 #include <algorithm>
@@ -94,13 +96,17 @@ film::Relief read_bump(const files::JsonPlace& place, const SceneContext& contex
         read_length(place, deviation)};
 }
 
+bool is_named_support(const std::string& name) {
+    return std::ranges::count(film::support_names(), name) > 0;
+}
+
 void read_relief(const files::JsonPlace& place, const SceneContext& context,
                  std::vector<film::Relief>& reliefs) {
     const files::JsonPlace kind = place.value().is_object() ? place.entry("kind") : place;
     const std::string name = kind.text();
     if (name == "flat") {
         if (place.value().is_object()) place.allow_only({"kind"});
-    } else if (name == "linen" || name == "cotton duck" || name == "panel") {
+    } else if (is_named_support(name)) {
         reliefs.push_back(read_bundled_relief(place, name, context));
     } else if (name == "weave") {
         reliefs.push_back(read_weave(place, context));
@@ -112,7 +118,8 @@ void read_relief(const files::JsonPlace& place, const SceneContext& context,
         reliefs.push_back(read_bump(place, context));
     } else {
         kind.fail("there is no support \"" + name +
-                  "\"; the supports are flat, linen, cotton duck, panel, weave, image, ramp and bump.");
+                  "\"; the supports are flat, " + files::listed(film::support_names()) +
+                  ", weave, image, ramp and bump.");
     }
 }
 

@@ -59,6 +59,34 @@
         <source>an image</source>
         <translation>an image</translation>
     </message>
+    <message>
+        <source>Medium linen</source>
+        <translation>Medium linen</translation>
+    </message>
+    <message>
+        <source>lively weave with slubs</source>
+        <translation>lively weave with slubs</translation>
+    </message>
+    <message>
+        <source>Fine portrait linen</source>
+        <translation>Fine portrait linen</translation>
+    </message>
+    <message>
+        <source>Rough jute</source>
+        <translation>Rough jute</translation>
+    </message>
+    <message>
+        <source>fine even weave</source>
+        <translation>fine even weave</translation>
+    </message>
+    <message>
+        <source>Gesso panel</source>
+        <translation>Gesso panel</translation>
+    </message>
+    <message>
+        <source>brushed gesso</source>
+        <translation>brushed gesso</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -2522,18 +2550,6 @@
     <message>
         <source> px/mm</source>
         <translation> px/mm</translation>
-    </message>
-    <message>
-        <source>Linen</source>
-        <translation>Linen</translation>
-    </message>
-    <message>
-        <source>Cotton duck</source>
-        <translation>Cotton duck</translation>
-    </message>
-    <message>
-        <source>Panel</source>
-        <translation>Panel</translation>
     </message>
     <message>
         <source>Height image...</source>

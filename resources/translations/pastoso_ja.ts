@@ -59,6 +59,34 @@
         <source>an image</source>
         <translation>画像</translation>
     </message>
+    <message>
+        <source>Medium linen</source>
+        <translation>中目の亜麻布</translation>
+    </message>
+    <message>
+        <source>lively weave with slubs</source>
+        <translation>節のある生き生きとした織り</translation>
+    </message>
+    <message>
+        <source>Fine portrait linen</source>
+        <translation>細目の肖像用亜麻布</translation>
+    </message>
+    <message>
+        <source>Rough jute</source>
+        <translation>粗いジュート</translation>
+    </message>
+    <message>
+        <source>fine even weave</source>
+        <translation>細かく均一な織り</translation>
+    </message>
+    <message>
+        <source>Gesso panel</source>
+        <translation>ジェッソ板</translation>
+    </message>
+    <message>
+        <source>brushed gesso</source>
+        <translation>刷毛塗りのジェッソ</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -2521,18 +2549,6 @@
     <message>
         <source> px/mm</source>
         <translation> px/mm</translation>
-    </message>
-    <message>
-        <source>Linen</source>
-        <translation>麻布</translation>
-    </message>
-    <message>
-        <source>Cotton duck</source>
-        <translation>綿布</translation>
-    </message>
-    <message>
-        <source>Panel</source>
-        <translation>パネル</translation>
     </message>
     <message>
         <source>Height image...</source>

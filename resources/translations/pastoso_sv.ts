@@ -59,6 +59,34 @@
         <source>an image</source>
         <translation>en bild</translation>
     </message>
+    <message>
+        <source>Medium linen</source>
+        <translation>Medelgrovt linne</translation>
+    </message>
+    <message>
+        <source>lively weave with slubs</source>
+        <translation>levande väv med knutar</translation>
+    </message>
+    <message>
+        <source>Fine portrait linen</source>
+        <translation>Fint porträttlinne</translation>
+    </message>
+    <message>
+        <source>Rough jute</source>
+        <translation>Grov jute</translation>
+    </message>
+    <message>
+        <source>fine even weave</source>
+        <translation>fin jämn väv</translation>
+    </message>
+    <message>
+        <source>Gesso panel</source>
+        <translation>Gessopannå</translation>
+    </message>
+    <message>
+        <source>brushed gesso</source>
+        <translation>struken gesso</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -2522,18 +2550,6 @@
     <message>
         <source> px/mm</source>
         <translation> px/mm</translation>
-    </message>
-    <message>
-        <source>Linen</source>
-        <translation>Linne</translation>
-    </message>
-    <message>
-        <source>Cotton duck</source>
-        <translation>Bomullsduk</translation>
-    </message>
-    <message>
-        <source>Panel</source>
-        <translation>Pannå</translation>
     </message>
     <message>
         <source>Height image...</source>

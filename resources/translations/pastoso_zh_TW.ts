@@ -59,6 +59,34 @@
         <source>an image</source>
         <translation>圖片</translation>
     </message>
+    <message>
+        <source>Medium linen</source>
+        <translation>中等亞麻布</translation>
+    </message>
+    <message>
+        <source>lively weave with slubs</source>
+        <translation>帶粗節的生動織紋</translation>
+    </message>
+    <message>
+        <source>Fine portrait linen</source>
+        <translation>細緻肖像亞麻布</translation>
+    </message>
+    <message>
+        <source>Rough jute</source>
+        <translation>粗黃麻布</translation>
+    </message>
+    <message>
+        <source>fine even weave</source>
+        <translation>細密均勻的織紋</translation>
+    </message>
+    <message>
+        <source>Gesso panel</source>
+        <translation>石膏底板</translation>
+    </message>
+    <message>
+        <source>brushed gesso</source>
+        <translation>刷塗石膏</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -2521,18 +2549,6 @@
     <message>
         <source> px/mm</source>
         <translation> px/mm</translation>
-    </message>
-    <message>
-        <source>Linen</source>
-        <translation>亞麻布</translation>
-    </message>
-    <message>
-        <source>Cotton duck</source>
-        <translation>棉帆布</translation>
-    </message>
-    <message>
-        <source>Panel</source>
-        <translation>木板</translation>
     </message>
     <message>
         <source>Height image...</source>

@@ -1,6 +1,7 @@
 // The canvases that one click puts up.
 #include "start/canvas_choices.hpp"
 
+#include "dialogs/support_choices.hpp"
 #include "document/actions/actions.hpp"
 #include "document/canvas.hpp"
 #include "film/support/support.hpp"
@@ -29,7 +30,7 @@ TEST(CanvasChoices, EverySizeIsACanvasThatStaysQuick) {
 
 TEST(CanvasChoices, EverySupportIsOneOfTheEngines) {
     core::ThreadPool pool(1);
-    for (const Support& support : supports()) {
+    for (const dialogs::Support& support : dialogs::supports()) {
         document::CanvasSettings canvas{.width_mm = 10.0, .height_mm = 10.0};
         canvas.support = support.id;
         EXPECT_NO_THROW(document::named_support(canvas, pool)) << support.id;

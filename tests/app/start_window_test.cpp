@@ -180,7 +180,7 @@ TEST_F(StartWindow, KeysAreEnough) {
     press_key(Qt::Key_Right);
     press_key(Qt::Key_Return);
     EXPECT_FALSE(page_is_shown());
-    EXPECT_EQ(size_on_easel(), "297 x 210, linen");
+    EXPECT_EQ(size_on_easel(), "297 x 210, medium linen");
 }
 
 TEST_F(StartWindow, OneClickPutsUpACanvasOfThatSizeAndSupport) {

@@ -18,6 +18,7 @@ struct NamedSupport {
     const char* name;
     double relief_mm;
     double least_roughness_mm;  ///< standard deviation that the cells must show at 0.1 mm
+    double fine_mm = 0.05;      ///< a cell of which even five side by side show the finest thread
 };
 
 pastoso::core::ThreadPool pool(2);  // NOLINT(cert-err58-cpp)
@@ -76,9 +77,10 @@ TEST_P(EverySupport, HeightsAreWholeQuanta) {
 
 TEST_P(EverySupport, CoarseCellsAreTheMeansOfFineOnes) {
     constexpr int kRatio = 5;
+    const double fine_mm = GetParam().fine_mm;
     const SupportHeights fine =
-        named_support(GetParam().name, {40 * kRatio, 30 * kRatio}, 0.05, 0.0, pool);
-    const SupportHeights coarse = named_support(GetParam().name, {40, 30}, 0.05 * kRatio, 0.0, pool);
+        named_support(GetParam().name, {40 * kRatio, 30 * kRatio}, fine_mm, 0.0, pool);
+    const SupportHeights coarse = named_support(GetParam().name, {40, 30}, fine_mm * kRatio, 0.0, pool);
     double largest = 0.0;
     double sum_of_squares = 0.0;
     for (int y = 0; y < 30; ++y) {
@@ -143,7 +145,11 @@ TEST_P(EverySupport, IsTheSameInTheFineFormUpToALevel) {
 INSTANTIATE_TEST_SUITE_P(Supports, EverySupport,
                          testing::Values(NamedSupport{"linen", 0.11, 0.01},
                                          NamedSupport{"cotton duck", 0.08, 0.007},
-                                         NamedSupport{"panel", 0.02, 0.002}),
+                                         NamedSupport{"panel", 0.02, 0.002},
+                                         NamedSupport{"fine portrait linen", 0.06, 0.005, 0.02},
+                                         NamedSupport{"medium linen", 0.11, 0.01, 0.02},
+                                         NamedSupport{"rough jute", 0.34, 0.03},
+                                         NamedSupport{"gesso panel", 0.06, 0.005}),
                          [](const auto& support) {
                              std::string name = support.param.name;
                              std::replace(name.begin(), name.end(), ' ', '_');
@@ -244,6 +250,59 @@ TEST(NoiseWalk, IsTheNoiseItselfToTheBit) {
     }
 }
 
+/// Crowns that a line through a cloth goes over, in a millimetre.
+double crowns_per_mm(const SupportHeights& field, int step_x, int step_y, double cell_mm) {
+    const int length = 900, lines = 40;
+    int crowns = 0;
+    for (int line = 1; line <= lines; ++line) {
+        const auto height = [&](int i) {
+            return field.at(step_x > 0 ? i : 23 * line, step_y > 0 ? i : 23 * line);
+        };
+        for (int i = 4; i + 4 < length; ++i) {
+            bool highest = true;
+            for (int k = 1; k <= 4; ++k)
+                highest = highest && height(i) > height(i - k) && height(i) >= height(i + k);
+            crowns += highest ? 1 : 0;
+        }
+    }
+    return crowns / (lines * length * cell_mm);
+}
+
+TEST(Linen, HasAnotherCountOfWarpThanOfWeft) {
+    const double cell_mm = 1.0 / 16.0;
+    const SupportHeights field = named_support("medium linen", {1000, 1000}, cell_mm, 0.0, pool);
+    const double across_warp = crowns_per_mm(field, 1, 0, cell_mm),
+                 across_weft = crowns_per_mm(field, 0, 1, cell_mm);
+    EXPECT_GT(across_warp / across_weft, 1.05);
+    EXPECT_LT(across_warp / across_weft, 1.25);
+}
+
+TEST(Linen, FinerThanTwoCellsIsItsMean) {
+    const SupportHeights fine = named_support("fine portrait linen", {800, 800}, 1.0 / 16, 0.0, pool),
+                         coarse = named_support("fine portrait linen", {200, 200}, 0.25, 0.0, pool);
+    const Statistics shown = statistics(fine), averaged = statistics(coarse);
+    EXPECT_LT(averaged.deviation, 0.15 * shown.deviation) << "no lattice, but drift and slubs: 12 %";
+    EXPECT_GT(averaged.deviation, 0.05 * shown.deviation);
+    EXPECT_NEAR(averaged.mean, shown.mean, 0.1 * shown.mean);
+}
+
+TEST(Linen, HasSlubsOfSomeMillimetresThatAreFew) {
+    Weave smooth{.thread_pitch_mm = 1.0, .relief_mm = 1.0, .irregularity = 0.0};
+    Weave slubbed = smooth;
+    slubbed.slubs_per_m = 0.5;
+    const Shape shape{1600, 1600};  // a dm2
+    const SupportHeights cloth = woven_support(shape, 1.0 / 16, slubbed, pool),
+                         plain = woven_support(shape, 1.0 / 16, smooth, pool);
+    int raised = 0;
+    for (int y = 0; y < shape.height; ++y)
+        for (int x = 0; x < shape.width; ++x)
+            // Threads of middle width are lower where there are slubs to stand out.
+            raised += cloth.at(x, y) > 0.76 / 0.86 * plain.at(x, y) + 0.05 ? 1 : 0;
+    const double share = raised / 2.56e6;
+    EXPECT_GT(share, 0.001);
+    EXPECT_LT(share, 0.03) << "20 m of thread have 10 slubs of 22 mm";
+}
+
 TEST(NamedSupport, IgnoresCaseAndListsTheNames) {
     EXPECT_EQ(named_support("Cotton Duck", {8, 8}, 0.25, 0.0, pool).at(3, 3),
               named_support("cotton duck", {8, 8}, 0.25, 0.0, pool).at(3, 3));
@@ -252,7 +311,8 @@ TEST(NamedSupport, IgnoresCaseAndListsTheNames) {
         FAIL() << "no error";
     } catch (const pastoso::core::InputError& error) {
         EXPECT_STREQ(error.what(),
-                     "There is no support \"velvet\"; the supports are: linen, cotton duck, panel.");
+                     "There is no support \"velvet\"; the supports are: fine portrait linen, medium "
+                     "linen, rough jute, linen, cotton duck, gesso panel, panel.");
     }
 }
 

@@ -21,7 +21,57 @@ constexpr Weave kCottonDuck{.thread_pitch_mm = 0.6,
                             .irregularity = 0.4,
                             .thread_width = 0.92,
                             .pairing = 0.06};
-constexpr double kGessoRelief_mm = 0.02;
+constexpr Weave kFinePortraitLinen{.thread_pitch_mm = 0.46,
+                                   .relief_mm = 0.06,
+                                   .irregularity = 0.7,
+                                   .thread_width = 0.94,
+                                   .weft_pitch = 1.08,
+                                   .drift = 0.04,
+                                   .unevenness = 0.2,
+                                   .slubs_per_m = 0.2,
+                                   .twist = 0.06,
+                                   .nap = 0.08,
+                                   .averaged = true};
+constexpr Weave kMediumLinen{.thread_pitch_mm = 0.7,
+                             .relief_mm = 0.11,
+                             .irregularity = 0.9,
+                             .thread_width = 0.92,
+                             .weft_pitch = 1.14,
+                             .drift = 0.05,
+                             .unevenness = 0.24,
+                             .slubs_per_m = 0.3,
+                             .twist = 0.12,
+                             .nap = 0.1,
+                             .averaged = true};
+constexpr Weave kRoughJute{.thread_pitch_mm = 1.7,
+                           .relief_mm = 0.34,
+                           .irregularity = 1.0,
+                           .thread_width = 0.88,
+                           .weft_pitch = 1.1,
+                           .drift = 0.06,
+                           .unevenness = 0.25,
+                           .slubs_per_m = 0.5,
+                           .twist = 0.18,
+                           .nap = 0.14,
+                           .averaged = true};
+constexpr double kPanelRelief_mm = 0.02, kGessoRelief_mm = 0.06;
+
+struct NamedWeave {
+    std::string_view name;
+    Weave weave;
+};
+constexpr NamedWeave kWeaves[] = {{"fine portrait linen", kFinePortraitLinen},
+                                  {"medium linen", kMediumLinen},
+                                  {"rough jute", kRoughJute},
+                                  {"linen", kLinen},
+                                  {"cotton duck", kCottonDuck}};
+struct NamedPanel {
+    std::string_view name;
+    double relief_mm;
+    GessoCoats coats;
+};
+constexpr NamedPanel kPanels[] = {{"gesso panel", kGessoRelief_mm, GessoCoats::Crossed},
+                                  {"panel", kPanelRelief_mm, GessoCoats::One}};
 
 constexpr double kFineBrushMark_mm = 0.3;
 
@@ -39,6 +89,34 @@ class Gesso {
   private:
     NoiseWalk drift_{1}, broad_{2}, fine_{3}, grain_{4};
 };
+
+/// A second coat, laid across the first with a brush three times as broad.
+class CrossedGesso {
+  public:
+    float height(double x_mm, double y_mm) {
+        constexpr double kBroader = 3.0;
+        const float first = coat_.height(x_mm, y_mm);
+        return 0.45F * first + 0.55F * second_.height(y_mm / kBroader + 500.0, x_mm / kBroader);
+    }
+
+  private:
+    Gesso coat_, second_;
+};
+
+template <class Coats>
+SupportHeights gesso_support(grid::Shape shape, double cell_mm, double relief_mm, core::ThreadPool& pool,
+                             SupportForm form, const ClothPlace& place) {
+    const int samples = samples_per_cell(cell_mm, kFineBrushMark_mm / 2.0);
+    const double first_sample = static_cast<double>(place.x0) * samples;
+    const auto fill_row = [=, gesso = Coats()](double y_cells, std::span<float> heights) mutable {
+        const double step_mm = cell_mm / samples;
+        for (std::size_t k = 0; k < heights.size(); ++k) {
+            heights[k] =
+                gesso.height((first_sample + static_cast<double>(k) + 0.5) * step_mm, y_cells * cell_mm);
+        }
+    };
+    return sampled_in(form, {shape, place.y0}, samples, relief_mm, pool, [&] { return fill_row; });
+}
 
 /// B-spline coefficients of a grey image whose pixels are means over their area.
 class SplineImage {
@@ -114,19 +192,12 @@ struct StretchedImage {
 
 }  // namespace
 
-SupportHeights panel_support(grid::Shape shape, double cell_mm, double relief_mm, core::ThreadPool& pool,
-                             SupportForm form, const ClothPlace& place) {
+SupportHeights panel_support(grid::Shape shape, double cell_mm, double relief_mm, GessoCoats coats,
+                             core::ThreadPool& pool, SupportForm form, const ClothPlace& place) {
     PASTOSO_CHECK_OP(cell_mm, >, 0.0);
-    const int samples = samples_per_cell(cell_mm, kFineBrushMark_mm / 2.0);
-    const double first_sample = static_cast<double>(place.x0) * samples;
-    const auto fill_row = [=, gesso = Gesso()](double y_cells, std::span<float> heights) mutable {
-        const double step_mm = cell_mm / samples;
-        for (std::size_t k = 0; k < heights.size(); ++k) {
-            heights[k] =
-                gesso.height((first_sample + static_cast<double>(k) + 0.5) * step_mm, y_cells * cell_mm);
-        }
-    };
-    return sampled_in(form, {shape, place.y0}, samples, relief_mm, pool, [&] { return fill_row; });
+    return coats == GessoCoats::One
+               ? gesso_support<Gesso>(shape, cell_mm, relief_mm, pool, form, place)
+               : gesso_support<CrossedGesso>(shape, cell_mm, relief_mm, pool, form, place);
 }
 
 SupportHeights image_support(grid::Shape shape, const std::vector<float>& grey, int width, int height,
@@ -145,19 +216,37 @@ SupportHeights image_heights(grid::Shape shape, const std::vector<float>& grey, 
         [&](double y_cells, std::span<float> heights) { image.fill_row(y_cells, heights); });
 }
 
+const std::vector<std::string>& support_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const NamedWeave& cloth : kWeaves)
+            all.emplace_back(cloth.name);
+        for (const NamedPanel& panel : kPanels)
+            all.emplace_back(panel.name);
+        return all;
+    }();
+    return names;
+}
+
 SupportHeights named_support(std::string_view name, grid::Shape shape, double cell_mm, double relief_mm,
                              core::ThreadPool& pool, SupportForm form, const ClothPlace& place) {
     const std::string wanted = core::lower_case(name);
-    if (wanted == "panel")
-        return panel_support(shape, cell_mm, relief_mm > 0.0 ? relief_mm : kGessoRelief_mm, pool, form,
-                             place);
-    if (wanted != "linen" && wanted != "cotton duck") {
-        throw core::InputError("There is no support \"" + std::string(name) +
-                               "\"; the supports are: linen, cotton duck, panel.");
+    for (const NamedPanel& panel : kPanels) {
+        if (panel.name != wanted) continue;
+        return panel_support(shape, cell_mm, relief_mm > 0.0 ? relief_mm : panel.relief_mm, panel.coats,
+                             pool, form, place);
     }
-    Weave weave = wanted == "linen" ? kLinen : kCottonDuck;
-    if (relief_mm > 0.0) weave.relief_mm = relief_mm;
-    return woven_support(shape, cell_mm, weave, pool, form, place);
+    for (const NamedWeave& cloth : kWeaves) {
+        if (cloth.name != wanted) continue;
+        Weave weave = cloth.weave;
+        if (relief_mm > 0.0) weave.relief_mm = relief_mm;
+        return woven_support(shape, cell_mm, weave, pool, form, place);
+    }
+    std::string all;
+    for (const std::string& known : support_names())
+        all += (all.empty() ? "" : ", ") + known;
+    throw core::InputError("There is no support \"" + std::string(name) + "\"; the supports are: " + all +
+                           ".");
 }
 
 SupportForm form_of(const SupportHeights& named_mm) {
