@@ -30,7 +30,8 @@ void add_convert(CLI::App& program, ConvertOptions& options) {
                "Width of the canvas (default: as the picture's resolution says, otherwise 300 mm "
                "along the longer side)")
         ->type_name("MM");
-    add_text(command, "--support", options.support, "Below the paint: " + files::listed(film::support_names()))
+    add_text(command, "--support", options.support,
+             "Below the paint: " + files::listed(film::support_names()))
         ->type_name("NAME")
         ->capture_default_str()
         ->check(CLI::IsMember(film::support_names()));

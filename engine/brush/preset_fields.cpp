@@ -25,16 +25,8 @@ constexpr PresetField row(std::string_view section, std::string_view key, std::s
                           Range range, std::string_view meaning, int since) {
     using Part = std::remove_reference_t<decltype(Preset{}.*kPart)>;
     constexpr bool kWhole = std::is_integral_v<std::remove_reference_t<decltype(Part{}.*kNumber)>>;
-    return {section,
-            key,
-            unit,
-            range.low,
-            range.high,
-            kWhole,
-            meaning,
-            since,
-            get<kPart, kNumber>,
-            set<kPart, kNumber>};
+    return {section, key,     unit,  range.low,           range.high,
+            kWhole,  meaning, since, get<kPart, kNumber>, set<kPart, kNumber>};
 }
 
 template <auto kNumber>

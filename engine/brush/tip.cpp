@@ -188,7 +188,8 @@ void share_dip(double gathered, const Preset& preset, Tip& tip) {
                            (1.0 + gathered * std::clamp(noise, -kMostApart, kMostApart));
     }
     if (gathered > 0.0)
-        level_dips(dip_of_body(tip.rigid, mean_body(preset.paint.streak)), preset.exchange.overflow, tip);
+        level_dips(dip_of_body(tip.rigid, mean_body(preset.paint.streak)), preset.exchange.overflow,
+                   tip);
 }
 
 /// Makes the mean of the noise 0.5, whatever the seed, and turns it into body.
@@ -242,11 +243,9 @@ double point_profile(double radius) {
 
 /// Worn bristles: single hairs and whole clumps are shorter than the longest, few of them much, which
 /// gives the strokes their ragged ends. Sable wears less, a pad is domed.
-double deficit_of(const TipPreset& tip, const Place& place, std::uint32_t index,
-                  const TipNoise& noise) {
+double deficit_of(const TipPreset& tip, const Place& place, std::uint32_t index, const TipNoise& noise) {
     const double shake = std::clamp(noise.uniform(index, kDeficit), 0.0, 1.0);
-    const double clump =
-        std::clamp(0.5 + 1.8 * (noise.clump(place.u, kClumpDeficit) - 0.5), 0.0, 1.0);
+    const double clump = std::clamp(0.5 + 1.8 * (noise.clump(place.u, kClumpDeficit) - 0.5), 0.0, 1.0);
     if (tip.shape == TipShape::Pad) return tip.point_mm * (place.u * place.u + place.v * place.v);
     const bool round = tip.shape == TipShape::Round;
     const double wear = round ? 0.006 : 0.06;

@@ -1,6 +1,6 @@
 // The tip of a brush: where its bristles are and how they differ from each other. It follows from a
-// preset, a seed and how the hairs were gathered, and never changes during a stroke. A knife or a comb is a row of stiff elements along its edge,
-// a pad a disc or oval of soft ones without hairs.
+// preset, a seed and how the hairs were gathered, and never changes during a stroke. A knife or a comb
+// is a row of stiff elements along its edge, a pad a disc or oval of soft ones without hairs.
 #pragma once
 
 #include "brush/preset.hpp"
@@ -58,10 +58,11 @@ struct Tip {
 /// thirds of their differences run smoothly across the width, as clumps do, the rest is each bristle's
 /// own.
 ///
-/// Each dip gathers the hairs anew, as far as g = gather e^(-worn / 2 run) says, with the preset's numbers
-/// of these names: noises are the tip's own with the share 1 - g of their variance, the dip's with g;
-/// bristles move by up to 0.42 g mm into clumps with gaps between them, and what a clump takes up differs
-/// by up to 0.3 g; all of them take up the same in each dip. What a knife's edge scratches is its own.
+/// Each dip gathers the hairs anew, as far as g = gather e^(-worn / 2 run) says, with the preset's
+/// numbers of these names: noises are the tip's own with the share 1 - g of their variance, the dip's
+/// with g; bristles move by up to 0.42 g mm into clumps with gaps between them, and what a clump takes
+/// up differs by up to 0.3 g; all of them take up the same in each dip. What a knife's edge scratches is
+/// its own.
 Tip make_tip(const Preset& preset, std::uint32_t seed, const Gathering& gathering = {});
 
 }  // namespace pastoso::brush

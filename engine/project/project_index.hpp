@@ -52,7 +52,7 @@ struct LayerIndex {
 
 struct BrushIndex {
     std::uint32_t strokes_begun = 0;
-    brush::Gathering gathering{};  ///< none in formats before 6
+    brush::Gathering gathering{};                        ///< none in formats before 6
     std::optional<film::Consistencies> consistencies{};  ///< formats before 5 do not tell
     PackedEntry held;
 };

@@ -111,8 +111,8 @@ struct FieldKeeper {
     void operator()(const std::optional<document::BrushInHand>& in_hand) const {
         if (!in_hand) return;
         const auto held = std::as_bytes(std::span(in_hand->brush.held));
-        draft.index.brush = {in_hand->brush.strokes_begun, in_hand->brush.gathering, in_hand->brush.consistencies,
-                             add_packed(kBrushEntry, held, draft.archive)};
+        draft.index.brush = {in_hand->brush.strokes_begun, in_hand->brush.gathering,
+                             in_hand->brush.consistencies, add_packed(kBrushEntry, held, draft.archive)};
     }
     void operator()(const document::Selection& selection) const {
         if (selection)

@@ -117,9 +117,8 @@ void read_relief(const files::JsonPlace& place, const SceneContext& context,
     } else if (name == "bump") {
         reliefs.push_back(read_bump(place, context));
     } else {
-        kind.fail("there is no support \"" + name +
-                  "\"; the supports are flat, " + files::listed(film::support_names()) +
-                  ", weave, image, ramp and bump.");
+        kind.fail("there is no support \"" + name + "\"; the supports are flat, " +
+                  files::listed(film::support_names()) + ", weave, image, ramp and bump.");
     }
 }
 

@@ -134,8 +134,8 @@ TEST(Gathering, TakesAsMuchInEveryDipAndOtherwiseShared) {
     EXPECT_NEAR(brush.load(studio::dark_paint(), 1.0).volume_mm3, first, 1e-12 * first);
     double most_apart = 0.0;
     for (std::size_t i = 0; i < before.bristles.size(); ++i)
-        most_apart = std::max(most_apart,
-                              std::abs(brush.tip.bristles[i].full_dip - before.bristles[i].full_dip));
+        most_apart =
+            std::max(most_apart, std::abs(brush.tip.bristles[i].full_dip - before.bristles[i].full_dip));
     EXPECT_GT(most_apart, 0.1);
 }
 

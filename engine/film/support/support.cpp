@@ -245,8 +245,8 @@ SupportHeights named_support(std::string_view name, grid::Shape shape, double ce
     std::string all;
     for (const std::string& known : support_names())
         all += (all.empty() ? "" : ", ") + known;
-    throw core::InputError("There is no support \"" + std::string(name) + "\"; the supports are: " + all +
-                           ".");
+    throw core::InputError("There is no support \"" + std::string(name) +
+                           "\"; the supports are: " + all + ".");
 }
 
 SupportForm form_of(const SupportHeights& named_mm) {

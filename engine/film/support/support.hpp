@@ -58,8 +58,8 @@ enum class GessoCoats {
 /// A smooth panel with a tooth of gesso, from 0 to at most `relief_mm`; a function of millimetres, like
 /// the weaves.
 SupportHeights panel_support(grid::Shape shape, double cell_mm, double relief_mm, GessoCoats coats,
-                             core::ThreadPool& pool,
-                             SupportForm form = SupportForm::Levels, const ClothPlace& place = {});
+                             core::ThreadPool& pool, SupportForm form = SupportForm::Levels,
+                             const ClothPlace& place = {});
 
 /// A grey image stretched over the canvas: 0 is height 0, 1 is `relief_mm`. `grey` has width * height
 /// values in [0, 1], row by row. Resampled by the cubic B-spline through its values, clamped to [0,
@@ -75,7 +75,8 @@ SupportHeights image_heights(grid::Shape shape, const std::vector<float>& grey, 
 const std::vector<std::string>& support_names();
 
 /// One of these, in any case, with the relief given, or its own when `relief_mm` is 0. "linen" (a coarse
-/// even weave), "cotton duck" and "panel" never change. Throws InputError that lists the names there are.
+/// even weave), "cotton duck" and "panel" never change. Throws InputError that lists the names there
+/// are.
 SupportHeights named_support(std::string_view name, grid::Shape shape, double cell_mm, double relief_mm,
                              core::ThreadPool& pool, SupportForm form = SupportForm::Levels,
                              const ClothPlace& place = {});

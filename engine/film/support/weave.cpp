@@ -36,7 +36,8 @@ float slub_swell(double along_mm, double slubs_per_m, std::uint32_t thread) {
     const double middle_mm = half_mm + chance(2) * (kStretch_mm - 2.0 * half_mm);
     const double off = std::abs(along_mm - stretch * kStretch_mm - middle_mm) / half_mm;
     if (off >= 1.0) return 0.0F;
-    return (kThinnest + chance(3) * (kThickest - kThinnest)) * smooth_step(static_cast<float>(1.0 - off));
+    return (kThinnest + chance(3) * (kThickest - kThinnest)) *
+           smooth_step(static_cast<float>(1.0 - off));
 }
 
 /// How the threads of one direction wander and how thick they are.
@@ -91,7 +92,7 @@ class Threads {
     float unevenness_;
     double slubs_per_m_;
     float crown_, above_;  ///< of threads of middle width, and how much higher others may be
-    double along_mm_;  ///< a pitch of the crossing threads
+    double along_mm_;      ///< a pitch of the crossing threads
     std::uint32_t stream_;
 };
 
@@ -154,8 +155,8 @@ float cloth_height(const Neighbours& warp, float u, const Neighbours& weft, floa
 /// The mean of cloth_height() around a place: thick threads raise it.
 float mean_height(const Neighbours& warp, const Neighbours& weft) {
     constexpr float kOfCrown = 0.66F;
-    const float crowns = warp.threads[0].crown + warp.threads[1].crown + weft.threads[0].crown +
-                         weft.threads[1].crown;
+    const float crowns =
+        warp.threads[0].crown + warp.threads[1].crown + weft.threads[0].crown + weft.threads[1].crown;
     return kOfCrown * 0.25F * crowns;
 }
 
@@ -284,12 +285,11 @@ SupportHeights woven_support(grid::Shape shape, double cell_mm, const Weave& wea
     const auto columns = static_cast<std::size_t>(shape.width) * samples;
     const std::int64_t first_column = std::int64_t{place.x0} * samples;
     return sampled_in(form, {shape, place.y0}, samples, weave.relief_mm, pool, [&] {
-        return
-            [row_pitches,
-             scanner = ClothScanner(weave, first_column, columns, cell_pitches / samples, shown)](
-                double y_cells, std::span<float> heights) mutable {
-                scanner.fill_row(y_cells * row_pitches, heights);
-            };
+        return [row_pitches,
+                scanner = ClothScanner(weave, first_column, columns, cell_pitches / samples, shown)](
+                   double y_cells, std::span<float> heights) mutable {
+            scanner.fill_row(y_cells * row_pitches, heights);
+        };
     });
 }
 
