@@ -67,9 +67,11 @@ void Gallery::fit(int width) {
             return option;
         }(),
         {});
-    const int columns = std::max(1, width / tile.width());
+    // Tiles that fill the width to the last pixel would break into one row more.
+    constexpr int kSlack_px = 8;
+    const int columns = std::max(1, (width - kSlack_px) / tile.width());
     const int rows = (count() + columns - 1) / columns;
-    setGridSize({width / columns, tile.height()});
+    setGridSize({(width - kSlack_px) / columns, tile.height()});
     setFixedHeight(std::max(1, rows) * tile.height() + 2);
 }
 

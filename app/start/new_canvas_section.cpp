@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include <QButtonGroup>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QToolButton>
 
@@ -46,10 +47,12 @@ NewCanvasSection::NewCanvasSection(QWidget* parent) : QWidget(parent), sizes_(ne
     choices->setSpacing(6);
     choices->addWidget(heading(tr("New canvas")));
     choices->addStretch(1);
-    add_supports(choices);
-    choices->addSpacing(10);
+    auto* supports = new QGridLayout;
+    supports->setSpacing(6);
+    add_supports(supports);
     add_orientations(choices);
     column->addLayout(choices);
+    column->addLayout(supports);
     column->addWidget(sizes_);
     sizes_->setObjectName(QStringLiteral("canvas_sizes"));
     sizes_->setAccessibleName(tr("Sizes of a new canvas"));
@@ -57,25 +60,28 @@ NewCanvasSection::NewCanvasSection(QWidget* parent) : QWidget(parent), sizes_(ne
     show_sizes();
 }
 
-QToolButton* NewCanvasSection::add_choice(QLayout* row, const QString& words, const QString& hint) {
+QToolButton* NewCanvasSection::make_choice(const QString& words, const QString& hint) {
     auto* button = new QToolButton;
     button->setText(words);
     button->setToolTip(hint);
     button->setCheckable(true);
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    row->addWidget(button);
     connect(button, &QToolButton::toggled, this, [this](bool chosen) {
         if (chosen) show_sizes();
     });
     return button;
 }
 
-void NewCanvasSection::add_supports(QLayout* row) {
+void NewCanvasSection::add_supports(QGridLayout* grid) {
+    constexpr int kColumns = 3;
     auto* group = new QButtonGroup(this);
     for (const dialogs::Support& support : supports_) {
         support_pictures_.push_back(support_picture(support.id, kSwatch_px));
-        QToolButton* button = add_choice(row, QLatin1Char(' ') + support.name,
-                                         tr("%1: %2").arg(support.name, support.detail));
+        QToolButton* button = make_choice(QLatin1Char(' ') + support.name,
+                                          tr("%1: %2").arg(support.name, support.detail));
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        const int number = static_cast<int>(support_buttons_.size());
+        grid->addWidget(button, number / kColumns, number % kColumns);
         button->setObjectName(QStringLiteral("support_") + QString::fromStdString(support.id));
         button->setIcon(edged(support_pictures_.back()));
         button->setIconSize(kSwatchIcon);
@@ -86,8 +92,10 @@ void NewCanvasSection::add_supports(QLayout* row) {
 }
 
 void NewCanvasSection::add_orientations(QLayout* row) {
-    lying_ = add_choice(row, tr("Landscape"), tr("Wider than high"));
-    upright_ = add_choice(row, tr("Portrait"), tr("Higher than wide"));
+    lying_ = make_choice(tr("Landscape"), tr("Wider than high"));
+    upright_ = make_choice(tr("Portrait"), tr("Higher than wide"));
+    row->addWidget(lying_);
+    row->addWidget(upright_);
     lying_->setObjectName(QStringLiteral("landscape"));
     upright_->setObjectName(QStringLiteral("portrait"));
     auto* group = new QButtonGroup(this);

@@ -10,6 +10,7 @@
 #include <QImage>
 #include <QWidget>
 
+class QGridLayout;
 class QToolButton;
 
 namespace pastoso::start {
@@ -31,9 +32,9 @@ class NewCanvasSection : public QWidget {
     void more_wanted();  ///< other sizes, and supports of the painter's own
 
   private:
-    void add_supports(QLayout* row);
+    void add_supports(QGridLayout* grid);
     void add_orientations(QLayout* row);
-    QToolButton* add_choice(QLayout* row, const QString& words, const QString& hint);
+    QToolButton* make_choice(const QString& words, const QString& hint);
     void show_sizes();
     Tile tile_of(const document::CanvasSettings& canvas, const QString& name) const;
     void choose(int number);
