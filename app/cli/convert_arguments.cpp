@@ -1,8 +1,8 @@
 #include "cli/arguments.hpp"
 #include "cli/option.hpp"
 #include "cli/shared_arguments.hpp"
+#include "core/text.hpp"
 #include "document/canvas.hpp"
-#include "files/bundled_files.hpp"
 #include "film/support/support.hpp"
 
 namespace pastoso::cli {
@@ -31,7 +31,7 @@ void add_convert(CLI::App& program, ConvertOptions& options) {
                "along the longer side)")
         ->type_name("MM");
     add_text(command, "--support", options.support,
-             "Below the paint: " + files::listed(film::support_names()))
+             "Below the paint: " + core::listed(film::support_names()))
         ->type_name("NAME")
         ->capture_default_str()
         ->check(CLI::IsMember(film::support_names()));

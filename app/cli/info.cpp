@@ -8,8 +8,8 @@
 #include "cli/usage_error.hpp"
 #include "core/isa.hpp"
 #include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "document/canvas.hpp"
-#include "files/bundled_files.hpp"
 #include "files/image.hpp"
 #include "film/medium.hpp"
 #include "film/support/support.hpp"
@@ -51,7 +51,7 @@ void print_program() {
     }
     print("\nLights:\n  D65, D50, A, LED, or the path of a CSV file\n");
     print("\nSupports:\n  %s, or the path of a height image\n",
-          files::listed(film::support_names()).c_str());
+          core::listed(film::support_names()).c_str());
 }
 
 std::string paint_text(const document::PaintRecipe& paint) {

@@ -16,7 +16,7 @@
 #include "core/fault.hpp"
 #include "core/isa_request.hpp"
 #include "core/memory.hpp"
-#include "files/bundled_files.hpp"
+#include "core/text.hpp"
 
 #include <sstream>
 #include <string>
@@ -40,7 +40,7 @@ void check_subcommand(const CLI::App& app, const std::string& first) {
     }
     const std::string last = names.back();
     names.pop_back();
-    throw UsageError("there is no subcommand \"" + first + "\", only " + files::listed(names) + " and " +
+    throw UsageError("there is no subcommand \"" + first + "\", only " + core::listed(names) + " and " +
                      last + ".");
 }
 

@@ -1,8 +1,8 @@
 #include "cli/arguments.hpp"
 #include "cli/option.hpp"
 #include "cli/shared_arguments.hpp"
+#include "core/text.hpp"
 #include "document/canvas.hpp"
-#include "files/bundled_files.hpp"
 #include "film/support/support.hpp"
 
 namespace pastoso::cli {
@@ -37,7 +37,7 @@ void add_canvas_options(CLI::App& command, ReplayOptions& options) {
                "Cells per millimetre (text recordings: 4)")
         ->type_name("N");
     add_text(command, "--support", options.support,
-             files::listed(film::support_names()) + ", or a height image's path")
+             core::listed(film::support_names()) + ", or a height image's path")
         ->type_name("NAME");
     add_number(command, "--relief-mm", options.relief_mm, {0.0, 20.0},
                "Height of the support's crowns or of an image's white")

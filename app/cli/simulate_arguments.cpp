@@ -1,7 +1,7 @@
 #include "cli/arguments.hpp"
 #include "cli/option.hpp"
 #include "cli/shared_arguments.hpp"
-#include "files/bundled_files.hpp"
+#include "core/text.hpp"
 #include "recordings/scene_json.hpp"
 
 #include <string>
@@ -28,7 +28,7 @@ void add_simulate(CLI::App& program, SimulateOptions& options) {
     add_quiet_flag(command, options.quiet);
     command.footer([] {
         return "docs/scene-format.md describes scene files. Scenes that come with the program: " +
-               files::listed(recordings::bundled_scene_names()) +
+               core::listed(recordings::bundled_scene_names()) +
                ".\nExample:\n  pastoso-cli simulate paper-fig2 -o fig2";
     });
 }

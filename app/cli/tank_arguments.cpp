@@ -1,7 +1,7 @@
 #include "cli/arguments.hpp"
 #include "cli/option.hpp"
 #include "cli/shared_arguments.hpp"
-#include "files/bundled_files.hpp"
+#include "core/text.hpp"
 #include "liquid_files/tank_json.hpp"
 
 namespace pastoso::cli {
@@ -15,7 +15,7 @@ void add_tank(CLI::App& program, TankOptions& options) {
     add_time_options(command, options.seconds, options.fps);
     add_text(command, "--method", options.method,
              "How the liquid is followed, in place of what the scene says: " +
-                 files::listed(liquid_files::tank_method_names()))
+                 core::listed(liquid_files::tank_method_names()))
         ->type_name("NAME")
         ->check(CLI::IsMember(liquid_files::tank_method_names()));
     add_text(command, "--frames", options.frames,
@@ -32,7 +32,7 @@ void add_tank(CLI::App& program, TankOptions& options) {
     add_quiet_flag(command, options.quiet);
     command.footer([] {
         return "docs/tank-format.md describes scene files. Scenes that come with the program: " +
-               files::listed(liquid_files::bundled_tank_names()) +
+               core::listed(liquid_files::bundled_tank_names()) +
                ".\nExample:\n  pastoso-cli tank falling-liquid --seconds 2 --frames falling\n"
                "  pastoso-cli tank two-liquids --frames two --format obj --stats two.json";
     });

@@ -1,7 +1,7 @@
 #include "cli/arguments.hpp"
 #include "cli/option.hpp"
 #include "cli/shared_arguments.hpp"
-#include "files/bundled_files.hpp"
+#include "core/text.hpp"
 #include "liquid/tea/tea_settings.hpp"
 #include "liquid_files/tea_json.hpp"
 
@@ -67,7 +67,7 @@ void add_tea(CLI::App& program, TeaOptions& options, TeaRenderOptions& render) {
     add_render(command, render);
     command.footer([] {
         return "docs/tea-format.md describes scene files. Scenes that come with the program: " +
-               files::listed(liquid_files::bundled_tea_names()) +
+               core::listed(liquid_files::bundled_tea_names()) +
                ".\nExample:\n  pastoso-cli tea --frames tea --every 30\n"
                "  pastoso-cli tea --cache kept\n"
                "  pastoso-cli tea render kept --frames tea";

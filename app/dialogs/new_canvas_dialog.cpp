@@ -17,10 +17,7 @@
 namespace pastoso::dialogs {
 namespace {
 
-/// Below the supports that have a name.
-int image_row() {
-    return static_cast<int>(supports().size());
-}
+constexpr QLatin1String kImage("image");
 
 }  // namespace
 
@@ -37,10 +34,10 @@ NewCanvasDialog::NewCanvasDialog(const document::CanvasSettings& proposal, QWidg
     density_ =
         add_number(document::kMinPxPerMm, document::kMaxPxPerMm, proposal.px_per_mm, tr(" px/mm"));
     for (const Support& support : supports())
-        support_->addItem(support.name);
-    support_->addItem(tr("Height image..."));
-    connect(support_, &QComboBox::activated, this, [this](int row) {
-        if (row == image_row()) choose_image();
+        support_->addItem(support.name, QString::fromStdString(support.id));
+    support_->addItem(tr("Height image..."), QString(kImage));
+    connect(support_, &QComboBox::activated, this, [this] {
+        if (support_->currentData().toString() == kImage) choose_image();
         write_summary();
     });
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("New canvas"));
@@ -81,7 +78,8 @@ void NewCanvasDialog::choose_image() {
         return;
     }
     image_path_ = path;
-    support_->setItemText(image_row(), tr("Image: %1").arg(QFileInfo(path).fileName()));
+    support_->setItemText(support_->findData(QString(kImage)),
+                          tr("Image: %1").arg(QFileInfo(path).fileName()));
 }
 
 document::CanvasSettings NewCanvasDialog::settings() const {
@@ -89,9 +87,9 @@ document::CanvasSettings NewCanvasDialog::settings() const {
     settings.width_mm = width_->value();
     settings.height_mm = height_->value();
     settings.px_per_mm = density_->value();
-    const bool is_image = support_->currentIndex() == image_row();
-    settings.support = is_image ? "image" : supports()[support_->currentIndex()].id;
-    if (is_image) settings.support_image = image_path_.toStdString();
+    const QString support = support_->currentData().toString();
+    settings.support = support.toStdString();
+    if (support == kImage) settings.support_image = image_path_.toStdString();
     return settings;
 }
 

@@ -12,11 +12,6 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(CanvasChoices)
 };
 
-/// What earlier canvases lie on besides.
-Support even_linen() {
-    return {"linen", Words::tr("Linen"), Words::tr("coarse weave")};
-}
-
 }  // namespace
 
 std::vector<Support> supports() {
@@ -31,8 +26,8 @@ std::vector<Support> supports() {
 }
 
 QString support_words(const std::string& support) {
-    auto all = supports();
-    all.push_back(even_linen());
+    if (support == "linen") return Words::tr("Linen").toLower();
+    const auto all = supports();
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const Support& known) { return known.id == support; });
     return found != all.end() ? found->name.toLower() : Words::tr("an image");

@@ -135,7 +135,7 @@ void Brush::wear(double travel_mm) {
 }
 
 void Brush::shape_tip() {
-    if (preset.paint.gather > 0.0) tip = make_tip(preset, piece, gathering);
+    if (preset.paint.gather > 0.0 && gathering.number > 0) tip = make_tip(preset, piece, gathering);
 }
 
 Contents Brush::take_thrown_away() {

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/looking.hpp"
 #include "core/resources.hpp"
+#include "core/text.hpp"
 #include "core/text_file.hpp"
 
 namespace pastoso::files {
@@ -16,13 +17,6 @@ std::vector<std::string> bundled_names(const std::string& folder) {
     return names;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names)
-        text += (text.empty() ? "" : ", ") + name;
-    return text;
-}
-
 fs::path scene_path(const std::string& path_or_name, const std::string& folder) {
     const fs::path path = path_or_name;
     if (path.has_extension() || path.has_parent_path() || core::is_there(path)) return path;
@@ -30,7 +24,7 @@ fs::path scene_path(const std::string& path_or_name, const std::string& folder) 
     if (!core::is_there(bundled)) {
         throw core::InputError(
             "There is no scene \"" + path_or_name +
-            "\"; give a file ending in .json, or one of: " + listed(bundled_names(folder)) + ".");
+            "\"; give a file ending in .json, or one of: " + core::listed(bundled_names(folder)) + ".");
     }
     return bundled;
 }

@@ -1,8 +1,8 @@
 // Support and film of a scene file.
 #include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "document/actions/actions.hpp"
 #include "document/paint_mixing.hpp"
-#include "files/bundled_files.hpp"
 #include "files/image.hpp"
 #include "film/support/support.hpp"
 #include "recordings/scene_json_parts.hpp"
@@ -118,7 +118,7 @@ void read_relief(const files::JsonPlace& place, const SceneContext& context,
         reliefs.push_back(read_bump(place, context));
     } else {
         kind.fail("there is no support \"" + name + "\"; the supports are flat, " +
-                  files::listed(film::support_names()) + ", weave, image, ramp and bump.");
+                  core::listed(film::support_names()) + ", weave, image, ramp and bump.");
     }
 }
 
