@@ -6,6 +6,8 @@ namespace pastoso::brush {
 
 namespace {
 
+/// Outlines are worked out for whole registers of rows.
+constexpr int kRowStep = 8;
 /// A height no tool reaches, for the padding.
 constexpr float kUnreachable_mm = -1e6F;
 
@@ -37,9 +39,10 @@ void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, do
     if (cells_.empty()) return;
     reserve(cells_.width() * cells_.height());
     const Disc disc = {x_mm / film.cell_mm - 0.5, y_mm / film.cell_mm - 0.5, radius_mm / film.cell_mm};
-    spans_.resize(static_cast<std::size_t>(cells_.height()));
+    const int rows_of_spans = (cells_.height() + kRowStep - 1) / kRowStep * kRowStep;
+    spans_.resize(static_cast<std::size_t>(rows_of_spans));
     rows_.resize(spans_.size());
-    core::kernels<GatherKernels>().outline(disc, cells_.y0, cells_.height(), spans_.data());
+    core::kernels<GatherKernels>().outline(disc, cells_.y0, rows_of_spans, spans_.data());
     const grid::Rect tiles = film.shape.tiles_touching(cells_);
     for (int row = tiles.y0; row < tiles.y1; ++row) {
         for (int column = tiles.x0; column < tiles.x1; ++column) {

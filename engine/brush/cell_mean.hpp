@@ -5,14 +5,21 @@
 
 namespace pastoso::brush {
 
-/// What a cell of side 1 adds to a footprint's mean square radius. A triangle as wide as two cells has
-/// 1/3; a little more leaves no dots (docs/decisions/0053-means-over-cells.md).
-inline constexpr double kCellMeanSquare = 0.54;
+/// What a cell of side 1 adds to the mean square radius of a footprint without an edge, and of one that
+/// is flat on top. A triangle as wide as two cells has 1/3; a little more leaves no dots
+/// (docs/decisions/0053-means-over-cells.md).
+inline constexpr double kSoftCellSquare = 0.6, kFirmCellSquare = 0.5;
+
+/// Mean squares of a tool's own footprint and of the resolved one, in squares of their radii, and of
+/// what a cell adds, in squares of its side.
+struct MeanSquares {
+    double own, resolved, cell;
+};
 
 /// The radius of a footprint whose mean square radius is that of a tool's own and of a cell together.
-/// `own` and `resolved` are the mean squares of both in squares of their radii.
-inline double resolved_radius_mm(double radius_mm, double own, double resolved, double cell_mm) {
-    return std::sqrt((own * radius_mm * radius_mm + kCellMeanSquare * cell_mm * cell_mm) / resolved);
+inline double resolved_radius_mm(const MeanSquares& squares, double radius_mm, double cell_mm) {
+    const double square_mm2 = squares.own * radius_mm * radius_mm + squares.cell * cell_mm * cell_mm;
+    return std::sqrt(square_mm2 / squares.resolved);
 }
 
 }  // namespace pastoso::brush

@@ -11,12 +11,14 @@ namespace {
 
 /// Radii, in cells, up to which a footprint has no edge and from which it has the whole of it.
 constexpr double kSoftRadius_cells = 2.5, kFirmRadius_cells = 3.4;
-/// Half widths of the means over a groove and over hairs. Grooves are as wide as a footprint and keep
-/// their slopes with the narrower one; hairs need the wider one to leave no dots.
-constexpr double kGrooveMean_cells = 1.65, kHairMean_cells = 2.5;
-/// Of a cell in whose middle a footprint ends: half of it, and as much as strokes need to hold the
-/// volume that they have on finer cells.
-constexpr double kRimCover = 0.7;
+/// Half width of the mean over a groove, in cells: of a flat one, and what a slope of 1 at its sides
+/// adds. Steep ones leave dots unless the mean is wide; flat ones would be lost in it.
+constexpr double kFlatGrooveMean_cells = 0.97, kSteepness_cells = 0.72;
+/// Of the means over hairs and over a knife's scratches.
+constexpr double kHairMean_cells = 2.5, kScratchMean_cells = 3.2;
+/// Of a cell in whose middle a footprint ends: half of it, and as much more as keeps the volume of
+/// strokes where a soft footprint hardly closes the gap at its rim.
+constexpr double kRimCover = 0.64;
 /// A table of sixteen segments is looked up within registers.
 constexpr int kLeastSegments = 16;
 /// Scratches of a knife's edge against the hairs of a brush.
@@ -24,7 +26,7 @@ constexpr double kKnifeHairs = 0.6;
 /// Height of a groove's bottom above tau, in depths of the groove.
 constexpr double kGrooveRise = 0.25;
 /// What weighs less is not touched: soft footprints have a wide rim of next to nothing.
-constexpr double kLeastTouch = 0.02;
+constexpr double kLeastTouch = 0.04;
 /// Keeps means finite at the ends of a footprint.
 constexpr double kLeastWeight = 1e-6;
 
@@ -56,9 +58,15 @@ double reach_of(double crown) {
     return std::sqrt(2.0 * rest / (b + std::sqrt(b * b + 4.0 * crown * rest)));
 }
 
-/// A footprint that cells widen goes on longer steps.
-double stride_mm(double own_mm, double resolved_mm, double cell_mm) {
-    return std::max(own_mm, std::min((2.0 * own_mm + resolved_mm) / 3.0, kSoftRadius_cells * cell_mm));
+/// What a cell adds to the mean square radius.
+double cell_square(double crown) {
+    return kSoftCellSquare + 0.5 * (1.0 + crown) * (kFirmCellSquare - kSoftCellSquare);
+}
+
+/// Half width of the mean over a groove that is `groove` of the film deep.
+double groove_mean_cells(const Tip& tip, const PaintPreset& paint) {
+    const double steepness = 2.0 * paint.groove * paint.film_mm / tip.radius_mm;
+    return kFlatGrooveMean_cells + kSteepness_cells * steepness;
 }
 
 /// Heights of the hairs between their tips, s from -1 to 1.
@@ -70,8 +78,8 @@ double hair_at(const Tip& tip, int bristle, double s) {
 }
 
 /// Weight of the tip's own footprint at s across it.
-double weight_at(const Tip& tip, double s) {
-    return tip.rigid ? 1.0 - std::abs(s) : 1.0 - s * s * s * s;
+double own_weight(const Tip& tip, double s) {
+    return tip.rigid ? 1.0 - std::abs(s) : weight(s, 1.0);
 }
 
 /// What profiles are means of: places across a footprint, and the weights they have for each place of
@@ -89,7 +97,7 @@ class Means {
             const auto row = static_cast<std::ptrdiff_t>(shares_.size());
             for (int j = 0; j < count_; ++j) {
                 const double near = std::max(0.0, 1.0 - std::abs(place(j) - middle) / reach);
-                shares_.push_back(near * (kLeastWeight + weight_at(tip, place(j))));
+                shares_.push_back(near * (kLeastWeight + own_weight(tip, place(j))));
             }
             const double sum = std::accumulate(shares_.begin() + row, shares_.end(), 0.0);
             std::for_each(shares_.begin() + row, shares_.end(), [sum](double& share) { share /= sum; });
@@ -111,8 +119,9 @@ class Means {
 
 std::vector<float> profiles_of(const Tip& tip, const ResolvedTip& resolved, const PaintPreset& paint,
                                double cell_mm) {
-    const Means groove_means(tip, resolved, kGrooveMean_cells * cell_mm);
-    const Means hair_means(tip, resolved, kHairMean_cells * cell_mm);
+    const double hair_mean_cells = tip.rigid ? kScratchMean_cells : kHairMean_cells;
+    const Means groove_means(tip, resolved, groove_mean_cells(tip, paint) * cell_mm);
+    const Means hair_means(tip, resolved, hair_mean_cells * cell_mm);
     const int count = resolved.segments + 1;
     const double groove = tip.rigid ? 0.0 : paint.groove;
     const double hair = tip.rigid ? kKnifeHairs * paint.hair : paint.hair;
@@ -137,9 +146,8 @@ ResolvedTip resolve(const Tip& tip, const PaintPreset& paint, double cell_mm) {
     const double crown = tip.rigid ? 1.0 : crown_of(tip.radius_mm / cell_mm);
     ResolvedTip resolved;
     resolved.crown = static_cast<float>(crown);
-    resolved.radius_mm =
-        resolved_radius_mm(tip.radius_mm, mean_square(1.0), mean_square(crown), cell_mm);
-    resolved.stride_mm = stride_mm(tip.radius_mm, resolved.radius_mm, cell_mm);
+    resolved.radius_mm = resolved_radius_mm({mean_square(1.0), mean_square(crown), cell_square(crown)},
+                                            tip.radius_mm, cell_mm);
     resolved.reach_mm = reach_of(crown) * resolved.radius_mm;
     resolved.lane_mm = tip.rigid ? std::max(tip.lane_mm, cell_mm) : 0.0;
     const double along = tip.radius_mm / resolved.radius_mm;

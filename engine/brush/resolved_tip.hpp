@@ -4,19 +4,20 @@
 // With a the side of a cell, r the radius of a bristle's footprint and rho the distance from its middle
 // in radii R of the resolved one, the footprint weighs
 //
-//   w(rho) = (1 - rho^2) (1 + crown rho^2),   R^2 = (3/8 r^2 + 0.54 a^2) (6 + 2 crown) / (2 + crown).
+//   w(rho) = (1 - rho^2) (1 + crown rho^2),   R^2 = (3/8 r^2 + k a^2) (6 + 2 crown) / (2 + crown).
 //
 // Its mean square radius is that of 1 - rho^4 on the radius r and of a cell together. Where cells are
-// fine it is 1 - rho^4 (crown 1), flat on top; where they are coarse (1 - rho^2)^2 (crown -1), which
-// meets the canvas without an edge that cells could only draw as steps. `share` keeps its sum over the
-// canvas.
+// fine it is 1 - rho^4 (crown 1, k = 0.5), flat on top; where they are coarse (1 - rho^2)^2 (crown -1,
+// k = 0.6), which meets the canvas without an edge that cells could only draw as steps. `share` keeps
+// its sum over the canvas.
 //
-// It covers 0.7 of a cell in whose middle the tip's own footprint ends, and of others the share
+// It covers 0.64 of a cell in whose middle the tip's own footprint ends, and of others the share
 // min(1, cover w).
 //
 // A bristle's underside is higher than tau by film sat^2 profile(s), s from -1 to 1 across the resolved
-// footprint: groove (s^2 + 1/4) + hair noise(s), each the mean over triangles of half width 3/2 a and
-// 5/2 a, weighed as 1 - s^4, the footprint's own weight.
+// footprint: groove (s^2 + 1/4) + hair noise(s), each the mean over triangles of half width
+// (0.97 + 0.72 slope) a, slope = 2 groove film / r being the groove's at its sides, and 2.5 a (3.2 a for
+// a knife's scratches), weighed as 1 - s^4, the footprint's own weight.
 //
 // The elements of a knife weigh (1 - |s|)(1 - t^4) on lanes at least as wide as a cell, cover all of
 // what they touch and have no grooves.
@@ -32,8 +33,7 @@ namespace pastoso::brush {
 
 struct ResolvedTip {
     double radius_mm = 0.0;  ///< R; half length of a knife's lane
-    double reach_mm = 0.0;   ///< w is below 0.02 beyond it, and left out
-    double stride_mm = 0.0;  ///< of the preset's spacing: (2 r + R) / 3 up to 2.5 a, at least r
+    double reach_mm = 0.0;   ///< w is below 0.04 beyond it, and left out
     double lane_mm = 0.0;    ///< half width of a knife element's lane, 0 for bristles
     float crown = 1.0F;      ///< -1 to 1
     float cover = 1e6F;      ///< share of a cell that a bristle covers, over its weight there

@@ -77,7 +77,7 @@ double thickness_at(const film::FilmState& film, double x_mm, double y_mm) {
 grid::Rect put_down(Contents& held, double volume_mm3, double x_mm, double y_mm, double spread_mm,
                     std::uint32_t dither_seed, film::FilmState& film, CellBatch& scratch) {
     const double radius_mm =
-        resolved_radius_mm(spread_mm, kHeapMeanSquare, kHeapMeanSquare, film.cell_mm);
+        resolved_radius_mm({kHeapMeanSquare, kHeapMeanSquare, kSoftCellSquare}, spread_mm, film.cell_mm);
     scratch.gather(film, x_mm, y_mm, radius_mm);
     const double quanta = volume_mm3 / (film.cell_mm * film.cell_mm * film::kThicknessQuantum_mm);
     const WantedSums wanted = plan_heap(quanta, radius_mm, scratch);

@@ -53,11 +53,11 @@ int most_strips(const Brush& brush, const core::ThreadPool* pool) {
     return alone ? 1 : pool->thread_count();
 }
 
-double step_length_mm(const Brush& brush, const ResolvedTip& resolved) {
+/// The same whatever the size of cells: strokes end at the same place on all.
+double step_length_mm(const Brush& brush) {
     const StrokePreset& stroke = brush.preset.stroke;
-    const bool touches = brush.preset.kind == ToolKind::Contact;
-    const double stride_mm = touches ? resolved.stride_mm : brush.tip.radius_mm;
-    return std::max(stroke.spacing * std::max(stride_mm, kLeastStepRadius_mm), stroke.min_spacing_mm);
+    return std::max(stroke.spacing * std::max(brush.tip.radius_mm, kLeastStepRadius_mm),
+                    stroke.min_spacing_mm);
 }
 
 /// A tip has passed over a cell when it has travelled by its own depth, with what its hairs trail
@@ -124,7 +124,7 @@ Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const 
       film_(film),
       limit_(limit),
       resolved_(resolve(brush.tip, brush.preset.paint, film.cell_mm)),
-      step_mm_(step_length_mm(brush, resolved_)),
+      step_mm_(step_length_mm(brush)),
       turns_(turns_of(brush)),
       guide_(aids.guide),
       placement_(placement),
@@ -241,6 +241,7 @@ void Stroke::paint_step(const PathStep& step) {
     const StepRates rates = step_rates(brush_, resolved_, hand, turn_mm);
     const DragRates drag = drag_rates(brush_, resolved_, hand, turn_mm);
     const Swath swath = move_bristles(brush_, hand, step_mm_, film_, poses_);
+    if (!brush_.tip.rigid) clumps_.find(poses_, hand, brush_.tip.radius_mm);
     ++step_count_;
     pass_.set_travel(step_count_ * step_mm_);
     if (step_count_ % kPloughTurns == 0) plough(hand, swath);
@@ -294,9 +295,15 @@ Contact Stroke::contact(int bristle, const Touch& touch) const {
     contact.press = pose.press;
     contact.freshness = pose.freshness;
     contact.edge = brush_.tip.rigid ? 0.0F : edge_share(side_mm(pose, hand), touch.swath);
+    contact.alone = brush_.tip.rigid ? 0.0F : alone(bristle);
     contact.across_x = brush_.tip.rigid ? hand.cos_rotation : -hand.travel_y;
     contact.across_y = brush_.tip.rigid ? hand.sin_rotation : hand.travel_x;
     return contact;
+}
+
+float Stroke::alone(int bristle) const {
+    const double beyond_mm = resolved_.radius_mm - brush_.tip.radius_mm;
+    return static_cast<float>(std::clamp(2.0 - clumps_.to_edge_mm(bristle) / beyond_mm, 0.0, 1.0));
 }
 
 bool Stroke::touch_one(int bristle, const Touch& touch, StripTools& tools) {

@@ -4,6 +4,7 @@
 #include "brush/bristle_motion.hpp"
 #include "brush/brush.hpp"
 #include "brush/cell_batch.hpp"
+#include "brush/clumps.hpp"
 #include "brush/drag.hpp"
 #include "brush/droplets.hpp"
 #include "brush/pass_map.hpp"
@@ -93,6 +94,8 @@ class Stroke {
     void plough(const HandPose& hand, const Swath& swath);
     void touch_all(const Touch& touch);
     Contact contact(int bristle, const Touch& touch) const;
+    /// Contact::alone: whether cells beyond its own clump see the bristle.
+    float alone(int bristle) const;
     /// False: other threads may be at work on tiles that the film shares with other states.
     bool touch_one(int bristle, const Touch& touch, StripTools& tools);
     void leave_paint();
@@ -117,6 +120,7 @@ class Stroke {
     Plough plough_;
     core::ThreadPool* pool_;
     std::vector<StripPlace> touching_;  ///< in this step, in their order
+    Clumps clumps_;
     Strips strips_;
     std::deque<StripTools> tools_;  ///< of every strip
     std::mutex velocities_;         ///< of the film

@@ -8,8 +8,8 @@ namespace pastoso::brush {
 
 namespace {
 
-/// Path length after which a bristle has closed 1 - 1/e of the gap, in strides.
-constexpr double kClosingLength_strides = 0.8;
+/// Path length after which a bristle has closed 1 - 1/e of the gap, in footprint radii.
+constexpr double kClosingLength_radii = 0.8;
 /// Film against fill: sat = (1 + k) f / (f + k), 1 for a full bristle.
 constexpr float kStarvation = 0.22F;
 /// By how much less a bristle without body reaches than the thickest, in saturations.
@@ -112,9 +112,8 @@ WantedSums limit_plan(CellBatch& batch, WantedSums wanted) {
 StepRates step_rates(const Brush& brush, const ResolvedTip& tip, const HandPose& hand, double step_mm) {
     StepRates rates;
     rates.tip = &tip;
-    const double closing_mm = kClosingLength_strides * tip.stride_mm;
-    const double closed = tip.stride_mm / brush.tip.radius_mm * (1.0 - std::exp(-step_mm / closing_mm));
-    rates.rate = static_cast<float>(std::min(1.0, closed));
+    const double closing_mm = kClosingLength_radii * brush.tip.radius_mm;
+    rates.rate = static_cast<float>(1.0 - std::exp(-step_mm / closing_mm));
     rates.film_mm = static_cast<float>(brush.preset.paint.film_mm * hand.film);
     rates.reach = static_cast<float>(brush.preset.paint.reach * hand.reach);
     rates.pickup = static_cast<float>(std::min(1.0, brush.preset.exchange.pickup * hand.pickup));
@@ -136,7 +135,7 @@ ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact
     set_axes(brush, contact, rates, rule);
     rule.underside_mm = contact.support_mm + tau_mm;
     rule.crown = rates.tip->crown;
-    rule.cover = rates.tip->cover / std::max({contact.edge, 1.0F - saturation, kLeastAlone});
+    rule.cover = rates.tip->cover / std::max({contact.alone, square(1.0F - saturation), kLeastAlone});
     rule.profile_mm = wet_mm;
     rule.profile = rates.tip->profile_of(index);
     rule.segments = rates.tip->segments;

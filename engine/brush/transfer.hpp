@@ -17,22 +17,22 @@
 //
 // so that a full brush covers the hollows of the weave and a starved one, thin bristles first, only its
 // crowns. In a step ds, with the weight w(rho) of the footprint (brush/resolved_tip.hpp; 1 - rho^4 where
-// cells are fine), the gap g = z - c - h and the share q = min(1, L (1 - e^(-ds / 0.8 L r))) w chi,
+// cells are fine), the gap g = z - c - h and the share q = (1 - e^(-ds / 0.8 r)) w chi,
 //
 //   g > 0: the cell gains q (C (z - c) - h), C the share of it that is covered (a bristle gives at most
 //          half of what it holds),
 //   g < 0: it loses q |g| pickup, at most nine tenths of h,
 //   and equal volumes q mix (0.4 + 1.2 body) min(h, h_0, V / 2 area) are swapped,
 //
-// L r being the stride of the tip (L = 1 where cells are fine; longer steps do as much as shorter ones),
-// h_0 what the tip found there when it came: nothing is swapped with paint that the stroke itself
+// h_0 being what the tip found there when it came: nothing is swapped with paint that the stroke itself
 // has just laid down, which would blur its streaks.
 //
-// C = min(1, cover w / max(E, 1 - sat)): a bristle that is alone, at the edge of the stroke or with its
-// neighbours starved, leaves in a cell the share that it covers; among others, they cover the rest.
+// C = min(1, cover w / max(A, 1 - sat)): a bristle that is alone, at the edge of its clump (A = 1 there,
+// brush/clumps.hpp) or with its neighbours starved, leaves in a cell the share that it covers; among
+// others, they cover the rest.
 //
 // The elements of a knife share one s, act within lanes as wide as their distance, w = (1 - |across|)
-// (1 - along^4), which keeps colours apart, and have e = sat, E = 0 and no grooves.
+// (1 - along^4), which keeps colours apart, and have e = sat, E = A = 0 and no grooves.
 //
 // Ridges, streaks, starved strokes, picking up and ploughing follow. Whole quanta are moved and the
 // bristle gets exactly what the cells lost: tip and film together keep their volume and pigment to the
@@ -55,13 +55,14 @@ struct Contact {
     float press = 0.0F;                     ///< 0 to 1
     float freshness = 0.0F;                 ///< 0 to 1
     float edge = 0.0F;                      ///< 1 at the edges of the stroke, 0 within
+    float alone = 0.0F;                     ///< 1 at the edges of a clump of bristles, 0 within
     double across_x = 1.0, across_y = 0.0;  ///< unit vector along which the hairs lie side by side
 };
 
 /// Numbers that stay the same during a step.
 struct StepRates {
     const ResolvedTip* tip = nullptr;
-    float rate = 0.0F;                                  ///< min(1, L (1 - e^(-ds / 0.8 L r)))
+    float rate = 0.0F;                                  ///< 1 - e^(-ds / 0.8 r)
     float film_mm = 0.0F, reach = 1.0F, pickup = 0.0F;  ///< the preset's, times the hand's factors
 };
 StepRates step_rates(const Brush& brush, const ResolvedTip& tip, const HandPose& hand, double step_mm);

@@ -1,4 +1,5 @@
-// The strokes most likely to be rough: oblique ones of a full brush. smoothness_long_test.cpp has all.
+// Oblique strokes of a full brush, which are most likely to be rough, and one of a dry one.
+// smoothness_long_test.cpp has all.
 #include "brush/smoothness.hpp"
 
 namespace pastoso::brush {
@@ -7,10 +8,8 @@ namespace {
 class Smoothness : public testing::TestWithParam<const char*> {};
 
 TEST_P(Smoothness, IsThatOfFineCells) {
-    for (const double angle_deg : {20.0, 61.0}) {
-        SCOPED_TRACE(angle_deg);
-        studio::expect_smooth_on_coarse_cells({GetParam(), angle_deg, 1.0});
-    }
+    studio::expect_slopes_of_fine_cells(
+        {{GetParam(), 20.0, 1.0}, {GetParam(), 61.0, 1.0}, {GetParam(), 7.0, 0.1}});
 }
 
 INSTANTIATE_TEST_SUITE_P(Presets, Smoothness, testing::ValuesIn(studio::kSmoothPresets),
