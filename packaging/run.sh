@@ -13,7 +13,7 @@ esac
 
 replay_example() {
     local picture="$root/out/first-light.png"
-    say "$1 Painting the example recording into a picture instead."
+    say "Painting the example recording into a picture instead."
     mkdir -p "$root/out"
     "$root/build/release/bin/pastoso-cli" replay "$root/resources/strokes/still-life.json" -o "$picture"
     say "Painted $picture"
@@ -27,17 +27,13 @@ open_window() {
 }
 
 "$root/packaging/build.sh"
-if [[ -z ${DISPLAY-} && -z ${WAYLAND_DISPLAY-} ]]; then
-    replay_example "There is no display (neither DISPLAY nor WAYLAND_DISPLAY is set)."
-    exit 0
-fi
 messages="$(mktemp)"
 trap 'rm -f -- "$messages"' EXIT
 say "Opening Pastoso"
 if open_window "$messages" "$@"; then
     say "Pastoso has closed"
 elif grep -q "no display" "$messages"; then
-    replay_example "The display cannot be opened."
+    replay_example
 else
     fail "Pastoso could not go on; its message stands above."
 fi
