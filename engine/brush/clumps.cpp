@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace pastoso::brush {
 namespace {
@@ -13,34 +12,37 @@ constexpr double kNowhere_mm = std::numeric_limits<double>::infinity();
 }  // namespace
 
 void Clumps::find(const std::vector<BristlePose>& poses, const HandPose& hand, double radius_mm) {
-    if (order_.size() != poses.size()) {
-        order_.resize(poses.size());
-        std::iota(order_.begin(), order_.end(), 0);
-        sides_mm_.resize(poses.size());
+    if (places_.size() != poses.size()) {
+        places_.clear();
+        for (int bristle = 0; bristle < static_cast<int>(poses.size()); ++bristle)
+            places_.push_back({0.0, bristle});
         to_edge_mm_.resize(poses.size());
     }
-    for (std::size_t i = 0; i < poses.size(); ++i)
-        sides_mm_[i] = poses[i].down ? side_mm(poses[i], hand) : kNowhere_mm;
+    for (Place& place : places_) {
+        const BristlePose& pose = poses[place.bristle];
+        place.side_mm = pose.down ? side_mm(pose, hand) : kNowhere_mm;
+    }
     sort_by_side();
-    const auto side = [&](std::size_t place) { return sides_mm_[order_[place]]; };
-    for (std::size_t first = 0; first < order_.size() && side(first) < kNowhere_mm;) {
-        std::size_t end = first + 1;
-        while (end < order_.size() && side(end) - side(end - 1) <= 2.0 * radius_mm)
-            ++end;
-        for (std::size_t place = first; place < end; ++place)
-            to_edge_mm_[order_[place]] =
-                std::min(side(place) - side(first), side(end - 1) - side(place));
-        first = end;
+    const auto lifted = std::find_if(places_.begin(), places_.end(),
+                                     [](const Place& place) { return place.side_mm == kNowhere_mm; });
+    for (auto first = places_.begin(); first != lifted;) {
+        auto last = first;
+        while (last + 1 != lifted && (last + 1)->side_mm - last->side_mm <= 2.0 * radius_mm)
+            ++last;
+        for (auto place = first; place <= last; ++place)
+            to_edge_mm_[place->bristle] =
+                std::min(place->side_mm - first->side_mm, last->side_mm - place->side_mm);
+        first = last + 1;
     }
 }
 
 void Clumps::sort_by_side() {
-    for (std::size_t i = 1; i < order_.size(); ++i) {
-        const int bristle = order_[i];
-        std::size_t place = i;
-        for (; place > 0 && sides_mm_[order_[place - 1]] > sides_mm_[bristle]; --place)
-            order_[place] = order_[place - 1];
-        order_[place] = bristle;
+    for (std::size_t i = 1; i < places_.size(); ++i) {
+        const Place place = places_[i];
+        std::size_t to = i;
+        for (; to > 0 && places_[to - 1].side_mm > place.side_mm; --to)
+            places_[to] = places_[to - 1];
+        places_[to] = place;
     }
 }
 

@@ -19,10 +19,14 @@ class Clumps {
     double to_edge_mm(int bristle) const { return to_edge_mm_[static_cast<std::size_t>(bristle)]; }
 
   private:
+    struct Place {
+        double side_mm;
+        int bristle;
+    };
     void sort_by_side();
 
-    std::vector<double> sides_mm_, to_edge_mm_;
-    std::vector<int> order_;  ///< from one side to the other, kept: it changes little in a step
+    std::vector<Place> places_;  ///< from one side to the other, kept: they change little in a step
+    std::vector<double> to_edge_mm_;
 };
 
 }  // namespace pastoso::brush
