@@ -50,8 +50,8 @@ class Looks : public WindowTest {
     /// Cells that are seen, some of them painted.
     static std::vector<glm::ivec2> some_cells() {
         std::vector<glm::ivec2> cells;
-        for (int y = 35; y < 125; y += 6)
-            for (int x = 70; x < 190; x += 7)
+        for (int y = 35; y < 125; y += 3)
+            for (int x = 70; x < 190; x += 5)
                 cells.emplace_back(x, y);
         return cells;
     }
@@ -154,7 +154,7 @@ TEST_F(Looks, NormalsAreThoseOfTheSurface) {
         const double slope_y = (down(-1) + 4.0 * down(0) + down(1)) / 6.0 / film().cell_mm;
         const glm::dvec3 normal =
             glm::dvec3(-slope_x, slope_y, 1.0) / std::sqrt(1.0 + slope_x * slope_x + slope_y * slope_y);
-        steep += normal.z < 0.98;
+        steep += normal.z < 0.95;
         expect_near(seen(image, cell), 255.0 * (0.5 + 0.5 * normal));
     }
     EXPECT_GT(steep, 5);
