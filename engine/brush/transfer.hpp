@@ -27,9 +27,9 @@
 // h_0 being what the tip found there when it came: nothing is swapped with paint that the stroke itself
 // has just laid down, which would blur its streaks.
 //
-// C = min(1, cover w / max(A, 1 - sat)): a bristle that is alone, at the edge of its clump (A = 1 there,
-// brush/clumps.hpp) or with its neighbours starved, leaves in a cell the share that it covers; among
-// others, they cover the rest.
+// C = min(1, cover w / max(A, (1 - sat)^2)): a bristle that is alone, at the edge of its clump (A = 1
+// there, brush/clumps.hpp) or with its neighbours starved, leaves in a cell the share that it covers;
+// among others, they cover the rest.
 //
 // The elements of a knife share one s, act within lanes as wide as their distance, w = (1 - |across|)
 // (1 - along^4), which keeps colours apart, and have e = sat, E = A = 0 and no grooves.
