@@ -5,17 +5,31 @@
 
 namespace pastoso::core::lanes {
 
+/// Lanes wherever they lie. Copied as bytes they would go through memory in halves, as GCC does it in
+/// large functions, and a processor waits where it then reads the halves as one.
+template <class V>
+struct Anywhere {
+    using Raw [[gnu::may_alias, gnu::aligned(1)]] = decltype(V::raw);
+};
+
 /// Neighbouring numbers, or a single one, from any address.
 template <class V, class T>
 PASTOSO_LANE_FUNCTION V load(const T* from) {
     static_assert(std::is_same_v<As<T, V>, V>);
-    V values;
-    __builtin_memcpy(&values, from, sizeof values);
-    return values;
+    if constexpr (Number<V>) {
+        return *from;
+    } else {
+        V values;
+        values.raw = *reinterpret_cast<const typename Anywhere<V>::Raw*>(from);
+        return values;
+    }
 }
 template <class T, class V>
 PASTOSO_LANE_FUNCTION void store(T* to, const V& values) {
-    __builtin_memcpy(to, &values, sizeof values);
+    if constexpr (Number<V>)
+        *to = values;
+    else
+        *reinterpret_cast<typename Anywhere<V>::Raw*>(to) = values.raw;
 }
 
 /// of(0), of(1), ...
