@@ -88,10 +88,11 @@ float highest_support(const film::FilmState& film, const TuftCells& tufts, int i
     if (left / kSize == right / kSize && above / kSize == below / kSize) {
         const film::TileHeights support =
             film.support_mm.read(film.shape.tile_at(tufts.x[i], tufts.y[i]));
-        const auto at = [support](unsigned column, unsigned row) {
-            return support[row % kSize * kSize + column % kSize];
+        const auto cell = [](unsigned column, unsigned row) {
+            return row % kSize * kSize + column % kSize;
         };
-        return std::max({at(x, y), at(left, y), at(right, y), at(x, above), at(x, below)});
+        return support.highest(cell(x, y), cell(left, y), cell(right, y), cell(x, above),
+                               cell(x, below));
     }
     return std::max(
         {support_at(film, tufts.x[i], tufts.y[i]), support_at(film, tufts.left[i], tufts.y[i]),

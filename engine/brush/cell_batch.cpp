@@ -6,8 +6,6 @@ namespace pastoso::brush {
 
 namespace {
 
-/// Outlines are worked out for whole registers of rows.
-constexpr int kRowStep = 8;
 /// A height no tool reaches, for the padding.
 constexpr float kUnreachable_mm = -1e6F;
 
@@ -16,15 +14,14 @@ int whole_below(double x) {
     return truncated - (truncated > x ? 1 : 0);
 }
 
-/// First and one-past-last cell whose centre lies within `reach_mm` of `place_mm`.
-struct Span {
-    int first, end;
-};
-Span cells_within(double place_mm, double reach_mm, double cell_mm) {
-    const double farthest = 1e6;
-    const double first = std::clamp((place_mm - reach_mm) / cell_mm - 0.5, -farthest, farthest);
-    const double last = std::clamp((place_mm + reach_mm) / cell_mm - 0.5, -farthest, farthest);
-    return {-whole_below(-first), whole_below(last) + 1};
+/// A rectangle around the cells whose centres lie within the disc.
+grid::Rect cells_within(const Disc& disc) {
+    const auto whole = [](double x) {
+        constexpr double kFarthest = 1e6;
+        return whole_below(std::clamp(x, -kFarthest, kFarthest));
+    };
+    return {-whole(disc.radius - disc.x), -whole(disc.radius - disc.y), whole(disc.x + disc.radius) + 1,
+            whole(disc.y + disc.radius) + 1};
 }
 
 }  // namespace
@@ -33,22 +30,18 @@ void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, do
                        PassMap* pass) {
     count_ = 0;
     parts_.clear();
-    const Span columns = cells_within(x_mm, radius_mm, film.cell_mm);
-    const Span rows = cells_within(y_mm, radius_mm, film.cell_mm);
-    cells_ = grid::intersection(film.shape.cells(), {columns.first, rows.first, columns.end, rows.end});
+    const Disc disc = {x_mm / film.cell_mm - 0.5, y_mm / film.cell_mm - 0.5, radius_mm / film.cell_mm};
+    cells_ = grid::intersection(film.shape.cells(), cells_within(disc));
     if (cells_.empty()) return;
     reserve(cells_.width() * cells_.height());
-    const Disc disc = {x_mm / film.cell_mm - 0.5, y_mm / film.cell_mm - 0.5, radius_mm / film.cell_mm};
-    const int rows_of_spans = (cells_.height() + kRowStep - 1) / kRowStep * kRowStep;
-    spans_.resize(static_cast<std::size_t>(rows_of_spans));
-    rows_.resize(spans_.size());
-    core::kernels<GatherKernels>().outline(disc, cells_.y0, rows_of_spans, spans_.data());
     const grid::Rect tiles = film.shape.tiles_touching(cells_);
     for (int row = tiles.y0; row < tiles.y1; ++row) {
         for (int column = tiles.x0; column < tiles.x1; ++column) {
             const int tile = row * film.shape.tiles_x() + column;
             const int begin = count_;
-            const grid::Rect part = grid::intersection(cells_, film.shape.tile_cells(tile));
+            const int x0 = column * grid::kTileSize, y0 = row * grid::kTileSize;
+            const grid::Rect part =
+                grid::intersection(cells_, {x0, y0, x0 + grid::kTileSize, y0 + grid::kTileSize});
             gather_part(film, tile, part, disc, pass);
             parts_.push_back({tile, begin, count_});
         }
@@ -58,24 +51,11 @@ void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, do
 
 void CellBatch::gather_part(const film::FilmState& film, int tile, const grid::Rect& part,
                             const Disc& disc, PassMap* pass) {
-    int row_count = 0, end = count_;
-    for (int y = part.y0; y < part.y1; ++y) {
-        const RowSpan& span = spans_[y - cells_.y0];
-        const int x0 = std::max(part.x0, span.first);
-        const int width = std::min(part.x1, span.end) - x0;
-        if (width <= 0) continue;
-        rows_[row_count++] = {grid::Shape::cell_in_tile(x0, y), width,
-                              static_cast<float>((x0 - disc.x) * film.cell_mm),
-                              static_cast<float>((y - disc.y) * film.cell_mm)};
-        end += width;
-    }
     const GatherSource source = {film.thickness.read(tile), film.support_mm.read(tile),
                                  film.paint.read(tile), pass != nullptr ? pass->tile(tile) : PassTile{}};
-    core::kernels<GatherKernels>().gather(source, rows_.data(), row_count,
-                                          static_cast<float>(film.cell_mm),
-                                          {&dx_mm[count_], &dy_mm[count_], &support_mm[count_],
-                                           &thickness[count_], &found[count_], &cell[count_]});
-    count_ = end;
+    count_ += core::kernels<GatherKernels>().gather(source, part, disc, film.cell_mm,
+                                                    {&dx_mm[count_], &dy_mm[count_], &support_mm[count_],
+                                                     &thickness[count_], &found[count_], &cell[count_]});
 }
 
 void CellBatch::reserve(int count) {

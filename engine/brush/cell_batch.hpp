@@ -59,8 +59,6 @@ class CellBatch {
     int count_ = 0;
     std::vector<TilePart> parts_;
     grid::Rect cells_;
-    std::vector<RowSpan> spans_;  ///< of every row of cells_
-    std::vector<GatherRow> rows_;
 };
 
 }  // namespace pastoso::brush

@@ -18,11 +18,7 @@ void Clumps::find(const std::vector<BristlePose>& poses, const HandPose& hand, d
             places_.push_back({0.0, bristle});
         to_edge_mm_.resize(poses.size());
     }
-    for (Place& place : places_) {
-        const BristlePose& pose = poses[place.bristle];
-        place.side_mm = pose.down ? side_mm(pose, hand) : kNowhere_mm;
-    }
-    sort_by_side();
+    sort_by_side(poses, hand);
     const auto lifted = std::find_if(places_.begin(), places_.end(),
                                      [](const Place& place) { return place.side_mm == kNowhere_mm; });
     for (auto first = places_.begin(); first != lifted;) {
@@ -36,9 +32,11 @@ void Clumps::find(const std::vector<BristlePose>& poses, const HandPose& hand, d
     }
 }
 
-void Clumps::sort_by_side() {
-    for (std::size_t i = 1; i < places_.size(); ++i) {
-        const Place place = places_[i];
+void Clumps::sort_by_side(const std::vector<BristlePose>& poses, const HandPose& hand) {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        Place place = places_[i];
+        const BristlePose& pose = poses[place.bristle];
+        place.side_mm = pose.down ? side_mm(pose, hand) : kNowhere_mm;
         std::size_t to = i;
         for (; to > 0 && places_[to - 1].side_mm > place.side_mm; --to)
             places_[to] = places_[to - 1];

@@ -23,7 +23,7 @@ class Clumps {
         double side_mm;
         int bristle;
     };
-    void sort_by_side();
+    void sort_by_side(const std::vector<BristlePose>& poses, const HandPose& hand);
 
     std::vector<Place> places_;  ///< from one side to the other, kept: they change little in a step
     std::vector<double> to_edge_mm_;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace pastoso::brush {
 namespace {
@@ -23,26 +22,33 @@ float touch_of(const ExchangeRule& rule, const CellBatch& cells, int i) {
     return weight * std::clamp((surface - rule.lowest_mm) * rule.fade_per_mm, 0.0F, 1.0F);
 }
 
-/// The largest nu / kThinnest_m2_s of paint as thick as the thickest here that is dragged along.
-double stiffest(const CellBatch& cells, double speed_mm_s) {
-    constexpr double kThinnest_mm2_s = film::kThinnest_m2_s * 1e6;
+std::int32_t thickest(const CellBatch& cells) {
     std::int32_t thickest = 0;
     for (int i = 0; i < cells.count(); ++i)
         thickest = std::max(thickest, cells.thickness[i]);
-    const double h_mm = film::thickness_mm(thickest);
-    return speed_mm_s * h_mm * h_mm / (3.0 * kStop_mm) / kThinnest_mm2_s;
+    return thickest;
 }
 
-/// A logarithm, rounded up to those of whole powers of two: most paint is so stiff that this tells.
-float logarithm_above(double x) {
-    return static_cast<float>((std::ilogb(x) + 1) * core::kLn2);
+constexpr double kThinnest_mm2_s = film::kThinnest_m2_s * 1e6;
+
+/// Thickness from which on paint goes on moving.
+std::int32_t least_quanta(double log_viscosity, double speed_mm_s) {
+    const double nu_mm2_s = kThinnest_mm2_s * std::exp(log_viscosity);
+    const double quanta = std::sqrt(3.0 * kStop_mm * nu_mm2_s / speed_mm_s) / film::kThicknessQuantum_mm;
+    return static_cast<std::int32_t>(std::min(std::ceil(quanta), film::kMaxThickness_quanta + 1.0));
 }
 
-/// `stiffest` is ln(nu / kThinnest_m2_s).
-bool flows(const film::PaintCell& paint, std::int32_t thickness, float stiffest) {
+/// ln(nu / kThinnest_m2_s) of the most viscous paint that goes on moving at that thickness.
+float most_viscous(std::int32_t quanta, double speed_mm_s) {
+    const double h_mm = film::thickness_mm(quanta);
+    return static_cast<float>(
+        core::natural_log(speed_mm_s * h_mm * h_mm / (3.0 * kStop_mm * kThinnest_mm2_s)));
+}
+
+bool is_no_stiffer(const film::PaintCell& paint, std::int32_t thickness, float log_viscosity) {
     constexpr auto kRatio = static_cast<float>(film::kThicknessQuantum_mm / film::kPaintQuantum);
     return static_cast<float>(paint[film::kViscosityChannel]) <=
-           stiffest * kRatio * static_cast<float>(thickness);
+           log_viscosity * kRatio * static_cast<float>(thickness);
 }
 
 /// u += s (tip - u) at the faces from every cell of `from` to the next along one axis.
@@ -61,7 +67,8 @@ void drag_faces(const grid::Rect& from, float tip_mm_s, const Share& share,
 
 }  // namespace
 
-DragRates drag_rates(const Brush& brush, const ResolvedTip& tip, const HandPose& hand, double step_mm) {
+DragRates drag_rates(const Brush& brush, const ResolvedTip& tip, const HandPose& hand, double step_mm,
+                     const film::Consistencies& paint) {
     const double share =
         brush.preset.exchange.momentum * (1.0 - std::exp(-step_mm / brush.tip.radius_mm));
     DragRates rates;
@@ -69,6 +76,8 @@ DragRates drag_rates(const Brush& brush, const ResolvedTip& tip, const HandPose&
     rates.velocity_x_mm_s = static_cast<float>(hand.speed_mm_s * hand.travel_x);
     rates.velocity_y_mm_s = static_cast<float>(hand.speed_mm_s * hand.travel_y);
     rates.speed_mm_s = std::hypot(rates.velocity_x_mm_s, rates.velocity_y_mm_s);
+    rates.least_quanta =
+        least_quanta(paint.uniform() ? paint.uniform()->log_viscosity : 0.0, rates.speed_mm_s);
     return rates;
 }
 
@@ -82,12 +91,9 @@ void PaintDrag::Shares::set(int x, int y, float share, const grid::Rect& all) {
     at(x, y) = share;
 }
 
-void PaintDrag::compute_shares(const ExchangeRule& rule, const DragRates& rates,
+void PaintDrag::compute_shares(const ExchangeRule& rule, const DragRates& rates, float log_viscosity,
                                const CellBatch& touched, const film::FilmState& film) {
-    const double most_viscous = stiffest(touched, rates.speed_mm_s);
-    if (most_viscous <= 1.0) return;
-    const float above = logarithm_above(most_viscous);
-    std::optional<float> most;
+    const bool alike = film.consistencies.uniform().has_value();
     for (const CellBatch::TilePart& part : touched.parts()) {
         if (film.thickness.is_background(part.tile)) continue;
         const std::int32_t* thickness = film.thickness.read(part.tile);
@@ -96,14 +102,9 @@ void PaintDrag::compute_shares(const ExchangeRule& rule, const DragRates& rates,
         for (int i = part.begin; i < part.end; ++i) {
             const std::int32_t cell = touched.cell[i];
             if (thickness[cell] == 0 || !touched.may_change(part, i)) continue;
-            const bool may_flow = flows(paint[cell], thickness[cell], above);
-            if (may_flow && !most) most = static_cast<float>(core::natural_log(most_viscous));
-            if (may_flow && flows(paint[cell], thickness[cell], *most)) {
-                shares_.set(tile.x0 + cell % grid::kTileSize, tile.y0 + cell / grid::kTileSize,
-                            rates.share * touch_of(rule, touched, i), touched.cells());
-            } else if (!film.consistencies.are_several()) {
-                return;  // all paint is as stiff
-            }
+            if (!alike && !is_no_stiffer(paint[cell], thickness[cell], log_viscosity)) continue;
+            shares_.set(tile.x0 + cell % grid::kTileSize, tile.y0 + cell / grid::kTileSize,
+                        rates.share * touch_of(rule, touched, i), touched.cells());
         }
     }
 }
@@ -111,7 +112,9 @@ void PaintDrag::compute_shares(const ExchangeRule& rule, const DragRates& rates,
 bool PaintDrag::find(const ExchangeRule& rule, const DragRates& rates, const CellBatch& touched,
                      const film::FilmState& film) {
     shares_.any = false;
-    if (rates.share > 0.0F && touched.count() > 0) compute_shares(rule, rates, touched, film);
+    const std::int32_t quanta = rates.share > 0.0F ? thickest(touched) : 0;
+    if (quanta >= rates.least_quanta)
+        compute_shares(rule, rates, most_viscous(quanta, rates.speed_mm_s), touched, film);
     return shares_.any;
 }
 

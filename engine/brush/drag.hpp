@@ -17,8 +17,10 @@ struct DragRates {
     float share = 0.0F;  ///< momentum (1 - e^(-ds / r)), the resolved footprint's share of it
     float velocity_x_mm_s = 0.0F, velocity_y_mm_s = 0.0F;  ///< of the tip
     float speed_mm_s = 0.0F;                               ///< its absolute value
+    std::int32_t least_quanta = 1;  ///< thickness from which on any of the film's paint goes on moving
 };
-DragRates drag_rates(const Brush& brush, const ResolvedTip& tip, const HandPose& hand, double step_mm);
+DragRates drag_rates(const Brush& brush, const ResolvedTip& tip, const HandPose& hand, double step_mm,
+                     const film::Consistencies& paint);
 
 /// Draws the depth-mean velocity u at every face between two wet cells towards the tip's:
 ///
@@ -29,7 +31,8 @@ DragRates drag_rates(const Brush& brush, const ResolvedTip& tip, const HandPose&
 ///
 ///     u_tip h^2 / 3 nu,
 ///
-/// is left alone. `touched` are the cells as they were gathered for the rule.
+/// is left alone, h being the thickness of the thickest cell. `touched` are the cells as they were
+/// gathered for the rule.
 class PaintDrag {
   public:
     /// Finds s. Returns whether any paint is dragged along.
@@ -51,8 +54,8 @@ class PaintDrag {
         /// The first call makes room for `all`.
         void set(int x, int y, float share, const grid::Rect& all);
     };
-    void compute_shares(const ExchangeRule& rule, const DragRates& rates, const CellBatch& touched,
-                        const film::FilmState& film);
+    void compute_shares(const ExchangeRule& rule, const DragRates& rates, float log_viscosity,
+                        const CellBatch& touched, const film::FilmState& film);
 
     Shares shares_;
 };

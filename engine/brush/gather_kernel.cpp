@@ -17,6 +17,13 @@ PASTOSO_LANE_FUNCTION int whole_below(double x) {
     return truncated - (truncated > x ? 1 : 0);
 }
 
+/// A piece of a row within one tile.
+struct Row {
+    int cell;  ///< index of the first in the tile
+    int count;
+    float x_mm, y_mm;  ///< centre of the first, from the middle of the footprint
+};
+
 /// Begins a pass over those cells within the row that are in none, and writes what was found.
 template <class F, class I, class Inside>
 PASTOSO_LANE_FUNCTION void find(const PassTile& pass, int cell, I quanta, Inside inside,
@@ -52,9 +59,8 @@ struct InLevels {
 /// Gathers cell `i` of a row, or as many from there on as F and I hold. Thickness and pass beyond the
 /// row's end are neither read nor written where registers have masks: another thread may change them.
 template <class F, class I, class Support>
-PASTOSO_LANE_FUNCTION void gather_cells(const GatherSource& tile, const Support& support,
-                                        const GatherRow& row, int i, float cell_mm,
-                                        const GatherColumns& to) {
+PASTOSO_LANE_FUNCTION void gather_cells(const GatherSource& tile, const Support& support, const Row& row,
+                                        int i, float cell_mm, const GatherColumns& to) {
     const I number = lanes::counting<I>() + i;
     const auto inside = number < I(row.count);
     const auto quanta = lanes::load_where<I>(tile.thickness + row.cell + i, inside);
@@ -69,11 +75,15 @@ PASTOSO_LANE_FUNCTION void gather_cells(const GatherSource& tile, const Support&
         lanes::store(to.found + i, quanta);
 }
 
+/// From this width on the exchange, which will want the paint of these cells soon, finds it in memory;
+/// smaller footprints mostly touch cells that others have just touched.
+constexpr int kWideRow = 9;
+
 /// In whole registers, as long as they do not reach beyond the tile (without masks: beyond the row);
 /// what is too much in the columns is overwritten by the next row.
 template <class Support>
-PASTOSO_LANE_FUNCTION void gather_row(const GatherSource& tile, const Support& support,
-                                      const GatherRow& row, float cell_mm, const GatherColumns& to) {
+PASTOSO_LANE_FUNCTION void gather_row(const GatherSource& tile, const Support& support, const Row& row,
+                                      float cell_mm, const GatherColumns& to) {
     constexpr int kLanes = Floats::kLanes;
     const int end = lanes::kMasked ? grid::kTileCells : row.cell + row.count;
     int i = 0;
@@ -81,44 +91,66 @@ PASTOSO_LANE_FUNCTION void gather_row(const GatherSource& tile, const Support& s
         gather_cells<Floats, Ints>(tile, support, row, i, cell_mm, to);
     for (; i < row.count; ++i)
         gather_cells<float, std::int32_t>(tile, support, row, i, cell_mm, to);
+    if (row.count < kWideRow) return;
+    for (int cell = row.cell; cell < row.cell + row.count; ++cell)
+        __builtin_prefetch(&tile.paint[cell], 1);
+}
+
+/// Rows are outlined so many at a time, whole registers of them.
+constexpr int kRowStep = 8;
+
+/// The parts of rows that lie within a disc; count <= 0: none.
+struct Rows {
+    int cell[kRowStep], count[kRowStep];
+    float x_mm[kRowStep], y_mm[kRowStep];
+
+    PASTOSO_LANE_MEMBER Row operator[](int i) const { return {cell[i], count[i], x_mm[i], y_mm[i]}; }
+};
+
+PASTOSO_LANE_FUNCTION void outline(const Disc& disc, const grid::Rect& part, int y, double cell_mm,
+                                   Rows& rows) {
+    for (int i = 0; i < kRowStep; ++i) {
+        const double off = y + i - disc.y;
+        const double within = disc.radius * disc.radius - off * off;
+        const double half = __builtin_sqrt(within > 0.0 ? within : 0.0);
+        const int first = lanes::max(part.x0, -whole_below(half - disc.x));
+        const int end = lanes::min(part.x1, whole_below(disc.x + half) + 1);
+        rows.cell[i] = (y + i) % grid::kTileSize * grid::kTileSize + first % grid::kTileSize;
+        rows.count[i] = end - first;
+        rows.x_mm[i] = static_cast<float>((first - disc.x) * cell_mm);
+        rows.y_mm[i] = static_cast<float>(off * cell_mm);
+    }
 }
 
 template <class Support>
-PASTOSO_LANE_FUNCTION void gather_rows(const GatherSource& tile, const Support& support,
-                                       const GatherRow* rows, int row_count, float cell_mm,
-                                       GatherColumns to) {
-    for (int r = 0; r < row_count; ++r) {
-        const GatherRow& row = rows[r];
-        gather_row(tile, support, row, cell_mm, to);
-        // The exchange will want the paint of these cells soon.
-        for (int i = 0; i < row.count; ++i)
-            __builtin_prefetch(&tile.paint[row.cell + i], 1);
-        to = {to.dx_mm + row.count,     to.dy_mm + row.count, to.support_mm + row.count,
-              to.thickness + row.count, to.found + row.count, to.cell + row.count};
+PASTOSO_LANE_FUNCTION int gather_part(const GatherSource& tile, const Support& support,
+                                      const grid::Rect& part, const Disc& disc, double cell_mm,
+                                      GatherColumns to) {
+    int gathered = 0;
+    Rows rows;
+    for (int y = part.y0; y < part.y1; ++y) {
+        const int i = (y - part.y0) % kRowStep;
+        if (i == 0) outline(disc, part, y, cell_mm, rows);
+        const Row row = rows[i];
+        if (row.count <= 0) continue;
+        gather_row(tile, support, row, static_cast<float>(cell_mm),
+                   {to.dx_mm + gathered, to.dy_mm + gathered, to.support_mm + gathered,
+                    to.thickness + gathered, to.found + gathered, to.cell + gathered});
+        gathered += row.count;
     }
+    return gathered;
 }
 
 }  // namespace
 
-void outline(const Disc& disc, int first_row, int rows, RowSpan* spans) {
-    for (int i = 0; i < rows; ++i) {
-        const double off = first_row + i - disc.y;
-        const double within = disc.radius * disc.radius - off * off;
-        const double half = __builtin_sqrt(within > 0.0 ? within : 0.0);
-        spans[i].first = -whole_below(half - disc.x);
-        spans[i].end = whole_below(disc.x + half) + 1;
-    }
-}
-
-void gather(const GatherSource& tile, const GatherRow* rows, int row_count, float cell_mm,
-            GatherColumns to) {
+int gather(const GatherSource& tile, const grid::Rect& part, const Disc& disc, double cell_mm,
+           GatherColumns to) {
     if (tile.support.levels != nullptr)
-        gather_rows(tile, InLevels{tile.support.levels, tile.support.level_mm}, rows, row_count, cell_mm,
-                    to);
-    else
-        gather_rows(tile, InFloats{tile.support.heights_mm}, rows, row_count, cell_mm, to);
+        return gather_part(tile, InLevels{tile.support.levels, tile.support.level_mm}, part, disc,
+                           cell_mm, to);
+    return gather_part(tile, InFloats{tile.support.heights_mm}, part, disc, cell_mm, to);
 }
 
 }  // namespace pastoso::brush::PASTOSO_ISA
 
-PASTOSO_REGISTER_KERNELS(pastoso::brush, GatherKernels, outline, gather)
+PASTOSO_REGISTER_KERNELS(pastoso::brush, GatherKernels, gather)

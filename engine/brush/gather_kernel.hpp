@@ -4,6 +4,7 @@
 #include "core/kernels.hpp"
 #include "film/cell/paint_cell.hpp"
 #include "film/support/support_heights.hpp"
+#include "grid/shape.hpp"
 
 #include <cstdint>
 
@@ -12,11 +13,6 @@ namespace pastoso::brush {
 /// In cells, from the centre of cell (0, 0).
 struct Disc {
     double x, y, radius;
-};
-
-/// Cells [first, end) of a row of the canvas.
-struct RowSpan {
-    int first, end;
 };
 
 /// What a pass over the canvas knows of a tile (pass_map.hpp), null without a pass.
@@ -35,13 +31,6 @@ struct GatherSource {
     PassTile pass;
 };
 
-/// A piece of a row within one tile.
-struct GatherRow {
-    int cell;          ///< index of the first in the tile
-    int count;         ///< at least 1
-    float x_mm, y_mm;  ///< centre of the first, from the middle of the footprint
-};
-
 /// Columns of a CellBatch from the first cell on that is to be filled; there is room for kBatchStep
 /// values too many.
 struct GatherColumns {
@@ -50,12 +39,11 @@ struct GatherColumns {
 };
 
 struct GatherKernels {
-    /// The cells of the rows from `first_row` on whose centres lie within the disc.
-    void (*outline)(const Disc& disc, int first_row, int rows, RowSpan* spans);
-    /// Gathers rows of one tile, one after the other, and begins a pass over their cells that are not
-    /// being passed over. Calls up the paint of the cells as well.
-    void (*gather)(const GatherSource& tile, const GatherRow* rows, int row_count, float cell_mm,
-                   GatherColumns to);
+    /// Gathers those of a tile's cells whose centres lie within the disc, row by row, and begins a pass
+    /// over those that are not being passed over. `part` of the canvas lies within the tile. Calls up
+    /// the paint of wide rows as well. Returns how many cells they are.
+    int (*gather)(const GatherSource& tile, const grid::Rect& part, const Disc& disc, double cell_mm,
+                  GatherColumns to);
 
     static const GatherKernels baseline, avx2, avx512;
 };

@@ -33,7 +33,7 @@ namespace pastoso::brush {
 
 struct ResolvedTip {
     double radius_mm = 0.0;  ///< R; half length of a knife's lane
-    double reach_mm = 0.0;   ///< w is below 0.04 beyond it, and left out
+    double reach_mm = 0.0;   ///< w is below 0.04 beyond it, and left out; a knife's is 0
     double lane_mm = 0.0;    ///< half width of a knife element's lane, 0 for bristles
     float crown = 1.0F;      ///< -1 to 1
     float cover = 1e6F;      ///< share of a cell that a bristle covers, over its weight there

@@ -104,10 +104,10 @@ grid::Rect cells_below(const std::vector<StripPlace>& places, double radius_mm, 
 
 /// 1 at both edges of the swath, 0 further in than 12% of its half width.
 float edge_share(double side_mm, const Swath& swath) {
+    constexpr double kWithin = 0.88;
     const double half_mm = 0.5 * (swath.high_mm - swath.low_mm);
-    if (half_mm <= 0.0) return 0.0F;
-    const double middle_mm = 0.5 * (swath.high_mm + swath.low_mm);
-    return smooth_ramp(0.88, 1.0, std::abs(side_mm - middle_mm) / half_mm);
+    const double off_mm = std::abs(side_mm - 0.5 * (swath.high_mm + swath.low_mm));
+    return off_mm <= kWithin * half_mm ? 0.0F : smooth_ramp(kWithin, 1.0, off_mm / half_mm);
 }
 
 /// Paint may come from the brush onto the film, and from there into the brush.
@@ -239,7 +239,7 @@ void Stroke::paint_step(const PathStep& step) {
     const HandPose hand = pose(step);
     const double turn_mm = turns_ * step_mm_;
     const StepRates rates = step_rates(brush_, resolved_, hand, turn_mm);
-    const DragRates drag = drag_rates(brush_, resolved_, hand, turn_mm);
+    const DragRates drag = drag_rates(brush_, resolved_, hand, turn_mm, film_.consistencies);
     const Swath swath = move_bristles(brush_, hand, step_mm_, film_, poses_);
     if (!brush_.tip.rigid) clumps_.find(poses_, hand, brush_.tip.radius_mm);
     ++step_count_;
@@ -303,14 +303,18 @@ Contact Stroke::contact(int bristle, const Touch& touch) const {
 
 float Stroke::alone(int bristle) const {
     const double beyond_mm = resolved_.radius_mm - brush_.tip.radius_mm;
-    return static_cast<float>(std::clamp(2.0 - clumps_.to_edge_mm(bristle) / beyond_mm, 0.0, 1.0));
+    const double to_edge_mm = clumps_.to_edge_mm(bristle);
+    return to_edge_mm >= 2.0 * beyond_mm
+               ? 0.0F
+               : static_cast<float>(std::min(2.0 - to_edge_mm / beyond_mm, 1.0));
 }
 
 bool Stroke::touch_one(int bristle, const Touch& touch, StripTools& tools) {
     const Contact below = contact(bristle, touch);
+    tools.cells.gather(film_, below.x_mm, below.y_mm, resolved_.reach_mm,
+                       mixes(brush_) ? &pass_ : nullptr);
     const ExchangeRule rule = exchange_rule(brush_, bristle, below, touch.rates);
-    PassMap* const pass = mixes(brush_) ? &pass_ : nullptr;
-    const WantedSums wanted = plan_touch(rule, below, touch.rates, film_, tools.cells, pass);
+    const WantedSums wanted = plan_exchange(rule, tools.cells);
     if (strips_.count() > 1 && !owns_planned_tiles(tools.cells, film_)) return false;
     const grid::Rect painted =
         apply_touch(brush_, bristle, wanted, dither_seed(bristle), film_, tools.cells);

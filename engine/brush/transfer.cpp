@@ -1,5 +1,7 @@
 #include "brush/transfer.hpp"
 
+#include "brush/contents_kernels.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -38,21 +40,19 @@ float bead_mm(const Brush& brush, const Bristle& bristle, float saturation, floa
 }
 
 /// How much of its film an element leaves; what absorbs leaves a stain of that thickness.
-float saturation_of(const Brush& brush, int index) {
+float saturation_of(const Brush& brush, double held_mm3, const StepRates& rates) {
     if (brush.preset.exchange.absorbs) return 1.0F;
-    const auto fill = static_cast<float>(brush.held[index].volume_mm3 / brush.tip.capacity_mm3);
+    const auto fill = static_cast<float>(held_mm3 * rates.per_capacity_mm3);
     return (1.0F + kStarvation) * fill / (fill + kStarvation);
 }
 
 /// The axes of an element's footprint, divided by its half sizes.
 void set_axes(const Brush& brush, const Contact& contact, const StepRates& rates, ExchangeRule& rule) {
-    const double along = 1.0 / rates.tip->radius_mm;
-    const double across = brush.tip.rigid ? 1.0 / rates.tip->lane_mm : along;
     rule.lane = brush.tip.rigid;
-    rule.across_x = static_cast<float>(contact.across_x * across);
-    rule.across_y = static_cast<float>(contact.across_y * across);
-    rule.along_x = static_cast<float>(-contact.across_y * along);
-    rule.along_y = static_cast<float>(contact.across_x * along);
+    rule.across_x = static_cast<float>(contact.across_x * rates.across_per_mm);
+    rule.across_y = static_cast<float>(contact.across_y * rates.across_per_mm);
+    rule.along_x = static_cast<float>(-contact.across_y * rates.along_per_mm);
+    rule.along_y = static_cast<float>(contact.across_x * rates.along_per_mm);
 }
 
 /// Scale that brings what is wanted down to what there is.
@@ -66,24 +66,10 @@ float scale_to(double available, std::int64_t wanted) {
 /// in all cells could overdraw, stays where it is.
 film::PaintCoefficients given_paint(const Contents& held, double kept_share, int cells,
                                     double cell_area_mm2) {
-    constexpr double kQuantumRatio = film::kThicknessQuantum_mm / film::kPaintQuantum;
-    const double negligible = cells * film::kPaintQuantum * cell_area_mm2;
-    const double per_mm3 = 1.0 / held.volume_mm3;
-    film::PaintCoefficients given{};
-    for (int k = 0; k < film::kPaintChannels; ++k) {
-        if (kept_share * held.paint[k] <= negligible) continue;
-        const double per_mm = std::min<double>(held.paint[k] * per_mm3, kStrongestPaint_per_mm);
-        given[k] = static_cast<float>(per_mm * kQuantumRatio);
-    }
+    film::PaintCoefficients given;
+    core::kernels<ContentsKernels>().give(
+        held, {kept_share, cells * film::kPaintQuantum * cell_area_mm2, kStrongestPaint_per_mm}, given);
     return given;
-}
-
-void take_from(Contents& held, const ChangeSums& gained, double cell_area_mm2) {
-    held.volume_mm3 -=
-        static_cast<double>(gained.thickness) * (film::kThicknessQuantum_mm * cell_area_mm2);
-    for (int k = 0; k < film::kPaintChannels; ++k) {
-        held.paint[k] -= static_cast<double>(gained.paint[k]) * (film::kPaintQuantum * cell_area_mm2);
-    }
 }
 
 bool changes_anything(const CellBatch& batch, const CellBatch::TilePart& part) {
@@ -112,6 +98,10 @@ WantedSums limit_plan(CellBatch& batch, WantedSums wanted) {
 StepRates step_rates(const Brush& brush, const ResolvedTip& tip, const HandPose& hand, double step_mm) {
     StepRates rates;
     rates.tip = &tip;
+    rates.along_per_mm = 1.0 / tip.radius_mm;
+    rates.across_per_mm = brush.tip.rigid ? 1.0 / tip.lane_mm : rates.along_per_mm;
+    rates.per_capacity_mm3 = 1.0 / brush.tip.capacity_mm3;
+    rates.half_depth_mm_per_mm3 = 0.5 / brush.tip.area_mm2;
     const double closing_mm = kClosingLength_radii * brush.tip.radius_mm;
     rates.rate = static_cast<float>(1.0 - std::exp(-step_mm / closing_mm));
     rates.film_mm = static_cast<float>(brush.preset.paint.film_mm * hand.film);
@@ -125,7 +115,7 @@ ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact
     const PaintPreset& paint = brush.preset.paint;
     const Bristle& bristle = brush.tip.bristles[index];
     const double held_mm3 = brush.held[index].volume_mm3;
-    const float saturation = saturation_of(brush, index);
+    const float saturation = saturation_of(brush, held_mm3, rates);
     const float wet_mm = rates.film_mm * square(saturation);
     const float tau_mm = wet_mm * bristle.body * (1.0F - 0.5F * contact.press) *
                          (1.0F + static_cast<float>(paint.edge) * contact.edge) *
@@ -146,7 +136,7 @@ ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact
     rule.mix = held_mm3 > kEmpty_mm3
                    ? static_cast<float>(brush.preset.exchange.mix) * (0.4F + 1.2F * bristle.body)
                    : 0.0F;
-    rule.mix_depth_mm = static_cast<float>(0.5 * held_mm3 / brush.tip.area_mm2);
+    rule.mix_depth_mm = static_cast<float>(held_mm3 * rates.half_depth_mm_per_mm3);
     return rule;
 }
 
@@ -154,14 +144,6 @@ WantedSums plan_exchange(const ExchangeRule& rule, CellBatch& batch) {
     return core::kernels<TransferKernels>().plan(
         rule, {batch.dx_mm.data(), batch.dy_mm.data(), batch.thickness.data(), batch.found.data(),
                batch.support_mm.data(), batch.change.data(), batch.swap.data(), batch.padded_count()});
-}
-
-WantedSums plan_touch(const ExchangeRule& rule, const Contact& contact, const StepRates& rates,
-                      const film::FilmState& film, CellBatch& batch, PassMap* pass) {
-    const ResolvedTip& tip = *rates.tip;
-    const double reach_mm = rule.lane ? std::hypot(tip.radius_mm, tip.lane_mm) : tip.reach_mm;
-    batch.gather(film, contact.x_mm, contact.y_mm, reach_mm, pass);
-    return batch.count() > 0 ? plan_exchange(rule, batch) : WantedSums{};
 }
 
 grid::Rect apply_touch(Brush& brush, int index, WantedSums wanted, std::uint32_t dither_seed,
@@ -215,7 +197,7 @@ grid::Rect apply_batch(CellBatch& batch, WantedSums wanted, double deposit_share
                                  part.end - part.begin};
         core::kernels<TransferKernels>().apply(rule, cells, gained);
     }
-    take_from(held, gained, cell_area_mm2);
+    core::kernels<ContentsKernels>().take(gained, cell_area_mm2, held);
     return gained.any ? batch.cells() : grid::Rect{};
 }
 

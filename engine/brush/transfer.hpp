@@ -62,6 +62,8 @@ struct Contact {
 /// Numbers that stay the same during a step.
 struct StepRates {
     const ResolvedTip* tip = nullptr;
+    double along_per_mm = 0.0, across_per_mm = 0.0;  ///< 1 / half sizes of its footprint
+    double per_capacity_mm3 = 0.0, half_depth_mm_per_mm3 = 0.0;
     float rate = 0.0F;                                  ///< 1 - e^(-ds / 0.8 r)
     float film_mm = 0.0F, reach = 1.0F, pickup = 0.0F;  ///< the preset's, times the hand's factors
 };
@@ -74,12 +76,8 @@ ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact
 /// Fills the changes and swaps of a gathered batch. Returns their sums.
 WantedSums plan_exchange(const ExchangeRule& rule, CellBatch& batch);
 
-/// Gathers the cells below an element and plans its exchange with them. Returns what it wants.
-WantedSums plan_touch(const ExchangeRule& rule, const Contact& contact, const StepRates& rates,
-                      const film::FilmState& film, CellBatch& batch, PassMap* pass = nullptr);
-
-/// Lets bristle `index` do what plan_touch() planned. Returns the cells that may have changed, empty if
-/// none; `batch` goes on holding the cells as they were.
+/// Lets bristle `index` do what plan_exchange() planned. Returns the cells that may have changed, empty
+/// if none; `batch` goes on holding the cells as they were.
 grid::Rect apply_touch(Brush& brush, int index, WantedSums wanted, std::uint32_t dither_seed,
                        film::FilmState& film, CellBatch& batch);
 

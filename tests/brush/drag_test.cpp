@@ -64,7 +64,7 @@ TEST(Drag, GivesTheMomentumThatTheRuleSays) {
     CellBatch touched;
     touched.gather(film, contact.x_mm, contact.y_mm, tip.radius_mm);
     PaintDrag drag;
-    const DragRates drag_by = drag_rates(brush, tip, hand, step_mm);
+    const DragRates drag_by = drag_rates(brush, tip, hand, step_mm, film.consistencies);
     if (drag.find(rule, drag_by, touched, film)) drag.apply(drag_by, film);
 
     // chi = 1 in a pool that deep; at a face the mean of both cells within the footprint counts.
@@ -88,6 +88,32 @@ TEST(Drag, GivesTheMomentumThatTheRuleSays) {
     EXPECT_GT(expected_x, 0.0);
     EXPECT_NEAR(given_x / expected_x, 1.0, 1e-5);  // single precision
     EXPECT_NEAR(given_y / expected_y, 1.0, 1e-5);
+}
+
+TEST(Drag, BeginsWherePaintWouldGoOnForTwoMicrometres) {
+    const Brush brush = dragging_brush(1.0);
+    const HandPose hand = {.travel_x = 1.0, .travel_y = 0.0, .speed_mm_s = 60.0};
+    const film::PaintCoefficients paint = studio::light_paint();
+    const double nu_mm2_s =
+        std::exp(film::consistency_of(paint).log_viscosity) * film::kThinnest_m2_s * 1e6;
+    const double least_mm = std::sqrt(0.002 * 3.0 * nu_mm2_s / 60.0);
+    for (const bool several : {false, true}) {
+        for (const double part : {0.99, 1.01}) {
+            film::FilmState film = pool(paint, 8.0, 8.0);
+            studio::cover(film, film.shape.cells(), part * least_mm, paint);
+            if (several) film.consistencies = film::Consistencies::several();
+            const ResolvedTip tip = resolve(brush.tip, brush.preset.paint, film.cell_mm);
+            Contact contact;
+            contact.x_mm = contact.y_mm = 4.0;
+            CellBatch touched;
+            touched.gather(film, contact.x_mm, contact.y_mm, tip.reach_mm);
+            PaintDrag drag;
+            EXPECT_EQ(drag.find(exchange_rule(brush, 0, contact, step_rates(brush, tip, hand, 0.2)),
+                                drag_rates(brush, tip, hand, 0.2, film.consistencies), touched, film),
+                      part > 1.0)
+                << part << " of the least thickness" << (several ? ", several paints" : "");
+        }
+    }
 }
 
 TEST(Drag, LetsRunnyPaintFollowTheStroke) {

@@ -35,7 +35,8 @@ grid::Rect touch(Brush& brush, film::FilmState& film, const Contact& contact,
     const ResolvedTip tip = resolve(brush.tip, brush.preset.paint, kCell_mm);
     const StepRates rates = step_rates(brush, tip, hand, 0.2);
     const ExchangeRule rule = exchange_rule(brush, 0, contact, rates);
-    return apply_touch(brush, 0, plan_touch(rule, contact, rates, film, scratch), 1, film, scratch);
+    scratch.gather(film, contact.x_mm, contact.y_mm, tip.reach_mm);
+    return apply_touch(brush, 0, plan_exchange(rule, scratch), 1, film, scratch);
 }
 
 TEST(Exchange, GivesTheFilmWhatTheBristleLoses) {

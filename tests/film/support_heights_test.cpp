@@ -42,6 +42,22 @@ TEST(HeightBlock, LevelsAreReadAsMillimetres) {
     EXPECT_EQ(row, (std::array{6 * kQuantum_mm, 131070 * kQuantum_mm, 6 * kQuantum_mm}));
 }
 
+TEST(HeightBlock, TellsTheHighestOfSomeCells) {
+    const auto height_of = [](int cell) { return static_cast<float>((cell * 37) % 101) * 0x1p-10F; };
+    grid::TileBlock<float> heights = grid::TileBlock<float>::filled(0.0F);
+    grid::TileBlock<std::uint16_t> levels = grid::TileBlock<std::uint16_t>::filled(0);
+    for (int cell = 0; cell < grid::kTileCells; ++cell) {
+        heights.write()[cell] = height_of(cell);
+        levels.write()[cell] = static_cast<std::uint16_t>((cell * 37) % 101);
+    }
+    for (const HeightBlock& block : {HeightBlock(heights), HeightBlock(levels, 0x1p-10F)}) {
+        const TileHeights read = block.read();
+        EXPECT_EQ(read.highest(70), height_of(70));
+        EXPECT_EQ(read.highest(3, 900, 41, 4095),
+                  std::max({height_of(3), height_of(900), height_of(41), height_of(4095)}));
+    }
+}
+
 TEST(HeightBlock, WritingMakesFloatsOfItsOwn) {
     HeightBlock block = levels_of(kQuantum_mm);
     const HeightBlock copy = block;

@@ -4,6 +4,7 @@
 
 #include "grid/tiled_field.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -27,6 +28,12 @@ struct TileHeights {
 
     float operator[](int cell) const {
         return heights_mm != nullptr ? heights_mm[cell] : static_cast<float>(levels[cell]) * level_mm;
+    }
+    /// The highest of some cells.
+    template <class... Cells>
+    float highest(Cells... cells) const {
+        if (heights_mm != nullptr) return std::max({heights_mm[cells]...});
+        return static_cast<float>(std::max({levels[cells]...})) * level_mm;
     }
     /// Copies `count` heights from `cell` on.
     void copy(int cell, int count, float* out_mm) const;
