@@ -5066,8 +5066,20 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <translation>flat</translation>
     </message>
     <message>
-        <source> high</source>
-        <translation> high</translation>
+        <source>How steeply the canvas stands</source>
+        <translation>How steeply the canvas stands</translation>
+    </message>
+    <message>
+        <source>Where down is: 0 right, 90 bottom</source>
+        <translation>Where down is: 0 right, 90 bottom</translation>
+    </message>
+    <message>
+        <source>How high the lamp stands</source>
+        <translation>How high the lamp stands</translation>
+    </message>
+    <message>
+        <source>Where the light comes from: 0 right, 90 top</source>
+        <translation>Where the light comes from: 0 right, 90 top</translation>
     </message>
 </context>
 <context>
@@ -5765,9 +5777,9 @@ Wheel: closer, farther</translation>
 <context>
     <name>pastoso::panels::TiltDial</name>
     <message>
-        <source>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.
+        <source>Drag to tilt the canvas: the paint runs towards the knob. Double-click lays it flat.
 Keys: arrows tilt it, Home lays it flat.</source>
-        <translation>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.
+        <translation>Drag to tilt the canvas: the paint runs towards the knob. Double-click lays it flat.
 Keys: arrows tilt it, Home lays it flat.</translation>
     </message>
 </context>

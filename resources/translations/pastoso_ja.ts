@@ -5052,8 +5052,20 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <translation>水平</translation>
     </message>
     <message>
-        <source> high</source>
-        <translation> の高さ</translation>
+        <source>How steeply the canvas stands</source>
+        <translation>キャンバスの傾きの角度</translation>
+    </message>
+    <message>
+        <source>Where down is: 0 right, 90 bottom</source>
+        <translation>下の向き: 0 は右、90 は下</translation>
+    </message>
+    <message>
+        <source>How high the lamp stands</source>
+        <translation>ランプの高さの角度</translation>
+    </message>
+    <message>
+        <source>Where the light comes from: 0 right, 90 top</source>
+        <translation>光の来る向き: 0 は右、90 は上</translation>
     </message>
 </context>
 <context>
@@ -5750,9 +5762,9 @@ Wheel: closer, farther</source>
 <context>
     <name>pastoso::panels::TiltDial</name>
     <message>
-        <source>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.
+        <source>Drag to tilt the canvas: the paint runs towards the knob. Double-click lays it flat.
 Keys: arrows tilt it, Home lays it flat.</source>
-        <translation>ドラッグでキャンバスを傾けます。矢印は絵の具が流れる向きです。ダブルクリックで水平に戻ります。
+        <translation>ドラッグでキャンバスを傾けます。絵の具はつまみの方へ流れます。ダブルクリックで水平に戻ります。
 キー: 矢印キーで傾け、Homeで水平に戻します。</translation>
     </message>
 </context>

@@ -5066,8 +5066,20 @@ Tangenter: Page Up och Page Down väljer, pilarna flyttar, Insert lägger till, 
         <translation>plan</translation>
     </message>
     <message>
-        <source> high</source>
-        <translation> högt</translation>
+        <source>How steeply the canvas stands</source>
+        <translation>Hur brant duken står</translation>
+    </message>
+    <message>
+        <source>Where down is: 0 right, 90 bottom</source>
+        <translation>Vart nedåt är: 0 åt höger, 90 neråt</translation>
+    </message>
+    <message>
+        <source>How high the lamp stands</source>
+        <translation>Hur högt lampan står</translation>
+    </message>
+    <message>
+        <source>Where the light comes from: 0 right, 90 top</source>
+        <translation>Varifrån ljuset kommer: 0 från höger, 90 uppifrån</translation>
     </message>
 </context>
 <context>
@@ -5765,9 +5777,9 @@ Hjulet: närmare, längre bort</translation>
 <context>
     <name>pastoso::panels::TiltDial</name>
     <message>
-        <source>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.
+        <source>Drag to tilt the canvas: the paint runs towards the knob. Double-click lays it flat.
 Keys: arrows tilt it, Home lays it flat.</source>
-        <translation>Dra för att luta duken: pilen visar vart färgen rinner. Dubbelklicka för att lägga den plant.
+        <translation>Dra för att luta duken: färgen rinner mot knoppen. Dubbelklicka för att lägga den plant.
 Tangenter: pilarna lutar den, Home lägger den plant.</translation>
     </message>
 </context>

@@ -5052,8 +5052,20 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <translation>平放</translation>
     </message>
     <message>
-        <source> high</source>
-        <translation> 高</translation>
+        <source>How steeply the canvas stands</source>
+        <translation>畫布傾斜的角度</translation>
+    </message>
+    <message>
+        <source>Where down is: 0 right, 90 bottom</source>
+        <translation>下方的方向：0 為右，90 為下</translation>
+    </message>
+    <message>
+        <source>How high the lamp stands</source>
+        <translation>燈的高度角</translation>
+    </message>
+    <message>
+        <source>Where the light comes from: 0 right, 90 top</source>
+        <translation>光線來自的方向：0 為右，90 為上</translation>
     </message>
 </context>
 <context>
@@ -5750,9 +5762,9 @@ Wheel: closer, farther</source>
 <context>
     <name>pastoso::panels::TiltDial</name>
     <message>
-        <source>Drag to tilt the canvas: the arrow shows where the paint runs. Double-click lays it flat.
+        <source>Drag to tilt the canvas: the paint runs towards the knob. Double-click lays it flat.
 Keys: arrows tilt it, Home lays it flat.</source>
-        <translation>拖曳可傾斜畫布：箭頭是顏料流動的方向。按兩下可放平。
+        <translation>拖曳可傾斜畫布：顏料流向旋鈕。按兩下可放平。
 按鍵：方向鍵傾斜畫布，Home 放平。</translation>
     </message>
 </context>

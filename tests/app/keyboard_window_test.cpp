@@ -3,6 +3,7 @@
 #include "app/window_fixture.hpp"
 #include "appearance/theme.hpp"
 #include "commands/key_bindings.hpp"
+#include "core/units.hpp"
 #include "dialogs/canvas_size_dialog.hpp"
 #include "dialogs/crash_dialog.hpp"
 #include "dialogs/export_dialog.hpp"
@@ -24,6 +25,7 @@
 #include "start/start_page.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <QAbstractButton>
@@ -35,6 +37,7 @@
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
@@ -252,6 +255,47 @@ TEST_F(Keyboard, ArrowsTiltTheCanvas) {
     EXPECT_NEAR(dial->azimuth_deg(), 45.0, 1e-9);
     QTest::keyClick(dial, Qt::Key_Home);
     EXPECT_EQ(studio().easel().hand().tilt.tilt_deg, 0.0);
+}
+
+TEST_F(Keyboard, TypesTheTiltAndTheLight) {
+    QApplication::setActiveWindow(&window());
+    const auto type = [this](const char* name, const char* digits) {
+        auto* box = window().findChild<QDoubleSpinBox*>(QString::fromLatin1(name));
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, QString::fromLatin1(digits));
+        QTest::keyClick(box, Qt::Key_Return);
+    };
+    auto* dial = window().findChild<panels::TiltDial*>();
+    dial->set(12.4, 30.0);
+    type("tilt_direction", "200");
+    EXPECT_NEAR(studio().easel().hand().tilt.tilt_deg, 12.4, 1e-9) << "what is not typed stays exact";
+    EXPECT_NEAR(studio().easel().hand().tilt.direction_deg, 200.0, 1e-9);
+    type("tilt", "45");
+    EXPECT_NEAR(studio().easel().hand().tilt.tilt_deg, 45.0, 1e-9);
+    EXPECT_NEAR(dial->angle_deg(), 45.0, 1e-9) << "the dial follows";
+    EXPECT_NEAR(dial->azimuth_deg(), 200.0, 1e-9);
+    type("light_height", "20");
+    type("light_direction", "300");
+    EXPECT_NEAR(canvas().lighting().elevation_deg, 20.0, 1e-9);
+    EXPECT_NEAR(canvas().lighting().azimuth_deg, 300.0, 1e-9);
+}
+
+TEST_F(Keyboard, TheTiltsKnobIsWhereItIsDragged) {
+    auto* dial = window().findChild<panels::TiltDial*>();
+    const QPoint to(dial->width() / 2 - 30, dial->height() / 2 + 12);
+    QTest::mousePress(dial, Qt::LeftButton, {}, dial->rect().center());
+    QTest::mouseMove(dial, to);
+    QTest::mouseRelease(dial, Qt::LeftButton, {}, to);
+    const QImage shown = dial->grab().toImage();
+    EXPECT_GT(shown.pixelColor(to).lightness(), 200);
+    // Nothing as light on the other side, which could be taken for the knob.
+    const QPoint opposite = 2 * dial->rect().center() - to;
+    for (int y = -8; y <= 8; ++y)
+        for (int x = -8; x <= 8; ++x)
+            EXPECT_LT(shown.pixelColor(opposite + QPoint(x, y)).lightness(), 150);
+    const double down_deg = studio().easel().hand().tilt.direction_deg;
+    EXPECT_NEAR(down_deg, core::degrees(std::atan2(12.0, -30.0)), 3.0);
 }
 
 // ---- dialogs

@@ -16,6 +16,7 @@ class DirectionDial : public QWidget {
 
     double angle_deg() const { return angle_deg_; }
     double azimuth_deg() const { return azimuth_deg_; }
+    double full_angle_deg() const { return full_angle_deg_; }
 
     /// Moves the point without a signal.
     void set(double angle_deg, double azimuth_deg);

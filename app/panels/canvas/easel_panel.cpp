@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include <QCoreApplication>
+#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSlider>
@@ -17,8 +18,29 @@
 namespace pastoso::panels {
 namespace {
 
-QString degrees_text(double degrees) {
-    return QString::number(std::lround(degrees)) + QChar(0xB0);
+constexpr double kFullTurn_deg = 360.0, kZenith_deg = 90.0;
+const QString kDegrees = QStringLiteral("\u00B0");
+
+/// A number of degrees.
+QDoubleSpinBox* degrees_box(const char* name, const QString& words, double least_deg, double most_deg) {
+    auto* box = new QDoubleSpinBox;
+    box->setObjectName(QString::fromLatin1(name));
+    box->setAccessibleName(words);
+    box->setToolTip(words);
+    box->setRange(least_deg, most_deg);
+    box->setDecimals(0);
+    box->setSuffix(kDegrees);
+    box->setKeyboardTracking(false);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    box->setAlignment(Qt::AlignHCenter);
+    return box;
+}
+
+/// One that goes on at 0 after a full turn.
+QDoubleSpinBox* azimuth_box(const char* name, const QString& words) {
+    auto* box = degrees_box(name, words, 0.0, kFullTurn_deg - 1.0);
+    box->setWrapping(true);
+    return box;
 }
 
 /// What the drying slider stops at.
@@ -42,11 +64,8 @@ int drying_stop(double speed) {
     return stop;
 }
 
-/// An arrow for one of eight directions, 0 to the right, 90 down.
-QString arrow_text(double azimuth_deg) {
-    static constexpr char16_t kArrows[] = u"→↘↓↙←↖↑↗";
-    const long eighth = std::lround(azimuth_deg / 45.0) % 8;
-    return QString(QChar(kArrows[(eighth + 8) % 8]));
+void show_azimuth(QDoubleSpinBox* box, double azimuth_deg) {
+    show_number(box, std::fmod(std::round(azimuth_deg), kFullTurn_deg));
 }
 
 }  // namespace
@@ -55,8 +74,6 @@ EaselPanel::EaselPanel(QWidget* parent)
     : QWidget(parent),
       tilt_(new TiltDial),
       light_(new LightDial),
-      tilt_reading_(new QLabel),
-      light_reading_(new QLabel),
       illuminant_(new IlluminantBox),
       drying_(new QSlider(Qt::Horizontal)),
       drying_reading_(new QLabel) {
@@ -68,35 +85,66 @@ EaselPanel::EaselPanel(QWidget* parent)
     rows->addLayout(row);
     rows->addWidget(illuminant_row());
     rows->addWidget(drying_row());
-    row->addWidget(column(tr("Tilt"), tilt_, tilt_reading_));
-    row->addWidget(column(tr("Light"), light_, light_reading_));
-    connect(tilt_, &DirectionDial::dragged, this, [this](double angle_deg, double azimuth_deg) {
-        write_readings();
-        Q_EMIT tilted(angle_deg, azimuth_deg);
-    });
+    tilt_boxes_ = {
+        degrees_box("tilt", tr("How steeply the canvas stands"), 0.0, tilt_->full_angle_deg()),
+        azimuth_box("tilt_direction", tr("Where down is: 0 right, 90 bottom"))};
+    tilt_boxes_.angle->setSpecialValueText(tr("flat"));
+    light_boxes_ = {degrees_box("light_height", tr("How high the lamp stands"),
+                                kZenith_deg - light_->full_angle_deg(), kZenith_deg),
+                    azimuth_box("light_direction", tr("Where the light comes from: 0 right, 90 top"))};
+    row->addWidget(column(tr("Tilt"), tilt_, tilt_boxes_));
+    row->addWidget(column(tr("Light"), light_, light_boxes_));
+    connect(tilt_, &DirectionDial::dragged, this, &EaselPanel::tell_tilt);
+    connect(light_, &DirectionDial::dragged, this, &EaselPanel::tell_light);
+    connect(tilt_boxes_.angle, &QDoubleSpinBox::valueChanged, this,
+            [this](double tilt_deg) { set_tilt(tilt_deg, tilt_->azimuth_deg()); });
+    connect(tilt_boxes_.azimuth, &QDoubleSpinBox::valueChanged, this,
+            [this](double direction_deg) { set_tilt(tilt_->angle_deg(), direction_deg); });
+    connect(light_boxes_.angle, &QDoubleSpinBox::valueChanged, this,
+            [this](double elevation_deg) { set_light(elevation_deg, light_->light_azimuth_deg()); });
+    connect(light_boxes_.azimuth, &QDoubleSpinBox::valueChanged, this,
+            [this](double azimuth_deg) { set_light(light_->elevation_deg(), azimuth_deg); });
     connect(illuminant_, &IlluminantBox::chosen, this, &EaselPanel::illuminant_chosen);
     connect(illuminant_, &IlluminantBox::file_wanted, this, &EaselPanel::illuminant_file_wanted);
     connect(drying_, &QSlider::valueChanged, this, [this](int stop) {
         write_readings();
         Q_EMIT drying_changed(kDryingStops[stop].speed);
     });
-    connect(light_, &DirectionDial::dragged, this, [this] {
-        write_readings();
-        Q_EMIT light_moved(light_->elevation_deg(), light_->light_azimuth_deg());
-    });
     write_readings();
 }
 
-QWidget* EaselPanel::column(const QString& heading, QWidget* dial, QLabel* reading) {
+QWidget* EaselPanel::column(const QString& heading, DirectionDial* dial, const DirectionBoxes& boxes) {
     auto* widget = new QWidget;
     auto* layout = section(widget, heading);
     layout->setSpacing(3);
-    reading->setObjectName(QStringLiteral("reading"));
-    reading->setAlignment(Qt::AlignHCenter);
     dial->setAccessibleName(heading);
     layout->addWidget(dial, 0, Qt::AlignHCenter);
-    layout->addWidget(reading);
+    auto* numbers = new QHBoxLayout;
+    numbers->setSpacing(3);
+    for (QDoubleSpinBox* box : {boxes.angle, boxes.azimuth})
+        numbers->addWidget(box);
+    layout->addLayout(numbers);
     return widget;
+}
+
+void EaselPanel::set_tilt(double tilt_deg, double direction_deg) {
+    tilt_->set(tilt_deg, direction_deg);
+    tell_tilt();
+}
+
+void EaselPanel::tell_tilt() {
+    write_readings();
+    Q_EMIT tilted(tilt_->angle_deg(), tilt_->azimuth_deg());
+}
+
+void EaselPanel::set_light(double elevation_deg, double azimuth_deg) {
+    light_->set_light(elevation_deg, azimuth_deg);
+    tell_light();
+}
+
+void EaselPanel::tell_light() {
+    write_readings();
+    Q_EMIT light_moved(light_->elevation_deg(), light_->light_azimuth_deg());
 }
 
 QWidget* EaselPanel::illuminant_row() {
@@ -144,10 +192,10 @@ void EaselPanel::show_light(const shade::Lighting& lighting) {
 }
 
 void EaselPanel::write_readings() {
-    const bool flat = tilt_->angle_deg() < 0.5;
-    tilt_reading_->setText(
-        flat ? tr("flat") : degrees_text(tilt_->angle_deg()) + ' ' + arrow_text(tilt_->azimuth_deg()));
-    light_reading_->setText(degrees_text(light_->elevation_deg()) + tr(" high"));
+    show_number(tilt_boxes_.angle, tilt_->angle_deg());
+    show_azimuth(tilt_boxes_.azimuth, tilt_->azimuth_deg());
+    show_number(light_boxes_.angle, light_->elevation_deg());
+    show_azimuth(light_boxes_.azimuth, light_->light_azimuth_deg());
     drying_reading_->setText(
         QCoreApplication::translate("pastoso::panels", kDryingStops[drying_->value()].words));
 }

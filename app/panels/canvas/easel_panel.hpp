@@ -5,11 +5,13 @@
 
 #include <QWidget>
 
+class QDoubleSpinBox;
 class QLabel;
 class QSlider;
 
 namespace pastoso::panels {
 
+class DirectionDial;
 class IlluminantBox;
 class LightDial;
 class TiltDial;
@@ -40,15 +42,23 @@ class EaselPanel : public QWidget {
     void drying_changed(double speed);
 
   private:
-    QWidget* column(const QString& heading, QWidget* dial, QLabel* reading);
+    /// A direction in degrees, to be read and typed.
+    struct DirectionBoxes {
+        QDoubleSpinBox *angle, *azimuth;
+    };
+
+    QWidget* column(const QString& heading, DirectionDial* dial, const DirectionBoxes& boxes);
+    void set_tilt(double tilt_deg, double direction_deg);
+    void set_light(double elevation_deg, double azimuth_deg);
+    void tell_tilt();
+    void tell_light();
     QWidget* illuminant_row();
     QWidget* drying_row();
     void write_readings();
 
     TiltDial* tilt_ = nullptr;
     LightDial* light_ = nullptr;
-    QLabel* tilt_reading_ = nullptr;
-    QLabel* light_reading_ = nullptr;
+    DirectionBoxes tilt_boxes_, light_boxes_;
     IlluminantBox* illuminant_ = nullptr;
     QSlider* drying_ = nullptr;
     QLabel* drying_reading_ = nullptr;

@@ -1,12 +1,12 @@
-// The spirit level of the easel: where down points on the canvas, and how steeply.
+// How the canvas stands: where down points on it, and how steeply.
 #pragma once
 
 #include "panels/canvas/direction_dial.hpp"
 
 namespace pastoso::panels {
 
-/// The bubble swims to the upper side, as in a real level; the arrow shows where paint will run. The
-/// dial's angle is the canvas's tilt, its azimuth the direction of down.
+/// The knob lies where a drop of paint would run to; the middle is flat, the rim upright. The dial's
+/// angle is the canvas's tilt, its azimuth the direction of down.
 class TiltDial : public DirectionDial {
     Q_OBJECT
   public:
