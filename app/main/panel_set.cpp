@@ -148,11 +148,12 @@ QToolButton* make_message_button(Studio& studio) {
 
 QDockWidget* add_well(Studio& studio) {
     using commands::Command;
-    QAction* squeeze = studio.commands().action(Command::SqueezePaint);
-    QAction* clean = studio.commands().action(Command::CleanWell);
-    squeeze->setIconText(QObject::tr("Squeeze"));
-    clean->setIconText(QObject::tr("Wipe the well"));
-    QDockWidget* dock = panels::well_panel(&studio.well(), {squeeze, clean});
+    const auto action = [&studio](Command command) { return studio.commands().action(command); };
+    action(Command::SqueezePaint)->setIconText(QObject::tr("Squeeze"));
+    action(Command::CleanWell)->setIconText(QObject::tr("Wipe the well"));
+    QDockWidget* dock =
+        panels::well_panel(&studio.well(), {action(Command::ReloadBrush), action(Command::CleanBrush)},
+                           {action(Command::SqueezePaint), action(Command::CleanWell)});
     studio.window().addDockWidget(Qt::RightDockWidgetArea, dock);
     dock->hide();
     return dock;

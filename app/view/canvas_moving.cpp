@@ -4,8 +4,10 @@
 #include "core/units.hpp"
 #include "view/canvas_view.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include <QResizeEvent>
 #include <QWheelEvent>
 #include <glm/geometric.hpp>
 
@@ -18,6 +20,12 @@ constexpr double kNotch = 120.0;
 
 /// A drag over so many pixels of the desktop doubles the zoom.
 constexpr double kDoubling_px = 120.0;
+
+/// Around what is fitted into the view.
+constexpr double kCanvasMargin_px = 24.0, kWellMargin_px = 4.0;
+
+/// A panel that is made wider makes the well higher, up to here by itself.
+constexpr int kTallestLeastWell_px = 360;
 
 /// So near to the middle a drag has no direction.
 constexpr double kNoDirection_px = 6.0;
@@ -79,8 +87,8 @@ void CanvasView::show_at_centre(const glm::dvec2& canvas_mm) {
 }
 
 ViewTransform CanvasView::fitted_view() const {
-    constexpr double kMargin_px = 24.0;
-    return fitted(canvas_cells(), window_px(), kMargin_px, view_);
+    const double margin_px = surface_ == document::Surface::Canvas ? kCanvasMargin_px : kWellMargin_px;
+    return fitted(canvas_cells(), window_px(), margin_px, view_);
 }
 
 /// A canvas that was fitted and is turned there and back is fitted again.
@@ -103,6 +111,13 @@ void CanvasView::resizeEvent(QResizeEvent* event) {
     QOpenGLWidget::resizeEvent(event);
     place_legend();
     Q_EMIT view_changed();
+    if (surface_ == document::Surface::Well)
+        QMetaObject::invokeMethod(this, &CanvasView::grow_with_width, Qt::QueuedConnection);
+}
+
+/// Not within a change of size, since it brings the next one.
+void CanvasView::grow_with_width() {
+    setMinimumHeight(std::min(heightForWidth(width()), kTallestLeastWell_px));
 }
 
 /// Shift turns the canvas, Control zooms.

@@ -235,6 +235,7 @@ class CanvasView : public graphics::GraphicsWidget {
     double handle_axis_mm() const;
     double mm_per_px() const;
     ViewTransform fitted_view() const;
+    void grow_with_width();  ///< the well, in its panel
     void set_turned(const ViewTransform& view);
     void begin_view_drag(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void drag_view(const QPointF& position, Qt::KeyboardModifiers modifiers);

@@ -126,6 +126,42 @@ TEST_F(WellWindow, AMouseStrokeThereIsUndone) {
     EXPECT_EQ(in_well_mm3(), 0.0);
 }
 
+TEST_F(WellWindow, GrowsWithItsPanel) {
+    open_panel();
+    const auto paint_px = [this] {
+        return studio().well().widget_position({120.0, 90.0}) -
+               studio().well().widget_position({0.0, 0.0});
+    };
+    const auto fills_its_view = [&] {
+        return studio().well().finished() && paint_px().x() > 0.9 * studio().well().width();
+    };
+    window().resizeDocks({&panel()}, {280}, Qt::Horizontal);
+    wait_for([&] { return panel().width() < 300 && fills_its_view(); });
+    const QPointF narrow = paint_px();
+    window().resizeDocks({&panel()}, {420}, Qt::Horizontal);
+    wait_for([&] { return panel().width() > 400 && fills_its_view(); });
+    EXPECT_GT(paint_px().x(), 1.4 * narrow.x());
+    EXPECT_GT(paint_px().y(), 1.4 * narrow.y());
+}
+
+TEST_F(WellWindow, TheBrushIsCleanedAndLoadedInIt) {
+    open_panel();
+    const auto click = [this](Command command) {
+        QAction* action = studio().commands().action(command);
+        for (auto* button : panel().findChildren<QToolButton*>())
+            if (button->defaultAction() == action) return QTest::mouseClick(button, Qt::LeftButton);
+        FAIL() << "no button for it";
+    };
+    const auto fill = [this] {
+        session().wait_until_applied();
+        return session().snapshot()->brush_load.fill;
+    };
+    click(Command::CleanBrush);
+    EXPECT_EQ(fill(), 0.0);
+    click(Command::ReloadBrush);
+    EXPECT_GT(fill(), 0.9);
+}
+
 TEST_F(WellWindow, AFloatingPanelShowsTheSame) {
     open_panel();
     choose("PR108");

@@ -9,8 +9,9 @@ class QWidget;
 
 namespace pastoso::panels {
 
-/// `well` shows the paint and is painted on; below it stand buttons for the actions. The panel owns
-/// `well`.
-QDockWidget* well_panel(QWidget* well, const std::vector<QAction*>& actions);
+/// `well` shows the paint and is painted on; below it stand buttons for what is done to the brush and to
+/// the well. The panel owns `well`, which takes all the room there is.
+QDockWidget* well_panel(QWidget* well, const std::vector<QAction*>& of_brush,
+                        const std::vector<QAction*>& of_well);
 
 }  // namespace pastoso::panels
