@@ -287,6 +287,8 @@ TEST_F(CanvasAlone, TabHidesAllElseAndBringsItBackAsItWas) {
     give(Command::MixingWell);
     give(Command::TracingPanel);
     canvas().zoom_about_centre(1.5);
+    const auto& well = studio().well();
+    wait_for([&] { return well.height() >= well.heightForWidth(well.width()); });
     QApplication::processEvents();
     const auto before = shown();
     auto none = before;

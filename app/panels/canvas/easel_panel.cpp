@@ -19,7 +19,7 @@ namespace pastoso::panels {
 namespace {
 
 constexpr double kFullTurn_deg = 360.0, kZenith_deg = 90.0;
-const QString kDegrees = QStringLiteral("\u00B0");
+constexpr QChar kDegreeSign(0xB0);
 
 /// A number of degrees.
 QDoubleSpinBox* degrees_box(const char* name, const QString& words, double least_deg, double most_deg) {
@@ -29,7 +29,7 @@ QDoubleSpinBox* degrees_box(const char* name, const QString& words, double least
     box->setToolTip(words);
     box->setRange(least_deg, most_deg);
     box->setDecimals(0);
-    box->setSuffix(kDegrees);
+    box->setSuffix(kDegreeSign);
     box->setKeyboardTracking(false);
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setAlignment(Qt::AlignHCenter);
