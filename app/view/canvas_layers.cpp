@@ -65,6 +65,7 @@ std::vector<int> changed_tiles(const document::Snapshot* shown, const document::
     for (int tile = 0; tile < film.shape.tile_count(); ++tile) {
         if (shown != nullptr && film.thickness.shares_tile(shown->film.thickness, tile) &&
             film.paint.shares_tile(shown->film.paint, tile) &&
+            film.lower.paint.shares_tile(shown->film.lower.paint, tile) &&
             film.support_mm.shares_tile(shown->film.support_mm, tile) &&
             film.strata.optics.shares_tile(shown->film.strata.optics, tile)) {
             continue;

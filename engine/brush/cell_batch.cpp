@@ -61,7 +61,7 @@ void CellBatch::gather_part(const film::FilmState& film, int tile, const grid::R
 void CellBatch::reserve(int count) {
     const auto size = static_cast<std::size_t>(count) + kBatchStep;
     if (cell.size() >= size) return;
-    for (auto* column : {&dx_mm, &dy_mm, &support_mm})
+    for (auto* column : {&dx_mm, &dy_mm, &support_mm, &touched})
         column->resize(size);
     for (auto* column : {&thickness, &found, &cell, &change, &swap})
         column->resize(size);

@@ -23,6 +23,8 @@ class CellBatch {
     /// The cells of one tile, as a range of the columns.
     struct TilePart {
         int tile, begin, end;
+        bool changes = false;     ///< to be filled: something is planned for one of them
+        bool has_strata = false;  ///< to be filled: one has two wet strata, or is to have them
     };
 
     /// Gathers the cells on the canvas whose centres lie within `radius_mm` of a place, and what a pass
@@ -38,6 +40,7 @@ class CellBatch {
 
     int padded_count() const { return (count_ + kBatchStep - 1) / kBatchStep * kBatchStep; }
     const std::vector<TilePart>& parts() const { return parts_; }
+    std::vector<TilePart>& parts() { return parts_; }
     const grid::Rect& cells() const { return cells_; }  ///< that hold the whole batch
 
     /// Columns of padded_count() values.
@@ -48,6 +51,7 @@ class CellBatch {
     std::vector<std::int32_t> cell;    ///< index within its tile
     std::vector<std::int32_t> change;  ///< to be filled: wanted change of thickness, quanta
     std::vector<std::int32_t> swap;    ///< to be filled: amount to be exchanged besides, quanta
+    std::vector<float> touched;        ///< to be filled: share of the exchange that happens, 0 to 1
 
   private:
     void gather_part(const film::FilmState& film, int tile, const grid::Rect& part, const Disc& disc,

@@ -182,7 +182,7 @@ Contents Plough::clear(const PloughStep& step, const Lane& lane) {
     if (step.scratch.count() == 0) return moved;
     const WantedSums wanted = plan_exchange(rule, step.scratch);
     changed_ = grid::bounding_box(
-        changed_, apply_batch(step.scratch, wanted, 0.0, 0.0, step.dither_seed, step.film, moved));
+        changed_, apply_batch(step.scratch, wanted, {}, step.dither_seed, step.film, moved));
     return moved;
 }
 

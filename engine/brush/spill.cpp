@@ -43,6 +43,7 @@ WantedSums plan_heap(double quanta, double spread_mm, CellBatch& batch) {
         const double gain = heap > 0.0 ? quanta * heights[i] / heap : 0.0;
         batch.change[i] = static_cast<std::int32_t>(std::min(gain, capacity_left));
         batch.swap[i] = 0;
+        batch.touched[i] = 0.0F;
         wanted.deposit += batch.change[i];
     }
     return wanted;
@@ -82,7 +83,7 @@ grid::Rect put_down(Contents& held, double volume_mm3, double x_mm, double y_mm,
     const double quanta = volume_mm3 / (film.cell_mm * film.cell_mm * film::kThicknessQuantum_mm);
     const WantedSums wanted = plan_heap(quanta, radius_mm, scratch);
     if (wanted.deposit == 0) return {};
-    return apply_batch(scratch, wanted, kLargestShare, 0.0, dither_seed, film, held);
+    return apply_batch(scratch, wanted, {.deposit_share = kLargestShare}, dither_seed, film, held);
 }
 
 HeapPlace place_beside(const film::FilmState& film, double x_mm, double y_mm, double away_x,

@@ -42,10 +42,6 @@ std::uint32_t turns_of(const Brush& brush) {
     return brush.tip.rigid ? 1 : kTurns;
 }
 
-bool mixes(const Brush& brush) {
-    return brush.preset.exchange.mix > 0.0;
-}
-
 /// The elements of a knife wait for each other from one end to the other, and what is thrown away is
 /// summed in their order.
 int most_strips(const Brush& brush, const core::ThreadPool* pool) {
@@ -274,8 +270,7 @@ void Stroke::touch_all(const Touch& touch) {
     while (static_cast<int>(tools_.size()) < strips_.count())
         tools_.emplace_back(limit_);
     const auto act = [&](int bristle, int strip) { return touch_one(bristle, touch, tools_[strip]); };
-    if (strips_.count() > 1 && mixes(brush_))
-        pass_.prepare(cells_below(touching_, resolved_.radius_mm, film_.cell_mm));
+    if (strips_.count() > 1) pass_.prepare(cells_below(touching_, resolved_.radius_mm, film_.cell_mm));
     while (!strips_.run(pool_, act)) {
         for (const int strip : strips_.hindered())
             own_planned_tiles(tools_[strip].cells, film_);
@@ -311,19 +306,24 @@ float Stroke::alone(int bristle) const {
 
 bool Stroke::touch_one(int bristle, const Touch& touch, StripTools& tools) {
     const Contact below = contact(bristle, touch);
-    tools.cells.gather(film_, below.x_mm, below.y_mm, resolved_.reach_mm,
-                       mixes(brush_) ? &pass_ : nullptr);
+    tools.cells.gather(film_, below.x_mm, below.y_mm, resolved_.reach_mm, &pass_);
     const ExchangeRule rule = exchange_rule(brush_, bristle, below, touch.rates);
     const WantedSums wanted = plan_exchange(rule, tools.cells);
+    Contents& held = brush_.held[bristle];
+    const ApplyRule applied = apply_rule(touch_limits(brush_, below.press, stirs(bristle)), wanted,
+                                         dither_seed(bristle), film_, held, tools.cells);
     if (strips_.count() > 1 && !owns_planned_tiles(tools.cells, film_)) return false;
-    const grid::Rect painted =
-        apply_touch(brush_, bristle, wanted, dither_seed(bristle), film_, tools.cells);
-    tools.changed = grid::bounding_box(tools.changed, painted);
+    tools.changed = grid::bounding_box(tools.changed, apply(applied, tools.cells, film_, held));
+    if (brush_.preset.exchange.absorbs) brush_.thrown_away += std::exchange(held, Contents{});
     if (tools.drag.find(rule, touch.drag, tools.cells, film_)) {
         const std::lock_guard lock(velocities_);
         tools.changed = grid::bounding_box(tools.changed, tools.drag.apply(touch.drag, film_));
     }
     return true;
+}
+
+bool Stroke::stirs(int bristle) const {
+    return (step_count_ / turns_ + static_cast<std::uint32_t>(bristle)) % kStirTurns == 0;
 }
 
 void Stroke::leave_paint() {

@@ -22,6 +22,8 @@ constexpr float kLeastAlone = 1e-6F;
 constexpr float kLeastBead_mm = 1e-4F;
 /// Shares of its load that an element gives in one step at most, by depositing and by swapping.
 constexpr double kLargestDeposit = 0.5, kLargestKnifeDeposit = 0.7, kLargestSwap = 0.25;
+/// How far down into two strata what is stiff reaches, against hairs.
+constexpr double kStiffDepth = 0.1;
 /// Less than this in a bristle counts as nothing.
 constexpr double kEmpty_mm3 = 1e-6;
 
@@ -72,11 +74,32 @@ film::PaintCoefficients given_paint(const Contents& held, double kept_share, int
     return given;
 }
 
-bool changes_anything(const CellBatch& batch, const CellBatch::TilePart& part) {
+bool changes_anything(const CellBatch& batch, const CellBatch::TilePart& part, bool stirs) {
     for (int i = part.begin; i < part.end; ++i) {
-        if ((batch.change[i] != 0 || batch.swap[i] != 0) && batch.may_change(part, i)) return true;
+        const bool acts =
+            batch.change[i] != 0 || batch.swap[i] != 0 || (stirs && batch.touched[i] > 0.0F);
+        if (acts && batch.may_change(part, i)) return true;
     }
     return false;
+}
+
+TileCells cells_of(const CellBatch& batch, const CellBatch::TilePart& part, std::int32_t* thickness,
+                   film::PaintCell* paint) {
+    return {thickness,
+            paint,
+            batch.cell.data() + part.begin,
+            batch.thickness.data() + part.begin,
+            batch.found.data() + part.begin,
+            batch.change.data() + part.begin,
+            batch.swap.data() + part.begin,
+            batch.touched.data() + part.begin,
+            part.end - part.begin};
+}
+
+bool begins_strata(const ApplyRule& rule, const CellBatch& batch, const CellBatch::TilePart& part,
+                   const film::FilmState& film) {
+    return core::kernels<TransferKernels>().meets_other(rule, film.paint.read(part.tile),
+                                                        cells_of(batch, part, nullptr, nullptr));
 }
 
 /// Takes back what is planned for cells that must stay as they are. Returns what is wanted of the
@@ -88,6 +111,7 @@ WantedSums limit_plan(CellBatch& batch, WantedSums wanted) {
             wanted.deposit -= std::max(batch.change[i], 0);
             wanted.swap -= batch.swap[i];
             batch.change[i] = batch.swap[i] = 0;
+            batch.touched[i] = 0.0F;
         }
     }
     return wanted;
@@ -143,62 +167,88 @@ ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact
 WantedSums plan_exchange(const ExchangeRule& rule, CellBatch& batch) {
     return core::kernels<TransferKernels>().plan(
         rule, {batch.dx_mm.data(), batch.dy_mm.data(), batch.thickness.data(), batch.found.data(),
-               batch.support_mm.data(), batch.change.data(), batch.swap.data(), batch.padded_count()});
+               batch.support_mm.data(), batch.change.data(), batch.swap.data(), batch.touched.data(),
+               batch.padded_count()});
 }
 
-grid::Rect apply_touch(Brush& brush, int index, WantedSums wanted, std::uint32_t dither_seed,
-                       film::FilmState& film, CellBatch& batch) {
-    if (batch.count() == 0) return {};
-    const double deposit_share = brush.tip.rigid ? kLargestKnifeDeposit : kLargestDeposit;
-    const grid::Rect changed =
-        apply_batch(batch, wanted, deposit_share, kLargestSwap, dither_seed, film, brush.held[index]);
-    if (brush.preset.exchange.absorbs) brush.thrown_away += std::exchange(brush.held[index], Contents{});
-    return changed;
+Limits touch_limits(const Brush& brush, float press, bool stirs) {
+    const double deepest = brush.tip.rigid ? kStiffDepth : 1.0;
+    return {brush.tip.rigid ? kLargestKnifeDeposit : kLargestDeposit, kLargestSwap,
+            static_cast<float>(std::min(1.0, deepest * brush.preset.exchange.mix * press)), stirs};
 }
 
-bool owns_planned_tiles(const CellBatch& batch, const film::FilmState& film) {
-    return std::all_of(batch.parts().begin(), batch.parts().end(), [&](const auto& part) {
-        const bool owned =
-            film.thickness.block(part.tile).unique() && film.paint.block(part.tile).unique();
-        return owned || !changes_anything(batch, part);
-    });
-}
-
-void own_planned_tiles(const CellBatch& batch, film::FilmState& film) {
-    for (const CellBatch::TilePart& part : batch.parts()) {
-        if (!changes_anything(batch, part)) continue;
-        film.thickness.write(part.tile);
-        film.paint.write(part.tile);
-    }
-}
-
-grid::Rect apply_batch(CellBatch& batch, WantedSums wanted, double deposit_share, double swap_share,
-                       std::uint32_t dither_seed, film::FilmState& film, Contents& held) {
+ApplyRule apply_rule(const Limits& limits, WantedSums wanted, std::uint32_t dither_seed,
+                     const film::FilmState& film, const Contents& held, CellBatch& batch) {
     if (batch.is_limited()) wanted = limit_plan(batch, wanted);
     const double cell_area_mm2 = film.cell_mm * film.cell_mm;
     const bool empty = held.volume_mm3 <= kEmpty_mm3;
     const double held_quanta =
         empty ? 0.0 : held.volume_mm3 / (film::kThicknessQuantum_mm * cell_area_mm2);
     ApplyRule rule;
-    rule.deposit_scale = scale_to(deposit_share * held_quanta, wanted.deposit);
-    rule.swap_scale = scale_to(swap_share * held_quanta, wanted.swap);
-    if (!empty)
-        rule.given = given_paint(held, 1.0 - deposit_share - swap_share, batch.count(), cell_area_mm2);
+    rule.deposit_scale = scale_to(limits.deposit_share * held_quanta, wanted.deposit);
+    rule.swap_scale = scale_to(limits.swap_share * held_quanta, wanted.swap);
+    rule.depth = limits.depth;
+    rule.stir = limits.stirs ? kStirTurns * limits.depth : 0.0F;
+    // What is left after all else is for the strata, but for a half, which covers roundings.
+    const double spare = 0.5 * (1.0 - limits.deposit_share - limits.swap_share);
+    if (limits.stirs)
+        rule.strata_swap_scale =
+            static_cast<float>(kStirTurns) * scale_to(spare * held_quanta, kStirTurns * wanted.swap);
+    if (!empty) rule.given = given_paint(held, spare, batch.count(), cell_area_mm2);
+    rule.is_clear = std::all_of(rule.given.begin(), rule.given.begin() + film::kPigmentChannels,
+                                [](float channel) { return channel == 0.0F; });
     rule.dither_seed = dither_seed;
-    alignas(64) ChangeSums gained;  // across cache lines, clearing it takes a sixth of this function
-    for (const CellBatch::TilePart& part : batch.parts()) {
-        if (!changes_anything(batch, part)) continue;
-        const TileCells cells = {film.thickness.write(part.tile),
-                                 film.paint.write(part.tile),
-                                 batch.cell.data() + part.begin,
-                                 batch.thickness.data() + part.begin,
-                                 batch.change.data() + part.begin,
-                                 batch.swap.data() + part.begin,
-                                 part.end - part.begin};
-        core::kernels<TransferKernels>().apply(rule, cells, gained);
+    for (CellBatch::TilePart& part : batch.parts()) {
+        const bool has_strata = film.lower.is_in(part.tile);
+        part.changes = changes_anything(batch, part, has_strata && rule.stir > 0.0F);
+        part.has_strata = has_strata || (part.changes && begins_strata(rule, batch, part, film));
     }
-    core::kernels<ContentsKernels>().take(gained, cell_area_mm2, held);
+    return rule;
+}
+
+bool owns_planned_tiles(const CellBatch& batch, const film::FilmState& film) {
+    return std::all_of(batch.parts().begin(), batch.parts().end(), [&](const auto& part) {
+        const bool owns_whole =
+            film.thickness.block(part.tile).unique() && film.paint.block(part.tile).unique();
+        const bool owns_lower =
+            film.lower.thickness.block(part.tile).unique() && film.lower.paint.block(part.tile).unique();
+        return !part.changes || (owns_whole && (owns_lower || !part.has_strata));
+    });
+}
+
+void own_planned_tiles(const CellBatch& batch, film::FilmState& film) {
+    for (const CellBatch::TilePart& part : batch.parts()) {
+        if (!part.changes) continue;
+        film.thickness.write(part.tile);
+        film.paint.write(part.tile);
+        if (!part.has_strata) continue;
+        film.lower.thickness.write(part.tile);
+        film.lower.paint.write(part.tile);
+    }
+}
+
+grid::Rect apply(const ApplyRule& rule, const CellBatch& batch, film::FilmState& film, Contents& held) {
+    alignas(64) ChangeSums gained;  // across cache lines, clearing it takes a sixth of this function
+    const auto& kernels = core::kernels<TransferKernels>();
+    for (const CellBatch::TilePart& part : batch.parts()) {
+        if (!part.changes) continue;
+        const TileCells cells =
+            cells_of(batch, part, film.thickness.write(part.tile), film.paint.write(part.tile));
+        if (part.has_strata)
+            kernels.apply_strata(
+                rule, cells, {film.lower.thickness.write(part.tile), film.lower.paint.write(part.tile)},
+                gained);
+        else
+            kernels.apply(rule, cells, gained);
+    }
+    core::kernels<ContentsKernels>().take(gained, film.cell_mm * film.cell_mm, held);
     return gained.any ? batch.cells() : grid::Rect{};
+}
+
+grid::Rect apply_batch(CellBatch& batch, WantedSums wanted, const Limits& limits,
+                       std::uint32_t dither_seed, film::FilmState& film, Contents& held) {
+    const ApplyRule rule = apply_rule(limits, wanted, dither_seed, film, held, batch);
+    return apply(rule, batch, film, held);
 }
 
 }  // namespace pastoso::brush

@@ -27,6 +27,13 @@
 // h_0 being what the tip found there when it came: nothing is swapped with paint that the stroke itself
 // has just laid down, which would blur its streaks.
 //
+// Paint that comes onto other paint which the tip found there lies above it; that is the lower stratum
+// from then on, of thickness h_l (film/cell/lower_stratum.hpp). What comes later joins the upper one.
+// What is taken comes from the upper one first, the share d from both as they lie. Then a touch stirs:
+//
+//   equal volumes m h_l (h - h_l) / h of both strata are swapped, m = d w chi (1 - e^(-ds / 0.8 r)),
+//   d = mix p for hairs, a tenth of that for what is stiff.
+//
 // C = min(1, cover w / max(A, (1 - sat)^2)): a bristle that is alone, at the edge of its clump (A = 1
 // there, brush/clumps.hpp) or with its neighbours starved, leaves in a cell the share that it covers;
 // among others, they cover the rest.
@@ -76,22 +83,34 @@ ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact
 /// Fills the changes and swaps of a gathered batch. Returns their sums.
 WantedSums plan_exchange(const ExchangeRule& rule, CellBatch& batch);
 
-/// Lets bristle `index` do what plan_exchange() planned. Returns the cells that may have changed, empty
-/// if none; `batch` goes on holding the cells as they were.
-grid::Rect apply_touch(Brush& brush, int index, WantedSums wanted, std::uint32_t dither_seed,
-                       film::FilmState& film, CellBatch& batch);
+/// How much of what a batch plans a tool may do.
+struct Limits {
+    double deposit_share = 0.0;  ///< of the held volume, at most
+    double swap_share = 0.0;
+    float depth = 0.0F;  ///< how far down into two strata, 0 to 1
+    bool stirs = false;  ///< as it does, for all of them, in one touch of kStirTurns
+};
+inline constexpr std::uint32_t kStirTurns = 4;
+Limits touch_limits(const Brush& brush, float press, bool stirs);
 
-/// Whether no other state shares the tiles that a planned batch is going to change. If so, several
-/// threads may apply batches of different cells at once.
+/// Scales the changes and swaps planned in `batch`, whose sums are `wanted`, to what is held, and fills
+/// in what it does to its tiles.
+ApplyRule apply_rule(const Limits& limits, WantedSums wanted, std::uint32_t dither_seed,
+                     const film::FilmState& film, const Contents& held, CellBatch& batch);
+
+/// Whether no other state shares the tiles that such a batch is going to change. If so, several threads
+/// may apply batches of different cells at once.
 bool owns_planned_tiles(const CellBatch& batch, const film::FilmState& film);
 
 /// Makes it so, for one thread alone.
 void own_planned_tiles(const CellBatch& batch, film::FilmState& film);
 
-/// Applies the changes and swaps planned in `batch` and takes what the film gained from `held`, or gives
-/// it what the film lost. At most `deposit_share` of the held volume is deposited and `swap_share`
-/// swapped. `wanted` are the sums of the plan. Returns the cells that may have changed.
-grid::Rect apply_batch(CellBatch& batch, WantedSums wanted, double deposit_share, double swap_share,
+/// Applies the batch, and takes what the film gained from `held`, or gives it what the film lost.
+/// Returns the cells that may have changed; the batch goes on holding the cells as they were.
+grid::Rect apply(const ApplyRule& rule, const CellBatch& batch, film::FilmState& film, Contents& held);
+
+/// All of that, for one thread alone.
+grid::Rect apply_batch(CellBatch& batch, WantedSums wanted, const Limits& limits,
                        std::uint32_t dither_seed, film::FilmState& film, Contents& held);
 
 }  // namespace pastoso::brush

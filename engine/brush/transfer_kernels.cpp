@@ -82,6 +82,7 @@ PASTOSO_LANE_FUNCTION Floats profile_at(const Profile& profile, const ExchangeRu
 /// What a register of cells is to gain and to swap.
 struct Wanted {
     Ints change, swap;
+    Floats touched;
 };
 
 template <bool kLane, class Profile>
@@ -113,9 +114,9 @@ PASTOSO_LANE_FUNCTION Wanted wanted_at(const ExchangeRule& rule, const Profile& 
     const Ints capacity_left = lanes::max(Ints(0), film::kMaxThickness_quanta - quanta);
     const Floats ground = lanes::convert<float>(lanes::min(quanta, found)) * kQuantum_mm;
     const Floats swap_mm = rule.mix * share * lanes::min(ground, Floats(rule.mix_depth_mm));
-    return {
-        lanes::min(change, capacity_left),
-        lanes::convert<std::int32_t>(lanes::select(capacity_left > 0, swap_mm, none) * kQuantaPerMm)};
+    return {lanes::min(change, capacity_left),
+            lanes::convert<std::int32_t>(lanes::select(capacity_left > 0, swap_mm, none) * kQuantaPerMm),
+            share};
 }
 
 /// Adds numbers that are not negative to sums wide enough for all of them.
@@ -139,6 +140,7 @@ PASTOSO_LANE_FUNCTION WantedSums plan_batch(const ExchangeRule& rule, const Batc
         const Wanted wanted = wanted_at<kLane>(rule, profile, batch, i);
         lanes::store(batch.change + i, wanted.change);
         lanes::store(batch.swap + i, wanted.swap);
+        lanes::store(batch.touched + i, wanted.touched);
         add_to(deposit, lanes::max(wanted.change, Ints(0)));
         add_to(swap, wanted.swap);
     }
@@ -192,6 +194,7 @@ constexpr int kChunk = 64;
 static_assert(kChunk % kBatchStep == 0);
 struct CellChanges {
     std::int32_t thickness[kChunk];
+    std::int32_t swap[kChunk];
     float out_share[kChunk];  ///< of the cell's pigment
     float gained[kChunk];     ///< thickness quanta of the tool's paint
     float rounding[kChunk];
@@ -212,8 +215,8 @@ struct CellLists {
     CellList gaining, losing, swapping;
 };
 
-PASTOSO_LANE_FUNCTION void settle_change(const ApplyRule& rule, const TileCells& cells, int first,
-                                         int count, int i, CellChanges& changes, CellLists& lists) {
+PASTOSO_LANE_FUNCTION void settle_change(const ApplyRule& rule, const TileCells& cells, int first, int i,
+                                         CellChanges& changes) {
     const Ints none(0), one(1);
     const auto h = lanes::load<Ints>(cells.held + first + i);
     const auto wanted = lanes::load<Ints>(cells.change + first + i);
@@ -225,11 +228,18 @@ PASTOSO_LANE_FUNCTION void settle_change(const ApplyRule& rule, const TileCells&
     const Floats share = lanes::convert<float>(swap + lanes::max(-change, none)) /
                          lanes::convert<float>(lanes::max(h, one));
     lanes::store(changes.thickness + i, change);
+    lanes::store(changes.swap + i, swap);
     lanes::store(changes.out_share + i, lanes::min(share, Floats(1.0F)));
     lanes::store(changes.gained + i, lanes::convert<float>(swap + lanes::max(change, none)));
     lanes::store(changes.rounding + i,
                  dither(lanes::load<Ints>(cells.cell + first + i), rule.dither_seed));
-    const Ints number = lanes::counting<Ints>() + i;
+}
+
+/// Puts a register of cells of one stratum on the lists.
+PASTOSO_LANE_FUNCTION void list_cells(int count, int i, const CellChanges& changes, CellLists& lists) {
+    const Ints none(0), number = lanes::counting<Ints>() + i;
+    const auto change = lanes::load<Ints>(changes.thickness + i);
+    const auto swap = lanes::load<Ints>(changes.swap + i);
     lists.gaining.add(number, swap == none && change > none && number < count);
     lists.losing.add(number, swap == none && change < none && number < count);
     lists.swapping.add(number, swap != none && number < count);
@@ -259,18 +269,199 @@ PASTOSO_LANE_FUNCTION void change_cells(const TileCells& cells, int first, const
     sums.thickness += gained;
 }
 
+/// Whether `gained` quanta of the tool's paint are of another colour than as much of a cell's: by more
+/// than a tenth of the more, and by more than what roundings leave out. A channel of pigment that is not
+/// given is one that too little is left of.
+PASTOSO_LANE_FUNCTION bool is_other(const ApplyRule& rule, const film::PaintCell& paint,
+                                    std::int32_t thickness, std::int32_t gained) {
+    constexpr float kLikeShare = 1.0F / 10.0F;
+    constexpr float kRounding_quanta = 64.0F;
+    const float part = static_cast<float>(gained) / static_cast<float>(thickness);
+    for (int g = 0; g < kGroups; ++g) {
+        const Floats here = lanes::convert<float>(lanes::load<Ints>(paint.data() + g * kLanes)) * part;
+        const Floats coming =
+            lanes::load<Floats>(rule.given.data() + g * kLanes) * static_cast<float>(gained);
+        const Floats apart = lanes::max(here - coming, coming - here);
+        const auto other =
+            apart > lanes::max(lanes::max(here, coming) * kLikeShare, Floats(kRounding_quanta));
+        const Floats least(rule.is_clear ? -1.0F : 0.0F);
+        const auto colour = lanes::counting<Ints>() + g * kLanes < film::kPigmentChannels;
+        if (lanes::any(other && colour && coming > least)) return true;
+    }
+    return false;
+}
+
+/// What happens to the strata of a few cells.
+struct StrataChanges {
+    std::int32_t before[kChunk];  ///< thickness of the lower one; 0: the cell's paint is one
+    std::int32_t after[kChunk];
+    float out_above[kChunk], out_below[kChunk];  ///< of the strata's pigment
+    float rises[kChunk], sinks[kChunk];          ///< shares that are stirred, of the lower and the upper
+};
+
+PASTOSO_LANE_FUNCTION Ints gain_of(const CellChanges& changes, int i) {
+    return lanes::load<Ints>(changes.swap + i) +
+           lanes::max(lanes::load<Ints>(changes.thickness + i), Ints(0));
+}
+
+/// Calls visit(i) with those cells of a register whose paint is one and is to lie below what comes:
+/// hardly any of it is the stroke's own as yet.
+template <class Visit>
+PASTOSO_LANE_FUNCTION void for_each_covered(const ApplyRule& rule, const film::PaintCell* paint,
+                                            const TileCells& cells, int first, int i,
+                                            const CellChanges& changes, Ints::MaskOf is_one,
+                                            const Visit& visit) {
+    const Ints gained = gain_of(changes, i);
+    const auto held = lanes::load<Ints>(cells.held + first + i);
+    const auto found = lanes::load<Ints>(cells.found + first + i);
+    const auto still_found = held - found < film::kLeastStratum_quanta &&
+                             lanes::min(held, found) >= film::kLeastStratum_quanta;
+    CellList perhaps;
+    perhaps.add(lanes::counting<Ints>() + i,
+                gained >= film::kLostStratum_quanta && still_found && is_one);
+    for (int n = 0; n < perhaps.count; ++n) {
+        const int at = perhaps.cells[n], cell = first + at;
+        const std::int32_t gain = changes.swap[at] + lanes::max(changes.thickness[at], 0);
+        if (is_other(rule, paint[cells.cell[cell]], cells.held[cell], gain)) visit(at);
+    }
+}
+
+PASTOSO_LANE_FUNCTION Floats ratio(Ints part, Ints whole) {
+    return lanes::min(lanes::convert<float>(part) / lanes::convert<float>(lanes::max(whole, Ints(1))),
+                      Floats(1.0F));
+}
+
+/// The swap of cells that have two strata already: in few touches, but then that of several.
+PASTOSO_LANE_FUNCTION void settle_swap(const ApplyRule& rule, const TileCells& cells, int first, int i,
+                                       Ints::MaskOf is_two, CellChanges& changes) {
+    const Ints wanted = lanes::convert<std::int32_t>(
+        lanes::convert<float>(lanes::load<Ints>(cells.swap + first + i)) * rule.strata_swap_scale);
+    const Ints held = lanes::load<Ints>(cells.held + first + i);
+    const Ints change = lanes::load<Ints>(changes.thickness + i);
+    const Ints most = held + lanes::min(change, Ints(0));
+    const Ints swap =
+        lanes::select(is_two, lanes::min(wanted, most), lanes::load<Ints>(changes.swap + i));
+    lanes::store(changes.swap + i, swap);
+    lanes::store(changes.gained + i, lanes::convert<float>(swap + lanes::max(change, Ints(0))));
+}
+
+/// As if all cells had two strata.
+PASTOSO_LANE_FUNCTION void settle_strata(const ApplyRule& rule, const TileCells& cells, int first, int i,
+                                         const CellChanges& changes, StrataChanges& strata) {
+    const Ints none(0);
+    const auto held = lanes::load<Ints>(cells.held + first + i);
+    const auto lower = lanes::load<Ints>(strata.before + i);
+    const auto change = lanes::load<Ints>(changes.thickness + i);
+    const Ints upper = held - lower, gained = gain_of(changes, i), taken = gained - change;
+    const Floats first_taken = lanes::convert<float>(lanes::min(taken, upper));
+    const Floats evenly = lanes::convert<float>(taken) * ratio(upper, held);
+    const Ints wanted = lanes::convert<std::int32_t>(first_taken + (evenly - first_taken) * rule.depth);
+    const Ints from_upper = lanes::min(lanes::max(wanted, taken - lower), lanes::min(upper, taken));
+    const Ints from_lower = taken - from_upper;
+    const Ints upper_after = upper - from_upper + gained, lower_after = lower - from_lower;
+    const auto two = lanes::min(upper_after, lower_after) >= film::kLostStratum_quanta;
+    lanes::store(strata.after + i, lanes::select(two, lower_after, none));
+    lanes::store(strata.out_above + i, ratio(from_upper, upper));
+    lanes::store(strata.out_below + i, ratio(from_lower, lower));
+    if (rule.stir == 0.0F) return;
+    const Floats mixing =
+        lanes::min(lanes::load<Floats>(cells.touched + first + i) * rule.stir, Floats(1.0F));
+    const Floats risen = ratio(upper_after, held + change);
+    lanes::store(strata.rises + i, mixing * risen);
+    lanes::store(strata.sinks + i, mixing * (1.0F - risen));
+}
+
+/// Puts a register of cells on the lists, each on one at most. Whoever only gains, does so on top.
+PASTOSO_LANE_FUNCTION void list_cells(int count, int i, const CellChanges& changes,
+                                      const StrataChanges& strata, CellLists& plain, CellList& two) {
+    const Ints none(0), number = lanes::counting<Ints>() + i;
+    const auto change = lanes::load<Ints>(changes.thickness + i);
+    const auto swap = lanes::load<Ints>(changes.swap + i);
+    const auto is_one = lanes::load<Ints>(strata.before + i) == none;
+    const auto stirred = lanes::load<Floats>(strata.rises + i) > Floats(0.0F) && !is_one;
+    const auto gains_only = swap == none && change > none && !stirred;
+    const auto here = number < count;
+    plain.gaining.add(number, here && gains_only);
+    plain.losing.add(number, here && is_one && swap == none && change < none);
+    plain.swapping.add(number, here && is_one && swap != none);
+    two.add(number, here && !is_one && !gains_only && (swap != none || change != none || stirred));
+}
+
+/// Moves the paint of a cell with two strata, of which nothing is left where it is `bare`.
+PASTOSO_LANE_FUNCTION void change_strata(int i, const CellChanges& changes, const StrataChanges& strata,
+                                         bool bare, const Floats* given, film::PaintCell& whole,
+                                         film::PaintCell& lower, ChannelSums& gains) {
+    const bool two = strata.after[i] > 0;
+    const float rounding = changes.rounding[i];
+    for (int g = 0; g < kGroups; ++g) {
+        std::int32_t *to_whole = whole.data() + g * kLanes, *to_lower = lower.data() + g * kLanes;
+        const auto held = lanes::load<Ints>(to_whole), below = lanes::load<Ints>(to_lower);
+        const Ints above = held - below;
+        const Ints low = below - leaving(below, strata.out_below[i], rounding);
+        const Ints left = above - leaving(above, strata.out_above[i], rounding);
+        const Ints in = bare ? -(left + low) : coming(given[g], changes.gained[i], rounding, left + low);
+        const Ints high = left + in;
+        const Ints gain = lanes::convert<std::int32_t>(lanes::convert<float>(high) * strata.sinks[i] -
+                                                       lanes::convert<float>(low) * strata.rises[i]);
+        lanes::store(to_whole, high + low);
+        lanes::store(to_lower, two ? low + lanes::max(lanes::min(gain, high), -low) : Ints(0));
+        gains.add(g, high + low - held);
+    }
+}
+
+/// Lists the cells of a chunk, and changes those in which both strata change.
+PASTOSO_LANE_FUNCTION void change_two(const ApplyRule& rule, const TileCells& cells,
+                                      const LowerCells& tile, int first, int count, const Floats* given,
+                                      CellChanges& changes, CellLists& plain, ChangeSums& sums,
+                                      ChannelSums& gains) {
+    StrataChanges strata{};
+    CellList two;
+    for (int i = 0; i < count; i += kLanes) {
+        for (int n = i; n < i + kLanes; ++n)
+            strata.before[n] = tile.thickness[cells.cell[first + n]];
+        const auto is_one =
+            lanes::load<Ints>(strata.before + i) == Ints(0) && lanes::counting<Ints>() + i < count;
+        for_each_covered(
+            rule, cells.paint, cells, first, i, changes,
+            is_one, [&](int n) __attribute__((always_inline)) {
+                const int cell = cells.cell[first + n];
+                strata.before[n] = tile.thickness[cell] = cells.held[first + n];
+                tile.paint[cell] = cells.paint[cell];
+            });
+        if (lanes::any(lanes::load<Ints>(strata.before + i) > Ints(0))) {
+            settle_swap(rule, cells, first, i, !is_one, changes);
+            settle_strata(rule, cells, first, i, changes, strata);
+        }
+        list_cells(count, i, changes, strata, plain, two);
+    }
+    for (int n = 0; n < two.count; ++n) {
+        const int i = two.cells[n], cell = cells.cell[first + i];
+        const std::int32_t thickness = cells.held[first + i] + changes.thickness[i];
+        change_strata(i, changes, strata, thickness == 0, given, cells.paint[cell], tile.paint[cell],
+                      gains);
+        cells.thickness[cell] = thickness;
+        tile.thickness[cell] = strata.after[i];
+        sums.thickness += changes.thickness[i];
+    }
+    sums.any = sums.any || two.count > 0;
+}
+
 /// Moves the thickness and the pigment of up to kChunk cells.
-PASTOSO_LANE_FUNCTION void apply_chunk(const ApplyRule& rule, const TileCells& cells, int first,
-                                       int count, ChangeSums& sums) {
+PASTOSO_LANE_FUNCTION void apply_chunk(const ApplyRule& rule, const TileCells& cells,
+                                       const LowerCells* lower, int first, int count, ChangeSums& sums) {
     CellChanges changes;
     // Whole registers: a few cells of the next part or of the padding are worked out in vain.
     CellLists lists;
-    for (int i = 0; i < count; i += kLanes)
-        settle_change(rule, cells, first, count, i, changes, lists);
+    for (int i = 0; i < count; i += kLanes) {
+        settle_change(rule, cells, first, i, changes);
+        if (lower == nullptr) list_cells(count, i, changes, lists);
+    }
     Floats given[kGroups];
     for (int group = 0; group < kGroups; ++group)
         given[group] = lanes::load<Floats>(rule.given.data() + group * kLanes);
     ChannelSums gains;
+    if (lower != nullptr)
+        change_two(rule, cells, *lower, first, count, given, changes, lists, sums, gains);
     change_cells(
         cells, first, lists.gaining, changes, sums,
         gains, [&](int i, int group, Ints held) __attribute__((always_inline)) {
@@ -293,6 +484,23 @@ PASTOSO_LANE_FUNCTION void apply_chunk(const ApplyRule& rule, const TileCells& c
 
 }  // namespace
 
+bool meets_other(const ApplyRule& rule, const film::PaintCell* paint, const TileCells& cells) {
+    bool any = false;
+    for (int first = 0; first < cells.count && !any; first += kChunk) {
+        const int count = lanes::min(kChunk, cells.count - first);
+        CellChanges changes;
+        for (int i = 0; i < count && !any; i += kLanes) {
+            settle_change(rule, cells, first, i, changes);
+            for_each_covered(
+                rule, paint, cells, first, i, changes,
+                lanes::counting<Ints>() + i < count, [&](int) __attribute__((always_inline)) {
+                    any = true;
+                });
+        }
+    }
+    return any;
+}
+
 WantedSums plan(const ExchangeRule& rule, const BatchColumns& batch) {
     if (rule.segments == 16) {
         return rule.lane ? plan_batch<true, SixteenSegments>(rule, batch)
@@ -304,9 +512,15 @@ WantedSums plan(const ExchangeRule& rule, const BatchColumns& batch) {
 
 void apply(const ApplyRule& rule, const TileCells& cells, ChangeSums& sums) {
     for (int first = 0; first < cells.count; first += kChunk)
-        apply_chunk(rule, cells, first, lanes::min(kChunk, cells.count - first), sums);
+        apply_chunk(rule, cells, nullptr, first, lanes::min(kChunk, cells.count - first), sums);
+}
+
+void apply_strata(const ApplyRule& rule, const TileCells& cells, const LowerCells& lower,
+                  ChangeSums& sums) {
+    for (int first = 0; first < cells.count; first += kChunk)
+        apply_chunk(rule, cells, &lower, first, lanes::min(kChunk, cells.count - first), sums);
 }
 
 }  // namespace pastoso::brush::PASTOSO_ISA
 
-PASTOSO_REGISTER_KERNELS(pastoso::brush, TransferKernels, plan, apply)
+PASTOSO_REGISTER_KERNELS(pastoso::brush, TransferKernels, plan, apply, meets_other, apply_strata)

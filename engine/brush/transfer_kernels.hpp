@@ -19,6 +19,7 @@ struct BatchColumns {
     const float* support_mm;
     std::int32_t* change;
     std::int32_t* swap;
+    float* touched;  ///< how much of the exchange happens there in this step, 0 to 1
     int padded_count;
 };
 
@@ -52,7 +53,11 @@ struct WantedSums {
 struct ApplyRule {
     float deposit_scale = 1.0F;
     float swap_scale = 1.0F;
+    float depth = 0.0F;               ///< how far down into two strata what is taken comes from, 0 to 1
+    float stir = 0.0F;                ///< share of what can mix that a whole exchange stirs
+    float strata_swap_scale = 0.0F;   ///< instead of swap_scale, where there are two strata already
     film::PaintCoefficients given{};  ///< carried quanta per thickness quantum
+    bool is_clear = false;            ///< it has no pigment
     std::uint32_t dither_seed = 0;
 };
 
@@ -63,20 +68,33 @@ struct ChangeSums {
     bool any = false;  ///< something changed, even if the sums are 0
 };
 
-/// One tile's cells of a batch; the columns can be read for kBatchStep values more.
+/// One tile's cells of a batch, to be changed in `thickness` and `paint`; the columns can be read for
+/// kBatchStep values more.
 struct TileCells {
     std::int32_t* thickness;
     film::PaintCell* paint;
     const std::int32_t* cell;
     const std::int32_t* held;  ///< thickness before, of each
+    const std::int32_t* found;
     const std::int32_t* change;
     const std::int32_t* swap;
+    const float* touched;
     int count;
+};
+
+/// The lower stratum of the same tile.
+struct LowerCells {
+    std::int32_t* thickness;
+    film::PaintCell* paint;
 };
 
 struct TransferKernels {
     WantedSums (*plan)(const ExchangeRule&, const BatchColumns&);
+    /// In a tile where every cell's paint is one.
     void (*apply)(const ApplyRule&, const TileCells&, ChangeSums&);
+    /// Whether two strata begin in such a tile: other paint comes onto paint that was there.
+    bool (*meets_other)(const ApplyRule&, const film::PaintCell* paint, const TileCells&);
+    void (*apply_strata)(const ApplyRule&, const TileCells&, const LowerCells&, ChangeSums&);
 
     static const TransferKernels baseline, avx2, avx512;
 };

@@ -23,6 +23,11 @@ struct NoAmount {
 struct WetThickness {
     static const std::int32_t* of(const FilmState& film, int tile) { return film.thickness.read(tile); }
 };
+struct LowerThickness {
+    static const std::int32_t* of(const FilmState& film, int tile) {
+        return film.lower.thickness.read(tile);
+    }
+};
 struct SolubleThickness {
     static const std::int32_t* of(const FilmState& film, int tile) {
         return film.strata.soluble_thickness.read(tile);
@@ -35,6 +40,8 @@ template <class Visit, class... Films>
 void for_each_field(const Visit& visit, Films&&... films) {
     visit(NoAmount{}, films.thickness...);
     visit(WetThickness{}, films.paint...);
+    visit(NoAmount{}, films.lower.thickness...);
+    visit(LowerThickness{}, films.lower.paint...);
     visit(NoAmount{}, films.velocity_x...);
     visit(NoAmount{}, films.velocity_y...);
     visit(NoAmount{}, films.support_mm...);

@@ -38,6 +38,10 @@ struct FilmTiles {
 
     TileSet<grid::TileBlock<std::int32_t>> thickness;
     TileSet<grid::TileBlock<film::PaintCell>> paint;
+    struct {
+        TileSet<grid::TileBlock<std::int32_t>> thickness;
+        TileSet<grid::TileBlock<film::PaintCell>> paint;
+    } lower;
     TileSet<grid::TileBlock<float>> velocity_x, velocity_y;
     TileSet<film::HeightBlock> support_mm;
     struct {

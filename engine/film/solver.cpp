@@ -181,6 +181,7 @@ std::vector<TilePlace> Solver::Parts::places_to_step() const {
 void Solver::Parts::replace_fields(int tile, TileResult& result) {
     if (result.thickness) state.thickness.replace(tile, std::move(result.thickness));
     if (result.paint) state.paint.replace(tile, std::move(result.paint));
+    if (result.strata_moved) result.lower.put_into(state.lower, tile);
     if (result.velocity_x) state.velocity_x.replace(tile, std::move(result.velocity_x));
     if (result.velocity_y) state.velocity_y.replace(tile, std::move(result.velocity_y));
 }
@@ -205,6 +206,7 @@ void Solver::Parts::put_to_sleep(int tile) {
     large.forget(tile);
     state.velocity_x.reset(tile);
     state.velocity_y.reset(tile);
+    join_like_strata(state, tile);
 }
 
 AdvanceReport Solver::Parts::commit_all(const std::vector<TilePlace>& places, float dt_s,

@@ -37,11 +37,25 @@ void add_pigment(const FilmState& state, int tile, Totals& sums) {
 }
 
 template <class T>
+void add_tile(const grid::TiledField<T>& field, int tile, core::Hash64& hash) {
+    for_each_tile_row(field, tile, [&](const T* values, int count) {
+        hash.add(std::span<const T>(values, static_cast<std::size_t>(count)));
+    });
+}
+
+template <class T>
 void add_field(const grid::TiledField<T>& field, core::Hash64& hash) {
-    for (int tile = 0; tile < field.tile_count(); ++tile) {
-        for_each_tile_row(field, tile, [&](const T* values, int count) {
-            hash.add(std::span<const T>(values, static_cast<std::size_t>(count)));
-        });
+    for (int tile = 0; tile < field.tile_count(); ++tile)
+        add_tile(field, tile, hash);
+}
+
+/// Tiles without one add nothing.
+void add_lower(const LowerStratum& lower, core::Hash64& hash) {
+    for (int tile = 0; tile < lower.thickness.tile_count(); ++tile) {
+        if (!lower.holds_any(tile)) continue;
+        hash.add_value(tile);
+        add_tile(lower.thickness, tile, hash);
+        add_tile(lower.paint, tile, hash);
     }
 }
 
@@ -103,6 +117,7 @@ std::uint64_t state_hash(const FilmState& state) {
     hash.add_value(state.cell_mm);
     add_field(state.thickness, hash);
     add_field(state.paint, hash);
+    add_lower(state.lower, hash);
     add_field(state.velocity_x, hash);
     add_field(state.velocity_y, hash);
     add_heights(state.support_mm, hash);

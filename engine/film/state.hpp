@@ -3,6 +3,7 @@
 
 #include "core/hash.hpp"
 #include "film/cell/consistency.hpp"
+#include "film/cell/lower_stratum.hpp"
 #include "film/cell/paint_cell.hpp"
 #include "film/cell/strata.hpp"
 #include "film/support/support_heights.hpp"
@@ -42,6 +43,7 @@ struct FilmState {
           cell_mm(cell_size_mm),
           thickness(canvas),
           paint(canvas),
+          lower(canvas),
           velocity_x(canvas),
           velocity_y(canvas),
           support_mm(canvas),
@@ -53,6 +55,7 @@ struct FilmState {
     grid::TiledField<std::int32_t>
         thickness;                       ///< h, mean over the cell, quanta, 0..kMaxThickness_quanta
     grid::TiledField<PaintCell> paint;   ///< what the wet paint of the cell carries
+    LowerStratum lower;                  ///< the part of them that lies below other wet paint
     grid::TiledField<float> velocity_x;  ///< depth mean at the face between (x, y) and (x+1, y), mm/s
     grid::TiledField<float> velocity_y;  ///< depth mean at the face between (x, y) and (x, y+1), mm/s
     SupportHeights support_mm;           ///< c, height of the dry surface below the paint

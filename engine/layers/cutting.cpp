@@ -32,6 +32,8 @@ template <class IsLeft>
 void keep_paint(const IsLeft& is_left, int tile, FilmState& layer) {
     keep_cells(is_left, tile, std::int32_t{0}, layer.thickness);
     keep_cells(is_left, tile, film::PaintCell{}, layer.paint);
+    keep_cells(is_left, tile, std::int32_t{0}, layer.lower.thickness);
+    keep_cells(is_left, tile, film::PaintCell{}, layer.lower.paint);
     keep_relief(is_left, tile, layer.support_mm);
     keep_cells(is_left, tile, std::int32_t{0}, layer.strata.soluble_thickness);
     keep_cells(is_left, tile, film::PigmentCell{}, layer.strata.soluble_pigment);

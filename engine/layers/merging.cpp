@@ -18,6 +18,7 @@ using grid::TileBlock;
 struct LayerTile {
     TileBlock<std::int32_t> thickness;
     TileBlock<film::PaintCell> paint;
+    film::LowerTile wet_below;
     TileBlock<float> relief_mm;
     TileBlock<std::int32_t> soluble_thickness;
     TileBlock<film::PigmentCell> soluble_pigment;
@@ -42,6 +43,7 @@ LayerTile copy_of_tile(const FilmState& layer, int tile) {
     const film::Strata& strata = layer.strata;
     return {copy(layer.thickness, tile),
             copy(layer.paint, tile),
+            film::LowerTile(layer.lower, tile),
             film::copied_heights(layer.support_mm.read(tile)),
             copy(strata.soluble_thickness, tile),
             copy(strata.soluble_pigment, tile),
@@ -53,8 +55,9 @@ LayerTile copy_of_tile(const FilmState& layer, int tile) {
 
 void dry(LayerTile& tile, int cell) {
     if (tile.thickness.read()[cell] == 0) return;
-    tile.evaporated +=
-        film::become_stratum(tile.thickness.write()[cell], tile.paint.write()[cell], tile.strata(cell));
+    tile.evaporated += film::become_strata(tile.thickness.write()[cell], tile.paint.write()[cell],
+                                           tile.wet_below.at(cell), tile.strata(cell));
+    tile.wet_below.clear(cell);
 }
 
 /// Makes everything in the cell fixed.
@@ -93,10 +96,14 @@ bool has_capacity(std::int32_t lower, std::int32_t upper) {
     return upper <= film::capacity_left_quanta(lower);
 }
 
-/// Lets wet paint of `upper` run into what is wet below.
+/// Puts the wet paint of `upper` onto what is wet below; that becomes the lower stratum, all of it.
 void pour(const LayerTile& upper, int cell, LayerTile& lower) {
     const std::int32_t thickness = upper.thickness.read()[cell];
+    if (thickness == 0) return;
     if (!has_capacity(lower.thickness.read()[cell], thickness)) dry(lower, cell);
+    const std::int32_t below = lower.thickness.read()[cell];
+    lower.wet_below.set(
+        cell, below > 0 ? film::LowerCell{below, lower.paint.read()[cell]} : upper.wet_below.at(cell));
     lower.thickness.write()[cell] += thickness;
     for (int k = 0; k < film::kPaintChannels; ++k)
         lower.paint.write()[cell][k] += upper.paint.read()[cell][k];
@@ -133,6 +140,7 @@ LayerTile merged_tile(const FilmState& lower, const FilmState& upper, double opa
 void commit(int tile, LayerTile& from, FilmState& layer) {
     layer.thickness.replace(tile, std::move(from.thickness));
     layer.paint.replace(tile, std::move(from.paint));
+    from.wet_below.put_into(layer.lower, tile);
     layer.support_mm.replace(tile, std::move(from.relief_mm));
     layer.velocity_x.reset(tile);
     layer.velocity_y.reset(tile);

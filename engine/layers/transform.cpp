@@ -37,6 +37,9 @@ Affine in_cells(const Transform& transform, double cell_mm) {
 struct CellSum {
     double thickness = 0.0;
     std::array<double, film::kPaintChannels> paint{};
+    bool any_upper = false;  ///< of two wet strata
+    double upper_thickness = 0.0;
+    std::array<double, film::kPaintChannels> upper_paint{};
     double relief_mm = 0.0;
     double soluble_thickness = 0.0;
     std::array<double, film::kPigmentChannels> soluble_pigment{};
@@ -56,6 +59,8 @@ void add_shares(const Values& values, double share, Sums& sums) {
 struct SourceTile {
     const std::int32_t* thickness;
     const film::PaintCell* paint;
+    const std::int32_t* lower_thickness;
+    const film::PaintCell* lower_paint;
     decltype(std::declval<const Heights&>().read(0)) relief_mm;
     const std::int32_t* soluble_thickness;
     const film::PigmentCell* soluble_pigment;
@@ -66,6 +71,7 @@ struct SourceTile {
 SourceTile source_tile(const FilmState& layer, int tile) {
     const film::Strata& strata = layer.strata;
     return {layer.thickness.read(tile),        layer.paint.read(tile),
+            layer.lower.thickness.read(tile),  layer.lower.paint.read(tile),
             layer.support_mm.read(tile),       strata.soluble_thickness.read(tile),
             strata.soluble_pigment.read(tile), strata.optics.read(tile),
             strata.uppermost.read(tile)};
@@ -74,6 +80,12 @@ SourceTile source_tile(const FilmState& layer, int tile) {
 void add(const SourceTile& source, int cell, double share, CellSum& sum) {
     sum.thickness += share * source.thickness[cell];
     add_shares(source.paint[cell], share, sum.paint);
+    if (source.lower_thickness[cell] > 0) {
+        sum.any_upper = true;
+        sum.upper_thickness += share * (source.thickness[cell] - source.lower_thickness[cell]);
+        add_shares(film::upper_paint(source.lower_paint[cell], source.paint[cell]), share,
+                   sum.upper_paint);
+    }
     sum.relief_mm += share * source.relief_mm[cell];
     sum.soluble_thickness += share * source.soluble_thickness[cell];
     add_shares(source.soluble_pigment[cell], share, sum.soluble_pigment);
@@ -88,6 +100,7 @@ void add(const SourceTile& source, int cell, double share, CellSum& sum) {
 struct ResultTile {
     TileBlock<std::int32_t> thickness = TileBlock<std::int32_t>::filled(0);
     TileBlock<film::PaintCell> paint = TileBlock<film::PaintCell>::filled({});
+    film::LowerTile lower;
     TileBlock<float> relief_mm = TileBlock<float>::filled(0.0F);
     TileBlock<std::int32_t> soluble_thickness = TileBlock<std::int32_t>::filled(0);
     TileBlock<film::PigmentCell> soluble_pigment = TileBlock<film::PigmentCell>::filled({});
@@ -111,11 +124,23 @@ void add_clear(double share, CellSum& sum) {
     add_shares(film::kClearStrata, share, sum.optics);
 }
 
+/// Paint that was one comes to lie below.
+void put_strata(const CellSum& sum, int cell, ResultTile& tile) {
+    const std::int32_t thickness = tile.thickness.read()[cell];
+    const film::PaintCell& paint = tile.paint.read()[cell];
+    film::PaintCell upper{};
+    round_to(sum.upper_paint, upper);
+    const film::LowerCell lower{thickness - static_cast<std::int32_t>(std::lround(sum.upper_thickness)),
+                                film::upper_paint(upper, paint)};
+    if (film::is_part_of(lower, thickness, paint) && lower.thickness > 0) tile.lower.set(cell, lower);
+}
+
 void put(const CellSum& sum, int cell, ResultTile& tile) {
     const auto thickness = static_cast<std::int32_t>(std::lround(sum.thickness));
     if (thickness > 0) {
         tile.thickness.write()[cell] = thickness;
         round_to(sum.paint, tile.paint.write()[cell]);
+        if (sum.any_upper) put_strata(sum, cell, tile);
         tile.any_wet = true;
     }
     tile.relief_mm.write()[cell] = relief_of(sum.relief_mm);
@@ -220,6 +245,7 @@ void commit(int tile, ResultTile& from, FilmState& layer) {
     if (from.any_wet) {
         layer.thickness.replace(tile, std::move(from.thickness));
         layer.paint.replace(tile, std::move(from.paint));
+        from.lower.put_into(layer.lower, tile);
     }
     if (from.any_relief) layer.support_mm.replace(tile, std::move(from.relief_mm));
     if (from.any_soluble)

@@ -21,6 +21,7 @@ using Light = std::array<pigment::LayerOptics<float>, pigment::kBands>;
 struct Cell {
     const std::int32_t thickness;
     const film::PaintCell& paint;
+    const film::PaintCell& wet_below;
     const film::PigmentCell& soluble;
     const StrataOptics& optics;
 };
@@ -29,6 +30,8 @@ struct Tile {
     explicit Tile(const FilmState& film, int tile)
         : thickness(film.thickness.read(tile)),
           paint(film.paint.read(tile)),
+          below_thickness(film.lower.thickness.read(tile)),
+          wet_below(film.lower.paint.read(tile)),
           support_mm(film.support_mm.read(tile)),
           soluble_thickness(film.strata.soluble_thickness.read(tile)),
           soluble(film.strata.soluble_pigment.read(tile)),
@@ -36,7 +39,7 @@ struct Tile {
           uppermost(film.strata.uppermost.read(tile)) {}
 
     Cell operator[](int cell) const {
-        return {thickness[cell], paint[cell], soluble[cell], optics[cell]};
+        return {thickness[cell], paint[cell], wet_below[cell], soluble[cell], optics[cell]};
     }
     bool is_dry_in(int cell) const {
         return support_mm[cell] != 0.0F || optics[cell] != film::kClearStrata ||
@@ -45,6 +48,8 @@ struct Tile {
 
     const std::int32_t* thickness;
     const film::PaintCell* paint;
+    const std::int32_t* below_thickness;  ///< of the lower wet stratum
+    const film::PaintCell* wet_below;
     film::TileHeights support_mm;
     const std::int32_t* soluble_thickness;
     const film::PigmentCell* soluble;
@@ -61,13 +66,19 @@ void lay_pigment(const std::int32_t* pigment, Light& light) {
     }
 }
 
+void lay_wet(const Cell& cell, Light& light) {
+    if (cell.wet_below == film::PaintCell{}) return lay_pigment(cell.paint.data(), light);
+    lay_pigment(cell.wet_below.data(), light);
+    lay_pigment(film::upper_paint(cell.wet_below, cell.paint).data(), light);
+}
+
 /// What all of a cell does to light.
 Light light_of(const Cell& cell) {
     Light light;
     for (int band = 0; band < pigment::kBands; ++band)
         light[band] = film::optics_of(cell.optics, band);
     lay_pigment(cell.soluble.data(), light);
-    lay_pigment(cell.paint.data(), light);
+    lay_wet(cell, light);
     return light;
 }
 
@@ -90,6 +101,7 @@ Light faded_over(const Light& upper, double opacity, const Light& lower) {
 struct SeenTile {
     TileBlock<std::int32_t> thickness = TileBlock<std::int32_t>::uninitialised();
     TileBlock<film::PaintCell> paint = TileBlock<film::PaintCell>::uninitialised();
+    film::LowerTile wet_below;
     TileBlock<float> support_mm = TileBlock<float>::uninitialised();
     TileBlock<std::int32_t> soluble_thickness = TileBlock<std::int32_t>::uninitialised();
     TileBlock<film::PigmentCell> soluble = TileBlock<film::PigmentCell>::uninitialised();
@@ -99,11 +111,15 @@ struct SeenTile {
     void take(const Tile& from, int cell) {
         thickness.write()[cell] = from.thickness[cell];
         paint.write()[cell] = from.paint[cell];
+        take_wet_below(from, cell);
         support_mm.write()[cell] = from.support_mm[cell];
         soluble_thickness.write()[cell] = from.soluble_thickness[cell];
         soluble.write()[cell] = from.soluble[cell];
         optics.write()[cell] = from.optics[cell];
         uppermost.write()[cell] = from.uppermost[cell];
+    }
+    void take_wet_below(const Tile& from, int cell) {
+        wet_below.set(cell, {from.below_thickness[cell], from.wet_below[cell]});
     }
 };
 
@@ -116,6 +132,7 @@ std::int32_t shining_thickness(const Tile& upper, const Tile& lower, int cell) {
 /// An opaque layer: its wet paint and what can be dissolved stay what they are.
 void lay_opaque(const Tile& upper, const Tile& lower, int cell, SeenTile& seen) {
     seen.paint.write()[cell] = upper.paint[cell];
+    seen.take_wet_below(upper, cell);
     seen.soluble_thickness.write()[cell] = upper.soluble_thickness[cell];
     seen.soluble.write()[cell] = upper.soluble[cell];
     Light fixed;
@@ -154,6 +171,7 @@ void lay_cell_over(const Tile& upper, double opacity, const Tile& lower, int cel
 void commit(SeenTile seen, int tile, FilmState& result) {
     result.thickness.replace(tile, std::move(seen.thickness));
     result.paint.replace(tile, std::move(seen.paint));
+    seen.wet_below.put_into(result.lower, tile);
     result.support_mm.replace(tile, std::move(seen.support_mm));
     result.strata.soluble_thickness.replace(tile, std::move(seen.soluble_thickness));
     result.strata.soluble_pigment.replace(tile, std::move(seen.soluble));
@@ -164,6 +182,8 @@ void commit(SeenTile seen, int tile, FilmState& result) {
 void share_paint(const FilmState& from, int tile, FilmState& to) {
     share_tile(from.thickness, tile, to.thickness);
     share_tile(from.paint, tile, to.paint);
+    share_tile(from.lower.thickness, tile, to.lower.thickness);
+    share_tile(from.lower.paint, tile, to.lower.paint);
     share_tile(from.strata.soluble_thickness, tile, to.strata.soluble_thickness);
     share_tile(from.strata.soluble_pigment, tile, to.strata.soluble_pigment);
 }
@@ -196,6 +216,7 @@ bool same_tile(const Field& a, const Field& b, int tile) {
 
 bool looks_same(const FilmState& a, const FilmState& b, int tile) {
     return same_tile(a.thickness, b.thickness, tile) && same_tile(a.paint, b.paint, tile) &&
+           same_tile(a.lower.paint, b.lower.paint, tile) &&
            same_tile(a.support_mm, b.support_mm, tile) &&
            same_tile(a.strata.soluble_thickness, b.strata.soluble_thickness, tile) &&
            same_tile(a.strata.soluble_pigment, b.strata.soluble_pigment, tile) &&

@@ -93,6 +93,8 @@ film::FilmState coarse_film(const film::FilmState& film, int factor, core::Threa
         const auto tile = static_cast<int>(index);
         average(film.thickness, factor, tile, coarse.thickness);
         average(film.paint, factor, tile, coarse.paint);
+        average(film.lower.thickness, factor, tile, coarse.lower.thickness);
+        average(film.lower.paint, factor, tile, coarse.lower.paint);
         average(film.support_mm, factor, tile, coarse.support_mm);
         average(strata.soluble_thickness, factor, tile, coarse.strata.soluble_thickness);
         average(strata.soluble_pigment, factor, tile, coarse.strata.soluble_pigment);

@@ -13,7 +13,7 @@
 
 namespace pastoso::project {
 
-inline constexpr int kProjectFormatVersion = 6;
+inline constexpr int kProjectFormatVersion = 7;
 
 /// An entry of the archive that is a Zstandard frame with a checksum of its own.
 struct PackedEntry {

@@ -85,6 +85,25 @@ void check_windows(const ZipReader& archive, const document::SurfaceState& surfa
     }
 }
 
+/// A lower stratum is a part of the cell's paint.
+void check_lower_strata(const ZipReader& archive, const film::FilmState& film) {
+    for (int tile = 0; tile < film.shape.tile_count(); ++tile) {
+        if (!film.lower.is_in(tile) && film.lower.paint.is_background(tile)) continue;
+        const grid::Rect cells = film.shape.tile_cells(tile);
+        for (int y = cells.y0; y < cells.y1; ++y)
+            for (int x = cells.x0; x < cells.x1; ++x) {
+                const int cell = grid::Shape::cell_in_tile(x, y);
+                const film::LowerCell lower{film.lower.thickness.read(tile)[cell],
+                                            film.lower.paint.read(tile)[cell]};
+                if (film::is_part_of(lower, film.thickness.read(tile)[cell],
+                                     film.paint.read(tile)[cell]))
+                    continue;
+                archive.fail(kIndexEntry, "cell (" + std::to_string(x) + ", " + std::to_string(y) +
+                                              ") holds a lower stratum that is no part of its paint.");
+            }
+    }
+}
+
 }  // namespace
 
 /// Tiles of one kind that are packed together.
@@ -165,6 +184,7 @@ void read_tiles(const ZipReader& archive, const std::vector<TileEntry>& entries,
                     [&](std::size_t index, int) { read_entry(archive, *due[index], target); });
     }
     check_windows(archive, surface);
+    check_lower_strata(archive, surface.film);
 }
 
 std::optional<std::uint64_t> bare_support_checksum(const film::SupportHeights& bare_support_mm,

@@ -54,6 +54,14 @@ struct Paint {
     }
     static constexpr const char* kWhat = "an amount of paint";
 };
+/// That the lower stratum is no more than the whole is looked at when both are there.
+struct LowerThickness : SmoothThickness {
+    static auto& of(auto& surface) { return surface.film.lower.thickness; }
+};
+struct LowerPaint : Paint {
+    static auto& of(auto& surface) { return surface.film.lower.paint; }
+    static auto& amount(auto& surface) { return surface.film.lower.thickness; }
+};
 struct VelocityX {
     using Value = float;
     static auto& of(auto& surface) { return surface.film.velocity_x; }
@@ -344,6 +352,8 @@ std::span<const TileKind> tile_kinds() {
         field_kind<SmoothThickness>("depth"),
         read_only(field_kind<Thickness>("thickness")),
         field_kind<Paint>("paint"),
+        field_kind<LowerThickness>("lower_depth"),
+        field_kind<LowerPaint>("lower_paint"),
         field_kind<VelocityX>("velocity_x"),
         field_kind<VelocityY>("velocity_y"),
         support_kind(),

@@ -41,6 +41,16 @@ void lay_strata(const film::StrataOptics* strata, int count, Group& group) {
     }
 }
 
+/// The loaded pigment joins the ground.
+void lay_pigment(int count, Group& group) {
+    for (int band = 0; band < pigment::kBands; ++band) {
+        const float* kh = group.optical_thickness[band];
+        const float* sh = group.optical_thickness[pigment::kBands + band];
+        for (int i = 0; i < count; ++i)
+            group.ground[band][i] = pigment::layer_reflectance(kh[i], sh[i], group.ground[band][i]);
+    }
+}
+
 /// The reflectance of all that lies below the wet paint.
 void load_ground(const CellStack& cells, int first, int count, const pigment::Bands& bare,
                  Group& group) {
@@ -49,11 +59,18 @@ void load_ground(const CellStack& cells, int first, int count, const pigment::Ba
     if (cells.strata != nullptr) lay_strata(cells.strata + first, count, group);
     if (cells.soluble == nullptr) return;
     load_pigment(cells.soluble + first, count, group);
-    for (int band = 0; band < pigment::kBands; ++band) {
-        const float* kh = group.optical_thickness[band];
-        const float* sh = group.optical_thickness[pigment::kBands + band];
-        for (int i = 0; i < count; ++i)
-            group.ground[band][i] = pigment::layer_reflectance(kh[i], sh[i], group.ground[band][i]);
+    lay_pigment(count, group);
+}
+
+/// The wet paint that is seen first; where there are two strata, the lower joins the ground.
+void load_wet(const CellStack& cells, int first, int count, Group& group) {
+    if (cells.lower == nullptr) return load_pigment(cells.paint + first, count, group);
+    load_pigment(cells.lower + first, count, group);
+    lay_pigment(count, group);
+    const film::PaintCell *whole = cells.paint + first, *lower = cells.lower + first;
+    for (int i = 0; i < count; ++i) {
+        for (int k = 0; k < pigment::kChannels; ++k)
+            group.optical_thickness[k][i] = film::optical_thickness(whole[i][k] - lower[i][k]);
     }
 }
 
@@ -95,7 +112,7 @@ void colour_cells(const CellStack& cells, int count, const pigment::Bands& bare_
     for (int first = 0; first < count; first += kGroup) {
         const int size = std::min(kGroup, count - first);
         load_ground(cells, first, size, bare_ground, group);
-        load_pigment(cells.paint + first, size, group);
+        load_wet(cells, first, size, group);
         start_colours(cells.thickness + first, size, group);
         for (int band = 0; band < pigment::kBands; ++band)
             add_band(band, size, to_rgb, group);

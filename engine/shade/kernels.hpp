@@ -12,9 +12,11 @@
 
 namespace pastoso::shade {
 
-/// Neighbouring cells from the wet paint down; what lies dry may be null where there is none.
+/// Neighbouring cells from the wet paint down; the lower wet stratum, and what lies dry, may be null
+/// where there is none.
 struct CellStack {
     const film::PaintCell* paint;
+    const film::PaintCell* lower;  ///< the part of it that lies below the rest
     const std::int32_t* thickness;
     const film::PigmentCell* soluble;
     const film::StrataOptics* strata;

@@ -11,7 +11,9 @@ CellStack cell_stack(const film::FilmState& film, int tile, int first) {
     const film::Strata& strata = film.strata;
     const bool soluble = !strata.soluble_pigment.is_background(tile);
     const bool fixed = !strata.optics.is_background(tile);
-    return {film.paint.read(tile) + first, film.thickness.read(tile) + first,
+    return {film.paint.read(tile) + first,
+            film.lower.is_in(tile) ? film.lower.paint.read(tile) + first : nullptr,
+            film.thickness.read(tile) + first,
             soluble ? strata.soluble_pigment.read(tile) + first : nullptr,
             fixed ? strata.optics.read(tile) + first : nullptr};
 }

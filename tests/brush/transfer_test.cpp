@@ -36,7 +36,8 @@ grid::Rect touch(Brush& brush, film::FilmState& film, const Contact& contact,
     const StepRates rates = step_rates(brush, tip, hand, 0.2);
     const ExchangeRule rule = exchange_rule(brush, 0, contact, rates);
     scratch.gather(film, contact.x_mm, contact.y_mm, tip.reach_mm);
-    return apply_touch(brush, 0, plan_exchange(rule, scratch), 1, film, scratch);
+    return apply_batch(scratch, plan_exchange(rule, scratch), touch_limits(brush, contact.press, true),
+                       1, film, brush.held[0]);
 }
 
 TEST(Exchange, GivesTheFilmWhatTheBristleLoses) {
@@ -257,11 +258,13 @@ TEST(PutDown, LeavesOutPigmentThatACellCannotCount) {
 /// Random cells and a rule that reaches them, for comparing instruction sets.
 struct RandomBatch {
     static constexpr int kCount = 96;
-    std::vector<float> dx_mm, dy_mm, support_mm;
-    std::vector<std::int32_t> thickness, found, cell, change, swap;
+    std::vector<float> dx_mm, dy_mm, support_mm, touched;
+    std::vector<std::int32_t> thickness, found, cell, change, swap, lower_thickness;
+    std::vector<film::PaintCell> lower_paint;
     std::vector<float> profile;
 
-    explicit RandomBatch(std::uint32_t seed) : change(kCount), swap(kCount) {
+    explicit RandomBatch(std::uint32_t seed)
+        : touched(kCount), change(kCount), swap(kCount), lower_paint(kCount) {
         const auto noise = [seed](int i, std::uint32_t stream) {
             return core::uniform_noise(static_cast<std::uint32_t>(i), seed * 16 + stream);
         };
@@ -273,6 +276,10 @@ struct RandomBatch {
             thickness.push_back(static_cast<std::int32_t>(wet_mm / film::kThicknessQuantum_mm));
             found.push_back(static_cast<std::int32_t>(noise(i, 6) * 1.5F / film::kThicknessQuantum_mm));
             cell.push_back(i);
+            const bool two = noise(i, 7) < 0.5F;
+            lower_thickness.push_back(two ? static_cast<std::int32_t>(noise(i, 8) * thickness[i]) : 0);
+            if (lower_thickness[i] > 0)
+                lower_paint[i].fill(static_cast<std::int32_t>(1e6F * noise(i, 9)));
         }
         for (int i = 0; i < 17; ++i)
             profile.push_back(noise(i, 5) - 0.5F);
@@ -299,15 +306,24 @@ struct RandomBatch {
     }
 
     BatchColumns columns() {
-        return {dx_mm.data(),      dy_mm.data(),  thickness.data(), found.data(),
-                support_mm.data(), change.data(), swap.data(),      kCount};
+        return {dx_mm.data(),  dy_mm.data(), thickness.data(), found.data(), support_mm.data(),
+                change.data(), swap.data(),  touched.data(),   kCount};
     }
 
     TileCells cells(std::vector<film::PaintCell>& pigment, const std::vector<std::int32_t>& held) {
-        return {thickness.data(), pigment.data(), cell.data(), held.data(),
-                change.data(),    swap.data(),    kCount};
+        return {thickness.data(), pigment.data(), cell.data(),    held.data(), found.data(),
+                change.data(),    swap.data(),    touched.data(), kCount};
     }
+    LowerCells lower() { return {lower_thickness.data(), lower_paint.data()}; }
 };
+
+bool holds_possible_strata(const RandomBatch& batch, const std::vector<film::PaintCell>& pigment) {
+    for (int i = 0; i < RandomBatch::kCount; ++i)
+        if (!film::is_part_of({batch.lower_thickness[i], batch.lower_paint[i]}, batch.thickness[i],
+                              pigment[i]))
+            return false;
+    return true;
+}
 
 class EveryInstructionSet : public testing::TestWithParam<core::Isa> {};
 
@@ -325,6 +341,7 @@ TEST_P(EveryInstructionSet, GivesTheSameBitsAsTheBaseline) {
         EXPECT_EQ(sums.swap, expected_sums.swap) << "seed " << seed;
         EXPECT_EQ(actual.change, expected.change) << "seed " << seed;
         EXPECT_EQ(actual.swap, expected.swap) << "seed " << seed;
+        EXPECT_EQ(actual.touched, expected.touched) << "seed " << seed;
 
         ApplyRule rule;
         rule.deposit_scale = 0.83F;
@@ -344,6 +361,48 @@ TEST_P(EveryInstructionSet, GivesTheSameBitsAsTheBaseline) {
         EXPECT_EQ(actual_pigment, expected_pigment) << "seed " << seed;
         EXPECT_EQ(changes.thickness, expected_changes.thickness);
         EXPECT_EQ(changes.paint, expected_changes.paint);
+    }
+}
+
+TEST_P(EveryInstructionSet, ChangesStrataAsTheBaselineDoes) {
+    if (GetParam() > core::best_isa())
+        GTEST_SKIP() << "this processor has no " << core::name_of(GetParam());
+    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+        RandomBatch expected(seed), actual(seed);
+        ApplyRule rule;
+        rule.deposit_scale = 0.83F;
+        rule.swap_scale = 0.91F;
+        rule.strata_swap_scale = seed % 3 == 0 ? 2.3F : 0.0F;
+        rule.depth = 0.2F;
+        rule.stir = seed % 2 == 0 ? 0.7F : 0.0F;
+        rule.dither_seed = seed;
+        for (int k = 0; k < film::kPaintChannels; ++k)
+            rule.given[k] = 0.37F * static_cast<float>(k * k) / 12.0F;
+        const auto run = [&](core::Isa isa, RandomBatch& batch, std::vector<film::PaintCell>& pigment) {
+            const auto& kernels = core::kernels<TransferKernels>(isa);
+            kernels.plan(batch.rule(seed % 2 == 1), batch.columns());
+            pigment.assign(RandomBatch::kCount, {});
+            for (auto& cell : pigment)
+                cell.fill(1000003);
+            const std::vector<std::int32_t> held = batch.thickness;
+            ChangeSums changes;
+            kernels.apply_strata(rule, batch.cells(pigment, held), batch.lower(), changes);
+            std::int64_t grown = 0, thicker = 0;
+            for (int i = 0; i < RandomBatch::kCount; ++i) {
+                grown += pigment[i][5] - 1000003;
+                thicker += batch.thickness[i] - held[i];
+            }
+            EXPECT_EQ(changes.paint[5], grown);
+            EXPECT_EQ(changes.thickness, thicker);
+            EXPECT_TRUE(holds_possible_strata(batch, pigment)) << "seed " << seed;
+        };
+        std::vector<film::PaintCell> expected_pigment, pigment;
+        run(core::Isa::Baseline, expected, expected_pigment);
+        run(GetParam(), actual, pigment);
+        EXPECT_EQ(actual.thickness, expected.thickness) << "seed " << seed;
+        EXPECT_EQ(pigment, expected_pigment) << "seed " << seed;
+        EXPECT_EQ(actual.lower_thickness, expected.lower_thickness) << "seed " << seed;
+        EXPECT_EQ(actual.lower_paint, expected.lower_paint) << "seed " << seed;
     }
 }
 

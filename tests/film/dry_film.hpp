@@ -3,6 +3,7 @@
 
 #include "film/medium.hpp"
 #include "film/state.hpp"
+#include "film/strewn_strata.hpp"
 
 #include <cmath>
 #include <functional>
@@ -75,6 +76,7 @@ inline FilmState patchwork(std::uint32_t seed) {
                 share(random) < 0.5 ? kBlue : kRed, medium);
         }
     }
+    strew_strata(film, seed);
     return film;
 }
 

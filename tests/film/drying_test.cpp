@@ -37,6 +37,39 @@ TEST(Drying, BalancesExactlyInEveryChannel) {
     EXPECT_FALSE(has_wet_paint(film));
 }
 
+TEST(Drying, OfTwoStrataIsThatOfOneAfterTheOther) {
+    core::ThreadPool pool(1);
+    const Medium& oil = find_medium("heavy-body oil");
+    FilmState in_turn({8, 8}, 0.25), at_once({8, 8}, 0.25);
+    lay(in_turn, 3, 3, 0.2, kBlue, oil);
+    const LowerCell lower{in_turn.thickness.at(3, 3), in_turn.paint.at(3, 3)};
+    dry_now(in_turn, pool);
+    lay(in_turn, 3, 3, 0.1, kRed, oil);
+    at_once.lower.thickness.set(3, 3, lower.thickness);
+    at_once.lower.paint.set(3, 3, lower.paint);
+    at_once.thickness.set(3, 3, lower.thickness + in_turn.thickness.at(3, 3));
+    PaintCell both = lower.paint;
+    for (int k = 0; k < kPaintChannels; ++k)
+        both[k] += in_turn.paint.at(3, 3)[k];
+    at_once.paint.set(3, 3, both);
+    dry_now(in_turn, pool);
+    dry_now(at_once, pool);
+    EXPECT_EQ(state_hash(at_once), state_hash(in_turn));
+}
+
+TEST(Drying, LeavesStrataTheirShares) {
+    core::ThreadPool pool(1);
+    FilmState film = patchwork(4);
+    for (int i = 0; i < 5; ++i) {
+        dry(film, kStillAir, 100.0, pool);
+        for (int y = 0; y < film.shape.height; ++y)
+            for (int x = 0; x < film.shape.width; ++x)
+                ASSERT_TRUE(is_part_of({film.lower.thickness.at(x, y), film.lower.paint.at(x, y)},
+                                       film.thickness.at(x, y), film.paint.at(x, y)))
+                    << x << ", " << y;
+    }
+}
+
 TEST(Drying, AFilmOfTheTypicalThicknessIsDryInTheTimeOfItsMedium) {
     core::ThreadPool pool(1);
     for (const Medium& medium : bundled_media()) {

@@ -65,12 +65,14 @@ class MergedCell : public Merging {
     FilmState lower = test::bare_layer(), upper = test::bare_layer();
 };
 
-TEST_F(MergedCell, WetPaintsRunTogether) {
+TEST_F(MergedCell, WetPaintLiesOnWetPaint) {
     lay(lower, 0.2, film::test::kBlue);
     lay(upper, 0.1, film::test::kRed);
     const FilmState both = merged(lower, upper, 1.0, pool);
     EXPECT_EQ(both.thickness.at(0, 0), lower.thickness.at(0, 0) + upper.thickness.at(0, 0));
     EXPECT_EQ(both.paint.at(0, 0)[3], lower.paint.at(0, 0)[3] + upper.paint.at(0, 0)[3]);
+    EXPECT_EQ(both.lower.thickness.at(0, 0), lower.thickness.at(0, 0));
+    EXPECT_EQ(both.lower.paint.at(0, 0), lower.paint.at(0, 0));
     EXPECT_EQ(both.strata.optics.at(0, 0), film::kClearStrata);
     EXPECT_TRUE(both.consistencies.are_several());
 }

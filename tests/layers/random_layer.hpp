@@ -40,6 +40,7 @@ inline film::FilmState random_layer(std::uint32_t seed) {
     paint(layer, "ink glaze", film::test::kRed, 0.3F, 10 * seed + 3);
     film::dry_now(layer, pool);
     paint(layer, "heavy-body oil", film::test::kBlue, 0.4F, 10 * seed + 6);
+    film::test::strew_strata(layer, seed);
     return layer;
 }
 

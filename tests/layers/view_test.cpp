@@ -26,7 +26,9 @@ pigment::Bands reflectance(const FilmState& film, int x, int y) {
         seen[band] = pigment::reflectance_over(film::optics_of(film.strata.optics.at(x, y), band),
                                                film::test::kWhiteGround[band]);
     seen = film::test::wet_over(film.strata.soluble_pigment.at(x, y).data(), seen);
-    return film::test::wet_over(film.paint.at(x, y).data(), seen);
+    const film::PaintCell& below = film.lower.paint.at(x, y);
+    seen = film::test::wet_over(below.data(), seen);
+    return film::test::wet_over(film::upper_paint(below, film.paint.at(x, y)).data(), seen);
 }
 
 /// The same of layers of which one shines through the other, from below, without any rounding.
@@ -36,8 +38,10 @@ pigment::Bands expected_reflectance(const std::vector<SeenLayer>& layers, int x,
         for (int band = 0; band < pigment::kBands; ++band) {
             const film::FilmState& film = *layer.film;
             auto light = film::optics_of(film.strata.optics.at(x, y), band);
+            const film::PaintCell& below = film.lower.paint.at(x, y);
+            const film::PaintCell above = film::upper_paint(below, film.paint.at(x, y));
             for (const std::int32_t* pigment :
-                 {film.strata.soluble_pigment.at(x, y).data(), film.paint.at(x, y).data()}) {
+                 {film.strata.soluble_pigment.at(x, y).data(), below.data(), above.data()}) {
                 light = pigment::laid_over(
                     pigment::layer_optics(film::optical_thickness(pigment[band]),
                                           film::optical_thickness(pigment[pigment::kBands + band])),

@@ -81,10 +81,10 @@ TEST_F(BadProject, ATruncatedFileIsRefusedWhereverItEnds) {
 
 TEST_F(BadProject, OtherVersionsAreRefused) {
     EXPECT_EQ(
-        error_of_index("\"version\":6", "\"version\":7"),
-        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 7; this "
-        "program reads up to 6).");
-    EXPECT_THAT(error_of_index("\"version\":6", "\"version\":0"),
+        error_of_index("\"version\":7", "\"version\":8"),
+        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 8; this "
+        "program reads up to 7).");
+    EXPECT_THAT(error_of_index("\"version\":7", "\"version\":0"),
                 HasSubstr("version: 0 is not between"));
     EXPECT_THAT(error_of_index("pastoso-project", "pastoso-scene"), HasSubstr("this is no painting"));
 }
@@ -246,6 +246,11 @@ TEST_F(BadProject, ValuesThatCannotBeAreRefusedWithTheirPlace) {
                     film.strata.optics.set(1, 2, {60000, 1, 1, 1, 1, 1, 40000});
                 }),
                 HasSubstr("holds strata that give more light than they get"));
+    EXPECT_THAT(with([](auto& film) {
+                    film.thickness.set(9, 9, 70000);
+                    film.lower.thickness.set(9, 9, 70000);
+                }),
+                HasSubstr("cell (9, 9) holds a lower stratum that is no part of its paint"));
     EXPECT_THAT(with([](auto& film) { film.strata.soluble_thickness.set(1, 2, -5); }),
                 HasSubstr("holds a thickness of dry paint"));
 }

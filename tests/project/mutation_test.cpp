@@ -75,7 +75,12 @@ TEST_F(MutatedProject, PaintOfRandomNumbers) {
             for (std::int32_t& channel : cell)
                 channel = static_cast<std::int32_t>(random() >> (1 + random() % 31));
             film.paint.set(x, y, cell);
-            film.thickness.set(x, y, static_cast<std::int32_t>(random() % film::kMaxThickness_quanta));
+            const auto thickness = static_cast<std::int32_t>(random() % film::kMaxThickness_quanta);
+            film.thickness.set(x, y, thickness);
+            film.lower.thickness.set(x, y, thickness / 3);
+            for (std::int32_t& channel : cell)
+                channel = thickness < 3 ? 0 : channel / 3;
+            film.lower.paint.set(x, y, cell);
             film.velocity_x.set(x, y, static_cast<float>(random() % 200001) - 1e5F);
         }
         EXPECT_TRUE(loads(unseen_file_of(bad, folder, pool)));

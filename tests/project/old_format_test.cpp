@@ -89,6 +89,16 @@ TEST_F(OldFormatTwo, IsTheSameWhenItIsSavedAnewAndOpened) {
                       old.painting.value.bare->support_mm.read(tile)[cell]);
 }
 
+/// White was painted into wet blue when a cell had one mixture.
+TEST_F(OldFormat, SixHasPaintInOneStratum) {
+    const LoadedProject old = load_project(tests::source_file("tests/project/format-6.pastoso"), pool);
+    const film::FilmState& film = old.painting.value.film;
+    for (int tile = 0; tile < film.shape.tile_count(); ++tile)
+        EXPECT_FALSE(film.lower.is_in(tile));
+    EXPECT_TRUE(film::has_wet_paint(film));
+    EXPECT_EQ(document::state_hash(old.painting), 0xbba2e920dbb1e10fU);
+}
+
 /// Its brush was dipped before dips gathered hairs, and tells a tool of those days.
 TEST_F(OldFormat, FiveHasABrushThatIsAsItWasMade) {
     const LoadedProject old = load_project(tests::source_file("tests/project/format-5.pastoso"), pool);

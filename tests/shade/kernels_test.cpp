@@ -30,6 +30,10 @@ void expect_same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 
 TEST_P(EveryIsa, ColoursCellsAlike) {
     const film::FilmState film = test::random_canvas({64, 64}, 4);
+    std::vector<film::PaintCell> lower(film.paint.read(0), film.paint.read(0) + grid::kTileCells);
+    for (film::PaintCell& cell : lower)
+        for (std::int32_t& channel : cell)
+            channel /= 3;
     std::vector<film::PigmentCell> soluble(grid::kTileCells);
     std::vector<film::StrataOptics> strata(grid::kTileCells, film::kClearStrata);
     for (std::uint32_t i = 0; i < grid::kTileCells; ++i) {
@@ -42,7 +46,7 @@ TEST_P(EveryIsa, ColoursCellsAlike) {
     const auto colours = [&](core::Isa isa) {
         std::vector<CellColour> result(grid::kTileCells - 3);
         core::kernels<Kernels>(isa).colour_cells(
-            {film.paint.read(0), film.thickness.read(0), soluble.data(), strata.data()},
+            {film.paint.read(0), lower.data(), film.thickness.read(0), soluble.data(), strata.data()},
             grid::kTileCells - 3, test::kGround, pigment::kBandsToLinearSrgb, result.data());
         return result;
     };

@@ -124,6 +124,35 @@ TEST(TileColours, WetPaintLiesOverDissolvablePaintOverItsOwnGround) {
     expect_colour(colours[7 * 64 + 5], colour_of(internal), 2e-4F);
 }
 
+TEST(TileColours, WetPaintInTwoStrataIsSeenAsTwoLayers) {
+    film::FilmState film(grid::Shape{64, 64}, 0.25);
+    test::set_paint(film, 5, 7, 0.03, test::kBlue);
+    film.lower.thickness.set(5, 7, film.thickness.at(5, 7));
+    film.lower.paint.set(5, 7, film.paint.at(5, 7));
+    test::set_paint(film, 5, 7, 0.05, test::kRed);
+    film::PaintCell both = film.paint.at(5, 7);
+    for (int k = 0; k < film::kPaintChannels; ++k)
+        both[k] += film.lower.paint.at(5, 7)[k];
+    film.paint.set(5, 7, both);
+    test::set_paint(film, 6, 7, 0.05, test::kRed);
+    std::vector<CellColour> colours(grid::kTileCells);
+    tile_colours(film, 0, test::kGround, colours.data());
+    pigment::Bands two{}, one{};
+    for (int band = 0; band < pigment::kBands; ++band) {
+        const int scattering = pigment::kBands + band;
+        const double below = pigment::layer_reflectance<double>(
+            0.03 * test::kBlue[band], 0.03 * test::kBlue[scattering], test::kGround[band]);
+        const auto over = [&](double ground) {
+            return static_cast<float>(pigment::layer_reflectance<double>(
+                0.05 * test::kRed[band], 0.05 * test::kRed[scattering], ground));
+        };
+        two[band] = over(below);
+        one[band] = over(test::kGround[band]);
+    }
+    expect_colour(colours[7 * 64 + 5], colour_of(two), 2e-4F);
+    expect_colour(colours[7 * 64 + 6], colour_of(one), 2e-4F);
+}
+
 TEST(TileColours, WetnessGrowsSmoothlyWithThickness) {
     film::FilmState film(grid::Shape{64, 64}, 0.25);
     for (int x = 0; x < 64; ++x)

@@ -21,6 +21,7 @@ bool same_paint(const film::FilmState& a, const film::FilmState& b) {
     for (int tile = 0; tile < a.thickness.tile_count(); ++tile) {
         const bool same = a.thickness.shares_tile(b.thickness, tile) &&
                           a.paint.shares_tile(b.paint, tile) &&
+                          a.lower.paint.shares_tile(b.lower.paint, tile) &&
                           a.strata.optics.shares_tile(b.strata.optics, tile) &&
                           a.strata.soluble_thickness.shares_tile(b.strata.soluble_thickness, tile);
         if (!same) return false;

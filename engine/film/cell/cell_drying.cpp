@@ -23,6 +23,11 @@ std::int32_t carried(double per_mm, std::int32_t thickness) {
     return static_cast<std::int32_t>(per_mm * thickness / static_cast<double>(kQuantaPerCarried) + 0.5);
 }
 
+/// Rounded down to what the support counts in.
+std::int32_t whole_steps(std::int32_t thickness) {
+    return thickness / kQuantaPerSupport * kQuantaPerSupport;
+}
+
 /// True when the soluble stratum can take up the pigment without leaving the range of its integers.
 bool fits(const PigmentCell& stratum, const PaintCell& paint) {
     for (int k = 0; k < kPigmentChannels; ++k)
@@ -66,6 +71,19 @@ std::int32_t dry_on(std::int32_t time, std::int32_t& thickness, PaintCell& paint
     return evaporated;
 }
 
+void follow(std::int32_t thickness_before, const PaintCell& before, std::int32_t thickness,
+            const PaintCell& paint, LowerCell& lower) {
+    if (lower.thickness == 0) return;
+    const auto part = [](std::int32_t held, std::int32_t whole_before, std::int32_t whole) {
+        return whole_before > 0 ? static_cast<std::int32_t>(std::int64_t{held} * whole / whole_before)
+                                : 0;
+    };
+    lower.thickness = part(lower.thickness, thickness_before, thickness);
+    for (int k = kPigmentChannels; k < kPaintChannels; ++k)
+        lower.paint[k] = part(lower.paint[k], before[k], paint[k]);
+    if (lower.thickness == 0) lower = {};
+}
+
 void seal(const StrataCell& below) {
     if (is_empty(below.soluble_pigment, below.soluble_thickness)) return;
     below.optics = laid_over(below.soluble_pigment.data(), below.optics);
@@ -76,10 +94,12 @@ void seal(const StrataCell& below) {
     below.soluble_pigment = {};
 }
 
-std::int32_t become_stratum(std::int32_t& thickness, PaintCell& paint, const StrataCell& below) {
-    const std::int32_t stays = solids(thickness, paint) / kQuantaPerSupport * kQuantaPerSupport;
-    const std::int32_t evaporated = thickness - stays;
-    const bool soluble = stays < kBindingQuanta;
+namespace {
+
+/// Turns wet paint into a stratum that can be dissolved, or one that covers and seals what is below.
+std::int32_t lay_dry(std::int32_t thickness, const PaintCell& paint, bool soluble,
+                     const StrataCell& below) {
+    const std::int32_t stays = whole_steps(solids(thickness, paint));
     if (!soluble || !fits(below.soluble_pigment, paint)) seal(below);
     if (soluble) {
         below.soluble_thickness += stays;
@@ -91,6 +111,28 @@ std::int32_t become_stratum(std::int32_t& thickness, PaintCell& paint, const Str
         add(stays, paint.data(), below.fixed);
     }
     below.support_mm += thickness_mm(stays);
+    return thickness - stays;
+}
+
+bool is_soluble(std::int32_t thickness, const PaintCell& paint) {
+    return whole_steps(solids(thickness, paint)) < kBindingQuanta;
+}
+
+}  // namespace
+
+std::int32_t become_stratum(std::int32_t& thickness, PaintCell& paint, const StrataCell& below) {
+    const std::int32_t evaporated = lay_dry(thickness, paint, is_soluble(thickness, paint), below);
+    thickness = 0;
+    paint = {};
+    return evaporated;
+}
+
+std::int32_t become_strata(std::int32_t& thickness, PaintCell& paint, const LowerCell& lower,
+                           const StrataCell& below) {
+    if (lower.thickness == 0) return become_stratum(thickness, paint, below);
+    const bool soluble = is_soluble(thickness, paint);
+    std::int32_t evaporated = lay_dry(lower.thickness, lower.paint, soluble, below);
+    evaporated += lay_dry(thickness - lower.thickness, upper_paint(lower.paint, paint), soluble, below);
     thickness = 0;
     paint = {};
     return evaporated;

@@ -22,6 +22,11 @@ std::int32_t solids(std::int32_t thickness, const PaintCell& paint);
 /// evaporate.
 std::int32_t dry_on(std::int32_t time, std::int32_t& thickness, PaintCell& paint);
 
+/// Lets the lower stratum of a cell follow what dry_on() made of the whole: it keeps its share of the
+/// thickness and of all that dries.
+void follow(std::int32_t thickness_before, const PaintCell& before, std::int32_t thickness,
+            const PaintCell& paint, LowerCell& lower);
+
 /// What lies below one cell of wet paint.
 struct StrataCell {
     float& support_mm;
@@ -39,5 +44,10 @@ void seal(const StrataCell& below);
 /// and seals it. The solids are rounded down to whole kSupportQuantum_mm, so that the support stays on
 /// its grid. Returns the quanta of thickness that evaporate.
 std::int32_t become_stratum(std::int32_t& thickness, PaintCell& paint, const StrataCell& below);
+
+/// The same for paint in two strata, the lower first; whether it is soluble, all of it tells. Without
+/// two, become_stratum().
+std::int32_t become_strata(std::int32_t& thickness, PaintCell& paint, const LowerCell& lower,
+                           const StrataCell& below);
 
 }  // namespace pastoso::film

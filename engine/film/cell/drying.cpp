@@ -25,6 +25,7 @@ constexpr std::int32_t kForEver = std::numeric_limits<std::int32_t>::max();
 struct TileDrying {
     TileBlock<std::int32_t> thickness;
     TileBlock<PaintCell> paint;
+    LowerTile lower;
     TileBlock<float> support_mm;
     TileBlock<std::int32_t> soluble_thickness;
     TileBlock<PigmentCell> soluble_pigment;
@@ -55,10 +56,24 @@ bool holds_soluble(const TileDrying& tile) {
     return false;
 }
 
+/// Returns what evaporates of a cell that stays wet.
+std::int32_t dry_cell(std::int32_t time, int cell, TileDrying& tile) {
+    std::int32_t& thickness = tile.thickness.write()[cell];
+    PaintCell& paint = tile.paint.write()[cell];
+    LowerCell lower = tile.lower.at(cell);
+    const std::int32_t thickness_before = thickness;
+    const PaintCell before = paint;
+    const std::int32_t evaporated = dry_on(time, thickness, paint);
+    follow(thickness_before, before, thickness, paint, lower);
+    tile.lower.set(cell, lower);
+    return evaporated;
+}
+
 TileDrying dry_tile(const FilmState& state, int tile, const TimeAt& time_at) {
     TileDrying result;
     result.thickness = TileBlock<std::int32_t>::copy_of(state.thickness.read(tile));
     result.paint = TileBlock<PaintCell>::copy_of(state.paint.read(tile));
+    result.lower = LowerTile(state.lower, tile);
     std::int32_t* thickness = result.thickness.write();
     PaintCell* paint = result.paint.write();
     const grid::Rect cells = state.shape.tile_cells(tile);
@@ -72,7 +87,7 @@ TileDrying dry_tile(const FilmState& state, int tile, const TimeAt& time_at) {
                 continue;
             }
             if (time < paint[cell][kDryingChannel]) {
-                result.evaporated += dry_on(time, thickness[cell], paint[cell]);
+                result.evaporated += dry_cell(time, cell, result);
                 result.any_wet = true;
                 continue;
             }
@@ -81,7 +96,9 @@ TileDrying dry_tile(const FilmState& state, int tile, const TimeAt& time_at) {
                 result.support_mm.write()[cell],      result.soluble_thickness.write()[cell],
                 result.soluble_pigment.write()[cell], result.optics.write()[cell],
                 result.uppermost.write()[cell],       result.fixed};
-            result.evaporated += become_stratum(thickness[cell], paint[cell], below);
+            result.evaporated +=
+                become_strata(thickness[cell], paint[cell], result.lower.at(cell), below);
+            result.lower.clear(cell);
         }
     }
     if (result.any_dried) result.any_soluble = holds_soluble(result);
@@ -92,9 +109,11 @@ void commit(int tile, TileDrying& result, FilmState& state) {
     if (result.any_wet) {
         state.thickness.replace(tile, std::move(result.thickness));
         state.paint.replace(tile, std::move(result.paint));
+        result.lower.put_into(state.lower, tile);
     } else {
         state.thickness.reset(tile);
         state.paint.reset(tile);
+        state.lower.forget(tile);
         state.velocity_x.reset(tile);
         state.velocity_y.reset(tile);
     }

@@ -7,48 +7,60 @@ namespace {
 
 using grid::kTileSize;
 
-std::int32_t gather_row(const FilmState& state, const HaloMap& columns, const HaloSource& row,
-                        int tile_x, Concentrate concentrate, float* out) {
+/// Fills what is meant for neighbouring cells of the tile, from number `first` on.
+void concentrate(const FilmState& state, int tile, int first, int count, int index,
+                 Concentrations& out) {
+    const auto& kernels = core::kernels<TileKernels>();
+    const PaintCell* paint = state.paint.read(tile) + first;
+    const std::int32_t* thickness = state.thickness.read(tile) + first;
+    std::int32_t largest;
+    if (out.upper == nullptr || !state.lower.is_in(tile)) {
+        largest = kernels.concentrate(paint, thickness, count, out.lower + index);
+        if (out.upper != nullptr) std::fill_n(out.upper + index, count * kPaintChannels, 0.0F);
+    } else {
+        const WetStrataCells cells{paint, thickness, state.lower.paint.read(tile) + first,
+                                   state.lower.thickness.read(tile) + first};
+        largest = kernels.concentrate_strata(cells, count, out.lower + index, out.upper + index);
+    }
+    out.largest = std::max(out.largest, largest);
+}
+
+void clear(int index, int count, Concentrations& out) {
+    std::fill_n(out.lower + index, count * kPaintChannels, 0.0F);
+    if (out.upper != nullptr) std::fill_n(out.upper + index, count * kPaintChannels, 0.0F);
+}
+
+void gather_row(const FilmState& state, const HaloMap& columns, const HaloSource& row, int y, int tile_x,
+                Concentrations& out) {
     const int first_tile = row.tile * state.shape.tiles_x();
-    std::int32_t largest = 0;
+    const auto fill = [&](int tile, int cell, int count, int x) {
+        concentrate(state, tile, row.cell * kTileSize + cell, count, concentration_index(x, y), out);
+    };
+    fill(first_tile + tile_x, 0, columns.extent, 0);
     const auto one_cell = [&](int x) {
         const HaloSource& column = columns.cells[x + kHalo];
-        float* cell_out = out + x * kPaintChannels;
-        if (column.outside) {
-            std::fill_n(cell_out, kPaintChannels, 0.0F);
-            return;
-        }
-        const int tile = first_tile + column.tile;
-        const int cell = row.cell * kTileSize + column.cell;
-        largest = std::max(largest, concentrate(state.paint.read(tile) + cell,
-                                                state.thickness.read(tile) + cell, 1, cell_out));
+        if (column.outside)
+            clear(concentration_index(x, y), 1, out);
+        else
+            fill(first_tile + column.tile, column.cell, 1, x);
     };
-    const int tile = first_tile + tile_x;
-    const int first_cell = row.cell * kTileSize;
-    largest = concentrate(state.paint.read(tile) + first_cell, state.thickness.read(tile) + first_cell,
-                          columns.extent, out);
     for (int x = -kConcentrationHalo; x < 0; ++x)
         one_cell(x);
     for (int x = columns.extent; x < columns.extent + kConcentrationHalo; ++x)
         one_cell(x);
-    return largest;
 }
 
 }  // namespace
 
-std::int32_t gather_concentrations(const FilmState& state, const HaloMap& columns, const HaloMap& rows,
-                                   int tile_x, Concentrate concentrate, float* out) {
-    std::int32_t largest = 0;
+void gather_concentrations(const FilmState& state, const HaloMap& columns, const HaloMap& rows,
+                           int tile_x, Concentrations& out) {
     for (int y = -kConcentrationHalo; y < rows.extent + kConcentrationHalo; ++y) {
         const HaloSource& row = rows.cells[y + kHalo];
         if (row.outside)
-            std::fill_n(out + concentration_index(-kConcentrationHalo, y),
-                        kConcentrationSide * kPaintChannels, 0.0F);
+            clear(concentration_index(-kConcentrationHalo, y), kConcentrationSide, out);
         else
-            largest = std::max(largest, gather_row(state, columns, row, tile_x, concentrate,
-                                                   out + concentration_index(0, y)));
+            gather_row(state, columns, row, y, tile_x, out);
     }
-    return largest;
 }
 
 void gather_held(const FilmState& state, const HaloMap& columns, const HaloMap& rows,

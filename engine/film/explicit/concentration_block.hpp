@@ -9,10 +9,17 @@
 
 namespace pastoso::film {
 
-/// Fills `out` (kConcentrationCount floats, concentration_index); places beyond open edges get 0.
-/// Returns the largest amount that any channel of them holds.
-std::int32_t gather_concentrations(const FilmState& state, const HaloMap& columns, const HaloMap& rows,
-                                   int tile_x, Concentrate concentrate, float* out);
+/// What is gathered, each kConcentrationCount floats (concentration_index): the concentrations of the
+/// lower stratum and of the upper one; without `upper`, of all paint in `lower`.
+struct Concentrations {
+    float* lower;
+    float* upper = nullptr;
+    std::int32_t largest = 0;  ///< amount that any channel holds
+};
+
+/// Fills them; places beyond open edges get 0.
+void gather_concentrations(const FilmState& state, const HaloMap& columns, const HaloMap& rows,
+                           int tile_x, Concentrations& out);
 
 /// Fills `held` with what the tile and one cell around it carry (held_index).
 void gather_held(const FilmState& state, const HaloMap& columns, const HaloMap& rows,

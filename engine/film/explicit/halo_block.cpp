@@ -114,12 +114,12 @@ void gather_velocity(const grid::TiledField<float>& field,
     if (x_component && columns[extent - 1 + kHalo].outside) out[extent - 1 + kHalo] = 0.0F;
 }
 
-void gather_quanta_row(const FilmState& state, const HaloMap& columns, const HaloSource& row, int tile_x,
-                       std::int32_t* out) {
+void gather_quanta_row(const grid::TiledField<std::int32_t>& thickness, const HaloMap& columns,
+                       const HaloSource& row, int tile_x, std::int32_t* out) {
     if (row.outside)
         std::fill_n(out, columns.extent + 2 * kHalo, 0);
     else
-        gather_cells(state.thickness, columns, row, tile_x, out);
+        gather_cells(thickness, columns, row, tile_x, out);
 }
 
 void derive_surface(HaloBlock& block, int row_start, int width) {
@@ -174,7 +174,7 @@ void gather(const FilmState& state, const HaloMap& columns, const HaloMap& rows,
             continue;
         }
         const HaloSource& row = rows.cells[y + kHalo];
-        gather_quanta_row(state, columns, row, tile_x, &block.quanta[start]);
+        gather_quanta_row(state.thickness, columns, row, tile_x, &block.quanta[start]);
         gather_heights(state.support_mm, columns, row, tile_x, &block.support[start]);
         gather_velocity(state.velocity_x, columns.faces, columns.extent, row, tile_x, true,
                         &block.velocity_x[start]);
@@ -186,12 +186,12 @@ void gather(const FilmState& state, const HaloMap& columns, const HaloMap& rows,
     }
 }
 
-void gather_quanta(const FilmState& state, const HaloMap& columns, const HaloMap& rows, int tile_x,
-                   HaloBlock& block) {
+void gather_quanta(const grid::TiledField<std::int32_t>& thickness, const HaloMap& columns,
+                   const HaloMap& rows, int tile_x, BlockArray<std::int32_t>& quanta) {
     for (int y = -kHalo; y < kTileSize + kHalo; ++y) {
-        std::int32_t* out = &block.quanta[block_index(-kHalo, y)];
+        std::int32_t* out = &quanta[block_index(-kHalo, y)];
         const bool reached = y < rows.extent + kHalo;
-        if (reached) gather_quanta_row(state, columns, rows.cells[y + kHalo], tile_x, out);
+        if (reached) gather_quanta_row(thickness, columns, rows.cells[y + kHalo], tile_x, out);
         const int filled = reached ? columns.extent + 2 * kHalo : 0;
         std::fill(out + filled, out + kBlockStride, 0);
     }

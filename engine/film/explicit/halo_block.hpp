@@ -59,8 +59,8 @@ struct HaloBlock {
 void gather(const FilmState& state, const HaloMap& columns, const HaloMap& rows, int tile_x,
             float wet_mm, HaloBlock& block);
 
-/// The thickness in quanta alone.
-void gather_quanta(const FilmState& state, const HaloMap& columns, const HaloMap& rows, int tile_x,
-                   HaloBlock& block);
+/// A thickness in quanta alone.
+void gather_quanta(const grid::TiledField<std::int32_t>& thickness, const HaloMap& columns,
+                   const HaloMap& rows, int tile_x, BlockArray<std::int32_t>& quanta);
 
 }  // namespace pastoso::film

@@ -192,22 +192,52 @@ PigmentMoved transport_pigment(const TileScratch& scratch, const float* concentr
     return scratch.large_fluxes ? move(transport<true, false>) : move(transport<false, false>);
 }
 
+namespace {
+
+/// Two quanta and one part in a million stay behind: the four roundings of a cell's outflows and the
+/// rounding of the product then never take more than it holds.
+[[gnu::always_inline]] inline void concentrate_cell(const ChannelInts& held, std::int32_t thickness,
+                                                    float* out, IntChannels& largest) {
+    constexpr float kShare = 1.0F - 0x1p-20F;
+    const float inverse = thickness > 0 ? kShare / static_cast<float>(thickness) : 0.0F;
+    for (int q = 0; q < kRegisters; ++q) {
+        const IntChannels movable =
+            lanes::max(IntChannels(held.registers[q] - IntChannels(2)), IntChannels(0));
+        largest = lanes::max(largest, held.registers[q]);
+        const Channels concentration = lanes::convert<float>(movable) * Channels(inverse);
+        lanes::store(out + kWidth * q, concentration);
+    }
+}
+
+}  // namespace
+
 std::int32_t concentrate(const PaintCell* pigment, const std::int32_t* thickness, int count,
                          float* out) {
-    // Two quanta and one part in a million stay behind: the four roundings of a cell's outflows and the
-    // rounding of the product then never take more than it holds.
-    constexpr float kShare = 1.0F - 0x1p-20F;
+    IntChannels largest(0);
+    for (int cell = 0; cell < count; ++cell)
+        concentrate_cell(ChannelInts::load(pigment[cell]), thickness[cell], out + cell * kPaintChannels,
+                         largest);
+    return lanes::largest(largest);
+}
+
+std::int32_t concentrate_strata(const WetStrataCells& cells, int count, float* lower, float* upper) {
+    constexpr std::int32_t kSpare_quanta = 4;
     IntChannels largest(0);
     for (int cell = 0; cell < count; ++cell) {
-        const float inverse = thickness[cell] > 0 ? kShare / static_cast<float>(thickness[cell]) : 0.0F;
-        const ChannelInts held = ChannelInts::load(pigment[cell]);
-        for (int q = 0; q < kRegisters; ++q) {
-            const IntChannels movable =
-                lanes::max(IntChannels(held.registers[q] - IntChannels(2)), IntChannels(0));
-            largest = lanes::max(largest, held.registers[q]);
-            const Channels concentration = lanes::convert<float>(movable) * Channels(inverse);
-            lanes::store(out + cell * kPaintChannels + kWidth * q, concentration);
+        float *to_lower = lower + cell * kPaintChannels, *to_upper = upper + cell * kPaintChannels;
+        const std::int32_t below = cells.lower_thickness[cell], whole = cells.thickness[cell];
+        const ChannelInts all = ChannelInts::load(cells.paint[cell]);
+        if (below == 0) {
+            concentrate_cell(all, whole, to_lower, largest);
+            concentrate_cell({}, 0, to_upper, largest);
+            continue;
         }
+        const ChannelInts bottom = ChannelInts::load(cells.lower_paint[cell]);
+        ChannelInts top = all;
+        for (int q = 0; q < kRegisters; ++q)
+            top.registers[q] -= bottom.registers[q];
+        concentrate_cell(bottom, below + kSpare_quanta, to_lower, largest);
+        concentrate_cell(top, whole - below + kSpare_quanta, to_upper, largest);
     }
     return lanes::largest(largest);
 }

@@ -2,4 +2,5 @@
 #include "film/explicit/tile_kernels.hpp"
 
 PASTOSO_REGISTER_KERNELS(pastoso::film, TileKernels, tile_flow, transport_pigment, concentrate,
-                         apply_fluxes, largest_changes, cell_rheology)
+                         concentrate_strata, split_strata, join_strata, apply_fluxes, largest_changes,
+                         cell_rheology)

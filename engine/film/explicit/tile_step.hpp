@@ -7,6 +7,7 @@
 
 #include <array>
 #include <limits>
+#include <vector>
 
 namespace pastoso::film {
 
@@ -34,6 +35,22 @@ struct TileScratch {
     /// x faces hold (x, y) with x = -1..63, y = 0..63; y faces x = 0..63, y = -1..63.
     alignas(64) FaceArray<float> velocity_x, velocity_y;
     alignas(64) FaceArray<std::int32_t> flux_x, flux_y;  ///< quanta of thickness this step
+};
+
+/// The velocity profile of a film, by the height of its peak (strata_transport.hpp).
+struct FilmProfile {
+    float alpha = 1.0F;
+    float width = 2.0F;  ///< 3 alpha - 1
+};
+
+/// What moves with the upper strata of a tile, and how far the strata mix. Paint that is one has none.
+struct StrataScratch {
+    std::vector<float> concentrations;
+    alignas(64) BlockArray<std::int32_t> quanta;
+    alignas(64) BlockArray<float> share;  ///< of what leaves a cell, the upper stratum's
+    alignas(64) BlockArray<float> supply;
+    alignas(64) FaceArray<std::int32_t> flux_x, flux_y;
+    alignas(64) std::array<float, grid::kTileCells> mixing;  ///< share of what can that mixes
 };
 
 /// Which faces of a tile are shut: a wall, a neighbour that sleeps or has other paint to wait for; and,
@@ -94,6 +111,36 @@ using PigmentTransport = PigmentMoved (*)(const TileScratch& scratch, const floa
 using Concentrate = std::int32_t (*)(const PaintCell* pigment, const std::int32_t* thickness, int count,
                                      float* out);
 
+/// Cells in two strata, the lower a part of the whole, or in one, which has no lower.
+struct WetStrataCells {
+    const PaintCell* paint;
+    const std::int32_t* thickness;
+    const PaintCell* lower_paint;
+    const std::int32_t* lower_thickness;
+};
+/// The same of both strata; paint that is one counts as the lower. Where there are two, each counts for
+/// four quanta thicker: the shares of a flux are whole quanta, so that four faces may take as many too
+/// many.
+using ConcentrateStrata = std::int32_t (*)(const WetStrataCells& cells, int count, float* lower,
+                                           float* upper);
+
+/// Splits the fluxes, the thickness and (with large fluxes) the supply that the scratch holds into those
+/// of both strata: the lower one's stay there. `upper.quanta` is known.
+using SplitStrata = void (*)(const FilmProfile& profile, float cell_quanta, TileScratch& scratch,
+                             StrataScratch& upper);
+
+/// What became of a tile's strata, each by its own flow; of paint that is one, the lower has the change
+/// alone.
+struct StrataMoved {
+    const PaintCell *whole_before, *lower_before;
+    const std::int32_t* thickness;  ///< whole, afterwards
+    std::int32_t* lower_thickness;
+    PaintCell* lower;
+    PaintCell* whole;  ///< after the flow of the upper stratum
+};
+/// Adds the change of the lower stratum to the whole, joins strata that are lost, and lets others mix.
+using JoinStrata = void (*)(const StrataScratch& upper, int columns, int rows, const StrataMoved& moved);
+
 /// h_new = h - div(flux) in whole quanta for all 64 x 64 cells; what it writes beyond the canvas means
 /// nothing.
 using ApplyFluxes = void (*)(const TileScratch& scratch, std::int32_t* after);
@@ -111,6 +158,9 @@ struct TileKernels {
     TileFlow flow = nullptr;
     PigmentTransport transport = nullptr;
     Concentrate concentrate = nullptr;
+    ConcentrateStrata concentrate_strata = nullptr;
+    SplitStrata split_strata = nullptr;
+    JoinStrata join_strata = nullptr;
     ApplyFluxes apply_fluxes = nullptr;
     LargestChanges largest_changes = nullptr;
     CellRheology rheology = nullptr;

@@ -3,6 +3,7 @@
 #include "film/explicit/air_block.hpp"
 #include "film/explicit/concentration_block.hpp"
 #include "film/explicit/rheology_block.hpp"
+#include "film/explicit/strata_transport.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -114,10 +115,9 @@ std::int64_t thickness_runoff(const TileScratch& scratch, int columns, int rows,
 void move_pigment(const FilmState& state, const TilePlace& place, WorkerScratch& worker,
                   TileResult& result) {
     const int columns = place.columns.extent, rows = place.rows.extent;
-    const std::int32_t largest =
-        gather_concentrations(state, place.columns, place.rows, place.tile_x,
-                              core::kernels<TileKernels>().concentrate, worker.concentrations.data());
-    const bool crowded = largest > kCrowded;
+    Concentrations concentrations{worker.concentrations.data()};
+    gather_concentrations(state, place.columns, place.rows, place.tile_x, concentrations);
+    const bool crowded = concentrations.largest > kCrowded;
     if (crowded) gather_held(state, place.columns, place.rows, worker.held);
     const bool whole = columns == kTileSize && rows == kTileSize;
     result.paint = whole ? TileBlock<PaintCell>::uninitialised() : TileBlock<PaintCell>::filled({});
@@ -128,19 +128,28 @@ void move_pigment(const FilmState& state, const TilePlace& place, WorkerScratch&
     result.extremes.clamped_faces += moved.held_back_faces;
 }
 
-void move_paint(const FilmState& state, const TilePlace& place, WorkerScratch& worker,
-                TileResult& result) {
+/// The drag is 6 / (3 alpha - 1).
+FilmProfile profile_of(const StepConstants& step) {
+    const float width = 6.0F / step.drag_along;
+    return {(width + 1.0F) / 3.0F, width};
+}
+
+void move_paint(const FilmState& state, const TilePlace& place, const StepConstants& step,
+                WorkerScratch& worker, TileResult& result) {
     const int columns = place.columns.extent, rows = place.rows.extent;
     result.thickness = apply_fluxes(worker.tile, columns, rows);
     result.motion = motion_between(place.motion_reference, result.thickness.read(), columns, rows);
     result.runoff.thickness = thickness_runoff(worker.tile, columns, rows, place.runoff_edges);
-    if (place.pigment_in_reach) move_pigment(state, place, worker, result);
+    if (gather_strata(state, place, worker.tile.block, *worker.strata))
+        move_strata(state, place, profile_of(step), worker, result);
+    else if (place.pigment_in_reach)
+        move_pigment(state, place, worker, result);
 }
 
 }  // namespace
 
-TileResult collect_tile(const FilmState& state, const TilePlace& place, const FlowExtremes& extremes,
-                        WorkerScratch& worker) {
+TileResult collect_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
+                        const FlowExtremes& extremes, WorkerScratch& worker) {
     const int columns = place.columns.extent, rows = place.rows.extent;
     TileResult result;
     result.extremes = extremes;
@@ -153,7 +162,7 @@ TileResult collect_tile(const FilmState& state, const TilePlace& place, const Fl
     }
     if (any_flux(worker.tile.flux_x, -1, 0, columns, rows) ||
         any_flux(worker.tile.flux_y, 0, -1, columns, rows))
-        move_paint(state, place, worker, result);
+        move_paint(state, place, step, worker, result);
     return result;
 }
 
@@ -172,7 +181,7 @@ TileResult update_tile(const FilmState& state, const TilePlace& place, const Ste
     worker.tile.large_fluxes = false;
     const FlowExtremes extremes = core::kernels<TileKernels>().flow(
         step, place.columns.extent, place.rows.extent, place.closed, worker.tile);
-    return collect_tile(state, place, extremes, worker);
+    return collect_tile(state, place, step, extremes, worker);
 }
 
 }  // namespace pastoso::film

@@ -8,6 +8,7 @@
 #include "film/large/large_tile.hpp"
 #include "film/tile_activity.hpp"
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,6 +20,7 @@ struct WorkerScratch {
     TileScratch tile{};
     std::vector<float> concentrations = std::vector<float>(kConcentrationCount);
     std::vector<PaintCell> held;  ///< of crowded tiles
+    std::unique_ptr<StrataScratch> strata = std::make_unique<StrataScratch>();
 };
 
 /// Where a tile lies and what surrounds it.
@@ -39,6 +41,8 @@ struct TilePlace {
 struct TileResult {
     grid::TileBlock<std::int32_t> thickness;
     grid::TileBlock<PaintCell> paint;
+    bool strata_moved = false;
+    LowerTile lower;  ///< where they did
     grid::TileBlock<float> velocity_x, velocity_y;
     FlowExtremes extremes;
     SideSpeeds side_speeds_mm_s{};
@@ -47,8 +51,8 @@ struct TileResult {
 };
 
 /// What the velocities and fluxes in the worker's scratch, and the block gathered there, make of a tile.
-TileResult collect_tile(const FilmState& state, const TilePlace& place, const FlowExtremes& extremes,
-                        WorkerScratch& worker);
+TileResult collect_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
+                        const FlowExtremes& extremes, WorkerScratch& worker);
 
 /// Gathers what a step of the tile reads into the worker's scratch.
 void gather_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,

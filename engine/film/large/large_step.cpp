@@ -579,14 +579,15 @@ std::vector<TileResult> LargeStepper::Pass::finish() {
     std::vector<TileResult> results(places.size());
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch& worker) {
         const TilePlace& place = places[index];
-        gather_quanta(state, place.columns, place.rows, place.tile_x, worker.tile.block);
+        gather_quanta(state.thickness, place.columns, place.rows, place.tile_x,
+                      worker.tile.block.quanta);
         gather_next(place, cells(&LargeTile::share), large.share);
         tile.last_pressure = grid::TileBlock<float>::copy_of(tile.pressure.data());
         worker.tile.large_fluxes = true;
         gather_window(columns(place).next_cells, rows(place).next_cells, kTileSize + 2, kBlockStride,
                       cells(&LargeTile::supply), &worker.tile.supply[block_index(-1, -1)]);
         const FlowExtremes extremes = kernels.fluxes(constants, large, tile, worker.tile);
-        results[index] = collect_tile(state, place, extremes, worker);
+        results[index] = collect_tile(state, place, constants, extremes, worker);
     });
     return results;
 }
@@ -615,7 +616,7 @@ void LargeStepper::settle(FilmState& state, const std::vector<TilePlace>& places
         const LargeTile* tile = tiles_[place.tile].get();
         if (tile == nullptr || !tile->inertial) return;
         HaloBlock& block = workers[worker]->tile.block;
-        gather_quanta(state, place.columns, place.rows, place.tile_x, block);
+        gather_quanta(state.thickness, place.columns, place.rows, place.tile_x, block.quanta);
         settle_faces(block, 1, tile->x, state.velocity_x.write(place.tile));
         settle_faces(block, kBlockStride, tile->y, state.velocity_y.write(place.tile));
     });

@@ -1,0 +1,125 @@
+// Paint on wet paint of another colour: it lies above until it is stirred.
+#include "brush/studio.hpp"
+#include "film/dry_film.hpp"
+#include "film/medium.hpp"
+#include "pigment/colour.hpp"
+#include "pigment/lab.hpp"
+#include "pigment/palette.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pastoso::brush {
+namespace {
+
+film::PaintCoefficients oil(const char* pigment) {
+    return film::paint_coefficients(pigment::find_pigment(pigment).coefficients,
+                                    film::find_medium("heavy-body oil"));
+}
+
+/// The mean colour of what is seen of some cells.
+pigment::Lab colour(const film::FilmState& film, const grid::Rect& cells) {
+    pigment::LinearRgb sum{};
+    for (int y = cells.y0; y < cells.y1; ++y)
+        for (int x = cells.x0; x < cells.x1; ++x) {
+            const film::PaintCell lower = film.lower.paint.at(x, y);
+            const film::PaintCell upper = film::upper_paint(lower, film.paint.at(x, y));
+            pigment::Bands seen = film::test::wet_over(lower.data(), film::test::kWhiteGround);
+            seen = film::test::wet_over(upper.data(), seen);
+            for (float& band : seen)
+                band = pigment::through_surface(band);
+            const pigment::LinearRgb rgb = pigment::linear_srgb(seen);
+            for (std::size_t k = 0; k < sum.size(); ++k)
+                sum[k] += rgb[k] / (cells.width() * cells.height());
+        }
+    return pigment::lab(sum);
+}
+
+/// A flat brush that goes along the middle of a small canvas.
+struct Easel {
+    film::FilmState film = studio::smooth(60.0, 30.0);
+    grid::Rect middle = studio::cells_of(film, 25.0, 12.0, 35.0, 18.0);
+
+    /// White as it lies when nothing has been stirred.
+    void lay_white(double thickness_mm) {
+        film::FilmState above = film;
+        studio::cover(above, thickness_mm, oil("PW6"));
+        for (int y = 0; y < film.shape.height; ++y)
+            for (int x = 0; x < film.shape.width; ++x) {
+                const film::LowerCell lower{film.thickness.at(x, y), film.paint.at(x, y)};
+                film::PaintCell paint = above.paint.at(x, y);
+                for (int k = 0; k < film::kPaintChannels; ++k)
+                    paint[k] += lower.paint[k];
+                film.thickness.set(x, y, above.thickness.at(x, y) + lower.thickness);
+                film.paint.set(x, y, paint);
+                if (lower.thickness == 0) continue;
+                film.lower.thickness.set(x, y, lower.thickness);
+                film.lower.paint.set(x, y, lower.paint);
+            }
+    }
+    /// To and fro, with a brush that is clean at first.
+    void brush_over(int passes) {
+        for (int pass = 0; pass < passes; ++pass) {
+            const bool back = pass % 2 == 1;
+            studio::paint(clean, film,
+                          studio::line(back ? 54.0 : 6.0, 15.0, back ? 6.0 : 54.0, 15.0, 0.4, 90.0));
+        }
+    }
+    Brush clean{studio::flat_preset(16.0), 16.0, 2};
+    pigment::Lab seen() const { return colour(film, middle); }
+};
+
+TEST(StrataStroke, WhiteOverWetBlackIsWhiteUntilItIsStirred) {
+    Easel bare, easel, mixed;
+    bare.lay_white(0.5);
+    studio::cover(easel.film, 0.2, oil("PBk9"));
+    easel.lay_white(0.5);
+    const double white = bare.seen().lightness;
+    EXPECT_LT(pigment::ciede2000(easel.seen(), bare.seen()), 4.0);
+
+    mixed.film = easel.film;
+    for (int tile = 0; tile < mixed.film.shape.tile_count(); ++tile)
+        mixed.film.lower.forget(tile);
+    easel.brush_over(5);
+    EXPECT_LT(easel.seen().lightness, white - 12.0);
+    easel.brush_over(45);
+    mixed.brush_over(50);
+    EXPECT_LT(pigment::ciede2000(easel.seen(), mixed.seen()), 3.0);
+}
+
+TEST(StrataStroke, KeepsAllPaint) {
+    Easel easel;
+    studio::cover(easel.film, 0.2, oil("PBk9"));
+    Brush brush(studio::flat_preset(16.0), 3);
+    brush.load(oil("PW6"), 1.0);
+    Contents before = brush.contents();
+    before += studio::contents(easel.film);
+    studio::paint(brush, easel.film, studio::line(6.0, 10.0, 54.0, 21.0, 0.5, 90.0));
+    Contents after = brush.contents();
+    after += studio::contents(easel.film);
+    EXPECT_LT(studio::balance_error(after, before), 1e-12);
+    bool any = false;
+    for (int y = 0; y < easel.film.shape.height; ++y)
+        for (int x = 0; x < easel.film.shape.width; ++x) {
+            const film::LowerCell lower{easel.film.lower.thickness.at(x, y),
+                                        easel.film.lower.paint.at(x, y)};
+            ASSERT_TRUE(film::is_part_of(lower, easel.film.thickness.at(x, y), easel.film.paint.at(x, y)))
+                << x << ", " << y;
+            any = any || lower.thickness > 0;
+        }
+    EXPECT_TRUE(any);
+}
+
+TEST(StrataStroke, PaintOfOneColourStaysOne) {
+    Easel easel;
+    studio::cover(easel.film, 0.2, oil("PB29"));
+    Brush brush(studio::flat_preset(16.0), 3);
+    brush.load(oil("PB29"), 1.0);
+    studio::paint(brush, easel.film, studio::line(6.0, 10.0, 54.0, 21.0, 0.5, 90.0));
+    for (int y = 0; y < easel.film.shape.height; ++y)
+        for (int x = 0; x < easel.film.shape.width; ++x)
+            if (easel.film.lower.thickness.at(x, y) > 0)
+                ADD_FAILURE() << x << ", " << y;
+}
+
+}  // namespace
+}  // namespace pastoso::brush
