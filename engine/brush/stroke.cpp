@@ -310,8 +310,8 @@ bool Stroke::touch_one(int bristle, const Touch& touch, StripTools& tools) {
     const ExchangeRule rule = exchange_rule(brush_, bristle, below, touch.rates);
     const WantedSums wanted = plan_exchange(rule, tools.cells);
     Contents& held = brush_.held[bristle];
-    const ApplyRule applied = apply_rule(touch_limits(brush_, below.press, stirs(bristle)), wanted,
-                                         dither_seed(bristle), film_, held, tools.cells);
+    const ApplyRule applied = apply_rule(touch_limits(brush_, below.press), wanted, dither_seed(bristle),
+                                         film_, held, tools.cells);
     if (strips_.count() > 1 && !owns_planned_tiles(tools.cells, film_)) return false;
     tools.changed = grid::bounding_box(tools.changed, apply(applied, tools.cells, film_, held));
     if (brush_.preset.exchange.absorbs) brush_.thrown_away += std::exchange(held, Contents{});
@@ -320,10 +320,6 @@ bool Stroke::touch_one(int bristle, const Touch& touch, StripTools& tools) {
         tools.changed = grid::bounding_box(tools.changed, tools.drag.apply(touch.drag, film_));
     }
     return true;
-}
-
-bool Stroke::stirs(int bristle) const {
-    return (step_count_ / turns_ + static_cast<std::uint32_t>(bristle)) % kStirTurns == 0;
 }
 
 void Stroke::leave_paint() {

@@ -96,7 +96,6 @@ class Stroke {
     Contact contact(int bristle, const Touch& touch) const;
     /// Contact::alone: whether cells beyond its own clump see the bristle.
     float alone(int bristle) const;
-    bool stirs(int bristle) const;
     /// False: other threads may be at work on tiles that the film shares with other states.
     bool touch_one(int bristle, const Touch& touch, StripTools& tools);
     void leave_paint();

@@ -171,10 +171,10 @@ WantedSums plan_exchange(const ExchangeRule& rule, CellBatch& batch) {
                batch.padded_count()});
 }
 
-Limits touch_limits(const Brush& brush, float press, bool stirs) {
+Limits touch_limits(const Brush& brush, float press) {
     const double deepest = brush.tip.rigid ? kStiffDepth : 1.0;
     return {brush.tip.rigid ? kLargestKnifeDeposit : kLargestDeposit, kLargestSwap,
-            static_cast<float>(std::min(1.0, deepest * brush.preset.exchange.mix * press)), stirs};
+            static_cast<float>(std::min(1.0, deepest * brush.preset.exchange.mix * press))};
 }
 
 ApplyRule apply_rule(const Limits& limits, WantedSums wanted, std::uint32_t dither_seed,
@@ -188,19 +188,15 @@ ApplyRule apply_rule(const Limits& limits, WantedSums wanted, std::uint32_t dith
     rule.deposit_scale = scale_to(limits.deposit_share * held_quanta, wanted.deposit);
     rule.swap_scale = scale_to(limits.swap_share * held_quanta, wanted.swap);
     rule.depth = limits.depth;
-    rule.stir = limits.stirs ? kStirTurns * limits.depth : 0.0F;
-    // What is left after all else is for the strata, but for a half, which covers roundings.
-    const double spare = 0.5 * (1.0 - limits.deposit_share - limits.swap_share);
-    if (limits.stirs)
-        rule.strata_swap_scale =
-            static_cast<float>(kStirTurns) * scale_to(spare * held_quanta, kStirTurns * wanted.swap);
-    if (!empty) rule.given = given_paint(held, spare, batch.count(), cell_area_mm2);
+    if (!empty)
+        rule.given = given_paint(held, 1.0 - limits.deposit_share - limits.swap_share, batch.count(),
+                                 cell_area_mm2);
     rule.is_clear = std::all_of(rule.given.begin(), rule.given.begin() + film::kPigmentChannels,
                                 [](float channel) { return channel == 0.0F; });
     rule.dither_seed = dither_seed;
     for (CellBatch::TilePart& part : batch.parts()) {
         const bool has_strata = film.lower.is_in(part.tile);
-        part.changes = changes_anything(batch, part, has_strata && rule.stir > 0.0F);
+        part.changes = changes_anything(batch, part, has_strata && rule.depth > 0.0F);
         part.has_strata = has_strata || (part.changes && begins_strata(rule, batch, part, film));
     }
     return rule;

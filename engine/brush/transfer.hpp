@@ -88,10 +88,8 @@ struct Limits {
     double deposit_share = 0.0;  ///< of the held volume, at most
     double swap_share = 0.0;
     float depth = 0.0F;  ///< how far down into two strata, 0 to 1
-    bool stirs = false;  ///< as it does, for all of them, in one touch of kStirTurns
 };
-inline constexpr std::uint32_t kStirTurns = 4;
-Limits touch_limits(const Brush& brush, float press, bool stirs);
+Limits touch_limits(const Brush& brush, float press);
 
 /// Scales the changes and swaps planned in `batch`, whose sums are `wanted`, to what is held, and fills
 /// in what it does to its tiles.

@@ -331,20 +331,6 @@ PASTOSO_LANE_FUNCTION Floats ratio(Ints part, Ints whole) {
                       Floats(1.0F));
 }
 
-/// The swap of cells that have two strata already: in few touches, but then that of several.
-PASTOSO_LANE_FUNCTION void settle_swap(const ApplyRule& rule, const TileCells& cells, int first, int i,
-                                       Ints::MaskOf is_two, CellChanges& changes) {
-    const Ints wanted = lanes::convert<std::int32_t>(
-        lanes::convert<float>(lanes::load<Ints>(cells.swap + first + i)) * rule.strata_swap_scale);
-    const Ints held = lanes::load<Ints>(cells.held + first + i);
-    const Ints change = lanes::load<Ints>(changes.thickness + i);
-    const Ints most = held + lanes::min(change, Ints(0));
-    const Ints swap =
-        lanes::select(is_two, lanes::min(wanted, most), lanes::load<Ints>(changes.swap + i));
-    lanes::store(changes.swap + i, swap);
-    lanes::store(changes.gained + i, lanes::convert<float>(swap + lanes::max(change, Ints(0))));
-}
-
 /// As if all cells had two strata.
 PASTOSO_LANE_FUNCTION void settle_strata(const ApplyRule& rule, const TileCells& cells, int first, int i,
                                          const CellChanges& changes, StrataChanges& strata) {
@@ -363,9 +349,9 @@ PASTOSO_LANE_FUNCTION void settle_strata(const ApplyRule& rule, const TileCells&
     lanes::store(strata.after + i, lanes::select(two, lower_after, none));
     lanes::store(strata.out_above + i, ratio(from_upper, upper));
     lanes::store(strata.out_below + i, ratio(from_lower, lower));
-    if (rule.stir == 0.0F) return;
+    if (rule.depth == 0.0F) return;
     const Floats mixing =
-        lanes::min(lanes::load<Floats>(cells.touched + first + i) * rule.stir, Floats(1.0F));
+        lanes::min(lanes::load<Floats>(cells.touched + first + i) * rule.depth, Floats(1.0F));
     const Floats risen = ratio(upper_after, held + change);
     lanes::store(strata.rises + i, mixing * risen);
     lanes::store(strata.sinks + i, mixing * (1.0F - risen));
@@ -412,7 +398,7 @@ PASTOSO_LANE_FUNCTION void change_strata(int i, const CellChanges& changes, cons
 /// Lists the cells of a chunk, and changes those in which both strata change.
 PASTOSO_LANE_FUNCTION void change_two(const ApplyRule& rule, const TileCells& cells,
                                       const LowerCells& tile, int first, int count, const Floats* given,
-                                      CellChanges& changes, CellLists& plain, ChangeSums& sums,
+                                      const CellChanges& changes, CellLists& plain, ChangeSums& sums,
                                       ChannelSums& gains) {
     StrataChanges strata{};
     CellList two;
@@ -429,7 +415,6 @@ PASTOSO_LANE_FUNCTION void change_two(const ApplyRule& rule, const TileCells& ce
                 tile.paint[cell] = cells.paint[cell];
             });
         if (lanes::any(lanes::load<Ints>(strata.before + i) > Ints(0))) {
-            settle_swap(rule, cells, first, i, !is_one, changes);
             settle_strata(rule, cells, first, i, changes, strata);
         }
         list_cells(count, i, changes, strata, plain, two);

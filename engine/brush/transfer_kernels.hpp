@@ -53,9 +53,7 @@ struct WantedSums {
 struct ApplyRule {
     float deposit_scale = 1.0F;
     float swap_scale = 1.0F;
-    float depth = 0.0F;               ///< how far down into two strata what is taken comes from, 0 to 1
-    float stir = 0.0F;                ///< share of what can mix that a whole exchange stirs
-    float strata_swap_scale = 0.0F;   ///< instead of swap_scale, where there are two strata already
+    float depth = 0.0F;  ///< how far down into two strata a touch takes from and stirs, 0 to 1
     film::PaintCoefficients given{};  ///< carried quanta per thickness quantum
     bool is_clear = false;            ///< it has no pigment
     std::uint32_t dither_seed = 0;

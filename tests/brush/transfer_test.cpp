@@ -36,8 +36,8 @@ grid::Rect touch(Brush& brush, film::FilmState& film, const Contact& contact,
     const StepRates rates = step_rates(brush, tip, hand, 0.2);
     const ExchangeRule rule = exchange_rule(brush, 0, contact, rates);
     scratch.gather(film, contact.x_mm, contact.y_mm, tip.reach_mm);
-    return apply_batch(scratch, plan_exchange(rule, scratch), touch_limits(brush, contact.press, true),
-                       1, film, brush.held[0]);
+    return apply_batch(scratch, plan_exchange(rule, scratch), touch_limits(brush, contact.press), 1,
+                       film, brush.held[0]);
 }
 
 TEST(Exchange, GivesTheFilmWhatTheBristleLoses) {
@@ -372,9 +372,7 @@ TEST_P(EveryInstructionSet, ChangesStrataAsTheBaselineDoes) {
         ApplyRule rule;
         rule.deposit_scale = 0.83F;
         rule.swap_scale = 0.91F;
-        rule.strata_swap_scale = seed % 3 == 0 ? 2.3F : 0.0F;
-        rule.depth = 0.2F;
-        rule.stir = seed % 2 == 0 ? 0.7F : 0.0F;
+        rule.depth = seed % 3 == 0 ? 0.0F : 0.2F;
         rule.dither_seed = seed;
         for (int k = 0; k < film::kPaintChannels; ++k)
             rule.given[k] = 0.37F * static_cast<float>(k * k) / 12.0F;
