@@ -29,7 +29,8 @@
 //
 // Paint that comes onto other paint which the tip found there lies above it; that is the lower stratum
 // from then on, of thickness h_l (film/cell/lower_stratum.hpp). What comes later joins the upper one.
-// What is taken comes from the upper one first, the share d from both as they lie. Then a touch stirs:
+// What is swapped comes from both as they lie; what is lost from the upper one first, but for the share
+// d. Then a touch stirs:
 //
 //   equal volumes m h_l (h - h_l) / h of both strata are swapped, m = d w chi (1 - e^(-ds / 0.8 r)),
 //   d = mix p for hairs, a tenth of that for what is stiff.

@@ -338,10 +338,14 @@ PASTOSO_LANE_FUNCTION void settle_strata(const ApplyRule& rule, const TileCells&
     const auto held = lanes::load<Ints>(cells.held + first + i);
     const auto lower = lanes::load<Ints>(strata.before + i);
     const auto change = lanes::load<Ints>(changes.thickness + i);
+    const auto swap = lanes::load<Ints>(changes.swap + i);
     const Ints upper = held - lower, gained = gain_of(changes, i), taken = gained - change;
-    const Floats first_taken = lanes::convert<float>(lanes::min(taken, upper));
-    const Floats evenly = lanes::convert<float>(taken) * ratio(upper, held);
-    const Ints wanted = lanes::convert<std::int32_t>(first_taken + (evenly - first_taken) * rule.depth);
+    const Ints lost = taken - swap;
+    const Floats lost_first = lanes::convert<float>(lanes::min(lost, upper));
+    const Floats share = ratio(upper, held);
+    const Floats lost_evenly = lanes::convert<float>(lost) * share;
+    const Ints wanted = lanes::convert<std::int32_t>(
+        lost_first + (lost_evenly - lost_first) * rule.depth + lanes::convert<float>(swap) * share);
     const Ints from_upper = lanes::min(lanes::max(wanted, taken - lower), lanes::min(upper, taken));
     const Ints from_lower = taken - from_upper;
     const Ints upper_after = upper - from_upper + gained, lower_after = lower - from_lower;

@@ -80,11 +80,10 @@ TEST(Streaks, StandOutOnWetPaintToo) {
     film::FilmState wet = studio::linen(180.0, 30.0);
     studio::cover(wet, 0.2, studio::dark_paint());
     // Whoever takes up nothing only covers: most of the dark paint stays in the cells. To take paint up
-    // must bring more colour into them than it carries away, though it takes from the upper stratum first:
-    // measured are 1.8 times and more.
+    // must bring more colour into them than it carries away.
     const film::FilmState reading = dragged(wet, streaky(true)), blind = dragged(wet, streaky(false));
     for (const double along_mm : {20.0, 75.0, 140.0})
-        EXPECT_GT(contrast(reading, along_mm), 1.6 * contrast(blind, along_mm)) << along_mm;
+        EXPECT_GT(contrast(reading, along_mm), 2.0 * contrast(blind, along_mm)) << along_mm;
 }
 
 }  // namespace
