@@ -60,6 +60,7 @@ bool holds_soluble(const TileDrying& tile) {
 std::int32_t dry_cell(std::int32_t time, int cell, TileDrying& tile) {
     std::int32_t& thickness = tile.thickness.write()[cell];
     PaintCell& paint = tile.paint.write()[cell];
+    if (!tile.lower.any()) return dry_on(time, thickness, paint);
     LowerCell lower = tile.lower.at(cell);
     const std::int32_t thickness_before = thickness;
     const PaintCell before = paint;

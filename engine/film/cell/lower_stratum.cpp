@@ -9,8 +9,6 @@
 namespace pastoso::film {
 namespace {
 
-/// Of the more: what the eye does not tell apart.
-constexpr double kLikeShare = 0.1;
 /// An optical thickness, in all of the cell, that changes no colour.
 constexpr double kNoColour = 0.002;
 

@@ -22,6 +22,9 @@ inline constexpr std::int32_t kLeastStratum_quanta = 1 << 14;
 /// Thinner ones do not even begin, nor are they carried on (0.03 um).
 inline constexpr std::int32_t kLostStratum_quanta = 1 << 10;
 
+/// Paints that differ by less than this share of the more, in every channel of colour, look alike.
+inline constexpr float kLikeShare = 0.1F;
+
 /// The tiles are there only where a cell has two strata. Of a cell, with h and a its whole thickness and
 /// amounts: 0 <= thickness < h and 0 <= paint <= a in every channel; both 0 where its paint is one.
 struct LowerStratum {
@@ -48,8 +51,8 @@ struct LowerCell {
 /// Whether it can be a part of a cell: the bounds above.
 bool is_part_of(const LowerCell& lower, std::int32_t thickness, const PaintCell& paint);
 
-/// Whether nobody sees that a cell has two strata: one is thinner than kLeastStratum_quanta, or what they
-/// are made of differs by less than a tenth of the more in every channel of colour.
+/// Whether nobody sees that a cell has two strata: one is thinner than kLeastStratum_quanta, or what
+/// they are made of looks alike.
 bool looks_like_one(const LowerCell& lower, std::int32_t thickness, const PaintCell& paint);
 
 /// The rest of a cell's paint.

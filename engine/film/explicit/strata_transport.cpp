@@ -8,7 +8,6 @@
 namespace pastoso::film {
 namespace {
 
-using grid::kTileSize;
 using grid::TileBlock;
 
 constexpr std::int32_t kMostPigment = std::numeric_limits<std::int32_t>::max();
@@ -25,21 +24,6 @@ void halve_room(const BlockArray<std::int32_t>& upper_quanta, int columns, int r
             for (std::int32_t& channel : held[held_index(x, y)])
                 channel += (kMostPigment - channel) / 2;
         }
-}
-
-/// What the stratum whose fluxes, quanta and supply the scratch holds makes of `before`, the paint that
-/// it is a part of.
-TileBlock<PaintCell> moved(const TilePlace& place, const float* concentrations, const PaintCell* held,
-                           const PaintCell* before, WorkerScratch& worker, TileResult& result) {
-    const int columns = place.columns.extent, rows = place.rows.extent;
-    const bool whole = columns == kTileSize && rows == kTileSize;
-    auto paint = whole ? TileBlock<PaintCell>::uninitialised() : TileBlock<PaintCell>::filled({});
-    const PigmentMoved carried = core::kernels<TileKernels>().transport(
-        worker.tile, concentrations, held, columns, rows, place.runoff_edges, before, paint.write());
-    for (int k = 0; k < kPaintChannels; ++k)
-        result.runoff.paint[k] += carried.runoff[k];
-    result.extremes.clamped_faces += carried.held_back_faces;
-    return paint;
 }
 
 /// Whether a tile that the step reads has one anywhere.
@@ -92,13 +76,13 @@ void move_strata(const FilmState& state, const TilePlace& place, const FilmProfi
     kernels.split_strata(profile, static_cast<float>(state.cell_mm / kThicknessQuantum_mm), scratch,
                          upper);
     const PaintCell* lower_before = state.lower.paint.read(place.tile);
-    auto lower = moved(place, worker.concentrations.data(), held, lower_before, worker, result);
+    auto lower = transported(place, scratch, worker.concentrations.data(), held, lower_before, result);
     scratch.flux_x = upper.flux_x;
     scratch.flux_y = upper.flux_y;
     scratch.block.quanta = upper.quanta;
     if (scratch.large_fluxes) scratch.supply = upper.supply;
     const PaintCell* whole_before = state.paint.read(place.tile);
-    result.paint = moved(place, upper.concentrations.data(), held, whole_before, worker, result);
+    result.paint = transported(place, scratch, upper.concentrations.data(), held, whole_before, result);
     auto lower_thickness = TileBlock<std::int32_t>::filled(0);
     kernels.join_strata(upper, columns, rows,
                         {whole_before, lower_before, result.thickness.read(), lower_thickness.write(),

@@ -114,18 +114,13 @@ std::int64_t thickness_runoff(const TileScratch& scratch, int columns, int rows,
 
 void move_pigment(const FilmState& state, const TilePlace& place, WorkerScratch& worker,
                   TileResult& result) {
-    const int columns = place.columns.extent, rows = place.rows.extent;
     Concentrations concentrations{worker.concentrations.data()};
     gather_concentrations(state, place.columns, place.rows, place.tile_x, concentrations);
     const bool crowded = concentrations.largest > kCrowded;
     if (crowded) gather_held(state, place.columns, place.rows, worker.held);
-    const bool whole = columns == kTileSize && rows == kTileSize;
-    result.paint = whole ? TileBlock<PaintCell>::uninitialised() : TileBlock<PaintCell>::filled({});
-    const PigmentMoved moved = core::kernels<TileKernels>().transport(
-        worker.tile, worker.concentrations.data(), crowded ? worker.held.data() : nullptr, columns, rows,
-        place.runoff_edges, state.paint.read(place.tile), result.paint.write());
-    result.runoff.paint = moved.runoff;
-    result.extremes.clamped_faces += moved.held_back_faces;
+    result.paint =
+        transported(place, worker.tile, worker.concentrations.data(),
+                    crowded ? worker.held.data() : nullptr, state.paint.read(place.tile), result);
 }
 
 /// The drag is 6 / (3 alpha - 1).
@@ -147,6 +142,20 @@ void move_paint(const FilmState& state, const TilePlace& place, const StepConsta
 }
 
 }  // namespace
+
+TileBlock<PaintCell> transported(const TilePlace& place, const TileScratch& scratch,
+                                 const float* concentrations, const PaintCell* held,
+                                 const PaintCell* before, TileResult& result) {
+    const int columns = place.columns.extent, rows = place.rows.extent;
+    const bool whole = columns == kTileSize && rows == kTileSize;
+    auto paint = whole ? TileBlock<PaintCell>::uninitialised() : TileBlock<PaintCell>::filled({});
+    const PigmentMoved moved = core::kernels<TileKernels>().transport(
+        scratch, concentrations, held, columns, rows, place.runoff_edges, before, paint.write());
+    for (int k = 0; k < kPaintChannels; ++k)
+        result.runoff.paint[k] += moved.runoff[k];
+    result.extremes.clamped_faces += moved.held_back_faces;
+    return paint;
+}
 
 TileResult collect_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
                         const FlowExtremes& extremes, WorkerScratch& worker) {

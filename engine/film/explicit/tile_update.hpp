@@ -50,6 +50,12 @@ struct TileResult {
     Totals runoff;
 };
 
+/// What the fluxes in the scratch make of `before`, the tile's paint or a part of it (PigmentTransport);
+/// adds what ran off, and faces held back, to the result.
+grid::TileBlock<PaintCell> transported(const TilePlace& place, const TileScratch& scratch,
+                                       const float* concentrations, const PaintCell* held,
+                                       const PaintCell* before, TileResult& result);
+
 /// What the velocities and fluxes in the worker's scratch, and the block gathered there, make of a tile.
 TileResult collect_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
                         const FlowExtremes& extremes, WorkerScratch& worker);
