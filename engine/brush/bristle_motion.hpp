@@ -17,6 +17,8 @@ struct BristlePose {
     double x_mm = 0.0, y_mm = 0.0;  ///< of the tip
     float press = 0.0F;             ///< 0 to 1
     float support_mm = 0.0F;        ///< height of the dry surface it rides on
+    float bearing_mm = 0.0F;        ///< height of what the tool bears on there (brush/bearing.hpp)
+    float ride = 0.0F;              ///< 0: it bears on the dry surface, 1: on wet paint
     float freshness = 1.0F;         ///< 1 on touching down, falls to 0 along the stroke
 };
 

@@ -10,8 +10,8 @@ struct Gust {
     double x = 0.0, y = 0.0;
 };
 
-/// The gust at a time of a stroke: values by a hash of `seed`, twelve a second, joined smoothly
-/// (3 t^2 - 2 t^3). Breath is as turbulent as that, and paint that it drives runs in bends.
+/// The gust at a time of a stroke: smooth noise, twelve values a second. Breath is as turbulent as that,
+/// and paint that it drives runs in bends.
 Gust gust_at(std::uint32_t seed, double time_s);
 
 }  // namespace pastoso::brush

@@ -81,6 +81,9 @@ HandPose hand_pose(const std::vector<DynamicsCurve>& dynamics, const PathStep& s
             case DynamicsTarget::Spread:
                 pose.spread *= std::max(value, 0.0);
                 break;
+            case DynamicsTarget::Ride:
+                pose.ride *= std::max(value, 0.0);
+                break;
         }
     }
     const double tangent = std::hypot(tilt.tangent_x, tilt.tangent_y);

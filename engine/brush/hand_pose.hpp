@@ -17,7 +17,7 @@ struct HandPose {
     double lean_x = 0.0, lean_y = 0.0;  ///< points where the pen leans
     double cos_rotation = 1.0, sin_rotation = 0.0;
     /// Factors on the preset's numbers.
-    double reach = 1.0, film = 1.0, pickup = 1.0, flow = 1.0, spread = 1.0;
+    double reach = 1.0, film = 1.0, pickup = 1.0, flow = 1.0, spread = 1.0, ride = 1.0;
 };
 
 /// Where no curve sets it, press is the pressure, lean the tangent of the tilt and rotation the

@@ -35,6 +35,12 @@ class PassMap {
         return {begun_mm_.write(tile), found_.write(tile), travel_mm_, travel_mm_ - length_mm_};
     }
 
+    /// What the tip found in a cell, quanta: `thickness`, what lies there now, where no pass has begun.
+    std::int32_t found(int tile, int cell, std::int32_t thickness) const {
+        const bool begun = begun_mm_.read(tile)[cell] >= travel_mm_ - length_mm_;
+        return begun ? found_.read(tile)[cell] : thickness;
+    }
+
   private:
     static constexpr float kNever = -1e9F;
     grid::TiledField<float> begun_mm_;

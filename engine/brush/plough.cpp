@@ -172,8 +172,9 @@ Contents Plough::clear(const PloughStep& step, const Lane& lane) {
     const double radius_mm = reach_mm(step);
     const Place place = place_at(step.hand, lane.front_mm + kAhead_radii * radius_mm, lane.middle_mm);
     Contact contact;
-    contact.support_mm = step.poses[lane.leader].support_mm;
+    contact.support_mm = step.poses[lane.leader].bearing_mm;
     contact.press = step.poses[lane.leader].press;
+    contact.ride = step.poses[lane.leader].ride;
     const ExchangeRule rule = clearing_rule(exchange_rule(step.brush, lane.leader, contact, step.rates),
                                             step.hand, step.rates, lane_width_mm_, radius_mm, pushed_);
     if (!stands_in_way(step.film, place, rule, lane_width_mm_, radius_mm)) return {};

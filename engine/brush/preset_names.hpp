@@ -13,7 +13,7 @@ struct Named {
     T value;
 };
 
-inline constexpr int kPresetVersion = 3;
+inline constexpr int kPresetVersion = 4;
 inline constexpr std::size_t kMostCurvePoints = 64;
 
 inline constexpr Named<ToolKind> kKindNames[] = {
@@ -33,7 +33,8 @@ inline constexpr Named<DynamicsTarget> kTargetNames[] = {
     {"press", DynamicsTarget::Press},       {"lean", DynamicsTarget::Lean},
     {"rotation", DynamicsTarget::Rotation}, {"reach", DynamicsTarget::Reach},
     {"film", DynamicsTarget::Film},         {"pickup", DynamicsTarget::Pickup},
-    {"flow", DynamicsTarget::Flow},         {"spread", DynamicsTarget::Spread}};
+    {"flow", DynamicsTarget::Flow},         {"spread", DynamicsTarget::Spread},
+    {"ride", DynamicsTarget::Ride}};
 
 /// The word for a value; every value has one.
 template <class T, std::size_t N>

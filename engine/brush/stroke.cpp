@@ -1,5 +1,6 @@
 #include "brush/stroke.hpp"
 
+#include "brush/bearing.hpp"
 #include "brush/footprint.hpp"
 #include "brush/gusts.hpp"
 #include "brush/spill.hpp"
@@ -79,11 +80,6 @@ void check_finite(const PenSample& sample) {
     }
 }
 
-float smooth_ramp(double from, double to, double x) {
-    const auto t = static_cast<float>(std::clamp((x - from) / (to - from), 0.0, 1.0));
-    return t * t * (3.0F - 2.0F * t);
-}
-
 /// A rectangle around all cells that the footprints may reach.
 grid::Rect cells_below(const std::vector<StripPlace>& places, double radius_mm, double cell_mm) {
     const auto cell = [cell_mm](double place_mm) {
@@ -96,14 +92,6 @@ grid::Rect cells_below(const std::vector<StripPlace>& places, double radius_mm, 
                                     cell(place.x_mm + radius_mm) + 1, cell(place.y_mm + radius_mm) + 1});
     }
     return cells;
-}
-
-/// 1 at both edges of the swath, 0 further in than 12% of its half width.
-float edge_share(double side_mm, const Swath& swath) {
-    constexpr double kWithin = 0.88;
-    const double half_mm = 0.5 * (swath.high_mm - swath.low_mm);
-    const double off_mm = std::abs(side_mm - 0.5 * (swath.high_mm + swath.low_mm));
-    return off_mm <= kWithin * half_mm ? 0.0F : smooth_ramp(kWithin, 1.0, off_mm / half_mm);
 }
 
 /// Paint may come from the brush onto the film, and from there into the brush.
@@ -240,6 +228,7 @@ void Stroke::paint_step(const PathStep& step) {
     if (!brush_.tip.rigid) clumps_.find(poses_, hand, brush_.tip.radius_mm);
     ++step_count_;
     pass_.set_travel(step_count_ * step_mm_);
+    bear(bearing(hand, swath), film_, pass_, poses_);
     if (step_count_ % kPloughTurns == 0) plough(hand, swath);
     touching_.clear();
     for (auto i = static_cast<int>(step_count_ % turns_); i < static_cast<int>(poses_.size());
@@ -279,39 +268,14 @@ void Stroke::touch_all(const Touch& touch) {
         note_changed(std::exchange(tools.changed, {}));
 }
 
-Contact Stroke::contact(int bristle, const Touch& touch) const {
-    const BristlePose& pose = poses_[bristle];
-    const HandPose& hand = touch.hand;
-    const auto rigidity = static_cast<float>(brush_.preset.flex.rigidity);
-    Contact contact;
-    contact.x_mm = pose.x_mm;
-    contact.y_mm = pose.y_mm;
-    contact.support_mm = pose.support_mm + rigidity * (touch.swath.edge_support_mm - pose.support_mm);
-    contact.press = pose.press;
-    contact.freshness = pose.freshness;
-    contact.edge = brush_.tip.rigid ? 0.0F : edge_share(side_mm(pose, hand), touch.swath);
-    contact.alone = brush_.tip.rigid ? 0.0F : alone(bristle);
-    contact.across_x = brush_.tip.rigid ? hand.cos_rotation : -hand.travel_y;
-    contact.across_y = brush_.tip.rigid ? hand.sin_rotation : hand.travel_x;
-    return contact;
-}
-
-float Stroke::alone(int bristle) const {
-    const double beyond_mm = resolved_.radius_mm - brush_.tip.radius_mm;
-    const double to_edge_mm = clumps_.to_edge_mm(bristle);
-    return to_edge_mm >= 2.0 * beyond_mm
-               ? 0.0F
-               : static_cast<float>(std::min(2.0 - to_edge_mm / beyond_mm, 1.0));
-}
-
 bool Stroke::touch_one(int bristle, const Touch& touch, StripTools& tools) {
     const Contact below = contact(bristle, touch);
     tools.cells.gather(film_, below.x_mm, below.y_mm, resolved_.reach_mm, &pass_);
     const ExchangeRule rule = exchange_rule(brush_, bristle, below, touch.rates);
     const WantedSums wanted = plan_exchange(rule, tools.cells);
     Contents& held = brush_.held[bristle];
-    const ApplyRule applied = apply_rule(touch_limits(brush_, below.press), wanted, dither_seed(bristle),
-                                         film_, held, tools.cells);
+    const ApplyRule applied =
+        apply_rule(touch_limits(brush_, below), wanted, dither_seed(bristle), film_, held, tools.cells);
     if (strips_.count() > 1 && !owns_planned_tiles(tools.cells, film_)) return false;
     tools.changed = grid::bounding_box(tools.changed, apply(applied, tools.cells, film_, held));
     if (brush_.preset.exchange.absorbs) brush_.thrown_away += std::exchange(held, Contents{});
@@ -327,8 +291,9 @@ void Stroke::leave_paint() {
     for (int i = 0; i < static_cast<int>(poses_.size()); ++i) {
         if (!poses_[i].down || share <= 0.0) continue;
         Contents& held = brush_.held[i];
-        note_changed(put_down(held, share * held.volume_mm3, poses_[i].x_mm, poses_[i].y_mm,
-                              kLeftHeap_radii * brush_.tip.radius_mm, dither_seed(i), film_, cells_));
+        note_changed(put_down(held, torn_share(i) * share * held.volume_mm3, poses_[i].x_mm,
+                              poses_[i].y_mm, kLeftHeap_radii * brush_.tip.radius_mm, dither_seed(i),
+                              film_, cells_));
     }
     poses_.assign(poses_.size(), BristlePose{});
 }

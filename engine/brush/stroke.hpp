@@ -1,6 +1,7 @@
 // A stroke: pen samples in, paint on the film out.
 #pragma once
 
+#include "brush/bearing.hpp"
 #include "brush/bristle_motion.hpp"
 #include "brush/brush.hpp"
 #include "brush/cell_batch.hpp"
@@ -93,9 +94,12 @@ class Stroke {
     void paint_step(const PathStep& step);
     void plough(const HandPose& hand, const Swath& swath);
     void touch_all(const Touch& touch);
+    Bearing bearing(const HandPose& hand, const Swath& swath) const;
     Contact contact(int bristle, const Touch& touch) const;
     /// Contact::alone: whether cells beyond its own clump see the bristle.
     float alone(int bristle) const;
+    float thrown_up(int bristle) const;
+    double torn_share(int bristle) const;
     /// False: other threads may be at work on tiles that the film shares with other states.
     bool touch_one(int bristle, const Touch& touch, StripTools& tools);
     void leave_paint();

@@ -4,14 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace pastoso::brush {
 
 namespace {
 
-/// Path length after which a bristle has closed 1 - 1/e of the gap, in footprint radii.
-constexpr double kClosingLength_radii = 0.8;
+/// Path length after which a bristle has closed 1 - 1/e of the gap, in footprint radii. An edge that is
+/// stiff leaves its own shape behind, as good as exactly.
+constexpr double kClosingLength_radii = 0.8, kStiffClosingLength_radii = 0.25;
 /// Film against fill: sat = (1 + k) f / (f + k), 1 for a full bristle.
 constexpr float kStarvation = 0.22F;
 /// By how much less a bristle without body reaches than the thickest, in saturations.
@@ -23,7 +25,8 @@ constexpr float kLeastBead_mm = 1e-4F;
 /// Shares of its load that an element gives in one step at most, by depositing and by swapping.
 constexpr double kLargestDeposit = 0.5, kLargestKnifeDeposit = 0.7, kLargestSwap = 0.25;
 /// How far down into two strata what is stiff reaches, against hairs.
-constexpr double kStiffDepth = 0.1;
+constexpr float kStiffDepth = 0.1F;
+constexpr float kBands = 0.5F * film::kPigmentChannels;
 /// Less than this in a bristle counts as nothing.
 constexpr double kEmpty_mm3 = 1e-6;
 
@@ -46,6 +49,10 @@ float saturation_of(const Brush& brush, double held_mm3, const StepRates& rates)
     if (brush.preset.exchange.absorbs) return 1.0F;
     const auto fill = static_cast<float>(held_mm3 * rates.per_capacity_mm3);
     return (1.0F + kStarvation) * fill / (fill + kStarvation);
+}
+
+float mix_of(const Brush& brush, const Contact& contact) {
+    return (1.0F - contact.ride) * static_cast<float>(brush.preset.exchange.mix);
 }
 
 /// The axes of an element's footprint, divided by its half sizes.
@@ -72,6 +79,14 @@ film::PaintCoefficients given_paint(const Contents& held, double kept_share, int
     core::kernels<ContentsKernels>().give(
         held, {kept_share, cells * film::kPaintQuantum * cell_area_mm2, kStrongestPaint_per_mm}, given);
     return given;
+}
+
+/// The way 1 / (K + S) that light goes in a paint, K and S the means over the bands.
+float hiding_quanta(const film::PaintCoefficients& given) {
+    const float sum = std::accumulate(given.begin(), given.begin() + film::kPigmentChannels, 0.0F);
+    const float optical_per_quantum = sum / kBands * static_cast<float>(film::kPaintQuantum);
+    return optical_per_quantum > 0.0F ? 1.0F / optical_per_quantum
+                                      : static_cast<float>(film::kMaxThickness_quanta);
 }
 
 bool changes_anything(const CellBatch& batch, const CellBatch::TilePart& part, bool stirs) {
@@ -126,7 +141,8 @@ StepRates step_rates(const Brush& brush, const ResolvedTip& tip, const HandPose&
     rates.across_per_mm = brush.tip.rigid ? 1.0 / tip.lane_mm : rates.along_per_mm;
     rates.per_capacity_mm3 = 1.0 / brush.tip.capacity_mm3;
     rates.half_depth_mm_per_mm3 = 0.5 / brush.tip.area_mm2;
-    const double closing_mm = kClosingLength_radii * brush.tip.radius_mm;
+    const double closing_mm =
+        (brush.tip.rigid ? kStiffClosingLength_radii : kClosingLength_radii) * brush.tip.radius_mm;
     rates.rate = static_cast<float>(1.0 - std::exp(-step_mm / closing_mm));
     rates.film_mm = static_cast<float>(brush.preset.paint.film_mm * hand.film);
     rates.reach = static_cast<float>(brush.preset.paint.reach * hand.reach);
@@ -156,10 +172,8 @@ ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact
     rule.lowest_mm = contact.support_mm - bead;
     rule.fade_per_mm = 1.0F / (0.4F * bead);
     rule.rate = rates.rate * rates.tip->share;
-    rule.pickup = rates.pickup;
-    rule.mix = held_mm3 > kEmpty_mm3
-                   ? static_cast<float>(brush.preset.exchange.mix) * (0.4F + 1.2F * bristle.body)
-                   : 0.0F;
+    rule.pickup = (1.0F - contact.ride) * rates.pickup;
+    rule.mix = held_mm3 > kEmpty_mm3 ? mix_of(brush, contact) * (0.4F + 1.2F * bristle.body) : 0.0F;
     rule.mix_depth_mm = static_cast<float>(held_mm3 * rates.half_depth_mm_per_mm3);
     return rule;
 }
@@ -171,10 +185,10 @@ WantedSums plan_exchange(const ExchangeRule& rule, CellBatch& batch) {
                batch.padded_count()});
 }
 
-Limits touch_limits(const Brush& brush, float press) {
-    const double deepest = brush.tip.rigid ? kStiffDepth : 1.0;
+Limits touch_limits(const Brush& brush, const Contact& contact) {
+    const float deepest = brush.tip.rigid ? kStiffDepth : 1.0F;
     return {brush.tip.rigid ? kLargestKnifeDeposit : kLargestDeposit, kLargestSwap,
-            static_cast<float>(std::min(1.0, deepest * brush.preset.exchange.mix * press))};
+            std::min(1.0F, deepest * mix_of(brush, contact) * contact.press)};
 }
 
 ApplyRule apply_rule(const Limits& limits, WantedSums wanted, std::uint32_t dither_seed,
@@ -191,6 +205,7 @@ ApplyRule apply_rule(const Limits& limits, WantedSums wanted, std::uint32_t dith
     if (!empty)
         rule.given = given_paint(held, 1.0 - limits.deposit_share - limits.swap_share, batch.count(),
                                  cell_area_mm2);
+    rule.hiding_quanta = hiding_quanta(rule.given);
     rule.is_clear = std::all_of(rule.given.begin(), rule.given.begin() + film::kPigmentChannels,
                                 [](float channel) { return channel == 0.0F; });
     rule.dither_seed = dither_seed;

@@ -17,7 +17,8 @@
 //
 // so that a full brush covers the hollows of the weave and a starved one, thin bristles first, only its
 // crowns. In a step ds, with the weight w(rho) of the footprint (brush/resolved_tip.hpp; 1 - rho^4 where
-// cells are fine), the gap g = z - c - h and the share q = (1 - e^(-ds / 0.8 r)) w chi,
+// cells are fine), the gap g = z - c - h and the share q = (1 - e^(-ds / b r)) w chi,
+// b = 0.8 for hairs and 0.25 for what is stiff,
 //
 //   g > 0: the cell gains q (C (z - c) - h), C the share of it that is covered (a bristle gives at most
 //          half of what it holds),
@@ -28,11 +29,12 @@
 // has just laid down, which would blur its streaks.
 //
 // Paint that comes onto other paint which the tip found there lies above it; that is the lower stratum
-// from then on, of thickness h_l (film/cell/lower_stratum.hpp). What comes later joins the upper one.
-// What is swapped comes from both as they lie; what is lost from the upper one first, but for the share
-// d. Then a touch stirs:
+// from then on, of thickness h_l (film/cell/lower_stratum.hpp). What comes later joins the upper one;
+// over two strata, paint that is going to hide them makes one of both and lies above. What is swapped
+// comes from both as they lie; what is lost from the upper one first, but for the share d. Then a touch
+// stirs:
 //
-//   equal volumes m h_l (h - h_l) / h of both strata are swapped, m = d w chi (1 - e^(-ds / 0.8 r)),
+//   equal volumes m h_l (h - h_l) / h of both strata are swapped, m = d q,
 //   d = mix p for hairs, a tenth of that for what is stiff.
 //
 // C = min(1, cover w / max(A, (1 - sat)^2)): a bristle that is alone, at the edge of its clump (A = 1
@@ -61,6 +63,7 @@ struct Contact {
     double x_mm = 0.0, y_mm = 0.0;
     float support_mm = 0.0F;                ///< dry surface that it rides on
     float press = 0.0F;                     ///< 0 to 1
+    float ride = 0.0F;                      ///< 0 to 1; what rides takes and mixes nothing
     float freshness = 0.0F;                 ///< 0 to 1
     float edge = 0.0F;                      ///< 1 at the edges of the stroke, 0 within
     float alone = 0.0F;                     ///< 1 at the edges of a clump of bristles, 0 within
@@ -90,7 +93,7 @@ struct Limits {
     double swap_share = 0.0;
     float depth = 0.0F;  ///< how far down into two strata, 0 to 1
 };
-Limits touch_limits(const Brush& brush, float press);
+Limits touch_limits(const Brush& brush, const Contact& contact);
 
 /// Scales the changes and swaps planned in `batch`, whose sums are `wanted`, to what is held, and fills
 /// in what it does to its tiles.

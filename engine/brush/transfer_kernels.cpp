@@ -303,12 +303,24 @@ PASTOSO_LANE_FUNCTION Ints gain_of(const CellChanges& changes, int i) {
            lanes::max(lanes::load<Ints>(changes.thickness + i), Ints(0));
 }
 
-/// Calls visit(i) with those cells of a register whose paint is one and is to lie below what comes:
-/// hardly any of it is the stroke's own as yet.
+/// Whether what comes is of another colour than what it comes onto. A cell has two strata at most: over
+/// two of them only what will hide both makes one of them, and comes to lie above.
+PASTOSO_LANE_FUNCTION bool is_covered(const ApplyRule& rule, const film::PaintCell* paint,
+                                      const TileCells& cells, const LowerCells* lower, int place,
+                                      std::int32_t gained) {
+    const std::int32_t cell = cells.cell[place], held = cells.held[place];
+    const std::int32_t below = lower != nullptr ? lower->thickness[cell] : 0;
+    if (below == 0) return is_other(rule, paint[cell], held, gained);
+    if (static_cast<float>(gained) < cells.touched[place] * rule.hiding_quanta) return false;
+    return is_other(rule, film::upper_paint(lower->paint[cell], paint[cell]), held - below, gained);
+}
+
+/// Calls visit(i) with those cells of a register whose paint is to lie below what comes: hardly any of
+/// it is the stroke's own as yet.
 template <class Visit>
 PASTOSO_LANE_FUNCTION void for_each_covered(const ApplyRule& rule, const film::PaintCell* paint,
-                                            const TileCells& cells, int first, int i,
-                                            const CellChanges& changes, Ints::MaskOf is_one,
+                                            const TileCells& cells, const LowerCells* lower, int first,
+                                            int i, int count, const CellChanges& changes,
                                             const Visit& visit) {
     const Ints gained = gain_of(changes, i);
     const auto held = lanes::load<Ints>(cells.held + first + i);
@@ -316,12 +328,12 @@ PASTOSO_LANE_FUNCTION void for_each_covered(const ApplyRule& rule, const film::P
     const auto still_found = held - found < film::kLeastStratum_quanta &&
                              lanes::min(held, found) >= film::kLeastStratum_quanta;
     CellList perhaps;
-    perhaps.add(lanes::counting<Ints>() + i,
-                gained >= film::kLostStratum_quanta && still_found && is_one);
+    perhaps.add(lanes::counting<Ints>() + i, gained >= film::kLostStratum_quanta && still_found &&
+                                                 lanes::counting<Ints>() + i < count);
     for (int n = 0; n < perhaps.count; ++n) {
-        const int at = perhaps.cells[n], cell = first + at;
+        const int at = perhaps.cells[n];
         const std::int32_t gain = changes.swap[at] + lanes::max(changes.thickness[at], 0);
-        if (is_other(rule, paint[cells.cell[cell]], cells.held[cell], gain)) visit(at);
+        if (is_covered(rule, paint, cells, lower, first + at, gain)) visit(at);
     }
 }
 
@@ -408,11 +420,9 @@ PASTOSO_LANE_FUNCTION void change_two(const ApplyRule& rule, const TileCells& ce
     for (int i = 0; i < count; i += kLanes) {
         for (int n = i; n < i + kLanes; ++n)
             strata.before[n] = tile.thickness[cells.cell[first + n]];
-        const auto is_one =
-            lanes::load<Ints>(strata.before + i) == Ints(0) && lanes::counting<Ints>() + i < count;
         for_each_covered(
-            rule, cells.paint, cells, first, i, changes,
-            is_one, [&](int n) __attribute__((always_inline)) {
+            rule, cells.paint, cells, &tile, first, i, count,
+            changes, [&](int n) __attribute__((always_inline)) {
                 const int cell = cells.cell[first + n];
                 strata.before[n] = tile.thickness[cell] = cells.held[first + n];
                 tile.paint[cell] = cells.paint[cell];
@@ -480,10 +490,8 @@ bool meets_other(const ApplyRule& rule, const film::PaintCell* paint, const Tile
         for (int i = 0; i < count && !any; i += kLanes) {
             settle_change(rule, cells, first, i, changes);
             for_each_covered(
-                rule, paint, cells, first, i, changes,
-                lanes::counting<Ints>() + i < count, [&](int) __attribute__((always_inline)) {
-                    any = true;
-                });
+                rule, paint, cells, nullptr, first, i, count,
+                changes, [&](int) __attribute__((always_inline)) { any = true; });
         }
     }
     return any;

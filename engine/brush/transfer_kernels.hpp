@@ -56,6 +56,7 @@ struct ApplyRule {
     float depth = 0.0F;  ///< how far down into two strata a touch takes from and stirs, 0 to 1
     film::PaintCoefficients given{};  ///< carried quanta per thickness quantum
     bool is_clear = false;            ///< it has no pigment
+    float hiding_quanta = 0.0F;       ///< thickness of it that hides what lies below
     std::uint32_t dither_seed = 0;
 };
 

@@ -21,11 +21,11 @@ using testing::HasSubstr;
 
 json valid_preset() {
     return json::parse(R"({
-        "version": 3, "kind": "contact", "name": "Test", "dips": true, "units": {"length": "mm", "angle": "deg", "volume": "mm3"},
+        "version": 4, "kind": "contact", "name": "Test", "dips": true, "units": {"length": "mm", "angle": "deg", "volume": "mm3"},
         "tip": {"shape": "flat", "width": 20, "thickness": 4.8, "length": 22, "point": 0, "bristles": 300,
                 "hairs_per_bristle": 16, "seed": 1},
         "flex": {"bend": 0.5, "splay": 0.22, "lag": 1, "press_depth": 0.32, "tilt_gain": 0.8, "descend": 0.35,
-                 "rigidity": 0},
+                 "rigidity": 0, "ride": 0.5},
         "paint": {"film": 0.22, "run": 160, "groove": 0.5, "hair": 0.35, "streak": 0.75, "gather": 0.5, "edge": 0.7,
                   "start": 0.5, "leave": 0, "reach": 1.15},
         "exchange": {"pickup": 0.35, "mix": 0.3, "wick": 0.06, "momentum": 0.5, "overflow": 1.15, "absorbs": false},
@@ -91,12 +91,22 @@ TEST(Preset, SaysWhichValueIsOutOfRange) {
               "test.json: exchange.pickup is 1.5, outside 0.0 to 1.0.");
     EXPECT_THAT(error_with("/tip/width", -1), HasSubstr("tip.width is -1, outside"));
     EXPECT_THAT(error_with("/tip/bristles", 100000), HasSubstr("tip.bristles is 100000, outside"));
-    EXPECT_THAT(error_with("/version", 4), HasSubstr("version is 4"));
+    EXPECT_THAT(error_with("/version", 5), HasSubstr("version is 5"));
+}
+
+TEST(Preset, OfVersionThreeNeverRides) {
+    EXPECT_EQ(parse_preset(valid_preset().dump(), "test.json").flex.ride, 0.5);
+    json three = valid_preset();
+    three["version"] = 3;
+    EXPECT_THAT(error_of(three.dump()), HasSubstr("flex.ride"));
+    three["flex"].erase("ride");
+    EXPECT_EQ(parse_preset(three.dump(), "test.json").flex.ride, 0.0);
 }
 
 TEST(Preset, OfVersionTwoNeverGathersItsHairs) {
     json two = valid_preset();
     two["version"] = 2;
+    two["flex"].erase("ride");
     EXPECT_THAT(error_of(two.dump()), HasSubstr("paint.gather"));
     two["paint"].erase("gather");
     EXPECT_EQ(parse_preset(two.dump(), "test.json").paint.gather, 0.0);

@@ -1,38 +1,13 @@
 // Paint on wet paint of another colour: it lies above until it is stirred.
+#include "brush/seen_colour.hpp"
 #include "brush/studio.hpp"
-#include "film/dry_film.hpp"
-#include "film/medium.hpp"
-#include "pigment/colour.hpp"
-#include "pigment/lab.hpp"
-#include "pigment/palette.hpp"
 
 #include <gtest/gtest.h>
 
 namespace pastoso::brush {
 namespace {
 
-film::PaintCoefficients oil(const char* pigment) {
-    return film::paint_coefficients(pigment::find_pigment(pigment).coefficients,
-                                    film::find_medium("heavy-body oil"));
-}
-
-/// The mean colour of what is seen of some cells.
-pigment::Lab colour(const film::FilmState& film, const grid::Rect& cells) {
-    pigment::LinearRgb sum{};
-    for (int y = cells.y0; y < cells.y1; ++y)
-        for (int x = cells.x0; x < cells.x1; ++x) {
-            const film::PaintCell lower = film.lower.paint.at(x, y);
-            const film::PaintCell upper = film::upper_paint(lower, film.paint.at(x, y));
-            pigment::Bands seen = film::test::wet_over(lower.data(), film::test::kWhiteGround);
-            seen = film::test::wet_over(upper.data(), seen);
-            for (float& band : seen)
-                band = pigment::through_surface(band);
-            const pigment::LinearRgb rgb = pigment::linear_srgb(seen);
-            for (std::size_t k = 0; k < sum.size(); ++k)
-                sum[k] += rgb[k] / (cells.width() * cells.height());
-        }
-    return pigment::lab(sum);
-}
+using studio::oil;
 
 /// A flat brush that goes along the middle of a small canvas.
 struct Easel {
@@ -65,7 +40,7 @@ struct Easel {
         }
     }
     Brush clean{studio::flat_preset(16.0), 16.0, 2};
-    pigment::Lab seen() const { return colour(film, middle); }
+    pigment::Lab seen() const { return studio::seen_colour(film, middle); }
 };
 
 TEST(StrataStroke, WhiteOverWetBlackIsWhiteUntilItIsStirred) {

@@ -36,8 +36,8 @@ grid::Rect touch(Brush& brush, film::FilmState& film, const Contact& contact,
     const StepRates rates = step_rates(brush, tip, hand, 0.2);
     const ExchangeRule rule = exchange_rule(brush, 0, contact, rates);
     scratch.gather(film, contact.x_mm, contact.y_mm, tip.reach_mm);
-    return apply_batch(scratch, plan_exchange(rule, scratch), touch_limits(brush, contact.press), 1,
-                       film, brush.held[0]);
+    return apply_batch(scratch, plan_exchange(rule, scratch), touch_limits(brush, contact), 1, film,
+                       brush.held[0]);
 }
 
 TEST(Exchange, GivesTheFilmWhatTheBristleLoses) {

@@ -55,6 +55,8 @@ QString target_words(DynamicsTarget target) {
             return QObject::tr("flow");
         case DynamicsTarget::Spread:
             return QObject::tr("width of the spread");
+        case DynamicsTarget::Ride:
+            return QObject::tr("ride on wet paint");
     }
     return {};
 }
@@ -88,9 +90,9 @@ QString output_text(DynamicsTarget target, double value) {
 
 constexpr std::array kInputs = {DynamicsInput::Pressure, DynamicsInput::Tilt,
                                 DynamicsInput::BarrelRotation, DynamicsInput::Speed};
-constexpr std::array kTargets = {DynamicsTarget::Press, DynamicsTarget::Lean,  DynamicsTarget::Rotation,
-                                 DynamicsTarget::Reach, DynamicsTarget::Film,  DynamicsTarget::Pickup,
-                                 DynamicsTarget::Flow,  DynamicsTarget::Spread};
+constexpr std::array kTargets = {DynamicsTarget::Press, DynamicsTarget::Lean,   DynamicsTarget::Rotation,
+                                 DynamicsTarget::Reach, DynamicsTarget::Film,   DynamicsTarget::Pickup,
+                                 DynamicsTarget::Flow,  DynamicsTarget::Spread, DynamicsTarget::Ride};
 
 QToolButton* small_button(const char* name, const QString& words, const QString& hint) {
     auto* button = new QToolButton;
