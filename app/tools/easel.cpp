@@ -21,6 +21,11 @@ constexpr double kShortestRuler_mm = 5.0;
 constexpr double kRest_s = 0.1;
 constexpr double kEventInterval_s = 0.008;
 
+/// The way after which a stroke has a direction.
+constexpr double kDecidingWay_mm = 2.0;
+/// A tip that started less askew than this is left as it is.
+constexpr double kSeenTurn_deg = 4.0;
+
 /// Dollops in a row, along the upper edge of the well and then along the lower one.
 constexpr double kDollop_mm3 = 250.0;
 constexpr int kPlacesInRow = 5;
@@ -266,6 +271,8 @@ void Easel::press(const Pointer& pointer, bool straight) {
     painting_ = true;
     follow(pointer);
     previous_ = sample(pointer);
+    if (turns_with_path(pointer)) start_ = pointer;
+    start_rotation_deg_ = rotation_deg_;
     post_(PenDown{previous_, pointer.surface});
 }
 
@@ -273,6 +280,7 @@ void Easel::move(const Pointer& pointer) {
     follow(pointer);
     if (!painting_ || pointer.surface != painting_on_) return;
     if (pointer.surface == Surface::Canvas) latest_ = pointer;
+    if (start_) decide_start(pointer);
     const brush::PenSample next = sample(pointer);
     if (next.time_s - previous_.time_s > kRest_s) {
         previous_.time_s = next.time_s - kEventInterval_s;
@@ -297,7 +305,31 @@ void Easel::wait(double seconds, Surface surface) {
 
 void Easel::end_stroke() {
     if (!std::exchange(painting_, false)) return;
+    start_.reset();
     post_(PenUp{});
+}
+
+/// Whether the tip is one that can stand askew, and nothing but its path tells how it is turned.
+bool Easel::turns_with_path(const Pointer& pointer) const {
+    const brush::Preset preset = preset_in_hand(hand_);
+    if (preset.kind != brush::ToolKind::Contact || preset.tip.shape == brush::TipShape::Round)
+        return false;
+    const bool guided = pointer.surface == Surface::Canvas && hand_.guide.turn_across;
+    return hand_.turn_with_stroke && !pointer.rotation_deg && !guided;
+}
+
+/// The first way of a stroke decides how it starts.
+void Easel::decide_start(const Pointer& pointer) {
+    const double dx_mm = pointer.x_mm - start_->x_mm, dy_mm = pointer.y_mm - start_->y_mm;
+    if (std::hypot(dx_mm, dy_mm) < kDecidingWay_mm) return;
+    start_.reset();
+    heading_.stand_across(dx_mm, dy_mm);
+    rotation_deg_ = heading_.rotation_deg();
+    const auto is_turned = [&](double laid_deg) {
+        return std::abs(std::remainder(rotation_deg_ - laid_deg, 180.0)) > kSeenTurn_deg;
+    };
+    if (is_turned(start_rotation_deg_) || is_turned(previous_.rotation_deg))
+        post_(TurnStroke{rotation_deg_});
 }
 
 /// A brush that turns with the stroke stands across what guides it, unless the pen tells its rotation.

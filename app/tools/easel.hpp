@@ -129,6 +129,8 @@ class Easel {
     void post_brush();
     void follow(const Pointer& pointer);
     void choose_guide(const Pointer& pointer, bool straight);
+    bool turns_with_path(const Pointer& pointer) const;
+    void decide_start(const Pointer& pointer);
     brush::PenSample sample(const Pointer& pointer);
 
     Hand hand_;
@@ -143,6 +145,8 @@ class Easel {
     bool mixed_ = false;         ///< the brush was in the well since it was loaded
     int squeezed_ = 0;           ///< places of the row that are taken
     Pointer pressed_, latest_;   ///< of the latest stroke on the canvas
+    std::optional<Pointer> start_;     ///< of a stroke whose direction is not known yet
+    double start_rotation_deg_ = 0.0;  ///< that it began with
     brush::PenSample previous_;  ///< that was posted
     double waited_s_ = 0.0;      ///< since the brush moved
     bool has_clock_zero_ = false;

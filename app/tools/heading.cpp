@@ -33,6 +33,17 @@ void Heading::moved_to(double x_mm, double y_mm) {
     axis_y_ += share * (std::sin(doubled) - axis_y_);
     x_mm_ = x_mm;
     y_mm_ = y_mm;
+    turn_to_axis();
+}
+
+void Heading::stand_across(double dx_mm, double dy_mm) {
+    const double doubled = 2.0 * std::atan2(dy_mm, dx_mm);
+    axis_x_ = std::cos(doubled);
+    axis_y_ = std::sin(doubled);
+    turn_to_axis();
+}
+
+void Heading::turn_to_axis() {
     const double across_deg = 0.5 * core::degrees(std::atan2(axis_y_, axis_x_)) - 90.0;
     const double turned_deg = rotation_deg_ + std::remainder(across_deg - rotation_deg_, 180.0);
     rotation_deg_ = std::remainder(turned_deg, 360.0);

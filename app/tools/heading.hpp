@@ -9,11 +9,16 @@ class Heading {
   public:
     void moved_to(double x_mm, double y_mm);
 
+    /// Forgets where it came from: the tip stands across a movement of that direction.
+    void stand_across(double dx_mm, double dy_mm);
+
     /// Direction of the tip's width, clockwise on the canvas, -180 to 180; 0 before the first movement.
     /// Turns on past a right angle instead of jumping to the equal direction on the other side.
     double rotation_deg() const { return rotation_deg_; }
 
   private:
+    void turn_to_axis();
+
     bool started_ = false;
     double x_mm_ = 0.0, y_mm_ = 0.0;
     // The axis as a vector of twice its angle, which makes opposite directions the same.

@@ -88,6 +88,7 @@ void LivingPainting::end_stroke() {
     value.flows.wiped += stroke->copied_paint();
     finish_contacts();
     stroke.reset();
+    begun.reset();
 }
 
 void LivingPainting::finish_contacts() {

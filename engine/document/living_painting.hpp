@@ -15,8 +15,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pastoso::document {
+
+/// How the stroke in progress began, for TurnStroke.
+struct StrokeBegun {
+    std::optional<Moment> before;  ///< none: it was turned
+    Surface surface = Surface::Canvas;
+    std::vector<brush::PenSample> samples;
+};
 
 struct LivingPainting {
     LivingPainting(const CanvasSettings& settings, film::SupportHeights support_mm,
@@ -28,6 +36,7 @@ struct LivingPainting {
 
     PaintingState state() const;  ///< no stroke is in progress
     Moment moment() const;
+    void return_to(const Moment& then);  ///< no stroke is in progress
 
     // Strokes.
 
@@ -69,7 +78,7 @@ struct LivingPainting {
     film::AgeingClock ageing;
     std::optional<brush::StrokeGroup> stroke;
     film::Solver* touched = nullptr;  ///< of the surface that the stroke is on
-    brush::PenSample last_sample;
+    std::optional<StrokeBegun> begun;  ///< as long as there is a stroke
     std::uint64_t brush_touches = 0;
     std::shared_ptr<const LayerStack> layers_shown;  ///< in the latest snapshot
     History history;

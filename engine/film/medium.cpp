@@ -29,6 +29,7 @@ constexpr std::array kNumbers = {
     MediumNumber{"typical_thickness_mm", &Medium::typical_thickness_mm, 0.01, 10.0},
     MediumNumber{"solid_fraction", &Medium::solid_fraction, 0.0, 1.0},
     MediumNumber{"touch_dry_s", &Medium::touch_dry_s, 1.0, 1e7},
+    MediumNumber{"pigment_share", &Medium::pigment_share, 0.0005, 1.0, true},
 };
 
 std::string number_text(double value) {
@@ -63,7 +64,7 @@ class EntryReader {
     void refuse_unknown_fields() const {
         for (const auto& [key, value] : entry_.items()) {
             const bool known =
-                key == "name" || key == "description" ||
+                key == "name" || key == "description" || key == "thinned_with" ||
                 std::any_of(kNumbers.begin(), kNumbers.end(),
                             [&name = key](const MediumNumber& field) { return name == field.key; });
             if (!known) fail("there is no field " + Json(key).dump() + ".");
@@ -94,6 +95,7 @@ Medium read_medium(const Json& entry, const std::string& place) {
     medium.description = named.text("description");
     for (const MediumNumber& field : kNumbers)
         if (!field.optional || named.has(field.key)) medium.*field.member = named.number(field);
+    if (named.has("thinned_with")) medium.thinned_with = named.text("thinned_with");
     named.refuse_unknown_fields();
     if (medium.receding_angle_deg > medium.advancing_angle_deg) {
         named.fail("receding_angle_deg is " + number_text(medium.receding_angle_deg) +
@@ -110,6 +112,18 @@ Medium read_medium(const Json& entry, const std::string& place) {
                    number_text(kSlowestDrying_s_mm) + ".");
     }
     return medium;
+}
+
+/// Throws InputError unless every medium that thins another is one of them.
+void check_thinners(const std::vector<Medium>& media, const std::string& name) {
+    for (const Medium& medium : media) {
+        const auto thins = [&](const Medium& other) {
+            return other.name == medium.thinned_with && other.name != medium.name;
+        };
+        if (medium.thinned_with.empty() || std::any_of(media.begin(), media.end(), thins)) continue;
+        throw core::InputError(name + " (\"" + medium.name + "\"): thinned_with is \"" +
+                               medium.thinned_with + "\", it must be the name of another medium here.");
+    }
 }
 
 Json parse_json(std::string_view text, const std::string& name) {
@@ -133,6 +147,7 @@ std::vector<Medium> parse_media(std::string_view json_text, const std::string& n
     for (const Json& entry : json) {
         media.push_back(read_medium(entry, name + ", entry " + std::to_string(media.size() + 1)));
     }
+    check_thinners(media, name);
     return media;
 }
 
@@ -144,6 +159,7 @@ Medium parse_medium(std::string_view json_object, const std::string& place, cons
                    otherwise.description.empty() ? "Given by its numbers." : otherwise.description}};
     for (const MediumNumber& field : kNumbers)
         entry[field.key] = otherwise.*field.member;
+    if (!otherwise.thinned_with.empty()) entry["thinned_with"] = otherwise.thinned_with;
     entry.update(given);
     return read_medium(entry, place);
 }

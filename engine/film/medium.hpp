@@ -30,6 +30,10 @@ struct Medium {
     double typical_thickness_mm = 0.5;  ///< what a loaded brush leaves
     double solid_fraction = 1.0;        ///< thickness that stays when it dries, 0 to 1 of the wet one
     double touch_dry_s = 3600.0;        ///< until a film of the typical thickness is touch-dry, 1 to 1e7
+    /// How much of a full-strength paint is in it by volume, 0.0005 to 1: the rest is clear. K and S of
+    /// a paint are this times those of its pigment.
+    double pigment_share = 1.0;
+    std::string thinned_with{};  ///< the medium that thins it (film/thinning.hpp); "" for none
 
     friend bool operator==(const Medium&, const Medium&) = default;
 };
@@ -50,7 +54,8 @@ struct MediumNumber {
 std::span<const MediumNumber> medium_numbers();
 
 /// Reads a JSON array of media (resources/media.json shows the form). `name` is the file's name for
-/// errors. Throws InputError that names the entry, the field and the value.
+/// errors. Throws InputError that names the entry, the field and the value, and where one is thinned
+/// with a medium that is not in the array or with itself.
 std::vector<Medium> parse_media(std::string_view json_text, const std::string& name);
 
 /// One medium from a JSON object with any of the number fields of such an entry; those left out are as

@@ -15,9 +15,9 @@ using ::testing::ElementsAre;
 
 /// Names of the posted actions, in their order.
 std::vector<std::string> names(const std::vector<Action>& actions) {
-    static const char* const kNames[] = {"brush",     "load", "clean", "medium", "drying", "dry",
-                                         "tilt",      "size", "down",  "move",   "up",     "squeeze",
-                                         "wipe well", "undo", "redo",  "steady", "guide",  "symmetry"};
+    static const char* const kNames[] = {
+        "brush", "load", "clean",   "medium",    "drying", "dry",  "tilt",   "size",  "down",    "move",
+        "up",    "turn", "squeeze", "wipe well", "undo",   "redo", "steady", "guide", "symmetry"};
     std::vector<std::string> list;
     for (const Action& action : actions)
         list.emplace_back(kNames[action.index()]);
@@ -224,6 +224,7 @@ TEST_F(EaselTest, TheRulerLiesAlongTheLatestStroke) {
 
 TEST_F(EaselTest, ARestIsToldAsARest) {
     easel_.set_reload_each_stroke(false);
+    easel_.set_turn_with_stroke(false);
     easel_.press(at_ms(1000));
     Pointer pointer = at_ms(1010);
     pointer.x_mm = 7.0;
@@ -279,6 +280,65 @@ TEST_F(EaselTest, ABrushWithoutSensorStandsAcrossItsPath) {
         move_to(i, 0.0);
     EXPECT_NEAR(easel_.held().rotation_deg, there_deg, 0.2);
     EXPECT_TRUE(actions_.empty());
+}
+
+Pointer at_mm(double x_mm, double y_mm) {
+    Pointer pointer;
+    pointer.x_mm = x_mm;
+    pointer.y_mm = y_mm;
+    return pointer;
+}
+
+TEST_F(EaselTest, AFlatStartsAcrossItsPath) {
+    easel_.set_reload_each_stroke(false);
+    easel_.press(at_mm(10.0, 10.0));
+    easel_.move(at_mm(11.0, 11.0));
+    posted();
+    easel_.move(at_mm(12.0, 12.0));
+    ASSERT_EQ(actions_.size(), 2U);
+    EXPECT_NEAR(std::remainder(std::get<TurnStroke>(actions_[0]).rotation_deg + 45.0, 180.0), 0.0, 1e-9);
+    EXPECT_NEAR(std::remainder(std::get<PenMove>(actions_[1]).sample.rotation_deg + 45.0, 180.0), 0.0,
+                1e-9);
+    posted();
+    easel_.move(at_mm(12.0, 20.0));
+    EXPECT_THAT(posted(), ElementsAre("move"));
+}
+
+TEST_F(EaselTest, AStrokeThatStartedRightIsNotTurned) {
+    easel_.set_reload_each_stroke(false);
+    for (int i = 0; i <= 60; ++i)
+        easel_.move(at_mm(i, 10.0));
+    easel_.press(at_mm(60.0, 10.0));
+    easel_.move(at_mm(63.0, 10.0));
+    EXPECT_THAT(posted(), ElementsAre("down", "move"));
+}
+
+TEST_F(EaselTest, ADabStaysADab) {
+    easel_.set_reload_each_stroke(false);
+    easel_.press(at_mm(10.0, 10.0));
+    easel_.move(at_mm(11.0, 11.0));
+    easel_.release();
+    EXPECT_THAT(posted(), ElementsAre("down", "move", "up"));
+    easel_.move(at_mm(20.0, 12.0));
+    EXPECT_TRUE(actions_.empty());
+}
+
+TEST_F(EaselTest, OnlyATipThatStandsAskewIsTurned) {
+    easel_.set_reload_each_stroke(false);
+    easel_.take_brush("Round bristle 12", 12.0);
+    posted();
+    easel_.press(at_mm(10.0, 10.0));
+    easel_.move(at_mm(20.0, 20.0));
+    EXPECT_THAT(posted(), ElementsAre("down", "move"));
+    easel_.release();
+    easel_.take_brush("Flat bristle 20", 20.0);
+    posted();
+    Pointer told = at_mm(10.0, 10.0);
+    told.rotation_deg = 0.0;
+    easel_.press(told);
+    told.x_mm = told.y_mm = 20.0;
+    easel_.move(told);
+    EXPECT_THAT(posted(), ElementsAre("down", "move"));
 }
 
 TEST_F(EaselTest, APenThatTellsItsRotationIsBelieved) {

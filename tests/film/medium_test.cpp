@@ -99,17 +99,54 @@ TEST(BundledMedia, AreThoseOfTheProgram) {
     std::vector<std::string> names;
     for (const Medium& medium : bundled_media())
         names.push_back(medium.name);
-    EXPECT_THAT(names, testing::ElementsAre("heavy-body oil", "soft-body acrylic", "fluid acrylic",
-                                            "house paint", "ink glaze", "thinner"));
+    EXPECT_THAT(names, testing::ElementsAre("heavy-body oil", "wax paste", "alkyd gel", "linseed oil",
+                                            "stand oil", "thin oil", "soft-body acrylic",
+                                            "fluid acrylic", "house paint", "ink glaze", "thinner"));
 }
 
-TEST(BundledMedia, RunFromStiffToThin) {
-    const auto by_viscosity = [](const Medium& a, const Medium& b) {
-        return a.viscosity_m2_s > b.viscosity_m2_s;
-    };
-    EXPECT_TRUE(std::is_sorted(bundled_media().begin(), bundled_media().end(), by_viscosity));
+TEST(BundledMedia, OilsAndAcrylicsRunFromStiffToThin) {
+    const std::vector<std::vector<const char*>> families = {
+        {"wax paste", "heavy-body oil", "alkyd gel", "linseed oil", "stand oil", "thin oil", "thinner"},
+        {"soft-body acrylic", "fluid acrylic", "house paint", "ink glaze", "thinner"}};
+    for (const auto& family : families) {
+        for (std::size_t i = 1; i < family.size(); ++i) {
+            const Medium &stiffer = find_medium(family[i - 1]), &thinner = find_medium(family[i]);
+            EXPECT_GT(stiffer.viscosity_m2_s, thinner.viscosity_m2_s) << family[i];
+            EXPECT_GE(stiffer.yield_stress_Pa, thinner.yield_stress_Pa) << family[i];
+        }
+    }
+}
+
+TEST(BundledMedia, SayWhatTheyAreAndWhatThinsThem) {
     for (const Medium& medium : bundled_media())
         EXPECT_THAT(medium.description, testing::EndsWith("."));
+    for (const Medium& medium : bundled_media())
+        EXPECT_EQ(medium.thinned_with.empty(), medium.name == "thinner") << medium.name;
+}
+
+TEST(Media, AreThinnedWithOneOfTheOthers) {
+    const auto thinned_with = [](const std::string& name) {
+        return changed("\"yield_stress_Pa\"", "\"thinned_with\": \"" + name + "\", \"yield_stress_Pa\"");
+    };
+    std::string two = thinned_with("thin tar");
+    const std::string thin_tar = changed("tar", "thin tar");
+    two.replace(two.rfind(']'), 1, "," + thin_tar.substr(thin_tar.find('{')));
+    EXPECT_EQ(parse_media(two, "test")[0].thinned_with, "thin tar");
+    EXPECT_EQ(error_of(thinned_with("tar")),
+              "my media.json (\"tar\"): thinned_with is \"tar\", it must be the name of another medium "
+              "here.");
+    EXPECT_THAT(error_of(thinned_with("milk")), HasSubstr("thinned_with is \"milk\""));
+}
+
+TEST(Media, HoldAllOfThePigmentUnlessTheySayLess) {
+    EXPECT_EQ(parse_media(kGood, "test")[0].pigment_share, 1.0);
+    const auto share = [](const char* value) {
+        return changed("\"yield_stress_Pa\"",
+                       std::string("\"pigment_share\": ") + value + ", \"yield_stress_Pa\"");
+    };
+    EXPECT_EQ(parse_media(share("0.25"), "test")[0].pigment_share, 0.25);
+    EXPECT_THAT(error_of(share("0")),
+                HasSubstr("pigment_share is 0, it must be a number from 0.0005 to 1.0."));
 }
 
 /// Thickness that stands on an upright canvas: tau / (rho g).
@@ -169,8 +206,9 @@ TEST(FindMedium, ListsTheNamesThereAre) {
     } catch (const pastoso::core::InputError& error) {
         EXPECT_STREQ(
             error.what(),
-            "There is no medium \"honey\"; the media are: heavy-body oil, soft-body acrylic, fluid "
-            "acrylic, house paint, ink glaze, thinner.");
+            "There is no medium \"honey\"; the media are: heavy-body oil, wax paste, alkyd gel, linseed "
+            "oil, stand oil, thin oil, soft-body acrylic, fluid acrylic, house paint, ink glaze, "
+            "thinner.");
     }
 }
 

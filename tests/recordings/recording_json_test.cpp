@@ -211,8 +211,8 @@ TEST(RecordingJson, NumbersOfAMediumAreLocated) {
 
 TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
     EXPECT_EQ(
-        error(R"({"format":"pastoso-strokes","version":10,"more":[]})"),
-        "s.json: this was written by a newer Pastoso (stroke format 10; this program reads up to 9).");
+        error(R"({"format":"pastoso-strokes","version":11,"more":[]})"),
+        "s.json: this was written by a newer Pastoso (stroke format 11; this program reads up to 10).");
 }
 
 TEST(RecordingJson, NamesWhatIsMissingOrMisspelt) {

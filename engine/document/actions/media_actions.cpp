@@ -7,10 +7,9 @@
 namespace pastoso::document {
 
 film::Medium medium_of(const UseMedium& use) {
-    film::Medium medium = film::find_medium(use.name);
-    if (!use.own) return medium;
-    PASTOSO_CHECK(use.own->name == medium.name);
-    return *use.own;
+    const film::Medium& bundled = film::find_medium(use.name);
+    PASTOSO_CHECK(!use.own || use.own->name == bundled.name);
+    return film::thinned(use.own ? *use.own : bundled, use.paint_share);
 }
 
 void check_whole(const UseMedium& use) {
@@ -26,7 +25,7 @@ UndoStep undo_step(const DryNow&, const LivingPainting& painting) {
 }
 
 void put_in_hand(const UseMedium& use, PaintingValue& painting) {
-    painting.medium = {medium_of(use).name, use.own};
+    painting.medium = {film::find_medium(use.name).name, use.own, use.paint_share};
 }
 
 void put_in_hand(const SetDrying& set, PaintingValue& painting) {

@@ -5,6 +5,7 @@
 #include "document/actions/table.hpp"
 #include "film/cell/drying_air.hpp"
 #include "film/medium.hpp"
+#include "film/thinning.hpp"
 
 #include <optional>
 #include <string>
@@ -24,6 +25,7 @@ inline constexpr double kFastestDrying = 1e5;
 struct UseMedium {
     std::string name;                   ///< of one that comes with the program
     std::optional<film::Medium> own{};  ///< its numbers as the painter changed them, under its name
+    double paint_share = 1.0;           ///< the rest is what thins it (film/thinning.hpp)
     friend bool operator==(const UseMedium&, const UseMedium&) = default;
 };
 struct SetDrying {  ///< how fast paint on the canvas dries from now on; in the well it stays open
@@ -36,7 +38,7 @@ struct DryNow {  ///< all wet paint on the canvas becomes dry at once, or what i
 
 using MediaActions = ActionList<UseMedium, SetDrying, DryNow>;
 
-/// The numbers of a medium in hand. Throws InputError as film::find_medium() does.
+/// The numbers of a medium in hand, thinned. Throws InputError as film::find_medium() does.
 film::Medium medium_of(const UseMedium& use);
 
 void check_whole(const UseMedium& use);
@@ -61,6 +63,9 @@ struct Table<UseMedium> {
         visit(Value<At<&UseMedium::own>>{
             "numbers", "numbers of one's own", Presence::Optional,
             "any of the [numbers of a medium](media.md), which take the place of its own", 8});
+        visit(Number<At<&UseMedium::paint_share>>{
+            "paint_share", "share of paint", "", film::kLeastPaintShare, 1.0, Presence::Optional,
+            "by volume; the rest is what [thins the medium](media.md)", 10});
     }
 };
 

@@ -1,10 +1,26 @@
 #include "document/actions/pen_actions.hpp"
 
 #include "core/error.hpp"
-#include "document/living_painting.hpp"
 #include "core/number_text.hpp"
+#include "document/living_painting.hpp"
+
+#include <utility>
 
 namespace pastoso::document {
+namespace {
+
+/// Begins the stroke that painting.begun tells of.
+void lay_samples(LivingPainting& painting) {
+    const StrokeBegun& begun = *painting.begun;
+    painting.begin_stroke_on(begun.surface);
+    painting.value.flows.taken += painting.stroke->copied_paint();
+    painting.stroke->begin(begun.samples.front());
+    for (std::size_t i = 1; i < begun.samples.size(); ++i)
+        painting.stroke->add(begun.samples[i]);
+    painting.finish_contacts();
+}
+
+}  // namespace
 
 void check_time_order(const brush::PenSample& previous, const brush::PenSample& next) {
     if (next.time_s >= previous.time_s) return;
@@ -21,7 +37,7 @@ void check_possible(const PenDown& pen, const LivingPainting& painting) {
 }
 
 void check_possible(const PenMove& pen, const LivingPainting& painting) {
-    if (painting.stroke) check_time_order(painting.last_sample, pen.sample);
+    if (painting.stroke) check_time_order(painting.begun->samples.back(), pen.sample);
 }
 
 UndoStep undo_step(const PenDown& pen, const LivingPainting& painting) {
@@ -33,20 +49,30 @@ UndoStep undo_step(const PenDown& pen, const LivingPainting& painting) {
 }
 
 void apply(const PenDown& pen, LivingPainting& painting) {
-    painting.last_sample = pen.sample;
-    painting.begin_stroke_on(pen.surface);
-    painting.value.flows.taken += painting.stroke->copied_paint();
-    painting.stroke->begin(pen.sample);
-    painting.finish_contacts();
+    painting.begun =
+        StrokeBegun{.before = painting.moment(), .surface = pen.surface, .samples = {pen.sample}};
+    lay_samples(painting);
 }
 
 void apply(const PenMove& pen, LivingPainting& painting) {
     if (!painting.stroke) return;
-    painting.last_sample = pen.sample;
+    painting.begun->samples.push_back(pen.sample);
     painting.stroke->add(pen.sample);
     painting.finish_contacts();
 }
 
 void apply(const PenUp&, LivingPainting&) {}
+
+void apply(const TurnStroke& turn, LivingPainting& painting) {
+    if (!painting.stroke || !painting.begun->before) return;
+    StrokeBegun begun = *std::move(painting.begun);
+    painting.end_stroke();
+    painting.return_to(*begun.before);
+    begun.before.reset();
+    for (brush::PenSample& sample : begun.samples)
+        sample.rotation_deg = turn.rotation_deg;
+    painting.begun = std::move(begun);
+    lay_samples(painting);
+}
 
 }  // namespace pastoso::document

@@ -31,8 +31,15 @@ struct PenMove {
 struct PenUp {
     friend bool operator==(const PenUp&, const PenUp&) = default;
 };
+/// What the stroke in progress has laid is taken back and laid again, all of it with that rotation: a
+/// tip that turns with its path knows the path's direction a little after its start only. Once in a
+/// stroke; without one it does nothing.
+struct TurnStroke {
+    double rotation_deg = 0.0;
+    friend bool operator==(const TurnStroke&, const TurnStroke&) = default;
+};
 
-using PenActions = ActionList<PenDown, PenMove, PenUp>;
+using PenActions = ActionList<PenDown, PenMove, PenUp, TurnStroke>;
 
 /// Throw InputError for a pen without a brush in hand, on a layer that is hidden or locked, and for a
 /// move that is earlier than the one before.
@@ -42,6 +49,7 @@ UndoStep undo_step(const PenDown& pen, const LivingPainting& painting);
 void apply(const PenDown& pen, LivingPainting& painting);
 void apply(const PenMove& pen, LivingPainting& painting);
 void apply(const PenUp& pen, LivingPainting& painting);
+void apply(const TurnStroke& turn, LivingPainting& painting);
 
 /// Throws InputError when `next` is earlier than `previous`.
 void check_time_order(const brush::PenSample& previous, const brush::PenSample& next);
@@ -104,6 +112,25 @@ struct Table<PenUp> {
                                           .stroke = StrokeRole::Ends,
                                           .in_set_up = false};
     static constexpr void fields(auto&&) {}
+};
+
+template <>
+struct Table<TurnStroke> {
+    static constexpr ActionTraits kTraits{
+        .key = "turn_stroke",
+        .since = 10,
+        .meaning =
+            "takes back what the stroke in progress has laid and lays it again, all of it with "
+            "that rotation; once in a stroke",
+        .undo = UndoRole::NoStep,
+        .step = "",
+        .changes_painting = false,
+        .stroke = StrokeRole::GoesOn,
+        .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        visit(Number<At<&TurnStroke::rotation_deg>>{"rotation_deg", "rotation of the pen", "degrees",
+                                                    -3600.0, 3600.0, Presence::Required});
+    }
 };
 
 }  // namespace pastoso::document

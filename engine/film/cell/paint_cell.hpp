@@ -39,7 +39,7 @@ using PaintCell = std::array<std::int32_t, kPaintChannels>;
 /// What a paint carries per millimetre of thickness (or per mm3 and mm2), in the same order.
 using PaintCoefficients = std::array<float, kPaintChannels>;
 
-/// Fresh paint: pigment in a medium.
+/// Fresh paint: a medium with its share of a full-strength paint, whose K and S `pigment` gives.
 PaintCoefficients paint_coefficients(const pigment::Coefficients& pigment, const Medium& medium);
 
 /// The optical thickness K h or S h (no unit) of a pigment channel.
