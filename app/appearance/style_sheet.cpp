@@ -39,6 +39,7 @@ QFrame#command_palette { background: <window>; border: 1px solid <line>; }
 #keys_dialog QToolButton:focus { border: 1px solid <focus>; padding: 3px 4px; }
 #keys_dialog QLabel#sentence { color: <warning>; }
 QComboBox { padding: 4px 8px; }
+QComboBox[fast="true"] { background: <chosen>; border-color: <accent>; color: <chosen_text>; }
 QAbstractSpinBox { padding: 3px 4px; }
 QDialogButtonBox, QMessageBox { dialogbuttonbox-buttons-have-icons: 0; }
 QPushButton { background: <button>; border: 1px solid <line>; border-radius: 4px; padding: 5px 14px; }

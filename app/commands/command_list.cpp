@@ -103,6 +103,12 @@ constexpr CommandText kCommands[] = {
                 QT_TR_NOOP("Throw your own tool away")},
     CommandText{Command::Pause, kPaint, QT_TR_NOOP("&Pause the paint"), "F",
                 QT_TR_NOOP("Wet paint stands still until you go on"), true},
+    CommandText{Command::TimeFaster, kPaint, QT_TR_NOOP("Time runs &faster"), "Shift+F",
+                QT_TR_NOOP("Watch slow paint run, level and dry: up to 20 times as fast")},
+    CommandText{Command::TimeSlower, kPaint, QT_TR_NOOP("Time runs s&lower"), "Ctrl+F",
+                QT_TR_NOOP("A step back towards real time")},
+    CommandText{Command::TimeReal, kPaint, QT_TR_NOOP("&Real time"), "Ctrl+Shift+F",
+                QT_TR_NOOP("A second of the paint takes a second again")},
     CommandText{Command::DryNow, kPaint, QT_TR_NOOP("&Dry now"), "D",
                 QT_TR_NOOP("All wet paint dries at once: paint over it without stirring it up")},
     CommandText{

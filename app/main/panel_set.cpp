@@ -68,7 +68,20 @@ QComboBox* make_medium_box() {
     return box;
 }
 
-void make_tool_bar(Studio& studio, QComboBox* medium) {
+/// Its entries come later.
+QComboBox* make_time_box() {
+    auto* box = new QComboBox;
+    box->setObjectName(QStringLiteral("time"));
+    box->setFocusPolicy(Qt::TabFocus);
+    const QString words = QObject::tr(
+        "How fast time passes for the paint: 10 × is ten seconds in one. "
+        "While you draw a stroke it passes as usual");
+    box->setAccessibleName(words);
+    box->setToolTip(words);
+    return box;
+}
+
+void make_tool_bar(Studio& studio, const PanelSet& panels) {
     using commands::Command;
     QToolBar* bar = studio.window().addToolBar(QObject::tr("Tools"));
     bar->setObjectName(QStringLiteral("tool_bar"));
@@ -94,8 +107,9 @@ void make_tool_bar(Studio& studio, QComboBox* medium) {
     add_button(Command::TurnWithStroke, QObject::tr("Turn with stroke"), Qt::ToolButtonIconOnly);
     bar->addSeparator();
     bar->addWidget(new QLabel(QObject::tr("Medium ")));
-    bar->addWidget(medium);
+    bar->addWidget(panels.medium);
     add_button(Command::Pause, QObject::tr("Pause"));
+    bar->addWidget(panels.time);
     add_button(Command::DryNow, QObject::tr("Dry now"));
     add_button(Command::MixingWell, QObject::tr("Mixing well"));
     bar->addSeparator();
@@ -166,7 +180,8 @@ PanelSet lay_out(Studio& studio) {
     studio.commands().fill(window.menuBar());
     PanelSet panels;
     panels.medium = make_medium_box();
-    make_tool_bar(studio, panels.medium);
+    panels.time = make_time_box();
+    make_tool_bar(studio, panels);
     panels.brushes = make_brush_panel(studio.commands());
     panels.paints = new panels::PaintPanel(paint_entries());
     panels.stand = new panels::EaselPanel;

@@ -51,6 +51,7 @@ struct PanelSet {
     panels::MessagePanel* messages = nullptr;
     panels::StatusReadings* readings = nullptr;
     QComboBox* medium = nullptr;
+    QComboBox* time = nullptr;  ///< how fast it passes for the paint
     QDockWidget* well = nullptr;
     std::map<commands::Command, QDockWidget*> docks;  ///< by the command that shows them
 };

@@ -12,6 +12,7 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       tracing(studio, panels.tracing),
       well(studio, panels.well),
       hand(studio, panels),
+      time(studio, panels),
       brushes(studio, panels.brushes, panels.curves),
       guides(studio, panels.guides),
       transform(studio, panels.brushes),

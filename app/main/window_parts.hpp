@@ -24,6 +24,7 @@
 #include "main/paint/light_choice.hpp"
 #include "main/paint/paint_picking.hpp"
 #include "main/paint/paint_settings.hpp"
+#include "main/paint/paint_time.hpp"
 #include "main/paint/well_commands.hpp"
 #include "main/panel_set.hpp"
 #include "main/pen/brush_jar.hpp"
@@ -50,6 +51,7 @@ struct WindowParts {
     TracingCommands tracing;
     WellCommands well;
     HandControls hand;
+    PaintTime time;
     BrushJar brushes;
     GuideCommands guides;
     LayerTransform transform;

@@ -114,6 +114,15 @@ void PaintSession::set_paused(bool paused) {
     work_.notify_all();
 }
 
+void PaintSession::set_speed(double speed) {
+    PASTOSO_CHECK(speed >= 1.0 && speed <= kMostSpeed);
+    {
+        const std::lock_guard lock(mutex_);
+        speed_ = speed;
+    }
+    work_.notify_all();
+}
+
 void PaintSession::set_history_budget(std::size_t bytes) {
     {
         const std::lock_guard lock(mutex_);
@@ -270,12 +279,18 @@ void PaintSession::stop_at_fault(const std::string& sentence) {
     if (notify_) notify_();
 }
 
-/// A hurried replay shows no more pictures than a screen does.
+/// Time that is faster, and a hurried replay, show no more pictures than a screen does.
 bool PaintSession::may_wait() const {
     constexpr auto kScreenPeriod = std::chrono::milliseconds(16);
-    if (!hurries_ || published_count_ != applied_count_) return false;
+    if (published_count_ != applied_count_) return false;
     const std::lock_guard lock(mutex_);
-    return !paused_ && replay_waits() && WallClock::now() - published_at_ < kScreenPeriod;
+    const bool fast = speed_ > 1.0 || (hurries_ && replay_waits());
+    return fast && !paused_ && WallClock::now() - published_at_ < kScreenPeriod;
+}
+
+/// The lock is held.
+double PaintSession::speed_now() const {
+    return painting_->stroke_in_progress() && !replay_waits() ? 1.0 : speed_;
 }
 
 /// Sleeps until there is an action, a tick is due or the session ends; false at the end.
@@ -285,7 +300,7 @@ bool PaintSession::wait_for_work() {
         return stopping_ || !posted_.empty() || wanted_capture_ != nullptr || wanted_budget_bytes_;
     };
     if (paused_) {
-        const auto wakes = [&] { return ready() || !paused_; };
+        const auto wakes = [&] { return ready() || !paused_ || (changed_ && !failed_); };
         if (begin_journal_)
             work_.wait_for(lock, kJournalPause, wakes);
         else
@@ -298,6 +313,7 @@ bool PaintSession::wait_for_work() {
     hurries_ = replay_is_hurried_ && replay_waits();
     needs_no_steps_ = hurries_ && !replay_undoes_;
     clock_.set_hurried(hurries_);
+    clock_.set_speed(speed_now());
     return !stopping_;
 }
 
@@ -435,6 +451,7 @@ void PaintSession::publish() {
                    .strokes = strokes_,
                    .changes = changes_,
                    .awake_tiles = report.awake_tiles,
+                   .speed = clock_.speed(),
                    .paint_per_wall = clock_.paint_per_wall(),
                    .load = clock_.load(),
                    .paused = paused_,

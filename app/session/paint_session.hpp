@@ -26,6 +26,8 @@
 
 namespace pastoso::session {
 
+inline constexpr double kMostSpeed = 20.0;
+
 /// How the painting is doing, for the status bar and the state of the buttons.
 struct Status {
     std::int64_t tick = 0;
@@ -33,7 +35,8 @@ struct Status {
     std::int64_t strokes = 0;     ///< begun so far, those taken back included
     std::int64_t changes = 0;     ///< of the painting by the painter: strokes, dry_now, undo ...
     int awake_tiles = 0;          ///< tiles whose paint still moves
-    double paint_per_wall = 1.0;  ///< paint time over wall time, 1 when the solver keeps up
+    double speed = 1.0;           ///< paint time over wall time, as it is wanted at this moment
+    double paint_per_wall = 1.0;  ///< as it is: `speed` when the solver keeps up
     double load = 0.0;            ///< of the solver: TickClock::load()
     bool paused = false;
     bool failed = false;  ///< it is paused because a tick or its picture failed
@@ -97,6 +100,12 @@ class PaintSession {
     /// Stops paint time; the brush goes on working.
     void set_paused(bool paused);
 
+    /// Lets paint time pass so many times faster than the clock on the wall, 1 to kMostSpeed, as far as
+    /// the solver keeps up. Nothing of it is recorded: ticks come sooner, and are the same. While the
+    /// painter's own stroke is under way time passes as usual, so that the hand meets the paint that it
+    /// knows.
+    void set_speed(double speed);
+
     /// Memory for what Undo returns to (document::Painting::set_history_budget()).
     void set_history_budget(std::size_t bytes);
 
@@ -153,6 +162,7 @@ class PaintSession {
     bool advance_if_due();
     void publish();
     bool may_wait() const;
+    double speed_now() const;
     void hand_out_capture();
     void apply_budget();
     void keep_journal();
@@ -208,6 +218,7 @@ class PaintSession {
     std::uint64_t posted_count_ = 0;
     std::uint64_t applied_count_ = 0;
     std::uint64_t published_count_ = 0;  ///< of the posted actions, those that a publication shows
+    double speed_ = 1.0;
     bool paused_ = false, failed_ = false;
     bool stopping_ = false;
 

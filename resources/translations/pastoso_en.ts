@@ -421,6 +421,10 @@
         <source>Dry now</source>
         <translation>Dry now</translation>
     </message>
+    <message>
+        <source>How fast time passes for the paint: 10 × is ten seconds in one. While you draw a stroke it passes as usual</source>
+        <translation>How fast time passes for the paint: 10 × is ten seconds in one. While you draw a stroke it passes as usual</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -2009,6 +2013,30 @@
     <message>
         <source>What you were told last, to be read again and copied</source>
         <translation>What you were told last, to be read again and copied</translation>
+    </message>
+    <message>
+        <source>Time runs &amp;faster</source>
+        <translation>Time runs &amp;faster</translation>
+    </message>
+    <message>
+        <source>Watch slow paint run, level and dry: up to 20 times as fast</source>
+        <translation>Watch slow paint run, level and dry: up to 20 times as fast</translation>
+    </message>
+    <message>
+        <source>Time runs s&amp;lower</source>
+        <translation>Time runs s&amp;lower</translation>
+    </message>
+    <message>
+        <source>A step back towards real time</source>
+        <translation>A step back towards real time</translation>
+    </message>
+    <message>
+        <source>&amp;Real time</source>
+        <translation>&amp;Real time</translation>
+    </message>
+    <message>
+        <source>A second of the paint takes a second again</source>
+        <translation>A second of the paint takes a second again</translation>
     </message>
 </context>
 <context>
@@ -4185,6 +4213,13 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::PaintTime</name>
+    <message>
+        <source>%1 × time</source>
+        <translation>%1 × time</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::PictureLayers</name>
     <message>
         <source>Layer from a picture</source>
@@ -5699,10 +5734,6 @@ Wheel: closer, farther</translation>
         <translation>Tiles of 64 x 64 cells in which the paint still moves, and how much of its time computing them takes</translation>
     </message>
     <message>
-        <source>Paint time against the clock: slower than 1 when there is more wet paint than this computer can move in time</source>
-        <translation>Paint time against the clock: slower than 1 when there is more wet paint than this computer can move in time</translation>
-    </message>
-    <message>
         <source>Tools keep to what is outlined; Ctrl+A ends the selection, Esc goes back to painting</source>
         <translation>Tools keep to what is outlined; Ctrl+A ends the selection, Esc goes back to painting</translation>
     </message>
@@ -5772,6 +5803,10 @@ Wheel: closer, farther</translation>
             <numerusform>%n tile moving, %1 % load</numerusform>
             <numerusform>%n tiles moving, %1 % load</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Paint time against the clock: less than you set where there is more wet paint than this computer can move in time</source>
+        <translation>Paint time against the clock: less than you set where there is more wet paint than this computer can move in time</translation>
     </message>
 </context>
 <context>

@@ -421,6 +421,10 @@
         <source>Dry now</source>
         <translation>すぐ乾かす</translation>
     </message>
+    <message>
+        <source>How fast time passes for the paint: 10 × is ten seconds in one. While you draw a stroke it passes as usual</source>
+        <translation>絵の具の時間が進む速さ。10 ×では1秒に10秒分進む。描いている間はふつうの速さになる</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -2009,6 +2013,30 @@
     <message>
         <source>What you were told last, to be read again and copied</source>
         <translation>最近のメッセージをもう一度読み、コピーします</translation>
+    </message>
+    <message>
+        <source>Time runs &amp;faster</source>
+        <translation>時間を速く(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Watch slow paint run, level and dry: up to 20 times as fast</source>
+        <translation>ゆっくりした絵の具が流れ、ならされ、乾くのを見る。20倍まで</translation>
+    </message>
+    <message>
+        <source>Time runs s&amp;lower</source>
+        <translation>時間を遅く(&amp;L)</translation>
+    </message>
+    <message>
+        <source>A step back towards real time</source>
+        <translation>一段、実際の速さに戻す</translation>
+    </message>
+    <message>
+        <source>&amp;Real time</source>
+        <translation>実際の速さ(&amp;R)</translation>
+    </message>
+    <message>
+        <source>A second of the paint takes a second again</source>
+        <translation>絵の具の1秒がまた1秒になる</translation>
     </message>
 </context>
 <context>
@@ -4176,6 +4204,13 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::PaintTime</name>
+    <message>
+        <source>%1 × time</source>
+        <translation>%1 倍速</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::PictureLayers</name>
     <message>
         <source>Layer from a picture</source>
@@ -5685,10 +5720,6 @@ Wheel: closer, farther</source>
         <translation>絵の具がまだ動いている64 x 64セルのタイルの数と、その計算が時間に占める割合</translation>
     </message>
     <message>
-        <source>Paint time against the clock: slower than 1 when there is more wet paint than this computer can move in time</source>
-        <translation>実際の時間に対する絵の具の時間。濡れた絵の具が多く、計算が追いつかないときは1より遅くなる</translation>
-    </message>
-    <message>
         <source>Tools keep to what is outlined; Ctrl+A ends the selection, Esc goes back to painting</source>
         <translation>ツールは輪郭の中だけに効く。Ctrl+Aで選択を解除、Escで描画に戻る</translation>
     </message>
@@ -5757,6 +5788,10 @@ Wheel: closer, farther</source>
         <translation>
             <numerusform>%n タイルが動作中、負荷 %1 %</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Paint time against the clock: less than you set where there is more wet paint than this computer can move in time</source>
+        <translation>実際の時間に対する絵の具の時間。濡れた絵の具が多く、計算が追いつかないときは設定より遅くなる</translation>
     </message>
 </context>
 <context>

@@ -421,6 +421,10 @@
         <source>Dry now</source>
         <translation>Torka nu</translation>
     </message>
+    <message>
+        <source>How fast time passes for the paint: 10 × is ten seconds in one. While you draw a stroke it passes as usual</source>
+        <translation>Hur fort tiden går för färgen: 10 × är tio sekunder på en. Medan du drar ett penseldrag går den som vanligt</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -2009,6 +2013,30 @@
     <message>
         <source>What you were told last, to be read again and copied</source>
         <translation>Det senaste som meddelats, att läsa igen och kopiera</translation>
+    </message>
+    <message>
+        <source>Time runs &amp;faster</source>
+        <translation>Tiden går &amp;fortare</translation>
+    </message>
+    <message>
+        <source>Watch slow paint run, level and dry: up to 20 times as fast</source>
+        <translation>Se trög färg rinna, jämna ut sig och torka: upp till 20 gånger så fort</translation>
+    </message>
+    <message>
+        <source>Time runs s&amp;lower</source>
+        <translation>Tiden går &amp;långsammare</translation>
+    </message>
+    <message>
+        <source>A step back towards real time</source>
+        <translation>Ett steg tillbaka mot realtid</translation>
+    </message>
+    <message>
+        <source>&amp;Real time</source>
+        <translation>&amp;Realtid</translation>
+    </message>
+    <message>
+        <source>A second of the paint takes a second again</source>
+        <translation>En sekund för färgen tar åter en sekund</translation>
     </message>
 </context>
 <context>
@@ -4185,6 +4213,13 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::PaintTime</name>
+    <message>
+        <source>%1 × time</source>
+        <translation>%1 × tiden</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::PictureLayers</name>
     <message>
         <source>Layer from a picture</source>
@@ -5699,10 +5734,6 @@ Hjulet: närmare, längre bort</translation>
         <translation>Rutor på 64 x 64 celler där färgen ännu rör sig, och hur stor del av tiden det tar att beräkna dem</translation>
     </message>
     <message>
-        <source>Paint time against the clock: slower than 1 when there is more wet paint than this computer can move in time</source>
-        <translation>Färgens tid mot klockan: långsammare än 1 när det finns mer våt färg än datorn hinner flytta</translation>
-    </message>
-    <message>
         <source>Tools keep to what is outlined; Ctrl+A ends the selection, Esc goes back to painting</source>
         <translation>Verktygen håller sig inom konturen; Ctrl+A avslutar markeringen, med Esc målar du igen</translation>
     </message>
@@ -5772,6 +5803,10 @@ Hjulet: närmare, längre bort</translation>
             <numerusform>%n ruta rör sig, %1 % last</numerusform>
             <numerusform>%n rutor rör sig, %1 % last</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Paint time against the clock: less than you set where there is more wet paint than this computer can move in time</source>
+        <translation>Färgens tid mot klockan: mindre än du valt när det finns mer våt färg än datorn hinner flytta</translation>
     </message>
 </context>
 <context>

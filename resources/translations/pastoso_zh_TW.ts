@@ -421,6 +421,10 @@
         <source>Dry now</source>
         <translation>立即乾燥</translation>
     </message>
+    <message>
+        <source>How fast time passes for the paint: 10 × is ten seconds in one. While you draw a stroke it passes as usual</source>
+        <translation>顏料的時間過得多快：10 × 是一秒過十秒。落筆期間照常進行</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -2009,6 +2013,30 @@
     <message>
         <source>What you were told last, to be read again and copied</source>
         <translation>最近的訊息，可再次閱讀和複製</translation>
+    </message>
+    <message>
+        <source>Time runs &amp;faster</source>
+        <translation>時間加快(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Watch slow paint run, level and dry: up to 20 times as fast</source>
+        <translation>看緩慢的顏料流動、變平、乾燥：最快 20 倍</translation>
+    </message>
+    <message>
+        <source>Time runs s&amp;lower</source>
+        <translation>時間放慢(&amp;L)</translation>
+    </message>
+    <message>
+        <source>A step back towards real time</source>
+        <translation>往實際時間退一步</translation>
+    </message>
+    <message>
+        <source>&amp;Real time</source>
+        <translation>實際時間(&amp;R)</translation>
+    </message>
+    <message>
+        <source>A second of the paint takes a second again</source>
+        <translation>顏料的一秒又是一秒</translation>
     </message>
 </context>
 <context>
@@ -4176,6 +4204,13 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::PaintTime</name>
+    <message>
+        <source>%1 × time</source>
+        <translation>%1 × 時間</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::PictureLayers</name>
     <message>
         <source>Layer from a picture</source>
@@ -5685,10 +5720,6 @@ Wheel: closer, farther</source>
         <translation>顏料仍在流動的區塊數（每塊 64 x 64 格），以及計算它們所占的時間</translation>
     </message>
     <message>
-        <source>Paint time against the clock: slower than 1 when there is more wet paint than this computer can move in time</source>
-        <translation>顏料時間與實際時間的比例：濕顏料太多，電腦來不及計算時，會小於 1</translation>
-    </message>
-    <message>
         <source>Tools keep to what is outlined; Ctrl+A ends the selection, Esc goes back to painting</source>
         <translation>工具只作用於框選的範圍；Ctrl+A 取消選取，Esc 回到作畫</translation>
     </message>
@@ -5757,6 +5788,10 @@ Wheel: closer, farther</source>
         <translation>
             <numerusform>%n 個區塊流動中，負載 %1 %</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Paint time against the clock: less than you set where there is more wet paint than this computer can move in time</source>
+        <translation>顏料時間與實際時間的比例：濕顏料太多，電腦來不及計算時，會低於你的設定</translation>
     </message>
 </context>
 <context>

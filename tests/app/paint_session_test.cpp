@@ -2,6 +2,8 @@
 
 #include "core/error.hpp"
 #include "document/player.hpp"
+#include "patience.hpp"
+#include "recordings/recording_json.hpp"
 
 #include <atomic>
 #include <cmath>
@@ -206,6 +208,59 @@ TEST(PaintSession, ItsRecordingReplaysToTheSameBits) {
         player.play_tick();
     EXPECT_EQ(painting.tick(), snapshot->tick);
     EXPECT_EQ(film::state_hash(painting.film()), film::state_hash(snapshot->film));
+}
+
+// The hand's own times stay, and the ticks tell all that there is to know of the paint's.
+TEST(PaintSession, WhatIsPaintedWhileTimeRunsFasterReplaysToTheSameBits) {
+    const auto session = start_session();
+    session->set_speed(10.0);
+    session->post(UseMedium{"house paint"});
+    session->post(TakeBrush{"Flat bristle 20", 8.0, 1});
+    LoadPaint dip;
+    dip.paint.ingredients = {{"PB29", 1.0}};
+    session->post(dip);
+    session->post(TiltCanvas{60.0, 90.0});
+    post_stroke(*session, 0.0, 8.0);
+    ASSERT_TRUE(tests::comes_true([&] { return session->status().tick >= 200; }));
+    post_stroke(*session, 0.5, 12.0);
+    ASSERT_TRUE(tests::comes_true([&] { return session->status().tick >= 300; }));
+    const Capture capture = session->capture();
+    const Recording live = capture.record.recording();
+    const Recording recording =
+        recordings::recording_from_json(recordings::recording_to_json(live), "s");
+
+    core::ThreadPool pool(1);
+    Painting painting(recording.canvas, pool);
+    Player player(painting, recording);
+    while (!player.finished())
+        player.play_tick();
+    EXPECT_GT(paint_on(*session), 0);
+    EXPECT_EQ(painting.state_hash(), document::state_hash(capture.painting));
+
+    std::vector<double> times_s;
+    for (const Event& event : recording.events)
+        if (const auto* move = std::get_if<PenMove>(&event.action))
+            times_s.push_back(move->sample.time_s);
+    ASSERT_EQ(times_s.size(), 50U);
+    for (std::size_t i = 0; i < 50; ++i)
+        EXPECT_NEAR(times_s[i], i < 25 ? 0.01 * (i + 1) : 0.5 + 0.01 * (i - 24), 1e-9);
+}
+
+TEST(PaintSession, TimePassesAsUsualUnderAStroke) {
+    const auto session = start_session();
+    take_loaded_brush(*session);
+    session->set_speed(20.0);
+    const auto speed_is = [&](double speed) {
+        return tests::comes_true([&] { return session->status().speed == speed; });
+    };
+    ASSERT_TRUE(speed_is(20.0));
+    session->post(PenDown{sample_at(0.0, 6.0, 15.0)});
+    session->post(PenMove{sample_at(0.01, 7.0, 15.0)});
+    EXPECT_TRUE(speed_is(1.0));
+    session->post(PenUp{});
+    EXPECT_TRUE(speed_is(20.0));
+    session->set_speed(1.0);
+    EXPECT_TRUE(speed_is(1.0));
 }
 
 TEST(PaintSession, APastBringsThePaintsThatAreKnown) {

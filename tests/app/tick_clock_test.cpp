@@ -54,6 +54,32 @@ TEST(TickClock, SlowTicksMakePaintTimeSlow) {
     EXPECT_NEAR(clock.load(), 4.0, 0.08);  // a fiftieth of the idle time before is still in the mean
 }
 
+TEST(TickClock, FasterTicksComeSooner) {
+    TickClock clock(at(0.0));
+    clock.set_speed(10.0);
+    EXPECT_NEAR(ticks_until(clock, 2.0, 0.0005), 20.0 / document::kTick_s, 1.0);
+    EXPECT_NEAR(clock.paint_per_wall(), 10.0, 0.1);  // the loop above looks every 0.1 ms
+    // A fiftieth of the idle time before is still in the mean.
+    EXPECT_NEAR(clock.load(), 0.0005 * 10.0 / document::kTick_s, 0.02 * 0.3);
+}
+
+TEST(TickClock, FasterTimeIsAsFastAsItsTicks) {
+    TickClock clock(at(0.0));
+    clock.set_speed(10.0);
+    EXPECT_NEAR(ticks_until(clock, 2.0, 0.25 * document::kTick_s), 8.0 / document::kTick_s, 1.0);
+    EXPECT_NEAR(clock.paint_per_wall(), 4.0, 0.1);
+}
+
+TEST(TickClock, AnotherSpeedIsMeasuredAnew) {
+    TickClock clock(at(0.0));
+    ticks_until(clock, 2.0, 4.0 * document::kTick_s);
+    clock.set_speed(10.0);
+    EXPECT_DOUBLE_EQ(clock.paint_per_wall(), 10.0);
+    clock.restart(at(100.0));
+    EXPECT_DOUBLE_EQ(clock.speed(), 10.0) << "a pause does not change it";
+    EXPECT_DOUBLE_EQ(clock.paint_per_wall(), 10.0);
+}
+
 TEST(TickClock, ADebtOfTicksIsDropped) {
     TickClock clock(at(0.0));
     clock.tick_ended(at(0.0), at(1.0), true);

@@ -53,10 +53,6 @@ void HandControls::connect_commands() {
     commands.on(Command::PreviousBrush, [this](bool) { panels_.brushes->take_next(-1); });
     commands.on(Command::SmallerBrush, [this](bool) { step_width(-1); });
     commands.on(Command::LargerBrush, [this](bool) { step_width(1); });
-    commands.on(Command::Pause, [this](bool paused) {
-        studio_.session().set_paused(paused);
-        panels_.readings->show_status(studio_.session().status());
-    });
 }
 
 void HandControls::connect_panels() {

@@ -19,9 +19,9 @@ StatusReadings::StatusReadings(QWidget* parent) : QWidget(parent) {
     activity_ = add(26, tr("Tiles of 64 x 64 cells in which the paint still moves, and how much of its "
                            "time computing them takes"));
     activity_->setObjectName(QStringLiteral("activity"));
-    speed_ =
-        add(13, tr("Paint time against the clock: slower than 1 when there is more wet paint than this "
-                   "computer can move in time"));
+    speed_ = add(
+        13, tr("Paint time against the clock: less than you set where there is more wet paint than this "
+               "computer can move in time"));
     selection_ = add(0, tr("Tools keep to what is outlined; Ctrl+A ends the selection, Esc goes back to "
                            "painting"));
     selection_->setObjectName(QStringLiteral("selection"));
