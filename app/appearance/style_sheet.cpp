@@ -22,6 +22,8 @@ QMenu::separator { height: 1px; background: <line>; margin: 4px 6px; }
 QStatusBar { background: <window>; border-top: 1px solid <edge>; color: <quiet_text>; }
 QStatusBar::item { border: none; }
 QStatusBar QLabel { color: <quiet_text>; padding: 0px 7px; }
+QWidget#pace_notice QLabel { color: <text>; padding: 0px 4px; }
+QWidget#pace_notice QPushButton { padding: 5px 8px; }
 QListView, QTreeView, QComboBox, QAbstractSpinBox { background: <field>; border: 1px solid <line>; border-radius: 4px; }
 QListView { padding: 2px; outline: none; }
 QListView::item { padding: 3px 4px; border-radius: 3px; }

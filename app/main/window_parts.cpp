@@ -13,6 +13,7 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       well(studio, panels.well),
       hand(studio, panels),
       time(studio, panels),
+      keeping_up(studio, panels.readings),
       brushes(studio, panels.brushes, panels.curves),
       guides(studio, panels.guides),
       transform(studio, panels.brushes),

@@ -21,6 +21,7 @@
 #include "main/layers/tracing_commands.hpp"
 #include "main/liquids/tank_mode.hpp"
 #include "main/liquids/tea_mode.hpp"
+#include "main/paint/keeping_up.hpp"
 #include "main/paint/light_choice.hpp"
 #include "main/paint/paint_picking.hpp"
 #include "main/paint/paint_settings.hpp"
@@ -52,6 +53,7 @@ struct WindowParts {
     WellCommands well;
     HandControls hand;
     PaintTime time;
+    KeepingUp keeping_up;
     BrushJar brushes;
     GuideCommands guides;
     LayerTransform transform;

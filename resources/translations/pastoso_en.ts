@@ -4138,6 +4138,25 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::KeepingUp</name>
+    <message>
+        <source>Real time</source>
+        <translation>Real time</translation>
+    </message>
+    <message>
+        <source>Thin less...</source>
+        <translation>Thin less...</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Dry</source>
+        <translation>Dry</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::LayerCommands</name>
     <message>
         <source>Layer %1</source>
@@ -4819,6 +4838,30 @@
     <message>
         <source>Gloss</source>
         <translation>Gloss</translation>
+    </message>
+    <message>
+        <source>half</source>
+        <translation>half</translation>
+    </message>
+    <message>
+        <source>a third</source>
+        <translation>a third</translation>
+    </message>
+    <message>
+        <source>a quarter</source>
+        <translation>a quarter</translation>
+    </message>
+    <message>
+        <source>a fifth</source>
+        <translation>a fifth</translation>
+    </message>
+    <message>
+        <source>a tenth</source>
+        <translation>a tenth</translation>
+    </message>
+    <message>
+        <source>less than a tenth</source>
+        <translation>less than a tenth</translation>
     </message>
 </context>
 <context>
@@ -5540,6 +5583,17 @@ Wheel: closer, farther</translation>
     <message>
         <source>°</source>
         <translation>°</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::PaceNotice</name>
+    <message>
+        <source>The paint runs at %1 of its pace.</source>
+        <translation>The paint runs at %1 of its pace.</translation>
+    </message>
+    <message>
+        <source>Time runs at %1 of %2 ×.</source>
+        <translation>Time runs at %1 of %2 ×.</translation>
     </message>
 </context>
 <context>

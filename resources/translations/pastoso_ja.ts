@@ -4129,6 +4129,25 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::KeepingUp</name>
+    <message>
+        <source>Real time</source>
+        <translation>実際の速さ</translation>
+    </message>
+    <message>
+        <source>Thin less...</source>
+        <translation>薄めを控える...</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>Dry</source>
+        <translation>乾かす</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::LayerCommands</name>
     <message>
         <source>Layer %1</source>
@@ -4805,6 +4824,30 @@
     <message>
         <source>Gloss</source>
         <translation>グロス</translation>
+    </message>
+    <message>
+        <source>half</source>
+        <translation>半分</translation>
+    </message>
+    <message>
+        <source>a third</source>
+        <translation>3分の1</translation>
+    </message>
+    <message>
+        <source>a quarter</source>
+        <translation>4分の1</translation>
+    </message>
+    <message>
+        <source>a fifth</source>
+        <translation>5分の1</translation>
+    </message>
+    <message>
+        <source>a tenth</source>
+        <translation>10分の1</translation>
+    </message>
+    <message>
+        <source>less than a tenth</source>
+        <translation>10分の1未満</translation>
     </message>
 </context>
 <context>
@@ -5526,6 +5569,17 @@ Wheel: closer, farther</source>
     <message>
         <source>°</source>
         <translation>°</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::PaceNotice</name>
+    <message>
+        <source>The paint runs at %1 of its pace.</source>
+        <translation>絵の具は本来の%1の速さで動いています。</translation>
+    </message>
+    <message>
+        <source>Time runs at %1 of %2 ×.</source>
+        <translation>時間は%2 ×の%1で進んでいます。</translation>
     </message>
 </context>
 <context>

@@ -4138,6 +4138,25 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::KeepingUp</name>
+    <message>
+        <source>Real time</source>
+        <translation>Realtid</translation>
+    </message>
+    <message>
+        <source>Thin less...</source>
+        <translation>Späd mindre...</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Dry</source>
+        <translation>Torka</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::LayerCommands</name>
     <message>
         <source>Layer %1</source>
@@ -4819,6 +4838,30 @@
     <message>
         <source>Gloss</source>
         <translation>Blank</translation>
+    </message>
+    <message>
+        <source>half</source>
+        <translation>hälften</translation>
+    </message>
+    <message>
+        <source>a third</source>
+        <translation>en tredjedel</translation>
+    </message>
+    <message>
+        <source>a quarter</source>
+        <translation>en fjärdedel</translation>
+    </message>
+    <message>
+        <source>a fifth</source>
+        <translation>en femtedel</translation>
+    </message>
+    <message>
+        <source>a tenth</source>
+        <translation>en tiondel</translation>
+    </message>
+    <message>
+        <source>less than a tenth</source>
+        <translation>mindre än en tiondel</translation>
     </message>
 </context>
 <context>
@@ -5540,6 +5583,17 @@ Hjulet: närmare, längre bort</translation>
     <message>
         <source>°</source>
         <translation>°</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::PaceNotice</name>
+    <message>
+        <source>The paint runs at %1 of its pace.</source>
+        <translation>Färgen rör sig med %1 av sin fart.</translation>
+    </message>
+    <message>
+        <source>Time runs at %1 of %2 ×.</source>
+        <translation>Tiden går med %1 av %2 ×.</translation>
     </message>
 </context>
 <context>

@@ -4129,6 +4129,25 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::KeepingUp</name>
+    <message>
+        <source>Real time</source>
+        <translation>實際時間</translation>
+    </message>
+    <message>
+        <source>Thin less...</source>
+        <translation>少稀釋...</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暫停</translation>
+    </message>
+    <message>
+        <source>Dry</source>
+        <translation>乾燥</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::LayerCommands</name>
     <message>
         <source>Layer %1</source>
@@ -4805,6 +4824,30 @@
     <message>
         <source>Gloss</source>
         <translation>亮光</translation>
+    </message>
+    <message>
+        <source>half</source>
+        <translation>一半</translation>
+    </message>
+    <message>
+        <source>a third</source>
+        <translation>三分之一</translation>
+    </message>
+    <message>
+        <source>a quarter</source>
+        <translation>四分之一</translation>
+    </message>
+    <message>
+        <source>a fifth</source>
+        <translation>五分之一</translation>
+    </message>
+    <message>
+        <source>a tenth</source>
+        <translation>十分之一</translation>
+    </message>
+    <message>
+        <source>less than a tenth</source>
+        <translation>不到十分之一</translation>
     </message>
 </context>
 <context>
@@ -5526,6 +5569,17 @@ Wheel: closer, farther</source>
     <message>
         <source>°</source>
         <translation>°</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::PaceNotice</name>
+    <message>
+        <source>The paint runs at %1 of its pace.</source>
+        <translation>顏料以原本速度的%1流動。</translation>
+    </message>
+    <message>
+        <source>Time runs at %1 of %2 ×.</source>
+        <translation>時間以 %2 × 的%1進行。</translation>
     </message>
 </context>
 <context>

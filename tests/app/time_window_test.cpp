@@ -2,6 +2,7 @@
 // keep up.
 #include "app/window_fixture.hpp"
 #include "document/actions/actions.hpp"
+#include "panels/messages/pace_notice.hpp"
 
 #include <algorithm>
 
@@ -9,6 +10,9 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QStatusBar>
 #include <QTest>
 
 namespace pastoso::tests {
@@ -69,6 +73,100 @@ TEST_F(TimeWindow, FasterTimeIsSeenWhereThePanelsAreHidden) {
     EXPECT_TRUE(note_is_shown());
     action(Command::CanvasOnly)->trigger();
     EXPECT_FALSE(note_is_shown());
+}
+
+session::Status running(double paint_per_wall, double speed = 1.0) {
+    session::Status status;
+    status.paint_per_wall = paint_per_wall;
+    status.speed = speed;
+    return status;
+}
+
+/// The window's own, told of a session that is as slow as a test wants it.
+class SlowWindow : public WindowTest {
+  protected:
+    panels::PaceNotice& notice() { return *window().findChild<panels::PaceNotice*>(); }
+
+    /// As if this had lasted; at once undone by what the real session tells, once events are handled.
+    void tell(const session::Status& status) {
+        now_s_ += 100.0;
+        notice().look(status, now_s_);
+        notice().look(status, now_s_ + 10.0);
+    }
+    std::string told() { return notice().sentence().toStdString(); }
+    QPushButton* button(const char* words) {
+        for (QPushButton* one : notice().findChildren<QPushButton*>())
+            if (one->text() == QLatin1String(words) && !one->isHidden()) return one;
+        return nullptr;
+    }
+
+  private:
+    double now_s_ = 1e6;  ///< ahead of the window's own clock
+};
+
+TEST_F(SlowWindow, WordsSayHowSlowThePaintRuns) {
+    EXPECT_FALSE(notice().isVisible());
+    tell(running(0.1));
+    EXPECT_EQ(told(), "The paint runs at a tenth of its pace.");
+    EXPECT_TRUE(notice().isVisible());
+    tell(running(0.5));
+    EXPECT_EQ(told(), "The paint runs at half of its pace.");
+    tell(running(2.5, 10.0));
+    EXPECT_EQ(told(), "Time runs at a quarter of 10 ×.");
+    tell(running(10.0, 10.0));
+    EXPECT_EQ(told(), "");
+    EXPECT_FALSE(notice().isVisible());
+}
+
+TEST_F(SlowWindow, PausedPaintIsNotSlow) {
+    tell(running(0.1));
+    session::Status paused = running(0.1);
+    paused.paused = true;
+    tell(paused);
+    EXPECT_FALSE(notice().isVisible());
+}
+
+TEST_F(SlowWindow, ItsButtonsDoWhatHelps) {
+    tell(running(0.1));
+    EXPECT_EQ(button("Real time"), nullptr) << "it runs in real time already";
+    QSignalSpy dried(action(Command::DryNow), &QAction::triggered);
+    QSignalSpy thinned(action(Command::PhysicsPanel), &QAction::triggered);
+    for (const char* words : {"Pause", "Dry", "Thin less..."}) {
+        ASSERT_NE(button(words), nullptr) << words;
+        button(words)->click();
+    }
+    EXPECT_TRUE(action(Command::Pause)->isChecked());
+    EXPECT_EQ(dried.count(), 1);
+    EXPECT_EQ(thinned.count(), 1);
+
+    action(Command::TimeFaster)->trigger();
+    tell(running(0.5, 2.0));
+    EXPECT_EQ(button("Thin less..."), nullptr);
+    ASSERT_NE(button("Real time"), nullptr);
+    button("Real time")->click();
+    EXPECT_FALSE(action(Command::TimeSlower)->isEnabled());
+}
+
+TEST_F(SlowWindow, TheNoticeMovesNothingAndLeavesTheCanvasFree) {
+    const QRect canvas_before = canvas().geometry();
+    const int bar_before = window().statusBar()->height();
+    const int least_before = window().minimumSizeHint().width();
+    tell(running(0.01));
+    ASSERT_TRUE(notice().isVisible());
+    QApplication::sendPostedEvents();
+    EXPECT_EQ(canvas().geometry(), canvas_before);
+    EXPECT_EQ(window().statusBar()->height(), bar_before);
+    EXPECT_EQ(window().minimumSizeHint().width(), least_before);
+    EXPECT_TRUE(window().statusBar()->isAncestorOf(&notice()));
+}
+
+TEST_F(SlowWindow, MessagesPassBeforeIt) {
+    tell(running(0.1));
+    ASSERT_TRUE(notice().isVisible());
+    studio().report(QStringLiteral("Saved."));
+    EXPECT_FALSE(notice().isVisible());
+    window().statusBar()->clearMessage();
+    EXPECT_TRUE(notice().isVisible());
 }
 
 }  // namespace

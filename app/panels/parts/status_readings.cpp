@@ -97,6 +97,10 @@ void StatusReadings::show_status(const session::Status& status) {
     speed_->setText(tr("%1 × time").arg(speed, 0, 'f', speed < 0.095 ? 3 : 2));
 }
 
+void StatusReadings::show_speed(bool shown) {
+    speed_->setVisible(shown);
+}
+
 void StatusReadings::show_memory() {
     const double GiB = static_cast<double>(core::resident_memory_bytes()) / (1 << 30);
     memory_->setText(GiB < 1.0 ? tr("%1 MiB").arg(std::lround(1024.0 * GiB))

@@ -24,6 +24,7 @@ class StatusReadings : public QWidget {
     void show_look(const QString& words);  ///< what is shown in place of lit paint; empty: that
     void show_pointer(std::optional<QPointF> position_mm);
     void show_status(const session::Status& status);
+    void show_speed(bool shown);  ///< or it is told elsewhere, in words
 
     /// What a press draws instead of painting, empty when it paints, and the share of the canvas that is
     /// selected, where there is a selection.

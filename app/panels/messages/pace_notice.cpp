@@ -1,0 +1,86 @@
+#include "panels/messages/pace_notice.hpp"
+
+#include "panels/parts/section.hpp"
+
+#include <QAccessible>
+#include <QAction>
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace pastoso::panels {
+namespace {
+
+/// In the order of tools::Pace, the first of which is not told.
+constexpr const char* kShares[] = {"",
+                                   QT_TR_NOOP("half"),
+                                   QT_TR_NOOP("a third"),
+                                   QT_TR_NOOP("a quarter"),
+                                   QT_TR_NOOP("a fifth"),
+                                   QT_TR_NOOP("a tenth"),
+                                   QT_TR_NOOP("less than a tenth")};
+
+QString share_of(tools::Pace pace) {
+    return QCoreApplication::translate("pastoso::panels", kShares[static_cast<int>(pace)]);
+}
+
+}  // namespace
+
+PaceNotice::PaceNotice(const std::vector<Choice>& choices, QWidget* parent)
+    : QWidget(parent), watch_(0.0), words_(new QLabel) {
+    setObjectName(QStringLiteral("pace_notice"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // the window gets no wider for it
+    words_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    row->addWidget(words_, 1);
+    for (const Choice& choice : choices) {
+        auto* button = new QPushButton(choice.words);
+        button->setToolTip(choice.action->toolTip());
+        keep_keys_for_canvas(button);
+        connect(button, &QPushButton::clicked, choice.action, &QAction::trigger);
+        row->addWidget(button);
+        buttons_.push_back({choice, button});
+    }
+    hide();
+}
+
+void PaceNotice::look(const session::Status& status, double now_s) {
+    if (status.paused) watch_ = tools::PaceWatch(now_s);
+    const double share = status.paused ? 1.0 : status.paint_per_wall / status.speed;
+    tell(watch_.look(share, now_s), status.speed);
+}
+
+void PaceNotice::tell(tools::Pace pace, double speed) {
+    QString sentence;
+    if (pace != tools::Pace::Full)
+        sentence = speed > 1.0 ? tr("Time runs at %1 of %2 ×.").arg(share_of(pace)).arg(speed)
+                               : tr("The paint runs at %1 of its pace.").arg(share_of(pace));
+    if (sentence == sentence_) return;
+    const bool alert = sentence_.isEmpty();
+    sentence_ = sentence;
+    for (const auto& [choice, button] : buttons_)
+        button->setVisible(speed > 1.0 ? choice.faster_time : choice.real_time);
+    words_->setToolTip(sentence_);
+    setAccessibleName(sentence_);
+    layout()->activate();
+    fit();
+    Q_EMIT sentence_changed();
+    if (!alert) return;
+    QAccessibleEvent told(this, QAccessible::Alert);
+    QAccessible::updateAccessibility(&told);
+}
+
+void PaceNotice::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fit();
+}
+
+void PaceNotice::fit() {
+    const int width = words_->contentsRect().width() - 2 * words_->margin();
+    words_->setText(words_->fontMetrics().elidedText(sentence_, Qt::ElideRight, width));
+}
+
+}  // namespace pastoso::panels
