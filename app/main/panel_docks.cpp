@@ -193,6 +193,8 @@ void add_docks(Studio& studio, PanelSet& panels) {
         panels.docks.at(rare)->hide();
     // As narrow as what they hold allows: the canvas gets the rest.
     window.resizeDocks({first}, {1}, Qt::Horizontal);
+    // The tool, its colour and its paint need more than a few layers do.
+    window.resizeDocks({first, layers}, {5, 3}, Qt::Vertical);
 }
 
 }  // namespace pastoso::main

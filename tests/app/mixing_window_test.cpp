@@ -124,6 +124,24 @@ TEST_F(MixingWindow, ASliderPaintsOnceItIsLetGo) {
     EXPECT_EQ(paint()[0].pigment.substr(0, 3), "#00") << "cyan lies opposite red";
 }
 
+TEST_F(MixingWindow, TheNearestFromTheTubesIsSeenWithoutScrolling) {
+    type(QStringLiteral("#7a5c3e"));
+    give(Command::ResetPanels);
+    give(Command::ColourPanel);
+    window().setMinimumHeight(700);  // a screen of 768 cuts it, whatever it would like
+    for (const QSize& size : {QSize(1280, 800), QSize(1366, 768)}) {
+        window().resize(size);
+        wait_for([&] { return window().size() == size; });
+        QApplication::sendPostedEvents();
+        const auto is_seen = [](const QWidget& part) {
+            return part.visibleRegion().boundingRect() == part.rect();
+        };
+        EXPECT_TRUE(is_seen(*window().findChild<panels::ColourWheel*>())) << size.height();
+        for (const char* part : {"wanted_colour", "nearest_colour", "use_recipe", "recipe"})
+            EXPECT_TRUE(is_seen(find<QWidget>(part))) << part << " at " << size.height();
+    }
+}
+
 TEST_F(MixingWindow, TheRecipeTakesTheColoursPlace) {
     type(QStringLiteral("#7a5c3e"));
     auto& use_recipe = find<QPushButton>("use_recipe");

@@ -57,12 +57,11 @@ std::vector<SwatchGrid::Patch> patches_of(const std::vector<document::PaintRecip
 
 }  // namespace
 
-ColourPanel::ColourPanel(const std::vector<QAction*>& picks, QWidget* parent)
-    : QWidget(parent), picker_(new ColourPicker) {
+ColourPanel::ColourPanel(const std::vector<QAction*>& picks, QWidget* parent) : QWidget(parent) {
+    picker_ = new ColourPicker(recipe_part());
     auto* column = section(this, tr("Mix a colour"));
     column->addWidget(picker_);
     column->addWidget(button_row(picks));
-    column->addWidget(recipe_part());
     column->addWidget(kept_part());
     column->addWidget(recent_part());
     column->addWidget(palette_part());
@@ -86,6 +85,7 @@ QWidget* ColourPanel::recipe_part() {
     row->setSpacing(0);
     row->addWidget(wanted_, 1);
     row->addWidget(nearest_, 1);
+    row->addSpacing(6);
     words_ = new QLabel;
     words_->setObjectName(QStringLiteral("recipe"));
     words_->setWordWrap(true);
@@ -95,9 +95,9 @@ QWidget* ColourPanel::recipe_part() {
     use_recipe_->setObjectName(QStringLiteral("use_recipe"));
     use_recipe_->setToolTip(tr("Dip the brush in this mixture from the tubes instead"));
     keep_keys_for_canvas(use_recipe_);
+    row->addWidget(use_recipe_);
     column->addLayout(row);
     column->addWidget(words_);
-    column->addWidget(use_recipe_);
     connect(wanted_, &QPushButton::clicked, this,
             [this] { Q_EMIT paint_chosen(tools::colour_paint(picker_->colour())); });
     const auto take_recipe = [this] { Q_EMIT paint_chosen(document::PaintRecipe(nearest_paint_)); };

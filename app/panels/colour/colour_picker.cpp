@@ -31,11 +31,12 @@ QColor qcolor(const pigment::Srgb8& rgb) {
 
 }  // namespace
 
-ColourPicker::ColourPicker(QWidget* parent)
+ColourPicker::ColourPicker(QWidget* nearest, QWidget* parent)
     : QWidget(parent), wheel_(new ColourWheel), models_(new QButtonGroup(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(wheel_);
+    column->addWidget(nearest);
     column->addWidget(models_row());
     column->addWidget(channel_rows());
     connect(wheel_, &ColourWheel::moved, this, &ColourPicker::take_wheel);

@@ -20,7 +20,8 @@ class ColourWheel;
 class ColourPicker : public QWidget {
     Q_OBJECT
   public:
-    explicit ColourPicker(QWidget* parent = nullptr);
+    /// `nearest` stands between the wheel and the numbers.
+    explicit ColourPicker(QWidget* nearest, QWidget* parent = nullptr);
 
     const pigment::Srgb8& colour() const { return colour_; }
 

@@ -26,7 +26,7 @@ class ColourWheel : public QWidget {
     QPointF ring_position(double hue_deg) const;
     QPointF field_position(double lightness, double chroma) const;
 
-    QSize sizeHint() const override { return {196, 196}; }
+    QSize sizeHint() const override { return {176, 176}; }
     QSize minimumSizeHint() const override { return {160, 160}; }
 
   Q_SIGNALS:
