@@ -11,7 +11,6 @@
 #include "panels/pen/brush_panel.hpp"
 #include "pigment/box.hpp"
 #include "pigment/user_pigments.hpp"
-#include "tools/swatch.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -32,10 +31,6 @@ namespace {
 
 constexpr int kPanelWidth = 232, kToolIconSide = 20;
 
-QColor colour(const pigment::Srgb8& rgb) {
-    return {rgb[0], rgb[1], rgb[2]};
-}
-
 /// The box in its order, then the other tubes, the painter's own, and the medium.
 std::vector<panels::PaintEntry> paint_entries() {
     std::vector<panels::PaintEntry> entries;
@@ -45,15 +40,13 @@ std::vector<panels::PaintEntry> paint_entries() {
             const bool known = std::any_of(entries.begin(), entries.end(),
                                            [&](const auto& entry) { return entry.pigment == ci_name; });
             if (known) continue;
-            const tools::Swatch swatch = tools::swatch(paint.coefficients);
-            entries.push_back({ci_name, appearance::shown_name(paint.name), colour(swatch.masstone),
-                               colour(swatch.tint)});
+            entries.push_back({ci_name, appearance::shown_name(paint.name)});
         }
     };
     add_new(pigment::default_box());
     add_new(pigment::bundled_palette());
     add_new(pigment::user_pigments().pigments);
-    entries.push_back({QString(), QObject::tr("Clear medium"), QColor(232, 230, 224), Qt::white});
+    entries.push_back({QString(), QObject::tr("Clear medium")});
     return entries;
 }
 

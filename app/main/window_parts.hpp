@@ -26,6 +26,7 @@
 #include "main/paint/paint_picking.hpp"
 #include "main/paint/paint_settings.hpp"
 #include "main/paint/paint_time.hpp"
+#include "main/paint/swatches.hpp"
 #include "main/paint/well_commands.hpp"
 #include "main/panel_set.hpp"
 #include "main/pen/brush_jar.hpp"
@@ -60,6 +61,7 @@ struct WindowParts {
     UndoCommands undo;
     PaintPicking picking;
     PenCommands pens;
+    Swatches swatches;
     PopupCommands popup;
     ProjectFiles files;
     StartCommands start;

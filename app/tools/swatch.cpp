@@ -1,7 +1,8 @@
 #include "tools/swatch.hpp"
 
+#include "brush/laid_film.hpp"
+#include "document/actions/actions.hpp"
 #include "document/paint_mixing.hpp"
-#include "film/medium.hpp"
 #include "pigment/appearance.hpp"
 
 #include <algorithm>
@@ -19,26 +20,37 @@ std::optional<pigment::LinearRgb> masstone_of(const film::PaintCoefficients& pai
     return pigment::masstone(pigment);
 }
 
-/// Its colour is the same in all.
+/// Thick, its colour is the same in all.
 film::PaintCoefficients in_some_medium(const document::PaintRecipe& paint) {
     return document::mixed_paint(paint, film::bundled_media().front());
 }
 
 }  // namespace
 
-Swatch swatch(const pigment::Coefficients& paint) {
-    constexpr double kWhitePerPaint = 4.0;
-    return {pigment::encoded(pigment::masstone(paint)),
-            pigment::encoded(pigment::tint(paint, kWhitePerPaint))};
+double film_in_hand_mm(const Hand& hand) {
+    const brush::Preset tool = preset_in_hand(hand);
+    const double laid_mm = tool.dips ? brush::laid_film_mm(tool, hand.dip.fill) : 0.0;
+    return laid_mm > 0.0 ? laid_mm : document::medium_of(hand.medium).typical_thickness_mm;
 }
 
-pigment::Srgb8 paint_colour(const film::PaintCoefficients& paint) {
-    const auto colour = masstone_of(paint);
-    return colour ? pigment::encoded(*colour) : kClearMedium;
+pigment::Srgb8 swatch_colour(const film::PaintCoefficients& paint, const SwatchView& view) {
+    return shade::spot_colour(paint, view.spot);
 }
 
-pigment::Srgb8 paint_colour(const document::PaintRecipe& paint) {
-    return paint_colour(in_some_medium(paint));
+pigment::Srgb8 swatch_colour(const document::PaintRecipe& paint, const SwatchView& view) {
+    return swatch_colour(document::mixed_paint(paint, view.medium), view);
+}
+
+document::PaintRecipe tube_paint(const std::string& ci_name) {
+    document::PaintRecipe paint;
+    if (!ci_name.empty()) paint.ingredients = {{ci_name, 1.0}};
+    return paint;
+}
+
+document::PaintRecipe tube_tint(const std::string& ci_name) {
+    constexpr double kWhiteParts = 4.0;
+    if (ci_name.empty()) return {{{"PW6", 1.0}}, kWhiteParts / (kWhiteParts + 1.0)};
+    return {{{ci_name, 1.0}, {"PW6", kWhiteParts}}, 1.0};
 }
 
 pigment::Srgb8 screen_colour(const document::PaintRecipe& paint) {

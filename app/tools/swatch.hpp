@@ -1,30 +1,42 @@
-// What a paint looks like on a paint chart.
+// What paint looks like where the painter stands: the colours of the window's swatches.
 #pragma once
 
 #include "document/events.hpp"
-#include "film/cell/paint_cell.hpp"
-#include "pigment/bands.hpp"
-#include "pigment/hex_colour.hpp"
+#include "film/medium.hpp"
+#include "shade/spot.hpp"
+#include "tools/hand.hpp"
+
+#include <string>
 
 namespace pastoso::tools {
 
-struct Swatch {
-    pigment::Srgb8 masstone{};  ///< an opaque layer of the paint as it comes from the tube
-    pigment::Srgb8 tint{};      ///< the same mixed with titanium white, one part to four
+/// As which spot swatches show their paint: of what is in hand, on the canvas that stands there, in its
+/// light.
+struct SwatchView {
+    shade::Spot spot;
+    film::Medium medium;  ///< that recipes are mixed in
+    friend bool operator==(const SwatchView&, const SwatchView&) = default;
 };
 
-/// Diffuse colour under D65, without the highlight of the surface.
-Swatch swatch(const pigment::Coefficients& paint);
+/// The film that the tool in hand lays, mm; of one that is not dipped, or lays none, the film that the
+/// medium is usually painted in.
+double film_in_hand_mm(const Hand& hand);
 
-/// What stands for paint that has no colour of its own.
+/// The colour that a flat spot of the paint has on the canvas: of paint as a brush holds it, or of a
+/// recipe.
+pigment::Srgb8 swatch_colour(const film::PaintCoefficients& paint, const SwatchView& view);
+pigment::Srgb8 swatch_colour(const document::PaintRecipe& paint, const SwatchView& view);
+
+/// The paint of the tube of that Colour Index name, the clear medium for none, and one part of it in
+/// four of titanium white, where a dark pigment shows its hue.
+document::PaintRecipe tube_paint(const std::string& ci_name);
+document::PaintRecipe tube_tint(const std::string& ci_name);
+
+/// What stands among colours of a screen for paint that has no colour of its own.
 inline constexpr pigment::Srgb8 kClearMedium = {232, 230, 224};
 
-/// The masstone of paint as a brush holds it, or of a mixture.
-pigment::Srgb8 paint_colour(const film::PaintCoefficients& paint);
-pigment::Srgb8 paint_colour(const document::PaintRecipe& paint);
-
-/// The same beside colours of a screen, whose white stands for titanium white: the colour that
-/// colour_paint() makes this paint's colour of.
+/// The colour of a screen, whose white stands for titanium white, that colour_paint() makes this paint's
+/// colour of, in daylight and thick.
 pigment::Srgb8 screen_colour(const document::PaintRecipe& paint);
 
 }  // namespace pastoso::tools

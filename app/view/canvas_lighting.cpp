@@ -45,8 +45,10 @@ void CanvasView::set_look(Look look) {
 void CanvasView::set_lighting(const shade::Lighting& lighting) {
     const bool moved = lighting.azimuth_deg != lighting_.azimuth_deg ||
                        lighting.elevation_deg != lighting_.elevation_deg;
+    const bool changed = !(lighting == lighting_);
     lighting_ = lighting;
     damage_all();
+    if (changed) Q_EMIT lighting_changed();
     if (!moved) return;  // the shadows stay where they are
     if (shadows_took_s_ > kQuickShadows_s)
         light_rests_.start();

@@ -130,6 +130,7 @@ class CanvasView : public graphics::GraphicsWidget {
   Q_SIGNALS:
     void view_changed();  ///< the window's size, too
     void viewing_changed();
+    void lighting_changed();
     void pointer_moved(const QPointF& canvas_mm);
     void pointer_left();
 

@@ -19,11 +19,11 @@ constexpr double kStreakShare = 0.08;
 /// A drawn-out mark is made of this many caps, each smaller than the one before.
 constexpr int kStreakCaps = 4;
 
+}  // namespace
+
 double cap_radius_mm(double volume_mm3, double steepness) {
     return std::cbrt(2.0 * volume_mm3 / (core::kPi * steepness));
 }
-
-}  // namespace
 
 void Droplets::begin(const HandPose& hand, std::uint32_t seed) {
     seed_ = seed;

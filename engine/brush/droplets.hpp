@@ -11,6 +11,9 @@
 
 namespace pastoso::brush {
 
+/// a of the cap below.
+double cap_radius_mm(double volume_mm3, double steepness);
+
 /// Lets drops of the paint in a bottle (the brush's only element) fall onto the film. They fall evenly
 /// in time along the way of the pen, and go on falling while it is held still. A drop that lands is a
 /// cap

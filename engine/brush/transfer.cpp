@@ -1,6 +1,7 @@
 #include "brush/transfer.hpp"
 
 #include "brush/contents_kernels.hpp"
+#include "brush/laid_film.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,6 @@ namespace {
 /// Path length after which a bristle has closed 1 - 1/e of the gap, in footprint radii. An edge that is
 /// stiff leaves its own shape behind, as good as exactly.
 constexpr double kClosingLength_radii = 0.8, kStiffClosingLength_radii = 0.25;
-/// Film against fill: sat = (1 + k) f / (f + k), 1 for a full bristle.
-constexpr float kStarvation = 0.22F;
 /// By how much less a bristle without body reaches than the thickest, in saturations.
 constexpr float kThinBristleLoss = 0.6F, kThickestBody = 1.2F;
 /// Keeps what a bristle among others covers finite.
@@ -47,8 +46,7 @@ float bead_mm(const Brush& brush, const Bristle& bristle, float saturation, floa
 /// How much of its film an element leaves; what absorbs leaves a stain of that thickness.
 float saturation_of(const Brush& brush, double held_mm3, const StepRates& rates) {
     if (brush.preset.exchange.absorbs) return 1.0F;
-    const auto fill = static_cast<float>(held_mm3 * rates.per_capacity_mm3);
-    return (1.0F + kStarvation) * fill / (fill + kStarvation);
+    return saturation(static_cast<float>(held_mm3 * rates.per_capacity_mm3));
 }
 
 float mix_of(const Brush& brush, const Contact& contact) {

@@ -20,6 +20,7 @@ struct Lighting {
     double dry_roughness = 0.60;  ///< of the bare support
     double shadow_softness_mm = 0.05;
     bool specular = true;
+    friend bool operator==(const Lighting&, const Lighting&) = default;
 };
 
 struct RenderSettings {

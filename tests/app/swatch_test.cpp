@@ -1,5 +1,7 @@
 #include "tools/swatch.hpp"
 
+#include "document/paint_mixing.hpp"
+#include "pigment/lab.hpp"
 #include "pigment/palette.hpp"
 
 #include <gtest/gtest.h>
@@ -7,30 +9,59 @@
 namespace pastoso::tools {
 namespace {
 
+SwatchView daylight_view() {
+    SwatchView view;
+    view.spot.ground.fill(0.93F);
+    view.medium = film::find_medium("heavy-body oil");
+    return view;
+}
+
 int brightness(const pigment::Srgb8& colour) {
     return colour[0] + colour[1] + colour[2];
 }
 
-TEST(Swatch, WhiteIsWhite) {
-    const Swatch white = swatch(pigment::find_pigment("PW6").coefficients);
-    for (const std::uint8_t channel : white.masstone)
-        EXPECT_GE(channel, 240);
-    EXPECT_EQ(white.tint, white.masstone);
+TEST(Swatch, OfATubeIsTheSpotOfItsPaintInTheMediumInHand) {
+    const SwatchView view = daylight_view();
+    const document::PaintRecipe blue = tube_paint("PB29");
+    EXPECT_EQ(swatch_colour(blue, view),
+              shade::spot_colour(document::mixed_paint(blue, view.medium), view.spot));
 }
 
-TEST(Swatch, UltramarineIsBlueAndItsTintIsLighter) {
-    const Swatch blue = swatch(pigment::find_pigment("PB29").coefficients);
-    EXPECT_GT(blue.masstone[2], blue.masstone[0]);
-    EXPECT_GT(blue.masstone[2], blue.masstone[1]);
-    EXPECT_GT(blue.tint[2], blue.tint[0]);
+TEST(Swatch, IsPaleWhereTheToolLaysAThinFilm) {
+    SwatchView view = daylight_view();
+    const int thick = brightness(swatch_colour(tube_paint("PB29"), view));
+    view.spot.film_mm = 0.02;
+    EXPECT_GT(brightness(swatch_colour(tube_paint("PB29"), view)), thick + 50);
 }
 
-TEST(Swatch, EveryTintIsAtLeastAsLightAsItsMasstone) {
+TEST(Swatch, EveryTintIsAtLeastAsLightAsItsTube) {
     for (const pigment::Pigment& pigment : pigment::bundled_palette()) {
-        const Swatch colours = swatch(pigment.coefficients);
-        // Zinc white is whiter than titanium white by less than the rounding to eight bits.
-        EXPECT_GE(brightness(colours.tint) + 3, brightness(colours.masstone)) << pigment.ci_name;
+        const auto colour = [&](const document::PaintRecipe& paint) {
+            return brightness(swatch_colour(paint, daylight_view()));
+        };
+        // Zinc white lets a little more of the white ground through than it has of its own.
+        EXPECT_GE(colour(tube_tint(pigment.ci_name)) + 3, colour(tube_paint(pigment.ci_name)))
+            << pigment.ci_name;
     }
+}
+
+TEST(Swatch, OfTheClearMediumIsTheGround) {
+    SwatchView view = daylight_view();
+    const pigment::Srgb8 over_white = swatch_colour(tube_paint(""), view);
+    EXPECT_GT(brightness(over_white), 600);
+    view.spot.ground.fill(0.05F);
+    EXPECT_LT(brightness(swatch_colour(tube_paint(""), view)), 200);
+}
+
+TEST(FilmInHand, IsWhatTheToolLaysOrTheMediumsOwn) {
+    Hand hand;
+    EXPECT_DOUBLE_EQ(film_in_hand_mm(hand), preset_in_hand(hand).paint.film_mm);
+    hand.dip.fill = 0.3;
+    EXPECT_LT(film_in_hand_mm(hand), 0.6 * preset_in_hand(hand).paint.film_mm);
+    hand.brush = brush::find_preset("rag").name;
+    EXPECT_EQ(film_in_hand_mm(hand), film::find_medium(hand.medium.name).typical_thickness_mm);
+    hand.brush = brush::find_preset("blow").name;
+    EXPECT_EQ(film_in_hand_mm(hand), film::find_medium(hand.medium.name).typical_thickness_mm);
 }
 
 }  // namespace

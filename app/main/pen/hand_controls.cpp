@@ -68,7 +68,7 @@ void HandControls::connect_panels() {
     connect(panels_.colours, &panels::ColourPanel::paint_chosen, &studio_, &Studio::choose_paint);
     connect(panels_.load, &panels::LoadPanel::dip_chosen, this, [this](const tools::Dip& dip) {
         studio_.easel().set_dip(dip);
-        panels_.load->show_hand(studio_.easel().hand());
+        studio_.show_hand();
     });
     connect(panels_.medium, &QComboBox::activated, this,
             [this] { use_medium(panels_.medium->currentData().toString()); });

@@ -1,13 +1,14 @@
 #include "main/pen/popup_commands.hpp"
 
 #include "core/user_data.hpp"
+#include "main/paint/swatches.hpp"
 #include "main/pen/brush_jar.hpp"
 #include "panels/colour/colour_panel.hpp"
 #include "panels/paint/paint_words.hpp"
+#include "panels/paint/swatch_colours.hpp"
 #include "panels/popup/popup_palette.hpp"
 #include "pigment/box.hpp"
 #include "tools/colour_paint.hpp"
-#include "tools/swatch.hpp"
 
 #include <algorithm>
 
@@ -22,9 +23,8 @@ using commands::Command;
 
 constexpr std::size_t kPaints = 16, kMostKept = 8;
 
-panels::SwatchGrid::Patch patch_of(const document::PaintRecipe& paint) {
-    const pigment::Srgb8 colour = tools::screen_colour(paint);
-    return {QColor(colour[0], colour[1], colour[2]), panels::recipe_words(paint)};
+panels::SwatchGrid::Patch patch_of(const document::PaintRecipe& paint, const tools::SwatchView& view) {
+    return {panels::shown_colour(paint, view), panels::recipe_words(paint)};
 }
 
 /// Some of those that the painter keeps, then the latest, then tubes of the box: each once.
@@ -45,9 +45,11 @@ std::vector<document::PaintRecipe> paints_at_hand(const tools::PaintShelf& shelf
 
 }  // namespace
 
-PopupCommands::PopupCommands(Studio& studio, BrushJar& brushes, const panels::ColourPanel* colours)
+PopupCommands::PopupCommands(Studio& studio, BrushJar& brushes, const Swatches& swatches,
+                             const panels::ColourPanel* colours)
     : studio_(studio),
       brushes_(brushes),
+      swatches_(swatches),
       colours_(colours),
       file_(studio, core::user_data_path("popup.json")) {
     studio_.commands().on(Command::PopupPalette, [this](bool) { open_at_pointer(); });
@@ -123,9 +125,9 @@ void PopupCommands::show_content() {
     content.tool_in_hand = QString::fromStdString(hand.brush);
     paints_ = paints_at_hand(colours_->shelf());
     for (const document::PaintRecipe& paint : paints_)
-        content.paints.push_back(patch_of(paint));
-    content.paint = patch_of(hand.paint);
-    content.second_paint = patch_of(hand.second_paint);
+        content.paints.push_back(patch_of(paint, swatches_.view()));
+    content.paint = patch_of(hand.paint, swatches_.view());
+    content.second_paint = patch_of(hand.second_paint, swatches_.view());
     palette_->show_content(content);
     palette_->show_width(hand.brush_width_mm);
 }

@@ -21,11 +21,13 @@ class PopupPalette;
 namespace pastoso::main {
 
 class BrushJar;
+class Swatches;
 
 class PopupCommands : public QObject {
     Q_OBJECT
   public:
-    PopupCommands(Studio& studio, BrushJar& brushes, const panels::ColourPanel* colours);
+    PopupCommands(Studio& studio, BrushJar& brushes, const Swatches& swatches,
+                  const panels::ColourPanel* colours);
 
     /// The tools that were used. A file that cannot be read is told, and left as it is.
     void recall();
@@ -40,6 +42,7 @@ class PopupCommands : public QObject {
 
     Studio& studio_;
     BrushJar& brushes_;
+    const Swatches& swatches_;
     const panels::ColourPanel* colours_;
     panels::PopupPalette* palette_ = nullptr;
     std::unique_ptr<session::ThumbnailPainter> thumbnails_;

@@ -3,13 +3,12 @@
 #include "panels/colour/colour_picker.hpp"
 #include "panels/paint/paint_swatch.hpp"
 #include "panels/paint/paint_words.hpp"
-#include "panels/paint/swatch_grid.hpp"
+#include "panels/paint/swatch_colours.hpp"
 #include "panels/parts/section.hpp"
 #include "pigment/paint_name.hpp"
 #include "pigment/recipe.hpp"
 #include "tools/colour_paint.hpp"
 #include "tools/picked_paint.hpp"
-#include "tools/swatch.hpp"
 
 #include <algorithm>
 
@@ -22,10 +21,6 @@ namespace pastoso::panels {
 namespace {
 
 constexpr int kColumns = 8;
-
-QColor qcolor(const pigment::Srgb8& rgb) {
-    return {rgb[0], rgb[1], rgb[2]};
-}
 
 QString difference_words(double difference) {
     if (difference < 1.0) return QObject::tr("the same to the eye");
@@ -45,14 +40,6 @@ QString recipe_lines(const document::PaintRecipe& paint) {
     }
     if (paint.ingredients.size() > 1) lines += share_words(paint);
     return lines.join('\n');
-}
-
-std::vector<SwatchGrid::Patch> patches_of(const std::vector<document::PaintRecipe>& paints,
-                                          const QString& words) {
-    std::vector<SwatchGrid::Patch> patches;
-    for (const document::PaintRecipe& paint : paints)
-        patches.push_back({qcolor(tools::screen_colour(paint)), words.arg(recipe_words(paint))});
-    return patches;
 }
 
 }  // namespace
@@ -169,15 +156,25 @@ QWidget* ColourPanel::palette_part() {
 }
 
 void ColourPanel::show_colour(const pigment::Srgb8& colour) {
-    wanted_->show_paint(qcolor(colour), tr("The colour itself, as a paint of its own: %1")
-                                            .arg(QString::fromStdString(pigment::hex_colour(colour))));
+    wanted_colour_ = colour;
+    show_wanted();
     const pigment::Recipe recipe = tools::closest_in_box(colour);
     show_nearest(tools::recipe_paint(recipe), recipe.difference);
 }
 
+void ColourPanel::show_wanted() {
+    wanted_->show_paint(shown_colour(tools::colour_paint(wanted_colour_), view_),
+                        tr("The colour itself, as a paint of its own: %1")
+                            .arg(QString::fromStdString(pigment::hex_colour(wanted_colour_))));
+}
+
+void ColourPanel::show_nearest_paint() {
+    nearest_->show_paint(shown_colour(nearest_paint_, view_), recipe_words(nearest_paint_));
+}
+
 void ColourPanel::show_nearest(const document::PaintRecipe& paint, double difference) {
     nearest_paint_ = paint;
-    nearest_->show_paint(qcolor(tools::screen_colour(paint)), recipe_words(paint));
+    show_nearest_paint();
     words_->setText(tr("%1\nΔE %2, %3")
                         .arg(recipe_lines(paint), QString::number(difference, 'f', 1),
                              difference_words(difference)));
@@ -201,7 +198,24 @@ void ColourPanel::show_paint(const document::PaintRecipe& paint) {
     if (from_tubes) show_nearest(paint, 0.0);
 }
 
+void ColourPanel::show_swatches(const tools::SwatchView& view) {
+    view_ = view;
+    show_wanted();
+    show_nearest_paint();
+    show_recent();
+    show_kept();
+    show_opened();
+}
+
 // ---- the shelf
+
+std::vector<SwatchGrid::Patch> ColourPanel::patches_of(const std::vector<document::PaintRecipe>& paints,
+                                                       const QString& words) const {
+    std::vector<SwatchGrid::Patch> patches;
+    for (const document::PaintRecipe& paint : paints)
+        patches.push_back({shown_colour(paint, view_), words.arg(recipe_words(paint))});
+    return patches;
+}
 
 void ColourPanel::show_shelf(const tools::PaintShelf& shelf) {
     shelf_ = shelf;
@@ -247,7 +261,8 @@ void ColourPanel::show_opened() {
     for (const pigment::NamedColour& named : palette.colours) {
         const QString hex = QString::fromStdString(pigment::hex_colour(named.colour));
         const QString name = QString::fromStdString(named.name);
-        patches.push_back({qcolor(named.colour), name.isEmpty() ? hex : name + ' ' + hex});
+        patches.push_back({shown_colour(tools::colour_paint(named.colour), view_),
+                           name.isEmpty() ? hex : name + ' ' + hex});
     }
     palette_grid_->show_patches(patches);
 }

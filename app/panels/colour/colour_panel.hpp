@@ -3,8 +3,10 @@
 #pragma once
 
 #include "document/events.hpp"
+#include "panels/paint/swatch_grid.hpp"
 #include "pigment/hex_colour.hpp"
 #include "tools/paint_shelf.hpp"
+#include "tools/swatch.hpp"
 
 #include <vector>
 
@@ -18,7 +20,6 @@ namespace pastoso::panels {
 
 class ColourPicker;
 class PaintSwatch;
-class SwatchGrid;
 
 class ColourPanel : public QWidget {
     Q_OBJECT
@@ -28,6 +29,9 @@ class ColourPanel : public QWidget {
 
     /// Shows what the brush is dipped in, without a signal, and remembers it among the recent paints.
     void show_paint(const document::PaintRecipe& paint);
+
+    /// Shows all paint as it looks there from now on.
+    void show_swatches(const tools::SwatchView& view);
 
     /// Shows the colours of a palette to choose from.
     void show_palette(const pigment::ColourPalette& palette);
@@ -49,7 +53,11 @@ class ColourPanel : public QWidget {
     QWidget* kept_part();
     QWidget* palette_part();
     void show_colour(const pigment::Srgb8& colour);
+    void show_wanted();
     void show_nearest(const document::PaintRecipe& paint, double difference);
+    void show_nearest_paint();
+    std::vector<SwatchGrid::Patch> patches_of(const std::vector<document::PaintRecipe>& paints,
+                                              const QString& words) const;
     void keep_paint_in_hand();
     void remove_kept(int index);
     void show_recent();
@@ -57,8 +65,10 @@ class ColourPanel : public QWidget {
     void show_opened();
 
     document::PaintRecipe in_hand_;
+    pigment::Srgb8 wanted_colour_{};
     document::PaintRecipe nearest_paint_;
     tools::PaintShelf shelf_;
+    tools::SwatchView view_;
     ColourPicker* picker_ = nullptr;
     PaintSwatch* wanted_ = nullptr;
     PaintSwatch* nearest_ = nullptr;

@@ -1,6 +1,6 @@
 #include "panels/paint/load_bar.hpp"
 
-#include "tools/swatch.hpp"
+#include "panels/paint/swatch_colours.hpp"
 
 #include <algorithm>
 
@@ -32,6 +32,11 @@ void LoadBar::show_load(const brush::LoadProfile& load) {
     update();
 }
 
+void LoadBar::show_swatches(const tools::SwatchView& view) {
+    view_ = view;
+    update();
+}
+
 void LoadBar::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -46,8 +51,8 @@ void LoadBar::paintEvent(QPaintEvent*) {
         const auto& stripe = load_.stripes[static_cast<std::size_t>(i)];
         const int left = width() * i / kCount, right = width() * (i + 1) / kCount;
         const int filled = static_cast<int>(height() * std::min(stripe.fill / kFullest, 1.0) + 0.5);
-        const pigment::Srgb8 rgb = tools::paint_colour(stripe.paint);
-        painter.fillRect(left, height() - filled, right - left, filled, QColor(rgb[0], rgb[1], rgb[2]));
+        painter.fillRect(left, height() - filled, right - left, filled,
+                         shown_colour(stripe.paint, view_));
     }
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setClipping(false);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brush/load_profile.hpp"
+#include "tools/swatch.hpp"
 
 #include <QWidget>
 
@@ -13,6 +14,7 @@ class LoadBar : public QWidget {
     explicit LoadBar(QWidget* parent = nullptr);
 
     void show_load(const brush::LoadProfile& load);
+    void show_swatches(const tools::SwatchView& view);
     const brush::LoadProfile& load() const { return load_; }
 
     QSize sizeHint() const override;
@@ -23,6 +25,7 @@ class LoadBar : public QWidget {
 
   private:
     brush::LoadProfile load_;
+    tools::SwatchView view_;
 };
 
 }  // namespace pastoso::panels

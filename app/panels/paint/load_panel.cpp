@@ -3,10 +3,10 @@
 #include "panels/paint/load_bar.hpp"
 #include "panels/paint/paint_swatch.hpp"
 #include "panels/paint/paint_words.hpp"
+#include "panels/paint/swatch_colours.hpp"
 #include "panels/parts/section.hpp"
 #include "panels/parts/value_row.hpp"
 #include "tools/colour_paint.hpp"
-#include "tools/swatch.hpp"
 
 #include <cmath>
 
@@ -23,11 +23,6 @@ namespace pastoso::panels {
 namespace {
 
 using Way = tools::Dip::Way;
-
-void show_paint(PaintSwatch* swatch, const QString& words, const document::PaintRecipe& paint) {
-    const pigment::Srgb8 rgb = tools::paint_colour(paint);
-    swatch->show_paint({rgb[0], rgb[1], rgb[2]}, words.arg(recipe_words(paint)));
-}
 
 bool takes_two(Way way) {
     return way == Way::TwoSides || way == Way::HalfMixed;
@@ -109,11 +104,27 @@ void LoadPanel::show_hand(const tools::Hand& hand) {
     share_->setEnabled(dips && hand.dip.way == Way::HalfMixed);
     fill_->show_value(100.0 * hand.dip.fill);
     share_->show_value(100.0 * hand.dip.second_share);
-    show_paint(first_, tr("In hand: %1"), hand.paint);
-    show_paint(second_,
-               takes_two(hand.dip.way) ? tr("The second paint of the load: %1")
-                                       : tr("The second paint, laid out for later: %1"),
-               hand.second_paint);
+    paint_ = hand.paint;
+    second_paint_ = hand.second_paint;
+    show_paints();
+}
+
+void LoadPanel::show_swatches(const tools::SwatchView& view) {
+    view_ = view;
+    bar_->show_swatches(view);
+    show_paints();
+}
+
+void LoadPanel::show_paints() {
+    const auto show = [this](PaintSwatch* swatch, const QString& words,
+                             const document::PaintRecipe& paint) {
+        swatch->show_paint(shown_colour(paint, view_), words.arg(recipe_words(paint)));
+    };
+    const bool two = takes_two(static_cast<Way>(way_->currentData().toInt()));
+    show(first_, tr("In hand: %1"), paint_);
+    show(second_,
+         two ? tr("The second paint of the load: %1") : tr("The second paint, laid out for later: %1"),
+         second_paint_);
 }
 
 void LoadPanel::show_load(const brush::LoadProfile& load) {

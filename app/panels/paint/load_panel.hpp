@@ -3,6 +3,7 @@
 
 #include "brush/load_profile.hpp"
 #include "tools/hand.hpp"
+#include "tools/swatch.hpp"
 
 #include <vector>
 
@@ -27,6 +28,9 @@ class LoadPanel : public QWidget {
     /// Shows the brush's paints and how it is dipped, without a signal.
     void show_hand(const tools::Hand& hand);
 
+    /// Shows all paint as it looks there from now on.
+    void show_swatches(const tools::SwatchView& view);
+
     /// Shows what the brush holds now.
     void show_load(const brush::LoadProfile& load);
 
@@ -37,7 +41,10 @@ class LoadPanel : public QWidget {
     QWidget* paints_row(QAction* swap);
     void emit_dip();
     void show_way(tools::Dip::Way way);
+    void show_paints();
 
+    document::PaintRecipe paint_, second_paint_;
+    tools::SwatchView view_;
     LoadBar* bar_ = nullptr;
     QLabel* fullness_ = nullptr;
     QComboBox* way_ = nullptr;

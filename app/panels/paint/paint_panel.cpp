@@ -1,8 +1,8 @@
 #include "panels/paint/paint_panel.hpp"
 
+#include "panels/paint/swatch_colours.hpp"
 #include "panels/parts/section.hpp"
 
-#include <QIcon>
 #include <QListWidget>
 #include <QPainter>
 #include <QPainterPath>
@@ -14,8 +14,10 @@ namespace {
 
 constexpr QSize kSwatch(34, 18);
 
+}  // namespace
+
 /// Two thirds paint from the tube, one third tint.
-QIcon swatch_icon(const PaintEntry& paint, double pixel_ratio) {
+QIcon PaintPanel::icon_of(const Colours& colours, double pixel_ratio) {
     QPixmap pixmap(kSwatch * pixel_ratio);
     pixmap.setDevicePixelRatio(pixel_ratio);
     pixmap.fill(Qt::transparent);
@@ -24,8 +26,8 @@ QIcon swatch_icon(const PaintEntry& paint, double pixel_ratio) {
     QPainterPath outline;
     outline.addRoundedRect(QRectF(QPointF(0.5, 0.5), kSwatch - QSize(1, 1)), 3.0, 3.0);
     painter.setClipPath(outline);
-    painter.fillRect(0, 0, 23, kSwatch.height(), paint.masstone);
-    painter.fillRect(23, 0, kSwatch.width() - 23, kSwatch.height(), paint.tint);
+    painter.fillRect(0, 0, 23, kSwatch.height(), qcolor(colours.paint));
+    painter.fillRect(23, 0, kSwatch.width() - 23, kSwatch.height(), qcolor(colours.tint));
     painter.setClipping(false);
     painter.strokePath(outline, QPen(QColor(0, 0, 0, 120)));
     QIcon icon;
@@ -35,10 +37,8 @@ QIcon swatch_icon(const PaintEntry& paint, double pixel_ratio) {
     return icon;
 }
 
-}  // namespace
-
 PaintPanel::PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent)
-    : QWidget(parent), list_(new QListWidget) {
+    : QWidget(parent), list_(new QListWidget), shown_(paints.size()) {
     list_->setObjectName(QStringLiteral("paints"));
     list_->setAccessibleName(tr("Paint"));
     list_->setIconSize(kSwatch);
@@ -47,7 +47,7 @@ PaintPanel::PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent)
     list_->setTextElideMode(Qt::ElideRight);
     keep_keys_for_canvas(list_);
     for (const PaintEntry& paint : paints) {
-        auto* item = new QListWidgetItem(swatch_icon(paint, devicePixelRatioF()), paint.name, list_);
+        auto* item = new QListWidgetItem(paint.name, list_);
         item->setData(Qt::UserRole, paint.pigment);
         item->setToolTip(
             paint.pigment.isEmpty()
@@ -60,6 +60,19 @@ PaintPanel::PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent)
     connect(list_, &QListWidget::itemClicked, this, choose);
     connect(list_, &QListWidget::itemActivated, this, choose);
     section(this, tr("Paint"))->addWidget(list_);
+}
+
+void PaintPanel::show_swatches(const tools::SwatchView& view) {
+    for (int row = 0; row < list_->count(); ++row) {
+        QListWidgetItem* item = list_->item(row);
+        const std::string tube = item->data(Qt::UserRole).toString().toStdString();
+        const Colours colours{tools::swatch_colour(tools::tube_paint(tube), view),
+                              tools::swatch_colour(tools::tube_tint(tube), view)};
+        Colours& shown = shown_[static_cast<std::size_t>(row)];
+        if (colours == shown && !item->icon().isNull()) continue;
+        shown = colours;
+        item->setIcon(icon_of(colours, devicePixelRatioF()));
+    }
 }
 
 void PaintPanel::show_paint(const QString& pigment) {

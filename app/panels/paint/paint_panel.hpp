@@ -1,9 +1,11 @@
 // The tubes of paint.
 #pragma once
 
+#include "tools/swatch.hpp"
+
 #include <vector>
 
-#include <QColor>
+#include <QIcon>
 #include <QString>
 #include <QWidget>
 
@@ -14,14 +16,15 @@ namespace pastoso::panels {
 struct PaintEntry {
     QString pigment;  ///< Colour Index name, empty for the medium alone
     QString name;
-    QColor masstone;  ///< thick, as it comes from the tube
-    QColor tint;      ///< with white, where a dark pigment shows its hue
 };
 
 class PaintPanel : public QWidget {
     Q_OBJECT
   public:
     explicit PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent = nullptr);
+
+    /// Shows all paint as it looks there from now on.
+    void show_swatches(const tools::SwatchView& view);
 
     /// Shows what the brush is dipped in, without a signal; nothing when it is from no tube.
     void show_paint(const QString& pigment);
@@ -31,7 +34,15 @@ class PaintPanel : public QWidget {
     void paint_chosen(const QString& pigment);
 
   private:
+    /// The colours of a tube's icon.
+    struct Colours {
+        pigment::Srgb8 paint{}, tint{};
+        friend bool operator==(const Colours&, const Colours&) = default;
+    };
+    static QIcon icon_of(const Colours& colours, double pixel_ratio);
+
     QListWidget* list_ = nullptr;
+    std::vector<Colours> shown_;  ///< of each row
 };
 
 }  // namespace pastoso::panels

@@ -1,0 +1,83 @@
+// Swatches of paint show what a flat spot of it looks like on the canvas.
+#include "app/window_fixture.hpp"
+#include "document/actions/actions.hpp"
+#include "main/window_parts.hpp"
+#include "panels/paint/paint_swatch.hpp"
+#include "panels/popup/round_button.hpp"
+
+#include <QAction>
+#include <QDoubleSpinBox>
+#include <QListWidget>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+
+class SwatchesWindow : public WindowTest {
+  protected:
+    /// What a flat spot of the paint in hand is on this canvas.
+    QColor spot() {
+        const tools::Hand& hand = studio().easel().hand();
+        tools::SwatchView view;
+        view.medium = document::medium_of(hand.medium);
+        view.spot = {tools::film_in_hand_mm(hand), session().snapshot()->ground, canvas().lighting(),
+                     canvas().viewing()};
+        const pigment::Srgb8 rgb = tools::swatch_colour(hand.paint, view);
+        return {rgb[0], rgb[1], rgb[2]};
+    }
+    QColor in_hand() {
+        return window().findChild<panels::PaintSwatch*>(QStringLiteral("first_paint"))->colour();
+    }
+    /// The first swatch of a grid.
+    QColor first_of(const char* grid) {
+        return window()
+            .findChild<QWidget*>(QString::fromLatin1(grid))
+            ->findChild<panels::PaintSwatch*>()
+            ->colour();
+    }
+    QColor tube_in_hand() {
+        const auto* tubes = window().findChild<QListWidget*>(QStringLiteral("paints"));
+        return tubes->currentItem()->icon().pixmap(tubes->iconSize()).toImage().pixelColor(8, 9);
+    }
+    void expect_all_as_painted() {
+        EXPECT_EQ(in_hand(), spot());
+        EXPECT_EQ(tube_in_hand(), spot());
+        EXPECT_EQ(first_of("recent_paints"), spot());
+    }
+    void take(const char* tool) {
+        const brush::Preset& preset = brush::find_preset(tool);
+        studio().easel().take_brush(preset.name, preset.tip.width_mm);
+        studio().show_hand();
+    }
+};
+
+TEST_F(SwatchesWindow, FollowToolFillMediumAndLight) {
+    studio().choose_paint({{{"PB29", 1.0}}, 1.0});
+    expect_all_as_painted();
+    const QColor thick = in_hand();
+    take("mop");
+    expect_all_as_painted();
+    const QColor thin = in_hand();
+    EXPECT_GT(thin.lightness(), thick.lightness());
+    auto* fill = window().findChild<QDoubleSpinBox*>(QStringLiteral("dip_fill"));
+    fill->setValue(20.0);
+    expect_all_as_painted();
+    EXPECT_GT(in_hand().lightness(), thin.lightness());
+    const QColor daylight = in_hand();
+    action(Command::LightA)->trigger();
+    expect_all_as_painted();
+    EXPECT_NE(in_hand(), daylight);
+}
+
+TEST_F(SwatchesWindow, ThePopUpPaletteShowsTheSame) {
+    studio().choose_paint({{{"PG36", 1.0}}, 1.0});
+    take("mop");
+    action(Command::PopupPalette)->trigger();
+    auto* paint = window().findChild<panels::RoundButton*>(QStringLiteral("popup_first_paint"));
+    ASSERT_NE(paint, nullptr);
+    EXPECT_EQ(paint->colour(), spot());
+}
+
+}  // namespace
+}  // namespace pastoso::tests
