@@ -26,13 +26,6 @@ Bands film_bands(const Coefficients& paint, double film_mm, const Bands& ground)
     return reflectance;
 }
 
-Bands white_ground() {
-    Bands ground{};
-    for (int band = 0; band < kBands; ++band)
-        ground[band] = opaque_reflectance(white_paint()[band], white_paint()[kBands + band]);
-    return ground;
-}
-
 double tint_difference(const Coefficients& paint, double white_parts) {
     return ciede2000(lab(tint(paint, white_parts)), lab(masstone(white_paint())));
 }
@@ -53,12 +46,19 @@ Bands opaque_bands(const Coefficients& paint) {
     return reflectance;
 }
 
+Bands titanium_ground() {
+    Bands ground{};
+    for (int band = 0; band < kBands; ++band)
+        ground[band] = opaque_reflectance(white_paint()[band], white_paint()[kBands + band]);
+    return ground;
+}
+
 LinearRgb masstone(const Coefficients& paint) {
     return linear_srgb(opaque_bands(paint));
 }
 
 LinearRgb undertone(const Coefficients& paint, double film_mm) {
-    return linear_srgb(film_bands(paint, film_mm, white_ground()));
+    return linear_srgb(film_bands(paint, film_mm, titanium_ground()));
 }
 
 LinearRgb tint(const Coefficients& paint, double white_parts) {

@@ -12,6 +12,9 @@ namespace pastoso::pigment {
 /// What leaves an opaque layer of a paint, per band (after the surface).
 Bands opaque_bands(const Coefficients& paint);
 
+/// Reflectance inside the binder of an opaque layer of titanium white: a white ground for films.
+Bands titanium_ground();
+
 /// The colour of an opaque layer; may lie outside sRGB.
 LinearRgb masstone(const Coefficients& paint);
 

@@ -425,6 +425,26 @@
         <source>How fast time passes for the paint: 10 × is ten seconds in one. While you draw a stroke it passes as usual</source>
         <translation>How fast time passes for the paint: 10 × is ten seconds in one. While you draw a stroke it passes as usual</translation>
     </message>
+    <message>
+        <source>transparent</source>
+        <translation>transparent</translation>
+    </message>
+    <message>
+        <source>semi-transparent</source>
+        <translation>semi-transparent</translation>
+    </message>
+    <message>
+        <source>semi-opaque</source>
+        <translation>semi-opaque</translation>
+    </message>
+    <message>
+        <source>opaque</source>
+        <translation>opaque</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -5000,9 +5020,9 @@ The right button, or Delete, takes it away.</translation>
     </message>
     <message>
         <source>%1
-ΔE %2, %3</source>
+ΔE %2, %3; %4</source>
         <translation>%1
-ΔE %2, %3</translation>
+ΔE %2, %3; %4</translation>
     </message>
 </context>
 <context>
@@ -5603,12 +5623,14 @@ Wheel: closer, farther</translation>
         <translation>The medium without pigment, for example thinner</translation>
     </message>
     <message>
-        <source>%1 (%2): from the tube, and mixed with white</source>
-        <translation>%1 (%2): from the tube, and mixed with white</translation>
-    </message>
-    <message>
         <source>Paint</source>
         <translation>Paint</translation>
+    </message>
+    <message>
+        <source>%1 (%2), %3
+As the tool in hand lays it (%4 mm), thinned over white and over black, and with white</source>
+        <translation>%1 (%2), %3
+As the tool in hand lays it (%4 mm), thinned over white and over black, and with white</translation>
     </message>
 </context>
 <context>

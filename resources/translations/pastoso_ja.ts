@@ -425,6 +425,26 @@
         <source>How fast time passes for the paint: 10 × is ten seconds in one. While you draw a stroke it passes as usual</source>
         <translation>絵の具の時間が進む速さ。10 ×では1秒に10秒分進む。描いている間はふつうの速さになる</translation>
     </message>
+    <message>
+        <source>transparent</source>
+        <translation>透明</translation>
+    </message>
+    <message>
+        <source>semi-transparent</source>
+        <translation>半透明</translation>
+    </message>
+    <message>
+        <source>semi-opaque</source>
+        <translation>半不透明</translation>
+    </message>
+    <message>
+        <source>opaque</source>
+        <translation>不透明</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1、%2</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -4986,9 +5006,9 @@ The right button, or Delete, takes it away.</source>
     </message>
     <message>
         <source>%1
-ΔE %2, %3</source>
+ΔE %2, %3; %4</source>
         <translation>%1
-ΔE %2、%3</translation>
+ΔE %2、%3、%4</translation>
     </message>
 </context>
 <context>
@@ -5589,12 +5609,14 @@ Wheel: closer, farther</source>
         <translation>顔料を含まないメディウム。薄め液など</translation>
     </message>
     <message>
-        <source>%1 (%2): from the tube, and mixed with white</source>
-        <translation>%1 (%2): チューブの色と、白を混ぜた色</translation>
-    </message>
-    <message>
         <source>Paint</source>
         <translation>絵の具</translation>
+    </message>
+    <message>
+        <source>%1 (%2), %3
+As the tool in hand lays it (%4 mm), thinned over white and over black, and with white</source>
+        <translation>%1 (%2)、%3
+手にした道具で塗った厚さ (%4 mm) の色、白と黒の上に薄く伸ばした色、白を混ぜた色</translation>
     </message>
 </context>
 <context>

@@ -425,6 +425,26 @@
         <source>How fast time passes for the paint: 10 × is ten seconds in one. While you draw a stroke it passes as usual</source>
         <translation>Hur fort tiden går för färgen: 10 × är tio sekunder på en. Medan du drar ett penseldrag går den som vanligt</translation>
     </message>
+    <message>
+        <source>transparent</source>
+        <translation>transparent</translation>
+    </message>
+    <message>
+        <source>semi-transparent</source>
+        <translation>halvtransparent</translation>
+    </message>
+    <message>
+        <source>semi-opaque</source>
+        <translation>halvtäckande</translation>
+    </message>
+    <message>
+        <source>opaque</source>
+        <translation>täckande</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -5000,9 +5020,9 @@ Höger knapp, eller Delete, tar bort den.</translation>
     </message>
     <message>
         <source>%1
-ΔE %2, %3</source>
+ΔE %2, %3; %4</source>
         <translation>%1
-ΔE %2, %3</translation>
+ΔE %2, %3; %4</translation>
     </message>
 </context>
 <context>
@@ -5603,12 +5623,14 @@ Hjulet: närmare, längre bort</translation>
         <translation>Mediet utan pigment, till exempel förtunning</translation>
     </message>
     <message>
-        <source>%1 (%2): from the tube, and mixed with white</source>
-        <translation>%1 (%2): ur tuben, och blandad med vitt</translation>
-    </message>
-    <message>
         <source>Paint</source>
         <translation>Färg</translation>
+    </message>
+    <message>
+        <source>%1 (%2), %3
+As the tool in hand lays it (%4 mm), thinned over white and over black, and with white</source>
+        <translation>%1 (%2), %3
+Som verktyget i handen lägger den (%4 mm), utdragen tunt över vitt och över svart, och med vitt</translation>
     </message>
 </context>
 <context>

@@ -425,6 +425,26 @@
         <source>How fast time passes for the paint: 10 × is ten seconds in one. While you draw a stroke it passes as usual</source>
         <translation>顏料的時間過得多快：10 × 是一秒過十秒。落筆期間照常進行</translation>
     </message>
+    <message>
+        <source>transparent</source>
+        <translation>透明</translation>
+    </message>
+    <message>
+        <source>semi-transparent</source>
+        <translation>半透明</translation>
+    </message>
+    <message>
+        <source>semi-opaque</source>
+        <translation>半不透明</translation>
+    </message>
+    <message>
+        <source>opaque</source>
+        <translation>不透明</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -4986,9 +5006,9 @@ The right button, or Delete, takes it away.</source>
     </message>
     <message>
         <source>%1
-ΔE %2, %3</source>
+ΔE %2, %3; %4</source>
         <translation>%1
-ΔE %2，%3</translation>
+ΔE %2，%3；%4</translation>
     </message>
 </context>
 <context>
@@ -5589,12 +5609,14 @@ Wheel: closer, farther</source>
         <translation>不含色料的媒介劑，例如稀釋劑</translation>
     </message>
     <message>
-        <source>%1 (%2): from the tube, and mixed with white</source>
-        <translation>%1 (%2)：管裝原色，以及加白調淡的顏色</translation>
-    </message>
-    <message>
         <source>Paint</source>
         <translation>顏料</translation>
+    </message>
+    <message>
+        <source>%1 (%2), %3
+As the tool in hand lays it (%4 mm), thinned over white and over black, and with white</source>
+        <translation>%1 (%2)，%3
+手上工具塗出的厚度（%4 mm）、在白底與黑底上推薄的顏色，以及加白調淡的顏色</translation>
     </message>
 </context>
 <context>

@@ -1,12 +1,15 @@
 // Swatches of paint show what a flat spot of it looks like on the canvas.
 #include "app/window_fixture.hpp"
+#include "appearance/theme.hpp"
 #include "document/actions/actions.hpp"
 #include "main/window_parts.hpp"
 #include "panels/paint/paint_swatch.hpp"
 #include "panels/popup/round_button.hpp"
 
 #include <QAction>
+#include <QApplication>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QListWidget>
 
 namespace pastoso::tests {
@@ -36,10 +39,12 @@ class SwatchesWindow : public WindowTest {
             ->findChild<panels::PaintSwatch*>()
             ->colour();
     }
-    QColor tube_in_hand() {
+    /// Of the icon of the tube in hand.
+    QColor pixel_of_tube(int x, int y) {
         const auto* tubes = window().findChild<QListWidget*>(QStringLiteral("paints"));
-        return tubes->currentItem()->icon().pixmap(tubes->iconSize()).toImage().pixelColor(8, 9);
+        return tubes->currentItem()->icon().pixmap(tubes->iconSize()).toImage().pixelColor(x, y);
     }
+    QColor tube_in_hand() { return pixel_of_tube(8, 9); }
     void expect_all_as_painted() {
         EXPECT_EQ(in_hand(), spot());
         EXPECT_EQ(tube_in_hand(), spot());
@@ -77,6 +82,35 @@ TEST_F(SwatchesWindow, ThePopUpPaletteShowsTheSame) {
     auto* paint = window().findChild<panels::RoundButton*>(QStringLiteral("popup_first_paint"));
     ASSERT_NE(paint, nullptr);
     EXPECT_EQ(paint->colour(), spot());
+}
+
+TEST_F(SwatchesWindow, SayHowWellPaintHides) {
+    const auto tube_words = [this](const char* name) {
+        const auto* tubes = window().findChild<QListWidget*>(QStringLiteral("paints"));
+        return tubes->findItems(QLatin1String(name), Qt::MatchExactly).front()->toolTip();
+    };
+    EXPECT_TRUE(tube_words("Ultramarine blue").contains(QStringLiteral("(PB29), transparent")));
+    EXPECT_TRUE(tube_words("Alizarin crimson").contains(QStringLiteral(", semi-transparent")));
+    EXPECT_TRUE(tube_words("Cadmium red light").contains(QStringLiteral("(PR108), opaque")));
+    studio().choose_paint({{{"PR108", 1.0}}, 1.0});
+    const auto* first = window().findChild<panels::PaintSwatch*>(QStringLiteral("first_paint"));
+    const auto* recipe = window().findChild<QLabel*>(QStringLiteral("recipe"));
+    EXPECT_EQ(first->toolTip(), "In hand: Cadmium red light, opaque");
+    EXPECT_TRUE(recipe->text().endsWith(QStringLiteral("; opaque"))) << recipe->text().toStdString();
+    take("knife");
+    EXPECT_EQ(first->toolTip(), "In hand: Cadmium red light, transparent");
+    EXPECT_TRUE(recipe->text().endsWith(QStringLiteral("; transparent")));
+    EXPECT_TRUE(tube_words("Cadmium red light").contains(QStringLiteral("(PR108), transparent")));
+}
+
+TEST_F(SwatchesWindow, MarkTubesInTheInkOfTheTheme) {
+    const appearance::Theme before = appearance::theme().value_or(appearance::Theme::Dark);
+    studio().choose_paint({{{"PR108", 1.0}}, 1.0});
+    for (const auto theme : {appearance::Theme::Light, appearance::Theme::Dark}) {
+        appearance::apply_theme(*qApp, theme);
+        EXPECT_EQ(pixel_of_tube(50, 9), appearance::colours().text);
+    }
+    appearance::apply_theme(*qApp, before);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "panels/popup/popup_palette.hpp"
 #include "pigment/box.hpp"
 #include "tools/colour_paint.hpp"
+#include "tools/drawdown.hpp"
 
 #include <algorithm>
 
@@ -24,7 +25,8 @@ using commands::Command;
 constexpr std::size_t kPaints = 16, kMostKept = 8;
 
 panels::SwatchGrid::Patch patch_of(const document::PaintRecipe& paint, const tools::SwatchView& view) {
-    return {panels::shown_colour(paint, view), panels::recipe_words(paint)};
+    return {panels::shown_colour(paint, view),
+            panels::paint_words(paint, tools::hiding_of(paint, view))};
 }
 
 /// Some of those that the painter keeps, then the latest, then tubes of the box: each once.

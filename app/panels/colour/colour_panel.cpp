@@ -8,6 +8,7 @@
 #include "pigment/paint_name.hpp"
 #include "pigment/recipe.hpp"
 #include "tools/colour_paint.hpp"
+#include "tools/drawdown.hpp"
 #include "tools/picked_paint.hpp"
 
 #include <algorithm>
@@ -21,26 +22,6 @@ namespace pastoso::panels {
 namespace {
 
 constexpr int kColumns = 8;
-
-QString difference_words(double difference) {
-    if (difference < 1.0) return QObject::tr("the same to the eye");
-    if (difference < 2.5) return QObject::tr("close");
-    if (difference < 6.0) return QObject::tr("a little off");
-    return QObject::tr("beyond these tubes");
-}
-
-/// One tube a line, its parts in front; below them in which shares the pigments are in it.
-QString recipe_lines(const document::PaintRecipe& paint) {
-    QStringList lines;
-    for (const document::Ingredient& part : paint.ingredients) {
-        const document::PaintRecipe tube{{{part.pigment, 1.0}}, 1.0};
-        const QString name = recipe_words(tube);
-        const QString parts = QString::number(part.parts);
-        lines += paint.ingredients.size() > 1 ? QStringLiteral("%1 \u00d7 %2").arg(parts, name) : name;
-    }
-    if (paint.ingredients.size() > 1) lines += share_words(paint);
-    return lines.join('\n');
-}
 
 }  // namespace
 
@@ -163,21 +144,26 @@ void ColourPanel::show_colour(const pigment::Srgb8& colour) {
 }
 
 void ColourPanel::show_wanted() {
-    wanted_->show_paint(shown_colour(tools::colour_paint(wanted_colour_), view_),
+    const document::PaintRecipe paint = tools::colour_paint(wanted_colour_);
+    wanted_->show_drawdown(tools::drawdown(paint, view_));
+    wanted_->show_paint(shown_colour(paint, view_),
                         tr("The colour itself, as a paint of its own: %1")
                             .arg(QString::fromStdString(pigment::hex_colour(wanted_colour_))));
 }
 
 void ColourPanel::show_nearest_paint() {
-    nearest_->show_paint(shown_colour(nearest_paint_, view_), recipe_words(nearest_paint_));
+    const tools::Drawdown drawn = tools::drawdown(nearest_paint_, view_);
+    nearest_->show_drawdown(drawn);
+    nearest_->show_paint(shown_colour(nearest_paint_, view_), paint_words(nearest_paint_, drawn.hiding));
+    words_->setText(tr("%1\nΔE %2, %3; %4")
+                        .arg(recipe_lines(nearest_paint_), QString::number(nearest_difference_, 'f', 1),
+                             difference_words(nearest_difference_), hiding_words(drawn.hiding)));
 }
 
 void ColourPanel::show_nearest(const document::PaintRecipe& paint, double difference) {
     nearest_paint_ = paint;
+    nearest_difference_ = difference;
     show_nearest_paint();
-    words_->setText(tr("%1\nΔE %2, %3")
-                        .arg(recipe_lines(paint), QString::number(difference, 'f', 1),
-                             difference_words(difference)));
     use_recipe_->setEnabled(!(paint == in_hand_));
 }
 
@@ -213,7 +199,8 @@ std::vector<SwatchGrid::Patch> ColourPanel::patches_of(const std::vector<documen
                                                        const QString& words) const {
     std::vector<SwatchGrid::Patch> patches;
     for (const document::PaintRecipe& paint : paints)
-        patches.push_back({shown_colour(paint, view_), words.arg(recipe_words(paint))});
+        patches.push_back(
+            {shown_colour(paint, view_), words.arg(paint_words(paint, tools::hiding_of(paint, view_)))});
     return patches;
 }
 

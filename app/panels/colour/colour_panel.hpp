@@ -67,6 +67,7 @@ class ColourPanel : public QWidget {
     document::PaintRecipe in_hand_;
     pigment::Srgb8 wanted_colour_{};
     document::PaintRecipe nearest_paint_;
+    double nearest_difference_ = 0.0;  ///< of it to the colour wanted, CIEDE2000
     tools::PaintShelf shelf_;
     tools::SwatchView view_;
     ColourPicker* picker_ = nullptr;

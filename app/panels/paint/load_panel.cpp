@@ -118,7 +118,9 @@ void LoadPanel::show_swatches(const tools::SwatchView& view) {
 void LoadPanel::show_paints() {
     const auto show = [this](PaintSwatch* swatch, const QString& words,
                              const document::PaintRecipe& paint) {
-        swatch->show_paint(shown_colour(paint, view_), words.arg(recipe_words(paint)));
+        const tools::Drawdown drawn = tools::drawdown(paint, view_);
+        swatch->show_paint(shown_colour(paint, view_), words.arg(paint_words(paint, drawn.hiding)));
+        swatch->show_drawdown(drawn);
     };
     const bool two = takes_two(static_cast<Way>(way_->currentData().toInt()));
     show(first_, tr("In hand: %1"), paint_);

@@ -1,8 +1,12 @@
 #include "panels/paint/paint_panel.hpp"
 
+#include "appearance/theme.hpp"
+#include "panels/paint/drawdown_picture.hpp"
+#include "panels/paint/paint_words.hpp"
 #include "panels/paint/swatch_colours.hpp"
 #include "panels/parts/section.hpp"
 
+#include <QEvent>
 #include <QListWidget>
 #include <QPainter>
 #include <QPainterPath>
@@ -12,36 +16,59 @@
 namespace pastoso::panels {
 namespace {
 
-constexpr QSize kSwatch(34, 18);
+/// The paint, drawn out over white and black, and with white; beside them the mark of how well it hides.
+constexpr QSize kIcon(56, 18);
+constexpr double kPaint_px = 15.0, kDrawdown_px = 18.0, kSwatch_px = 43.0, kMark_px = 8.0;
+
+void draw_swatch(QPainter& painter, const QRectF& place, const QColor& paint, const QColor& tint,
+                 const tools::Drawdown& drawdown) {
+    QPainterPath outline;
+    outline.addRoundedRect(place, 3.0, 3.0);
+    painter.setClipPath(outline);
+    painter.fillRect(place, paint);
+    const QRectF drawn(kPaint_px, 0.0, kDrawdown_px, kIcon.height());
+    draw_drawdown(painter, drawn, drawdown);
+    painter.fillRect(QRectF(drawn.topRight(), place.bottomRight()), tint);
+    painter.setClipping(false);
+    painter.strokePath(outline, QPen(QColor(0, 0, 0, 120)));
+}
 
 }  // namespace
 
-/// Two thirds paint from the tube, one third tint.
 QIcon PaintPanel::icon_of(const Colours& colours, double pixel_ratio) {
-    QPixmap pixmap(kSwatch * pixel_ratio);
-    pixmap.setDevicePixelRatio(pixel_ratio);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    QPainterPath outline;
-    outline.addRoundedRect(QRectF(QPointF(0.5, 0.5), kSwatch - QSize(1, 1)), 3.0, 3.0);
-    painter.setClipPath(outline);
-    painter.fillRect(0, 0, 23, kSwatch.height(), qcolor(colours.paint));
-    painter.fillRect(23, 0, kSwatch.width() - 23, kSwatch.height(), qcolor(colours.tint));
-    painter.setClipping(false);
-    painter.strokePath(outline, QPen(QColor(0, 0, 0, 120)));
+    const auto picture = [&](const QColor& ink) {
+        QPixmap pixmap(kIcon * pixel_ratio);
+        pixmap.setDevicePixelRatio(pixel_ratio);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        painter.setRenderHint(QPainter::Antialiasing);
+        draw_swatch(painter, {0.5, 0.5, kSwatch_px - 1.0, kIcon.height() - 1.0}, qcolor(colours.paint),
+                    qcolor(colours.tint), colours.drawdown);
+        const QPointF corner(kSwatch_px + 3.5, 0.5 * (kIcon.height() - kMark_px) + 0.5);
+        draw_hiding_mark(painter, {corner, QSizeF(kMark_px, kMark_px)}, colours.drawdown.hiding, ink);
+        return pixmap;
+    };
     QIcon icon;
-    // The same picture when selected: a highlight must not change what the paint looks like.
-    icon.addPixmap(pixmap, QIcon::Normal);
-    icon.addPixmap(pixmap, QIcon::Selected);
+    // The same paint when selected: a highlight must not change what it looks like.
+    icon.addPixmap(picture(colours.ink), QIcon::Normal);
+    icon.addPixmap(picture(colours.chosen_ink), QIcon::Selected);
     return icon;
+}
+
+QString PaintPanel::words_of(const QListWidgetItem& item, const Colours& colours, double film_mm) {
+    const QString pigment = item.data(Qt::UserRole).toString();
+    if (pigment.isEmpty()) return tr("The medium without pigment, for example thinner");
+    return tr("%1 (%2), %3\nAs the tool in hand lays it (%4 mm), thinned over white and over black, and "
+              "with white")
+        .arg(item.text(), pigment, hiding_words(colours.drawdown.hiding),
+             QString::number(film_mm, 'g', 2));
 }
 
 PaintPanel::PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent)
     : QWidget(parent), list_(new QListWidget), shown_(paints.size()) {
     list_->setObjectName(QStringLiteral("paints"));
     list_->setAccessibleName(tr("Paint"));
-    list_->setIconSize(kSwatch);
+    list_->setIconSize(kIcon);
     list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setTextElideMode(Qt::ElideRight);
@@ -49,10 +76,6 @@ PaintPanel::PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent)
     for (const PaintEntry& paint : paints) {
         auto* item = new QListWidgetItem(paint.name, list_);
         item->setData(Qt::UserRole, paint.pigment);
-        item->setToolTip(
-            paint.pigment.isEmpty()
-                ? tr("The medium without pigment, for example thinner")
-                : tr("%1 (%2): from the tube, and mixed with white").arg(paint.name, paint.pigment));
     }
     const auto choose = [this](QListWidgetItem* item) {
         Q_EMIT paint_chosen(item->data(Qt::UserRole).toString());
@@ -62,14 +85,25 @@ PaintPanel::PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent)
     section(this, tr("Paint"))->addWidget(list_);
 }
 
+/// The marks take the ink of another theme.
+void PaintPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange && !shown_.empty() && shown_.front().ink.isValid())
+        show_swatches(view_);
+}
+
 void PaintPanel::show_swatches(const tools::SwatchView& view) {
+    view_ = view;
     for (int row = 0; row < list_->count(); ++row) {
         QListWidgetItem* item = list_->item(row);
         const std::string tube = item->data(Qt::UserRole).toString().toStdString();
-        const Colours colours{tools::swatch_colour(tools::tube_paint(tube), view),
-                              tools::swatch_colour(tools::tube_tint(tube), view)};
+        const Colours colours{appearance::colours().text, appearance::colours().chosen_text,
+                              tools::swatch_colour(tools::tube_paint(tube), view),
+                              tools::swatch_colour(tools::tube_tint(tube), view),
+                              tools::drawdown(tools::tube_paint(tube), view)};
+        item->setToolTip(words_of(*item, colours, view.spot.film_mm));
         Colours& shown = shown_[static_cast<std::size_t>(row)];
-        if (colours == shown && !item->icon().isNull()) continue;
+        if (colours == shown) continue;
         shown = colours;
         item->setIcon(icon_of(colours, devicePixelRatioF()));
     }

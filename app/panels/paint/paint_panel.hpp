@@ -1,15 +1,17 @@
 // The tubes of paint.
 #pragma once
 
-#include "tools/swatch.hpp"
+#include "tools/drawdown.hpp"
 
 #include <vector>
 
+#include <QColor>
 #include <QIcon>
 #include <QString>
 #include <QWidget>
 
 class QListWidget;
+class QListWidgetItem;
 
 namespace pastoso::panels {
 
@@ -33,14 +35,21 @@ class PaintPanel : public QWidget {
     /// Also when the same paint is chosen again, which means a fresh dip.
     void paint_chosen(const QString& pigment);
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
     /// The colours of a tube's icon.
     struct Colours {
+        QColor ink, chosen_ink;  ///< of the mark
         pigment::Srgb8 paint{}, tint{};
+        tools::Drawdown drawdown;
         friend bool operator==(const Colours&, const Colours&) = default;
     };
+    static QString words_of(const QListWidgetItem& item, const Colours& colours, double film_mm);
     static QIcon icon_of(const Colours& colours, double pixel_ratio);
 
+    tools::SwatchView view_;
     QListWidget* list_ = nullptr;
     std::vector<Colours> shown_;  ///< of each row
 };

@@ -1,6 +1,10 @@
 // A button that is a patch of paint.
 #pragma once
 
+#include "tools/drawdown.hpp"
+
+#include <optional>
+
 #include <QColor>
 #include <QPushButton>
 
@@ -13,6 +17,8 @@ class PaintSwatch : public QPushButton {
 
     /// `words` name it, in the tool tip and for those who hear the screen read.
     void show_paint(const QColor& colour, const QString& words);
+    /// Beside the colour, how well the paint hides.
+    void show_drawdown(const tools::Drawdown& drawdown);
     const QColor& colour() const { return colour_; }
 
     QSize sizeHint() const override;
@@ -28,6 +34,7 @@ class PaintSwatch : public QPushButton {
 
   private:
     QColor colour_;
+    std::optional<tools::Drawdown> drawdown_;
 };
 
 }  // namespace pastoso::panels

@@ -35,6 +35,25 @@ QString recipe_words(const document::PaintRecipe& paint) {
     return parts.join(QStringLiteral(" + "));
 }
 
+QString hiding_words(pigment::Hiding hiding) {
+    switch (hiding) {
+        case pigment::Hiding::Transparent:
+            return QObject::tr("transparent");
+        case pigment::Hiding::SemiTransparent:
+            return QObject::tr("semi-transparent");
+        case pigment::Hiding::SemiOpaque:
+            return QObject::tr("semi-opaque");
+        case pigment::Hiding::Opaque:
+            break;
+    }
+    return QObject::tr("opaque");
+}
+
+QString paint_words(const document::PaintRecipe& paint, pigment::Hiding hiding) {
+    const QString name = recipe_words(paint);
+    return paint.ingredients.empty() ? name : QObject::tr("%1, %2").arg(name, hiding_words(hiding));
+}
+
 QString share_words(const document::PaintRecipe& paint) {
     if (paint.ingredients.empty()) return QObject::tr("clear medium");
     double sum = 0.0;
@@ -50,6 +69,25 @@ QString share_words(const document::PaintRecipe& paint) {
     if (paint.strength < 1.0)
         shares += QObject::tr("thinned to %1").arg(percent_words(100.0 * paint.strength));
     return shares.join(QStringLiteral(", "));
+}
+
+QString recipe_lines(const document::PaintRecipe& paint) {
+    QStringList lines;
+    for (const document::Ingredient& part : paint.ingredients) {
+        const document::PaintRecipe tube{{{part.pigment, 1.0}}, 1.0};
+        const QString name = recipe_words(tube);
+        const QString parts = QString::number(part.parts);
+        lines += paint.ingredients.size() > 1 ? QStringLiteral("%1 \u00d7 %2").arg(parts, name) : name;
+    }
+    if (paint.ingredients.size() > 1) lines += share_words(paint);
+    return lines.join('\n');
+}
+
+QString difference_words(double difference) {
+    if (difference < 1.0) return QObject::tr("the same to the eye");
+    if (difference < 2.5) return QObject::tr("close");
+    if (difference < 6.0) return QObject::tr("a little off");
+    return QObject::tr("beyond these tubes");
 }
 
 }  // namespace pastoso::panels
