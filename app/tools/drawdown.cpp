@@ -1,7 +1,7 @@
 #include "tools/drawdown.hpp"
 
-#include "document/paint_mixing.hpp"
 #include "pigment/appearance.hpp"
+#include "tools/mixed_paints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ pigment::Hiding hiding_of(const film::PaintCoefficients& paint, double film_mm) 
 }  // namespace
 
 Drawdown drawdown(const document::PaintRecipe& paint, const SwatchView& view) {
-    const film::PaintCoefficients mixed = document::mixed_paint(paint, view.medium);
+    const film::PaintCoefficients& mixed = remembered_paint(paint, view.medium);
     Drawdown drawn;
     drawn.hiding = hiding_of(mixed, view.spot.film_mm);
     shade::Spot over_white = view.spot, over_black = view.spot;
@@ -34,7 +34,7 @@ Drawdown drawdown(const document::PaintRecipe& paint, const SwatchView& view) {
 }
 
 pigment::Hiding hiding_of(const document::PaintRecipe& paint, const SwatchView& view) {
-    return hiding_of(document::mixed_paint(paint, view.medium), view.spot.film_mm);
+    return hiding_of(remembered_paint(paint, view.medium), view.spot.film_mm);
 }
 
 }  // namespace pastoso::tools

@@ -4,6 +4,7 @@
 #include "document/actions/actions.hpp"
 #include "document/paint_mixing.hpp"
 #include "pigment/appearance.hpp"
+#include "tools/mixed_paints.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -38,7 +39,7 @@ pigment::Srgb8 swatch_colour(const film::PaintCoefficients& paint, const SwatchV
 }
 
 pigment::Srgb8 swatch_colour(const document::PaintRecipe& paint, const SwatchView& view) {
-    return swatch_colour(document::mixed_paint(paint, view.medium), view);
+    return swatch_colour(remembered_paint(paint, view.medium), view);
 }
 
 document::PaintRecipe tube_paint(const std::string& ci_name) {
