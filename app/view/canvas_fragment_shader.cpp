@@ -43,6 +43,10 @@ vec4 spline_slopes(float t) {
     return vec4(-0.5 * s * s, t * (1.5 * t - 2.0), s * (2.0 - 1.5 * s), 0.5 * t * t);
 }
 
+vec4 spline_bends(float t) {
+    return vec4(1.0 - t, 3.0 * t - 2.0, 1.0 - 3.0 * t, t);
+}
+
 vec4 colour_weights(float t, vec4 spline) {
     vec2 near = vec2(t, 1.0 - t);
     vec2 far = 1.0 + near;
@@ -54,6 +58,7 @@ vec4 colour_weights(float t, vec4 spline) {
 struct SurfacePoint {
     float height_mm;
     vec2 slope;
+    vec3 bend;  // xx, xy, yy over a cell
     float shadow_mm;
     float sky;
     vec3 colour;
@@ -67,26 +72,30 @@ SurfacePoint surface_at(vec2 cell) {
     ivec2 first = ivec2(whole) + kBorder - 1;
     vec4 spline_x = spline_weights(t.x), spline_y = spline_weights(t.y);
     vec4 slope_x = spline_slopes(t.x), slope_y = spline_slopes(t.y);
+    vec4 bend_x = spline_bends(t.x), bend_y = spline_bends(t.y);
     vec4 colour_x = colour_weights(t.x, spline_x), colour_y = colour_weights(t.y, spline_y);
     vec3 layers = vec3(0.0);
     vec2 slope = vec2(0.0);
+    vec3 bend = vec3(0.0);
     vec4 colour = vec4(0.0);
     for (int j = 0; j < 4; ++j) {
         vec3 layers_row = vec3(0.0);
-        float slope_row = 0.0;
+        float slope_row = 0.0, bend_row = 0.0;
         vec4 colour_row = vec4(0.0);
         for (int i = 0; i < 4; ++i) {
             ivec2 texel = first + ivec2(i, j);
             vec3 here = texelFetch(surface_layers, texel, 0).rgb;
             layers_row += spline_x[i] * here;
             slope_row += slope_x[i] * here.r;
+            bend_row += bend_x[i] * here.r;
             colour_row += colour_x[i] * texelFetch(colour_and_wetness, texel, 0);
         }
         layers += spline_y[j] * layers_row;
         slope += vec2(spline_y[j] * slope_row, slope_y[j] * layers_row.r);
+        bend += vec3(spline_y[j] * bend_row, slope_y[j] * slope_row, bend_y[j] * layers_row.r);
         colour += colour_y[j] * colour_row;
     }
-    return SurfacePoint(layers.r, slope / cell_mm, layers.g, layers.b, colour.rgb, colour.a);
+    return SurfacePoint(layers.r, slope / cell_mm, bend / cell_mm, layers.g, layers.b, colour.rgb, colour.a);
 }
 
 float visibility(float depth_mm) {
@@ -94,8 +103,7 @@ float visibility(float depth_mm) {
     return 1.0 - t * t * (3.0 - 2.0 * t);
 }
 
-float ggx(float roughness, float light, float eye, float half_cosine) {
-    float a2 = roughness * roughness;
+float ggx(float a2, float light, float eye, float half_cosine) {
     float spread = half_cosine * half_cosine * (a2 - 1.0) + 1.0;
     float masking = light * sqrt(eye * eye * (1.0 - a2) + a2) + eye * sqrt(light * light * (1.0 - a2) + a2);
     return 0.318309886 * a2 / (spread * spread) * 0.5 / masking;
@@ -109,12 +117,16 @@ vec3 shoulder(vec3 value) {
 
 vec3 shade(SurfacePoint point) {
     float eye = inversesqrt(1.0 + dot(point.slope, point.slope));
-    float lit = max(0.0, (to_light.z - dot(point.slope, to_light.xy)) * eye);
+    float towards = (to_light.z - dot(point.slope, to_light.xy)) * eye;
+    vec2 varying_light = eye * vec2(dot(point.bend.xy, to_light.xy), dot(point.bend.yz, to_light.xy));
+    float lit = 0.5 * (towards + sqrt(towards * towards + 0.212206591 * dot(varying_light, varying_light)));
     float half_cosine = (half_vector.z - dot(point.slope, half_vector.xy)) * eye;
     float arriving = lit * visibility(point.shadow_mm - point.height_mm);
     float roughness = mix(dry_roughness, wet_roughness, clamp(point.wetness, 0.0, 1.0));
     float diffuse = direct * arriving + ambient * point.sky;
-    float highlight = gloss * arriving * ggx(roughness, lit, eye, half_cosine);
+    float variance = dot(point.bend * point.bend, vec3(1.0, 2.0, 1.0)) / 3.0;
+    float a2 = min(1.0, roughness * roughness + variance);
+    float highlight = gloss * arriving * ggx(a2, lit, eye, half_cosine);
     return shoulder(point.colour * diffuse + highlight);
 }
 

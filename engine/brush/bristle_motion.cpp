@@ -175,7 +175,7 @@ Swath move_bristles(const Brush& brush, const HandPose& hand, double step_mm,
                 set_down(columns, i, highest_support(film, tufts, i), descent, pose);
                 widen(swath, side_mm(pose, hand));
             } else {
-                pose = {};
+                pose = {.lifted = pose.lifted || pose.down, .x_mm = pose.x_mm, .y_mm = pose.y_mm};
             }
         }
     }

@@ -14,7 +14,8 @@ namespace pastoso::brush {
 
 struct BristlePose {
     bool down = false;              ///< touches the canvas
-    double x_mm = 0.0, y_mm = 0.0;  ///< of the tip
+    bool lifted = false;            ///< touched it in this stroke and does no more
+    double x_mm = 0.0, y_mm = 0.0;  ///< of the tip; where it touched last
     float press = 0.0F;             ///< 0 to 1
     float support_mm = 0.0F;        ///< height of the dry surface it rides on
     float bearing_mm = 0.0F;        ///< height of what the tool bears on there (brush/bearing.hpp)

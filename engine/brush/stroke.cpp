@@ -31,8 +31,9 @@ constexpr int kPloughSeed = 4095;
 constexpr double kPassDepths = 2.0, kPassRadii = 4.0;
 /// A footprint's least radius in the step length: thin hairs do not make the steps ever shorter.
 constexpr double kLeastStepRadius_mm = 0.15;
-/// Width of what a lifted knife leaves, in half thicknesses of its edge.
-constexpr double kLeftHeap_radii = 2.2;
+/// Width of what is left by a lifted knife, in half thicknesses of its edge, and by a lifted hair, which
+/// stays where it has painted.
+constexpr double kKnifeHeap_radii = 2.2, kHairHeap_radii = 1.1;
 /// A jet of air is never narrower than this share of the tip.
 constexpr double kLeastSpread = 0.05;
 /// How far a jet of air wavers, in its radii.
@@ -287,13 +288,14 @@ bool Stroke::touch_one(int bristle, const Touch& touch, StripTools& tools) {
 }
 
 void Stroke::leave_paint() {
-    const double share = brush_.preset.paint.leave;
+    const double radius_mm =
+        brush_.tip.radius_mm * (brush_.tip.rigid ? kKnifeHeap_radii : kHairHeap_radii);
     for (int i = 0; i < static_cast<int>(poses_.size()); ++i) {
-        if (!poses_[i].down || share <= 0.0) continue;
+        const double share = left_share(i);
+        if (share <= 0.0) continue;
         Contents& held = brush_.held[i];
-        note_changed(put_down(held, torn_share(i) * share * held.volume_mm3, poses_[i].x_mm,
-                              poses_[i].y_mm, kLeftHeap_radii * brush_.tip.radius_mm, dither_seed(i),
-                              film_, cells_));
+        note_changed(put_down(held, share * held.volume_mm3, poses_[i].x_mm, poses_[i].y_mm, radius_mm,
+                              dither_seed(i), film_, cells_));
     }
     poses_.assign(poses_.size(), BristlePose{});
 }

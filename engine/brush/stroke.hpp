@@ -99,6 +99,7 @@ class Stroke {
     /// Contact::alone: whether cells beyond its own clump see the bristle.
     float alone(int bristle) const;
     float thrown_up(int bristle) const;
+    double left_share(int bristle) const;
     double torn_share(int bristle) const;
     /// False: other threads may be at work on tiles that the film shares with other states.
     bool touch_one(int bristle, const Touch& touch, StripTools& tools);

@@ -12,6 +12,9 @@ namespace {
 
 /// Lengths over which the edge of a blade throws paint up evenly, and over which its end tears.
 constexpr double kThrowing_mm = 2.5, kTear_mm = 1.2;
+/// Share of the load that hangs at the tips of a fresh brush, for a preset that starts with a film twice
+/// as thick, and how far a dab moves.
+constexpr double kHangingShare = 0.12, kDab_mm = 4.0;
 /// Slope at which a blade comes down from wet paint onto what is lower; hairs are down at once.
 constexpr double kSinkingSlope = 0.5;
 constexpr float kAnyWay_mm = 1e6F;
@@ -67,9 +70,20 @@ float Stroke::thrown_up(int bristle) const {
     return static_cast<float>(smooth_noise(travel, jitter_seed_ + (is_first_half ? 1 : 2)));
 }
 
-/// The end of what a blade leaves is torn: some of its elements let go more, some nothing.
+/// What an element leaves of its load when it is lifted: the preset's share, and of a dab also what
+/// hangs at the hairs' tips, which a stroke has laid by then. The end of what a blade leaves is torn:
+/// some of its elements let go more, some nothing.
+double Stroke::left_share(int bristle) const {
+    const PaintPreset& paint = brush_.preset.paint;
+    const BristlePose& pose = poses_[bristle];
+    const double left = pose.down ? paint.leave : 0.0;
+    if (brush_.tip.rigid) return left * torn_share(bristle);
+    if (!pose.down && !pose.lifted) return 0.0;
+    const double moved_mm = std::hypot(led_.x_mm - down_.x_mm, led_.y_mm - down_.y_mm);
+    return left + kHangingShare * paint.start * std::max(0.0, 1.0 - moved_mm / kDab_mm);
+}
+
 double Stroke::torn_share(int bristle) const {
-    if (!brush_.tip.rigid) return 1.0;
     const double along_edge_mm = 2.0 * brush_.tip.half_width_mm * bristle / poses_.size();
     const double torn = 1.0 + smooth_noise(along_edge_mm / kTear_mm, jitter_seed_);
     return torn * torn;

@@ -6,11 +6,13 @@
 
 namespace pastoso::grid {
 
-/// Weights of the four coefficients around a point and of their derivatives. `t` in [0, 1) is the point's
-/// distance from the second coefficient, in cells: s(x) = sum_k weight[k] c[i - 1 + k], x = i + t.
+/// Weights of the four coefficients around a point, and those of the first and second derivative. `t` in
+/// [0, 1) is the point's distance from the second coefficient, in cells: s(x) = sum_k weight[k] c[i - 1
+/// + k], x = i + t.
 struct BsplineWeights {
     std::array<float, 4> value;
     std::array<float, 4> slope;  ///< d/dx, per cell
+    std::array<float, 4> bend;   ///< d2/dx2, per cell^2
 };
 BsplineWeights bspline_weights(float t);
 

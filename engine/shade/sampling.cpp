@@ -41,7 +41,8 @@ SampleAxis sample_axis(const SampleGrid& samples, int first, int count, int laye
         const auto t = static_cast<float>(position - cell);
         const grid::BsplineWeights spline = grid::bspline_weights(t);
         axis.first_cell[i] = static_cast<int>(cell) - 1 - layer_origin;
-        axis.weights[i] = {spline.value, spline.slope, colour_weights(t, samples.sharpness)};
+        axis.weights[i] = {spline.value, spline.slope, spline.bend,
+                           colour_weights(t, samples.sharpness)};
     }
     return axis;
 }
@@ -52,6 +53,7 @@ SampleColumns::SampleColumns(const SampleAxis& axis)
         for (const AxisWeights& weights : axis.weights) {
             spline[k].push_back(weights.spline[k]);
             slope[k].push_back(weights.slope[k]);
+            bend[k].push_back(weights.bend[k]);
             colour[k].push_back(weights.colour[k]);
         }
     }

@@ -12,6 +12,7 @@ namespace pastoso::shade {
 struct AxisWeights {
     std::array<float, 4> spline;  ///< of B-spline coefficients (grid/bspline.hpp)
     std::array<float, 4> slope;   ///< of their derivative, per cell
+    std::array<float, 4> bend;    ///< of its derivative, per cell^2
     std::array<float, 4> colour;  ///< of cell colours: colour_weights()
 };
 
@@ -46,7 +47,7 @@ struct SampleColumns {
 
     int count = 0;
     std::vector<int> first_cell;
-    std::array<std::vector<float>, 4> spline, slope, colour;
+    std::array<std::vector<float>, 4> spline, slope, bend, colour;
 };
 
 /// The most cells that the samples of one row may span.

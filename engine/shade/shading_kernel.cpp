@@ -11,6 +11,7 @@ constexpr int kGroup = 64;
 /// The layers at one height y, for a stretch of cells.
 struct CellLine {
     alignas(64) float height[kMaxRowCells], height_slope[kMaxRowCells];
+    alignas(64) float height_bend[kMaxRowCells];
     alignas(64) float shadow[kMaxRowCells], sky[kMaxRowCells];
     alignas(64) CellColour colour[kMaxRowCells];
 };
@@ -18,6 +19,7 @@ struct CellLine {
 struct PointGroup {
     alignas(64) float height_mm[kGroup], slope_x[kGroup], slope_y[kGroup], shadow_mm[kGroup],
         sky[kGroup];
+    alignas(64) float bend_xx[kGroup], bend_xy[kGroup], bend_yy[kGroup];
     alignas(64) float red[kGroup], green[kGroup], blue[kGroup], wetness[kGroup];
 };
 
@@ -31,6 +33,7 @@ void blend_rows(const LayerRows& rows, const AxisWeights& weights, int begin, in
     for (int x = begin; x < end; ++x) {
         line.height[x - begin] = blend(rows.height, weights.spline, x);
         line.height_slope[x - begin] = blend(rows.height, weights.slope, x);
+        line.height_bend[x - begin] = blend(rows.height, weights.bend, x);
         line.shadow[x - begin] = blend(rows.shadow, weights.spline, x);
         line.sky[x - begin] = blend(rows.sky, weights.spline, x);
     }
@@ -60,6 +63,9 @@ void blend_cells(const CellLine& line, int begin, const SampleColumns& columns, 
         points.height_mm[i] = blend(line.height + cell, columns.spline, first + i);
         points.slope_x[i] = blend(line.height + cell, columns.slope, first + i);
         points.slope_y[i] = blend(line.height_slope + cell, columns.spline, first + i);
+        points.bend_xx[i] = blend(line.height + cell, columns.bend, first + i);
+        points.bend_xy[i] = blend(line.height_slope + cell, columns.slope, first + i);
+        points.bend_yy[i] = blend(line.height_bend + cell, columns.spline, first + i);
         points.shadow_mm[i] = blend(line.shadow + cell, columns.spline, first + i);
         points.sky[i] = blend(line.sky + cell, columns.spline, first + i);
         CellColour sum;
@@ -80,11 +86,12 @@ void blend_cells(const CellLine& line, int begin, const SampleColumns& columns, 
 void shade_points(const PointGroup& points, int count, float cells_per_mm, const ShadingConstants& light,
                   float* rgb) {
     for (int i = 0; i < count; ++i) {
-        const ShadedPoint shaded =
-            shade({points.height_mm[i], points.slope_x[i] * cells_per_mm,
-                   points.slope_y[i] * cells_per_mm, points.shadow_mm[i], points.sky[i],
-                   points.wetness[i], points.red[i], points.green[i], points.blue[i]},
-                  light);
+        const ShadedPoint shaded = shade(
+            {points.height_mm[i], points.slope_x[i] * cells_per_mm, points.slope_y[i] * cells_per_mm,
+             points.bend_xx[i] * cells_per_mm, points.bend_xy[i] * cells_per_mm,
+             points.bend_yy[i] * cells_per_mm, points.shadow_mm[i], points.sky[i], points.wetness[i],
+             points.red[i], points.green[i], points.blue[i]},
+            light);
         rgb[3 * i] = shaded.red;
         rgb[3 * i + 1] = shaded.green;
         rgb[3 * i + 2] = shaded.blue;

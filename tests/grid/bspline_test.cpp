@@ -31,6 +31,9 @@ TEST(BsplineWeights, ReproduceConstantsAndLines) {
         EXPECT_NEAR(moment(weights.value, t, 1), 0.0, kRounding);
         EXPECT_NEAR(moment(weights.slope, t, 0), 0.0, kRounding);
         EXPECT_NEAR(moment(weights.slope, t, 1), 1.0, kRounding);
+        EXPECT_NEAR(moment(weights.bend, t, 0), 0.0, kRounding);
+        EXPECT_NEAR(moment(weights.bend, t, 1), 0.0, kRounding);
+        EXPECT_NEAR(moment(weights.bend, t, 2), 2.0, 10.0 * kRounding);
     }
 }
 
@@ -55,6 +58,7 @@ TEST(BsplineWeights, AreMirrored) {
         for (int k = 0; k < 4; ++k) {
             EXPECT_NEAR(weights.value[k], mirrored.value[3 - k], kRounding);
             EXPECT_NEAR(weights.slope[k], -mirrored.slope[3 - k], kRounding);
+            EXPECT_NEAR(weights.bend[k], mirrored.bend[3 - k], kRounding);
         }
     }
 }

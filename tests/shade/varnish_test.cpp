@@ -124,8 +124,8 @@ double reflected_share(double roughness) {
         const double angle = (i + 0.5) * step;
         const auto cosine = static_cast<float>(std::cos(angle));
         const auto half = static_cast<float>(std::cos(0.5 * angle));
-        sum += ggx(static_cast<float>(roughness), cosine, 1.0F, half) * cosine * 2.0 * core::kPi *
-               std::sin(angle) * step;
+        sum += ggx(static_cast<float>(roughness * roughness), cosine, 1.0F, half) * cosine * 2.0 *
+               core::kPi * std::sin(angle) * step;
     }
     return sum;
 }
