@@ -37,6 +37,7 @@ enum class Command {
     PickColour,
     ReloadEachStroke,
     TurnWithStroke,
+    TiltTool,
     SaveBrush,
     RenameBrush,
     DeleteBrush,

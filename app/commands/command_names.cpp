@@ -45,6 +45,7 @@ constexpr Name kNames[] = {
     {Command::PickColour, "pick_colour"},
     {Command::ReloadEachStroke, "reload_each_stroke"},
     {Command::TurnWithStroke, "turn_with_stroke"},
+    {Command::TiltTool, "tilt_tool"},
     {Command::SaveBrush, "save_brush"},
     {Command::RenameBrush, "rename_brush"},
     {Command::DeleteBrush, "delete_brush"},

@@ -21,6 +21,9 @@ constexpr double kShortestRuler_mm = 5.0;
 constexpr double kRest_s = 0.1;
 constexpr double kEventInterval_s = 0.008;
 
+/// Tilt to the right and towards the painter of a tool that is held aslant: 50 degrees from upright.
+constexpr double kAslant_deg = 40.0;
+
 /// The way after which a stroke has a direction.
 constexpr double kDecidingWay_mm = 2.0;
 /// A tip that started less askew than this is left as it is.
@@ -160,6 +163,10 @@ void Easel::set_reload_each_stroke(bool reload) {
 
 void Easel::set_turn_with_stroke(bool turn) {
     hand_.turn_with_stroke = turn;
+}
+
+void Easel::set_tilted(bool tilted) {
+    hand_.tilted = tilted;
 }
 
 void Easel::set_stabiliser(const brush::Stabiliser& stabiliser) {
@@ -365,9 +372,10 @@ void Easel::follow(const Pointer& pointer) {
 }
 
 brush::PenSample Easel::held() const {
+    const bool aslant = hand_.tilted && !followed_.tells_tilt;
     return {.pressure = std::clamp(followed_.pressure, 0.0, 1.0),
-            .tilt_x_deg = std::clamp(followed_.tilt_x_deg, -90.0, 90.0),
-            .tilt_y_deg = std::clamp(followed_.tilt_y_deg, -90.0, 90.0),
+            .tilt_x_deg = aslant ? kAslant_deg : std::clamp(followed_.tilt_x_deg, -90.0, 90.0),
+            .tilt_y_deg = aslant ? kAslant_deg : std::clamp(followed_.tilt_y_deg, -90.0, 90.0),
             .rotation_deg = rotation_deg_};
 }
 

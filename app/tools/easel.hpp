@@ -22,6 +22,7 @@ struct Pointer {
     double pressure = 0.5;
     double tilt_x_deg = 0.0;
     double tilt_y_deg = 0.0;
+    bool tells_tilt = false;             ///< a pen that can; the hand's own otherwise
     std::optional<double> rotation_deg;  ///< of the pen about its axis, where it can tell
     double hand_deg = 0.0;  ///< of a tip's width that neither the pen nor its way turns: the hand's own
     std::uint64_t time_ms = 0;  ///< of the event, on the windowing system's clock
@@ -72,6 +73,7 @@ class Easel {
     void dry_now();
     void set_reload_each_stroke(bool reload);
     void set_turn_with_stroke(bool turn);
+    void set_tilted(bool tilted);
     void set_stabiliser(const brush::Stabiliser& stabiliser);
     void set_symmetry(const brush::Symmetry& symmetry);
 

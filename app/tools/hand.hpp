@@ -45,6 +45,7 @@ struct Hand {
     brush::PenGuide guide;                       ///< that the latest stroke had
     bool reload_each_stroke = true;              ///< a clean brush full of `paint` at every touch
     bool turn_with_stroke = true;  ///< a pen that does not tell its rotation turns across its path
+    bool tilted = false;           ///< what does not tell its tilt holds the tool aslant
 };
 
 /// The brush in hand, as wide as its preset says.

@@ -14,9 +14,9 @@ constexpr double kMargin = 1.1;
 constexpr double kLeast[] = {0.77, 0.408, 0.289, 0.224, 0.141, 0.071};
 
 Pace nearest(double share) {
-    const auto* least = std::find_if(std::begin(kLeast), std::end(kLeast),
+    const auto* found = std::find_if(std::begin(kLeast), std::end(kLeast),
                                      [share](double least) { return share >= least; });
-    return static_cast<Pace>(least - std::begin(kLeast));
+    return static_cast<Pace>(found - std::begin(kLeast));
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ tools::Pointer CanvasView::pen_pointer(const QTabletEvent& event) const {
     pointer.time_ms = event.timestamp();
     if (device != nullptr) {
         pointer.pressure = tools::mapped_pressure(pen_, tools::pen_device_of(*device), pointer.pressure);
+        pointer.tells_tilt = device->capabilities().testFlag(QInputDevice::Capability::XTilt);
         if (device->capabilities().testFlag(QInputDevice::Capability::Rotation))
             pointer.rotation_deg = event.rotation();
     }

@@ -445,6 +445,10 @@
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>ride on wet paint</source>
+        <translation>ride on wet paint</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -2057,6 +2061,14 @@
     <message>
         <source>A second of the paint takes a second again</source>
         <translation>A second of the paint takes a second again</translation>
+    </message>
+    <message>
+        <source>&amp;Hold it tilted</source>
+        <translation>&amp;Hold it tilted</translation>
+    </message>
+    <message>
+        <source>A mouse holds the tool aslant: a knife then scrapes with its edge</source>
+        <translation>A mouse holds the tool aslant: a knife then scrapes with its edge</translation>
     </message>
 </context>
 <context>

@@ -445,6 +445,10 @@
         <source>%1, %2</source>
         <translation>%1、%2</translation>
     </message>
+    <message>
+        <source>ride on wet paint</source>
+        <translation>濡れた絵の具への乗り</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -2057,6 +2061,14 @@
     <message>
         <source>A second of the paint takes a second again</source>
         <translation>絵の具の1秒がまた1秒になる</translation>
+    </message>
+    <message>
+        <source>&amp;Hold it tilted</source>
+        <translation>傾けて持つ(&amp;H)</translation>
+    </message>
+    <message>
+        <source>A mouse holds the tool aslant: a knife then scrapes with its edge</source>
+        <translation>マウスでも道具を斜めに持つ。ナイフは刃で削る</translation>
     </message>
 </context>
 <context>

@@ -445,6 +445,10 @@
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>ride on wet paint</source>
+        <translation>glidning på våt färg</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -2057,6 +2061,14 @@
     <message>
         <source>A second of the paint takes a second again</source>
         <translation>En sekund för färgen tar åter en sekund</translation>
+    </message>
+    <message>
+        <source>&amp;Hold it tilted</source>
+        <translation>&amp;Håll det lutat</translation>
+    </message>
+    <message>
+        <source>A mouse holds the tool aslant: a knife then scrapes with its edge</source>
+        <translation>Med mus hålls verktyget på sned: en kniv skrapar då med eggen</translation>
     </message>
 </context>
 <context>

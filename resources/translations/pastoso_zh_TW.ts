@@ -445,6 +445,10 @@
         <source>%1, %2</source>
         <translation>%1，%2</translation>
     </message>
+    <message>
+        <source>ride on wet paint</source>
+        <translation>浮在濕顏料上</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -2057,6 +2061,14 @@
     <message>
         <source>A second of the paint takes a second again</source>
         <translation>顏料的一秒又是一秒</translation>
+    </message>
+    <message>
+        <source>&amp;Hold it tilted</source>
+        <translation>傾斜握持(&amp;H)</translation>
+    </message>
+    <message>
+        <source>A mouse holds the tool aslant: a knife then scrapes with its edge</source>
+        <translation>用滑鼠也能斜握工具:畫刀此時以刀緣刮除</translation>
     </message>
 </context>
 <context>

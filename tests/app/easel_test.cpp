@@ -313,6 +313,21 @@ TEST_F(EaselTest, AStrokeThatStartedRightIsNotTurned) {
     EXPECT_THAT(posted(), ElementsAre("down", "move"));
 }
 
+TEST_F(EaselTest, AMouseHoldsTheToolAslantWhenAskedTo) {
+    const auto tilt_deg = [this](const Pointer& pointer) {
+        easel_.press(pointer);
+        easel_.release();
+        return easel_.held().tilt_x_deg;
+    };
+    EXPECT_EQ(tilt_deg(at_mm(10.0, 10.0)), 0.0);
+    easel_.set_tilted(true);
+    EXPECT_EQ(tilt_deg(at_mm(10.0, 10.0)), 40.0);
+    Pointer pen = at_mm(10.0, 10.0);
+    pen.tells_tilt = true;
+    pen.tilt_x_deg = 12.0;
+    EXPECT_EQ(tilt_deg(pen), 12.0);
+}
+
 TEST_F(EaselTest, ADabStaysADab) {
     easel_.set_reload_each_stroke(false);
     easel_.press(at_mm(10.0, 10.0));

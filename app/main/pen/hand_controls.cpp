@@ -49,6 +49,7 @@ void HandControls::connect_commands() {
     commands.on(Command::ReloadEachStroke,
                 [&easel](bool reload) { easel.set_reload_each_stroke(reload); });
     commands.on(Command::TurnWithStroke, [&easel](bool turn) { easel.set_turn_with_stroke(turn); });
+    commands.on(Command::TiltTool, [&easel](bool tilted) { easel.set_tilted(tilted); });
     commands.on(Command::NextBrush, [this](bool) { panels_.brushes->take_next(1); });
     commands.on(Command::PreviousBrush, [this](bool) { panels_.brushes->take_next(-1); });
     commands.on(Command::SmallerBrush, [this](bool) { step_width(-1); });
@@ -115,6 +116,7 @@ void HandControls::show(const tools::Hand& hand) {
     const commands::CommandRegistry& commands = studio_.commands();
     commands.action(Command::ReloadEachStroke)->setChecked(hand.reload_each_stroke);
     commands.action(Command::TurnWithStroke)->setChecked(hand.turn_with_stroke);
+    commands.action(Command::TiltTool)->setChecked(hand.tilted);
     const bool dips = tools::preset_in_hand(hand).dips;
     for (const auto command : {Command::ReloadBrush, Command::TopUpBrush})
         commands.action(command)->setEnabled(dips);
