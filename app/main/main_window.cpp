@@ -3,6 +3,7 @@
 #include "main/window_parts.hpp"
 #include "panels/layers/tracing_panel.hpp"
 #include "panels/paint/medium_panel.hpp"
+#include "panels/paint/thinning_slider.hpp"
 #include "pigment/user_pigments.hpp"
 #include "recordings/recording_json.hpp"
 
@@ -26,6 +27,8 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     connect(&parts.tea, &TeaMode::other_wanted, &parts.tank, &TankMode::choose);
     connect(&parts.tank, &TankMode::tea_wanted, &parts.tea, &TeaMode::enter);
     connect(&parts.files, &ProjectFiles::about_to_keep, panels_.physics, &panels::MediumPanel::finish);
+    connect(&parts.files, &ProjectFiles::about_to_keep, panels_.thinning,
+            &panels::ThinningSlider::finish);
     studio_.commands().on(commands::Command::Quit, [this](bool) { close(); });
     parts.files.start(canvas);
     parts.brushes.read();

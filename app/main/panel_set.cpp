@@ -6,6 +6,7 @@
 #include "main/studio.hpp"
 #include "panels/canvas/easel_panel.hpp"
 #include "panels/paint/paint_panel.hpp"
+#include "panels/paint/thinning_slider.hpp"
 #include "panels/paint/well_panel.hpp"
 #include "panels/parts/status_readings.hpp"
 #include "panels/pen/brush_panel.hpp"
@@ -94,13 +95,16 @@ void make_tool_bar(Studio& studio, const PanelSet& panels) {
     add_button(Command::Undo, QObject::tr("Undo"), Qt::ToolButtonIconOnly);
     add_button(Command::Redo, QObject::tr("Redo"), Qt::ToolButtonIconOnly);
     bar->addSeparator();
-    add_button(Command::ReloadBrush, QObject::tr("Reload"));
-    add_button(Command::CleanBrush, QObject::tr("Clean"));
+    add_button(Command::ReloadBrush, QObject::tr("Reload"), Qt::ToolButtonIconOnly);
+    add_button(Command::CleanBrush, QObject::tr("Clean"), Qt::ToolButtonIconOnly);
     add_button(Command::ReloadEachStroke, QObject::tr("Reload each stroke"), Qt::ToolButtonIconOnly);
     add_button(Command::TurnWithStroke, QObject::tr("Turn with stroke"), Qt::ToolButtonIconOnly);
     bar->addSeparator();
     bar->addWidget(new QLabel(QObject::tr("Medium ")));
     bar->addWidget(panels.medium);
+    bar->addWidget(panels.thinning);
+    add_button(Command::ThinWash, QObject::tr("Wash"), Qt::ToolButtonIconOnly);
+    bar->addSeparator();
     add_button(Command::Pause, QObject::tr("Pause"));
     bar->addWidget(panels.time);
     add_button(Command::DryNow, QObject::tr("Dry now"));
@@ -173,6 +177,7 @@ PanelSet lay_out(Studio& studio) {
     studio.commands().fill(window.menuBar());
     PanelSet panels;
     panels.medium = make_medium_box();
+    panels.thinning = new panels::ThinningSlider(Qt::Horizontal);
     panels.time = make_time_box();
     make_tool_bar(studio, panels);
     panels.brushes = make_brush_panel(studio.commands());

@@ -25,6 +25,7 @@ class NavigatorPanel;
 class PaintPanel;
 class RecorderPanel;
 class StatusReadings;
+class ThinningSlider;
 class TracingPanel;
 }  // namespace pastoso::panels
 
@@ -51,6 +52,7 @@ struct PanelSet {
     panels::MessagePanel* messages = nullptr;
     panels::StatusReadings* readings = nullptr;
     QComboBox* medium = nullptr;
+    panels::ThinningSlider* thinning = nullptr;  ///< beside it
     QComboBox* time = nullptr;  ///< how fast it passes for the paint
     QDockWidget* well = nullptr;
     std::map<commands::Command, QDockWidget*> docks;  ///< by the command that shows them

@@ -3,6 +3,7 @@
 #include "brush/preset.hpp"
 #include "document/well.hpp"
 #include "tools/canvas_resizing.hpp"
+#include "tools/paint_share.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -127,12 +128,25 @@ void Easel::set_dip(const Dip& dip) {
 }
 
 void Easel::use_medium(const std::string& name) {
+    share_before_wash_ = 1.0;
     pour({name});
 }
 
 void Easel::change_medium(const film::Medium& medium) {
     const bool is_bundled = medium == film::find_medium(medium.name);
-    pour({medium.name, is_bundled ? std::nullopt : std::optional(medium)});
+    pour({medium.name, is_bundled ? std::nullopt : std::optional(medium), hand_.medium.paint_share});
+}
+
+void Easel::set_paint_share(double share) {
+    UseMedium medium = hand_.medium;
+    medium.paint_share = std::clamp(share, film::kLeastPaintShare, 1.0);
+    if (medium == hand_.medium || !can_thin(hand_)) return;
+    if (hand_.medium.paint_share > kWashShare) share_before_wash_ = hand_.medium.paint_share;
+    pour(medium);
+}
+
+void Easel::thin_to_wash(bool wash) {
+    set_paint_share(wash ? kWashShare : share_before_wash_);
 }
 
 void Easel::pour(const UseMedium& medium) {

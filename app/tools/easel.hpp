@@ -68,6 +68,12 @@ class Easel {
     void clean();
     void use_medium(const std::string& name);  ///< cleans the brush and dips it in paint of that kind
     void change_medium(const film::Medium& medium);  ///< other numbers under its name; the same
+
+    /// Thins the medium in hand, which keeps its numbers, to that share of paint, within the limits of
+    /// film::thinned(), and dips as for another medium. Nothing where it is that thin, or nothing thins
+    /// it.
+    void set_paint_share(double share);
+    void thin_to_wash(bool wash);  ///< to kWashShare, and back to what was thicker than that before
     void tilt(double tilt_deg, double direction_deg);
     void set_drying_speed(double speed);
     void dry_now();
@@ -144,6 +150,7 @@ class Easel {
     bool lent_ = false;
     bool painting_ = false;
     document::Surface painting_on_ = document::Surface::Canvas;  ///< in the latest stroke
+    double share_before_wash_ = 1.0;                             ///< of paint in the medium in hand
     bool mixed_ = false;         ///< the brush was in the well since it was loaded
     int squeezed_ = 0;           ///< places of the row that are taken
     Pointer pressed_, latest_;   ///< of the latest stroke on the canvas

@@ -3,6 +3,7 @@
 
 #include "document/events.hpp"
 #include "film/cell/paint_sample.hpp"
+#include "film/medium.hpp"
 
 #include <optional>
 #include <span>
@@ -21,9 +22,9 @@ struct PickedPaint {
     film::PaintLayer layer = film::PaintLayer::Bare;  ///< that it came from, wet or dry
 };
 
-/// The paint within half a millimetre, mixed of some of the paints named. Nothing where none lies, and
-/// where they do not mix to it.
+/// The paint within half a millimetre, mixed of some of the paints named, as strong as it is mixed in
+/// the medium. Nothing where none lies, and where they do not mix to it.
 std::optional<PickedPaint> paint_at(const film::FilmState& film, std::span<const std::string> names,
-                                    double x_mm, double y_mm);
+                                    const film::Medium& medium, double x_mm, double y_mm);
 
 }  // namespace pastoso::tools

@@ -41,7 +41,7 @@ void note_paints(const Action& action, std::vector<std::string>& names) {
 }
 
 std::optional<PaintRecipe> recipe_of(const pigment::Coefficients& mixture,
-                                     std::span<const std::string> names) {
+                                     std::span<const std::string> names, double pigment_share) {
     if (*std::max_element(mixture.begin(), mixture.end()) < kColourless_per_mm) return PaintRecipe{};
     std::vector<pigment::Coefficients> paints;
     for (const std::string& name : names)
@@ -57,7 +57,7 @@ std::optional<PaintRecipe> recipe_of(const pigment::Coefficients& mixture,
     std::stable_sort(recipe.ingredients.begin(), recipe.ingredients.end(),
                      [](const Ingredient& a, const Ingredient& b) { return a.parts > b.parts; });
     if (recipe.ingredients.size() == 1) recipe.ingredients.front().parts = 1.0;
-    recipe.strength = std::min(1.0, rounded(pigmented, kStrengthSteps));
+    recipe.strength = std::min(1.0, rounded(pigmented / pigment_share, kStrengthSteps));
     return recipe;
 }
 

@@ -132,6 +132,50 @@ TEST_F(EaselTest, AnotherMediumComesWithAFreshBrush) {
     EXPECT_EQ(easel_.hand().medium, UseMedium{"ink glaze"});
 }
 
+TEST_F(EaselTest, ThinnerPaintComesWithAFreshBrushAndKeepsItsNumbers) {
+    film::Medium own = film::find_medium("house paint");
+    own.yield_stress_Pa = 3.0;
+    easel_.change_medium(own);
+    easel_.press({});
+    actions_.clear();
+    easel_.set_paint_share(0.3);
+    EXPECT_THAT(posted(), ElementsAre("up", "clean", "medium", "clean", "load"));
+    EXPECT_EQ(easel_.hand().medium, (UseMedium{"house paint", own, 0.3}));
+    own.yield_stress_Pa = 4.0;
+    easel_.change_medium(own);
+    EXPECT_EQ(easel_.hand().medium, (UseMedium{"house paint", own, 0.3}));
+    easel_.use_medium("ink glaze");
+    EXPECT_EQ(easel_.hand().medium, UseMedium{"ink glaze"});
+}
+
+TEST_F(EaselTest, IsThinnedWithinLimitsAndPouredOnlyWhereThatChangesSomething) {
+    easel_.set_paint_share(1.0);
+    EXPECT_TRUE(actions_.empty());
+    easel_.set_paint_share(0.001);
+    EXPECT_EQ(easel_.hand().medium.paint_share, film::kLeastPaintShare);
+    easel_.use_medium("thinner");
+    actions_.clear();
+    easel_.set_paint_share(0.5);
+    EXPECT_TRUE(actions_.empty());
+    EXPECT_EQ(easel_.hand().medium, UseMedium{"thinner"});
+}
+
+TEST_F(EaselTest, AWashGoesBackToWhatWasThickerBefore) {
+    easel_.thin_to_wash(true);
+    EXPECT_EQ(easel_.hand().medium.paint_share, 0.08);
+    easel_.thin_to_wash(false);
+    EXPECT_EQ(easel_.hand().medium.paint_share, 1.0);
+    easel_.set_paint_share(0.4);
+    easel_.thin_to_wash(true);
+    easel_.set_paint_share(0.05);
+    easel_.thin_to_wash(false);
+    EXPECT_EQ(easel_.hand().medium.paint_share, 0.4);
+    easel_.thin_to_wash(true);
+    easel_.use_medium("ink glaze");
+    easel_.thin_to_wash(false);
+    EXPECT_EQ(easel_.hand().medium, UseMedium{"ink glaze"});
+}
+
 TEST_F(EaselTest, DryingEndsTheStrokeAndItsSpeedDoesNot) {
     easel_.set_reload_each_stroke(false);
     easel_.press({});

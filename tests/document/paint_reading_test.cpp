@@ -2,6 +2,7 @@
 
 #include "document/paint_mixing.hpp"
 #include "document/painting.hpp"
+#include "film/thinning.hpp"
 #include "pigment/paint_name.hpp"
 
 #include <algorithm>
@@ -15,8 +16,8 @@ using Names = std::vector<std::string>;
 
 const Names kOnThePalette = {"PW6", "PB29", "PR108", "PY35", "PBk9", "#c03020"};
 
-pigment::Coefficients coefficients_of(const PaintRecipe& recipe) {
-    const film::PaintCoefficients paint = mixed_paint(recipe, film::Medium{});
+pigment::Coefficients coefficients_of(const PaintRecipe& recipe, const film::Medium& medium = {}) {
+    const film::PaintCoefficients paint = mixed_paint(recipe, medium);
     pigment::Coefficients colour{};
     std::copy_n(paint.begin(), colour.size(), colour.begin());
     return colour;
@@ -37,6 +38,21 @@ TEST(RecipeOf, IsTheMixtureThatWasMixed) {
     EXPECT_EQ(recipe_of(coefficients_of(mixed), kOnThePalette), mixed);
     const PaintRecipe thinned{{{"#c03020", 50.0}, {"PY35", 30.0}, {"PW6", 20.0}}, 0.4};
     EXPECT_EQ(recipe_of(coefficients_of(thinned), kOnThePalette), thinned);
+}
+
+/// Full-strength paint in ink glaze and in a stain of it, and thinner paint in oil.
+TEST(RecipeOf, PaintOfAGlazeIsAsStrongInThatGlaze) {
+    const PaintRecipe full{{{"PB29", 62.0}, {"PW6", 38.0}}, 1.0};
+    const PaintRecipe half{{{"PB29", 62.0}, {"PW6", 38.0}}, 0.5};
+    const film::Medium& glaze = film::find_medium("ink glaze");
+    for (const film::Medium& medium : {glaze, film::thinned(glaze, film::kLeastPaintShare)})
+        for (const PaintRecipe& paint : {full, half})
+            EXPECT_EQ(recipe_of(coefficients_of(paint, medium), kOnThePalette, medium.pigment_share),
+                      paint);
+    const auto in_oil = recipe_of(coefficients_of(full, glaze), kOnThePalette);
+    ASSERT_TRUE(in_oil.has_value());
+    EXPECT_EQ(in_oil->strength, 0.03);
+    EXPECT_EQ(recipe_of(coefficients_of(full), kOnThePalette, glaze.pigment_share), full);
 }
 
 TEST(RecipeOf, OneTubeIsOnePart) {

@@ -1,5 +1,6 @@
 #include "main/paint/paint_picking.hpp"
 
+#include "document/actions/actions.hpp"
 #include "document/well.hpp"
 #include "panels/paint/paint_words.hpp"
 #include "tools/canvas_colour.hpp"
@@ -47,10 +48,12 @@ void PaintPicking::pick_at_next_click(std::optional<tools::Pick> pick) {
 void PaintPicking::pick_from(document::Surface surface, const QPointF& place_mm, tools::Pick pick) {
     pick_at_next_click(std::nullopt);
     const document::Snapshot there = snapshot_of(*studio_.session().snapshot(), surface);
-    const auto paint =
-        pick == tools::Pick::Paint
-            ? tools::paint_at(there.film, studio_.session().paints_used(), place_mm.x(), place_mm.y())
-            : std::nullopt;
+    const auto picked = [&] {
+        const film::Medium medium = document::medium_of(studio_.easel().hand().medium);
+        return tools::paint_at(there.film, studio_.session().paints_used(), medium, place_mm.x(),
+                               place_mm.y());
+    };
+    const auto paint = pick == tools::Pick::Paint ? picked() : std::nullopt;
     if (paint)
         pick_paint(*paint);
     else

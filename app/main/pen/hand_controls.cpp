@@ -1,14 +1,15 @@
 #include "main/pen/hand_controls.hpp"
 
 #include "brush/preset.hpp"
-#include "document/actions/actions.hpp"
 #include "panels/canvas/easel_panel.hpp"
 #include "panels/colour/colour_panel.hpp"
 #include "panels/paint/load_panel.hpp"
 #include "panels/paint/medium_panel.hpp"
 #include "panels/paint/paint_panel.hpp"
+#include "panels/paint/thinning_slider.hpp"
 #include "panels/parts/status_readings.hpp"
 #include "panels/pen/brush_panel.hpp"
+#include "tools/paint_share.hpp"
 
 #include <QAction>
 #include <QComboBox>
@@ -45,6 +46,17 @@ void HandControls::connect_commands() {
         studio_.easel().swap_paints();
         studio_.show_hand();
     });
+    const auto step_medium = [this](int steps) {
+        return [this, steps](bool) {
+            thin(tools::stepped_paint_share(studio_.easel().hand().medium.paint_share, steps));
+        };
+    };
+    commands.on(Command::MoreMedium, step_medium(1));
+    commands.on(Command::MorePaint, step_medium(-1));
+    commands.on(Command::ThinWash, [this](bool wash) {
+        studio_.easel().thin_to_wash(wash);
+        studio_.show_hand();
+    });
     commands.on(Command::DryNow, [&easel](bool) { easel.dry_now(); });
     commands.on(Command::ReloadEachStroke,
                 [&easel](bool reload) { easel.set_reload_each_stroke(reload); });
@@ -73,6 +85,7 @@ void HandControls::connect_panels() {
     });
     connect(panels_.medium, &QComboBox::activated, this,
             [this] { use_medium(panels_.medium->currentData().toString()); });
+    connect(panels_.thinning, &panels::ThinningSlider::share_chosen, this, &HandControls::thin);
     connect(panels_.physics, &panels::MediumPanel::medium_chosen, this, &HandControls::use_medium);
     connect(panels_.physics, &panels::MediumPanel::medium_changed, this,
             [this](const film::Medium& medium) {
@@ -80,8 +93,11 @@ void HandControls::connect_panels() {
                 studio_.show_hand();
             });
     // The brush that comes over the canvas holds what was set a moment ago.
-    for (const view::CanvasView* view : studio_.views())
+    for (const view::CanvasView* view : studio_.views()) {
         connect(view, &view::CanvasView::pointer_moved, panels_.physics, &panels::MediumPanel::finish);
+        connect(view, &view::CanvasView::pointer_moved, panels_.thinning,
+                &panels::ThinningSlider::finish);
+    }
     connect(panels_.stand, &panels::EaselPanel::tilted, this,
             [this](double tilt_deg, double direction_deg) {
                 studio_.easel().tilt(tilt_deg, direction_deg);
@@ -92,6 +108,11 @@ void HandControls::connect_panels() {
 
 void HandControls::use_medium(const QString& name) {
     studio_.easel().use_medium(name.toStdString());
+    studio_.show_hand();
+}
+
+void HandControls::thin(double paint_share) {
+    studio_.easel().set_paint_share(paint_share);
     studio_.show_hand();
 }
 
@@ -112,11 +133,17 @@ void HandControls::show(const tools::Hand& hand) {
     panels_.stand->show_drying(hand.air.speed);
     panels_.load->show_hand(hand);
     panels_.medium->setCurrentIndex(panels_.medium->findData(QString::fromStdString(hand.medium.name)));
-    panels_.physics->show_medium(document::medium_of(hand.medium));
+    panels_.thinning->show_hand(hand);
+    panels_.physics->show_medium(tools::unthinned_medium(hand));
     const commands::CommandRegistry& commands = studio_.commands();
     commands.action(Command::ReloadEachStroke)->setChecked(hand.reload_each_stroke);
     commands.action(Command::TurnWithStroke)->setChecked(hand.turn_with_stroke);
     commands.action(Command::TiltTool)->setChecked(hand.tilted);
+    const bool thins = tools::can_thin(hand);
+    for (const auto command : {Command::MoreMedium, Command::MorePaint, Command::ThinWash})
+        commands.action(command)->setEnabled(thins);
+    commands.action(Command::ThinWash)
+        ->setChecked(thins && hand.medium.paint_share <= tools::kWashShare);
     const bool dips = tools::preset_in_hand(hand).dips;
     for (const auto command : {Command::ReloadBrush, Command::TopUpBrush})
         commands.action(command)->setEnabled(dips);

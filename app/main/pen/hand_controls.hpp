@@ -18,6 +18,7 @@ class HandControls : public QObject {
     void connect_commands();
     void connect_panels();
     void use_medium(const QString& name);
+    void thin(double paint_share);
     void step_width(int steps);
     void set_width(double width_mm);
     void show(const tools::Hand& hand);

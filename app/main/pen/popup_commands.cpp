@@ -88,6 +88,11 @@ void PopupCommands::make_palette() {
         studio_.commands().action(step)->trigger();
         palette_->show_width(studio_.easel().hand().brush_width_mm);
     });
+    connect(palette_, &panels::PopupPalette::share_chosen, this, [this](double share) {
+        studio_.easel().set_paint_share(share);
+        studio_.show_hand();
+        show_content();
+    });
     const double pixels = studio_.window().devicePixelRatioF();
     const int side = static_cast<int>(panels::PopupPalette::kThumbnail * pixels);
     thumbnails_ = std::make_unique<session::ThumbnailPainter>(
@@ -132,6 +137,7 @@ void PopupCommands::show_content() {
     content.second_paint = patch_of(hand.second_paint, swatches_.view());
     palette_->show_content(content);
     palette_->show_width(hand.brush_width_mm);
+    palette_->show_thinning(hand);
 }
 
 /// Each once, as long as the palette has its tool.

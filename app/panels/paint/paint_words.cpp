@@ -22,6 +22,22 @@ QString percent_words(double percent) {
     return QObject::tr("%1 %").arg(number_words(std::round(percent * step) / step));
 }
 
+QString body_words(tools::Body body) {
+    switch (body) {
+        case tools::Body::Paste:
+            return QObject::tr("paste");
+        case tools::Body::Cream:
+            return QObject::tr("cream");
+        case tools::Body::Milk:
+            return QObject::tr("milk");
+        case tools::Body::Wash:
+            return QObject::tr("wash");
+        case tools::Body::Stain:
+            break;
+    }
+    return QObject::tr("stain");
+}
+
 }  // namespace
 
 QString recipe_words(const document::PaintRecipe& paint) {
@@ -47,6 +63,10 @@ QString hiding_words(pigment::Hiding hiding) {
             break;
     }
     return QObject::tr("opaque");
+}
+
+QString thinning_words(tools::Body body, double paint_share) {
+    return QObject::tr("%1, %2").arg(body_words(body), percent_words(100.0 * paint_share));
 }
 
 QString paint_words(const document::PaintRecipe& paint, pigment::Hiding hiding) {

@@ -1,11 +1,11 @@
 #include "panels/popup/popup_palette.hpp"
 
 #include "appearance/shown_names.hpp"
+#include "panels/paint/thinning_slider.hpp"
 #include "panels/popup/ring_places.hpp"
 #include "panels/popup/round_button.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <QAction>
 #include <QGuiApplication>
@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QScreen>
+#include <QSlider>
 #include <QWheelEvent>
 
 namespace pastoso::panels {
@@ -40,6 +41,8 @@ PopupPalette::PopupPalette(int tools, int paints, const std::vector<QAction*>& c
     make_paints(paints);
     make_middle();
     make_commands(commands);
+    rings_[0].assign(tools_.begin(), tools_.end());
+    rings_[1].assign(paints_.begin(), paints_.end());
 }
 
 RoundButton* PopupPalette::button(int diameter, const QPointF& place, const char* name) {
@@ -73,17 +76,17 @@ void PopupPalette::make_paints(int count) {
     }
 }
 
-/// The two paints, and the width, which is stepped without closing.
+/// The two paints, and what changes without closing: the width, and how thin the paint is.
 void PopupPalette::make_middle() {
-    second_ = button(34, {24.0, -10.0}, "popup_second_paint");
-    paint_ = button(48, {-10.0, -22.0}, "popup_first_paint");
+    second_ = button(34, {24.0, -20.0}, "popup_second_paint");
+    paint_ = button(48, {-10.0, -30.0}, "popup_first_paint");
     paint_->setFocusPolicy(Qt::NoFocus);
     connect(second_, &RoundButton::clicked, this, [this] {
         hide();
         Q_EMIT paints_swapped();
     });
-    RoundButton* narrower = button(26, {-38.0, 34.0}, "popup_narrower");
-    RoundButton* wider = button(26, {38.0, 34.0}, "popup_wider");
+    RoundButton* narrower = button(26, {-44.0, 15.0}, "popup_narrower");
+    RoundButton* wider = button(26, {44.0, 15.0}, "popup_wider");
     narrower->setText(QStringLiteral("\u2212"));
     narrower->show_words(tr("A narrower brush"));
     wider->setText(QStringLiteral("+"));
@@ -93,12 +96,15 @@ void PopupPalette::make_middle() {
         connect(step, &RoundButton::clicked, this,
                 [this, steps = step == wider ? 1 : -1] { Q_EMIT width_stepped(steps); });
     }
-    middle_ = {second_, narrower, wider};
     width_ = new QLabel(this);
     width_->setObjectName(QStringLiteral("popup_width"));
     width_->setAlignment(Qt::AlignCenter);
-    width_->setGeometry(kRadius - 26, kRadius + 22, 52, 24);
+    width_->setGeometry(kRadius - 28, kRadius + 3, 56, 24);
     width_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    thinning_ = new ThinningSlider(Qt::Vertical, this);
+    thinning_->setGeometry(kRadius - 48, kRadius + 28, 96, 34);
+    connect(thinning_, &ThinningSlider::share_chosen, this, &PopupPalette::share_chosen);
+    rings_[2] = {second_, narrower, wider, thinning_->slider()};
 }
 
 void PopupPalette::make_commands(const std::vector<QAction*>& actions) {
@@ -122,7 +128,7 @@ void PopupPalette::make_commands(const std::vector<QAction*>& actions) {
         QFont small = made->font();
         small.setPointSizeF(0.85 * small.pointSizeF());
         made->setFont(small);
-        commands_.push_back(made);
+        rings_[3].push_back(made);
     }
 }
 
@@ -152,6 +158,10 @@ void PopupPalette::show_content(const Content& content) {
 
 void PopupPalette::show_width(double width_mm) {
     width_->setText(tr("%1 mm").arg(width_mm, 0, 'g', 3));
+}
+
+void PopupPalette::show_thinning(const tools::Hand& hand) {
+    thinning_->show_hand(hand);
 }
 
 void PopupPalette::set_thumbnail(const QString& tool, const QImage& image) {
@@ -211,38 +221,42 @@ bool PopupPalette::focusNextPrevChild(bool next) {
 }
 
 bool PopupPalette::focus_on(const Ring& ring, std::size_t index) {
-    RoundButton* button = ring[index % ring.size()];
-    if (button->isHidden() || !button->isEnabled()) return false;
-    button->setFocus(Qt::TabFocusReason);
+    QWidget* control = ring[index % ring.size()];
+    if (control->isHidden() || !control->isEnabled()) return false;
+    control->setFocus(Qt::TabFocusReason);
     return true;
 }
 
 void PopupPalette::step_in_ring(int steps) {
-    for (const Ring* ring : {&tools_, &paints_, &middle_, &commands_}) {
-        const auto found = std::find(ring->begin(), ring->end(), focusWidget());
-        if (found == ring->end()) continue;
-        const auto size = ring->size();
+    for (const Ring& ring : rings_) {
+        const auto found = std::find(ring.begin(), ring.end(), focusWidget());
+        if (found == ring.end()) continue;
+        const auto size = ring.size();
         const auto step = steps > 0 ? std::size_t{1} : size - 1;
-        auto index = static_cast<std::size_t>(found - ring->begin());
+        auto index = static_cast<std::size_t>(found - ring.begin());
         for (std::size_t tried = 0; tried < size; ++tried)
-            if (focus_on(*ring, index += step)) return;
+            if (focus_on(ring, index += step)) return;
     }
 }
 
 void PopupPalette::step_ring(int steps) {
-    const std::array<const Ring*, 4> rings = {&tools_, &paints_, &middle_, &commands_};
     std::size_t at = 0;
-    for (std::size_t i = 0; i < rings.size(); ++i)
-        if (std::find(rings[i]->begin(), rings[i]->end(), focusWidget()) != rings[i]->end()) at = i;
-    for (std::size_t tried = 0; tried < rings.size(); ++tried) {
-        at = (at + (steps > 0 ? 1 : rings.size() - 1)) % rings.size();
-        for (std::size_t index = 0; index < rings[at]->size(); ++index)
-            if (focus_on(*rings[at], index)) return;
+    for (std::size_t i = 0; i < rings_.size(); ++i)
+        if (std::find(rings_[i].begin(), rings_[i].end(), focusWidget()) != rings_[i].end()) at = i;
+    for (std::size_t tried = 0; tried < rings_.size(); ++tried) {
+        at = (at + (steps > 0 ? 1 : rings_.size() - 1)) % rings_.size();
+        for (std::size_t index = 0; index < rings_[at].size(); ++index)
+            if (focus_on(rings_[at], index)) return;
     }
 }
 
 void PopupPalette::wheelEvent(QWheelEvent* event) {
     if (event->angleDelta().y() != 0) Q_EMIT width_stepped(event->angleDelta().y() > 0 ? 1 : -1);
+}
+
+void PopupPalette::hideEvent(QHideEvent* event) {
+    thinning_->finish();
+    QFrame::hideEvent(event);
 }
 
 /// In the corners around the disc too.

@@ -3,6 +3,7 @@
 
 #include "panels/paint/swatch_grid.hpp"
 
+#include <array>
 #include <vector>
 
 #include <QFrame>
@@ -10,9 +11,14 @@
 class QAction;
 class QLabel;
 
+namespace pastoso::tools {
+struct Hand;
+}
+
 namespace pastoso::panels {
 
 class RoundButton;
+class ThinningSlider;
 
 class PopupPalette : public QFrame {
     Q_OBJECT
@@ -28,6 +34,7 @@ class PopupPalette : public QFrame {
     };
     void show_content(const Content& content);
     void show_width(double width_mm);
+    void show_thinning(const tools::Hand& hand);
     void set_thumbnail(const QString& tool, const QImage& image);
 
     /// Around that point of the desktop, as near as all of it is seen.
@@ -41,16 +48,18 @@ class PopupPalette : public QFrame {
     void paint_chosen(int index);
     void paints_swapped();
     void width_stepped(int steps);
+    void share_chosen(double share);  ///< of paint in the medium in hand
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     bool focusNextPrevChild(bool next) override;
 
   private:
-    using Ring = std::vector<RoundButton*>;
+    using Ring = std::vector<QWidget*>;
 
     void make_tools(int count);
     void make_paints(int count);
@@ -61,11 +70,13 @@ class PopupPalette : public QFrame {
     void step_ring(int steps);
     bool focus_on(const Ring& ring, std::size_t index);
 
-    Ring tools_, paints_, middle_, commands_;
+    std::vector<RoundButton*> tools_, paints_;
+    std::array<Ring, 4> rings_;   ///< tools, paints, the middle, commands
     std::vector<QString> names_;  ///< of the tools
     RoundButton* paint_ = nullptr;
     RoundButton* second_ = nullptr;
     QLabel* width_ = nullptr;
+    ThinningSlider* thinning_ = nullptr;
 };
 
 }  // namespace pastoso::panels

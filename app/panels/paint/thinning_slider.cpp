@@ -1,0 +1,97 @@
+#include "panels/paint/thinning_slider.hpp"
+
+#include "film/thinning.hpp"
+#include "panels/paint/paint_words.hpp"
+#include "panels/parts/section.hpp"
+#include "panels/parts/slider_scale.hpp"
+#include "tools/paint_share.hpp"
+
+#include <algorithm>
+
+#include <QBoxLayout>
+#include <QFontMetrics>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+
+namespace pastoso::panels {
+namespace {
+
+constexpr int kRest_ms = 250;
+
+constexpr SliderScale kShares{film::kLeastPaintShare, 1.0, true};
+
+/// The paint stands on the left, the medium on the right.
+double share_at(int step) {
+    return kShares.value_at(SliderScale::kSteps - step);
+}
+int step_of(double share) {
+    return SliderScale::kSteps - kShares.step_of(share);
+}
+
+/// So that the slider stays where it is while the words change.
+int widest_words(const QFontMetrics& font) {
+    using tools::Body;
+    int widest = 0;
+    for (const Body body : {Body::Paste, Body::Cream, Body::Milk, Body::Wash, Body::Stain})
+        widest = std::max(widest, font.horizontalAdvance(thinning_words(body, 1.0)));
+    return widest;
+}
+
+}  // namespace
+
+ThinningSlider::ThinningSlider(Qt::Orientation direction, QWidget* parent)
+    : QWidget(parent), slider_(new QSlider(Qt::Horizontal)), words_(new QLabel) {
+    const bool above = direction == Qt::Vertical;
+    auto* layout = new QBoxLayout(above ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight, this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(above ? 0 : 4);
+    const QString hint =
+        tr("Paint : medium, from paste to stain. To the right the paint is thinned: it "
+           "runs sooner, and lets through what lies below");
+    setToolTip(hint);
+    slider_->setObjectName(QStringLiteral("paint_share"));
+    slider_->setAccessibleName(tr("Paint : medium"));
+    slider_->setRange(0, SliderScale::kSteps);
+    slider_->setPageStep(SliderScale::kSteps / 10);
+    keep_keys_for_canvas(slider_);
+    keep_own_keys(slider_, {Qt::Key_PageUp, Qt::Key_PageDown});
+    words_->setObjectName(QStringLiteral("reading"));
+    words_->setAlignment(above ? Qt::AlignCenter : Qt::AlignVCenter | Qt::AlignLeft);
+    words_->setMinimumWidth(widest_words(words_->fontMetrics()));
+    constexpr int kWidth_px = 72;
+    slider_->setFixedWidth(kWidth_px);
+    layout->addWidget(above ? static_cast<QWidget*>(words_) : slider_, 0, Qt::AlignHCenter);
+    layout->addWidget(above ? static_cast<QWidget*>(slider_) : words_, 0, Qt::AlignHCenter);
+    resting_.setSingleShot(true);
+    resting_.setInterval(kRest_ms);
+    connect(&resting_, &QTimer::timeout, this, [this] { Q_EMIT share_chosen(share_); });
+    connect(slider_, &QSlider::valueChanged, this, [this](int step) {
+        show_share(share_at(step));
+        resting_.start();
+    });
+}
+
+void ThinningSlider::finish() {
+    if (!resting_.isActive()) return;
+    resting_.stop();
+    Q_EMIT share_chosen(share_);
+}
+
+void ThinningSlider::show_hand(const tools::Hand& hand) {
+    if (resting_.isActive() && hand.medium == in_hand_) return;
+    resting_.stop();
+    in_hand_ = hand.medium;
+    unthinned_ = tools::unthinned_medium(hand);
+    setEnabled(tools::can_thin(hand));
+    show_share(hand.medium.paint_share);
+    const QSignalBlocker quiet(slider_);
+    slider_->setValue(step_of(share_));
+}
+
+void ThinningSlider::show_share(double share) {
+    share_ = share;
+    words_->setText(thinning_words(tools::body_of(film::thinned(unthinned_, share)), share));
+}
+
+}  // namespace pastoso::panels
