@@ -76,6 +76,26 @@ constexpr const char* kNames[] = {
     QT_TR_NOOP("Carbon black"),
 
     // resources/media.json
+    QT_TR_NOOP("Oils"),
+    QT_TR_NOOP("Acrylics and others"),
+    QT_TR_NOOP("wax paste"),
+    QT_TR_NOOP(
+        "Oil with cold wax, short and dull: it breaks off sharply at the edge and keeps every cut "
+        "of the knife."),
+    QT_TR_NOOP("alkyd gel"),
+    QT_TR_NOOP("A clear gel with a little paint: transparent, stands as the brush left it, and dries "
+               "overnight."),
+    QT_TR_NOOP("linseed oil"),
+    QT_TR_NOOP(
+        "Paint let down with linseed oil, long and buttery: brush marks soften, and thick passages "
+        "sag slowly."),
+    QT_TR_NOOP("stand oil"),
+    QT_TR_NOOP("Paint in thickened oil, smooth as enamel: brush marks flow out, and it runs in slow, "
+               "round tears."),
+    QT_TR_NOOP("thin oil"),
+    QT_TR_NOOP(
+        "Oil thinned with turpentine for the first lay-in: streaky, it settles into the weave and "
+        "runs when tilted."),
     QT_TR_NOOP("heavy-body oil"),
     QT_TR_NOOP("Stiff, buttery oil straight from the tube: every bristle mark and every peak stays "
                "where you put it."),
@@ -107,6 +127,12 @@ QString shown_name(std::string_view name) {
 
 QString shown_name(const QString& name) {
     return QCoreApplication::translate("pastoso::appearance", name.toUtf8().constData());
+}
+
+QString shown_title(std::string_view name) {
+    QString title = shown_name(name);
+    if (!title.isEmpty()) title[0] = title[0].toUpper();
+    return title;
 }
 
 std::span<const char* const> translated_names() {

@@ -14,6 +14,9 @@ namespace pastoso::appearance {
 QString shown_name(std::string_view name);
 QString shown_name(const QString& name);
 
+/// The same with a capital, as it stands alone in a list.
+QString shown_title(std::string_view name);
+
 /// Every name that shown_name() can translate; a test compares them with the files.
 std::span<const char* const> translated_names();
 

@@ -2,9 +2,9 @@
 
 #include "appearance/shown_names.hpp"
 #include "brush/preset.hpp"
-#include "film/medium.hpp"
 #include "main/studio.hpp"
 #include "panels/canvas/easel_panel.hpp"
+#include "panels/paint/medium_box.hpp"
 #include "panels/paint/paint_panel.hpp"
 #include "panels/paint/thinning_slider.hpp"
 #include "panels/paint/well_panel.hpp"
@@ -51,14 +51,9 @@ std::vector<panels::PaintEntry> paint_entries() {
     return entries;
 }
 
-QComboBox* make_medium_box() {
-    auto* box = new QComboBox;
-    box->setFocusPolicy(Qt::TabFocus);
+panels::MediumBox* make_medium_box() {
+    auto* box = new panels::MediumBox;
     box->setToolTip(QObject::tr("How the next paint flows; what lies on the canvas keeps its own way"));
-    for (const film::Medium& medium : film::bundled_media()) {
-        box->addItem(appearance::shown_name(medium.name), QString::fromStdString(medium.name));
-        box->setItemData(box->count() - 1, appearance::shown_name(medium.description), Qt::ToolTipRole);
-    }
     return box;
 }
 

@@ -19,6 +19,7 @@ class HistoryPanel;
 class LayerPanel;
 class LightPanel;
 class LoadPanel;
+class MediumBox;
 class MediumPanel;
 class MessagePanel;
 class NavigatorPanel;
@@ -51,7 +52,7 @@ struct PanelSet {
     panels::RecorderPanel* recorder = nullptr;
     panels::MessagePanel* messages = nullptr;
     panels::StatusReadings* readings = nullptr;
-    QComboBox* medium = nullptr;
+    panels::MediumBox* medium = nullptr;
     panels::ThinningSlider* thinning = nullptr;  ///< beside it
     QComboBox* time = nullptr;  ///< how fast it passes for the paint
     QDockWidget* well = nullptr;

@@ -21,6 +21,7 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       picking(studio),
       pens(studio),
       swatches(studio, panels),
+      media(studio, panels),
       popup(studio, brushes, swatches, panels.colours),
       files(studio, keeps_journal),
       start(studio, files, messages),

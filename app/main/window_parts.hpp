@@ -23,6 +23,7 @@
 #include "main/liquids/tea_mode.hpp"
 #include "main/paint/keeping_up.hpp"
 #include "main/paint/light_choice.hpp"
+#include "main/paint/media_swatches.hpp"
 #include "main/paint/paint_picking.hpp"
 #include "main/paint/paint_settings.hpp"
 #include "main/paint/paint_time.hpp"
@@ -62,6 +63,7 @@ struct WindowParts {
     PaintPicking picking;
     PenCommands pens;
     Swatches swatches;
+    MediaSwatches media;
     PopupCommands popup;
     ProjectFiles files;
     StartCommands start;

@@ -8,13 +8,17 @@ namespace pastoso::session {
 
 ThumbnailPainter::ThumbnailPainter(int width_px, int height_px, Deliver deliver, core::Tell tell)
     : worker_(
-          [this, width_px, height_px, deliver = std::move(deliver)](brush::Preset& preset) {
-              deliver(preset.name, document::thumbnail(preset, width_px, height_px, pool_));
+          [this, width_px, height_px, deliver = std::move(deliver)](Subject& subject) {
+              std::visit(
+                  [&](const auto& one) {
+                      deliver(one.name, document::thumbnail(one, width_px, height_px, pool_));
+                  },
+                  subject);
           },
-          [tell = std::move(tell)](brush::Preset&, const std::string& fault) { tell(fault); }) {}
+          [tell = std::move(tell)](Subject&, const std::string& fault) { tell(fault); }) {}
 
-void ThumbnailPainter::want(const brush::Preset& preset) {
-    worker_.change([&](std::deque<brush::Preset>& waiting) { waiting.push_front(preset); });
+void ThumbnailPainter::want(const Subject& subject) {
+    worker_.change([&](std::deque<Subject>& waiting) { waiting.push_front(subject); });
 }
 
 }  // namespace pastoso::session

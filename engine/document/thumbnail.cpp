@@ -21,9 +21,8 @@ constexpr double kSeen_widths = 4.0, kLeastSeen_mm = 18.0;
 /// Paints on a board of its own, in units of the board: (0, 0) to (1, 1).
 class Board {
   public:
-    Board(const Preset& preset, int width_px, int height_px, core::ThreadPool& pool)
-        : preset_(preset),
-          width_mm_(std::max(kSeen_widths * preset.tip.width_mm, kLeastSeen_mm)),
+    Board(double width_mm, int width_px, int height_px, core::ThreadPool& pool)
+        : width_mm_(width_mm),
           height_mm_(width_mm_ * height_px / width_px),
           painting_({.width_mm = width_mm_,
                      .height_mm = height_mm_,
@@ -33,8 +32,8 @@ class Board {
         painting_.set_history_budget(0);
     }
 
-    void take_tool() {
-        painting_.apply(TakeBrush{.preset = preset_.name, .definition = preset_to_json(preset_)});
+    void take(const Preset& preset) {
+        painting_.apply(TakeBrush{.preset = preset.name, .definition = preset_to_json(preset)});
     }
     void take(const std::string& name, double width_mm) {
         painting_.apply(TakeBrush{.preset = name, .size_mm = std::clamp(width_mm, 0.5, 200.0)});
@@ -70,11 +69,22 @@ class Board {
         painting_.apply(PenUp{});
     }
 
+    void dry() { painting_.apply(DryNow{}); }
+    void tilt(double tilt_deg, double seconds) {
+        painting_.apply(TiltCanvas{tilt_deg});
+        for (double passed_s = 0.0; passed_s < seconds; passed_s += kTick_s)
+            painting_.advance_tick();
+    }
+
+    pigment::Image8 picture(core::ThreadPool& pool) const {
+        const Snapshot seen = painting_.snapshot();
+        return pigment::encode_srgb8(
+            shade::render(seen.film, seen.ground, seen.film.shape.cells(), {}, pool));
+    }
+
     double width_mm() const { return width_mm_; }
-    const Painting& painting() const { return painting_; }
 
   private:
-    const Preset& preset_;
     double width_mm_, height_mm_;
     Painting painting_;
     double now_s_ = 0.0;
@@ -112,7 +122,7 @@ void wet_ground(Board& board) {
 
 void drops(Board& board, const Preset& preset) {
     board.use_medium("fluid acrylic");
-    board.take_tool();
+    board.take(preset);
     board.load("PB28", 0.2);
     if (preset.droplets.touch_mm3 == 0.0) {
         board.move(0.8, [](double u) { return wave(u, 0.8); });
@@ -122,10 +132,10 @@ void drops(Board& board, const Preset& preset) {
         board.move(0.05, [&](double) { return PenSample{.x_mm = x, .y_mm = 0.5, .pressure = 1.0}; });
 }
 
-void air(Board& board) {
+void air(Board& board, const Preset& preset) {
     board.use_medium("ink glaze");
     straight_band(board, 0.5, "PB29", 0.0, 0.2 * board.width_mm());
-    board.take_tool();
+    board.take(preset);
     board.move(0.5, [](double u) {
         return PenSample{.x_mm = 0.28 + 0.3 * u, .y_mm = 0.5, .pressure = 0.5, .tilt_x_deg = 40.0};
     });
@@ -134,16 +144,27 @@ void air(Board& board) {
 void contact(Board& board, const Preset& preset) {
     if (!preset.dips) wet_ground(board);
     board.use_medium("heavy-body oil");
-    board.take_tool();
+    board.take(preset);
     if (preset.dips) board.load_two();
     board.move(0.8, [](double u) { return wave(u, 0.5); });
+}
+
+/// The right half of the board black, and dry.
+void black_half(Board& board) {
+    board.use_medium("fluid acrylic");
+    board.take("Impasto flat 18", 0.5 * board.width_mm());
+    board.load("PBk9", 0.0);
+    board.move(
+        0.8, [](double u) { return PenSample{.x_mm = 0.75, .y_mm = -0.3 + 1.6 * u, .pressure = 0.5}; });
+    board.dry();
 }
 
 }  // namespace
 
 pigment::Image8 thumbnail(const brush::Preset& preset, int width_px, int height_px,
                           core::ThreadPool& pool) {
-    Board board(preset, width_px, height_px, pool);
+    const double seen_mm = std::max(kSeen_widths * preset.tip.width_mm, kLeastSeen_mm);
+    Board board(seen_mm, width_px, height_px, pool);
     switch (preset.kind) {
         case ToolKind::Contact:
             contact(board, preset);
@@ -152,12 +173,32 @@ pigment::Image8 thumbnail(const brush::Preset& preset, int width_px, int height_
             drops(board, preset);
             break;
         case ToolKind::Air:
-            air(board);
+            air(board, preset);
             break;
     }
-    const Snapshot snapshot = board.painting().snapshot();
-    return pigment::encode_srgb8(
-        shade::render(snapshot.film, snapshot.ground, snapshot.film.shape.cells(), {}, pool));
+    return board.picture(pool);
+}
+
+pigment::Image8 thumbnail(const film::Medium& medium, int width_px, int height_px,
+                          core::ThreadPool& pool) {
+    constexpr double kSeen_mm = 24.0, kTilt_deg = 80.0, kTilted_s = 8.0;
+    Board board(kSeen_mm, width_px, height_px, pool);
+    black_half(board);
+    board.use_medium(medium.name);
+    board.take("Flat bristle 20", 0.25 * kSeen_mm);
+    board.load("PR108", 0.0);
+    board.move(0.6, [](double u) {
+        return PenSample{.x_mm = 0.1 + 0.8 * u,
+                         .y_mm = 0.32,
+                         .pressure = 0.5 * rise_and_fall(u),
+                         .rotation_deg = 90.0};
+    });
+    board.take(brush::find_preset("Dropper"));
+    board.load("PR108", 0.0);
+    for (const double x : {0.3, 0.65})
+        board.move(0.05, [&](double) { return PenSample{.x_mm = x, .y_mm = 0.36, .pressure = 1.0}; });
+    board.tilt(kTilt_deg, kTilted_s);
+    return board.picture(pool);
 }
 
 }  // namespace pastoso::document

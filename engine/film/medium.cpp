@@ -64,7 +64,7 @@ class EntryReader {
     void refuse_unknown_fields() const {
         for (const auto& [key, value] : entry_.items()) {
             const bool known =
-                key == "name" || key == "description" || key == "thinned_with" ||
+                key == "name" || key == "family" || key == "description" || key == "thinned_with" ||
                 std::any_of(kNumbers.begin(), kNumbers.end(),
                             [&name = key](const MediumNumber& field) { return name == field.key; });
             if (!known) fail("there is no field " + Json(key).dump() + ".");
@@ -96,6 +96,7 @@ Medium read_medium(const Json& entry, const std::string& place) {
     for (const MediumNumber& field : kNumbers)
         if (!field.optional || named.has(field.key)) medium.*field.member = named.number(field);
     if (named.has("thinned_with")) medium.thinned_with = named.text("thinned_with");
+    if (named.has("family")) named.text("family");
     named.refuse_unknown_fields();
     if (medium.receding_angle_deg > medium.advancing_angle_deg) {
         named.fail("receding_angle_deg is " + number_text(medium.receding_angle_deg) +

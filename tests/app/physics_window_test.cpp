@@ -2,6 +2,7 @@
 #include "app/window_fixture.hpp"
 #include "film/medium.hpp"
 #include "main/window_parts.hpp"
+#include "panels/paint/medium_box.hpp"
 #include "panels/paint/medium_panel.hpp"
 
 #include <algorithm>
@@ -60,7 +61,8 @@ TEST_F(PhysicsWindow, AKeyShowsIt) {
 }
 
 TEST_F(PhysicsWindow, ShowsTheNumbersOfTheMediumInHand) {
-    for (int i = 0; i < 3; ++i)
+    // Eight below the first; the heading between the families is stepped over.
+    for (int i = 0; i < 8; ++i)
         QTest::keyClick(&find<QComboBox>("kind_of_paint"), Qt::Key_Down);
     EXPECT_EQ(medium(), document::UseMedium{"house paint"});
     EXPECT_DOUBLE_EQ(find<QDoubleSpinBox>("viscosity").value(), 3000.0);
@@ -143,7 +145,7 @@ TEST_F(PhysicsWindow, WhatIsSavedHasTheNumbersSetAMomentAgo) {
 
 TEST_F(PhysicsWindow, AnotherKindOfPaintDropsANumberThatMoves) {
     find<QSlider>("yield_stress_slider").setValue(10);
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 8; ++i)
         QTest::keyClick(&find<QComboBox>("kind_of_paint"), Qt::Key_Down);
     finish();
     EXPECT_EQ(medium(), document::UseMedium{"house paint"});
@@ -155,6 +157,22 @@ TEST_F(PhysicsWindow, ANumberThatMovesStaysWhenAnotherChoiceIsMade) {
     action(Command::LargerBrush)->trigger();
     finish();
     EXPECT_EQ(medium().own.value().yield_stress_Pa, chosen_Pa);
+}
+
+TEST_F(PhysicsWindow, TheListHasHeadingsSwatchesAndCapitals) {
+    auto& box = find<panels::MediumBox>("kind_of_paint");
+    EXPECT_EQ(box.itemText(0), QStringLiteral("Oils"));
+    EXPECT_EQ(box.itemText(1), QStringLiteral("Heavy-body oil"));
+    EXPECT_FALSE(box.model()->index(0, 0).flags() & Qt::ItemIsEnabled);
+    const int last = box.findData(QStringLiteral("thinner"));
+    EXPECT_EQ(box.count(), last + 1);
+    box.showPopup();
+    wait_for([&] { return !box.swatch(QStringLiteral("thinner")).isNull(); });
+    for (const film::Medium& medium : film::bundled_media()) {
+        const QImage swatch = box.swatch(QString::fromStdString(medium.name));
+        EXPECT_EQ(swatch.deviceIndependentSize().toSize(), panels::kMediumSwatch) << medium.name;
+    }
+    box.hidePopup();
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include "brush/preset.hpp"
 #include "document/layers.hpp"
-#include "film/medium.hpp"
+#include "film/media_families.hpp"
 #include "pigment/palette.hpp"
 
 #include <set>
@@ -25,6 +25,8 @@ std::set<std::string> names_in_files() {
         names.insert(paint.name);
     for (const film::Medium& medium : film::bundled_media())
         names.insert({medium.name, medium.description});
+    for (const film::MediaFamily& family : film::bundled_media_families())
+        names.insert(family.name);
     for (const document::Layer& layer : document::single_layer().layers)
         names.insert(layer.look.name);
     return names;
@@ -58,6 +60,11 @@ TEST(ShownNames, AreTranslatedAndThePaintersOwnAreNot) {
     QCoreApplication::installTranslator(&words);
     EXPECT_EQ(shown_name(std::string("Titanium white")), QStringLiteral("Titanvitt"));
     EXPECT_EQ(shown_name(std::string("My titanium white")), QStringLiteral("My titanium white"));
+}
+
+TEST(ShownNames, StandAloneWithACapital) {
+    EXPECT_EQ(shown_title("thin oil"), QStringLiteral("Thin oil"));
+    EXPECT_EQ(shown_title(""), QString());
 }
 
 }  // namespace

@@ -54,5 +54,43 @@ TEST(Thumbnail, ShowsWhatAToolDoesInWetPaint) {
     EXPECT_NE(wiped.rgb, thumbnail(rag, kWidth_px, kHeight_px, pool).rgb);
 }
 
+struct Rgb {
+    int red, green, blue;
+};
+
+/// Of a place in shares of the picture.
+Rgb colour_at(const pigment::Image8& image, double x, double y) {
+    const int column = static_cast<int>(x * image.width), row = static_cast<int>(y * image.height);
+    const auto* pixel = image.rgb.data() + 3 * (row * image.width + column);
+    return {pixel[0], pixel[1], pixel[2]};
+}
+
+pigment::Image8 swatch(const char* medium) {
+    core::ThreadPool pool(1);
+    return thumbnail(film::find_medium(medium), 96, 60, pool);
+}
+
+TEST(MediumThumbnail, OilHidesBlackAndAGlazeLetsItThrough) {
+    const pigment::Image8 oil = swatch("heavy-body oil"), glaze = swatch("ink glaze");
+    EXPECT_GT(colour_at(oil, 0.7, 0.32).red, 120);
+    EXPECT_LT(colour_at(glaze, 0.7, 0.32).red, 100);
+    EXPECT_LT(colour_at(oil, 0.75, 0.9).red, 60) << "the ground there";
+    EXPECT_GT(colour_at(oil, 0.25, 0.9).red, 200);
+}
+
+TEST(MediumThumbnail, HousePaintRunsAndOilStands) {
+    const auto reddest_below = [](const char* medium) {
+        const pigment::Image8 image = swatch(medium);
+        int lowest = 0;
+        for (int row = 0; row < image.height; ++row)
+            for (double x = 0.15; x < 0.45; x += 0.02) {
+                const Rgb rgb = colour_at(image, x, (row + 0.5) / image.height);
+                if (rgb.red > 2 * rgb.green) lowest = row;
+            }
+        return lowest;
+    };
+    EXPECT_GT(reddest_below("house paint"), reddest_below("heavy-body oil") + 3);
+}
+
 }  // namespace
 }  // namespace pastoso::document

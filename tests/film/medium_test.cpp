@@ -1,7 +1,6 @@
-#include "film/medium.hpp"
-
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "film/media_families.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -115,6 +114,20 @@ TEST(BundledMedia, OilsAndAcrylicsRunFromStiffToThin) {
             EXPECT_GE(stiffer.yield_stress_Pa, thinner.yield_stress_Pa) << family[i];
         }
     }
+}
+
+TEST(BundledMedia, StandUnderTwoHeadings) {
+    std::vector<std::string> names, order;
+    for (const MediaFamily& family : bundled_media_families()) {
+        names.push_back(family.name);
+        for (const Medium& medium : family.media)
+            order.push_back(medium.name);
+    }
+    EXPECT_THAT(names, testing::ElementsAre("Oils", "Acrylics and others"));
+    EXPECT_EQ(bundled_media_families()[0].media.back().name, "thin oil");
+    ASSERT_EQ(order.size(), bundled_media().size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        EXPECT_EQ(order[i], bundled_media()[i].name);
 }
 
 TEST(BundledMedia, SayWhatTheyAreAndWhatThinsThem) {

@@ -4,6 +4,7 @@
 #include "panels/canvas/easel_panel.hpp"
 #include "panels/colour/colour_panel.hpp"
 #include "panels/paint/load_panel.hpp"
+#include "panels/paint/medium_box.hpp"
 #include "panels/paint/medium_panel.hpp"
 #include "panels/paint/paint_panel.hpp"
 #include "panels/paint/thinning_slider.hpp"
@@ -12,7 +13,6 @@
 #include "tools/paint_share.hpp"
 
 #include <QAction>
-#include <QComboBox>
 
 namespace pastoso::main {
 namespace {
@@ -83,8 +83,7 @@ void HandControls::connect_panels() {
         studio_.easel().set_dip(dip);
         studio_.show_hand();
     });
-    connect(panels_.medium, &QComboBox::activated, this,
-            [this] { use_medium(panels_.medium->currentData().toString()); });
+    connect(panels_.medium, &panels::MediumBox::medium_chosen, this, &HandControls::use_medium);
     connect(panels_.thinning, &panels::ThinningSlider::share_chosen, this, &HandControls::thin);
     connect(panels_.physics, &panels::MediumPanel::medium_chosen, this, &HandControls::use_medium);
     connect(panels_.physics, &panels::MediumPanel::medium_changed, this,
@@ -132,7 +131,7 @@ void HandControls::show(const tools::Hand& hand) {
     panels_.stand->show_tilt(hand.tilt.tilt_deg, hand.tilt.direction_deg);
     panels_.stand->show_drying(hand.air.speed);
     panels_.load->show_hand(hand);
-    panels_.medium->setCurrentIndex(panels_.medium->findData(QString::fromStdString(hand.medium.name)));
+    panels_.medium->show_medium(QString::fromStdString(hand.medium.name));
     panels_.thinning->show_hand(hand);
     panels_.physics->show_medium(tools::unthinned_medium(hand));
     const commands::CommandRegistry& commands = studio_.commands();

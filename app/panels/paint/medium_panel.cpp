@@ -1,12 +1,12 @@
 #include "panels/paint/medium_panel.hpp"
 
 #include "appearance/shown_names.hpp"
+#include "panels/paint/medium_box.hpp"
 #include "panels/paint/medium_rows.hpp"
 #include "panels/parts/section.hpp"
 #include "panels/parts/value_row.hpp"
 #include "tools/medium_numbers.hpp"
 
-#include <QComboBox>
 #include <QCoreApplication>
 #include <QGridLayout>
 #include <QLabel>
@@ -32,7 +32,7 @@ ValueRange shown_range(const MediumRow& number) {
 
 MediumPanel::MediumPanel(QWidget* parent)
     : QWidget(parent),
-      media_(new QComboBox),
+      media_(new MediumBox),
       description_(new QLabel),
       reset_(new QPushButton(tr("As it comes"))) {
     setObjectName(QStringLiteral("medium_panel"));
@@ -54,9 +54,6 @@ QWidget* MediumPanel::medium_section() {
     auto* column = section(widget, tr("Kind of paint"));
     media_->setObjectName(QStringLiteral("kind_of_paint"));
     media_->setToolTip(tr("The brush is cleaned, and dipped in paint of this kind"));
-    for (const film::Medium& medium : film::bundled_media())
-        media_->addItem(appearance::shown_name(medium.name), QString::fromStdString(medium.name));
-    keep_keys_for_canvas(media_);
     description_->setObjectName(QStringLiteral("reading"));
     description_->setWordWrap(true);
     reset_->setObjectName(QStringLiteral("medium_reset"));
@@ -65,7 +62,7 @@ QWidget* MediumPanel::medium_section() {
     column->addWidget(media_);
     column->addWidget(description_);
     column->addWidget(reset_);
-    connect(media_, &QComboBox::activated, this, [this] { choose(media_->currentData().toString()); });
+    connect(media_, &MediumBox::medium_chosen, this, &MediumPanel::choose);
     connect(reset_, &QPushButton::clicked, this,
             [this] { choose(QString::fromStdString(medium_.name)); });
     return widget;
@@ -111,7 +108,7 @@ void MediumPanel::show_medium(const film::Medium& medium) {
 
 void MediumPanel::show_numbers(const film::Medium& medium) {
     medium_ = medium;
-    media_->setCurrentIndex(media_->findData(QString::fromStdString(medium.name)));
+    media_->show_medium(QString::fromStdString(medium.name));
     description_->setText(appearance::shown_name(medium.description));
     reset_->setEnabled(medium != film::find_medium(medium.name));
     for (const Shown& shown : shown_)

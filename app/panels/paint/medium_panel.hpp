@@ -8,13 +8,13 @@
 #include <QTimer>
 #include <QWidget>
 
-class QComboBox;
 class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
 namespace pastoso::panels {
 
+class MediumBox;
 struct MediumRow;
 struct MediumSection;
 class ValueRow;
@@ -27,6 +27,8 @@ class MediumPanel : public QWidget {
     /// Shows the medium in hand, without a signal. A number that moves is let go only for another
     /// medium.
     void show_medium(const film::Medium& medium);
+
+    MediumBox* media() const { return media_; }
 
     /// Says at once what was set a moment ago.
     void finish();
@@ -49,7 +51,7 @@ class MediumPanel : public QWidget {
     film::Medium medium_;   ///< as shown
     film::Medium in_hand_;  ///< behind it while a number moves
     QTimer resting_;
-    QComboBox* media_ = nullptr;
+    MediumBox* media_ = nullptr;
     QLabel* description_ = nullptr;
     QPushButton* reset_ = nullptr;
     std::vector<Shown> shown_;

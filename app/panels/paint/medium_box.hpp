@@ -1,0 +1,34 @@
+// The media to choose from: by family, each with a swatch of what it is like and its sentence.
+#pragma once
+
+#include <vector>
+
+#include <QComboBox>
+#include <QImage>
+
+namespace pastoso::panels {
+
+/// Of the swatches, in pixels of the layout.
+inline constexpr QSize kMediumSwatch(80, 50);
+
+class MediumBox : public QComboBox {
+    Q_OBJECT
+  public:
+    explicit MediumBox(QWidget* parent = nullptr);
+
+    /// Without a signal.
+    void show_medium(const QString& name);
+    QImage swatch(const QString& name) const;
+    void set_swatch(const QString& name, const QImage& image);
+
+    void showPopup() override;
+
+  Q_SIGNALS:
+    void medium_chosen(const QString& name);
+    void swatches_wanted();  ///< the list is opened
+
+  private:
+    void add_heading(const QString& family);
+};
+
+}  // namespace pastoso::panels
