@@ -107,7 +107,7 @@ Settings read_settings(const std::filesystem::path& file) {
     Settings settings;
     read_memory(file, kVersion, [&](const JsonPlace& root) {
         root.allow_only({"version", "pen", "window", "undo_memory_MiB", "light", "recent_commands",
-                         "show_start_page"});
+                         "show_start_page", "medium_numbers_open"});
         if (const auto recent = root.optional_entry("recent_commands"))
             settings.recent_commands = read_texts(*recent);
         if (const auto light = root.optional_entry("light")) {
@@ -124,6 +124,8 @@ Settings read_settings(const std::filesystem::path& file) {
                 static_cast<int>(memory->integer(kLeastUndoMemory_MiB, kMostUndoMemory_MiB));
         if (const auto shown = root.optional_entry("show_start_page"))
             settings.show_start_page = shown->boolean();
+        if (const auto open = root.optional_entry("medium_numbers_open"))
+            settings.medium_numbers_open = open->boolean();
         const JsonPlace pen = root.entry("pen"), window = root.entry("window");
         pen.allow_only({"steadying", "reload_each_stroke", "turn_with_stroke"});
         window.allow_only({"place", "panels"});
@@ -143,6 +145,7 @@ void write_settings(const Settings& settings, const std::filesystem::path& file)
                     {"reload_each_stroke", settings.reload_each_stroke},
                     {"turn_with_stroke", settings.turn_with_stroke}}},
                   {"show_start_page", settings.show_start_page},
+                  {"medium_numbers_open", settings.medium_numbers_open},
                   {"undo_memory_MiB", settings.undo_memory_MiB},
                   {"light",
                    {{"azimuth_deg", settings.light_azimuth_deg},

@@ -24,6 +24,7 @@ struct Settings {
     shade::Varnish varnish;                    ///< that the painting is seen under
     std::vector<std::string> recent_commands;  ///< of the palette, by name, the latest first
     bool show_start_page = true;               ///< when the program starts without a file
+    bool medium_numbers_open = false;          ///< those below the words for a medium
     std::string window_place;                  ///< as Qt writes it, in base 64; empty: nothing is known
     std::string panels;  ///< the same: which stand where, how large, and which are open
     friend bool operator==(const Settings&, const Settings&) = default;

@@ -18,6 +18,7 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QTest>
+#include <QToolButton>
 
 namespace pastoso::tests {
 namespace {
@@ -28,7 +29,9 @@ class PhysicsWindow : public WindowTest {
   protected:
     void SetUp() override {
         WindowTest::SetUp();
-        if (!HasFatalFailure()) action(Command::PhysicsPanel)->trigger();
+        if (HasFatalFailure()) return;
+        action(Command::PhysicsPanel)->trigger();
+        find<panels::MediumPanel>("medium_panel").open_numbers(true);
     }
     template <class Widget>
     Widget& find(const char* name) {
@@ -157,6 +160,36 @@ TEST_F(PhysicsWindow, ANumberThatMovesStaysWhenAnotherChoiceIsMade) {
     action(Command::LargerBrush)->trigger();
     finish();
     EXPECT_EQ(medium().own.value().yield_stress_Pa, chosen_Pa);
+}
+
+TEST_F(PhysicsWindow, AWordMovesSeveralNumbersAndTheyMoveIt) {
+    auto& stiff = find<QSlider>("stiff_to_runny");
+    const int oil = stiff.value();
+    stiff.setValue(stiff.maximum());
+    EXPECT_DOUBLE_EQ(find<QDoubleSpinBox>("viscosity").value(), 20.0);
+    EXPECT_DOUBLE_EQ(find<QDoubleSpinBox>("yield_stress").value(), 0.0);
+    EXPECT_DOUBLE_EQ(find<QDoubleSpinBox>("density").value(), 1300.0);
+    finish();
+    EXPECT_EQ(medium().own.value().yield_stress_Pa, 0.0);
+    find<QDoubleSpinBox>("viscosity").setValue(300000.0);
+    EXPECT_EQ(stiff.value(), oil);
+    auto& opaque = find<QSlider>("opaque_to_transparent");
+    EXPECT_EQ(opaque.value(), 0);
+    opaque.setValue(opaque.maximum());
+    finish();
+    EXPECT_DOUBLE_EQ(medium().own.value().pigment_share, 0.01);
+}
+
+TEST_F(PhysicsWindow, TheNumbersAreFoldedAtFirstAndComeBackAsTheyWere) {
+    EXPECT_TRUE(find<QDoubleSpinBox>("viscosity").isVisible());
+    start_again();
+    action(Command::PhysicsPanel)->trigger();
+    EXPECT_TRUE(find<QDoubleSpinBox>("viscosity").isVisible());
+    QTest::mouseClick(&find<QToolButton>("medium_numbers"), Qt::LeftButton);
+    EXPECT_FALSE(find<QDoubleSpinBox>("viscosity").isVisible());
+    EXPECT_TRUE(find<QSlider>("stiff_to_runny").isVisible());
+    start_again();
+    EXPECT_FALSE(find<panels::MediumPanel>("medium_panel").numbers_open());
 }
 
 TEST_F(PhysicsWindow, TheListHasHeadingsSwatchesAndCapitals) {

@@ -6,6 +6,7 @@
 #include "main/files/start_commands.hpp"
 #include "main/paint/light_choice.hpp"
 #include "main/paint/well_commands.hpp"
+#include "panels/paint/medium_panel.hpp"
 #include "panels/pen/brush_panel.hpp"
 #include "tools/settings.hpp"
 
@@ -77,6 +78,7 @@ void WindowSettings::recall() {
     hand.turn_with_stroke = settings.turn_with_stroke;
     studio_.easel().adopt(hand);
     panels_.brushes->show_steadying(settings.steadying);
+    panels_.physics->open_numbers(settings.medium_numbers_open);
     window.restoreGeometry(from_text(settings.window_place));
     well_.set_sized(window.restoreState(from_text(settings.panels), kPanelsVersion));
 }
@@ -94,6 +96,7 @@ void WindowSettings::remember() {
     settings.light_ambient = light_.lamp().ambient;
     settings.varnish = light_.varnish();
     settings.recent_commands = recent_names(studio_.commands());
+    settings.medium_numbers_open = panels_.physics->numbers_open();
     settings.window_place = to_text(studio_.window().saveGeometry());
     settings.panels = to_text(studio_.window().saveState(kPanelsVersion));
     file_.remember([&settings](const auto& file) { tools::write_settings(settings, file); });

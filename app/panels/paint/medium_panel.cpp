@@ -1,16 +1,19 @@
 #include "panels/paint/medium_panel.hpp"
 
 #include "appearance/shown_names.hpp"
+#include "panels/paint/feel_row.hpp"
 #include "panels/paint/medium_box.hpp"
 #include "panels/paint/medium_rows.hpp"
 #include "panels/parts/section.hpp"
 #include "panels/parts/value_row.hpp"
+#include "tools/medium_feel.hpp"
 #include "tools/medium_numbers.hpp"
 
 #include <QCoreApplication>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace pastoso::panels {
@@ -21,6 +24,27 @@ QString words_of(const char* text) {
 }
 
 constexpr int kRest_ms = 250;
+
+/// A slider in painters' words.
+struct FeelWords {
+    tools::Feel feel;
+    const char* name;  ///< of its widget
+    const char* from;
+    const char* to;
+    const char* hint;
+};
+
+constexpr FeelWords kFeels[] = {
+    {tools::Feel::StiffToRunny, "stiff_to_runny", QT_TR_NOOP("stiff"), QT_TR_NOOP("runny"),
+     QT_TR_NOOP(
+         "From paint that stands in peaks to paint that runs like ink: viscosity and yield stress")},
+    {tools::Feel::ShortToLong, "short_to_long", QT_TR_NOOP("short"), QT_TR_NOOP("long"),
+     QT_TR_NOOP(
+         "From paint that breaks off sharply to paint that flows out at its edges and in long runs: "
+         "the angle at which it spreads, the profile and the flow index")},
+    {tools::Feel::OpaqueToTransparent, "opaque_to_transparent", QT_TR_NOOP("opaque"),
+     QT_TR_NOOP("transparent"),
+     QT_TR_NOOP("From paint that hides what lies below to a glaze: how much pigment is in it")}};
 
 ValueRange shown_range(const MediumRow& number) {
     const film::MediumNumber& limits = tools::number_of(number.member);
@@ -34,14 +58,15 @@ MediumPanel::MediumPanel(QWidget* parent)
     : QWidget(parent),
       media_(new MediumBox),
       description_(new QLabel),
-      reset_(new QPushButton(tr("As it comes"))) {
+      reset_(new QPushButton(tr("As it comes"))),
+      fold_(new QToolButton) {
     setObjectName(QStringLiteral("medium_panel"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
     column->addWidget(medium_section());
-    for (const MediumSection& section : medium_sections())
-        column->addWidget(numbers(section));
+    column->addWidget(feel_section());
+    column->addWidget(numbers_fold());
     column->addStretch();
     resting_.setSingleShot(true);
     resting_.setInterval(kRest_ms);
@@ -83,14 +108,72 @@ QWidget* MediumPanel::numbers(const MediumSection& part) {
         auto* row = new ValueRow(grid, QLatin1String(number.name), words_of(number.words),
                                  words_of(number.hint), shown_range(number));
         connect(row, &ValueRow::chosen, this, [this, &number](double value) {
-            medium_ = tools::with_number(medium_, number.member, value / number.scale);
-            show_numbers(medium_);
-            resting_.start();
+            change(tools::with_number(medium_, number.member, value / number.scale));
         });
         shown_.push_back({&number, row});
     }
     section(widget, words_of(part.heading))->addWidget(grid_widget);
     return widget;
+}
+
+QWidget* MediumPanel::feel_section() {
+    auto* widget = new QWidget;
+    auto* grid_widget = new QWidget;
+    auto* grid = new QGridLayout(grid_widget);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(4);
+    for (const FeelWords& feel : kFeels) {
+        auto* row = new FeelRow(grid, QLatin1String(feel.name), words_of(feel.from), words_of(feel.to),
+                                words_of(feel.hint));
+        connect(row, &FeelRow::chosen, this,
+                [this, &feel](double place) { change(tools::with_place(medium_, feel.feel, place)); });
+        feels_.push_back(row);
+    }
+    section(widget, tr("What it is like"))->addWidget(grid_widget);
+    return widget;
+}
+
+QWidget* MediumPanel::numbers_fold() {
+    auto* widget = new QWidget;
+    auto* column = new QVBoxLayout(widget);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    fold_->setObjectName(QStringLiteral("medium_numbers"));
+    fold_->setText(tr("Numbers"));
+    fold_->setToolTip(tr("Each number of the paint"));
+    fold_->setCheckable(true);
+    fold_->setAutoRaise(true);
+    fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    keep_keys_for_canvas(fold_);
+    auto* all = new QWidget;
+    auto* rows = new QVBoxLayout(all);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(8);
+    for (const MediumSection& section : medium_sections())
+        rows->addWidget(numbers(section));
+    column->addWidget(fold_);
+    column->addWidget(all);
+    const auto open = [this, all](bool shown) {
+        fold_->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
+        all->setVisible(shown);
+    };
+    connect(fold_, &QToolButton::toggled, all, open);
+    open(false);
+    return widget;
+}
+
+void MediumPanel::open_numbers(bool open) {
+    fold_->setChecked(open);
+}
+
+bool MediumPanel::numbers_open() const {
+    return fold_->isChecked();
+}
+
+/// Poured when it rests.
+void MediumPanel::change(const film::Medium& medium) {
+    show_numbers(medium);
+    resting_.start();
 }
 
 void MediumPanel::finish() {
@@ -111,6 +194,8 @@ void MediumPanel::show_numbers(const film::Medium& medium) {
     media_->show_medium(QString::fromStdString(medium.name));
     description_->setText(appearance::shown_name(medium.description));
     reset_->setEnabled(medium != film::find_medium(medium.name));
+    for (std::size_t i = 0; i < feels_.size(); ++i)
+        feels_[i]->show_place(tools::place_of(medium, kFeels[i].feel));
     for (const Shown& shown : shown_)
         shown.row->show_value(shown.number->scale * medium.*shown.number->member);
 }

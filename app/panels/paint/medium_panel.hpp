@@ -10,10 +10,12 @@
 
 class QLabel;
 class QPushButton;
+class QToolButton;
 class QVBoxLayout;
 
 namespace pastoso::panels {
 
+class FeelRow;
 class MediumBox;
 struct MediumRow;
 struct MediumSection;
@@ -30,6 +32,10 @@ class MediumPanel : public QWidget {
 
     MediumBox* media() const { return media_; }
 
+    /// Shows each number below the painters' words, or folds them away.
+    void open_numbers(bool open);
+    bool numbers_open() const;
+
     /// Says at once what was set a moment ago.
     void finish();
 
@@ -39,9 +45,13 @@ class MediumPanel : public QWidget {
 
   private:
     QWidget* medium_section();
+    QWidget* feel_section();
+    QWidget* numbers_fold();
     QWidget* numbers(const MediumSection& section);
     void choose(const QString& name);
     void show_numbers(const film::Medium& medium);
+
+    void change(const film::Medium& medium);
 
     struct Shown {
         const MediumRow* number;
@@ -54,7 +64,9 @@ class MediumPanel : public QWidget {
     MediumBox* media_ = nullptr;
     QLabel* description_ = nullptr;
     QPushButton* reset_ = nullptr;
+    QToolButton* fold_ = nullptr;
     std::vector<Shown> shown_;
+    std::vector<FeelRow*> feels_;  ///< of kFeels
 };
 
 }  // namespace pastoso::panels

@@ -56,9 +56,14 @@ constexpr MediumRow kDryingRows[] = {
               QT_TR_NOOP("How much of the wet thickness is left: oil keeps all, watery paint sinks in"),
               QT_TR_NOOP(" %"), &Medium::solid_fraction, 100.0, 0}};
 
-constexpr MediumSection kSections[] = {MediumSection{QT_TR_NOOP("Flow"), kFlowRows},
-                                       MediumSection{QT_TR_NOOP("Surface"), kSurfaceRows},
-                                       MediumSection{QT_TR_NOOP("Drying"), kDryingRows}};
+constexpr MediumRow kColourRows[] = {MediumRow{
+    "pigment_share", QT_TR_NOOP("Pigment"),
+    QT_TR_NOOP("How much of full-strength paint is in it: paint from the tube 100, a glaze 3 to 6"),
+    QT_TR_NOOP(" %"), &Medium::pigment_share, 100.0, 2, true}};
+
+constexpr MediumSection kSections[] = {
+    MediumSection{QT_TR_NOOP("Flow"), kFlowRows}, MediumSection{QT_TR_NOOP("Surface"), kSurfaceRows},
+    MediumSection{QT_TR_NOOP("Drying"), kDryingRows}, MediumSection{QT_TR_NOOP("Colour"), kColourRows}};
 
 }  // namespace
 
