@@ -449,6 +449,30 @@
         <source>ride on wet paint</source>
         <translation>ride on wet paint</translation>
     </message>
+    <message>
+        <source>Wash</source>
+        <translation>Wash</translation>
+    </message>
+    <message>
+        <source>paste</source>
+        <translation>paste</translation>
+    </message>
+    <message>
+        <source>cream</source>
+        <translation>cream</translation>
+    </message>
+    <message>
+        <source>milk</source>
+        <translation>milk</translation>
+    </message>
+    <message>
+        <source>wash</source>
+        <translation>wash</translation>
+    </message>
+    <message>
+        <source>stain</source>
+        <translation>stain</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -826,6 +850,54 @@
     <message>
         <source>Paint</source>
         <translation>Paint</translation>
+    </message>
+    <message>
+        <source>Oils</source>
+        <translation>Oils</translation>
+    </message>
+    <message>
+        <source>Acrylics and others</source>
+        <translation>Acrylics and others</translation>
+    </message>
+    <message>
+        <source>wax paste</source>
+        <translation>wax paste</translation>
+    </message>
+    <message>
+        <source>Oil with cold wax, short and dull: it breaks off sharply at the edge and keeps every cut of the knife.</source>
+        <translation>Oil with cold wax, short and dull: it breaks off sharply at the edge and keeps every cut of the knife.</translation>
+    </message>
+    <message>
+        <source>alkyd gel</source>
+        <translation>alkyd gel</translation>
+    </message>
+    <message>
+        <source>A clear gel with a little paint: transparent, stands as the brush left it, and dries overnight.</source>
+        <translation>A clear gel with a little paint: transparent, stands as the brush left it, and dries overnight.</translation>
+    </message>
+    <message>
+        <source>linseed oil</source>
+        <translation>linseed oil</translation>
+    </message>
+    <message>
+        <source>Paint let down with linseed oil, long and buttery: brush marks soften, and thick passages sag slowly.</source>
+        <translation>Paint let down with linseed oil, long and buttery: brush marks soften, and thick passages sag slowly.</translation>
+    </message>
+    <message>
+        <source>stand oil</source>
+        <translation>stand oil</translation>
+    </message>
+    <message>
+        <source>Paint in thickened oil, smooth as enamel: brush marks flow out, and it runs in slow, round tears.</source>
+        <translation>Paint in thickened oil, smooth as enamel: brush marks flow out, and it runs in slow, round tears.</translation>
+    </message>
+    <message>
+        <source>thin oil</source>
+        <translation>thin oil</translation>
+    </message>
+    <message>
+        <source>Oil thinned with turpentine for the first lay-in: streaky, it settles into the weave and runs when tilted.</source>
+        <translation>Oil thinned with turpentine for the first lay-in: streaky, it settles into the weave and runs when tilted.</translation>
     </message>
 </context>
 <context>
@@ -2069,6 +2141,30 @@
     <message>
         <source>A mouse holds the tool aslant: a knife then scrapes with its edge</source>
         <translation>A mouse holds the tool aslant: a knife then scrapes with its edge</translation>
+    </message>
+    <message>
+        <source>More &amp;medium</source>
+        <translation>More &amp;medium</translation>
+    </message>
+    <message>
+        <source>Thin the paint in hand by a quarter, from paste towards a stain</source>
+        <translation>Thin the paint in hand by a quarter, from paste towards a stain</translation>
+    </message>
+    <message>
+        <source>More p&amp;aint</source>
+        <translation>More p&amp;aint</translation>
+    </message>
+    <message>
+        <source>Take a step back towards paint from the tube</source>
+        <translation>Take a step back towards paint from the tube</translation>
+    </message>
+    <message>
+        <source>Thin was&amp;h</source>
+        <translation>Thin was&amp;h</translation>
+    </message>
+    <message>
+        <source>Thin the paint in hand to a wash for a first lay-in, and back</source>
+        <translation>Thin the paint in hand to a wash for a first lay-in, and back</translation>
     </message>
 </context>
 <context>
@@ -4895,6 +4991,54 @@
         <source>less than a tenth</source>
         <translation>less than a tenth</translation>
     </message>
+    <message>
+        <source>stiff</source>
+        <translation>stiff</translation>
+    </message>
+    <message>
+        <source>runny</source>
+        <translation>runny</translation>
+    </message>
+    <message>
+        <source>From paint that stands in peaks to paint that runs like ink: viscosity and yield stress</source>
+        <translation>From paint that stands in peaks to paint that runs like ink: viscosity and yield stress</translation>
+    </message>
+    <message>
+        <source>short</source>
+        <translation>short</translation>
+    </message>
+    <message>
+        <source>long</source>
+        <translation>long</translation>
+    </message>
+    <message>
+        <source>From paint that breaks off sharply to paint that flows out at its edges and in long runs: the angle at which it spreads, the profile and the flow index</source>
+        <translation>From paint that breaks off sharply to paint that flows out at its edges and in long runs: the angle at which it spreads, the profile and the flow index</translation>
+    </message>
+    <message>
+        <source>opaque</source>
+        <translation type="unfinished">opaque</translation>
+    </message>
+    <message>
+        <source>transparent</source>
+        <translation type="unfinished">transparent</translation>
+    </message>
+    <message>
+        <source>From paint that hides what lies below to a glaze: how much pigment is in it</source>
+        <translation>From paint that hides what lies below to a glaze: how much pigment is in it</translation>
+    </message>
+    <message>
+        <source>Pigment</source>
+        <translation>Pigment</translation>
+    </message>
+    <message>
+        <source>How much of full-strength paint is in it: paint from the tube 100, a glaze 3 to 6</source>
+        <translation>How much of full-strength paint is in it: paint from the tube 100, a glaze 3 to 6</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished">Colour</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::BrushList</name>
@@ -5190,6 +5334,13 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     <message>
         <source>Where the light comes from: 0 right, 90 top</source>
         <translation>Where the light comes from: 0 right, 90 top</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::FeelRow</name>
+    <message>
+        <source>From %1 to %2</source>
+        <translation>From %1 to %2</translation>
     </message>
 </context>
 <context>
@@ -5521,6 +5672,18 @@ Keys: arrows move it, Home puts it back.</translation>
     <message>
         <source>Takes back what was changed below</source>
         <translation>Takes back what was changed below</translation>
+    </message>
+    <message>
+        <source>What it is like</source>
+        <translation>What it is like</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Numbers</translation>
+    </message>
+    <message>
+        <source>Each number of the paint</source>
+        <translation>Each number of the paint</translation>
     </message>
 </context>
 <context>
@@ -5895,6 +6058,17 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     <message>
         <source>Paint time against the clock: less than you set where there is more wet paint than this computer can move in time</source>
         <translation>Paint time against the clock: less than you set where there is more wet paint than this computer can move in time</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::ThinningSlider</name>
+    <message>
+        <source>Paint : medium, from paste to stain. To the right the paint is thinned: it runs sooner, and lets through what lies below</source>
+        <translation>Paint : medium, from paste to stain. To the right the paint is thinned: it runs sooner, and lets through what lies below</translation>
+    </message>
+    <message>
+        <source>Paint : medium</source>
+        <translation>Paint : medium</translation>
     </message>
 </context>
 <context>

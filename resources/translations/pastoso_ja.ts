@@ -449,6 +449,30 @@
         <source>ride on wet paint</source>
         <translation>濡れた絵の具への乗り</translation>
     </message>
+    <message>
+        <source>Wash</source>
+        <translation>ウォッシュ</translation>
+    </message>
+    <message>
+        <source>paste</source>
+        <translation>ペースト</translation>
+    </message>
+    <message>
+        <source>cream</source>
+        <translation>クリーム</translation>
+    </message>
+    <message>
+        <source>milk</source>
+        <translation>ミルク</translation>
+    </message>
+    <message>
+        <source>wash</source>
+        <translation>薄塗り</translation>
+    </message>
+    <message>
+        <source>stain</source>
+        <translation>ステイン</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -826,6 +850,54 @@
     <message>
         <source>Paint</source>
         <translation>絵の具</translation>
+    </message>
+    <message>
+        <source>Oils</source>
+        <translation>油絵の具</translation>
+    </message>
+    <message>
+        <source>Acrylics and others</source>
+        <translation>アクリルほか</translation>
+    </message>
+    <message>
+        <source>wax paste</source>
+        <translation>ワックスペースト</translation>
+    </message>
+    <message>
+        <source>Oil with cold wax, short and dull: it breaks off sharply at the edge and keeps every cut of the knife.</source>
+        <translation>コールドワックスを加えた、切れがよくつやのない油絵の具。端がすぱっと切れ、ナイフの跡がそのまま残る。</translation>
+    </message>
+    <message>
+        <source>alkyd gel</source>
+        <translation>アルキドゲル</translation>
+    </message>
+    <message>
+        <source>A clear gel with a little paint: transparent, stands as the brush left it, and dries overnight.</source>
+        <translation>絵の具を少し混ぜた透明ジェル。透けて、筆が置いたままに立ち、一晩で乾く。</translation>
+    </message>
+    <message>
+        <source>linseed oil</source>
+        <translation>リンシードオイル</translation>
+    </message>
+    <message>
+        <source>Paint let down with linseed oil, long and buttery: brush marks soften, and thick passages sag slowly.</source>
+        <translation>リンシードオイルでのばした、伸びのよいバターのような絵の具。筆跡はやわらぎ、厚い部分はゆっくり垂れる。</translation>
+    </message>
+    <message>
+        <source>stand oil</source>
+        <translation>スタンドオイル</translation>
+    </message>
+    <message>
+        <source>Paint in thickened oil, smooth as enamel: brush marks flow out, and it runs in slow, round tears.</source>
+        <translation>スタンドオイルで練った、エナメルのようになめらかな絵の具。筆跡は消え、ゆっくりと丸い涙になって流れる。</translation>
+    </message>
+    <message>
+        <source>thin oil</source>
+        <translation>薄い油</translation>
+    </message>
+    <message>
+        <source>Oil thinned with turpentine for the first lay-in: streaky, it settles into the weave and runs when tilted.</source>
+        <translation>下描き用にテレピンでうすめた油。筋が残り、布目に沈み、傾けると流れる。</translation>
     </message>
 </context>
 <context>
@@ -2069,6 +2141,30 @@
     <message>
         <source>A mouse holds the tool aslant: a knife then scrapes with its edge</source>
         <translation>マウスでも道具を斜めに持つ。ナイフは刃で削る</translation>
+    </message>
+    <message>
+        <source>More &amp;medium</source>
+        <translation>メディウムを増やす(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Thin the paint in hand by a quarter, from paste towards a stain</source>
+        <translation>手元の絵の具を4分の1うすめ、ペーストからステインへ近づける</translation>
+    </message>
+    <message>
+        <source>More p&amp;aint</source>
+        <translation>絵の具を増やす(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Take a step back towards paint from the tube</source>
+        <translation>チューブから出した絵の具へ一段戻す</translation>
+    </message>
+    <message>
+        <source>Thin was&amp;h</source>
+        <translation>ごく薄塗り(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Thin the paint in hand to a wash for a first lay-in, and back</source>
+        <translation>手元の絵の具を下塗り用にごく薄くし、もう一度で元に戻す</translation>
     </message>
 </context>
 <context>
@@ -4881,6 +4977,54 @@
         <source>less than a tenth</source>
         <translation>10分の1未満</translation>
     </message>
+    <message>
+        <source>stiff</source>
+        <translation>硬い</translation>
+    </message>
+    <message>
+        <source>runny</source>
+        <translation>流れやすい</translation>
+    </message>
+    <message>
+        <source>From paint that stands in peaks to paint that runs like ink: viscosity and yield stress</source>
+        <translation>つのが立つ絵の具から、インクのように流れる絵の具まで。粘度と降伏応力</translation>
+    </message>
+    <message>
+        <source>short</source>
+        <translation>切れがよい</translation>
+    </message>
+    <message>
+        <source>long</source>
+        <translation>伸びがよい</translation>
+    </message>
+    <message>
+        <source>From paint that breaks off sharply to paint that flows out at its edges and in long runs: the angle at which it spreads, the profile and the flow index</source>
+        <translation>すぱっと切れる絵の具から、端へ広がり長く流れる絵の具まで。広がる角度、流れの形、流動指数</translation>
+    </message>
+    <message>
+        <source>opaque</source>
+        <translation type="unfinished">不透明</translation>
+    </message>
+    <message>
+        <source>transparent</source>
+        <translation type="unfinished">透明</translation>
+    </message>
+    <message>
+        <source>From paint that hides what lies below to a glaze: how much pigment is in it</source>
+        <translation>下を隠す絵の具からグレーズまで。含まれる顔料の量</translation>
+    </message>
+    <message>
+        <source>Pigment</source>
+        <translation>顔料</translation>
+    </message>
+    <message>
+        <source>How much of full-strength paint is in it: paint from the tube 100, a glaze 3 to 6</source>
+        <translation>濃い絵の具がどれだけ含まれるか。チューブの絵の具は100、グレーズは3～6</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished">色</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::BrushList</name>
@@ -5176,6 +5320,13 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     <message>
         <source>Where the light comes from: 0 right, 90 top</source>
         <translation>光の来る向き: 0 は右、90 は上</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::FeelRow</name>
+    <message>
+        <source>From %1 to %2</source>
+        <translation>%1から%2まで</translation>
     </message>
 </context>
 <context>
@@ -5507,6 +5658,18 @@ Keys: arrows move it, Home puts it back.</source>
     <message>
         <source>Takes back what was changed below</source>
         <translation>下で変えた値を元に戻す</translation>
+    </message>
+    <message>
+        <source>What it is like</source>
+        <translation>どんな絵の具か</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>数値</translation>
+    </message>
+    <message>
+        <source>Each number of the paint</source>
+        <translation>絵の具の数値すべて</translation>
     </message>
 </context>
 <context>
@@ -5880,6 +6043,17 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     <message>
         <source>Paint time against the clock: less than you set where there is more wet paint than this computer can move in time</source>
         <translation>実際の時間に対する絵の具の時間。濡れた絵の具が多く、計算が追いつかないときは設定より遅くなる</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::ThinningSlider</name>
+    <message>
+        <source>Paint : medium, from paste to stain. To the right the paint is thinned: it runs sooner, and lets through what lies below</source>
+        <translation>絵の具 : メディウム。ペーストからステインまで。右へ動かすほどうすまり、流れやすくなって下の層が透ける</translation>
+    </message>
+    <message>
+        <source>Paint : medium</source>
+        <translation>絵の具 : メディウム</translation>
     </message>
 </context>
 <context>

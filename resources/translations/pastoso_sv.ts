@@ -449,6 +449,30 @@
         <source>ride on wet paint</source>
         <translation>glidning på våt färg</translation>
     </message>
+    <message>
+        <source>Wash</source>
+        <translation>Lavering</translation>
+    </message>
+    <message>
+        <source>paste</source>
+        <translation>pasta</translation>
+    </message>
+    <message>
+        <source>cream</source>
+        <translation>grädde</translation>
+    </message>
+    <message>
+        <source>milk</source>
+        <translation>mjölk</translation>
+    </message>
+    <message>
+        <source>wash</source>
+        <translation>lavering</translation>
+    </message>
+    <message>
+        <source>stain</source>
+        <translation>bets</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -826,6 +850,54 @@
     <message>
         <source>Paint</source>
         <translation>Färg</translation>
+    </message>
+    <message>
+        <source>Oils</source>
+        <translation>Oljefärger</translation>
+    </message>
+    <message>
+        <source>Acrylics and others</source>
+        <translation>Akryl och annat</translation>
+    </message>
+    <message>
+        <source>wax paste</source>
+        <translation>vaxpasta</translation>
+    </message>
+    <message>
+        <source>Oil with cold wax, short and dull: it breaks off sharply at the edge and keeps every cut of the knife.</source>
+        <translation>Olja med kallvax, kort och matt: den bryter tvärt i kanten och behåller varje snitt av kniven.</translation>
+    </message>
+    <message>
+        <source>alkyd gel</source>
+        <translation>alkydgel</translation>
+    </message>
+    <message>
+        <source>A clear gel with a little paint: transparent, stands as the brush left it, and dries overnight.</source>
+        <translation>En klar gel med lite färg: genomskinlig, står som penseln lämnade den och torkar över natten.</translation>
+    </message>
+    <message>
+        <source>linseed oil</source>
+        <translation>linolja</translation>
+    </message>
+    <message>
+        <source>Paint let down with linseed oil, long and buttery: brush marks soften, and thick passages sag slowly.</source>
+        <translation>Färg utdrygad med linolja, lång och smörig: penselspår mjuknar och tjocka partier sjunker sakta.</translation>
+    </message>
+    <message>
+        <source>stand oil</source>
+        <translation>standolja</translation>
+    </message>
+    <message>
+        <source>Paint in thickened oil, smooth as enamel: brush marks flow out, and it runs in slow, round tears.</source>
+        <translation>Färg i förtjockad olja, slät som emalj: penselspår flyter ut, och den rinner i långsamma, runda tårar.</translation>
+    </message>
+    <message>
+        <source>thin oil</source>
+        <translation>tunn olja</translation>
+    </message>
+    <message>
+        <source>Oil thinned with turpentine for the first lay-in: streaky, it settles into the weave and runs when tilted.</source>
+        <translation>Olja förtunnad med terpentin för den första anläggningen: strimmig, sjunker ner i väven och rinner när duken lutas.</translation>
     </message>
 </context>
 <context>
@@ -2069,6 +2141,30 @@
     <message>
         <source>A mouse holds the tool aslant: a knife then scrapes with its edge</source>
         <translation>Med mus hålls verktyget på sned: en kniv skrapar då med eggen</translation>
+    </message>
+    <message>
+        <source>More &amp;medium</source>
+        <translation>Mer &amp;medium</translation>
+    </message>
+    <message>
+        <source>Thin the paint in hand by a quarter, from paste towards a stain</source>
+        <translation>Tunna ut färgen i handen med en fjärdedel, från pasta mot bets</translation>
+    </message>
+    <message>
+        <source>More p&amp;aint</source>
+        <translation>Mer f&amp;ärg</translation>
+    </message>
+    <message>
+        <source>Take a step back towards paint from the tube</source>
+        <translation>Gå ett steg tillbaka mot färg ur tuben</translation>
+    </message>
+    <message>
+        <source>Thin was&amp;h</source>
+        <translation>Tunn laverin&amp;g</translation>
+    </message>
+    <message>
+        <source>Thin the paint in hand to a wash for a first lay-in, and back</source>
+        <translation>Tunna ut färgen i handen till en lavering för undermålning, och tillbaka</translation>
     </message>
 </context>
 <context>
@@ -4895,6 +4991,54 @@
         <source>less than a tenth</source>
         <translation>mindre än en tiondel</translation>
     </message>
+    <message>
+        <source>stiff</source>
+        <translation>styv</translation>
+    </message>
+    <message>
+        <source>runny</source>
+        <translation>rinnig</translation>
+    </message>
+    <message>
+        <source>From paint that stands in peaks to paint that runs like ink: viscosity and yield stress</source>
+        <translation>Från färg som står i toppar till färg som rinner som bläck: viskositet och flytgräns</translation>
+    </message>
+    <message>
+        <source>short</source>
+        <translation>kort</translation>
+    </message>
+    <message>
+        <source>long</source>
+        <translation>lång</translation>
+    </message>
+    <message>
+        <source>From paint that breaks off sharply to paint that flows out at its edges and in long runs: the angle at which it spreads, the profile and the flow index</source>
+        <translation>Från färg som bryter tvärt till färg som flyter ut i kanterna och i långa rinningar: vinkeln den breder ut sig vid, profilen och flytindex</translation>
+    </message>
+    <message>
+        <source>opaque</source>
+        <translation type="unfinished">täckande</translation>
+    </message>
+    <message>
+        <source>transparent</source>
+        <translation type="unfinished">transparent</translation>
+    </message>
+    <message>
+        <source>From paint that hides what lies below to a glaze: how much pigment is in it</source>
+        <translation>Från färg som döljer det som ligger under till en lasyr: hur mycket pigment som finns i den</translation>
+    </message>
+    <message>
+        <source>Pigment</source>
+        <translation>Pigment</translation>
+    </message>
+    <message>
+        <source>How much of full-strength paint is in it: paint from the tube 100, a glaze 3 to 6</source>
+        <translation>Hur mycket färg av full styrka som finns i den: färg ur tuben 100, en lasyr 3 till 6</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished">Kulör</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::BrushList</name>
@@ -5190,6 +5334,13 @@ Tangenter: Page Up och Page Down väljer, pilarna flyttar, Insert lägger till, 
     <message>
         <source>Where the light comes from: 0 right, 90 top</source>
         <translation>Varifrån ljuset kommer: 0 från höger, 90 uppifrån</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::FeelRow</name>
+    <message>
+        <source>From %1 to %2</source>
+        <translation>Från %1 till %2</translation>
     </message>
 </context>
 <context>
@@ -5521,6 +5672,18 @@ Tangenter: pilarna flyttar den, Home ställer tillbaka den.</translation>
     <message>
         <source>Takes back what was changed below</source>
         <translation>Tar tillbaka det som ändrats nedan</translation>
+    </message>
+    <message>
+        <source>What it is like</source>
+        <translation>Hur den är</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Siffror</translation>
+    </message>
+    <message>
+        <source>Each number of the paint</source>
+        <translation>Varje siffra för färgen</translation>
     </message>
 </context>
 <context>
@@ -5895,6 +6058,17 @@ Som verktyget i handen lägger den (%4 mm), utdragen tunt över vitt och över s
     <message>
         <source>Paint time against the clock: less than you set where there is more wet paint than this computer can move in time</source>
         <translation>Färgens tid mot klockan: mindre än du valt när det finns mer våt färg än datorn hinner flytta</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::ThinningSlider</name>
+    <message>
+        <source>Paint : medium, from paste to stain. To the right the paint is thinned: it runs sooner, and lets through what lies below</source>
+        <translation>Färg : medium, från pasta till bets. Åt höger tunnas färgen ut: den rinner förr och släpper igenom det som ligger under</translation>
+    </message>
+    <message>
+        <source>Paint : medium</source>
+        <translation>Färg : medium</translation>
     </message>
 </context>
 <context>

@@ -449,6 +449,30 @@
         <source>ride on wet paint</source>
         <translation>浮在濕顏料上</translation>
     </message>
+    <message>
+        <source>Wash</source>
+        <translation>薄塗</translation>
+    </message>
+    <message>
+        <source>paste</source>
+        <translation>膏狀</translation>
+    </message>
+    <message>
+        <source>cream</source>
+        <translation>奶油狀</translation>
+    </message>
+    <message>
+        <source>milk</source>
+        <translation>牛奶狀</translation>
+    </message>
+    <message>
+        <source>wash</source>
+        <translation>薄塗</translation>
+    </message>
+    <message>
+        <source>stain</source>
+        <translation>染色</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -826,6 +850,54 @@
     <message>
         <source>Paint</source>
         <translation>顏料</translation>
+    </message>
+    <message>
+        <source>Oils</source>
+        <translation>油彩</translation>
+    </message>
+    <message>
+        <source>Acrylics and others</source>
+        <translation>壓克力與其他</translation>
+    </message>
+    <message>
+        <source>wax paste</source>
+        <translation>蠟膏</translation>
+    </message>
+    <message>
+        <source>Oil with cold wax, short and dull: it breaks off sharply at the edge and keeps every cut of the knife.</source>
+        <translation>摻冷蠟的油彩，短而無光：邊緣俐落斷開，刀痕一一保留。</translation>
+    </message>
+    <message>
+        <source>alkyd gel</source>
+        <translation>醇酸凝膠</translation>
+    </message>
+    <message>
+        <source>A clear gel with a little paint: transparent, stands as the brush left it, and dries overnight.</source>
+        <translation>摻少量顏料的透明凝膠：通透，保持筆觸原樣，一夜即乾。</translation>
+    </message>
+    <message>
+        <source>linseed oil</source>
+        <translation>亞麻仁油</translation>
+    </message>
+    <message>
+        <source>Paint let down with linseed oil, long and buttery: brush marks soften, and thick passages sag slowly.</source>
+        <translation>以亞麻仁油調開的顏料，柔長滑順：筆觸變柔，厚處緩緩下垂。</translation>
+    </message>
+    <message>
+        <source>stand oil</source>
+        <translation>熟油</translation>
+    </message>
+    <message>
+        <source>Paint in thickened oil, smooth as enamel: brush marks flow out, and it runs in slow, round tears.</source>
+        <translation>以稠化油調的顏料，平滑如琺瑯：筆觸流平，緩緩流成圓潤的淚滴。</translation>
+    </message>
+    <message>
+        <source>thin oil</source>
+        <translation>稀油</translation>
+    </message>
+    <message>
+        <source>Oil thinned with turpentine for the first lay-in: streaky, it settles into the weave and runs when tilted.</source>
+        <translation>以松節油稀釋、用於起稿的油彩：帶條痕，沉入布紋，傾斜時流動。</translation>
     </message>
 </context>
 <context>
@@ -2069,6 +2141,30 @@
     <message>
         <source>A mouse holds the tool aslant: a knife then scrapes with its edge</source>
         <translation>用滑鼠也能斜握工具:畫刀此時以刀緣刮除</translation>
+    </message>
+    <message>
+        <source>More &amp;medium</source>
+        <translation>多加媒介(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Thin the paint in hand by a quarter, from paste towards a stain</source>
+        <translation>將手上的顏料稀釋四分之一，由膏狀趨向染色</translation>
+    </message>
+    <message>
+        <source>More p&amp;aint</source>
+        <translation>多加顏料(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Take a step back towards paint from the tube</source>
+        <translation>退回一步，趨向原管顏料</translation>
+    </message>
+    <message>
+        <source>Thin was&amp;h</source>
+        <translation>薄塗打底(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Thin the paint in hand to a wash for a first lay-in, and back</source>
+        <translation>將手上的顏料稀釋成打底用的薄塗，再按一次復原</translation>
     </message>
 </context>
 <context>
@@ -4881,6 +4977,54 @@
         <source>less than a tenth</source>
         <translation>不到十分之一</translation>
     </message>
+    <message>
+        <source>stiff</source>
+        <translation>硬</translation>
+    </message>
+    <message>
+        <source>runny</source>
+        <translation>稀流</translation>
+    </message>
+    <message>
+        <source>From paint that stands in peaks to paint that runs like ink: viscosity and yield stress</source>
+        <translation>由能立起尖角的顏料到如墨水般流動的顏料：黏度與屈服應力</translation>
+    </message>
+    <message>
+        <source>short</source>
+        <translation>短</translation>
+    </message>
+    <message>
+        <source>long</source>
+        <translation>長</translation>
+    </message>
+    <message>
+        <source>From paint that breaks off sharply to paint that flows out at its edges and in long runs: the angle at which it spreads, the profile and the flow index</source>
+        <translation>由俐落斷開的顏料到邊緣攤開、拖長流下的顏料：擴散角、流速剖面與流動指數</translation>
+    </message>
+    <message>
+        <source>opaque</source>
+        <translation type="unfinished">不透明</translation>
+    </message>
+    <message>
+        <source>transparent</source>
+        <translation type="unfinished">透明</translation>
+    </message>
+    <message>
+        <source>From paint that hides what lies below to a glaze: how much pigment is in it</source>
+        <translation>由遮蓋下層的顏料到罩染：所含色料的多寡</translation>
+    </message>
+    <message>
+        <source>Pigment</source>
+        <translation>色料</translation>
+    </message>
+    <message>
+        <source>How much of full-strength paint is in it: paint from the tube 100, a glaze 3 to 6</source>
+        <translation>含有多少足濃度顏料：原管顏料為 100，罩染為 3 到 6</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished">顏色</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::BrushList</name>
@@ -5176,6 +5320,13 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     <message>
         <source>Where the light comes from: 0 right, 90 top</source>
         <translation>光線來自的方向：0 為右，90 為上</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::FeelRow</name>
+    <message>
+        <source>From %1 to %2</source>
+        <translation>由%1到%2</translation>
     </message>
 </context>
 <context>
@@ -5507,6 +5658,18 @@ Keys: arrows move it, Home puts it back.</source>
     <message>
         <source>Takes back what was changed below</source>
         <translation>還原下方所做的變更</translation>
+    </message>
+    <message>
+        <source>What it is like</source>
+        <translation>顏料的性格</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>數值</translation>
+    </message>
+    <message>
+        <source>Each number of the paint</source>
+        <translation>顏料的各項數值</translation>
     </message>
 </context>
 <context>
@@ -5880,6 +6043,17 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     <message>
         <source>Paint time against the clock: less than you set where there is more wet paint than this computer can move in time</source>
         <translation>顏料時間與實際時間的比例：濕顏料太多，電腦來不及計算時，會低於你的設定</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::ThinningSlider</name>
+    <message>
+        <source>Paint : medium, from paste to stain. To the right the paint is thinned: it runs sooner, and lets through what lies below</source>
+        <translation>顏料 : 媒介，由膏狀到染色。越往右越稀：更易流動，並透出下層</translation>
+    </message>
+    <message>
+        <source>Paint : medium</source>
+        <translation>顏料 : 媒介</translation>
     </message>
 </context>
 <context>
