@@ -26,6 +26,7 @@ std::vector<ExamplePainting> example_paintings() {
         {"still-life", Words::tr("Still life"), Words::tr("Oil, wet in wet")},
         {"surf", Words::tr("Surf"), Words::tr("Oil, in thick impasto")},
         {"poppies", Words::tr("Poppies"), Words::tr("Oil over a dry ground")},
+        {"evening", Words::tr("Evening by a river"), Words::tr("Oil, from ground to glaze")},
     };
     std::vector<ExamplePainting> examples;
     for (const auto& [file, name, detail] : all) {

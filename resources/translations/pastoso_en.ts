@@ -114,6 +114,14 @@
         <source>Oil over a dry ground</source>
         <translation>Oil over a dry ground</translation>
     </message>
+    <message>
+        <source>Evening by a river</source>
+        <translation>Evening by a river</translation>
+    </message>
+    <message>
+        <source>Oil, from ground to glaze</source>
+        <translation>Oil, from ground to glaze</translation>
+    </message>
 </context>
 <context>
     <name>Keys</name>

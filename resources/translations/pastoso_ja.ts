@@ -114,6 +114,14 @@
         <source>Oil over a dry ground</source>
         <translation>油彩、乾いた下地の上に</translation>
     </message>
+    <message>
+        <source>Evening by a river</source>
+        <translation>川辺の夕暮れ</translation>
+    </message>
+    <message>
+        <source>Oil, from ground to glaze</source>
+        <translation>油彩、下地からグレーズまで</translation>
+    </message>
 </context>
 <context>
     <name>Keys</name>

@@ -114,6 +114,14 @@
         <source>Oil over a dry ground</source>
         <translation>Olja på torr grund</translation>
     </message>
+    <message>
+        <source>Evening by a river</source>
+        <translation>Kväll vid floden</translation>
+    </message>
+    <message>
+        <source>Oil, from ground to glaze</source>
+        <translation>Olja, från grund till lasyr</translation>
+    </message>
 </context>
 <context>
     <name>Keys</name>

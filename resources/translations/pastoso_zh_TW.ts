@@ -114,6 +114,14 @@
         <source>Oil over a dry ground</source>
         <translation>油畫，畫在乾的底色上</translation>
     </message>
+    <message>
+        <source>Evening by a river</source>
+        <translation>河畔黃昏</translation>
+    </message>
+    <message>
+        <source>Oil, from ground to glaze</source>
+        <translation>油畫，從底色到罩染</translation>
+    </message>
 </context>
 <context>
     <name>Keys</name>

@@ -282,8 +282,8 @@ TEST_F(StartWindow, AFileThatIsGoneOrDamagedIsToldAndCanBeTakenFromTheList) {
 TEST_F(StartWindow, AnExampleIsPaintedOnItsCanvasAndNeedsNoSaving) {
     show_page();
     start::Gallery& examples = gallery("examples");
-    ASSERT_EQ(examples.count(), 3);
-    for (int i = 0; i < 3; ++i)
+    ASSERT_EQ(examples.count(), 4);
+    for (int i = 0; i < 4; ++i)
         EXPECT_FALSE(examples.model()->index(i, 0).data(Qt::DecorationRole).value<QPixmap>().isNull());
     click(examples, number_of(examples, "Poppies"));
     EXPECT_FALSE(page_is_shown());

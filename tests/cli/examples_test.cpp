@@ -33,8 +33,8 @@ TEST_P(CliExamples, AreReplayedInFull) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CliExamples,
-                         testing::Values("palette.json", "poppies.json", "sampler.json", "sheet.json",
-                                         "still-life.json", "surf.json"),
+                         testing::Values("evening.json", "palette.json", "poppies.json", "sampler.json",
+                                         "sheet.json", "still-life.json", "surf.json"),
                          [](const auto& example) {
                              std::string name = example.param;
                              std::erase_if(name, [](char c) { return std::isalpha(c) == 0; });

@@ -14,6 +14,7 @@ struct Seed {
     Point at;
     double turn_deg;
     int paint;
+    double longer = 0.0, firmer = 0.0;  ///< than the others, from -1 to 1
 };
 
 /// Random numbers of one area.
@@ -32,6 +33,9 @@ class Chance {
 constexpr double kLargestSide_mm = 220.0;
 constexpr double kBeyondEdge_mm = 15.0;
 
+/// From the seed of an area to that of how its strokes differ.
+constexpr unsigned kVariation = 5000;
+
 Point turned(Point vector, double angle_deg) {
     const double c = std::cos(core::radians(angle_deg)), s = std::sin(core::radians(angle_deg));
     return {c * vector.x - s * vector.y, s * vector.x + c * vector.y};
@@ -41,6 +45,17 @@ std::optional<int> paint_for(double tone, const Handling& handling, std::size_t 
     if (tone < handling.least_tone || tone > handling.most_tone) return std::nullopt;
     const int last = static_cast<int>(paint_count) - 1;
     return std::clamp(static_cast<int>(std::floor(tone * static_cast<double>(paint_count))), 0, last);
+}
+
+/// Draws from numbers of its own: what is not varied stays as it was.
+void vary(std::vector<Seed>& seeds, const Handling& handling) {
+    Chance chance(handling.seed + kVariation);
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+        if (handling.shuffled)
+            std::swap(seeds[i], seeds[i + static_cast<std::size_t>(chance() * (seeds.size() - i))]);
+        seeds[i].longer = chance.around_zero();
+        seeds[i].firmer = chance.around_zero();
+    }
 }
 
 std::vector<Seed> scatter_seeds(const Area& area, std::size_t paint_count, const Handling& handling) {
@@ -61,6 +76,7 @@ std::vector<Seed> scatter_seeds(const Area& area, std::size_t paint_count, const
             if (paint) seeds.push_back({at, turn_deg, *paint});
         }
     }
+    vary(seeds, handling);
     return seeds;
 }
 
@@ -68,7 +84,8 @@ std::vector<Seed> scatter_seeds(const Area& area, std::size_t paint_count, const
 /// way.
 std::vector<Point> follow(const Area& area, const Seed& seed, double sign, const Handling& handling) {
     constexpr int kSteps = 6;
-    const double step_mm = 0.5 * handling.length_mm / kSteps;
+    const double length_mm = handling.length_mm * (1.0 + handling.scatter_length * seed.longer);
+    const double step_mm = 0.5 * length_mm / kSteps;
     std::vector<Point> points;
     Point at = seed.at;
     for (int i = 0; i < kSteps; ++i) {
@@ -116,7 +133,10 @@ void paint_area(Painter& painter, const Area& area, const std::vector<document::
                 load.fill = handling.fill;
                 painter.dip(load);
             }
-            paint_along(painter, *curve, handling.speed_mm_s, handling.press);
+            Press press = handling.press;
+            press.level *= 1.0 + handling.scatter_press * seed.firmer;
+            paint_along(painter, *curve,
+                        handling.speed_mm_s * (1.0 + handling.scatter_length * seed.longer), press);
         }
     }
 }

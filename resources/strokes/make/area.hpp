@@ -31,6 +31,9 @@ struct Handling {
     double least_tone = 0.0, most_tone = 1.0;  ///< what lies outside is left out
     double most_depth_mm = 1e9;                ///< strokes whose middle lies deeper are left out
     double share_painted = 1.0;                ///< of the strokes; the others are left out by chance
+    double scatter_press = 0.0;                ///< how much pressures differ, as a share
+    double scatter_length = 0.0;               ///< how much lengths and speeds differ, as a share
+    bool shuffled = false;                     ///< otherwise from the upper edge to the lower
     unsigned seed = 1;
 };
 

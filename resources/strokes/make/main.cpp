@@ -13,6 +13,8 @@ int main(int argc, char** argv) {
     }
     try {
         const std::filesystem::path folder = argv[1];
+        pastoso::recordings::write_recording_json(folder / "evening.json",
+                                                  pastoso::examples::evening_by_a_river());
         pastoso::recordings::write_recording_json(folder / "palette.json", pastoso::examples::palette());
         pastoso::recordings::write_recording_json(folder / "poppies.json", pastoso::examples::poppies());
         pastoso::recordings::write_recording_json(folder / "sampler.json", pastoso::examples::sampler());

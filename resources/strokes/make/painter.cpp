@@ -1,5 +1,7 @@
 #include "painter.hpp"
 
+#include "core/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -42,8 +44,8 @@ void Painter::note(const Kind& action) {
     recording_.events.push_back({tick(), action});
 }
 
-void Painter::use_medium(const std::string& name) {
-    note(document::UseMedium{name});
+void Painter::use_medium(const std::string& name, double paint_share) {
+    note(document::UseMedium{.name = name, .paint_share = paint_share});
 }
 
 void Painter::tilt_canvas(double tilt_deg) {
@@ -60,6 +62,13 @@ void Painter::set_symmetry(const brush::Symmetry& symmetry) {
 
 void Painter::wait(double seconds) {
     now_s_ += seconds;
+}
+
+void Painter::wait_until(double moment_s) {
+    if (now_s_ > moment_s)
+        throw core::InputError("The strokes before the moment of " + std::to_string(moment_s) +
+                               " s last until " + std::to_string(now_s_) + " s.");
+    now_s_ = moment_s;
 }
 
 void Painter::take(const std::string& preset, double size_mm) {

@@ -22,9 +22,12 @@ class Painter {
   public:
     explicit Painter(const document::CanvasSettings& canvas);
 
-    void use_medium(const std::string& name);
+    /// `paint_share` of it by volume, the rest is what thins it.
+    void use_medium(const std::string& name, double paint_share = 1.0);
     void tilt_canvas(double tilt_deg);
     void wait(double seconds);
+    /// Waits for a moment of the session; an error once it is over.
+    void wait_until(double moment_s);
     void dry_now();
     void set_symmetry(const brush::Symmetry& symmetry);
 

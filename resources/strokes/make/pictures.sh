@@ -3,6 +3,6 @@
 # usage: pictures.sh PASTOSO-CLI
 set -eu
 strokes=$(cd "$(dirname "$0")/.." && pwd)
-for example in still-life surf poppies; do
+for example in still-life surf poppies evening; do
     "$1" replay "$strokes/$example.json" --quiet --scale 0.5 -o "$strokes/$example.png"
 done

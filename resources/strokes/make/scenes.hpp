@@ -5,6 +5,11 @@
 
 namespace pastoso::examples {
 
+/// An evening by a river in seven steps, from the ground to a glaze, each of kEveningStep_s; the manual
+/// shows the state after each.
+document::Recording evening_by_a_river();
+inline constexpr double kEveningStep_s = 24.0;
+
 /// Mixtures made on the mixing well, by knife and brush, and carried to the canvas.
 document::Recording palette();
 
