@@ -5025,11 +5025,11 @@
     </message>
     <message>
         <source>opaque</source>
-        <translation type="unfinished">opaque</translation>
+        <translation>opaque</translation>
     </message>
     <message>
         <source>transparent</source>
-        <translation type="unfinished">transparent</translation>
+        <translation>transparent</translation>
     </message>
     <message>
         <source>From paint that hides what lies below to a glaze: how much pigment is in it</source>
@@ -5045,7 +5045,7 @@
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished">Colour</translation>
+        <translation>Colour</translation>
     </message>
 </context>
 <context>

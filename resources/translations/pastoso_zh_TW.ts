@@ -5011,11 +5011,11 @@
     </message>
     <message>
         <source>opaque</source>
-        <translation type="unfinished">不透明</translation>
+        <translation>不透明</translation>
     </message>
     <message>
         <source>transparent</source>
-        <translation type="unfinished">透明</translation>
+        <translation>透明</translation>
     </message>
     <message>
         <source>From paint that hides what lies below to a glaze: how much pigment is in it</source>
@@ -5031,7 +5031,7 @@
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished">顏色</translation>
+        <translation>顏色</translation>
     </message>
 </context>
 <context>
