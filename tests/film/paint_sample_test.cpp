@@ -86,6 +86,36 @@ TEST_F(PaintSampleTest, AWetTraceOverDryPaintIsOverlookedAndOnBareCanvasIsNot) {
     EXPECT_EQ(at(0.6, 0.3).layer, PaintLayer::Wet);
 }
 
+/// A cell of two wet strata.
+void lay_both(FilmState& film, double lower_mm, double upper_mm, const Medium& medium) {
+    lay(film, 1, 1, upper_mm, kRed, medium);
+    const std::int32_t upper_thickness = film.thickness.at(1, 1);
+    const PaintCell upper = film.paint.at(1, 1);
+    lay(film, 1, 1, lower_mm, kBlue, medium);
+    film.lower.thickness.set(1, 1, film.thickness.at(1, 1));
+    film.lower.paint.set(1, 1, film.paint.at(1, 1));
+    PaintCell whole = film.paint.at(1, 1);
+    for (std::size_t k = 0; k < whole.size(); ++k)
+        whole[k] += upper[k];
+    film.thickness.set(1, 1, film.thickness.at(1, 1) + upper_thickness);
+    film.paint.set(1, 1, whole);
+}
+
+TEST_F(PaintSampleTest, OfTwoWetStrataIsTheUpperOne) {
+    lay_both(film, 0.3, 0.1, oil);
+    const PaintSample sample = at(0.3, 0.3);
+    EXPECT_EQ(sample.layer, PaintLayer::Wet);
+    expect_close(sample.coefficients, kRed, kWholeQuanta);
+}
+
+TEST_F(PaintSampleTest, AWetTraceOverWetPaintIsPickedWithIt) {
+    lay_both(film, 0.297, 0.003, oil);
+    Coefficients mixed{};
+    for (int k = 0; k < pigment::kChannels; ++k)
+        mixed[k] = 0.99F * kBlue[k] + 0.01F * kRed[k];
+    expect_close(at(0.3, 0.3).coefficients, mixed, 5.0 * kWholeQuanta);
+}
+
 TEST_F(PaintSampleTest, PaintThatCanBeDissolvedIsUppermost) {
     lay(film, 1, 1, 0.2, kBlue, oil);
     dry_all();

@@ -10,10 +10,26 @@ namespace {
 
 using pigment::Coefficients;
 
+/// Of wet paint: how much there is, and of what.
+struct WetSums {
+    std::int64_t thickness = 0;
+    std::array<std::int64_t, kPigmentChannels> pigment{};
+
+    void add(std::int64_t cell_thickness, const PaintCell& paint) {
+        thickness += cell_thickness;
+        for (int k = 0; k < kPigmentChannels; ++k)
+            pigment[k] += paint[k];
+    }
+    /// Whether it is a film over so many cells, and no trace.
+    bool is_film(int cells) const {
+        return thickness > 0 &&
+               static_cast<double>(thickness) * kThicknessQuantum_mm >= kBindingFilm_mm * cells;
+    }
+};
+
 struct Sums {
     int cells = 0;
-    std::int64_t wet_thickness = 0;
-    std::array<std::int64_t, kPigmentChannels> wet_pigment{};
+    WetSums wet, uppermost;  ///< all of it, and without what lies below other wet paint
     int dry_cells = 0;
     std::array<double, kPigmentChannels> dry_per_mm{};
 };
@@ -27,10 +43,11 @@ PigmentMixture dry_mixture(const Strata& strata, int x, int y) {
 
 void add_cell(const FilmState& state, int x, int y, Sums& sums) {
     ++sums.cells;
-    sums.wet_thickness += state.thickness.at(x, y);
+    const std::int32_t thickness = state.thickness.at(x, y);
     const PaintCell& wet = state.paint.at(x, y);
-    for (int k = 0; k < kPigmentChannels; ++k)
-        sums.wet_pigment[k] += wet[k];
+    sums.wet.add(thickness, wet);
+    sums.uppermost.add(thickness - state.lower.thickness.at(x, y),
+                       upper_paint(state.lower.paint.at(x, y), wet));
     const PigmentMixture dry = dry_mixture(state.strata, x, y);
     if (dry == PigmentMixture{}) return;
     ++sums.dry_cells;
@@ -54,12 +71,12 @@ Sums sums_in_disc(const FilmState& state, double x_mm, double y_mm, double radiu
     return sums;
 }
 
-Coefficients wet_coefficients(const Sums& sums) {
+Coefficients wet_coefficients(const WetSums& wet) {
     const double per_quantum =
-        kPaintQuantum / (static_cast<double>(sums.wet_thickness) * kThicknessQuantum_mm);
+        kPaintQuantum / (static_cast<double>(wet.thickness) * kThicknessQuantum_mm);
     Coefficients per_mm{};
     for (int k = 0; k < kPigmentChannels; ++k)
-        per_mm[k] = static_cast<float>(static_cast<double>(sums.wet_pigment[k]) * per_quantum);
+        per_mm[k] = static_cast<float>(static_cast<double>(wet.pigment[k]) * per_quantum);
     return per_mm;
 }
 
@@ -74,10 +91,9 @@ Coefficients dry_coefficients(const Sums& sums) {
 
 PaintSample sample_paint(const FilmState& state, double x_mm, double y_mm, double radius_mm) {
     const Sums sums = sums_in_disc(state, x_mm, y_mm, radius_mm);
-    const double wet_mm = static_cast<double>(sums.wet_thickness) * kThicknessQuantum_mm;
-    const bool film = wet_mm >= kBindingFilm_mm * sums.cells;
-    if (sums.wet_thickness > 0 && (film || sums.dry_cells == 0))
-        return {PaintLayer::Wet, wet_coefficients(sums)};
+    if (sums.uppermost.is_film(sums.cells)) return {PaintLayer::Wet, wet_coefficients(sums.uppermost)};
+    const bool counts = sums.wet.is_film(sums.cells) || sums.dry_cells == 0;
+    if (sums.wet.thickness > 0 && counts) return {PaintLayer::Wet, wet_coefficients(sums.wet)};
     if (sums.dry_cells > 0) return {PaintLayer::Dry, dry_coefficients(sums)};
     return {};
 }

@@ -19,8 +19,8 @@ struct PaintSample {
 
 /// The paint within a radius of a place, the cell there at least. Wet: sum(K_k h) / sum(h) over the
 /// cells of the disc, where their mean thickness is that of a film (kBindingFilm_mm) or nothing dry lies
-/// below. Dry: the mean over the cells that hold a stratum, of what each holds uppermost. Cells beyond
-/// the canvas count for nothing.
+/// below; of two wet strata the upper one alone, where it is such a film itself. Dry: the mean over the
+/// cells that hold a stratum, of what each holds uppermost. Cells beyond the canvas count for nothing.
 PaintSample sample_paint(const FilmState& state, double x_mm, double y_mm, double radius_mm);
 
 }  // namespace pastoso::film
