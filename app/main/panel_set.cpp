@@ -100,7 +100,7 @@ void make_tool_bar(Studio& studio, const PanelSet& panels) {
     bar->addWidget(panels.thinning);
     add_button(Command::ThinWash, QObject::tr("Wash"), Qt::ToolButtonIconOnly);
     bar->addSeparator();
-    add_button(Command::Pause, QObject::tr("Pause"));
+    add_button(Command::Pause, QObject::tr("Pause"), Qt::ToolButtonIconOnly);
     bar->addWidget(panels.time);
     add_button(Command::DryNow, QObject::tr("Dry now"));
     add_button(Command::MixingWell, QObject::tr("Mixing well"));
