@@ -30,7 +30,9 @@ TEST(PaintShare, StepsByEqualFactorsFromEndToEnd) {
     int steps = 0;
     for (; share > film::kLeastPaintShare; ++steps) {
         const double next = stepped_paint_share(share, 1);
-        if (next > film::kLeastPaintShare) EXPECT_NEAR(next / share, 0.75, 0.03) << share;
+        if (next > film::kLeastPaintShare) {
+            EXPECT_NEAR(next / share, 0.75, 0.03) << share;
+        }
         share = next;
     }
     EXPECT_EQ(steps, 14);
