@@ -101,7 +101,7 @@ constexpr CommandText kCommands[] = {
         Command::TurnWithStroke, kBrush, QT_TR_NOOP("&Turn with the stroke"), "Shift+T",
         QT_TR_NOOP("Flat brushes stand across their path, where the pen does not tell its rotation"),
         true},
-    CommandText{Command::TiltTool, kBrush, QT_TR_NOOP("&Hold it tilted"), "T",
+    CommandText{Command::TiltTool, kBrush, QT_TR_NOOP("&Hold it tilted"), "K",
                 QT_TR_NOOP("A mouse holds the tool aslant: a knife then scrapes with its edge"), true},
     CommandText{Command::SaveBrush, kBrush, QT_TR_NOOP("&Save as my own..."), "Ctrl+B",
                 QT_TR_NOOP("Keep the tool in hand, with its curves, among your own"), false, true},

@@ -97,10 +97,10 @@ TEST_F(SwatchesWindow, SayHowWellPaintHides) {
     const auto* recipe = window().findChild<QLabel*>(QStringLiteral("recipe"));
     EXPECT_EQ(first->toolTip(), "In hand: Cadmium red light, opaque");
     EXPECT_TRUE(recipe->text().endsWith(QStringLiteral("; opaque"))) << recipe->text().toStdString();
-    take("knife");
-    EXPECT_EQ(first->toolTip(), "In hand: Cadmium red light, transparent");
-    EXPECT_TRUE(recipe->text().endsWith(QStringLiteral("; transparent")));
-    EXPECT_TRUE(tube_words("Cadmium red light").contains(QStringLiteral("(PR108), transparent")));
+    take("Dry scumbler 22");
+    EXPECT_EQ(first->toolTip(), "In hand: Cadmium red light, semi-transparent");
+    EXPECT_TRUE(recipe->text().endsWith(QStringLiteral("; semi-transparent")));
+    EXPECT_TRUE(tube_words("Cadmium red light").contains(QStringLiteral("(PR108), semi-transparent")));
 }
 
 TEST_F(SwatchesWindow, MarkTubesInTheInkOfTheTheme) {
