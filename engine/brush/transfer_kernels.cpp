@@ -311,7 +311,6 @@ PASTOSO_LANE_FUNCTION bool is_covered(const ApplyRule& rule, const film::PaintCe
     const std::int32_t cell = cells.cell[place], held = cells.held[place];
     const std::int32_t below = lower != nullptr ? lower->thickness[cell] : 0;
     if (below == 0) return is_other(rule, paint[cell], held, gained);
-    if (held - cells.found[place] >= film::kLeastStratum_quanta) return false;
     if (static_cast<float>(gained) < cells.touched[place] * rule.hiding_quanta) return false;
     return is_other(rule, film::upper_paint(lower->paint[cell], paint[cell]), held - below, gained);
 }
@@ -328,7 +327,7 @@ PASTOSO_LANE_FUNCTION void for_each_covered(const ApplyRule& rule, const film::P
     const auto found = lanes::load<Ints>(cells.found + first + i);
     // Paint that flows under the tool, at the front of a thick stroke, changes what was found by a
     // little.
-    const auto still_found = held - found < film::kLeastStratum_quanta + (found >> 2) &&
+    const auto still_found = held - found < film::kLeastStratum_quanta + found &&
                              lanes::min(held, found) >= film::kLeastStratum_quanta;
     CellList perhaps;
     perhaps.add(lanes::counting<Ints>() + i, gained >= film::kLostStratum_quanta && still_found &&
