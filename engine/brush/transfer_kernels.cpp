@@ -325,8 +325,7 @@ PASTOSO_LANE_FUNCTION void for_each_covered(const ApplyRule& rule, const film::P
     const Ints gained = gain_of(changes, i);
     const auto held = lanes::load<Ints>(cells.held + first + i);
     const auto found = lanes::load<Ints>(cells.found + first + i);
-    // Paint that flows under the tool, at the front of a thick stroke, changes what was found by a
-    // little.
+    // At the front of a thick stroke paint flows onto what was found, up to as much again between touches.
     const auto still_found = held - found < film::kLeastStratum_quanta + found &&
                              lanes::min(held, found) >= film::kLeastStratum_quanta;
     CellList perhaps;
