@@ -1,5 +1,6 @@
 #include "brush/bearing.hpp"
 
+#include "brush/nearest_cell.hpp"
 #include "brush/smooth_noise.hpp"
 
 #include <algorithm>
@@ -13,10 +14,7 @@ constexpr double kStripe_mm = 9.0;
 
 /// The wet surface that the tool found below an element, or the nearest one on the canvas.
 float found_surface_mm(const film::FilmState& film, const PassMap& pass, const BristlePose& pose) {
-    const auto cell_at = [&](double place_mm, int count) {
-        return static_cast<int>(std::clamp(place_mm / film.cell_mm, 0.0, count - 1.0));
-    };
-    const int x = cell_at(pose.x_mm, film.shape.width), y = cell_at(pose.y_mm, film.shape.height);
+    const auto [x, y] = nearest_cell(film, pose.x_mm, pose.y_mm);
     const int tile = film.shape.tile_at(x, y), cell = grid::Shape::cell_in_tile(x, y);
     const std::int32_t thickness = film.thickness.read(tile)[cell];
     return film.support_mm.read(tile)[cell] + film::thickness_mm(pass.found(tile, cell, thickness));

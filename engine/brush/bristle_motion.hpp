@@ -17,7 +17,7 @@ struct BristlePose {
     bool lifted = false;            ///< touched it in this stroke and does no more
     double x_mm = 0.0, y_mm = 0.0;  ///< of the tip; where it touched last
     float press = 0.0F;             ///< 0 to 1
-    float support_mm = 0.0F;        ///< height of the dry surface it rides on
+    float support_mm = 0.0F;        ///< height of the dry surface below it
     float bearing_mm = 0.0F;        ///< height of what the tool bears on there (brush/bearing.hpp)
     float ride = 0.0F;              ///< 0: it bears on the dry surface, 1: on wet paint
     float freshness = 1.0F;         ///< 1 on touching down, falls to 0 along the stroke

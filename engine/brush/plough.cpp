@@ -1,5 +1,7 @@
 #include "brush/plough.hpp"
 
+#include "brush/nearest_cell.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -31,8 +33,7 @@ struct Place {
 /// dry.
 float surface_at(const film::FilmState& film, double x_mm, double y_mm) {
     constexpr float kNone_mm = -1e6F;
-    const int x = static_cast<int>(std::clamp(x_mm / film.cell_mm, 0.0, film.shape.width - 1.0));
-    const int y = static_cast<int>(std::clamp(y_mm / film.cell_mm, 0.0, film.shape.height - 1.0));
+    const auto [x, y] = nearest_cell(film, x_mm, y_mm);
     const int tile = film.shape.tile_at(x, y), cell = grid::Shape::cell_in_tile(x, y);
     const std::int32_t thickness = film.thickness.read(tile)[cell];
     return thickness > 0 ? film.support_mm.read(tile)[cell] + film::thickness_mm(thickness) : kNone_mm;

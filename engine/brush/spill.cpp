@@ -1,6 +1,7 @@
 #include "brush/spill.hpp"
 
 #include "brush/cell_mean.hpp"
+#include "brush/nearest_cell.hpp"
 #include "brush/transfer.hpp"
 #include "core/random.hpp"
 
@@ -70,8 +71,7 @@ double bristle_side(double side_mm, const Swath& swath, double edge_mm, float no
 }  // namespace
 
 double thickness_at(const film::FilmState& film, double x_mm, double y_mm) {
-    const int x = static_cast<int>(std::clamp(x_mm / film.cell_mm, 0.0, film.shape.width - 1.0));
-    const int y = static_cast<int>(std::clamp(y_mm / film.cell_mm, 0.0, film.shape.height - 1.0));
+    const auto [x, y] = nearest_cell(film, x_mm, y_mm);
     return film::thickness_mm(film.thickness.at(x, y));
 }
 

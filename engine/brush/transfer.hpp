@@ -61,7 +61,7 @@ namespace pastoso::brush {
 /// One touching bristle (or element of a knife) in one step.
 struct Contact {
     double x_mm = 0.0, y_mm = 0.0;
-    float support_mm = 0.0F;                ///< dry surface that it rides on
+    float support_mm = 0.0F;                ///< height of what it bears on (brush/bearing.hpp)
     float press = 0.0F;                     ///< 0 to 1
     float ride = 0.0F;                      ///< 0 to 1; what rides takes and mixes nothing
     float freshness = 0.0F;                 ///< 0 to 1
