@@ -332,11 +332,10 @@ void Easel::end_stroke() {
 
 /// Whether the tip is one that can stand askew, and nothing but its path tells how it is turned.
 bool Easel::turns_with_path(const Pointer& pointer) const {
-    const brush::Preset preset = preset_in_hand(hand_);
-    if (preset.kind != brush::ToolKind::Contact || preset.tip.shape == brush::TipShape::Round)
-        return false;
     const bool guided = pointer.surface == Surface::Canvas && hand_.guide.turn_across;
-    return hand_.turn_with_stroke && !pointer.rotation_deg && !guided;
+    if (!hand_.turn_with_stroke || pointer.rotation_deg || guided) return false;
+    const brush::Preset preset = preset_in_hand(hand_);
+    return preset.kind == brush::ToolKind::Contact && preset.tip.shape != brush::TipShape::Round;
 }
 
 /// The first way of a stroke decides how it starts.

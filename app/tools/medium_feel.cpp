@@ -1,7 +1,10 @@
 #include "tools/medium_feel.hpp"
 
+#include "tools/medium_numbers.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pastoso::tools {
 namespace {
@@ -77,9 +80,10 @@ double place_of(const Medium& medium, Feel feel) {
 Medium with_place(Medium medium, Feel feel, double place) {
     const double before = place_of(medium, feel), next = std::clamp(place, 0.0, 1.0);
     if (next == before) return medium;
-    for (const FeelNumber& number : numbers_of(feel))
-        medium.*number.member = moved(number, medium.*number.member, before, next);
-    medium.receding_angle_deg = std::min(medium.receding_angle_deg, medium.advancing_angle_deg);
+    for (const FeelNumber& number : numbers_of(feel)) {
+        const double value = moved(number, medium.*number.member, before, next);
+        medium = with_number(std::move(medium), number.member, value);
+    }
     return medium;
 }
 
