@@ -2,13 +2,22 @@
 # Installs what is missing, builds Pastoso and opens it with a canvas on the easel. Without a display it replays
 # the still life that comes with the program instead and writes out/first-light.png.
 #
-# Usage: packaging/run.sh [ARGUMENT...]
-#   ARGUMENT   handed on to build/release/bin/pastoso (its own help: packaging/run.sh -- --help)
+# Usage: packaging/run.sh [FILE] [-- ARGUMENT...]
+#   FILE       a painting, picture or recording to open in the window
+#   ARGUMENT   handed on to build/release/bin/pastoso as well (its own help: packaging/run.sh -- --help)
 source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
+file=()
 case "${1-}" in
     -h | --help) print_help; exit 0 ;;
+    "" | --) ;;
+    -*) refuse_argument "$1" ;;
+    *) [[ -r "$1" ]] || fail "there is no file '$1' to open."; file=("$1"); shift ;;
+esac
+case "${1-}" in
+    "") ;;
     --) shift ;;
+    *) refuse_argument "$1" ;;
 esac
 
 replay_example() {
@@ -30,7 +39,7 @@ open_window() {
 messages="$(mktemp)"
 trap 'rm -f -- "$messages"' EXIT
 say "Opening Pastoso"
-if open_window "$messages" "$@"; then
+if open_window "$messages" "${file[@]}" "$@"; then
     say "Pastoso has closed"
 elif grep -q "no display" "$messages"; then
     replay_example
