@@ -96,6 +96,14 @@ bool changes_anything(const CellBatch& batch, const CellBatch::TilePart& part, b
     return false;
 }
 
+/// Whatever a tool touches in a cell, it shears all of it.
+void work(const CellBatch& batch, const CellBatch::TilePart& part, film::FilmState& film) {
+    const std::int32_t* thickness = film.thickness.read(part.tile);
+    std::int32_t* worked = film.worked.thickness.write(part.tile);
+    for (int i = part.begin; i < part.end; ++i)
+        if (batch.change[i] != 0 || batch.swap[i] != 0) worked[batch.cell[i]] = thickness[batch.cell[i]];
+}
+
 TileCells cells_of(const CellBatch& batch, const CellBatch::TilePart& part, std::int32_t* thickness,
                    film::PaintCell* paint) {
     return {thickness,
@@ -221,7 +229,9 @@ bool owns_planned_tiles(const CellBatch& batch, const film::FilmState& film) {
             film.thickness.block(part.tile).unique() && film.paint.block(part.tile).unique();
         const bool owns_lower =
             film.lower.thickness.block(part.tile).unique() && film.lower.paint.block(part.tile).unique();
-        return !part.changes || (owns_whole && (owns_lower || !part.has_strata));
+        const bool owns_worked = film.worked.thickness.block(part.tile).unique();
+        return !part.changes || (owns_whole && (owns_lower || !part.has_strata) &&
+                                 (owns_worked || !film.worked.is_followed));
     });
 }
 
@@ -230,6 +240,7 @@ void own_planned_tiles(const CellBatch& batch, film::FilmState& film) {
         if (!part.changes) continue;
         film.thickness.write(part.tile);
         film.paint.write(part.tile);
+        if (film.worked.is_followed) film.worked.thickness.write(part.tile);
         if (!part.has_strata) continue;
         film.lower.thickness.write(part.tile);
         film.lower.paint.write(part.tile);
@@ -249,6 +260,7 @@ grid::Rect apply(const ApplyRule& rule, const CellBatch& batch, film::FilmState&
                 gained);
         else
             kernels.apply(rule, cells, gained);
+        if (film.worked.is_followed) work(batch, part, film);
     }
     core::kernels<ContentsKernels>().take(gained, film.cell_mm * film.cell_mm, held);
     return gained.any ? batch.cells() : grid::Rect{};

@@ -37,6 +37,8 @@
 //   equal volumes m h_l (h - h_l) / h of both strata are swapped, m = d q,
 //   d = mix p for hairs, a tenth of that for what is stiff.
 //
+// Thixotropic paint is worked all through where it is touched (film/cell/structure.hpp).
+//
 // C = min(1, cover w / max(A, (1 - sat)^2)): a bristle that is alone, at the edge of its clump (A = 1
 // there, brush/clumps.hpp) or with its neighbours starved, leaves in a cell the share that it covers;
 // among others, they cover the rest.

@@ -42,6 +42,7 @@ void for_each_field(const Visit& visit, Films&&... films) {
     visit(WetThickness{}, films.paint...);
     visit(NoAmount{}, films.lower.thickness...);
     visit(LowerThickness{}, films.lower.paint...);
+    visit(WetThickness{}, films.worked.thickness...);
     visit(NoAmount{}, films.velocity_x...);
     visit(NoAmount{}, films.velocity_y...);
     visit(NoAmount{}, films.support_mm...);

@@ -42,6 +42,9 @@ struct FilmTiles {
         TileSet<grid::TileBlock<std::int32_t>> thickness;
         TileSet<grid::TileBlock<film::PaintCell>> paint;
     } lower;
+    struct {
+        TileSet<grid::TileBlock<std::int32_t>> thickness;
+    } worked;
     TileSet<grid::TileBlock<float>> velocity_x, velocity_y;
     TileSet<film::HeightBlock> support_mm;
     struct {

@@ -21,6 +21,11 @@ struct Medium {
     /// is that at a wall shear rate of 1/s. Followed from 1e-3 to 1e4 1/s.
     double flow_index = 1.0;
     double yield_stress_Pa = 0.0;       ///< 0 (runs for ever) to 200 (stands in peaks)
+    /// Of viscosity and yield stress, what is lost in paint that is worked, 0 to 0.95
+    /// (cell/structure.hpp).
+    double structure_share = 0.0;
+    double recovery_s = 10.0;           ///< in which all but 1/e of it comes back at rest, 0.1 to 1000
+    double breakdown_strain = 10.0;     ///< shear that takes all but 1/e of it, 0.1 to 1000
     double surface_tension_N_m = 0.03;  ///< 0.02 to 0.07
     double advancing_angle_deg = 27.0;  ///< contact angle at which the edge moves out, 0 to 60
     double receding_angle_deg = 10.0;   ///< contact angle at which the edge draws back, 0 to advancing

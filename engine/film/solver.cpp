@@ -70,10 +70,13 @@ struct Solver::Parts {
         limits = make_limits(medium, gravity, state.cell_mm);
         constants = make_constants(medium, gravity, options, state.cell_mm);
         consistency = consistency_of(medium);
+        state.worked.follow(medium.structure_share > 0.0);
     }
 
     /// Whether what each cell carries has to be looked at.
-    bool is_varied() const { return !state.consistencies.are_only(consistency); }
+    bool is_varied() const {
+        return !state.consistencies.are_only(consistency) || state.worked.is_anywhere();
+    }
 
     bool on_canvas_edge(int tile, Side side) const {
         const int x = tile % state.shape.tiles_x(), y = tile / state.shape.tiles_x();
@@ -182,6 +185,7 @@ void Solver::Parts::replace_fields(int tile, TileResult& result) {
     if (result.thickness) state.thickness.replace(tile, std::move(result.thickness));
     if (result.paint) state.paint.replace(tile, std::move(result.paint));
     if (result.strata_moved) result.lower.put_into(state.lower, tile);
+    if (result.worked) state.worked.replace(tile, std::move(result.worked));
     if (result.velocity_x) state.velocity_x.replace(tile, std::move(result.velocity_x));
     if (result.velocity_y) state.velocity_y.replace(tile, std::move(result.velocity_y));
 }
@@ -280,6 +284,7 @@ bool Solver::Parts::advance(double seconds, const std::function<bool()>& cancell
     activity.let_pass(seconds, options.longest_wait_s);
     while (const std::optional<double> waited_s = activity.begin_group())
         if (!step_group(*waited_s, cancelled, report)) return false;
+    recover(state, seconds, medium.recovery_s, pool);
     report.awake_tiles = activity.awake_count();
     return true;
 }
@@ -348,6 +353,7 @@ std::vector<bool> Solver::awake_tiles() const {
 
 void Solver::restart(const std::vector<bool>& awake) {
     PASTOSO_CHECK_OP(awake.size(), ==, parts_->window_start.size());
+    parts_->state.worked.follow(parts_->medium.structure_share > 0.0);
     parts_->activity.restore(parts_->activity.calls(), std::vector<TileActivity>(awake.size()));
     parts_->window_start.assign(awake.size(), {});
     parts_->large.restore(LargeStepper::Pressures(awake.size()));
@@ -382,7 +388,9 @@ std::optional<AdvanceReport> Solver::advance_unless(const std::function<bool()>&
 AdvanceReport Solver::step(double dt_s) {
     const bool large = parts_->options.scheme == Scheme::LargeStep;
     parts_->activity.step_all();
-    return large ? parts_->large_step(dt_s) : parts_->explicit_step(dt_s);
+    const AdvanceReport report = large ? parts_->large_step(dt_s) : parts_->explicit_step(dt_s);
+    recover(parts_->state, dt_s, parts_->medium.recovery_s, parts_->pool);
+    return report;
 }
 
 double Solver::stable_step_s(double thickness) const {

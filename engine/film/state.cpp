@@ -59,6 +59,14 @@ void add_lower(const LowerStratum& lower, core::Hash64& hash) {
     }
 }
 
+void add_worked(const WorkedPaint& worked, core::Hash64& hash) {
+    for (int tile = 0; tile < worked.thickness.tile_count(); ++tile) {
+        if (!worked.is_in(tile)) continue;
+        hash.add_value(tile);
+        add_tile(worked.thickness, tile, hash);
+    }
+}
+
 void add_heights(const SupportHeights& field, core::Hash64& hash) {
     std::array<float, grid::kTileSize> row;
     for (int tile = 0; tile < field.tile_count(); ++tile) {
@@ -118,6 +126,7 @@ std::uint64_t state_hash(const FilmState& state) {
     add_field(state.thickness, hash);
     add_field(state.paint, hash);
     add_lower(state.lower, hash);
+    add_worked(state.worked, hash);
     add_field(state.velocity_x, hash);
     add_field(state.velocity_y, hash);
     add_heights(state.support_mm, hash);

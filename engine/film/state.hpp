@@ -6,6 +6,7 @@
 #include "film/cell/lower_stratum.hpp"
 #include "film/cell/paint_cell.hpp"
 #include "film/cell/strata.hpp"
+#include "film/cell/structure.hpp"
 #include "film/support/support_heights.hpp"
 #include "grid/tiled_field.hpp"
 
@@ -44,6 +45,7 @@ struct FilmState {
           thickness(canvas),
           paint(canvas),
           lower(canvas),
+          worked(canvas),
           velocity_x(canvas),
           velocity_y(canvas),
           support_mm(canvas),
@@ -56,6 +58,7 @@ struct FilmState {
         thickness;                       ///< h, mean over the cell, quanta, 0..kMaxThickness_quanta
     grid::TiledField<PaintCell> paint;   ///< what the wet paint of the cell carries
     LowerStratum lower;                  ///< the part of them that lies below other wet paint
+    WorkedPaint worked;                  ///< the part of them that tools and flow have loosened
     grid::TiledField<float> velocity_x;  ///< depth mean at the face between (x, y) and (x+1, y), mm/s
     grid::TiledField<float> velocity_y;  ///< depth mean at the face between (x, y) and (x, y+1), mm/s
     SupportHeights support_mm;           ///< c, height of the dry surface below the paint

@@ -23,6 +23,9 @@ struct StepConstants {
     float yield_per_Pa = 1.0F;     ///< 1/rho in these units
     bool varied = false;           ///< each cell has a viscosity and a yield stress of its own instead
 
+    float structure_share = 0.0F;   ///< theta: what of both is lost in paint that is worked
+    float breakdown_strain = 1.0F;  ///< gamma_b
+
     float drag_against = 3.0F;  ///< k_d = 6/(3 alpha - 1) where tension opposes the flow (alpha_min)
     float drag_along = 3.0F;    ///< k_d where tension drives it (alpha_max)
     float slip_mm = 0.0F;

@@ -43,9 +43,14 @@ TileRheology rheology_of(const PlannedFilm& film, int tile) {
     TileRheology rheology;
     if (film.varied) {
         const auto yield_per_Pa = static_cast<float>(1e6 / film.density_kg_m3);
-        core::kernels<TileKernels>().rheology(film.state.paint.read(tile),
-                                              film.state.thickness.read(tile), kTileCells, yield_per_Pa,
-                                              rheology.viscosity.data(), rheology.yield.data());
+        const auto& kernels = core::kernels<TileKernels>();
+        const std::int32_t* thickness = film.state.thickness.read(tile);
+        kernels.rheology(film.state.paint.read(tile), thickness, kTileCells, yield_per_Pa,
+                         rheology.viscosity.data(), rheology.yield.data());
+        if (film.state.worked.is_in(tile))
+            kernels.loosen(film.state.worked.thickness.read(tile), thickness, kTileCells,
+                           static_cast<float>(film.limits.structure_share), rheology.viscosity.data(),
+                           rheology.yield.data());
     } else {
         rheology.viscosity.fill(static_cast<float>(film.limits.viscosity_mm2_s));
         rheology.yield.fill(static_cast<float>(film.limits.yield));

@@ -24,6 +24,7 @@ StepLimits make_limits(const Medium& medium, const Gravity& gravity, double cell
     limits.force_mm_s2 = std::hypot(gravity.x_mm_s2, gravity.y_mm_s2);
     limits.yield = medium.yield_stress_Pa / medium.density_kg_m3 * 1e6;
     limits.flow_index = medium.flow_index;
+    limits.structure_share = medium.structure_share;
     return limits;
 }
 
@@ -51,6 +52,8 @@ StepConstants make_constants(const Medium& medium, const Gravity& gravity, const
     step.tension_rise2 = options.tension_in_space ? 1.0F : 0.0F;
     step.horizontal_tension = static_cast<float>(options.horizontal_tension * limits.tension);
     step.flow_index = static_cast<float>(medium.flow_index);
+    step.structure_share = static_cast<float>(medium.structure_share);
+    step.breakdown_strain = static_cast<float>(medium.breakdown_strain);
     step.full_curvature = options.full_curvature;
     return step;
 }
@@ -62,6 +65,10 @@ void check_medium(const Medium& medium) {
     PASTOSO_CHECK_OP(medium.flow_index, <=, 1.0);
     PASTOSO_CHECK_OP(medium.alpha_min, >, 1.0 / 3.0);
     PASTOSO_CHECK_OP(medium.alpha_min, <=, medium.alpha_max);
+    PASTOSO_CHECK_OP(medium.structure_share, >=, 0.0);
+    PASTOSO_CHECK_OP(medium.structure_share, <, 1.0);
+    PASTOSO_CHECK_OP(medium.recovery_s, >, 0.0);
+    PASTOSO_CHECK_OP(medium.breakdown_strain, >, 0.0);
     PASTOSO_CHECK_OP(medium.receding_angle_deg, <=, medium.advancing_angle_deg);
 }
 

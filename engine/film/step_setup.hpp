@@ -8,7 +8,8 @@
 namespace pastoso::film {
 
 /// Checks that the solver can do a medium: density and viscosity above 0, 0.2 <= flow_index <= 1,
-/// 1/3 < alpha_min <= alpha_max, receding <= advancing angle.
+/// 1/3 < alpha_min <= alpha_max, 0 <= structure_share < 1, recovery time and breakdown strain above 0,
+/// receding <= advancing angle.
 void check_medium(const Medium& medium);
 
 /// What bounds the length of a step in a medium.

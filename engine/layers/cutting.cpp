@@ -34,6 +34,7 @@ void keep_paint(const IsLeft& is_left, int tile, FilmState& layer) {
     keep_cells(is_left, tile, film::PaintCell{}, layer.paint);
     keep_cells(is_left, tile, std::int32_t{0}, layer.lower.thickness);
     keep_cells(is_left, tile, film::PaintCell{}, layer.lower.paint);
+    keep_cells(is_left, tile, std::int32_t{0}, layer.worked.thickness);
     keep_relief(is_left, tile, layer.support_mm);
     keep_cells(is_left, tile, std::int32_t{0}, layer.strata.soluble_thickness);
     keep_cells(is_left, tile, film::PigmentCell{}, layer.strata.soluble_pigment);

@@ -27,6 +27,7 @@ film::FilmState on_extent(const film::FilmState& layer, const grid::Extent& exte
     grid::put_on_extent(layer.paint, extent, result.paint);
     grid::put_on_extent(layer.lower.thickness, extent, result.lower.thickness);
     grid::put_on_extent(layer.lower.paint, extent, result.lower.paint);
+    grid::put_on_extent(layer.worked.thickness, extent, result.worked.thickness);
     grid::put_on_extent(layer.support_mm, extent, result.support_mm);
     grid::put_on_extent(strata.soluble_thickness, extent, result.strata.soluble_thickness);
     grid::put_on_extent(strata.soluble_pigment, extent, result.strata.soluble_pigment);

@@ -13,7 +13,7 @@
 
 namespace pastoso::project {
 
-inline constexpr int kProjectFormatVersion = 7;
+inline constexpr int kProjectFormatVersion = 8;
 
 /// An entry of the archive that is a Zstandard frame with a checksum of its own.
 struct PackedEntry {

@@ -62,6 +62,10 @@ struct LowerPaint : Paint {
     static auto& of(auto& surface) { return surface.film.lower.paint; }
     static auto& amount(auto& surface) { return surface.film.lower.thickness; }
 };
+struct WorkedThickness : Thickness {
+    static auto& of(auto& surface) { return surface.film.worked.thickness; }
+    static auto& amount(auto& surface) { return surface.film.thickness; }
+};
 struct VelocityX {
     using Value = float;
     static auto& of(auto& surface) { return surface.film.velocity_x; }
@@ -354,6 +358,7 @@ std::span<const TileKind> tile_kinds() {
         field_kind<Paint>("paint"),
         field_kind<LowerThickness>("lower_depth"),
         field_kind<LowerPaint>("lower_paint"),
+        field_kind<WorkedThickness>("worked"),
         field_kind<VelocityX>("velocity_x"),
         field_kind<VelocityY>("velocity_y"),
         support_kind(),

@@ -5047,6 +5047,34 @@
         <source>Colour</source>
         <translation>Colour</translation>
     </message>
+    <message>
+        <source>Loosens by</source>
+        <translation>Loosens by</translation>
+    </message>
+    <message>
+        <source>Thixotropy: how much of its stiffness is gone where a tool or a run works it; brush marks level a little, and then stand</source>
+        <translation>Thixotropy: how much of its stiffness is gone where a tool or a run works it; brush marks level a little, and then stand</translation>
+    </message>
+    <message>
+        <source>Stiffens in</source>
+        <translation>Stiffens in</translation>
+    </message>
+    <message>
+        <source>How long it rests until two thirds of what it lost have come back</source>
+        <translation>How long it rests until two thirds of what it lost have come back</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Loosens after</source>
+        <translation>Loosens after</translation>
+    </message>
+    <message>
+        <source>How far it has to run before it is loosened, in times its own thickness</source>
+        <translation>How far it has to run before it is loosened, in times its own thickness</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::BrushList</name>

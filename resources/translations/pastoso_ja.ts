@@ -5033,6 +5033,34 @@
         <source>Colour</source>
         <translation>色</translation>
     </message>
+    <message>
+        <source>Loosens by</source>
+        <translation>柔らかくなる割合</translation>
+    </message>
+    <message>
+        <source>Thixotropy: how much of its stiffness is gone where a tool or a run works it; brush marks level a little, and then stand</source>
+        <translation>チキソトロピー: 道具や流れで練られたところが失う硬さの割合。筆跡は少し平らになってから止まります</translation>
+    </message>
+    <message>
+        <source>Stiffens in</source>
+        <translation>硬さが戻る時間</translation>
+    </message>
+    <message>
+        <source>How long it rests until two thirds of what it lost have come back</source>
+        <translation>静置して、失った硬さの三分の二が戻るまでの時間</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source>Loosens after</source>
+        <translation>柔らかくなるまでの流れ</translation>
+    </message>
+    <message>
+        <source>How far it has to run before it is loosened, in times its own thickness</source>
+        <translation>柔らかくなるまでに流れる距離。自分の厚みの何倍か</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::BrushList</name>

@@ -5047,6 +5047,34 @@
         <source>Colour</source>
         <translation>Kulör</translation>
     </message>
+    <message>
+        <source>Loosens by</source>
+        <translation>Lossnar med</translation>
+    </message>
+    <message>
+        <source>Thixotropy: how much of its stiffness is gone where a tool or a run works it; brush marks level a little, and then stand</source>
+        <translation>Tixotropi: hur mycket av styvheten som försvinner där ett verktyg eller ett rinn bearbetar färgen; penselspåren jämnas ut lite och står sedan kvar</translation>
+    </message>
+    <message>
+        <source>Stiffens in</source>
+        <translation>Styvnar på</translation>
+    </message>
+    <message>
+        <source>How long it rests until two thirds of what it lost have come back</source>
+        <translation>Hur länge den vilar tills två tredjedelar av den förlorade styvheten är tillbaka</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Loosens after</source>
+        <translation>Lossnar efter</translation>
+    </message>
+    <message>
+        <source>How far it has to run before it is loosened, in times its own thickness</source>
+        <translation>Hur långt den måste rinna innan den lossnar, i gånger sin egen tjocklek</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::BrushList</name>

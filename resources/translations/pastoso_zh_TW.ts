@@ -5033,6 +5033,34 @@
         <source>Colour</source>
         <translation>顏色</translation>
     </message>
+    <message>
+        <source>Loosens by</source>
+        <translation>鬆化比例</translation>
+    </message>
+    <message>
+        <source>Thixotropy: how much of its stiffness is gone where a tool or a run works it; brush marks level a little, and then stand</source>
+        <translation>觸變性：被工具或流動攪動之處失去多少稠度；筆痕先略為流平，然後定住</translation>
+    </message>
+    <message>
+        <source>Stiffens in</source>
+        <translation>回稠時間</translation>
+    </message>
+    <message>
+        <source>How long it rests until two thirds of what it lost have come back</source>
+        <translation>靜置多久之後，失去的稠度恢復三分之二</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source>Loosens after</source>
+        <translation>鬆化所需流動</translation>
+    </message>
+    <message>
+        <source>How far it has to run before it is loosened, in times its own thickness</source>
+        <translation>需流動多遠才會鬆化，以自身厚度的倍數計</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::BrushList</name>

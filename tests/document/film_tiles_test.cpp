@@ -23,6 +23,9 @@ void fill_tile(film::FilmState& film, int tile, int salt) {
         const std::int32_t number = noise(tile, cell, salt);
         film.thickness.write(tile)[cell] = number;
         film.paint.write(tile)[cell].fill(number / 3);
+        film.lower.thickness.write(tile)[cell] = number / 2;
+        film.lower.paint.write(tile)[cell].fill(number / 9);
+        film.worked.thickness.write(tile)[cell] = number / 4;
         film.velocity_x.write(tile)[cell] = static_cast<float>(number);
         film.velocity_y.write(tile)[cell] = -static_cast<float>(number);
         film.support_mm.write(tile)[cell] = static_cast<float>(number) * 0x1p-20F;

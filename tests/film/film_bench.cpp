@@ -18,6 +18,9 @@ Medium medium_of(const Scene& scene) {
     medium.surface_tension_N_m = scene.tension * 1e-9 * kDensity_kg_m3;
     medium.yield_stress_Pa = scene.yield * 1e-6 * kDensity_kg_m3;
     medium.flow_index = scene.flow_index;
+    medium.structure_share = scene.structure_share;
+    medium.recovery_s = scene.recovery_s;
+    medium.breakdown_strain = scene.breakdown_strain;
     medium.alpha_min = scene.alpha_min;
     medium.alpha_max = scene.alpha_max;
     medium.advancing_angle_deg = core::degrees(std::atan(scene.tan_advancing));
@@ -94,6 +97,13 @@ void Bench::tint(int channel, const std::function<double(int, int)>& per_mm) {
                 static_cast<std::int32_t>(std::lround(per_mm(x, y) * h(x, y) / kPaintQuantum));
             state.paint.set(x, y, cell);
         }
+}
+
+void Bench::carry_consistency() {
+    const Consistency consistency = consistency_of(medium_of(scene));
+    tint(kViscosityChannel, [&](int, int) { return consistency.log_viscosity; });
+    tint(kYieldChannel, [&](int, int) { return consistency.yield_stress_Pa; });
+    state.consistencies.add(consistency);
 }
 
 void Bench::set_support(const std::function<double(int, int)>& height_mm) {

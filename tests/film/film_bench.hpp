@@ -25,6 +25,7 @@ struct Scene {
     double slip_cells = 0.0;
     double horizontal_tension = 0.0;  ///< chi
     double flow_index = 1.0;
+    double structure_share = 0.0, recovery_s = 10.0, breakdown_strain = 10.0;
     Edge edge_x = Edge::Periodic, edge_y = Edge::Periodic;
     bool inertia = true, lateral = true, full_curvature = false, sleeping = false;
     int threads = 1;
@@ -48,6 +49,8 @@ class Bench {
     void fill(const std::function<double(int x, int y)>& thickness_mm);
     /// Sets one pigment channel to a concentration (per mm) everywhere.
     void tint(int channel, const std::function<double(int x, int y)>& per_mm);
+    /// Lets every cell carry the scene's viscosity and yield stress, as painted paint does.
+    void carry_consistency();
     void set_support(const std::function<double(int x, int y)>& height_mm);
 
     double h(int x, int y) const { return thickness_mm(state.thickness.at(x, y)); }

@@ -17,6 +17,7 @@ TEST(LayerExtent, MakingRoomLosesNothingAndIsTakenBack) {
     const FilmState wide = on_extent(layer, {{220, 190}, -33, -60});
     EXPECT_EQ(sums_of(wide), sums_of(layer));
     EXPECT_EQ(wide.thickness.at(33 + 20, 60 + 10), layer.thickness.at(20, 10));
+    EXPECT_EQ(wide.worked.thickness.at(33 + 20, 60 + 10), layer.worked.thickness.at(20, 10));
     const FilmState back = on_extent(wide, {test::kShape, 33, 60});
     EXPECT_EQ(film::state_hash(back), film::state_hash(layer));
 }

@@ -31,6 +31,14 @@ inline void paint(film::FilmState& film, const char* medium, const pigment::Coef
                                 pigment, film::find_medium(medium));
 }
 
+/// About half of the wet paint is worked, here more, there less.
+inline void work_here_and_there(film::FilmState& film, std::uint32_t seed) {
+    for (int y = 0; y < kShape.height; ++y)
+        for (int x = 0; x < kShape.width; ++x)
+            if (chance(x, y, seed, 0.5F))
+                film.worked.thickness.set(x, y, film.thickness.at(x, y) / (1 + x % 3));
+}
+
 /// Strata, then a dissolvable one, then wet paint, each in a part of the cells; the right tile is bare.
 inline film::FilmState random_layer(std::uint32_t seed) {
     core::ThreadPool pool(1);
@@ -41,6 +49,7 @@ inline film::FilmState random_layer(std::uint32_t seed) {
     film::dry_now(layer, pool);
     paint(layer, "heavy-body oil", film::test::kBlue, 0.4F, 10 * seed + 6);
     film::test::strew_strata(layer, seed);
+    work_here_and_there(layer, 10 * seed + 9);
     return layer;
 }
 

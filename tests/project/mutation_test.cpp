@@ -81,6 +81,8 @@ TEST_F(MutatedProject, PaintOfRandomNumbers) {
             for (std::int32_t& channel : cell)
                 channel = thickness < 3 ? 0 : channel / 3;
             film.lower.paint.set(x, y, cell);
+            film.worked.thickness.set(
+                x, y, static_cast<std::int32_t>(random() % film::kMaxThickness_quanta));
             film.velocity_x.set(x, y, static_cast<float>(random() % 200001) - 1e5F);
         }
         EXPECT_TRUE(loads(unseen_file_of(bad, folder, pool)));

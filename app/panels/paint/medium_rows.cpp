@@ -18,6 +18,16 @@ constexpr MediumRow kFlowRows[] = {
     MediumRow{"flow_index", QT_TR_NOOP("Flow index"),
               QT_TR_NOOP("Below 1 it thins where it is sheared: a brush or a fast run finds it thinner"),
               "", &Medium::flow_index, 1.0, 2},
+    MediumRow{"structure_share", QT_TR_NOOP("Loosens by"),
+              QT_TR_NOOP("Thixotropy: how much of its stiffness is gone where a tool or a run works it; "
+                         "brush marks level a little, and then stand"),
+              QT_TR_NOOP(" %"), &Medium::structure_share, 100.0, 0},
+    MediumRow{"recovery", QT_TR_NOOP("Stiffens in"),
+              QT_TR_NOOP("How long it rests until two thirds of what it lost have come back"),
+              QT_TR_NOOP(" s"), &Medium::recovery_s, 1.0, 1, true},
+    MediumRow{"breakdown_strain", QT_TR_NOOP("Loosens after"),
+              QT_TR_NOOP("How far it has to run before it is loosened, in times its own thickness"), "",
+              &Medium::breakdown_strain, 1.0, 1, true},
     MediumRow{"density", QT_TR_NOOP("Density"),
               QT_TR_NOOP("Heavy paint runs faster down a tilted canvas"), QT_TR_NOOP(" kg/m\u00b3"),
               &Medium::density_kg_m3, 1.0, 0}};

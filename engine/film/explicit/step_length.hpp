@@ -16,6 +16,7 @@ struct StepLimits {
     double force_mm_s2 = 0.0;    ///< F along the canvas
     double yield = 0.0;          ///< tau_y/rho, mm2/s2
     double flow_index = 1.0;     ///< n of Herschel and Bulkley
+    double structure_share = 0.0;  ///< theta (cell/structure.hpp)
 
     /// (l + sqrt(l^2 + 4 w^2)) / w^2 with w^2 = h K (g + sigma/rho K), K = 8/cell^2, drag rate l in 1/s.
     double wave_step_s(double thickness_mm, double drag_rate) const;

@@ -26,28 +26,12 @@ void halve_room(const BlockArray<std::int32_t>& upper_quanta, int columns, int r
         }
 }
 
-/// Whether a tile that the step reads has one anywhere.
-bool is_stratum_near(const LowerStratum& lower, const TilePlace& place) {
-    const int tiles_x = lower.thickness.shape().tiles_x();
-    int last_row = -1;
-    for (const HaloSource& row : place.rows.cells) {
-        if (row.outside || row.tile == last_row) continue;
-        last_row = row.tile;
-        int last_column = -1;
-        for (const HaloSource& column : place.columns.cells) {
-            if (column.outside || column.tile == last_column) continue;
-            last_column = column.tile;
-            if (lower.is_in(row.tile * tiles_x + column.tile)) return true;
-        }
-    }
-    return false;
-}
-
 }  // namespace
 
 bool gather_strata(const FilmState& state, const TilePlace& place, const HaloBlock& block,
                    StrataScratch& upper) {
-    if (!is_stratum_near(state.lower, place)) return false;
+    const auto is_in = [&](int tile) { return state.lower.is_in(tile); };
+    if (!any_tile_near(place, state.shape.tiles_x(), is_in)) return false;
     gather_quanta(state.lower.thickness, place.columns, place.rows, place.tile_x, upper.quanta);
     bool any = false;
     for (std::size_t i = 0; i < upper.quanta.size(); ++i) {

@@ -3,4 +3,4 @@
 
 PASTOSO_REGISTER_KERNELS(pastoso::film, TileKernels, tile_flow, transport_pigment, concentrate,
                          concentrate_strata, split_strata, join_strata, apply_fluxes, largest_changes,
-                         cell_rheology)
+                         cell_rheology, loosen, move_structure)

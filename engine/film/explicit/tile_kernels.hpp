@@ -18,6 +18,10 @@ void split_strata(const FilmProfile& profile, float cell_quanta, TileScratch& sc
 void join_strata(const StrataScratch& upper, int columns, int rows, const StrataMoved& moved);
 void cell_rheology(const PaintCell* paint, const std::int32_t* thickness, int count, float yield_per_Pa,
                    float* viscosity, float* yield);
+void loosen(const std::int32_t* worked, const std::int32_t* thickness, int count, float structure_share,
+            float* viscosity, float* yield);
+void move_structure(const StructureStep& step, const TileScratch& scratch, StructureScratch& structure,
+                    const std::int32_t* thickness_after, std::int32_t* worked_after);
 void apply_fluxes(const TileScratch& scratch, std::int32_t* after);
 void largest_changes(const std::int32_t* before, const std::int32_t* after, int first_row, int last_row,
                      ColumnChanges& changes);

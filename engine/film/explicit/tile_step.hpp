@@ -53,6 +53,16 @@ struct StrataScratch {
     alignas(64) std::array<float, grid::kTileCells> mixing;  ///< share of what can that mixes
 };
 
+/// The worked part of a tile's paint on its way (structure_transport.hpp).
+struct StructureScratch {
+    alignas(64) BlockArray<std::int32_t> quanta;  ///< b
+    alignas(64) BlockArray<float> share;          ///< b / h
+    alignas(64) FaceArray<std::int32_t> flux_x, flux_y;
+};
+struct StructureStep {
+    float strain_per_share;  ///< k of a step that carries all of a cell by as many quanta as it is thick
+};
+
 /// Which faces of a tile are shut: a wall, a neighbour that sleeps or has other paint to wait for; and,
 /// where the tile only gives and takes at its edges, all inside.
 struct ClosedFaces {
@@ -154,6 +164,15 @@ using LargestChanges = void (*)(const std::int32_t* before, const std::int32_t* 
 using CellRheology = void (*)(const PaintCell* paint, const std::int32_t* thickness, int count,
                               float yield_per_Pa, float* viscosity, float* yield);
 
+/// Both of `count` cells times 1 - structure_share b / h.
+using Loosen = void (*)(const std::int32_t* worked, const std::int32_t* thickness, int count,
+                        float structure_share, float* viscosity, float* yield);
+
+/// The worked paint after a step, of all 64 x 64 cells; what it writes beyond the canvas means nothing.
+using MoveStructure = void (*)(const StructureStep& step, const TileScratch& scratch,
+                               StructureScratch& structure, const std::int32_t* thickness_after,
+                               std::int32_t* worked_after);
+
 struct TileKernels {
     TileFlow flow = nullptr;
     PigmentTransport transport = nullptr;
@@ -164,6 +183,8 @@ struct TileKernels {
     ApplyFluxes apply_fluxes = nullptr;
     LargestChanges largest_changes = nullptr;
     CellRheology rheology = nullptr;
+    Loosen loosen = nullptr;
+    MoveStructure move_structure = nullptr;
 
     static const TileKernels baseline, avx2, avx512;
 };

@@ -4,6 +4,7 @@
 #include "film/explicit/concentration_block.hpp"
 #include "film/explicit/rheology_block.hpp"
 #include "film/explicit/strata_transport.hpp"
+#include "film/explicit/structure_transport.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +20,6 @@ bool any_flux(const FaceArray<std::int32_t>& flux, int first_x, int first_y, int
         for (int x = first_x; x < columns; ++x)
             if (flux[face_index(x, y)] != 0) return true;
     return false;
-}
-
-void clear_beyond(std::int32_t* values, int columns, int rows) {
-    for (int y = 0; y < kTileSize; ++y) {
-        const int first = y < rows ? columns : 0;
-        std::fill(values + y * kTileSize + first, values + (y + 1) * kTileSize, 0);
-    }
 }
 
 TileBlock<std::int32_t> apply_fluxes(const TileScratch& scratch, int columns, int rows) {
@@ -135,13 +129,24 @@ void move_paint(const FilmState& state, const TilePlace& place, const StepConsta
     result.thickness = apply_fluxes(worker.tile, columns, rows);
     result.motion = motion_between(place.motion_reference, result.thickness.read(), columns, rows);
     result.runoff.thickness = thickness_runoff(worker.tile, columns, rows, place.runoff_edges);
+    const FilmProfile profile = profile_of(step);
+    if (state.worked.is_followed)
+        result.worked = moved_structure(state, place, structure_step(step, profile),
+                                        result.thickness.read(), worker);
     if (gather_strata(state, place, worker.tile.block, *worker.strata))
-        move_strata(state, place, profile_of(step), worker, result);
+        move_strata(state, place, profile, worker, result);
     else if (place.pigment_in_reach)
         move_pigment(state, place, worker, result);
 }
 
 }  // namespace
+
+void clear_beyond(std::int32_t* values, int columns, int rows) {
+    for (int y = 0; y < kTileSize; ++y) {
+        const int first = y < rows ? columns : 0;
+        std::fill(values + y * kTileSize + first, values + (y + 1) * kTileSize, 0);
+    }
+}
 
 TileBlock<PaintCell> transported(const TilePlace& place, const TileScratch& scratch,
                                  const float* concentrations, const PaintCell* held,
@@ -178,9 +183,14 @@ TileResult collect_tile(const FilmState& state, const TilePlace& place, const St
 void gather_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
                  WorkerScratch& worker) {
     gather(state, place.columns, place.rows, place.tile_x, step.wet_mm, worker.tile.block);
+    const auto& kernels = core::kernels<TileKernels>();
+    HaloBlock& block = worker.tile.block;
     if (step.varied)
         gather_rheology(state, place.columns, place.rows, place.tile_x, step.yield_per_Pa,
-                        core::kernels<TileKernels>().rheology, worker.tile.block);
+                        kernels.rheology, block);
+    if (gather_worked(state, place, worker.structure->quanta))
+        kernels.loosen(worker.structure->quanta.data(), block.quanta.data(), kBlockCells,
+                       step.structure_share, block.viscosity.data(), block.yield.data());
     press(place.air, place.density_kg_m3, place.columns, place.rows, step.cell_mm, worker.tile.block);
 }
 

@@ -21,6 +21,7 @@ struct WorkerScratch {
     std::vector<float> concentrations = std::vector<float>(kConcentrationCount);
     std::vector<PaintCell> held;  ///< of crowded tiles
     std::unique_ptr<StrataScratch> strata = std::make_unique<StrataScratch>();
+    std::unique_ptr<StructureScratch> structure = std::make_unique<StructureScratch>();
 };
 
 /// Where a tile lies and what surrounds it.
@@ -43,12 +44,33 @@ struct TileResult {
     grid::TileBlock<PaintCell> paint;
     bool strata_moved = false;
     LowerTile lower;  ///< where they did
+    grid::TileBlock<std::int32_t> worked;
     grid::TileBlock<float> velocity_x, velocity_y;
     FlowExtremes extremes;
     SideSpeeds side_speeds_mm_s{};
     std::optional<TileMotion> motion;
     Totals runoff;
 };
+
+/// Whether is_it(tile) of any tile that a step of this one reads.
+template <class IsIt>
+bool any_tile_near(const TilePlace& place, int tiles_x, const IsIt& is_it) {
+    int last_row = -1;
+    for (const HaloSource& row : place.rows.cells) {
+        if (row.outside || row.tile == last_row) continue;
+        last_row = row.tile;
+        int last_column = -1;
+        for (const HaloSource& column : place.columns.cells) {
+            if (column.outside || column.tile == last_column) continue;
+            last_column = column.tile;
+            if (is_it(row.tile * tiles_x + column.tile)) return true;
+        }
+    }
+    return false;
+}
+
+/// Sets the cells of a tile that lie beyond its `columns` and `rows` on the canvas to 0.
+void clear_beyond(std::int32_t* values, int columns, int rows);
 
 /// What the fluxes in the scratch make of `before`, the tile's paint or a part of it (PigmentTransport);
 /// adds what ran off, and faces held back, to the result.
