@@ -61,7 +61,7 @@ void add_lower(const LowerStratum& lower, core::Hash64& hash) {
 
 void add_worked(const WorkedPaint& worked, core::Hash64& hash) {
     for (int tile = 0; tile < worked.thickness.tile_count(); ++tile) {
-        if (!worked.is_in(tile)) continue;
+        if (!worked.holds_any(tile)) continue;
         hash.add_value(tile);
         add_tile(worked.thickness, tile, hash);
     }

@@ -19,6 +19,7 @@ struct LayerTile {
     TileBlock<std::int32_t> thickness;
     TileBlock<film::PaintCell> paint;
     film::LowerTile wet_below;
+    TileBlock<std::int32_t> worked;
     TileBlock<float> relief_mm;
     TileBlock<std::int32_t> soluble_thickness;
     TileBlock<film::PigmentCell> soluble_pigment;
@@ -44,6 +45,7 @@ LayerTile copy_of_tile(const FilmState& layer, int tile) {
     return {copy(layer.thickness, tile),
             copy(layer.paint, tile),
             film::LowerTile(layer.lower, tile),
+            copy(layer.worked.thickness, tile),
             film::copied_heights(layer.support_mm.read(tile)),
             copy(strata.soluble_thickness, tile),
             copy(strata.soluble_pigment, tile),
@@ -58,6 +60,7 @@ void dry(LayerTile& tile, int cell) {
     tile.evaporated += film::become_strata(tile.thickness.write()[cell], tile.paint.write()[cell],
                                            tile.wet_below.at(cell), tile.strata(cell));
     tile.wet_below.clear(cell);
+    tile.worked.write()[cell] = 0;
 }
 
 /// Makes everything in the cell fixed.
@@ -105,6 +108,7 @@ void pour(const LayerTile& upper, int cell, LayerTile& lower) {
     lower.wet_below.set(
         cell, below > 0 ? film::LowerCell{below, lower.paint.read()[cell]} : upper.wet_below.at(cell));
     lower.thickness.write()[cell] += thickness;
+    lower.worked.write()[cell] += upper.worked.read()[cell];
     for (int k = 0; k < film::kPaintChannels; ++k)
         lower.paint.write()[cell][k] += upper.paint.read()[cell][k];
 }
@@ -141,6 +145,7 @@ void commit(int tile, LayerTile& from, FilmState& layer) {
     layer.thickness.replace(tile, std::move(from.thickness));
     layer.paint.replace(tile, std::move(from.paint));
     from.wet_below.put_into(layer.lower, tile);
+    layer.worked.replace(tile, std::move(from.worked));
     layer.support_mm.replace(tile, std::move(from.relief_mm));
     layer.velocity_x.reset(tile);
     layer.velocity_y.reset(tile);

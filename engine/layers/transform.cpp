@@ -40,6 +40,7 @@ struct CellSum {
     bool any_upper = false;  ///< of two wet strata
     double upper_thickness = 0.0;
     std::array<double, film::kPaintChannels> upper_paint{};
+    double worked_thickness = 0.0;
     double relief_mm = 0.0;
     double soluble_thickness = 0.0;
     std::array<double, film::kPigmentChannels> soluble_pigment{};
@@ -61,6 +62,7 @@ struct SourceTile {
     const film::PaintCell* paint;
     const std::int32_t* lower_thickness;
     const film::PaintCell* lower_paint;
+    const std::int32_t* worked_thickness;
     decltype(std::declval<const Heights&>().read(0)) relief_mm;
     const std::int32_t* soluble_thickness;
     const film::PigmentCell* soluble_pigment;
@@ -70,10 +72,15 @@ struct SourceTile {
 
 SourceTile source_tile(const FilmState& layer, int tile) {
     const film::Strata& strata = layer.strata;
-    return {layer.thickness.read(tile),        layer.paint.read(tile),
-            layer.lower.thickness.read(tile),  layer.lower.paint.read(tile),
-            layer.support_mm.read(tile),       strata.soluble_thickness.read(tile),
-            strata.soluble_pigment.read(tile), strata.optics.read(tile),
+    return {layer.thickness.read(tile),
+            layer.paint.read(tile),
+            layer.lower.thickness.read(tile),
+            layer.lower.paint.read(tile),
+            layer.worked.thickness.read(tile),
+            layer.support_mm.read(tile),
+            strata.soluble_thickness.read(tile),
+            strata.soluble_pigment.read(tile),
+            strata.optics.read(tile),
             strata.uppermost.read(tile)};
 }
 
@@ -86,6 +93,7 @@ void add(const SourceTile& source, int cell, double share, CellSum& sum) {
         add_shares(film::upper_paint(source.lower_paint[cell], source.paint[cell]), share,
                    sum.upper_paint);
     }
+    sum.worked_thickness += share * source.worked_thickness[cell];
     sum.relief_mm += share * source.relief_mm[cell];
     sum.soluble_thickness += share * source.soluble_thickness[cell];
     add_shares(source.soluble_pigment[cell], share, sum.soluble_pigment);
@@ -101,6 +109,7 @@ struct ResultTile {
     TileBlock<std::int32_t> thickness = TileBlock<std::int32_t>::filled(0);
     TileBlock<film::PaintCell> paint = TileBlock<film::PaintCell>::filled({});
     film::LowerTile lower;
+    TileBlock<std::int32_t> worked = TileBlock<std::int32_t>::filled(0);
     TileBlock<float> relief_mm = TileBlock<float>::filled(0.0F);
     TileBlock<std::int32_t> soluble_thickness = TileBlock<std::int32_t>::filled(0);
     TileBlock<film::PigmentCell> soluble_pigment = TileBlock<film::PigmentCell>::filled({});
@@ -141,6 +150,7 @@ void put(const CellSum& sum, int cell, ResultTile& tile) {
         tile.thickness.write()[cell] = thickness;
         round_to(sum.paint, tile.paint.write()[cell]);
         if (sum.any_upper) put_strata(sum, cell, tile);
+        tile.worked.write()[cell] = static_cast<std::int32_t>(std::lround(sum.worked_thickness));
         tile.any_wet = true;
     }
     tile.relief_mm.write()[cell] = relief_of(sum.relief_mm);
@@ -246,6 +256,7 @@ void commit(int tile, ResultTile& from, FilmState& layer) {
         layer.thickness.replace(tile, std::move(from.thickness));
         layer.paint.replace(tile, std::move(from.paint));
         from.lower.put_into(layer.lower, tile);
+        layer.worked.replace(tile, std::move(from.worked));
     }
     if (from.any_relief) layer.support_mm.replace(tile, std::move(from.relief_mm));
     if (from.any_soluble)

@@ -15,23 +15,28 @@ inline film::PaintCoefficients oil(const char* pigment) {
                                     film::find_medium("heavy-body oil"));
 }
 
-/// What is seen of both wet strata of a cell over a white ground, linear sRGB.
-inline pigment::LinearRgb seen_rgb(const film::FilmState& film, int x, int y) {
+/// What is seen of a ground, linear sRGB.
+inline pigment::LinearRgb seen_rgb(pigment::Bands ground) {
+    for (float& band : ground)
+        band = pigment::through_surface(band);
+    return pigment::linear_srgb(ground);
+}
+
+/// What is seen of both wet strata of a cell over a ground, linear sRGB.
+inline pigment::LinearRgb seen_rgb(const film::FilmState& film, int x, int y,
+                                   const pigment::Bands& ground = film::test::kWhiteGround) {
     const film::PaintCell lower = film.lower.paint.at(x, y);
     const film::PaintCell upper = film::upper_paint(lower, film.paint.at(x, y));
-    pigment::Bands seen = film::test::wet_over(lower.data(), film::test::kWhiteGround);
-    seen = film::test::wet_over(upper.data(), seen);
-    for (float& band : seen)
-        band = pigment::through_surface(band);
-    return pigment::linear_srgb(seen);
+    return seen_rgb(film::test::wet_over(upper.data(), film::test::wet_over(lower.data(), ground)));
 }
 
 /// The mean colour of what is seen of some cells.
-inline pigment::Lab seen_colour(const film::FilmState& film, const grid::Rect& cells) {
+inline pigment::Lab seen_colour(const film::FilmState& film, const grid::Rect& cells,
+                                const pigment::Bands& ground = film::test::kWhiteGround) {
     pigment::LinearRgb sum{};
     for (int y = cells.y0; y < cells.y1; ++y)
         for (int x = cells.x0; x < cells.x1; ++x) {
-            const pigment::LinearRgb rgb = seen_rgb(film, x, y);
+            const pigment::LinearRgb rgb = seen_rgb(film, x, y, ground);
             for (std::size_t k = 0; k < sum.size(); ++k)
                 sum[k] += rgb[k] / (cells.width() * cells.height());
         }

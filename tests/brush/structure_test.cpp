@@ -1,4 +1,5 @@
 // Tools work the thixotropic paint that they touch, and no other.
+#include "brush/seen_colour.hpp"
 #include "brush/stroke.hpp"
 #include "brush/studio.hpp"
 
@@ -32,7 +33,7 @@ TEST(StructureStroke, WorksWhatItTouches) {
             ASSERT_TRUE(!changed || worked > 0) << x << ", " << y;
             touched += worked > 0 ? 1 : 0;
         }
-    EXPECT_GT(touched, 10000);  // 38 mm by about 8 at 8 cells a millimetre
+    EXPECT_GT(touched, 7000);  // 36 mm by 3 at least, at 8 cells a millimetre
     EXPECT_EQ(easel.film.worked.thickness.at(1, 1), 0);
 }
 

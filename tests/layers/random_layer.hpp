@@ -35,7 +35,7 @@ inline void paint(film::FilmState& film, const char* medium, const pigment::Coef
 inline void work_here_and_there(film::FilmState& film, std::uint32_t seed) {
     for (int y = 0; y < kShape.height; ++y)
         for (int x = 0; x < kShape.width; ++x)
-            if (chance(x, y, seed, 0.5F))
+            if (film.thickness.at(x, y) > 0 && chance(x, y, seed, 0.5F))
                 film.worked.thickness.set(x, y, film.thickness.at(x, y) / (1 + x % 3));
 }
 

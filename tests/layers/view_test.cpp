@@ -91,6 +91,7 @@ TEST_F(ViewTest, OfOneLayerIsTheLayer) {
     FilmState expected = laid_on(lower, canvas.support_mm);
     expected.strata.fixed = {};  // counts are no part of a view
     expected.strata.evaporated = 0;
+    expected.worked.follow(false);  // it cannot be seen
     EXPECT_EQ(film::state_hash(view.of(canvas, {{&lower}}, pool)), film::state_hash(expected));
 }
 

@@ -99,6 +99,14 @@ TEST_F(OldFormat, SixHasPaintInOneStratum) {
     EXPECT_EQ(document::state_hash(old.painting), 0xbba2e920dbb1e10fU);
 }
 
+/// White was painted onto wet blue when paint had no structure.
+TEST_F(OldFormat, SevenHasPaintThatHasRested) {
+    const LoadedProject old = load_project(tests::source_file("tests/project/format-7.pastoso"), pool);
+    EXPECT_FALSE(old.painting.value.film.worked.is_anywhere());
+    EXPECT_TRUE(old.painting.value.film.lower.is_in(0));
+    EXPECT_EQ(document::state_hash(old.painting), 0x0597aa1cd8a02b99U);
+}
+
 /// Its brush was dipped before dips gathered hairs, and tells a tool of those days.
 TEST_F(OldFormat, FiveHasABrushThatIsAsItWasMade) {
     const LoadedProject old = load_project(tests::source_file("tests/project/format-5.pastoso"), pool);

@@ -12,6 +12,7 @@ film::Medium quicker_house_paint() {
     film::Medium medium = film::find_medium("house paint");
     medium.touch_dry_s = 1234.5;
     medium.yield_stress_Pa = 0.1;
+    medium.structure_share = 0.4;
     return medium;
 }
 

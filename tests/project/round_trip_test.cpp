@@ -135,6 +135,7 @@ TEST_F(ProjectRoundTrip, AnUntouchedCanvasComesBack) {
 TEST_F(ProjectRoundTrip, ABusyPaintingComesBack) {
     const Project project = busy_project(pool);
     const auto& film = project.painting.value.film;
+    ASSERT_TRUE(film.worked.is_anywhere());
     ASSERT_TRUE(film.consistencies.are_several());
     ASSERT_GT(film.strata.fixed.thickness + film.strata.evaporated, 0);
     ASSERT_FALSE(project.painting.solver.awake.empty());

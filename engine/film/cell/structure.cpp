@@ -16,6 +16,10 @@ using Block = grid::TileBlock<std::int32_t>;
 /// A smaller part of the cell's paint is too little to follow: 2^-14.
 constexpr int kLeastShareBits = 14;
 
+bool any_worked(const std::int32_t* worked) {
+    return std::any_of(worked, worked + kTileCells, [](std::int32_t b) { return b != 0; });
+}
+
 std::vector<int> worked_tiles(const WorkedPaint& worked) {
     std::vector<int> tiles;
     for (int tile = 0; tile < worked.thickness.tile_count(); ++tile)
@@ -42,10 +46,12 @@ bool WorkedPaint::is_anywhere() const {
     return false;
 }
 
+bool WorkedPaint::holds_any(int tile) const {
+    return is_in(tile) && any_worked(thickness.read(tile));
+}
+
 void WorkedPaint::replace(int tile, Block worked) {
-    const std::int32_t* values = worked.read();
-    const bool any = std::any_of(values, values + kTileCells, [](std::int32_t b) { return b != 0; });
-    if (any)
+    if (any_worked(worked.read()))
         thickness.replace(tile, std::move(worked));
     else
         thickness.reset(tile);

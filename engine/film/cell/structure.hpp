@@ -28,6 +28,7 @@ struct WorkedPaint {
 
     bool is_in(int tile) const { return !thickness.is_background(tile); }
     bool is_anywhere() const;
+    bool holds_any(int tile) const;
     /// Sets a tile, to nothing unless one of its cells is worked.
     void replace(int tile, grid::TileBlock<std::int32_t> worked);
     /// Whether it is followed from now on; if not, all paint counts as rested.
