@@ -21,6 +21,10 @@ using grid::TileBlock;
 /// How often a large step that does not converge is cut in half before its best is taken.
 constexpr int kMostHalvings = 6;
 
+/// Paint that rests stiffens slowly beside all else: so many calls of advance() at a time, all taken to be
+/// as long as the last.
+constexpr int kCallsOfRest = 6;
+
 }  // namespace
 
 Gravity tilted_gravity(double tilt_deg, double direction_deg) {
@@ -284,7 +288,8 @@ bool Solver::Parts::advance(double seconds, const std::function<bool()>& cancell
     activity.let_pass(seconds, options.longest_wait_s);
     while (const std::optional<double> waited_s = activity.begin_group())
         if (!step_group(*waited_s, cancelled, report)) return false;
-    recover(state, seconds, medium.recovery_s, pool);
+    if (activity.calls() % kCallsOfRest == 0)
+        recover(state, kCallsOfRest * seconds, medium.recovery_s, pool);
     report.awake_tiles = activity.awake_count();
     return true;
 }
