@@ -78,8 +78,13 @@ struct Solver::Parts {
     }
 
     /// Whether what each cell carries has to be looked at.
-    bool is_varied() const {
-        return !state.consistencies.are_only(consistency) || state.worked.is_anywhere();
+    bool is_mixed() const { return !state.consistencies.are_only(consistency); }
+    StepConstants constants_of(double dt_s) const {
+        StepConstants step = constants;
+        step.dt_s = static_cast<float>(dt_s);
+        step.mixed = is_mixed();
+        step.varied = step.mixed || state.worked.is_anywhere();
+        return step;
     }
 
     bool on_canvas_edge(int tile, Side side) const {
@@ -233,9 +238,7 @@ AdvanceReport Solver::Parts::commit_all(const std::vector<TilePlace>& places, fl
 
 AdvanceReport Solver::Parts::explicit_step(double dt_s) {
     const std::vector<TilePlace> places = places_to_step();
-    StepConstants step = constants;
-    step.dt_s = static_cast<float>(dt_s);
-    step.varied = is_varied();
+    const StepConstants step = constants_of(dt_s);
     std::vector<TileResult> results(places.size());
     pool.run(places.size(), [&](std::size_t index, int worker) {
         results[index] = update_tile(state, places[index], step, *scratch[worker]);
@@ -245,9 +248,7 @@ AdvanceReport Solver::Parts::explicit_step(double dt_s) {
 
 AdvanceReport Solver::Parts::large_step(double dt_s, int halvings) {
     const std::vector<TilePlace> places = places_to_step();
-    StepConstants step = constants;
-    step.dt_s = static_cast<float>(dt_s);
-    step.varied = is_varied();
+    const StepConstants step = constants_of(dt_s);
     LargeStepReport solved;
     std::vector<TileResult> results =
         large.step(state, places, step, pool, scratch, halvings == kMostHalvings, solved);
@@ -272,8 +273,10 @@ bool Solver::Parts::step_group(double seconds, const std::function<bool()>& canc
     double remaining = seconds;
     while (remaining > 0.0 && !activity.stepping_tiles().empty()) {
         if (cancelled()) return false;
+        const StepConstants step = constants_of(remaining);
         const StepPlan next = plan_step(
-            {state, activity, limits, air, medium.density_kg_m3, is_varied(), pool}, options, remaining);
+            {state, activity, limits, air, medium.density_kg_m3, step.mixed, step.varied, pool}, options,
+            remaining);
         // A remainder of one part in a million is rounding, not a step of its own.
         const double steps_left = std::max(1.0, std::ceil(remaining / next.step_s - 1e-6));
         const double dt_s = remaining / steps_left;

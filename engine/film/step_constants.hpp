@@ -21,7 +21,8 @@ struct StepConstants {
     float flow_index = 1.0F;       ///< n of Herschel and Bulkley
     float yield = 0.0F;            ///< tau_y/rho, mm2/s2
     float yield_per_Pa = 1.0F;     ///< 1/rho in these units
-    bool varied = false;           ///< each cell has a viscosity and a yield stress of its own instead
+    bool mixed = false;            ///< paint of several consistencies: each cell carries its own instead
+    bool varied = false;           ///< the cells differ: paint is mixed, or worked in places
 
     float structure_share = 0.0F;   ///< theta: what of both is lost in paint that is worked
     float breakdown_strain = 1.0F;  ///< gamma_b

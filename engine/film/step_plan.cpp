@@ -40,21 +40,21 @@ struct TileRheology {
 };
 
 TileRheology rheology_of(const PlannedFilm& film, int tile) {
+    const auto& kernels = core::kernels<TileKernels>();
+    const std::int32_t* thickness = film.state.thickness.read(tile);
     TileRheology rheology;
-    if (film.varied) {
+    if (film.mixed) {
         const auto yield_per_Pa = static_cast<float>(1e6 / film.density_kg_m3);
-        const auto& kernels = core::kernels<TileKernels>();
-        const std::int32_t* thickness = film.state.thickness.read(tile);
         kernels.rheology(film.state.paint.read(tile), thickness, kTileCells, yield_per_Pa,
                          rheology.viscosity.data(), rheology.yield.data());
-        if (film.state.worked.is_in(tile))
-            kernels.loosen(film.state.worked.thickness.read(tile), thickness, kTileCells,
-                           static_cast<float>(film.limits.structure_share), rheology.viscosity.data(),
-                           rheology.yield.data());
     } else {
         rheology.viscosity.fill(static_cast<float>(film.limits.viscosity_mm2_s));
         rheology.yield.fill(static_cast<float>(film.limits.yield));
     }
+    if (film.state.worked.is_in(tile))
+        kernels.loosen(film.state.worked.thickness.read(tile), thickness, kTileCells,
+                       static_cast<float>(film.limits.structure_share), rheology.viscosity.data(),
+                       rheology.yield.data());
     return rheology;
 }
 

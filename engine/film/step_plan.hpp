@@ -18,7 +18,7 @@ struct PlannedFilm {
     const StepLimits& limits;
     const std::vector<AirJet>& air;
     double density_kg_m3;
-    bool varied;  ///< each cell has a viscosity and a yield stress of its own
+    bool mixed, varied;  ///< as of StepConstants
     core::ThreadPool& pool;
 };
 

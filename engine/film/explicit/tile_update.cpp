@@ -117,6 +117,23 @@ void move_pigment(const FilmState& state, const TilePlace& place, WorkerScratch&
                     crowded ? worker.held.data() : nullptr, state.paint.read(place.tile), result);
 }
 
+/// Viscosity and yield stress of every cell, after gather().
+void gather_rheology(const FilmState& state, const TilePlace& place, const StepConstants& step,
+                     WorkerScratch& worker) {
+    const auto& kernels = core::kernels<TileKernels>();
+    HaloBlock& block = worker.tile.block;
+    if (step.mixed) {
+        gather_rheology(state, place.columns, place.rows, place.tile_x, step.yield_per_Pa,
+                        kernels.rheology, block);
+    } else {
+        block.viscosity.fill(step.viscosity_mm2_s);
+        block.yield.fill(step.yield);
+    }
+    if (gather_worked(state, place, worker.structure->quanta))
+        kernels.loosen(worker.structure->quanta.data(), block.quanta.data(), kBlockCells,
+                       step.structure_share, block.viscosity.data(), block.yield.data());
+}
+
 /// The drag is 6 / (3 alpha - 1).
 FilmProfile profile_of(const StepConstants& step) {
     const float width = 6.0F / step.drag_along;
@@ -183,14 +200,7 @@ TileResult collect_tile(const FilmState& state, const TilePlace& place, const St
 void gather_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
                  WorkerScratch& worker) {
     gather(state, place.columns, place.rows, place.tile_x, step.wet_mm, worker.tile.block);
-    const auto& kernels = core::kernels<TileKernels>();
-    HaloBlock& block = worker.tile.block;
-    if (step.varied)
-        gather_rheology(state, place.columns, place.rows, place.tile_x, step.yield_per_Pa,
-                        kernels.rheology, block);
-    if (gather_worked(state, place, worker.structure->quanta))
-        kernels.loosen(worker.structure->quanta.data(), block.quanta.data(), kBlockCells,
-                       step.structure_share, block.viscosity.data(), block.yield.data());
+    if (step.varied) gather_rheology(state, place, step, worker);
     press(place.air, place.density_kg_m3, place.columns, place.rows, step.cell_mm, worker.tile.block);
 }
 
