@@ -12,9 +12,12 @@ namespace {
 constexpr int kStripe_elements = 3;
 constexpr double kStripe_mm = 9.0;
 
-/// The wet surface that the tool found below an element, or the nearest one on the canvas.
-float found_surface_mm(const film::FilmState& film, const PassMap& pass, const BristlePose& pose) {
-    const auto [x, y] = nearest_cell(film, pose.x_mm, pose.y_mm);
+/// Thinner paint carries no hair, which is about as thick itself.
+constexpr float kCarrying_mm = 0.05F;
+
+/// The wet surface that the tool found at a place, or the nearest one on the canvas.
+float found_surface_mm(const film::FilmState& film, const PassMap& pass, double x_mm, double y_mm) {
+    const auto [x, y] = nearest_cell(film, x_mm, y_mm);
     const int tile = film.shape.tile_at(x, y), cell = grid::Shape::cell_in_tile(x, y);
     const std::int32_t thickness = film.thickness.read(tile)[cell];
     return film.support_mm.read(tile)[cell] + film::thickness_mm(pass.found(tile, cell, thickness));
@@ -26,10 +29,20 @@ float mean_found_surface_mm(const film::FilmState& film, const PassMap& pass,
     int count = 0;
     for (const BristlePose& pose : poses) {
         if (!pose.down) continue;
-        sum_mm += found_surface_mm(film, pass, pose);
+        sum_mm += found_surface_mm(film, pass, pose.x_mm, pose.y_mm);
         ++count;
     }
     return count > 0 ? static_cast<float>(sum_mm / count) : 0.0F;
+}
+
+/// What carries a hair: the highest of the wet surface below its tuft, as of the dry one.
+float carrying_surface_mm(const film::FilmState& film, const PassMap& pass, const BristlePose& pose,
+                          double tuft_mm) {
+    const auto at = [&](double dx_mm, double dy_mm) {
+        return found_surface_mm(film, pass, pose.x_mm + dx_mm, pose.y_mm + dy_mm);
+    };
+    return std::max(
+        {at(0.0, 0.0), at(-tuft_mm, 0.0), at(tuft_mm, 0.0), at(0.0, -tuft_mm), at(0.0, tuft_mm)});
 }
 
 /// The ride of an element between those that ride and those that scrape.
@@ -38,6 +51,14 @@ float uneven_ride(const Bearing& bearing, int element) {
     const double noise = smooth_noise(bearing.travel_mm / kStripe_mm, bearing.noise_seed + stripe);
     const float spread = 2.0F * bearing.ride * (1.0F - bearing.ride);
     return std::clamp(bearing.ride + spread * static_cast<float>(noise), 0.0F, 1.0F);
+}
+
+float hair_ride(const Bearing& bearing, float depth_mm) {
+    return bearing.ride * std::clamp(depth_mm / kCarrying_mm, 0.0F, 1.0F);
+}
+
+float edge_surface_mm(const Bearing& bearing, float found_mm, float mean_mm) {
+    return found_mm + bearing.rigidity * (mean_mm - found_mm);
 }
 
 }  // namespace
@@ -49,18 +70,21 @@ float ride_of(const FlexPreset& flex, const HandPose& hand) {
 void bear(const Bearing& bearing, const film::FilmState& film, const PassMap& pass,
           std::vector<BristlePose>& poses) {
     const bool rides = bearing.ride > 0.0F;
-    const float mean_mm = rides ? mean_found_surface_mm(film, pass, poses) : 0.0F;
+    const float mean_mm = rides && bearing.is_edge ? mean_found_surface_mm(film, pass, poses) : 0.0F;
     for (int i = 0; i < static_cast<int>(poses.size()); ++i) {
         BristlePose& pose = poses[static_cast<std::size_t>(i)];
         if (!pose.down) continue;
         const float dry_mm =
             pose.support_mm + bearing.rigidity * (bearing.edge_support_mm - pose.support_mm);
         const float lowest_mm = std::max(dry_mm, pose.bearing_mm - bearing.sinking_mm);
-        pose.ride = rides ? uneven_ride(bearing, i) : 0.0F;
+        pose.ride = 0.0F;
         pose.bearing_mm = lowest_mm;
-        if (pose.ride <= 0.0F) continue;
-        const float found_mm = found_surface_mm(film, pass, pose);
-        const float wet_mm = found_mm + bearing.rigidity * (mean_mm - found_mm);
+        if (!rides) continue;
+        const float wet_mm =
+            bearing.is_edge
+                ? edge_surface_mm(bearing, found_surface_mm(film, pass, pose.x_mm, pose.y_mm), mean_mm)
+                : carrying_surface_mm(film, pass, pose, bearing.tuft_mm);
+        pose.ride = bearing.is_edge ? uneven_ride(bearing, i) : hair_ride(bearing, wet_mm - dry_mm);
         pose.bearing_mm = std::max(lowest_mm, dry_mm + pose.ride * (wet_mm - dry_mm));
     }
 }

@@ -14,8 +14,6 @@ namespace {
 constexpr double kFreshnessDecay_per_mm = 0.5;
 /// Length of the way back to rest, in hair lengths times lag.
 constexpr double kRestoring = 0.6;
-/// The hairs of a bristle lie on the highest threads within this many footprint radii.
-constexpr double kTuft_radii = 0.5;
 /// Slope down into the weave: descend (a + b p^2).
 constexpr float kLightDescent = 0.06F, kPressedDescent = 1.6F;
 

@@ -12,6 +12,9 @@
 
 namespace pastoso::brush {
 
+/// The hairs of a bristle lie on what is highest within this many footprint radii.
+inline constexpr double kTuft_radii = 0.5;
+
 struct BristlePose {
     bool down = false;              ///< touches the canvas
     bool lifted = false;            ///< touched it in this stroke and does no more

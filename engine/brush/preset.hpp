@@ -48,7 +48,7 @@ struct FlexPreset {
     double tilt_gain = 0.8;     ///< how much a lean lowers one side; 0 to 3
     double descend = 0.35;      ///< slope at which a hair follows the support down; 0 to 10
     double rigidity = 0.0;      ///< 0: every hair for itself, 1: one stiff edge
-    double ride = 0.0;          ///< how far a flat blade rides on wet paint, not on the ground; 0 to 1
+    double ride = 0.0;          ///< how far wet paint carries it, off the ground; 0 to 1
     friend bool operator==(const FlexPreset&, const FlexPreset&) = default;
 };
 
@@ -117,7 +117,7 @@ enum class DynamicsInput { Pressure, Tilt, BarrelRotation, Speed };
 /// What it sets: Press is how far the brush is pressed down (0-1), Lean how far it leans (1 shifts the
 /// hairs by their reach), Rotation an angle in degrees. The others multiply the number of that name:
 /// Flow the rate of droplets or the strength of the air, Spread the width that they reach, Ride how far
-/// a blade rides on wet paint.
+/// wet paint carries the tool.
 enum class DynamicsTarget { Press, Lean, Rotation, Reach, Film, Pickup, Flow, Spread, Ride };
 
 /// Whether a curve may lead from the input to the target: a lean is a length along the tilt, a rotation

@@ -88,7 +88,7 @@ constexpr PresetField kFields[] = {
     flex<&FlexPreset::rigidity>("rigidity", "", {0.0, 1.0},
                                 "0: every hair for itself, 1: one stiff edge."),
     flex<&FlexPreset::ride>("ride", "", {0.0, 1.0},
-                            "How far a flat blade rides on wet paint, not on the ground.", 4),
+                            "How far wet paint carries it in a light hand, off the ground.", 4),
 
     paint<&PaintPreset::film_mm>("film", "mm", {0.001, 3.0}, "Wet film that a full brush leaves."),
     paint<&PaintPreset::run_mm>("run", "mm", {1.0, 10000.0}, "Stroke that a full load lasts."),

@@ -36,9 +36,11 @@ float edge_share(double side_mm, const Swath& swath) {
 
 Bearing Stroke::bearing(const HandPose& hand, const Swath& swath) const {
     const FlexPreset& flex = brush_.preset.flex;
-    const bool is_blade = flex.ride > 0.0;
+    const bool is_blade = brush_.tip.rigid && flex.ride > 0.0;
     return {.rigidity = static_cast<float>(flex.rigidity),
             .ride = ride_of(flex, hand),
+            .is_edge = brush_.tip.rigid,
+            .tuft_mm = kTuft_radii * brush_.tip.radius_mm,
             .edge_support_mm = swath.edge_support_mm,
             .sinking_mm = is_blade ? static_cast<float>(kSinkingSlope * step_mm_) : kAnyWay_mm,
             .travel_mm = step_count_ * step_mm_,

@@ -44,6 +44,10 @@ class BearingTest : public ::testing::Test {
               .sinking_mm = sinking_mm},
              film_, pass_, poses_);
     }
+    void bear_hairs(float ride, double tuft_mm = 0.0) {
+        bear({.ride = ride, .is_edge = false, .tuft_mm = tuft_mm, .sinking_mm = 100.0F}, film_, pass_,
+             poses_);
+    }
     /// A pass over the cell below the second element begins.
     void find_there() {
         const int tile = film_.shape.tile_at(6, 3), cell = grid::Shape::cell_in_tile(6, 3);
@@ -82,6 +86,27 @@ TEST_F(BearingTest, ASoftOneFollowsThePaintBelowEachElement) {
     bear_once(0.0F, 1.0F);
     EXPECT_NEAR(poses_[0].bearing_mm, kSupport_mm, kClose_mm);
     EXPECT_NEAR(poses_[1].bearing_mm, kSupport_mm + kWet_mm, kClose_mm);
+}
+
+TEST_F(BearingTest, HairsAreCarriedBesideEachOther) {
+    bear_hairs(0.5F);
+    EXPECT_EQ(poses_[0].bearing_mm, kSupport_mm);
+    EXPECT_EQ(poses_[0].ride, 0.0F) << "nothing is wet there";
+    EXPECT_NEAR(poses_[1].bearing_mm, kSupport_mm + 0.5F * kWet_mm, kClose_mm);
+    EXPECT_EQ(poses_[1].ride, 0.5F);
+}
+
+TEST_F(BearingTest, ThinPaintCarriesHairsLess) {
+    film_.thickness.set(6, 3, quanta(0.02F));
+    bear_hairs(0.5F);
+    EXPECT_NEAR(poses_[1].ride, 0.5F * 0.02F / 0.05F, 1e-3F);
+    EXPECT_NEAR(poses_[1].bearing_mm, kSupport_mm + 0.2F * 0.02F, kClose_mm);
+}
+
+TEST_F(BearingTest, HairsLieOnTheHighestPaintBelowTheirTuft) {
+    film_.thickness.set(7, 3, quanta(0.6F));
+    bear_hairs(1.0F, 0.9);
+    EXPECT_NEAR(poses_[1].bearing_mm, kSupport_mm + 0.6F, kClose_mm);
 }
 
 TEST_F(BearingTest, HalfARideIsHalfWayUpOnTheMeanAndInStripes) {

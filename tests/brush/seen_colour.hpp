@@ -10,9 +10,13 @@
 
 namespace pastoso::brush::studio {
 
-inline film::PaintCoefficients oil(const char* pigment) {
+inline film::PaintCoefficients paint_in(const char* pigment, const char* medium) {
     return film::paint_coefficients(pigment::find_pigment(pigment).coefficients,
-                                    film::find_medium("heavy-body oil"));
+                                    film::find_medium(medium));
+}
+
+inline film::PaintCoefficients oil(const char* pigment) {
+    return paint_in(pigment, "heavy-body oil");
 }
 
 /// What is seen of a ground, linear sRGB.
