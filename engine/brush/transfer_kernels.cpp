@@ -270,19 +270,20 @@ PASTOSO_LANE_FUNCTION void change_cells(const TileCells& cells, int first, const
 }
 
 /// Whether `gained` quanta of the tool's paint are of another colour than as much of a cell's: by more
-/// than what looks alike, and by more than what roundings leave out. A channel of pigment that is not
+/// than what looks alike, and by more than what roundings leave out, of which as much of a thin cell has
+/// many times those of the cell. A channel of pigment that is not
 /// given is one that too little is left of.
 PASTOSO_LANE_FUNCTION bool is_other(const ApplyRule& rule, const film::PaintCell& paint,
                                     std::int32_t thickness, std::int32_t gained) {
     constexpr float kRounding_quanta = 64.0F;
     const float part = static_cast<float>(gained) / static_cast<float>(thickness);
+    const Floats rounding(kRounding_quanta * lanes::max(part, 1.0F));
     for (int g = 0; g < kGroups; ++g) {
         const Floats here = lanes::convert<float>(lanes::load<Ints>(paint.data() + g * kLanes)) * part;
         const Floats coming =
             lanes::load<Floats>(rule.given.data() + g * kLanes) * static_cast<float>(gained);
         const Floats apart = lanes::max(here - coming, coming - here);
-        const auto other =
-            apart > lanes::max(lanes::max(here, coming) * film::kLikeShare, Floats(kRounding_quanta));
+        const auto other = apart > lanes::max(lanes::max(here, coming) * film::kLikeShare, rounding);
         const Floats least(rule.is_clear ? -1.0F : 0.0F);
         const auto colour = lanes::counting<Ints>() + g * kLanes < film::kPigmentChannels;
         if (lanes::any(other && colour && coming > least)) return true;

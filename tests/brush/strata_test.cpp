@@ -96,5 +96,21 @@ TEST(StrataStroke, PaintOfOneColourStaysOne) {
                 ADD_FAILURE() << x << ", " << y;
 }
 
+/// Where a stroke frays out, a film of a few roundings is left for the next one to lie on.
+TEST(StrataStroke, PaintOfOneColourStaysOneOverAFrayedEdge) {
+    film::FilmState film = studio::linen(60.0, 40.0);
+    Brush brush(find_preset("Flat bristle 20"));
+    for (const double y_mm : {8.0, 19.0, 30.0}) {
+        brush.clean();
+        brush.load(studio::paint_in("PW6", "linseed oil"), 1.0);
+        studio::paint(brush, film, studio::line(5.0, y_mm, 55.0, y_mm, 0.4, 90.0));
+    }
+    int strata = 0;
+    for (int y = 0; y < film.shape.height; ++y)
+        for (int x = 0; x < film.shape.width; ++x)
+            strata += film.lower.thickness.at(x, y) > 0 ? 1 : 0;
+    EXPECT_EQ(strata, 0);
+}
+
 }  // namespace
 }  // namespace pastoso::brush
