@@ -204,7 +204,7 @@ void Plough::heap_beside(const PloughStep& step, double sign, Contents moved) {
     const Place place = place_at(step.hand, outer->front_mm + kAhead_radii * radius_mm, edge_mm);
     heap(step, outer->leader,
          place_beside(step.film, place.x_mm, place.y_mm, -step.hand.travel_y * sign,
-                      step.hand.travel_x * sign, radius_mm, 0.5 * radius_mm),
+                      step.hand.travel_x * sign, radius_mm, radius_mm),
          moved);
 }
 

@@ -42,6 +42,7 @@ struct PloughStep {
 ///
 /// Of that the share e^(-d / l) goes to a heap beside each edge of the swath, d away, with l = p / 4 of
 /// the tip's half width (all of it, if the two shares make more), the rest to one 2 r further ahead.
+/// Heaps beside are as wide as a footprint or wider: they lie 0.8 r apart, and narrower ones are beads.
 /// Whole quanta are moved with their pigment. A twentieth, and what would come to lie on bare ground or
 /// beyond the canvas, clings to the leader.
 class Plough {
