@@ -14,6 +14,10 @@ inline float saturation(float fill) {
     return (1.0F + kStarvation) * fill / (fill + kStarvation);
 }
 
+/// The film, mm, that a full tool leaves: its preset's. A blade can't hold up more than it is wide: that
+/// of a knife is an eighth of its width at most.
+double full_film_mm(const Preset& preset);
+
 /// The wet film, mm, that a tool lays which is filled to `fill` (0 to 1.2) of its capacity and lightly
 /// pressed: film s^2 of one that touches the canvas; of drops, the mean thickness s a / 2 of the cap
 /// that one of mean volume forms (droplets.hpp), however full the bottle is. 0 for air.

@@ -88,6 +88,7 @@ Preset resized(const Preset& preset, double width_mm) {
     const int count = preset.tip.bristles;
     const bool row = preset.tip.shape == TipShape::Knife || preset.tip.shape == TipShape::Comb;
     const auto scaled = static_cast<int>(std::lround(count * (row ? scale : scale * scale)));
+    if (row) result.paint.leave = std::min(1.0, scale * preset.paint.leave);
     result.tip.bristles =
         std::clamp(scaled, std::min(count, kFewestBristles), std::max(count, kMostBristles));
     return result;

@@ -178,7 +178,8 @@ const Preset& find_preset(std::string_view name);
 /// The same kind of brush with a tip `width_mm` wide (0: as it is): thickness, length and point grow in
 /// proportion, and the number of bristles with the area they fill (that of a knife or a comb with its
 /// width), so that a bristle's footprint keeps its measure: down to 30 if the preset has them, and up to
-/// 300, which bounds the cost.
+/// 300, which bounds the cost. What an edge leaves where it lifts, as long as it is thick, grows in
+/// proportion as well, since a full load lasts as long on any width.
 Preset resized(const Preset& preset, double width_mm);
 
 }  // namespace pastoso::brush

@@ -1,5 +1,6 @@
 #include "brush/tip.hpp"
 
+#include "brush/laid_film.hpp"
 #include "core/random.hpp"
 #include "core/units.hpp"
 #include "film/support/smooth_noise.hpp"
@@ -334,7 +335,7 @@ Tip make_tip(const Preset& preset, std::uint32_t seed, const Gathering& gatherin
     tip.rigid = row;
     tip.half_width_mm = 0.5 * preset.tip.width_mm;
     tip.area_mm2 = outline_area_mm2(preset.tip) / count;
-    tip.capacity_mm3 = preset.paint.film_mm * preset.paint.run_mm * preset.tip.width_mm / count;
+    tip.capacity_mm3 = full_film_mm(preset) * preset.paint.run_mm * preset.tip.width_mm / count;
     tip.radius_mm = row ? 0.5 * preset.tip.thickness_mm : 0.72 * std::sqrt(tip.area_mm2);
     const double lane_share = preset.tip.shape == TipShape::Comb ? kToothShare : 1.0;
     tip.lane_mm = row ? lane_share * preset.tip.width_mm / count : 0.0;

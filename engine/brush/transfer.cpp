@@ -150,7 +150,7 @@ StepRates step_rates(const Brush& brush, const ResolvedTip& tip, const HandPose&
     const double closing_mm =
         (brush.tip.rigid ? kStiffClosingLength_radii : kClosingLength_radii) * brush.tip.radius_mm;
     rates.rate = static_cast<float>(1.0 - std::exp(-step_mm / closing_mm));
-    rates.film_mm = static_cast<float>(brush.preset.paint.film_mm * hand.film);
+    rates.film_mm = static_cast<float>(full_film_mm(brush.preset) * hand.film);
     rates.reach = static_cast<float>(brush.preset.paint.reach * hand.reach);
     rates.pickup = static_cast<float>(std::min(1.0, brush.preset.exchange.pickup * hand.pickup));
     return rates;

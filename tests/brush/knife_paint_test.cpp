@@ -136,6 +136,52 @@ TEST(KnifePaint, AThirdPaintLiesCleanOverTwo) {
     EXPECT_LT(pigment::ciede2000(studio::seen_colour(film, crossing), masstone("PR108")), 5.0);
 }
 
+struct Blade {
+    const char* preset;
+    double width_mm;
+};
+
+/// One light stroke of a full blade, 40 mm long, on a panel.
+film::FilmState ribbon_of(const Blade& blade, double px_per_mm) {
+    film::FilmState film = studio::smooth(60.0, 20.0, px_per_mm);
+    Brush knife(find_preset(blade.preset), blade.width_mm, 7);
+    knife.load(oil("PW6"), 1.0);
+    studio::paint(knife, film, studio::line(10.0, 10.0, 50.0, 10.0, 0.2, 90.0));
+    return film;
+}
+
+double highest_mm(const film::FilmState& film, const grid::Rect& cells) {
+    double highest = 0.0;
+    for (int y = cells.y0; y < cells.y1; ++y)
+        for (int x = cells.x0; x < cells.x1; ++x)
+            highest = std::max(highest, studio::thickness_mm(film, x, y));
+    return highest;
+}
+
+TEST(KnifePaint, ASmallBladeLaysAThinFlatRibbon) {
+    for (const Blade& blade : {Blade{"Palette knife 17", 1.0},
+                               {"Palette knife 17", 2.0},
+                               {"Palette knife 17", 3.0},
+                               {"Diamond knife 9", 2.0}})
+        for (const double px_per_mm : {8.0, 16.0}) {
+            SCOPED_TRACE(testing::Message()
+                         << blade.preset << ", " << blade.width_mm << " mm, " << px_per_mm << " px/mm");
+            const film::FilmState film = ribbon_of(blade, px_per_mm);
+            const double half_mm = 0.5 * blade.width_mm;
+            const double inside_mm = studio::mean_thickness_mm(
+                film, studio::cells_of(film, 20.0, 10.0 - 0.6 * half_mm, 40.0, 10.0 + 0.6 * half_mm));
+            EXPECT_GT(inside_mm, 0.4 * blade.width_mm / 8.0);
+            EXPECT_LT(inside_mm, blade.width_mm / 8.0);
+            EXPECT_LT(highest_mm(film, studio::cells_of(film, 20.0, 0.0, 40.0, 20.0)),
+                      1.5 * blade.width_mm / 8.0)
+                << "thrown up along its edges";
+            EXPECT_LT(highest_mm(film, film.shape.cells()), 0.3 * blade.width_mm) << "where it lifts";
+            const double beyond_mm = half_mm + 0.25;
+            EXPECT_EQ(highest_mm(film, studio::cells_of(film, 20.0, 10.0 + beyond_mm, 40.0, 20.0)), 0.0);
+            EXPECT_EQ(highest_mm(film, studio::cells_of(film, 20.0, 0.0, 40.0, 10.0 - beyond_mm)), 0.0);
+        }
+}
+
 TEST(KnifePaint, ItsEdgesAreThrownUpUnevenly) {
     const film::FilmState film = knifed({.pressure = 0.2});
     std::vector<double> ridges_mm;

@@ -14,6 +14,16 @@ TEST(LaidFilm, OfAFullToolIsItsPresetsFilm) {
     EXPECT_DOUBLE_EQ(laid_film_mm(find_preset("knife"), 1.0), find_preset("knife").paint.film_mm);
 }
 
+TEST(LaidFilm, OfABladeIsAnEighthOfItsWidthAtMost) {
+    const Preset& knife = find_preset("knife");
+    EXPECT_EQ(full_film_mm(knife), knife.paint.film_mm);
+    EXPECT_EQ(full_film_mm(resized(knife, 40.0)), knife.paint.film_mm);
+    EXPECT_DOUBLE_EQ(full_film_mm(resized(knife, 2.0)), 0.25);
+    EXPECT_DOUBLE_EQ(laid_film_mm(resized(knife, 2.0), 1.0), 0.25);
+    const Preset& flat = find_preset("flat");
+    EXPECT_EQ(full_film_mm(resized(flat, 1.0)), flat.paint.film_mm);
+}
+
 TEST(LaidFilm, IsThinnerTheLessTheToolHolds) {
     const Preset flat = find_preset("flat");
     EXPECT_EQ(laid_film_mm(flat, 0.0), 0.0);
