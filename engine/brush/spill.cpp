@@ -44,7 +44,7 @@ WantedSums plan_heap(double quanta, double spread_mm, CellBatch& batch) {
         const double gain = heap > 0.0 ? quanta * heights[i] / heap : 0.0;
         batch.change[i] = static_cast<std::int32_t>(std::min(gain, capacity_left));
         batch.swap[i] = 0;
-        batch.touched[i] = 0.0F;
+        batch.touched[i] = 1.0F;  // over two strata, what does not hide them joins the upper one
         wanted.deposit += batch.change[i];
     }
     return wanted;

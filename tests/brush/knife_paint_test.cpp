@@ -3,6 +3,7 @@
 
 #include "brush/seen_colour.hpp"
 #include "brush/studio.hpp"
+#include "core/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -125,6 +126,43 @@ TEST(KnifePaint, BetweenItDragsOnePaintIntoTheOtherInStreaks) {
     const film::FilmState film = knifed({.pressure = 0.6});
     EXPECT_GT(unevenness(film, true), 1.0);
     EXPECT_GT(unevenness(film, true), 1.5 * unevenness(film, false));
+}
+
+/// Wet white with ridges of an earlier stroke across the knife's way, and a wet glaze of ultramarine on
+/// it.
+film::FilmState glazed() {
+    constexpr double kRidges_mm = 0.15, kGlaze_mm = 0.06, kSpacing_mm = 7.0;
+    film::FilmState film = studio::linen(70.0, 70.0, kPxPerMm);
+    for (int x = 0; x < film.shape.width; ++x) {
+        const double wave = std::sin(2.0 * core::kPi * x * film.cell_mm / kSpacing_mm);
+        studio::cover(film, {x, 0, x + 1, film.shape.height},
+                      kGround_mm + kRidges_mm * std::max(0.0, wave), oil("PW6"));
+    }
+    studio::lay_over(film, kGlaze_mm, studio::paint_in("PB29", "alkyd gel"));
+    return film;
+}
+
+/// An empty knife drawn over that.
+film::FilmState drawn_over_glaze(double pressure) {
+    film::FilmState film = glazed();
+    Brush knife(find_preset("Palette knife 17"), 0.0, 7);
+    studio::paint(knife, film, studio::line(12.0, 35.0, 58.0, 35.0, pressure, 90.0));
+    return film;
+}
+
+TEST(KnifePaint, ABladeOverAGlazeRidesDragsItInStreaksOrTakesIt) {
+    const film::FilmState before = glazed();
+    const pigment::Lab glaze = studio::seen_colour(before, inside(before));
+    const auto change = [&](const film::FilmState& film) {
+        return pigment::ciede2000(studio::seen_colour(film, inside(film)), glaze);
+    };
+    const film::FilmState light = drawn_over_glaze(0.2), between = drawn_over_glaze(0.6),
+                          hard = drawn_over_glaze(0.9);
+    EXPECT_LT(change(light), 6.0);
+    EXPECT_GT(change(between), change(light));
+    EXPECT_GT(change(hard), change(between));
+    EXPECT_GT(unevenness(between, true), 3.0);
+    EXPECT_GT(unevenness(between, true), 1.5 * unevenness(between, false));
 }
 
 TEST(KnifePaint, AThirdPaintLiesCleanOverTwo) {

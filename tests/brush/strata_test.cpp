@@ -15,22 +15,7 @@ struct Easel {
     grid::Rect middle = studio::cells_of(film, 25.0, 12.0, 35.0, 18.0);
 
     /// White as it lies when nothing has been stirred.
-    void lay_white(double thickness_mm) {
-        film::FilmState above = film;
-        studio::cover(above, thickness_mm, oil("PW6"));
-        for (int y = 0; y < film.shape.height; ++y)
-            for (int x = 0; x < film.shape.width; ++x) {
-                const film::LowerCell lower{film.thickness.at(x, y), film.paint.at(x, y)};
-                film::PaintCell paint = above.paint.at(x, y);
-                for (int k = 0; k < film::kPaintChannels; ++k)
-                    paint[k] += lower.paint[k];
-                film.thickness.set(x, y, above.thickness.at(x, y) + lower.thickness);
-                film.paint.set(x, y, paint);
-                if (lower.thickness == 0) continue;
-                film.lower.thickness.set(x, y, lower.thickness);
-                film.lower.paint.set(x, y, lower.paint);
-            }
-    }
+    void lay_white(double thickness_mm) { studio::lay_over(film, thickness_mm, oil("PW6")); }
     /// To and fro, with a brush that is clean at first.
     void brush_over(int passes) {
         for (int pass = 0; pass < passes; ++pass) {

@@ -63,6 +63,23 @@ void cover(film::FilmState& film, const grid::Rect& cells, double thickness_mm,
     }
 }
 
+void lay_over(film::FilmState& film, double thickness_mm, const film::PaintCoefficients& paint) {
+    const film::FilmState below = film;
+    cover(film, thickness_mm, paint);
+    for (int y = 0; y < film.shape.height; ++y)
+        for (int x = 0; x < film.shape.width; ++x) {
+            const film::LowerCell lower{below.thickness.at(x, y), below.paint.at(x, y)};
+            if (lower.thickness == 0) continue;
+            film::PaintCell whole = film.paint.at(x, y);
+            for (int k = 0; k < film::kPaintChannels; ++k)
+                whole[k] += lower.paint[k];
+            film.thickness.set(x, y, film.thickness.at(x, y) + lower.thickness);
+            film.paint.set(x, y, whole);
+            film.lower.thickness.set(x, y, lower.thickness);
+            film.lower.paint.set(x, y, lower.paint);
+        }
+}
+
 film::PaintCoefficients dark_paint() {
     return {900.0F, 600.0F, 300.0F, 150.0F, 75.0F, 40.0F, 20.0F, 15.0F,
             12.0F,  10.0F,  8.0F,   6.0F,   12.6F, 80.0F, 0.9F,  80.0F};

@@ -21,6 +21,9 @@ void cover(film::FilmState& film, double thickness_mm, const film::PaintCoeffici
 void cover(film::FilmState& film, const grid::Rect& cells, double thickness_mm,
            const film::PaintCoefficients& paint);
 
+/// Lays wet paint over all that lies there, which becomes the lower stratum.
+void lay_over(film::FilmState& film, double thickness_mm, const film::PaintCoefficients& paint);
+
 /// Made-up paints whose channels all differ: one that absorbs much, one that scatters much.
 film::PaintCoefficients dark_paint();
 film::PaintCoefficients light_paint();
