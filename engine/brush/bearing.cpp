@@ -8,9 +8,13 @@
 namespace pastoso::brush {
 namespace {
 
-/// What rides as one when an edge is between riding and scraping, and for how long.
-constexpr int kStripe_elements = 3;
+/// What rides as one when an edge is between riding and scraping, narrow stripes within wide ones, and
+/// for how long.
+constexpr int kNarrow_elements = 3, kWide_elements = 8;
 constexpr double kStripe_mm = 9.0;
+constexpr std::uint32_t kWideStream = 1 << 16;
+/// How far apart stripes are: most either ride or scrape, and leave planes with edges, not tubes.
+constexpr float kContrast = 1.8F;
 
 /// Thinner paint carries no hair, which is about as thick itself.
 constexpr float kCarrying_mm = 0.05F;
@@ -47,9 +51,13 @@ float carrying_surface_mm(const film::FilmState& film, const PassMap& pass, cons
 
 /// The ride of an element between those that ride and those that scrape.
 float uneven_ride(const Bearing& bearing, int element) {
-    const auto stripe = static_cast<std::uint32_t>(element / kStripe_elements);
-    const double noise = smooth_noise(bearing.travel_mm / kStripe_mm, bearing.noise_seed + stripe);
-    const float spread = 2.0F * bearing.ride * (1.0F - bearing.ride);
+    const auto noise_of = [&](int elements, std::uint32_t stream) {
+        const auto stripe = static_cast<std::uint32_t>(element / elements);
+        return smooth_noise(bearing.travel_mm / kStripe_mm, bearing.noise_seed + stream + stripe);
+    };
+    const double noise =
+        0.6 * noise_of(kNarrow_elements, 0) + 0.6 * noise_of(kWide_elements, kWideStream);
+    const float spread = kContrast * 2.0F * bearing.ride * (1.0F - bearing.ride);
     return std::clamp(bearing.ride + spread * static_cast<float>(noise), 0.0F, 1.0F);
 }
 

@@ -3,14 +3,14 @@
 // hairs in a light hand, are carried by the wet paint itself, which has no time to flow out from below:
 //
 //   d = s + rigidity (s_edge - s),   w = u + rigidity (mean(u) - u),
-//   b = d + r max(0, w - d),    r = ride + 2 ride (1 - ride) noise,
+//   b = d + r max(0, w - d),    r = ride + 3.6 ride (1 - ride) noise in 0..1,
 //
 // s the dry surface below an element, s_edge that below the edge (brush/bristle_motion.hpp), and u the
 // wet surface c + h_0 that the tool found there: what it lays itself does not lift it. A blade comes
 // down on a lower surface with a slope, up at once. Between riding and scraping no edge is even: stripes
-// of it ride while others scrape, which is what drags one paint into the other in streaks. Hairs have no
-// noise: those that ride dip into the paint by the same share of its depth, and paint thinner than a
-// hair carries them less: r = ride min(1, (w - d) / 0.05 mm).
+// of it, narrow ones within wide ones, ride while others scrape, which is what drags one paint into the
+// other in streaks. Hairs have no noise: those that ride dip into the paint by the same share of its
+// depth, and paint thinner than a hair carries them less: r = ride min(1, (w - d) / 0.05 mm).
 #pragma once
 
 #include "brush/bristle_motion.hpp"

@@ -143,26 +143,35 @@ film::FilmState glazed() {
 }
 
 /// An empty knife drawn over that.
-film::FilmState drawn_over_glaze(double pressure) {
+film::FilmState drawn_over_glaze(double pressure, std::uint32_t piece = 7) {
     film::FilmState film = glazed();
-    Brush knife(find_preset("Palette knife 17"), 0.0, 7);
+    Brush knife(find_preset("Palette knife 17"), 0.0, piece);
     studio::paint(knife, film, studio::line(12.0, 35.0, 58.0, 35.0, pressure, 90.0));
     return film;
 }
 
-TEST(KnifePaint, ABladeOverAGlazeRidesDragsItInStreaksOrTakesIt) {
+TEST(KnifePaint, ABladeOverAGlazeRidesDragsItOrTakesIt) {
     const film::FilmState before = glazed();
     const pigment::Lab glaze = studio::seen_colour(before, inside(before));
-    const auto change = [&](const film::FilmState& film) {
+    const auto change = [&](double pressure) {
+        const film::FilmState film = drawn_over_glaze(pressure);
         return pigment::ciede2000(studio::seen_colour(film, inside(film)), glaze);
     };
-    const film::FilmState light = drawn_over_glaze(0.2), between = drawn_over_glaze(0.6),
-                          hard = drawn_over_glaze(0.9);
-    EXPECT_LT(change(light), 6.0);
-    EXPECT_GT(change(between), change(light));
-    EXPECT_GT(change(hard), change(between));
-    EXPECT_GT(unevenness(between, true), 3.0);
-    EXPECT_GT(unevenness(between, true), 1.5 * unevenness(between, false));
+    EXPECT_LT(change(0.2), 6.0);
+    EXPECT_GT(change(0.6), change(0.2));
+    EXPECT_GT(change(0.9), change(0.6));
+}
+
+TEST(KnifePaint, ABladeOverAGlazeDragsItInStreaks) {
+    // Where stripes ride is chance: the mean of a few pieces.
+    double across = 0.0, along = 0.0;
+    for (std::uint32_t piece = 1; piece <= 6; ++piece) {
+        const film::FilmState film = drawn_over_glaze(0.6, piece);
+        across += unevenness(film, true) / 6.0;
+        along += unevenness(film, false) / 6.0;
+    }
+    EXPECT_GT(across, 3.0);
+    EXPECT_GT(across, 2.0 * along);
 }
 
 TEST(KnifePaint, AThirdPaintLiesCleanOverTwo) {
