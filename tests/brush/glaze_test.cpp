@@ -23,9 +23,7 @@ pigment::Bands ground_of(const char* pigment) {
 double contrast_left(const char* medium, const char* pigment, const char* preset, double pressure) {
     film::FilmState film = studio::smooth(60.0, 30.0);
     Brush brush(find_preset(preset), 10.0, 2);
-    brush.load(
-        film::paint_coefficients(pigment::find_pigment(pigment).coefficients, film::find_medium(medium)),
-        1.0);
+    brush.load(studio::paint_in(pigment, medium), 1.0);
     studio::paint(brush, film, studio::line(6.0, 15.0, 54.0, 15.0, pressure, 90.0));
     const grid::Rect middle = studio::cells_of(film, 25.0, 13.5, 35.0, 16.5);
     const pigment::Bands white = ground_of("PW6"), black = ground_of("PBk9");
