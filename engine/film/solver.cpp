@@ -3,6 +3,7 @@
 #include "core/check.hpp"
 #include "core/units.hpp"
 #include "film/explicit/halo_block.hpp"
+#include "film/explicit/strata_transport.hpp"
 #include "film/explicit/tile_update.hpp"
 #include "film/large/large_step.hpp"
 #include "film/solver_state.hpp"
@@ -193,7 +194,6 @@ std::vector<TilePlace> Solver::Parts::places_to_step() const {
 void Solver::Parts::replace_fields(int tile, TileResult& result) {
     if (result.thickness) state.thickness.replace(tile, std::move(result.thickness));
     if (result.paint) state.paint.replace(tile, std::move(result.paint));
-    if (result.strata_moved) result.lower.put_into(state.lower, tile);
     if (result.worked) state.worked.replace(tile, std::move(result.worked));
     if (result.velocity_x) state.velocity_x.replace(tile, std::move(result.velocity_x));
     if (result.velocity_y) state.velocity_y.replace(tile, std::move(result.velocity_y));
@@ -224,6 +224,10 @@ void Solver::Parts::put_to_sleep(int tile) {
 
 AdvanceReport Solver::Parts::commit_all(const std::vector<TilePlace>& places, float dt_s,
                                         std::vector<TileResult>& results) {
+    pool.run(places.size(), [&](std::size_t index, int) {
+        if (!results[index].lower.empty())
+            change_lower(state.lower, places[index].tile, results[index].lower);
+    });
     AdvanceReport report;
     report.steps = 1;
     for (std::size_t index = 0; index < places.size(); ++index) {

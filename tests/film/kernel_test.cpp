@@ -215,6 +215,100 @@ TEST_P(CrowdedPaint, NeverOverflowsAndIsTheSameOnEveryInstructionSet) {
 }
 INSTANTIATE_TEST_SUITE_P(ExplicitAndLargeFluxes, CrowdedPaint, testing::Bool());
 
+/// Paint in one stratum here and in two there, with fluxes through some faces of some rows.
+struct StrataOnTheMove {
+    explicit StrataOnTheMove(bool large_fluxes) {
+        std::vector<float> unused(kConcentrationCount);
+        crowd(5, large_fluxes, *scratch, held, unused);
+        std::mt19937 random(5);
+        std::uniform_int_distribution<int> sixteenth(0, 15);
+        upper->quanta.fill(0);
+        for (int y = -1; y <= kTileSize; ++y)
+            for (int x = -1; x <= kTileSize; ++x) {
+                const int place = held_index(x, y), cell = block_index(x, y);
+                for (std::int32_t& channel : held[place])
+                    channel >>= 4;
+                const int part = sixteenth(random) - 8;
+                if (part <= 0) continue;
+                thickness[place] = scratch->block.quanta[cell] / 16 * part;
+                upper->quanta[cell] = scratch->block.quanta[cell] - thickness[place];
+                for (int k = 0; k < kPaintChannels; ++k)
+                    lower[place][k] = held[place][k] / 16 * sixteenth(random);
+            }
+        for (int y = 0; y < kTileSize; ++y)
+            for (int x = 0; x < kTileSize; ++x)
+                if (y % 3 == 0 || sixteenth(random) < 8) scratch->flux_x[face_index(x, y)] = 0;
+    }
+    /// A margin of one cell around a tile away.
+    static std::vector<PaintCell> inside(const std::vector<PaintCell>& cells) {
+        std::vector<PaintCell> tile(grid::kTileCells);
+        for (int y = 0; y < kTileSize; ++y)
+            std::copy_n(&cells[held_index(0, y)], kTileSize, &tile[y * kTileSize]);
+        return tile;
+    }
+
+    std::unique_ptr<TileScratch> scratch = std::make_unique<TileScratch>();
+    std::unique_ptr<StrataScratch> upper = std::make_unique<StrataScratch>();
+    std::vector<PaintCell> held = std::vector<PaintCell>(kHeldSide * kHeldSide), lower = held;
+    std::vector<std::int32_t> thickness = std::vector<std::int32_t>(kHeldSide * kHeldSide);
+};
+
+struct MovedStrata {
+    std::vector<PaintCell> whole = std::vector<PaintCell>(grid::kTileCells);
+    std::vector<LowerChange> changes = std::vector<LowerChange>(grid::kTileCells);
+};
+
+/// What the kernels of an instruction set make of it. Concentrations that are not read are `unread`.
+MovedStrata moved_by(core::Isa isa, bool large_fluxes, float unread) {
+    StrataOnTheMove paint(large_fluxes);
+    StrataScratch& upper = *paint.upper;
+    const auto& kernels = core::kernels<TileKernels>(isa);
+    std::vector<float> lower(kConcentrationCount, unread);
+    upper.concentrations.assign(kConcentrationCount, unread);
+    kernels.find_read_cells(*paint.scratch, kTileSize, kTileSize, upper);
+    for (int y = -1; y <= kTileSize; ++y)
+        for (int x = -1; x <= kTileSize; ++x) {
+            const int place = held_index(x, y), to = concentration_index(x, y);
+            kernels.concentrate_strata(
+                {&paint.held[place], &paint.scratch->block.quanta[block_index(x, y)],
+                 &paint.lower[place], &paint.thickness[place]},
+                &upper.read[concentration_place(x, y)], 1, &lower[to], &upper.concentrations[to]);
+        }
+    std::vector<std::int32_t> thickness(grid::kTileCells);
+    kernels.apply_fluxes(*paint.scratch, thickness.data());
+    kernels.split_strata({}, 1e6F, *paint.scratch, upper);
+    const auto whole_before = paint.inside(paint.held), lower_before = paint.inside(paint.lower);
+    MovedStrata moved;
+    const StrataMoved done =
+        kernels.transport_strata(*paint.scratch, upper, kTileSize, kTileSize, {},
+                                 {lower.data(), nullptr, whole_before.data(), lower_before.data(),
+                                  thickness.data(), moved.whole.data(), moved.changes.data()});
+    moved.changes.resize(done.changes);
+    EXPECT_EQ(sum(moved.whole), sum(whole_before));
+    for (const LowerChange& change : moved.changes)
+        EXPECT_TRUE(is_part_of(change.lower, thickness[change.cell], moved.whole[change.cell]));
+    return moved;
+}
+
+class StrataKernels : public testing::TestWithParam<bool> {};
+
+TEST_P(StrataKernels, AreTheSameOnEveryInstructionSet) {
+    const MovedStrata expected = moved_by(core::Isa::Baseline, GetParam(), 0.0F);
+    EXPECT_GT(expected.changes.size(), 500U);
+    for (const core::Isa isa : {core::Isa::Baseline, core::Isa::Avx2, core::Isa::Avx512}) {
+        if (isa > core::best_isa()) continue;
+        const MovedStrata moved = moved_by(isa, GetParam(), 7.0F);
+        EXPECT_EQ(moved.whole, expected.whole) << core::name_of(isa);
+        ASSERT_EQ(moved.changes.size(), expected.changes.size()) << core::name_of(isa);
+        for (std::size_t i = 0; i < moved.changes.size(); ++i) {
+            ASSERT_EQ(moved.changes[i].cell, expected.changes[i].cell);
+            ASSERT_EQ(moved.changes[i].lower.thickness, expected.changes[i].lower.thickness);
+            ASSERT_EQ(moved.changes[i].lower.paint, expected.changes[i].lower.paint);
+        }
+    }
+}
+INSTANTIATE_TEST_SUITE_P(ExplicitAndLargeFluxes, StrataKernels, testing::Bool());
+
 INSTANTIATE_TEST_SUITE_P(UniformAndVaried, TileKernelOfPaint, testing::Bool());
 
 // x = 1 is the yield point: (1 + d) x - 3/2 + 1/(2 x^2) = d |w| / y.

@@ -7,22 +7,23 @@ namespace {
 
 using grid::kTileSize;
 
-/// Fills what is meant for neighbouring cells of the tile, from number `first` on.
-void concentrate(const FilmState& state, int tile, int first, int count, int index,
+/// Fills what is meant for neighbouring cells of the tile, from number `first` on, at (x, y).
+void concentrate(const FilmState& state, int tile, int first, int count, int x, int y,
                  Concentrations& out) {
     const auto& kernels = core::kernels<TileKernels>();
     const PaintCell* paint = state.paint.read(tile) + first;
     const std::int32_t* thickness = state.thickness.read(tile) + first;
-    std::int32_t largest;
-    if (out.upper == nullptr || !state.lower.is_in(tile)) {
-        largest = kernels.concentrate(paint, thickness, count, out.lower + index);
-        if (out.upper != nullptr) std::fill_n(out.upper + index, count * kPaintChannels, 0.0F);
-    } else {
-        const WetStrataCells cells{paint, thickness, state.lower.paint.read(tile) + first,
-                                   state.lower.thickness.read(tile) + first};
-        largest = kernels.concentrate_strata(cells, count, out.lower + index, out.upper + index);
+    const int index = concentration_index(x, y);
+    if (out.upper == nullptr) {
+        out.largest =
+            std::max(out.largest, kernels.concentrate(paint, thickness, count, out.lower + index));
+        return;
     }
-    out.largest = std::max(out.largest, largest);
+    const WetStrataCells cells{paint, thickness, state.lower.paint.read(tile) + first,
+                               state.lower.thickness.read(tile) + first};
+    const std::uint8_t* read = out.read->data() + concentration_place(x, y);
+    out.largest = std::max(out.largest, kernels.concentrate_strata(cells, read, count, out.lower + index,
+                                                                   out.upper + index));
 }
 
 void clear(int index, int count, Concentrations& out) {
@@ -34,7 +35,7 @@ void gather_row(const FilmState& state, const HaloMap& columns, const HaloSource
                 Concentrations& out) {
     const int first_tile = row.tile * state.shape.tiles_x();
     const auto fill = [&](int tile, int cell, int count, int x) {
-        concentrate(state, tile, row.cell * kTileSize + cell, count, concentration_index(x, y), out);
+        concentrate(state, tile, row.cell * kTileSize + cell, count, x, y, out);
     };
     fill(first_tile + tile_x, 0, columns.extent, 0);
     const auto one_cell = [&](int x) {

@@ -10,10 +10,11 @@
 namespace pastoso::film {
 
 /// What is gathered, each kConcentrationCount floats (concentration_index): the concentrations of the
-/// lower stratum and of the upper one; without `upper`, of all paint in `lower`.
+/// lower stratum and of the upper one where fluxes read them; without `upper`, of all paint in `lower`.
 struct Concentrations {
     float* lower;
     float* upper = nullptr;
+    const ReadCells* read = nullptr;
     std::int32_t largest = 0;  ///< amount that any channel holds
 };
 

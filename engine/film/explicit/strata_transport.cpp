@@ -8,8 +8,6 @@
 namespace pastoso::film {
 namespace {
 
-using grid::TileBlock;
-
 constexpr std::int32_t kMostPigment = std::numeric_limits<std::int32_t>::max();
 
 /// Where both strata may enter a cell, each gets half of what its channels can still count.
@@ -45,34 +43,42 @@ bool gather_strata(const FilmState& state, const TilePlace& place, const HaloBlo
 void move_strata(const FilmState& state, const TilePlace& place, const FilmProfile& profile,
                  WorkerScratch& worker, TileResult& result) {
     const int columns = place.columns.extent, rows = place.rows.extent;
+    const auto& kernels = core::kernels<TileKernels>();
     TileScratch& scratch = worker.tile;
     StrataScratch& upper = *worker.strata;
     upper.concentrations.resize(kConcentrationCount);
-    Concentrations concentrations{worker.concentrations.data(), upper.concentrations.data()};
+    upper.changes.resize(grid::kTileCells);
+    kernels.find_read_cells(scratch, columns, rows, upper);
+    Concentrations concentrations{worker.concentrations.data(), upper.concentrations.data(),
+                                  &upper.read};
     gather_concentrations(state, place.columns, place.rows, place.tile_x, concentrations);
     const bool crowded = concentrations.largest > kCrowded / 2;
     if (crowded) {
         gather_held(state, place.columns, place.rows, worker.held);
         halve_room(upper.quanta, columns, rows, worker.held);
     }
-    const PaintCell* held = crowded ? worker.held.data() : nullptr;
-    const auto& kernels = core::kernels<TileKernels>();
     kernels.split_strata(profile, static_cast<float>(state.cell_mm / kThicknessQuantum_mm), scratch,
                          upper);
-    const PaintCell* lower_before = state.lower.paint.read(place.tile);
-    auto lower = transported(place, scratch, worker.concentrations.data(), held, lower_before, result);
-    scratch.flux_x = upper.flux_x;
-    scratch.flux_y = upper.flux_y;
-    scratch.block.quanta = upper.quanta;
-    if (scratch.large_fluxes) scratch.supply = upper.supply;
-    const PaintCell* whole_before = state.paint.read(place.tile);
-    result.paint = transported(place, scratch, upper.concentrations.data(), held, whole_before, result);
-    auto lower_thickness = TileBlock<std::int32_t>::filled(0);
-    kernels.join_strata(upper, columns, rows,
-                        {whole_before, lower_before, result.thickness.read(), lower_thickness.write(),
-                         lower.write(), result.paint.write()});
-    result.lower = LowerTile(std::move(lower_thickness), std::move(lower));
-    result.strata_moved = true;
+    result.paint = new_paint(place);
+    const StrataMoved moved =
+        kernels.transport_strata(scratch, upper, columns, rows, place.runoff_edges,
+                                 {worker.concentrations.data(), crowded ? worker.held.data() : nullptr,
+                                  state.paint.read(place.tile), state.lower.paint.read(place.tile),
+                                  result.thickness.read(), result.paint.write(), upper.changes.data()});
+    note_moved(moved.pigment, result);
+    result.lower.assign(upper.changes.begin(), upper.changes.begin() + moved.changes);
+}
+
+void change_lower(LowerStratum& lower, int tile, std::span<const LowerChange> changes) {
+    const auto is_two = [](const LowerChange& change) { return change.lower.thickness != 0; };
+    if (!lower.is_in(tile) && std::none_of(changes.begin(), changes.end(), is_two)) return;
+    std::int32_t* thickness = lower.thickness.write(tile);
+    PaintCell* paint = lower.paint.write(tile);
+    for (const LowerChange& change : changes) {
+        thickness[change.cell] = change.lower.thickness;
+        paint[change.cell] = change.lower.paint;
+    }
+    if (!lower.holds_any(tile)) lower.forget(tile);
 }
 
 }  // namespace pastoso::film

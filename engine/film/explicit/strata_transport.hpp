@@ -23,10 +23,12 @@ inline constexpr float kMixingStrain = 40.0F;
 bool gather_strata(const FilmState& state, const TilePlace& place, const HaloBlock& block,
                    StrataScratch& upper);
 
-/// Fills the paint, the lower stratum and the runoff of `result`, whose new thickness is known, after
-/// gather_strata(). Uses up
-/// the fluxes of the worker's scratch.
-void move_strata(const FilmState& state, const TilePlace& place, const FilmProfile& profile, WorkerScratch& worker,
-                 TileResult& result);
+/// Fills the paint, what becomes of the lower stratum, and the runoff of `result`, whose new thickness
+/// is known, after gather_strata(). Uses up the fluxes of the worker's scratch.
+void move_strata(const FilmState& state, const TilePlace& place, const FilmProfile& profile,
+                 WorkerScratch& worker, TileResult& result);
+
+/// Sets cells of a tile. Several threads may do so, in tiles of their own.
+void change_lower(LowerStratum& lower, int tile, std::span<const LowerChange> changes);
 
 }  // namespace pastoso::film

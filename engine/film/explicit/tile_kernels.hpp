@@ -12,10 +12,13 @@ PigmentMoved transport_pigment(const TileScratch& scratch, const float* concentr
                                const PaintCell* held, int columns, int rows,
                                const OpenEdges& runoff_edges, const PaintCell* before, PaintCell* after);
 std::int32_t concentrate(const PaintCell* pigment, const std::int32_t* thickness, int count, float* out);
-std::int32_t concentrate_strata(const WetStrataCells& cells, int count, float* lower, float* upper);
+void find_read_cells(const TileScratch& scratch, int columns, int rows, StrataScratch& strata);
+std::int32_t concentrate_strata(const WetStrataCells& cells, const std::uint8_t* read, int count,
+                                float* lower, float* upper);
 void split_strata(const FilmProfile& profile, float cell_quanta, TileScratch& scratch,
                   StrataScratch& upper);
-void join_strata(const StrataScratch& upper, int columns, int rows, const StrataMoved& moved);
+StrataMoved transport_strata(const TileScratch& scratch, const StrataScratch& upper, int columns,
+                             int rows, const OpenEdges& runoff_edges, const StrataPaint& paint);
 void cell_rheology(const PaintCell* paint, const std::int32_t* thickness, int count, float yield_per_Pa,
                    float* viscosity, float* yield);
 void loosen(const std::int32_t* worked, const std::int32_t* thickness, int count, float structure_share,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/kernels.hpp"
+#include "film/cell/lower_stratum.hpp"
 #include "film/explicit/halo_block.hpp"
 #include "film/step_constants.hpp"
 
@@ -41,16 +42,6 @@ struct TileScratch {
 struct FilmProfile {
     float alpha = 1.0F;
     float width = 2.0F;  ///< 3 alpha - 1
-};
-
-/// What moves with the upper strata of a tile, and how far the strata mix. Paint that is one has none.
-struct StrataScratch {
-    std::vector<float> concentrations;
-    alignas(64) BlockArray<std::int32_t> quanta;
-    alignas(64) BlockArray<float> share;  ///< of what leaves a cell, the upper stratum's
-    alignas(64) BlockArray<float> supply;
-    alignas(64) FaceArray<std::int32_t> flux_x, flux_y;
-    alignas(64) std::array<float, grid::kTileCells> mixing;  ///< share of what can that mixes
 };
 
 /// The worked part of a tile's paint on its way (structure_transport.hpp).
@@ -94,8 +85,11 @@ using TileFlow = FlowExtremes (*)(const StepConstants& step, int columns, int ro
 inline constexpr int kConcentrationHalo = 2;
 inline constexpr int kConcentrationSide = grid::kTileSize + 2 * kConcentrationHalo;
 inline constexpr int kConcentrationCount = kConcentrationSide * kConcentrationSide * kPaintChannels;
+constexpr int concentration_place(int x, int y) {
+    return (y + kConcentrationHalo) * kConcentrationSide + x + kConcentrationHalo;
+}
 constexpr int concentration_index(int x, int y) {
-    return ((y + kConcentrationHalo) * kConcentrationSide + x + kConcentrationHalo) * kPaintChannels;
+    return concentration_place(x, y) * kPaintChannels;
 }
 struct OpenEdges {
     bool left = false, right = false, top = false, bottom = false;
@@ -128,28 +122,60 @@ struct WetStrataCells {
     const PaintCell* lower_paint;
     const std::int32_t* lower_thickness;
 };
-/// The same of both strata; paint that is one counts as the lower. Where there are two, each counts for
-/// four quanta thicker: the shares of a flux are whole quanta, so that four faces may take as many too
-/// many.
-using ConcentrateStrata = std::int32_t (*)(const WetStrataCells& cells, int count, float* lower,
-                                           float* upper);
+/// Cells whose concentrations are read (concentration_place): not 0.
+using ReadCells = std::array<std::uint8_t, kConcentrationSide * kConcentrationSide>;
+
+/// The same of both strata, for cells that are `read`; paint that is one counts as the lower. Where
+/// there are two, each counts for four quanta thicker: the shares of a flux are whole quanta, so that
+/// four faces may take as many too many.
+using ConcentrateStrata = std::int32_t (*)(const WetStrataCells& cells, const std::uint8_t* read,
+                                           int count, float* lower, float* upper);
+
+/// What a step makes of the lower stratum of a cell.
+struct LowerChange {
+    std::int32_t cell = 0;
+    LowerCell lower;
+};
+
+/// What moves with the upper strata of a tile, and how far the strata mix. Paint that is one has none.
+struct StrataScratch {
+    std::vector<float> concentrations;
+    BlockArray<std::uint8_t> passed;   ///< not 0 where something passes a face of the cell
+    ReadCells read;                    ///< those cells and the ones beside them
+    std::vector<LowerChange> changes;  ///< room for all cells
+    alignas(64) BlockArray<std::int32_t> quanta;
+    alignas(64) BlockArray<float> share;  ///< of what leaves a cell, the upper stratum's
+    alignas(64) BlockArray<float> supply;
+    alignas(64) FaceArray<std::int32_t> flux_x, flux_y;
+    alignas(64) std::array<float, grid::kTileCells> mixing;  ///< share of what can that mixes
+};
+
+/// Finds the cells that the fluxes pass, and whose concentrations they read.
+using FindReadCells = void (*)(const TileScratch& scratch, int columns, int rows, StrataScratch& strata);
 
 /// Splits the fluxes, the thickness and (with large fluxes) the supply that the scratch holds into those
 /// of both strata: the lower one's stay there. `upper.quanta` is known.
 using SplitStrata = void (*)(const FilmProfile& profile, float cell_quanta, TileScratch& scratch,
                              StrataScratch& upper);
 
-/// What became of a tile's strata, each by its own flow; of paint that is one, the lower has the change
-/// alone.
-struct StrataMoved {
+/// The paint of a tile in two strata before a step and after it; `held` as for PigmentTransport.
+struct StrataPaint {
+    const float* lower_concentrations;
+    const PaintCell* held;
     const PaintCell *whole_before, *lower_before;
     const std::int32_t* thickness;  ///< whole, afterwards
-    std::int32_t* lower_thickness;
-    PaintCell* lower;
-    PaintCell* whole;  ///< after the flow of the upper stratum
+    PaintCell* whole;               ///< to be filled
+    LowerChange* changes;           ///< likewise, for cells that have two strata or had them
 };
-/// Adds the change of the lower stratum to the whole, joins strata that are lost, and lets others mix.
-using JoinStrata = void (*)(const StrataScratch& upper, int columns, int rows, const StrataMoved& moved);
+struct StrataMoved {
+    PigmentMoved pigment;
+    int changes = 0;
+};
+/// Moves both strata, each by its own fluxes as paint is moved; joins those that are lost, and lets
+/// others mix.
+using TransportStrata = StrataMoved (*)(const TileScratch& scratch, const StrataScratch& upper,
+                                        int columns, int rows, const OpenEdges& runoff_edges,
+                                        const StrataPaint& paint);
 
 /// h_new = h - div(flux) in whole quanta for all 64 x 64 cells; what it writes beyond the canvas means
 /// nothing.
@@ -177,9 +203,10 @@ struct TileKernels {
     TileFlow flow = nullptr;
     PigmentTransport transport = nullptr;
     Concentrate concentrate = nullptr;
+    FindReadCells find_read_cells = nullptr;
     ConcentrateStrata concentrate_strata = nullptr;
     SplitStrata split_strata = nullptr;
-    JoinStrata join_strata = nullptr;
+    TransportStrata transport_strata = nullptr;
     ApplyFluxes apply_fluxes = nullptr;
     LargestChanges largest_changes = nullptr;
     CellRheology rheology = nullptr;

@@ -112,9 +112,12 @@ void move_pigment(const FilmState& state, const TilePlace& place, WorkerScratch&
     gather_concentrations(state, place.columns, place.rows, place.tile_x, concentrations);
     const bool crowded = concentrations.largest > kCrowded;
     if (crowded) gather_held(state, place.columns, place.rows, worker.held);
-    result.paint =
-        transported(place, worker.tile, worker.concentrations.data(),
-                    crowded ? worker.held.data() : nullptr, state.paint.read(place.tile), result);
+    result.paint = new_paint(place);
+    note_moved(core::kernels<TileKernels>().transport(
+                   worker.tile, worker.concentrations.data(), crowded ? worker.held.data() : nullptr,
+                   place.columns.extent, place.rows.extent, place.runoff_edges,
+                   state.paint.read(place.tile), result.paint.write()),
+               result);
 }
 
 /// Viscosity and yield stress of every cell, after gather().
@@ -165,18 +168,15 @@ void clear_beyond(std::int32_t* values, int columns, int rows) {
     }
 }
 
-TileBlock<PaintCell> transported(const TilePlace& place, const TileScratch& scratch,
-                                 const float* concentrations, const PaintCell* held,
-                                 const PaintCell* before, TileResult& result) {
-    const int columns = place.columns.extent, rows = place.rows.extent;
-    const bool whole = columns == kTileSize && rows == kTileSize;
-    auto paint = whole ? TileBlock<PaintCell>::uninitialised() : TileBlock<PaintCell>::filled({});
-    const PigmentMoved moved = core::kernels<TileKernels>().transport(
-        scratch, concentrations, held, columns, rows, place.runoff_edges, before, paint.write());
+TileBlock<PaintCell> new_paint(const TilePlace& place) {
+    const bool whole = place.columns.extent == kTileSize && place.rows.extent == kTileSize;
+    return whole ? TileBlock<PaintCell>::uninitialised() : TileBlock<PaintCell>::filled({});
+}
+
+void note_moved(const PigmentMoved& moved, TileResult& result) {
     for (int k = 0; k < kPaintChannels; ++k)
         result.runoff.paint[k] += moved.runoff[k];
     result.extremes.clamped_faces += moved.held_back_faces;
-    return paint;
 }
 
 TileResult collect_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,

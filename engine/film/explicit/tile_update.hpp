@@ -42,8 +42,7 @@ struct TilePlace {
 struct TileResult {
     grid::TileBlock<std::int32_t> thickness;
     grid::TileBlock<PaintCell> paint;
-    bool strata_moved = false;
-    LowerTile lower;  ///< where they did
+    std::vector<LowerChange> lower;
     grid::TileBlock<std::int32_t> worked;
     grid::TileBlock<float> velocity_x, velocity_y;
     FlowExtremes extremes;
@@ -72,11 +71,11 @@ bool any_tile_near(const TilePlace& place, int tiles_x, const IsIt& is_it) {
 /// Sets the cells of a tile that lie beyond its `columns` and `rows` on the canvas to 0.
 void clear_beyond(std::int32_t* values, int columns, int rows);
 
-/// What the fluxes in the scratch make of `before`, the tile's paint or a part of it (PigmentTransport);
-/// adds what ran off, and faces held back, to the result.
-grid::TileBlock<PaintCell> transported(const TilePlace& place, const TileScratch& scratch,
-                                       const float* concentrations, const PaintCell* held,
-                                       const PaintCell* before, TileResult& result);
+/// A tile's new paint, to be filled where the tile lies on the canvas.
+grid::TileBlock<PaintCell> new_paint(const TilePlace& place);
+
+/// Adds what ran off, and faces held back, to the result.
+void note_moved(const PigmentMoved& moved, TileResult& result);
 
 /// What the velocities and fluxes in the worker's scratch, and the block gathered there, make of a tile.
 TileResult collect_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
