@@ -269,74 +269,64 @@ PASTOSO_LANE_FUNCTION void change_cells(const TileCells& cells, int first, const
     sums.thickness += gained;
 }
 
-/// Whether `gained` quanta of the tool's paint are of another colour than as much of a cell's: by more
-/// than what looks alike, and by more than what roundings leave out, of which as much of a thin cell has
-/// many times those of the cell. A channel of pigment that is not
-/// given is one that too little is left of.
-PASTOSO_LANE_FUNCTION bool is_other(const ApplyRule& rule, const film::PaintCell& paint,
-                                    std::int32_t thickness, std::int32_t gained) {
+/// The tool's paint, a register of channels each.
+struct GivenPaint {
+    Floats per_quantum[kGroups];
+    Floats least[kGroups];  ///< of what comes, for a channel to tell colours apart
+
+    /// A channel of pigment that is not given is one that too little is left of.
+    PASTOSO_LANE_MEMBER explicit GivenPaint(const ApplyRule& rule) {
+        constexpr float kNever = std::numeric_limits<float>::infinity();
+        for (int g = 0; g < kGroups; ++g) {
+            per_quantum[g] = lanes::load<Floats>(rule.given.data() + g * kLanes);
+            const auto colour = lanes::counting<Ints>() + g * kLanes < film::kPigmentChannels;
+            least[g] = lanes::select(colour, Floats(rule.is_clear ? -1.0F : 0.0F), Floats(kNever));
+        }
+    }
+};
+
+/// Whether `gained` quanta of the tool's paint are of another colour than as much, the share `part`, of
+/// what lies above `lower`: by more than what looks alike, and by more than what roundings leave out,
+/// of which as much of a thin cell has many times those of the cell.
+PASTOSO_LANE_FUNCTION bool is_other(const GivenPaint& given, const std::int32_t* whole,
+                                    const std::int32_t* lower, float part, float gained) {
     constexpr float kRounding_quanta = 64.0F;
-    const float part = static_cast<float>(gained) / static_cast<float>(thickness);
     const Floats rounding(kRounding_quanta * lanes::max(part, 1.0F));
+    bool any = false;
     for (int g = 0; g < kGroups; ++g) {
-        const Floats here = lanes::convert<float>(lanes::load<Ints>(paint.data() + g * kLanes)) * part;
-        const Floats coming =
-            lanes::load<Floats>(rule.given.data() + g * kLanes) * static_cast<float>(gained);
+        Ints above = lanes::load<Ints>(whole + g * kLanes);
+        if (lower != nullptr) above = above - lanes::load<Ints>(lower + g * kLanes);
+        const Floats here = lanes::convert<float>(above) * part;
+        const Floats coming = given.per_quantum[g] * gained;
         const Floats apart = lanes::max(here - coming, coming - here);
         const auto other = apart > lanes::max(lanes::max(here, coming) * film::kLikeShare, rounding);
-        const Floats least(rule.is_clear ? -1.0F : 0.0F);
-        const auto colour = lanes::counting<Ints>() + g * kLanes < film::kPigmentChannels;
-        if (lanes::any(other && colour && coming > least)) return true;
+        any |= lanes::any(other && coming > given.least[g]);
     }
-    return false;
+    return any;
 }
-
-/// What happens to the strata of a few cells.
-struct StrataChanges {
-    std::int32_t before[kChunk];  ///< thickness of the lower one; 0: the cell's paint is one
-    std::int32_t after[kChunk];
-    float out_above[kChunk], out_below[kChunk];  ///< of the strata's pigment
-    float rises[kChunk], sinks[kChunk];          ///< shares that are stirred, of the lower and the upper
-};
 
 PASTOSO_LANE_FUNCTION Ints gain_of(const CellChanges& changes, int i) {
     return lanes::load<Ints>(changes.swap + i) +
            lanes::max(lanes::load<Ints>(changes.thickness + i), Ints(0));
 }
 
-/// Whether what comes is of another colour than what it comes onto. A cell has two strata at most: over
-/// two of them only what will hide both makes one of them, and comes to lie above.
-PASTOSO_LANE_FUNCTION bool is_covered(const ApplyRule& rule, const film::PaintCell* paint,
-                                      const TileCells& cells, const LowerCells* lower, int place,
-                                      std::int32_t gained) {
-    const std::int32_t cell = cells.cell[place], held = cells.held[place];
-    const std::int32_t below = lower != nullptr ? lower->thickness[cell] : 0;
-    if (below == 0) return is_other(rule, paint[cell], held, gained);
-    if (static_cast<float>(gained) < cells.touched[place] * rule.hiding_quanta) return false;
-    return is_other(rule, film::upper_paint(lower->paint[cell], paint[cell]), held - below, gained);
-}
-
-/// Calls visit(i) with those cells of a register whose paint is to lie below what comes: hardly any of
-/// it is the stroke's own as yet.
-template <class Visit>
-PASTOSO_LANE_FUNCTION void for_each_covered(const ApplyRule& rule, const film::PaintCell* paint,
-                                            const TileCells& cells, const LowerCells* lower, int first,
-                                            int i, int count, const CellChanges& changes,
-                                            const Visit& visit) {
+/// What comes as a share of what it comes onto where that is to lie below it if it is of another colour;
+/// else 0. Hardly any of it is the stroke's own as yet. A cell has two strata at most: over two of them
+/// only what will hide both makes one of them, and comes to lie above.
+PASTOSO_LANE_FUNCTION Floats covering_share(const ApplyRule& rule, const TileCells& cells, int first,
+                                            int i, Ints lower, const CellChanges& changes) {
     const Ints gained = gain_of(changes, i);
+    const Floats coming = lanes::convert<float>(gained);
     const auto held = lanes::load<Ints>(cells.held + first + i);
     const auto found = lanes::load<Ints>(cells.found + first + i);
+    const auto touched = lanes::load<Floats>(cells.touched + first + i);
     // At the front of a thick stroke paint flows onto what was found, up to as much again between touches.
     const auto still_found = held - found < film::kLeastStratum_quanta + found &&
                              lanes::min(held, found) >= film::kLeastStratum_quanta;
-    CellList perhaps;
-    perhaps.add(lanes::counting<Ints>() + i, gained >= film::kLostStratum_quanta && still_found &&
-                                                 lanes::counting<Ints>() + i < count);
-    for (int n = 0; n < perhaps.count; ++n) {
-        const int at = perhaps.cells[n];
-        const std::int32_t gain = changes.swap[at] + lanes::max(changes.thickness[at], 0);
-        if (is_covered(rule, paint, cells, lower, first + at, gain)) visit(at);
-    }
+    const auto hides = lower == Ints(0) || coming >= touched * rule.hiding_quanta;
+    const auto here = lanes::counting<Ints>() + i < cells.count - first;
+    return lanes::select(gained >= film::kLostStratum_quanta && still_found && hides && here,
+                         coming / lanes::convert<float>(held - lower), Floats(0.0F));
 }
 
 PASTOSO_LANE_FUNCTION Floats ratio(Ints part, Ints whole) {
@@ -344,12 +334,36 @@ PASTOSO_LANE_FUNCTION Floats ratio(Ints part, Ints whole) {
                       Floats(1.0F));
 }
 
-/// As if all cells had two strata.
+/// What happens to the strata of a few cells: the shares of their pigment that leave, and what the lower
+/// one is made of afterwards.
+struct StrataChanges {
+    std::int32_t after[kChunk];  ///< thickness of the lower one; 0: the cell's paint is one
+    float out_above[kChunk], out_below[kChunk];
+    float of_above[kChunk], of_below[kChunk];  ///< shares of what the strata held
+    float of_tool[kChunk];                     ///< thickness quanta of the tool's paint
+};
+
+/// Keeps what leaves both strata, and what a stir then makes of the lower one: it gives away the share m
+/// of itself that the upper one is of the cell, and gets as much back.
+PASTOSO_LANE_FUNCTION void keep_strata(const ApplyRule& rule, Floats touched, Ints upper, Ints lower,
+                                       Floats out_above, Floats out_below, Ints gained, int i,
+                                       StrataChanges& strata) {
+    const Floats one(1.0F), mixing = lanes::min(touched * rule.depth, one);
+    const Floats above = ratio(upper, upper + lower);
+    const Floats sinks = mixing * (one - above);
+    const auto two = lanes::min(upper, lower) >= film::kLostStratum_quanta;
+    lanes::store(strata.after + i, lanes::select(two, lower, Ints(0)));
+    lanes::store(strata.out_above + i, out_above);
+    lanes::store(strata.out_below + i, out_below);
+    lanes::store(strata.of_above + i, (one - out_above) * sinks);
+    lanes::store(strata.of_below + i, (one - out_below) * (one - mixing * above));
+    lanes::store(strata.of_tool + i, lanes::convert<float>(gained) * sinks);
+}
+
+/// Of cells whose lower strata are `lower` thick. Without any, all that leaves comes from the upper.
 PASTOSO_LANE_FUNCTION void settle_strata(const ApplyRule& rule, const TileCells& cells, int first, int i,
-                                         const CellChanges& changes, StrataChanges& strata) {
-    const Ints none(0);
+                                         Ints lower, const CellChanges& changes, StrataChanges& strata) {
     const auto held = lanes::load<Ints>(cells.held + first + i);
-    const auto lower = lanes::load<Ints>(strata.before + i);
     const auto change = lanes::load<Ints>(changes.thickness + i);
     const auto swap = lanes::load<Ints>(changes.swap + i);
     const Ints upper = held - lower, gained = gain_of(changes, i), taken = gained - change;
@@ -361,89 +375,141 @@ PASTOSO_LANE_FUNCTION void settle_strata(const ApplyRule& rule, const TileCells&
         lost_first + (lost_evenly - lost_first) * rule.depth + lanes::convert<float>(swap) * share);
     const Ints from_upper = lanes::min(lanes::max(wanted, taken - lower), lanes::min(upper, taken));
     const Ints from_lower = taken - from_upper;
-    const Ints upper_after = upper - from_upper + gained, lower_after = lower - from_lower;
-    const auto two = lanes::min(upper_after, lower_after) >= film::kLostStratum_quanta;
-    lanes::store(strata.after + i, lanes::select(two, lower_after, none));
-    lanes::store(strata.out_above + i, ratio(from_upper, upper));
-    lanes::store(strata.out_below + i, ratio(from_lower, lower));
-    if (rule.depth == 0.0F) return;
-    const Floats mixing =
-        lanes::min(lanes::load<Floats>(cells.touched + first + i) * rule.depth, Floats(1.0F));
-    const Floats risen = ratio(upper_after, held + change);
-    lanes::store(strata.rises + i, mixing * risen);
-    lanes::store(strata.sinks + i, mixing * (1.0F - risen));
+    keep_strata(rule, lanes::load<Floats>(cells.touched + first + i), upper - from_upper + gained,
+                lower - from_lower, ratio(from_upper, upper), ratio(from_lower, lower), gained, i,
+                strata);
+}
+
+/// Of cells whose paint comes to lie below what they gain.
+PASTOSO_LANE_FUNCTION void settle_covered(const ApplyRule& rule, const TileCells& cells, int first,
+                                          int i, const CellChanges& changes, StrataChanges& strata) {
+    const Ints gained = gain_of(changes, i);
+    const Ints rest =
+        lanes::load<Ints>(cells.held + first + i) + lanes::load<Ints>(changes.thickness + i) - gained;
+    keep_strata(rule, lanes::load<Floats>(cells.touched + first + i), gained, rest, Floats(0.0F),
+                lanes::load<Floats>(changes.out_share + i), gained, i, strata);
+}
+
+/// Of a few cells of a tile that has two strata somewhere.
+struct TwoStrata {
+    std::int32_t lower[kChunk];  ///< thickness; 0: the cell's paint is one
+    std::int32_t is_covered[kChunk];
+    StrataChanges as_they_lie, covered;
+    CellList lying, covering;  ///< cells in which both strata change, or come to be two
+};
+
+/// Finds the cells that are going to be covered. Each is looked at by itself, without a branch that the
+/// processor could guess wrong: colours change from cell to cell.
+PASTOSO_LANE_FUNCTION void find_covered(const ApplyRule& rule, const TileCells& cells,
+                                        const LowerCells& tile, int first, int count,
+                                        const GivenPaint& given, const CellChanges& changes,
+                                        TwoStrata& two) {
+    float shares[kChunk];
+    CellList perhaps;
+    for (int i = 0; i < count; i += kLanes) {
+        const auto lower = lanes::gather(tile.thickness, lanes::load<Ints>(cells.cell + first + i));
+        const Floats share = covering_share(rule, cells, first, i, lower, changes);
+        lanes::store(two.lower + i, lower);
+        lanes::store(two.is_covered + i, Ints(0));
+        lanes::store(shares + i, share);
+        perhaps.add(lanes::counting<Ints>() + i, share > Floats(0.0F));
+    }
+    for (int n = 0; n < perhaps.count; ++n) {
+        const int i = perhaps.cells[n], cell = cells.cell[first + i];
+        two.is_covered[i] = is_other(given, cells.paint[cell].data(), tile.paint[cell].data(), shares[i],
+                                     changes.gained[i]);
+    }
 }
 
 /// Puts a register of cells on the lists, each on one at most. Whoever only gains, does so on top.
-PASTOSO_LANE_FUNCTION void list_cells(int count, int i, const CellChanges& changes,
-                                      const StrataChanges& strata, CellLists& plain, CellList& two) {
+PASTOSO_LANE_FUNCTION void list_cells(int count, int i, Floats stir, const CellChanges& changes,
+                                      CellLists& plain, TwoStrata& two) {
     const Ints none(0), number = lanes::counting<Ints>() + i;
     const auto change = lanes::load<Ints>(changes.thickness + i);
     const auto swap = lanes::load<Ints>(changes.swap + i);
-    const auto is_one = lanes::load<Ints>(strata.before + i) == none;
-    const auto stirred = lanes::load<Floats>(strata.rises + i) > Floats(0.0F) && !is_one;
+    const auto is_one = lanes::load<Ints>(two.lower + i) == none;
+    const auto covered = lanes::load<Ints>(two.is_covered + i) != none;
+    const auto stirred = !is_one && stir > Floats(0.0F);
+    const auto here = number < count && !covered;
     const auto gains_only = swap == none && change > none && !stirred;
-    const auto here = number < count;
     plain.gaining.add(number, here && gains_only);
     plain.losing.add(number, here && is_one && swap == none && change < none);
     plain.swapping.add(number, here && is_one && swap != none);
-    two.add(number, here && !is_one && !gains_only && (swap != none || change != none || stirred));
+    two.lying.add(number, here && !is_one && !gains_only && (swap != none || change != none || stirred));
+    two.covering.add(number, covered);
 }
 
-/// Moves the paint of a cell with two strata, of which nothing is left where it is `bare`.
+/// Settles and lists the cells of a chunk.
+PASTOSO_LANE_FUNCTION void settle_two(const ApplyRule& rule, const TileCells& cells, int first,
+                                      int count, const CellChanges& changes, CellLists& plain,
+                                      TwoStrata& two) {
+    for (int i = 0; i < count; i += kLanes) {
+        const auto lower = lanes::load<Ints>(two.lower + i);
+        if (lanes::any(lower > Ints(0)))
+            settle_strata(rule, cells, first, i, lower, changes, two.as_they_lie);
+        if (lanes::any(lanes::load<Ints>(two.is_covered + i) != Ints(0)))
+            settle_covered(rule, cells, first, i, changes, two.covered);
+        list_cells(count, i, lanes::load<Floats>(cells.touched + first + i) * rule.depth, changes, plain,
+                   two);
+    }
+}
+
+/// Moves the paint of a cell with two strata, of which nothing is left where it is `bare`. Exact is the
+/// whole; the lower stratum is some part of it.
+template <bool kIsCovered>
 PASTOSO_LANE_FUNCTION void change_strata(int i, const CellChanges& changes, const StrataChanges& strata,
-                                         bool bare, const Floats* given, film::PaintCell& whole,
-                                         film::PaintCell& lower, ChannelSums& gains) {
+                                         bool bare, const GivenPaint& given, std::int32_t* to_whole,
+                                         std::int32_t* to_lower, ChannelSums& gains) {
     const bool two = strata.after[i] > 0;
     const float rounding = changes.rounding[i];
-    for (int g = 0; g < kGroups; ++g) {
-        std::int32_t *to_whole = whole.data() + g * kLanes, *to_lower = lower.data() + g * kLanes;
-        const auto held = lanes::load<Ints>(to_whole), below = lanes::load<Ints>(to_lower);
-        const Ints above = held - below;
-        const Ints low = below - leaving(below, strata.out_below[i], rounding);
-        const Ints left = above - leaving(above, strata.out_above[i], rounding);
-        const Ints in = bare ? -(left + low) : coming(given[g], changes.gained[i], rounding, left + low);
-        const Ints high = left + in;
-        const Ints gain = lanes::convert<std::int32_t>(lanes::convert<float>(high) * strata.sinks[i] -
-                                                       lanes::convert<float>(low) * strata.rises[i]);
-        lanes::store(to_whole, high + low);
-        lanes::store(to_lower, two ? low + lanes::max(lanes::min(gain, high), -low) : Ints(0));
-        gains.add(g, high + low - held);
+    for (int g = 0; g < kGroups; ++g, to_whole += kLanes, to_lower += kLanes) {
+        const auto held = lanes::load<Ints>(to_whole);
+        const Ints below = kIsCovered ? held : lanes::load<Ints>(to_lower);
+        const Floats high = lanes::convert<float>(held - below), low = lanes::convert<float>(below);
+        const Ints out = lanes::min(lanes::convert<std::int32_t>(high * strata.out_above[i] +
+                                                                 low * strata.out_below[i] + rounding),
+                                    held);
+        const Ints left = held - out;
+        const Ints after =
+            bare ? Ints(0) : left + coming(given.per_quantum[g], changes.gained[i], rounding, left);
+        const Ints lower =
+            lanes::convert<std::int32_t>(high * strata.of_above[i] + low * strata.of_below[i] +
+                                         given.per_quantum[g] * strata.of_tool[i] + 0.5F);
+        lanes::store(to_whole, after);
+        lanes::store(to_lower, two ? lanes::min(lower, after) : Ints(0));
+        gains.add(g, after - held);
     }
+}
+
+template <bool kIsCovered>
+PASTOSO_LANE_FUNCTION void change_listed(const TileCells& cells, const LowerCells& tile, int first,
+                                         const CellList& list, const GivenPaint& given,
+                                         const CellChanges& changes, const StrataChanges& strata,
+                                         ChangeSums& sums, ChannelSums& gains) {
+    std::int64_t gained = 0;
+    for (int n = 0; n < list.count; ++n) {
+        const int i = list.cells[n], cell = cells.cell[first + i];
+        const std::int32_t thickness = cells.held[first + i] + changes.thickness[i];
+        change_strata<kIsCovered>(i, changes, strata, thickness == 0, given, cells.paint[cell].data(),
+                                  tile.paint[cell].data(), gains);
+        cells.thickness[cell] = thickness;
+        tile.thickness[cell] = strata.after[i];
+        gained += changes.thickness[i];
+    }
+    sums.thickness += gained;
+    sums.any = sums.any || list.count > 0;
 }
 
 /// Lists the cells of a chunk, and changes those in which both strata change.
 PASTOSO_LANE_FUNCTION void change_two(const ApplyRule& rule, const TileCells& cells,
-                                      const LowerCells& tile, int first, int count, const Floats* given,
-                                      const CellChanges& changes, CellLists& plain, ChangeSums& sums,
-                                      ChannelSums& gains) {
-    StrataChanges strata{};
-    CellList two;
-    for (int i = 0; i < count; i += kLanes) {
-        for (int n = i; n < i + kLanes; ++n)
-            strata.before[n] = tile.thickness[cells.cell[first + n]];
-        for_each_covered(
-            rule, cells.paint, cells, &tile, first, i, count,
-            changes, [&](int n) __attribute__((always_inline)) {
-                const int cell = cells.cell[first + n];
-                strata.before[n] = tile.thickness[cell] = cells.held[first + n];
-                tile.paint[cell] = cells.paint[cell];
-            });
-        if (lanes::any(lanes::load<Ints>(strata.before + i) > Ints(0))) {
-            settle_strata(rule, cells, first, i, changes, strata);
-        }
-        list_cells(count, i, changes, strata, plain, two);
-    }
-    for (int n = 0; n < two.count; ++n) {
-        const int i = two.cells[n], cell = cells.cell[first + i];
-        const std::int32_t thickness = cells.held[first + i] + changes.thickness[i];
-        change_strata(i, changes, strata, thickness == 0, given, cells.paint[cell], tile.paint[cell],
-                      gains);
-        cells.thickness[cell] = thickness;
-        tile.thickness[cell] = strata.after[i];
-        sums.thickness += changes.thickness[i];
-    }
-    sums.any = sums.any || two.count > 0;
+                                      const LowerCells& tile, int first, int count,
+                                      const GivenPaint& given, const CellChanges& changes,
+                                      CellLists& plain, ChangeSums& sums, ChannelSums& gains) {
+    TwoStrata two;
+    find_covered(rule, cells, tile, first, count, given, changes, two);
+    settle_two(rule, cells, first, count, changes, plain, two);
+    change_listed<false>(cells, tile, first, two.lying, given, changes, two.as_they_lie, sums, gains);
+    change_listed<true>(cells, tile, first, two.covering, given, changes, two.covered, sums, gains);
 }
 
 /// Moves the thickness and the pigment of up to kChunk cells.
@@ -456,16 +522,14 @@ PASTOSO_LANE_FUNCTION void apply_chunk(const ApplyRule& rule, const TileCells& c
         settle_change(rule, cells, first, i, changes);
         if (lower == nullptr) list_cells(count, i, changes, lists);
     }
-    Floats given[kGroups];
-    for (int group = 0; group < kGroups; ++group)
-        given[group] = lanes::load<Floats>(rule.given.data() + group * kLanes);
+    const GivenPaint given(rule);
     ChannelSums gains;
     if (lower != nullptr)
         change_two(rule, cells, *lower, first, count, given, changes, lists, sums, gains);
     change_cells(
         cells, first, lists.gaining, changes, sums,
         gains, [&](int i, int group, Ints held) __attribute__((always_inline)) {
-            return coming(given[group], changes.gained[i], changes.rounding[i], held);
+            return coming(given.per_quantum[group], changes.gained[i], changes.rounding[i], held);
         });
     change_cells(
         cells, first, lists.losing, changes, sums,
@@ -476,7 +540,8 @@ PASTOSO_LANE_FUNCTION void apply_chunk(const ApplyRule& rule, const TileCells& c
         cells, first, lists.swapping, changes, sums,
         gains, [&](int i, int group, Ints held) __attribute__((always_inline)) {
             const Ints out = leaving(held, changes.out_share[i], changes.rounding[i]);
-            return coming(given[group], changes.gained[i], changes.rounding[i], held - out) - out;
+            return coming(given.per_quantum[group], changes.gained[i], changes.rounding[i], held - out) -
+                   out;
         });
     sums.any = sums.any || lists.gaining.count + lists.losing.count + lists.swapping.count > 0;
     gains.add_to(sums.paint);
@@ -485,18 +550,19 @@ PASTOSO_LANE_FUNCTION void apply_chunk(const ApplyRule& rule, const TileCells& c
 }  // namespace
 
 bool meets_other(const ApplyRule& rule, const film::PaintCell* paint, const TileCells& cells) {
-    bool any = false;
-    for (int first = 0; first < cells.count && !any; first += kChunk) {
-        const int count = lanes::min(kChunk, cells.count - first);
-        CellChanges changes;
-        for (int i = 0; i < count && !any; i += kLanes) {
-            settle_change(rule, cells, first, i, changes);
-            for_each_covered(
-                rule, paint, cells, nullptr, first, i, count,
-                changes, [&](int) __attribute__((always_inline)) { any = true; });
+    const GivenPaint given(rule);
+    CellChanges changes;
+    float shares[kLanes];
+    for (int i = 0; i < cells.count; i += kLanes) {
+        settle_change(rule, cells, i, 0, changes);
+        lanes::store(shares, covering_share(rule, cells, i, 0, Ints(0), changes));
+        for (int n = 0; n < lanes::min(kLanes, cells.count - i); ++n) {
+            const std::int32_t* whole = paint[cells.cell[i + n]].data();
+            if (shares[n] > 0.0F && is_other(given, whole, nullptr, shares[n], changes.gained[n]))
+                return true;
         }
     }
-    return any;
+    return false;
 }
 
 WantedSums plan(const ExchangeRule& rule, const BatchColumns& batch) {
