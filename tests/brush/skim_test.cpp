@@ -93,6 +93,18 @@ TEST(Skim, GoesDeeperTheHarderItIsPressed) {
     EXPECT_LT(before_mm, 0.4 * kGround_mm);
 }
 
+/// Those that draw lines on wet paint.
+TEST(Skim, OfSablesAndRiggersLeavesMostOfThePaint) {
+    for (const char* preset : {"Round sable 9", "Detail round 3", "Rigger 2"}) {
+        film::FilmState film = studio::linen(70.0, 30.0);
+        studio::cover(film, kGround_mm, studio::paint_in("PW6", "linseed oil"));
+        Brush brush(find_preset(preset), 0.0, 3);
+        studio::paint(brush, film, studio::line(12.0, 15.0, 58.0, 15.0, 0.25, 90.0));
+        const grid::Rect line = studio::cells_of(film, 25.0, 14.75, 45.0, 15.25);
+        EXPECT_GT(studio::mean_thickness_mm(film, line), 0.6 * kGround_mm) << preset;
+    }
+}
+
 TEST(Skim, IsNoneWhereNothingIsWet) {
     const auto on_dry_ground = [](double ride) {
         film::FilmState film = studio::linen(60.0, 30.0);
