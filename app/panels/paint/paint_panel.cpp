@@ -20,6 +20,9 @@ namespace {
 constexpr QSize kIcon(56, 18);
 constexpr double kPaint_px = 15.0, kDrawdown_px = 18.0, kSwatch_px = 43.0, kMark_px = 8.0;
 
+/// Three paints on the lowest of screens; higher ones show more of them.
+constexpr int kListHeight = 86;
+
 void draw_swatch(QPainter& painter, const QRectF& place, const QColor& paint, const QColor& tint,
                  const tools::Drawdown& drawdown) {
     QPainterPath outline;
@@ -69,6 +72,7 @@ PaintPanel::PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent)
     list_->setObjectName(QStringLiteral("paints"));
     list_->setAccessibleName(tr("Paint"));
     list_->setIconSize(kIcon);
+    list_->setMinimumHeight(kListHeight);
     list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setTextElideMode(Qt::ElideRight);

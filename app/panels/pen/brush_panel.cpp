@@ -35,8 +35,8 @@ double width_from_slider(int position) {
     return std::round(2.0 * width) / 2.0;
 }
 
-/// Enough for half a dozen tools; the others are scrolled to.
-constexpr int kListHeight = 200;
+/// Three tools on the lowest of screens; higher ones show more of them.
+constexpr int kListHeight = 112;
 
 /// Places of the strength's slider.
 constexpr int kSmoothingStep_ms = 5;
