@@ -75,8 +75,11 @@ struct Solver::Parts {
         limits = make_limits(medium, gravity, state.cell_mm);
         constants = make_constants(medium, gravity, options, state.cell_mm);
         consistency = consistency_of(medium);
-        state.worked.follow(medium.structure_share > 0.0);
+        follow_structure();
     }
+
+    /// A state that has become another one may come from the time of another medium.
+    void follow_structure() { state.worked.follow(medium.structure_share > 0.0); }
 
     /// Whether what each cell carries has to be looked at.
     bool is_mixed() const { return !state.consistencies.are_only(consistency); }
@@ -352,6 +355,7 @@ void Solver::wake(const grid::Rect& cells) {
 }
 
 void Solver::wake_all() {
+    parts_->follow_structure();
     for (int tile = 0; tile < parts_->state.shape.tile_count(); ++tile)
         if (!parts_->state.thickness.is_background(tile)) parts_->activity.wake(tile);
 }
@@ -365,7 +369,7 @@ std::vector<bool> Solver::awake_tiles() const {
 
 void Solver::restart(const std::vector<bool>& awake) {
     PASTOSO_CHECK_OP(awake.size(), ==, parts_->window_start.size());
-    parts_->state.worked.follow(parts_->medium.structure_share > 0.0);
+    parts_->follow_structure();
     parts_->activity.restore(parts_->activity.calls(), std::vector<TileActivity>(awake.size()));
     parts_->window_start.assign(awake.size(), {});
     parts_->large.restore(LargeStepper::Pressures(awake.size()));

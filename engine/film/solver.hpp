@@ -95,6 +95,7 @@ class Solver {
 
     /// Announces changed cells: their tiles are stepped until they have come to rest again.
     void wake(const grid::Rect& cells);
+    /// The state may have become another one, all of which moves.
     void wake_all();
 
     /// The tiles that have not come to rest, by their number.

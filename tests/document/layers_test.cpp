@@ -58,6 +58,19 @@ class LayersTest : public testing::Test {
     Painting painting{small_canvas(), pool};
 };
 
+/// It was made inactive while the medium in hand had no structure.
+TEST_F(LayersTest, ALayerThatIsTakenAgainHasTheStructureOfTheMediumInHand) {
+    paint("PB29", 0.0, 10.0);
+    painting.apply(AddLayer{"Second"});
+    painting.apply(UseMedium{"heavy-body oil"});
+    painting.apply(SelectLayer{1});
+    EXPECT_FALSE(painting.film().worked.is_anywhere());
+    paint("PY35", 1.0, 12.0);
+    EXPECT_TRUE(painting.film().worked.is_anywhere());
+    painting.apply(UseMedium{"fluid acrylic"});
+    EXPECT_FALSE(painting.film().worked.is_anywhere());
+}
+
 TEST_F(LayersTest, OnlyTheActiveLayersPaintFlows) {
     painting.apply(TiltCanvas{80, 90});
     paint("PB29", 0.0, 10.0);
