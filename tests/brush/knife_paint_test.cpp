@@ -131,7 +131,7 @@ TEST(KnifePaint, BetweenItDragsOnePaintIntoTheOtherInStreaks) {
 /// Wet white with ridges of an earlier stroke across the knife's way, and a wet glaze of ultramarine on
 /// it.
 film::FilmState glazed() {
-    constexpr double kRidges_mm = 0.15, kGlaze_mm = 0.06, kSpacing_mm = 7.0;
+    constexpr double kRidges_mm = 0.15, kGlaze_mm = 0.12, kSpacing_mm = 7.0;
     film::FilmState film = studio::linen(70.0, 70.0, kPxPerMm);
     for (int x = 0; x < film.shape.width; ++x) {
         const double wave = std::sin(2.0 * core::kPi * x * film.cell_mm / kSpacing_mm);
