@@ -16,13 +16,13 @@ void ribbon(Painter& painter, Point from, Point to, double pressure, int number)
 }
 
 void light_the_sky(Painter& painter) {
-    painter.take("Palette knife 17", 3.0);
+    painter.take("Palette knife 17", 4.5);
     painter.dip(load(mixture("PW6=5 PY35=0.8"), mixture("PW6=6 PY35=0.3"), 0.4, 0.35));
-    ribbon(painter, {70, 48.2}, {81, 47.6}, 0.55, 1);
-    painter.take("Palette knife 17", 1.2);
+    ribbon(painter, {70, 48.2}, {81, 47.6}, 0.41, 1);
+    painter.take("Palette knife 17", 1.8);
     painter.dip(load(mixture("PW6=4 PY35=0.7 PO20=0.12"), mixture("PW6=6 PY35=0.4"), 0.4, 0.35));
-    ribbon(painter, {82.5, 46.4}, {104, 47.0}, 0.6, 2);
-    ribbon(painter, {63.8, 49.6}, {69.5, 49.3}, 0.6, 3);
+    ribbon(painter, {82.5, 46.4}, {104, 47.0}, 0.45, 2);
+    ribbon(painter, {63.8, 49.6}, {69.5, 49.3}, 0.45, 3);
 }
 
 /// Broken pieces of light, the broader the nearer.
@@ -30,7 +30,7 @@ void light_the_water(Painter& painter) {
     for (int i = 0; i < 16; ++i) {
         const double down = std::pow((i + chance(i, 401)) / 16.0, 1.25), y = kShore_y + 1.2 + 28 * down;
         if (i % 3 == 0) {
-            painter.take("Palette knife 17", 1.0 + 1.1 * down);
+            painter.take("Palette knife 17", 1.5 + 1.6 * down);
             painter.dip(
                 load(mixture(i % 2 == 0 ? "PW6=4 PY35=0.8 PO20=0.06" : "PW6=4 PY35=0.5 PR108=0.14"),
                      mixture("PW6=6 PY35=0.3"), 0.4, 0.35));
@@ -38,7 +38,7 @@ void light_the_water(Painter& painter) {
         const double half = (0.8 + 4.6 * chance(i, 402) * chance(i, 406)) * (0.7 + 1.0 * down);
         const double x = kSun.x + (2.0 * chance(i, 403) - 1.0) * (2.2 + 8.5 * down * chance(i, 407));
         ribbon(painter, {x - half, y + 0.15}, {x + half, y - 0.15 + 0.3 * chance(i, 404)},
-               0.54 + 0.16 * chance(i, 405), 10 + i);
+               0.41 + 0.12 * chance(i, 405), 10 + i);
     }
 }
 
@@ -89,9 +89,9 @@ void restate_the_lights(Painter& painter) {
     const Point lights[] = {{73.4, 57.6}, {77.0, 60.8}, {74.6, 66.4}, {72.2, 74.0}};
     const double halves[] = {1.6, 1.0, 2.4, 1.4};
     for (int i = 0; i < 4; ++i) {
-        painter.take("Palette knife 17", 0.9 + 0.25 * i);
+        painter.take("Palette knife 17", 1.4 + 0.4 * i);
         painter.dip(load(mixture("PW6=5 PY35=0.5 PO20=0.05"), 0.3));
-        ribbon(painter, lights[i] - Point{halves[i], 0}, lights[i] + Point{halves[i], -0.15}, 0.56,
+        ribbon(painter, lights[i] - Point{halves[i], 0}, lights[i] + Point{halves[i], -0.15}, 0.42,
                51 + i);
     }
 }
