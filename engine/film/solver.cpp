@@ -83,11 +83,12 @@ struct Solver::Parts {
 
     /// Whether what each cell carries has to be looked at.
     bool is_mixed() const { return !state.consistencies.are_only(consistency); }
+    bool is_varied() const { return is_mixed() || state.worked.is_anywhere(); }
     StepConstants constants_of(double dt_s) const {
         StepConstants step = constants;
         step.dt_s = static_cast<float>(dt_s);
         step.mixed = is_mixed();
-        step.varied = step.mixed || state.worked.is_anywhere();
+        step.varied = is_varied();
         return step;
     }
 
@@ -280,9 +281,8 @@ bool Solver::Parts::step_group(double seconds, const std::function<bool()>& canc
     double remaining = seconds;
     while (remaining > 0.0 && !activity.stepping_tiles().empty()) {
         if (cancelled()) return false;
-        const StepConstants step = constants_of(remaining);
         const StepPlan next = plan_step(
-            {state, activity, limits, air, medium.density_kg_m3, step.mixed, step.varied, pool}, options,
+            {state, activity, limits, air, medium.density_kg_m3, is_mixed(), is_varied(), pool}, options,
             remaining);
         // A remainder of one part in a million is rounding, not a step of its own.
         const double steps_left = std::max(1.0, std::ceil(remaining / next.step_s - 1e-6));

@@ -1,5 +1,6 @@
 #include "film/cell/lower_stratum.hpp"
 
+#include "film/cell/tile_quanta.hpp"
 #include "film/state.hpp"
 
 #include <algorithm>
@@ -12,14 +13,10 @@ namespace {
 /// An optical thickness, in all of the cell, that changes no colour.
 constexpr double kNoColour = 0.002;
 
-bool any_thickness(const std::int32_t* thickness) {
-    return std::any_of(thickness, thickness + grid::kTileCells, [](std::int32_t h) { return h != 0; });
-}
-
 }  // namespace
 
 bool LowerStratum::holds_any(int tile) const {
-    return is_in(tile) && any_thickness(thickness.read(tile));
+    return is_in(tile) && any_quanta(thickness.read(tile));
 }
 
 void LowerStratum::forget(int tile) {
@@ -29,7 +26,7 @@ void LowerStratum::forget(int tile) {
 
 void LowerStratum::replace(int tile, grid::TileBlock<std::int32_t> tile_thickness,
                            grid::TileBlock<PaintCell> tile_paint) {
-    if (!any_thickness(tile_thickness.read())) return forget(tile);
+    if (!any_quanta(tile_thickness.read())) return forget(tile);
     thickness.replace(tile, std::move(tile_thickness));
     paint.replace(tile, std::move(tile_paint));
 }

@@ -10,7 +10,6 @@
 #include "grid/tiled_field.hpp"
 
 #include <cstdint>
-#include <utility>
 
 namespace pastoso::film {
 
@@ -63,8 +62,6 @@ class LowerTile {
   public:
     LowerTile() = default;
     LowerTile(const LowerStratum& from, int tile);
-    LowerTile(grid::TileBlock<std::int32_t> thickness, grid::TileBlock<PaintCell> paint)
-        : thickness_(std::move(thickness)), paint_(std::move(paint)) {}
 
     bool any() const { return static_cast<bool>(thickness_); }
     LowerCell at(int cell) const;

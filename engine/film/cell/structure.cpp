@@ -1,5 +1,6 @@
 #include "film/cell/structure.hpp"
 
+#include "film/cell/tile_quanta.hpp"
 #include "film/state.hpp"
 
 #include <algorithm>
@@ -15,10 +16,6 @@ using Block = grid::TileBlock<std::int32_t>;
 
 /// A smaller part of the cell's paint is too little to follow: 2^-14.
 constexpr int kLeastShareBits = 14;
-
-bool any_worked(const std::int32_t* worked) {
-    return std::any_of(worked, worked + kTileCells, [](std::int32_t b) { return b != 0; });
-}
 
 std::vector<int> worked_tiles(const WorkedPaint& worked) {
     std::vector<int> tiles;
@@ -47,11 +44,11 @@ bool WorkedPaint::is_anywhere() const {
 }
 
 bool WorkedPaint::holds_any(int tile) const {
-    return is_in(tile) && any_worked(thickness.read(tile));
+    return is_in(tile) && any_quanta(thickness.read(tile));
 }
 
 void WorkedPaint::replace(int tile, Block worked) {
-    if (any_worked(worked.read()))
+    if (any_quanta(worked.read()))
         thickness.replace(tile, std::move(worked));
     else
         thickness.reset(tile);

@@ -1,0 +1,16 @@
+// Amounts of a tile, in quanta.
+#pragma once
+
+#include "grid/tile_block.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace pastoso::film {
+
+/// Whether any of the tile's cells has one other than 0.
+inline bool any_quanta(const std::int32_t* tile) {
+    return std::any_of(tile, tile + grid::kTileCells, [](std::int32_t amount) { return amount != 0; });
+}
+
+}  // namespace pastoso::film
