@@ -42,17 +42,18 @@ void CellBatch::gather(const film::FilmState& film, double x_mm, double y_mm, do
             const int x0 = column * grid::kTileSize, y0 = row * grid::kTileSize;
             const grid::Rect part =
                 grid::intersection(cells_, {x0, y0, x0 + grid::kTileSize, y0 + grid::kTileSize});
-            gather_part(film, tile, part, disc, pass);
-            parts_.push_back({tile, begin, count_});
+            const PassTile passed = pass != nullptr ? pass->tile(tile) : PassTile{};
+            gather_part(film, tile, part, disc, passed);
+            parts_.push_back({tile, begin, count_, passed.found});
         }
     }
     pad();
 }
 
 void CellBatch::gather_part(const film::FilmState& film, int tile, const grid::Rect& part,
-                            const Disc& disc, PassMap* pass) {
+                            const Disc& disc, const PassTile& pass) {
     const GatherSource source = {film.thickness.read(tile), film.support_mm.read(tile),
-                                 film.paint.read(tile), pass != nullptr ? pass->tile(tile) : PassTile{}};
+                                 film.paint.read(tile), pass};
     count_ += core::kernels<GatherKernels>().gather(source, part, disc, film.cell_mm,
                                                     {&dx_mm[count_], &dy_mm[count_], &support_mm[count_],
                                                      &thickness[count_], &found[count_], &cell[count_]});

@@ -23,6 +23,7 @@ class CellBatch {
     /// The cells of one tile, as a range of the columns.
     struct TilePart {
         int tile, begin, end;
+        std::int32_t* pass_found = nullptr;  ///< PassTile::found
         bool changes = false;     ///< to be filled: something is planned for one of them
         bool has_strata = false;  ///< to be filled: one has two wet strata, or is to have them
     };
@@ -46,7 +47,7 @@ class CellBatch {
     /// Columns of padded_count() values.
     std::vector<float> dx_mm, dy_mm;      ///< from the place to the cell's centre
     std::vector<std::int32_t> thickness;  ///< quanta
-    std::vector<std::int32_t> found;      ///< thickness when the tip came, quanta
+    std::vector<std::int32_t> found;      ///< as PassTile has it
     std::vector<float> support_mm;
     std::vector<std::int32_t> cell;    ///< index within its tile
     std::vector<std::int32_t> change;  ///< to be filled: wanted change of thickness, quanta
@@ -55,7 +56,7 @@ class CellBatch {
 
   private:
     void gather_part(const film::FilmState& film, int tile, const grid::Rect& part, const Disc& disc,
-                     PassMap* pass);
+                     const PassTile& pass);
     void reserve(int count);
     void pad();
 

@@ -18,7 +18,9 @@ struct Disc {
 /// What a pass over the canvas knows of a tile (pass_map.hpp), null without a pass.
 struct PassTile {
     float* begun_mm = nullptr;      ///< travel when the tip came
-    std::int32_t* found = nullptr;  ///< thickness then, quanta
+    /// Thickness then, quanta, or -1 less that (its complement) once it is settled whether what comes
+    /// in this pass buries what was there.
+    std::int32_t* found = nullptr;
     float travel_mm = 0.0F;         ///< now
     float expired_mm = 0.0F;        ///< passes begun before are over
 };

@@ -96,21 +96,15 @@ bool changes_anything(const CellBatch& batch, const CellBatch::TilePart& part, b
     return false;
 }
 
-/// Whatever a tool touches in a cell, it shears all of it.
-void work(const CellBatch& batch, const CellBatch::TilePart& part, film::FilmState& film) {
-    const std::int32_t* thickness = film.thickness.read(part.tile);
-    std::int32_t* worked = film.worked.thickness.write(part.tile);
-    for (int i = part.begin; i < part.end; ++i)
-        if (batch.change[i] != 0 || batch.swap[i] != 0) worked[batch.cell[i]] = thickness[batch.cell[i]];
-}
-
 TileCells cells_of(const CellBatch& batch, const CellBatch::TilePart& part, std::int32_t* thickness,
-                   film::PaintCell* paint) {
+                   film::PaintCell* paint, std::int32_t* worked) {
     return {thickness,
             paint,
+            worked,
             batch.cell.data() + part.begin,
             batch.thickness.data() + part.begin,
             batch.found.data() + part.begin,
+            part.pass_found,
             batch.change.data() + part.begin,
             batch.swap.data() + part.begin,
             batch.touched.data() + part.begin,
@@ -119,8 +113,8 @@ TileCells cells_of(const CellBatch& batch, const CellBatch::TilePart& part, std:
 
 bool begins_strata(const ApplyRule& rule, const CellBatch& batch, const CellBatch::TilePart& part,
                    const film::FilmState& film) {
-    return core::kernels<TransferKernels>().meets_other(rule, film.paint.read(part.tile),
-                                                        cells_of(batch, part, nullptr, nullptr));
+    return core::kernels<TransferKernels>().meets_other(
+        rule, film.paint.read(part.tile), cells_of(batch, part, nullptr, nullptr, nullptr));
 }
 
 /// Takes back what is planned for cells that must stay as they are. Returns what is wanted of the
@@ -211,15 +205,15 @@ ApplyRule apply_rule(const Limits& limits, WantedSums wanted, std::uint32_t dith
     if (!empty)
         rule.given = given_paint(held, 1.0 - limits.deposit_share - limits.swap_share, batch.count(),
                                  cell_area_mm2);
-    rule.hiding_quanta = hiding_quanta(rule.given);
-    rule.is_clear = std::all_of(rule.given.begin(), rule.given.begin() + film::kPigmentChannels,
-                                [](float channel) { return channel == 0.0F; });
     rule.dither_seed = dither_seed;
+    bool any_strata = false;
     for (CellBatch::TilePart& part : batch.parts()) {
         const bool has_strata = film.lower.is_in(part.tile);
         part.changes = changes_anything(batch, part, has_strata && rule.depth > 0.0F);
         part.has_strata = has_strata || (part.changes && begins_strata(rule, batch, part, film));
+        any_strata = any_strata || part.has_strata;
     }
+    if (any_strata) rule.hiding_quanta = hiding_quanta(rule.given);
     return rule;
 }
 
@@ -252,15 +246,16 @@ grid::Rect apply(const ApplyRule& rule, const CellBatch& batch, film::FilmState&
     const auto& kernels = core::kernels<TransferKernels>();
     for (const CellBatch::TilePart& part : batch.parts()) {
         if (!part.changes) continue;
+        std::int32_t* worked =
+            film.worked.is_followed ? film.worked.thickness.write(part.tile) : nullptr;
         const TileCells cells =
-            cells_of(batch, part, film.thickness.write(part.tile), film.paint.write(part.tile));
+            cells_of(batch, part, film.thickness.write(part.tile), film.paint.write(part.tile), worked);
         if (part.has_strata)
             kernels.apply_strata(
                 rule, cells, {film.lower.thickness.write(part.tile), film.lower.paint.write(part.tile)},
                 gained);
         else
             kernels.apply(rule, cells, gained);
-        if (film.worked.is_followed) work(batch, part, film);
     }
     core::kernels<ContentsKernels>().take(gained, film.cell_mm * film.cell_mm, held);
     return gained.any ? batch.cells() : grid::Rect{};

@@ -29,8 +29,9 @@
 // has just laid down, which would blur its streaks.
 //
 // Paint that comes onto other paint which the tip found there lies above it; that is the lower stratum
-// from then on, of thickness h_l (film/cell/lower_stratum.hpp). What comes later joins the upper one;
-// over two strata, paint that is going to hide them makes one of both and lies above. What is swapped
+// from then on, of thickness h_l (film/cell/lower_stratum.hpp). What comes later in the same pass joins
+// the upper one; over two strata that were found, paint that is going to hide them, and differs from the
+// upper by more than half of what they differ by, makes one of both and lies above. What is swapped
 // comes from both as they lie; what is lost from the upper one first, but for the share d. Then a touch
 // stirs:
 //

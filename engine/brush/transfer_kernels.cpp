@@ -79,6 +79,11 @@ PASTOSO_LANE_FUNCTION Floats profile_at(const Profile& profile, const ExchangeRu
     return profile.at(index, place - lanes::convert<float>(index));
 }
 
+/// Of PassTile::found.
+PASTOSO_LANE_FUNCTION Ints found_thickness(Ints found) {
+    return lanes::max(found, -1 - found);
+}
+
 /// What a register of cells is to gain and to swap.
 struct Wanted {
     Ints change, swap;
@@ -96,8 +101,8 @@ PASTOSO_LANE_FUNCTION Wanted wanted_at(const ExchangeRule& rule, const Profile& 
     const Floats core = lanes::max(none, 1.0F - radius2) * (1.0F + rule.crown * radius2);
     const Floats weight = kLane ? core * lanes::max(none, 1.0F - lanes::select(s < none, -s, s)) : core;
 
-    const auto quanta = lanes::load<Ints>(batch.thickness + i),
-               found = lanes::load<Ints>(batch.found + i);
+    const auto quanta = lanes::load<Ints>(batch.thickness + i);
+    const Ints found = found_thickness(lanes::load<Ints>(batch.found + i));
     const Floats h = lanes::convert<float>(quanta) * kQuantum_mm;
     const Floats wanted = rule.underside_mm + rule.profile_mm * profile_at(profile, rule, s);
     const Floats surface = lanes::load<Floats>(batch.support_mm + i) + h;
@@ -245,6 +250,12 @@ PASTOSO_LANE_FUNCTION void list_cells(int count, int i, const CellChanges& chang
     lists.swapping.add(number, swap != none && number < count);
 }
 
+/// Whatever a tool touches in a cell, it shears all of it.
+PASTOSO_LANE_FUNCTION void set_thickness(const TileCells& cells, int cell, std::int32_t thickness) {
+    cells.thickness[cell] = thickness;
+    if (cells.worked != nullptr) cells.worked[cell] = thickness;
+}
+
 /// Moves the thickness of the listed cells, and their pigment by pigment(i, emptied, group, held), the
 /// change of a register of channels.
 template <class Pigment>
@@ -257,7 +268,7 @@ PASTOSO_LANE_FUNCTION void change_cells(const TileCells& cells, int first, const
         const std::int32_t cell = cells.cell[first + i];
         const std::int32_t thickness = cells.held[first + i] + changes.thickness[i];
         gained += changes.thickness[i];
-        cells.thickness[cell] = thickness;
+        set_thickness(cells, cell, thickness);
         std::int32_t* channels = cells.paint[cell].data();
         for (int group = 0; group < kGroups; ++group) {
             const auto held = lanes::load<Ints>(channels + group * kLanes);
@@ -274,24 +285,28 @@ struct GivenPaint {
     Floats per_quantum[kGroups];
     Floats least[kGroups];  ///< of what comes, for a channel to tell colours apart
 
-    /// A channel of pigment that is not given is one that too little is left of.
+    /// A channel of pigment that is not given is one that too little is left of, unless none is.
     PASTOSO_LANE_MEMBER explicit GivenPaint(const ApplyRule& rule) {
         constexpr float kNever = std::numeric_limits<float>::infinity();
+        bool is_clear = true;
         for (int g = 0; g < kGroups; ++g) {
             per_quantum[g] = lanes::load<Floats>(rule.given.data() + g * kLanes);
-            const auto colour = lanes::counting<Ints>() + g * kLanes < film::kPigmentChannels;
-            least[g] = lanes::select(colour, Floats(rule.is_clear ? -1.0F : 0.0F), Floats(kNever));
+            is_clear = is_clear && !lanes::any(is_colour(g) && per_quantum[g] > Floats(0.0F));
         }
+        for (int g = 0; g < kGroups; ++g)
+            least[g] = lanes::select(is_colour(g), Floats(is_clear ? -1.0F : 0.0F), Floats(kNever));
+    }
+    PASTOSO_LANE_MEMBER static Ints::MaskOf is_colour(int group) {
+        return lanes::counting<Ints>() + group * kLanes < film::kPigmentChannels;
     }
 };
 
 /// Whether `gained` quanta of the tool's paint are of another colour than as much, the share `part`, of
-/// what lies above `lower`: by more than what looks alike, and by more than what roundings leave out,
-/// of which as much of a thin cell has many times those of the cell.
+/// what lies above `lower`: by more than what looks alike and than what changes no colour.
 PASTOSO_LANE_FUNCTION bool is_other(const GivenPaint& given, const std::int32_t* whole,
                                     const std::int32_t* lower, float part, float gained) {
-    constexpr float kRounding_quanta = 64.0F;
-    const Floats rounding(kRounding_quanta * lanes::max(part, 1.0F));
+    constexpr auto kNoColour_quanta = static_cast<float>(film::kNoColour / film::kPaintQuantum);
+    const Floats unseen(kNoColour_quanta * part);
     bool any = false;
     for (int g = 0; g < kGroups; ++g) {
         Ints above = lanes::load<Ints>(whole + g * kLanes);
@@ -299,10 +314,32 @@ PASTOSO_LANE_FUNCTION bool is_other(const GivenPaint& given, const std::int32_t*
         const Floats here = lanes::convert<float>(above) * part;
         const Floats coming = given.per_quantum[g] * gained;
         const Floats apart = lanes::max(here - coming, coming - here);
-        const auto other = apart > lanes::max(lanes::max(here, coming) * film::kLikeShare, rounding);
+        const auto other = apart > lanes::max(lanes::max(here, coming) * film::kLikeShare, unseen);
         any |= lanes::any(other && coming > given.least[g]);
     }
     return any;
+}
+
+/// Whether the tool's paint differs from the upper of two strata by more than half of what they differ
+/// by: else it is nearer to the upper one, which a tip that took up a little of the lower is too.
+PASTOSO_LANE_FUNCTION bool is_third(const GivenPaint& given, const std::int32_t* whole,
+                                    const std::int32_t* lower, std::int32_t upper_quanta,
+                                    std::int32_t lower_quanta) {
+    const float per_upper = 1.0F / static_cast<float>(upper_quanta);
+    const float per_lower = 1.0F / static_cast<float>(lower_quanta);
+    float from_upper = 0.0F, between = 0.0F;
+    for (int g = 0; g < kGroups; ++g) {
+        const auto below = lanes::load<Ints>(lower + g * kLanes);
+        const Ints above = lanes::load<Ints>(whole + g * kLanes) - below;
+        const Floats upper = lanes::convert<float>(above) * per_upper;
+        const Floats apart = upper - lanes::convert<float>(below) * per_lower;
+        const Floats none(0.0F), far = lanes::abs(given.per_quantum[g] - upper);
+        from_upper =
+            lanes::max(from_upper, lanes::largest(lanes::select(given.is_colour(g), far, none)));
+        between = lanes::max(between,
+                             lanes::largest(lanes::select(given.is_colour(g), lanes::abs(apart), none)));
+    }
+    return from_upper > 0.5F * between;
 }
 
 PASTOSO_LANE_FUNCTION Ints gain_of(const CellChanges& changes, int i) {
@@ -310,22 +347,30 @@ PASTOSO_LANE_FUNCTION Ints gain_of(const CellChanges& changes, int i) {
            lanes::max(lanes::load<Ints>(changes.thickness + i), Ints(0));
 }
 
-/// What comes as a share of what it comes onto where that is to lie below it if it is of another colour;
-/// else 0. Hardly any of it is the stroke's own as yet. A cell has two strata at most: over two of them
-/// only what will hide both makes one of them, and comes to lie above.
-PASTOSO_LANE_FUNCTION Floats covering_share(const ApplyRule& rule, const TileCells& cells, int first,
-                                            int i, Ints lower, const CellChanges& changes) {
+/// Cells from `i` on that gain paint on enough of what the pass found, with hardly any of the stroke's
+/// own, and for which it isn't settled yet whether that is buried.
+PASTOSO_LANE_FUNCTION Ints::MaskOf may_be_buried(const TileCells& cells, int i) {
+    const auto held = lanes::load<Ints>(cells.held + i), found = lanes::load<Ints>(cells.found + i);
+    const auto change = lanes::load<Ints>(cells.change + i), swap = lanes::load<Ints>(cells.swap + i);
+    // At the front of a thick stroke paint flows onto what was found, up to as much again between
+    // touches.
+    return held - found < film::kLeastStratum_quanta + found &&
+           lanes::min(held, found) >= film::kLeastStratum_quanta && lanes::max(change, swap) > Ints(0) &&
+           lanes::counting<Ints>() + i < cells.count;
+}
+
+/// What comes as a share of what it comes onto where that, one of the `open` cells, is to lie below it
+/// if it is of another colour; else 0. A cell has two strata at most: over two of them only what will
+/// hide both makes one of them, and comes to lie above.
+PASTOSO_LANE_FUNCTION Floats covering_share(const ApplyRule& rule, const TileCells& cells,
+                                            Ints::MaskOf open, int first, int i, Ints lower,
+                                            const CellChanges& changes) {
     const Ints gained = gain_of(changes, i);
     const Floats coming = lanes::convert<float>(gained);
     const auto held = lanes::load<Ints>(cells.held + first + i);
-    const auto found = lanes::load<Ints>(cells.found + first + i);
     const auto touched = lanes::load<Floats>(cells.touched + first + i);
-    // At the front of a thick stroke paint flows onto what was found, up to as much again between touches.
-    const auto still_found = held - found < film::kLeastStratum_quanta + found &&
-                             lanes::min(held, found) >= film::kLeastStratum_quanta;
     const auto hides = lower == Ints(0) || coming >= touched * rule.hiding_quanta;
-    const auto here = lanes::counting<Ints>() + i < cells.count - first;
-    return lanes::select(gained >= film::kLostStratum_quanta && still_found && hides && here,
+    return lanes::select(gained >= film::kLostStratum_quanta && open && hides,
                          coming / lanes::convert<float>(held - lower), Floats(0.0F));
 }
 
@@ -398,6 +443,11 @@ struct TwoStrata {
     CellList lying, covering;  ///< cells in which both strata change, or come to be two
 };
 
+/// A pass buries what it found in a cell once at most.
+PASTOSO_LANE_FUNCTION void settle_pass(const TileCells& cells, int i) {
+    if (cells.pass_found != nullptr) cells.pass_found[cells.cell[i]] = -1 - cells.found[i];
+}
+
 /// Finds the cells that are going to be covered. Each is looked at by itself, without a branch that the
 /// processor could guess wrong: colours change from cell to cell.
 PASTOSO_LANE_FUNCTION void find_covered(const ApplyRule& rule, const TileCells& cells,
@@ -408,16 +458,22 @@ PASTOSO_LANE_FUNCTION void find_covered(const ApplyRule& rule, const TileCells& 
     CellList perhaps;
     for (int i = 0; i < count; i += kLanes) {
         const auto lower = lanes::gather(tile.thickness, lanes::load<Ints>(cells.cell + first + i));
-        const Floats share = covering_share(rule, cells, first, i, lower, changes);
         lanes::store(two.lower + i, lower);
         lanes::store(two.is_covered + i, Ints(0));
+        const auto open = may_be_buried(cells, first + i);
+        if (!lanes::any(open)) continue;
+        const Floats share = covering_share(rule, cells, open, first, i, lower, changes);
         lanes::store(shares + i, share);
         perhaps.add(lanes::counting<Ints>() + i, share > Floats(0.0F));
     }
     for (int n = 0; n < perhaps.count; ++n) {
         const int i = perhaps.cells[n], cell = cells.cell[first + i];
-        two.is_covered[i] = is_other(given, cells.paint[cell].data(), tile.paint[cell].data(), shares[i],
-                                     changes.gained[i]);
+        const std::int32_t *whole = cells.paint[cell].data(), *lower = tile.paint[cell].data();
+        const std::int32_t below = two.lower[i];
+        two.is_covered[i] =
+            is_other(given, whole, lower, shares[i], changes.gained[i]) &&
+            (below == 0 || is_third(given, whole, lower, cells.held[first + i] - below, below));
+        settle_pass(cells, first + i);
     }
 }
 
@@ -492,7 +548,7 @@ PASTOSO_LANE_FUNCTION void change_listed(const TileCells& cells, const LowerCell
         const std::int32_t thickness = cells.held[first + i] + changes.thickness[i];
         change_strata<kIsCovered>(i, changes, strata, thickness == 0, given, cells.paint[cell].data(),
                                   tile.paint[cell].data(), gains);
-        cells.thickness[cell] = thickness;
+        set_thickness(cells, cell, thickness);
         tile.thickness[cell] = strata.after[i];
         gained += changes.thickness[i];
     }
@@ -554,12 +610,15 @@ bool meets_other(const ApplyRule& rule, const film::PaintCell* paint, const Tile
     CellChanges changes;
     float shares[kLanes];
     for (int i = 0; i < cells.count; i += kLanes) {
+        const auto open = may_be_buried(cells, i);
+        if (!lanes::any(open)) continue;
         settle_change(rule, cells, i, 0, changes);
-        lanes::store(shares, covering_share(rule, cells, i, 0, Ints(0), changes));
+        lanes::store(shares, covering_share(rule, cells, open, i, 0, Ints(0), changes));
         for (int n = 0; n < lanes::min(kLanes, cells.count - i); ++n) {
             const std::int32_t* whole = paint[cells.cell[i + n]].data();
-            if (shares[n] > 0.0F && is_other(given, whole, nullptr, shares[n], changes.gained[n]))
-                return true;
+            if (shares[n] <= 0.0F) continue;
+            if (is_other(given, whole, nullptr, shares[n], changes.gained[n])) return true;
+            settle_pass(cells, i + n);
         }
     }
     return false;

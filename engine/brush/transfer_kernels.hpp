@@ -15,7 +15,7 @@ struct BatchColumns {
     const float* dx_mm;
     const float* dy_mm;
     const std::int32_t* thickness;
-    const std::int32_t* found;  ///< thickness before the tip came
+    const std::int32_t* found;  ///< as PassTile has it
     const float* support_mm;
     std::int32_t* change;
     std::int32_t* swap;
@@ -55,8 +55,7 @@ struct ApplyRule {
     float swap_scale = 1.0F;
     float depth = 0.0F;  ///< how far down into two strata a touch takes from and stirs, 0 to 1
     film::PaintCoefficients given{};  ///< carried quanta per thickness quantum
-    bool is_clear = false;            ///< it has no pigment
-    float hiding_quanta = 0.0F;       ///< thickness of it that hides what lies below
+    float hiding_quanta = 0.0F;       ///< thickness of it that hides what lies below; 0 without strata
     std::uint32_t dither_seed = 0;
 };
 
@@ -72,9 +71,12 @@ struct ChangeSums {
 struct TileCells {
     std::int32_t* thickness;
     film::PaintCell* paint;
+    std::int32_t*
+        worked;  ///< how much of it is (film/cell/structure.hpp); null where nobody follows that
     const std::int32_t* cell;
     const std::int32_t* held;  ///< thickness before, of each
-    const std::int32_t* found;
+    const std::int32_t* found;  ///< as PassTile has it, of each
+    std::int32_t* pass_found;   ///< the pass's own, of the tile; null without a pass
     const std::int32_t* change;
     const std::int32_t* swap;
     const float* touched;

@@ -259,12 +259,12 @@ TEST(PutDown, LeavesOutPigmentThatACellCannotCount) {
 struct RandomBatch {
     static constexpr int kCount = 96;
     std::vector<float> dx_mm, dy_mm, support_mm, touched;
-    std::vector<std::int32_t> thickness, found, cell, change, swap, lower_thickness;
+    std::vector<std::int32_t> thickness, found, pass_found, worked, cell, change, swap, lower_thickness;
     std::vector<film::PaintCell> lower_paint;
     std::vector<float> profile;
 
     explicit RandomBatch(std::uint32_t seed)
-        : touched(kCount), change(kCount), swap(kCount), lower_paint(kCount) {
+        : touched(kCount), worked(kCount), change(kCount), swap(kCount), lower_paint(kCount) {
         const auto noise = [seed](int i, std::uint32_t stream) {
             return core::uniform_noise(static_cast<std::uint32_t>(i), seed * 16 + stream);
         };
@@ -274,7 +274,10 @@ struct RandomBatch {
             support_mm.push_back(0.11F * noise(i, 2));
             const float wet_mm = noise(i, 3) < 0.3F ? 0.0F : noise(i, 4) * noise(i, 4) * 2.0F;
             thickness.push_back(static_cast<std::int32_t>(wet_mm / film::kThicknessQuantum_mm));
-            found.push_back(static_cast<std::int32_t>(noise(i, 6) * 1.5F / film::kThicknessQuantum_mm));
+            const auto reached =
+                static_cast<std::int32_t>(noise(i, 6) * 1.5F / film::kThicknessQuantum_mm);
+            const bool is_settled = noise(i, 10) < 0.3F;
+            found.push_back(is_settled ? -1 - reached : reached);
             cell.push_back(i);
             const bool two = noise(i, 7) < 0.5F;
             lower_thickness.push_back(two ? static_cast<std::int32_t>(noise(i, 8) * thickness[i]) : 0);
@@ -283,6 +286,7 @@ struct RandomBatch {
         }
         for (int i = 0; i < 17; ++i)
             profile.push_back(noise(i, 5) - 0.5F);
+        pass_found = found;
     }
 
     ExchangeRule rule(bool lane) const {
@@ -311,8 +315,9 @@ struct RandomBatch {
     }
 
     TileCells cells(std::vector<film::PaintCell>& pigment, const std::vector<std::int32_t>& held) {
-        return {thickness.data(), pigment.data(), cell.data(),    held.data(), found.data(),
-                change.data(),    swap.data(),    touched.data(), kCount};
+        return {
+            thickness.data(),  pigment.data(), worked.data(), cell.data(),    held.data(), found.data(),
+            pass_found.data(), change.data(),  swap.data(),   touched.data(), kCount};
     }
     LowerCells lower() { return {lower_thickness.data(), lower_paint.data()}; }
 };
@@ -323,6 +328,58 @@ bool holds_possible_strata(const RandomBatch& batch, const std::vector<film::Pai
                               pigment[i]))
             return false;
     return true;
+}
+
+/// One stratum of `paint` in all cells, found by a pass that begins.
+RandomBatch found_paint(std::vector<film::PaintCell>& pigment, const film::PaintCell& paint) {
+    RandomBatch batch(1);
+    constexpr auto kFound_quanta = static_cast<std::int32_t>(0.3 / film::kThicknessQuantum_mm);
+    batch.thickness.assign(RandomBatch::kCount, kFound_quanta);
+    batch.pass_found = batch.thickness;
+    batch.lower_thickness.assign(RandomBatch::kCount, 0);
+    batch.lower_paint.assign(RandomBatch::kCount, {});
+    pigment.assign(RandomBatch::kCount, paint);
+    return batch;
+}
+
+/// Lays 0.1 mm of a paint, which hides, onto all cells as they lie and are found.
+void lay_onto(RandomBatch& batch, std::vector<film::PaintCell>& pigment,
+              const film::PaintCoefficients& given) {
+    constexpr auto kFilm_quanta = static_cast<std::int32_t>(0.1 / film::kThicknessQuantum_mm);
+    ApplyRule rule;
+    rule.given = given;
+    std::fill(batch.change.begin(), batch.change.end(), kFilm_quanta);
+    std::fill(batch.touched.begin(), batch.touched.end(), 0.5F);
+    const std::vector<std::int32_t> held = batch.thickness;
+    batch.found = batch.pass_found;
+    ChangeSums changes;
+    core::kernels<TransferKernels>().apply_strata(rule, batch.cells(pigment, held), batch.lower(),
+                                                  changes);
+}
+
+TEST(ApplyStrata, APassBuriesWhatItFoundOnce) {
+    std::vector<film::PaintCell> pigment;
+    RandomBatch batch = found_paint(pigment, {0, 0, 5'000'000});
+    const std::vector<std::int32_t> found = batch.thickness;
+    lay_onto(batch, pigment, {0.5F});
+    EXPECT_EQ(batch.lower_thickness, found);
+    lay_onto(batch, pigment, {0.0F, 0.5F});
+    EXPECT_EQ(batch.lower_thickness, found) << "the stroke's own paint is not buried";
+    batch.pass_found = batch.thickness;
+    const std::vector<std::int32_t> found_anew = batch.thickness;
+    lay_onto(batch, pigment, {0.0F, 0.0F, 0.5F});
+    EXPECT_EQ(batch.lower_thickness, found_anew);
+}
+
+// A tip that comes again with a little of what it found below.
+TEST(ApplyStrata, PaintNearToTheUpperStratumJoinsIt) {
+    std::vector<film::PaintCell> pigment;
+    RandomBatch batch = found_paint(pigment, {0, 0, 5'000'000});
+    const std::vector<std::int32_t> found = batch.thickness;
+    lay_onto(batch, pigment, {0.5F});
+    batch.pass_found = batch.thickness;
+    lay_onto(batch, pigment, {0.45F, 0.0F, 0.05F});
+    EXPECT_EQ(batch.lower_thickness, found);
 }
 
 class EveryInstructionSet : public testing::TestWithParam<core::Isa> {};
@@ -401,6 +458,8 @@ TEST_P(EveryInstructionSet, ChangesStrataAsTheBaselineDoes) {
         EXPECT_EQ(pigment, expected_pigment) << "seed " << seed;
         EXPECT_EQ(actual.lower_thickness, expected.lower_thickness) << "seed " << seed;
         EXPECT_EQ(actual.lower_paint, expected.lower_paint) << "seed " << seed;
+        EXPECT_EQ(actual.pass_found, expected.pass_found) << "seed " << seed;
+        EXPECT_EQ(actual.worked, expected.worked) << "seed " << seed;
     }
 }
 

@@ -8,13 +8,6 @@
 #include <utility>
 
 namespace pastoso::film {
-namespace {
-
-/// An optical thickness, in all of the cell, that changes no colour.
-constexpr double kNoColour = 0.002;
-
-}  // namespace
-
 bool LowerStratum::holds_any(int tile) const {
     return is_in(tile) && any_quanta(thickness.read(tile));
 }

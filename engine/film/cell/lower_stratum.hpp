@@ -24,6 +24,9 @@ inline constexpr std::int32_t kLostStratum_quanta = 1 << 10;
 /// Paints that differ by less than this share of the more, in every channel of colour, look alike.
 inline constexpr float kLikeShare = 0.1F;
 
+/// An optical thickness K h or S h, in all of a cell, that changes no colour.
+inline constexpr double kNoColour = 0.002;
+
 /// The tiles are there only where a cell has two strata. Of a cell, with h and a its whole thickness and
 /// amounts: 0 <= thickness < h and 0 <= paint <= a in every channel; both 0 where its paint is one.
 struct LowerStratum {
