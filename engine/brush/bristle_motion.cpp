@@ -12,6 +12,9 @@ namespace {
 
 /// Decay of the thick start of a stroke, per mm.
 constexpr double kFreshnessDecay_per_mm = 0.5;
+/// What a hair is pressed down by before its end lies down, in hair lengths: without that, tips that
+/// are lifted would slide forward ever faster, and touch the canvas here and there.
+constexpr double kStiffEnd = 0.03;
 /// Length of the way back to rest, in hair lengths times lag.
 constexpr double kRestoring = 0.6;
 /// Slope down into the weave: descend (a + b p^2).
@@ -26,6 +29,7 @@ StepFlex step_flex(const Preset& preset, const Tip& tip, double step_mm) {
             .bend = tip.rigid ? 0.0 : flex.bend,
             .splay = flex.splay,
             .tilt_gain = tip.rigid ? 0.0 : flex.tilt_gain,
+            .stiff_end_mm = kStiffEnd * length_mm,
             .restore = 1.0 - std::exp(-step_mm / (kRestoring * length_mm * flex.lag))};
 }
 

@@ -1,7 +1,7 @@
 // Where the bristles touch the canvas. Each is an inextensible hair of its own: pressed down by delta it
-// bends and its tip reaches up to bend sqrt(delta (2 L - delta)) from below its root. The tip stays
-// where it is until the hair is taut and then trails (a tractrix), and springs back towards the side it
-// leans to.
+// bends and its tip reaches up to bend sqrt(delta (2 L - delta)) / (1 + (e L / delta)^2) from below its
+// root, with e = 0.03 for the stiffness of its end. The tip stays where it is until the hair is taut and
+// then trails (a tractrix), and springs back towards the side it leans to.
 #pragma once
 
 #include "brush/brush.hpp"

@@ -32,8 +32,11 @@ void move(const StepFlex& flex, const FerrulePose& hand, MotionColumns& bristles
         const double outward = kOutwardRest * bristles.per_distance[i];
         const double rest_x = kLeanRest * hand.lean_x + outward * place_x;
         const double rest_y = kLeanRest * hand.lean_y + outward * place_y;
+        const double bent_mm = lanes::max(depth_mm, 0.0);
+        const double bent2_mm2 = bent_mm * bent_mm;
         const double reach_mm =
-            flex.bend * __builtin_sqrt(lanes::max(depth_mm * (2.0 * flex.length_mm - depth_mm), 0.0));
+            flex.bend * bent2_mm2 / (bent2_mm2 + flex.stiff_end_mm * flex.stiff_end_mm) *
+            __builtin_sqrt(lanes::max(bent_mm * (2.0 * flex.length_mm - bent_mm), 0.0));
         // The trailing offset after the root has moved, at most as long as the reach.
         const bool trails = bristles.was_down[i] > 0.0;
         double offset_x = trails ? bristles.x_mm[i] - root_x_mm : 0.0;

@@ -10,6 +10,7 @@ namespace pastoso::brush {
 /// What the whole tip has in common during one step.
 struct StepFlex {
     double length_mm, full_depth_mm, per_full_depth, bend, splay, tilt_gain;
+    double stiff_end_mm;  ///< > 0
     double restore;  ///< share of the way back to rest in this step
 };
 

@@ -68,10 +68,12 @@ double pass_length_mm(const Brush& brush) {
 }
 
 PathMeasure path_measure(const Brush& brush, double step_mm) {
-    if (brush.preset.kind != ToolKind::Contact) return {step_mm, kPressureSteps * step_mm, 0.0};
-    return {step_mm,
-            kPressSlide * brush.preset.flex.press_depth * brush.preset.tip.length_mm,
-            0.5 * brush.tip.half_width_mm};
+    if (brush.preset.kind != ToolKind::Contact) return {step_mm, kPressureSteps * step_mm};
+    const FlexPreset& flex = brush.preset.flex;
+    const double full_depth_mm = flex.press_depth * brush.preset.tip.length_mm;
+    const double bend = brush.tip.rigid ? 0.0 : flex.bend;
+    return {step_mm, kPressSlide * full_depth_mm, 0.5 * brush.tip.half_width_mm,
+            bend * std::sqrt(full_depth_mm * (2.0 * brush.preset.tip.length_mm - full_depth_mm))};
 }
 
 void check_finite(const PenSample& sample) {

@@ -4,6 +4,7 @@
 #include "core/check.hpp"
 #include "core/units.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -77,7 +78,10 @@ void StrokePath::run_straight(const PenSample& to, double speed_mm_s) {
 double StrokePath::length_mm(const PenSample& from, const PenSample& to) const {
     const double slide_mm = measure_.press_slide_mm * (to.pressure - from.pressure);
     const double turn_mm = measure_.turn_radius_mm * core::radians(to.rotation_deg - from.rotation_deg);
-    return std::hypot(std::hypot(to.x_mm - from.x_mm, to.y_mm - from.y_mm), slide_mm, turn_mm);
+    const double catches_up_mm =
+        measure_.trail_mm * std::max(0.0, std::sqrt(from.pressure) - std::sqrt(to.pressure));
+    const double way_mm = std::hypot(to.x_mm - from.x_mm, to.y_mm - from.y_mm) + catches_up_mm;
+    return std::hypot(way_mm, slide_mm, turn_mm);
 }
 
 }  // namespace pastoso::brush

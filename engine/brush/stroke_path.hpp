@@ -17,11 +17,14 @@ struct PathStep {
 };
 
 /// How the step length is measured. A brush that is pressed down or turned in place slides over the
-/// support as well, so that length counts: sqrt(dx2 + dy2 + (press_slide dp)2 + (turn_radius da)2).
+/// support as well, so that length counts: sqrt(s2 + (press_slide dp)2 + (turn_radius da)2), where s is
+/// the way of the tips: sqrt(dx2 + dy2), and trail (sqrt(p0) - sqrt(p1)) where pressure falls, since
+/// what trails then catches up.
 struct PathMeasure {
     double step_mm = 0.1;
     double press_slide_mm = 0.0;  ///< for the whole pressure
     double turn_radius_mm = 0.0;
+    double trail_mm = 0.0;  ///< how far the tips trail at the whole pressure
 };
 
 /// Joins samples by cubic Hermite pieces whose tangents are finite differences in time, with one sample
