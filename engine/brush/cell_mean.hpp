@@ -10,6 +10,12 @@ namespace pastoso::brush {
 /// (docs/decisions/0053-means-over-cells.md).
 inline constexpr double kSoftCellSquare = 0.6, kFirmCellSquare = 0.5;
 
+/// The share that a lane's own half width has of the one that it reaches over on cells, each of which
+/// gets the mean of the lane's weight over its width (brush/lane_weight.hpp).
+inline double lane_core(double lane_mm, double cell_mm) {
+    return lane_mm / (lane_mm + 0.5 * cell_mm);
+}
+
 /// Mean squares of a tool's own footprint and of the resolved one, in squares of their radii, and of
 /// what a cell adds, in squares of its side.
 struct MeanSquares {

@@ -1,5 +1,6 @@
 #include "brush/drag.hpp"
 
+#include "brush/lane_weight.hpp"
 #include "core/elementary.hpp"
 
 #include <algorithm>
@@ -16,8 +17,8 @@ float touch_of(const ExchangeRule& rule, const CellBatch& cells, int i) {
     const float s = cells.dx_mm[i] * rule.across_x + cells.dy_mm[i] * rule.across_y;
     const float t = cells.dx_mm[i] * rule.along_x + cells.dy_mm[i] * rule.along_y;
     const float radius2 = rule.lane ? t * t : s * s + t * t;
-    const float lane_share = rule.lane ? std::max(0.0F, 1.0F - std::abs(s)) : 1.0F;
-    const float weight = std::max(0.0F, 1.0F - radius2) * (1.0F + rule.crown * radius2) * lane_share;
+    const float across = rule.lane ? lane_weight(s, rule.lane_core) : 1.0F;
+    const float weight = std::max(0.0F, 1.0F - radius2) * (1.0F + rule.crown * radius2) * across;
     const float surface = cells.support_mm[i] + film::thickness_mm(cells.thickness[i]);
     return weight * std::clamp((surface - rule.lowest_mm) * rule.fade_per_mm, 0.0F, 1.0F);
 }

@@ -1,5 +1,6 @@
 #include "brush/plough.hpp"
 
+#include "brush/cell_mean.hpp"
 #include "brush/nearest_cell.hpp"
 
 #include <algorithm>
@@ -45,24 +46,31 @@ Place place_at(const HandPose& hand, double along_mm, double across_mm) {
 }
 
 /// Half length of the footprint that clears a lane.
-double reach_mm(const PloughStep& step) {
+double half_length_mm(const PloughStep& step) {
     return std::max(step.brush.tip.radius_mm, kLeastReach_cells * step.film.cell_mm);
 }
 
+/// How a lane looks on cells.
+struct LaneOnCells {
+    float core;  ///< its own half width, of what it reaches
+    double reach_mm;
+};
+
 /// An element's rule turned into one that only clears the way.
 ExchangeRule clearing_rule(ExchangeRule rule, const HandPose& hand, const StepRates& rates,
-                           double lane_width_mm, double radius_mm, double pushed) {
-    rule.lane = true;
-    rule.rate = rates.rate;
-    rule.across_x = static_cast<float>(-hand.travel_y / lane_width_mm);
-    rule.across_y = static_cast<float>(hand.travel_x / lane_width_mm);
+                           const LaneOnCells& lane, double radius_mm, double pushed) {
+    rule.lane = rule.side_by_side = true;
+    rule.lane_core = lane.core;
+    rule.rate = static_cast<float>(pushed) * rates.rate;
+    rule.across_x = static_cast<float>(-hand.travel_y / lane.reach_mm);
+    rule.across_y = static_cast<float>(hand.travel_x / lane.reach_mm);
     rule.along_x = static_cast<float>(hand.travel_x / radius_mm);
     rule.along_y = static_cast<float>(hand.travel_y / radius_mm);
     rule.crown = 1.0F;
     rule.profile_mm = rule.mix = 0.0F;
     rule.lowest_mm = rule.underside_mm;
     rule.fade_per_mm = 1.0F / kGivesWay_mm;
-    rule.pickup = static_cast<float>(pushed);
+    rule.pickup = 1.0F;
     return rule;
 }
 
@@ -79,11 +87,11 @@ EdgeShares edge_shares(const Swath& swath, double side_mm, double aside_mm) {
 
 /// Whether paint stands above the underside in the middle of a lane's footprint or half way to its ends.
 bool stands_in_way(const film::FilmState& film, const Place& place, const ExchangeRule& rule,
-                   double lane_width_mm, double radius_mm) {
+                   double lane_reach_mm, double radius_mm) {
     const double along_x = 0.5 * radius_mm * radius_mm * rule.along_x;
     const double along_y = 0.5 * radius_mm * radius_mm * rule.along_y;
-    const double across_x = 0.5 * lane_width_mm * lane_width_mm * rule.across_x;
-    const double across_y = 0.5 * lane_width_mm * lane_width_mm * rule.across_y;
+    const double across_x = 0.5 * lane_reach_mm * lane_reach_mm * rule.across_x;
+    const double across_y = 0.5 * lane_reach_mm * lane_reach_mm * rule.across_y;
     const auto above = [&](double x_mm, double y_mm) {
         return surface_at(film, place.x_mm + x_mm, place.y_mm + y_mm) > rule.underside_mm;
     };
@@ -130,7 +138,7 @@ grid::Rect Plough::push(const PloughStep& step) {
 
 void Plough::divide(const PloughStep& step) {
     const Tip& tip = step.brush.tip;
-    const double wanted_mm = tip.rigid ? step.rates.tip->lane_mm : kLane_radii * reach_mm(step);
+    const double wanted_mm = tip.rigid ? tip.lane_mm : kLane_radii * half_length_mm(step);
     const double low_mm = step.swath.low_mm - 0.5 * wanted_mm;
     const double width_mm = step.swath.high_mm + 0.5 * wanted_mm - low_mm;
     // Odd, so that what stands in the middle is nearer to no lane than in the mirror.
@@ -170,16 +178,18 @@ void Plough::align_fronts() {
 }
 
 Contents Plough::clear(const PloughStep& step, const Lane& lane) {
-    const double radius_mm = reach_mm(step);
+    const double radius_mm = half_length_mm(step);
     const Place place = place_at(step.hand, lane.front_mm + kAhead_radii * radius_mm, lane.middle_mm);
     Contact contact;
     contact.support_mm = step.poses[lane.leader].bearing_mm;
     contact.press = step.poses[lane.leader].press;
     contact.ride = step.poses[lane.leader].ride;
+    const auto core = static_cast<float>(lane_core(lane_width_mm_, step.film.cell_mm));
+    const double reach_mm = lane_width_mm_ / core;
     const ExchangeRule rule = clearing_rule(exchange_rule(step.brush, lane.leader, contact, step.rates),
-                                            step.hand, step.rates, lane_width_mm_, radius_mm, pushed_);
-    if (!stands_in_way(step.film, place, rule, lane_width_mm_, radius_mm)) return {};
-    step.scratch.gather(step.film, place.x_mm, place.y_mm, std::hypot(lane_width_mm_, radius_mm));
+                                            step.hand, step.rates, {core, reach_mm}, radius_mm, pushed_);
+    if (!stands_in_way(step.film, place, rule, reach_mm, radius_mm)) return {};
+    step.scratch.gather(step.film, place.x_mm, place.y_mm, std::hypot(reach_mm, radius_mm));
     Contents moved;
     if (step.scratch.count() == 0) return moved;
     const WantedSums wanted = plan_exchange(rule, step.scratch);
@@ -189,7 +199,7 @@ Contents Plough::clear(const PloughStep& step, const Lane& lane) {
 }
 
 void Plough::heap_ahead(const PloughStep& step, const Lane& lane, Contents moved) {
-    const double along_mm = lane.front_mm + 2.0 * kAhead_radii * reach_mm(step);
+    const double along_mm = lane.front_mm + 2.0 * kAhead_radii * half_length_mm(step);
     const Place place = place_at(step.hand, along_mm, lane.middle_mm);
     heap(step, lane.leader, {place.x_mm, place.y_mm, lane_width_mm_}, moved);
 }
@@ -199,7 +209,7 @@ void Plough::heap_beside(const PloughStep& step, double sign, Contents moved) {
     const auto outer = std::max_element(
         lanes_.begin(), lanes_.end(),
         [sign](const Lane& a, const Lane& b) { return sign * a.middle_mm < sign * b.middle_mm; });
-    const double radius_mm = reach_mm(step);
+    const double radius_mm = half_length_mm(step);
     const double edge_mm = sign > 0.0 ? step.swath.high_mm : step.swath.low_mm;
     const Place place = place_at(step.hand, outer->front_mm + kAhead_radii * radius_mm, edge_mm);
     heap(step, outer->leader,

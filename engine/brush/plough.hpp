@@ -38,8 +38,9 @@ struct PloughStep {
 /// of the height |g| by which the paint 2 footprint radii r ahead of the leader stands above its
 /// underside,
 ///
-///     p (1 - e^(-ds / 0.8 r)) (1 - |across| / b) (1 - (along / r)^4) |g| min(1, |g| / 0.1 mm).
+///     (1 - (1 - u)^v) |g|,   u = p (1 - e^(-ds / 0.8 r)) (1 - (along / r)^4) min(1, |g| / 0.1 mm),
 ///
+/// v being the mean of 1 - |across| / b over the width of a cell (brush/lane_weight.hpp).
 /// Of that the share e^(-d / l) goes to a heap beside each edge of the swath, d away, with l = p / 4 of
 /// the tip's half width (all of it, if the two shares make more), the rest to one 2 r further ahead.
 /// Heaps beside are as wide as a footprint or wider: they lie 0.8 r apart, and narrower ones are beads.

@@ -148,11 +148,14 @@ ResolvedTip resolve(const Tip& tip, const PaintPreset& paint, double cell_mm) {
     resolved.crown = static_cast<float>(crown);
     resolved.radius_mm = resolved_radius_mm({mean_square(1.0), mean_square(crown), cell_square(crown)},
                                             tip.radius_mm, cell_mm);
-    resolved.lane_mm = tip.rigid ? std::max(tip.lane_mm, cell_mm) : 0.0;
+    if (tip.rigid) {
+        resolved.lane_core = static_cast<float>(lane_core(tip.lane_mm, cell_mm));
+        resolved.lane_mm = tip.lane_mm / resolved.lane_core;
+    }
     resolved.reach_mm = tip.rigid ? std::hypot(resolved.radius_mm, resolved.lane_mm)
                                   : reach_of(crown) * resolved.radius_mm;
     const double along = tip.radius_mm / resolved.radius_mm;
-    const double across = tip.rigid ? tip.lane_mm / resolved.lane_mm : along;
+    const double across = tip.rigid ? 1.0 : along;
     resolved.share = static_cast<float>(along * across * mean_weight(1.0) / mean_weight(crown));
     if (!tip.rigid) resolved.cover = static_cast<float>(kRimCover / weight(along, crown));
     resolved.segments = std::max(kLeastSegments, tip.hairs_per_bristle);

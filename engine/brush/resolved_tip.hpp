@@ -19,8 +19,8 @@
 // (0.97 + 0.72 slope) a, slope = 2 groove film / r being the groove's at its sides, and 2.5 a (3.2 a for
 // a knife's scratches), weighed as 1 - s^4, the footprint's own weight.
 //
-// The elements of a knife weigh (1 - |s|)(1 - t^4) on lanes at least as wide as a cell, cover all of
-// what they touch and have no grooves.
+// The elements of a knife weigh 1 - t^4 along their lanes and across them the mean of 1 - |s| over the
+// width of a cell (brush/lane_weight.hpp), cover all of what they touch and have no grooves.
 #pragma once
 
 #include "brush/preset.hpp"
@@ -34,7 +34,8 @@ namespace pastoso::brush {
 struct ResolvedTip {
     double radius_mm = 0.0;  ///< R; half length of a knife's lane
     double reach_mm = 0.0;   ///< w is below 0.04 beyond it, and left out; a knife's is 0
-    double lane_mm = 0.0;    ///< half width of a knife element's lane, 0 for bristles
+    double lane_mm = 0.0;    ///< half width that a knife element's lane reaches over, 0 for bristles
+    float lane_core = 1.0F;  ///< the tip's own half width of a lane, of that
     float crown = 1.0F;      ///< -1 to 1
     float cover = 1e6F;      ///< share of a cell that a bristle covers, over its weight there
     float share = 1.0F;      ///< sum of the tip's own weight over that of the resolved one

@@ -164,6 +164,8 @@ ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact
     ExchangeRule rule{};
     set_axes(brush, contact, rates, rule);
     rule.underside_mm = contact.support_mm + tau_mm;
+    rule.side_by_side = brush.preset.tip.shape == TipShape::Knife;
+    rule.lane_core = rates.tip->lane_core;
     rule.crown = rates.tip->crown;
     rule.cover = rates.tip->cover / std::max({contact.alone, square(1.0F - saturation), kLeastAlone});
     rule.profile_mm = wet_mm;

@@ -44,8 +44,10 @@
 // there, brush/clumps.hpp) or with its neighbours starved, leaves in a cell the share that it covers;
 // among others, they cover the rest.
 //
-// The elements of a knife share one s, act within lanes as wide as their distance, w = (1 - |across|)
-// (1 - along^4), which keeps colours apart, and have e = sat, E = A = 0 and no grooves.
+// The elements of a knife share one s, act within lanes as wide as their distance, which keeps colours
+// apart, and have e = sat, A = 0 and no grooves. With w = 1 - along^4 and v the mean of 1 - |across|
+// over the width of a cell, an element's share is 1 - (1 - q)^v: where lanes overlap two of them do
+// together what one does in its middle. That of a comb's teeth, which stand apart, is q v.
 //
 // Ridges, streaks, starved strokes, picking up and ploughing follow. Whole quanta are moved and the
 // bristle gets exactly what the cells lost: tip and film together keep their volume and pigment to the

@@ -2,6 +2,7 @@
 #include "brush/transfer_kernels.hpp"
 
 #include "brush/cell_batch.hpp"
+#include "brush/lane_weight.hpp"
 #include "core/lane_memory.hpp"
 #include "film/state.hpp"
 
@@ -84,6 +85,12 @@ PASTOSO_LANE_FUNCTION Ints found_thickness(Ints found) {
     return lanes::max(found, -1 - found);
 }
 
+/// The part of a share that an element closes at s across its lane.
+PASTOSO_LANE_FUNCTION Floats lane_part(const ExchangeRule& rule, Floats closed, Floats s) {
+    const Floats weight = lane_weight(s, rule.lane_core);
+    return rule.side_by_side ? lane_share(closed, weight) : closed * weight;
+}
+
 /// What a register of cells is to gain and to swap.
 struct Wanted {
     Ints change, swap;
@@ -98,8 +105,7 @@ PASTOSO_LANE_FUNCTION Wanted wanted_at(const ExchangeRule& rule, const Profile& 
     const Floats t = dx * rule.along_x + dy * rule.along_y;
     const Floats s2 = s * s, t2 = t * t, none(0.0F);
     const Floats radius2 = kLane ? t2 : s2 + t2;
-    const Floats core = lanes::max(none, 1.0F - radius2) * (1.0F + rule.crown * radius2);
-    const Floats weight = kLane ? core * lanes::max(none, 1.0F - lanes::select(s < none, -s, s)) : core;
+    const Floats weight = lanes::max(none, 1.0F - radius2) * (1.0F + rule.crown * radius2);
 
     const auto quanta = lanes::load<Ints>(batch.thickness + i);
     const Ints found = found_thickness(lanes::load<Ints>(batch.found + i));
@@ -108,7 +114,8 @@ PASTOSO_LANE_FUNCTION Wanted wanted_at(const ExchangeRule& rule, const Profile& 
     const Floats surface = lanes::load<Floats>(batch.support_mm + i) + h;
     const Floats gap = wanted - surface;
     const Floats reached = lanes::max((surface - rule.lowest_mm) * rule.fade_per_mm, none);
-    const Floats share = rule.rate * weight * lanes::min(reached, Floats(1.0F));
+    const Floats closed = rule.rate * weight * lanes::min(reached, Floats(1.0F));
+    const Floats share = kLane ? lane_part(rule, closed, s) : closed;
 
     const Floats covered = lanes::min(weight * rule.cover, Floats(1.0F));
     const Floats missing = covered * (gap + h) - h;

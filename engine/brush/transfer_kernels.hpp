@@ -27,8 +27,10 @@ struct BatchColumns {
 struct ExchangeRule {
     /// Axes of the footprint, divided by its half sizes: s = dx across_x + dy across_y, t likewise.
     float across_x, across_y, along_x, along_y;
-    bool lane;  ///< weight (1 - |s|)(1 - t^2)(1 + crown t^2) instead of (1 - r^2)(1 + crown r^2), r^2 =
-                ///< s^2 + t^2
+    bool lane;  ///< weight (1 - t^2)(1 + crown t^2), and across the lane that of lane_weight.hpp,
+                ///< instead of (1 - r^2)(1 + crown r^2), r^2 = s^2 + t^2
+    bool side_by_side;     ///< lanes overlap: what neighbours close together is lane_share()'s
+    float lane_core;       ///< of a lane, below 1
     float crown;           ///< -1 to 1
     float cover;           ///< share of a cell that is covered, over the weight there; at most 1
     float underside_mm;    ///< height that the paint surface is driven to where the profile is 0

@@ -58,6 +58,26 @@ TEST(Knife, SpreadsAnEvenFilmThatEndsInARidge) {
     EXPECT_EQ(studio::mean_thickness_mm(film, studio::cells_of(film, 58.0, 0.0, 80.0, 40.0)), 0.0);
 }
 
+TEST(Knife, LeavesNoStripesOfItsElements) {
+    Preset even = knife_preset(17.0, 70);
+    even.paint.streak = even.paint.hair = even.paint.gather = 0.0;
+    for (const double px_per_mm : {4.0, 8.0, 16.0}) {
+        SCOPED_TRACE(px_per_mm);
+        film::FilmState film = studio::smooth(60.0, 30.0, px_per_mm);
+        Brush knife(even);
+        knife.load(studio::dark_paint(), 1.0);
+        studio::paint(knife, film, studio::line(15.0, 15.0, 45.0, 15.0, 0.2, 90.0));
+        const grid::Rect inner = studio::cells_of(film, 30.0, 10.0, 35.0, 20.0);
+        double least_mm = 1.0, most_mm = 0.0;
+        for (int y = inner.y0; y < inner.y1; ++y) {
+            const double mean_mm = studio::mean_thickness_mm(film, {inner.x0, y, inner.x1, y + 1});
+            least_mm = std::min(least_mm, mean_mm), most_mm = std::max(most_mm, mean_mm);
+        }
+        EXPECT_GT(least_mm, 0.02);
+        EXPECT_LT(most_mm - least_mm, 0.0005 * most_mm);
+    }
+}
+
 TEST(Knife, KeepsColourBoundariesCrisp) {
     film::FilmState film = studio::linen(100.0, 50.0, kPxPerMm);
     studio::cover(film, studio::cells_of(film, 0.0, 0.0, 100.0, 25.0), 0.5, studio::dark_paint());

@@ -289,13 +289,15 @@ struct RandomBatch {
         pass_found = found;
     }
 
-    ExchangeRule rule(bool lane) const {
+    ExchangeRule rule(bool lane, bool side_by_side) const {
         ExchangeRule rule{};
         rule.across_x = 1.3F;
         rule.across_y = 1.1F;
         rule.along_x = -1.1F;
         rule.along_y = 1.3F;
         rule.lane = lane;
+        rule.side_by_side = side_by_side;
+        rule.lane_core = 0.7F;
         rule.underside_mm = 0.3F;
         rule.profile_mm = 0.1F;
         rule.profile = profile.data();
@@ -391,9 +393,10 @@ TEST_P(EveryInstructionSet, GivesTheSameBitsAsTheBaseline) {
     const auto& kernels = core::kernels<TransferKernels>(GetParam());
     for (std::uint32_t seed = 0; seed < 20; ++seed) {
         RandomBatch expected(seed), actual(seed);
-        const bool lane = seed % 2 == 1;
-        const WantedSums expected_sums = baseline.plan(expected.rule(lane), expected.columns());
-        const WantedSums sums = kernels.plan(actual.rule(lane), actual.columns());
+        const bool lane = seed % 2 == 1, side_by_side = seed % 4 == 1;
+        const WantedSums expected_sums =
+            baseline.plan(expected.rule(lane, side_by_side), expected.columns());
+        const WantedSums sums = kernels.plan(actual.rule(lane, side_by_side), actual.columns());
         EXPECT_EQ(sums.deposit, expected_sums.deposit) << "seed " << seed;
         EXPECT_EQ(sums.swap, expected_sums.swap) << "seed " << seed;
         EXPECT_EQ(actual.change, expected.change) << "seed " << seed;
@@ -435,7 +438,7 @@ TEST_P(EveryInstructionSet, ChangesStrataAsTheBaselineDoes) {
             rule.given[k] = 0.37F * static_cast<float>(k * k) / 12.0F;
         const auto run = [&](core::Isa isa, RandomBatch& batch, std::vector<film::PaintCell>& pigment) {
             const auto& kernels = core::kernels<TransferKernels>(isa);
-            kernels.plan(batch.rule(seed % 2 == 1), batch.columns());
+            kernels.plan(batch.rule(seed % 2 == 1, seed % 4 == 1), batch.columns());
             pigment.assign(RandomBatch::kCount, {});
             for (auto& cell : pigment)
                 cell.fill(1000003);
