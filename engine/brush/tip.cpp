@@ -351,7 +351,7 @@ Tip make_tip(const Preset& preset, std::uint32_t seed, const Gathering& gatherin
     share_dip(gathered, preset, tip);
     level_deficits(tip);
     measure_distances(tip);
-    add_hairs(tip, row ? TipNoise(mixed_seed, mixed_seed, 0.0) : noise);
+    add_hairs(tip, noise);
     tip.neighbours = nearest_pairs(tip.bristles);
     return tip;
 }

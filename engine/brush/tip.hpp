@@ -61,8 +61,8 @@ struct Tip {
 /// Each dip gathers the hairs anew, as far as g = gather e^(-worn / 2 run) says, with the preset's
 /// numbers of these names: noises are the tip's own with the share 1 - g of their variance, the dip's
 /// with g; bristles move by up to 0.42 g mm into clumps with gaps between them, and what a clump takes
-/// up differs by up to 0.3 g; all of them take up the same in each dip. What a knife's edge scratches is
-/// its own.
+/// up differs by up to 0.3 g; all of them take up the same in each dip. The elements of a row stay where
+/// they are: it is how paint lies on them that differs.
 Tip make_tip(const Preset& preset, std::uint32_t seed, const Gathering& gathering = {});
 
 }  // namespace pastoso::brush
