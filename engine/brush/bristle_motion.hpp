@@ -8,6 +8,7 @@
 #include "brush/hand_pose.hpp"
 #include "film/state.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace pastoso::brush {
@@ -37,6 +38,13 @@ struct Swath {
 /// down with the slope `descend` allows, so that light hairs skip the hollows of the weave.
 Swath move_bristles(const Brush& brush, const HandPose& hand, double step_mm,
                     const film::FilmState& film, std::vector<BristlePose>& poses);
+
+/// How much of its way hairs that are pressed so (0 to 1) force on paint: it is squeezed out to their
+/// sides and pushed ahead by firm ones, and gives way to those that just touch.
+inline float firmness(float press) {
+    constexpr float kFirmPress = 0.2F;
+    return std::min(1.0F, press / kFirmPress);
+}
 
 /// Position across the direction of travel, from the pen.
 inline double side_mm(const BristlePose& pose, const HandPose& hand) {

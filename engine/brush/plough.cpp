@@ -184,10 +184,11 @@ Contents Plough::clear(const PloughStep& step, const Lane& lane) {
     contact.support_mm = step.poses[lane.leader].bearing_mm;
     contact.press = step.poses[lane.leader].press;
     contact.ride = step.poses[lane.leader].ride;
+    const double pushed = pushed_ * (step.brush.tip.rigid ? 1.0F : firmness(contact.press));
     const auto core = static_cast<float>(lane_core(lane_width_mm_, step.film.cell_mm));
     const double reach_mm = lane_width_mm_ / core;
     const ExchangeRule rule = clearing_rule(exchange_rule(step.brush, lane.leader, contact, step.rates),
-                                            step.hand, step.rates, {core, reach_mm}, radius_mm, pushed_);
+                                            step.hand, step.rates, {core, reach_mm}, radius_mm, pushed);
     if (!stands_in_way(step.film, place, rule, reach_mm, radius_mm)) return {};
     step.scratch.gather(step.film, place.x_mm, place.y_mm, std::hypot(reach_mm, radius_mm));
     Contents moved;

@@ -9,8 +9,9 @@
 //   z = s + tau + film sat^2 profile(a),    profile(a) = groove (a^2 + 1/4) + hair noise(a) as cells see
 //   it, tau = film sat^2 body (1 - p/2) (1 + edge E) (1 + start sat freshness),
 //
-// E = 1 along the edges of the stroke. Its paint hangs down to s - bead; a cell with surface c + h is
-// reached by chi = clamp((c + h - (s - bead)) / 0.4 bead), where
+// E = 1 along the edges of the stroke under firm hairs (firmness() in bristle_motion.hpp). Its paint
+// hangs down to s - bead; a cell with surface c + h is reached by
+// chi = clamp((c + h - (s - bead)) / 0.4 bead), where
 //
 //   bead = e^2 1.2 reach film + (0.005 mm + 0.05 mm p) clamp(e / 0.2),
 //   e = sat - 0.6 (1.2 - body) (1 - 0.7 sat),
