@@ -12,9 +12,6 @@ namespace {
 
 /// Decay of the thick start of a stroke, per mm.
 constexpr double kFreshnessDecay_per_mm = 0.5;
-/// What a hair is pressed down by before its end lies down, in hair lengths: without that, tips that
-/// are lifted would slide forward ever faster, and touch the canvas here and there.
-constexpr double kStiffEnd = 0.03;
 /// Length of the way back to rest, in hair lengths times lag.
 constexpr double kRestoring = 0.6;
 /// Slope down into the weave: descend (a + b p^2).

@@ -73,7 +73,8 @@ PathMeasure path_measure(const Brush& brush, double step_mm) {
     const double full_depth_mm = flex.press_depth * brush.preset.tip.length_mm;
     const double bend = brush.tip.rigid ? 0.0 : flex.bend;
     return {step_mm, kPressSlide * full_depth_mm, 0.5 * brush.tip.half_width_mm,
-            bend * std::sqrt(full_depth_mm * (2.0 * brush.preset.tip.length_mm - full_depth_mm))};
+            bend * std::sqrt(full_depth_mm * (2.0 * brush.preset.tip.length_mm - full_depth_mm)),
+            kStiffEnd / flex.press_depth};
 }
 
 void check_finite(const PenSample& sample) {

@@ -81,8 +81,8 @@ double Stroke::left_share(int bristle) const {
     const double left = pose.down ? paint.leave : 0.0;
     if (brush_.tip.rigid) return left * torn_share(bristle);
     if (!pose.down && !pose.lifted) return 0.0;
-    const double moved_mm = std::hypot(led_.x_mm - down_.x_mm, led_.y_mm - down_.y_mm);
-    return left + kHangingShare * paint.start * std::max(0.0, 1.0 - moved_mm / kDab_mm);
+    const double dab_mm = std::min(kDab_mm, 2.0 * brush_.tip.half_width_mm);
+    return left + kHangingShare * paint.start * std::max(0.0, 1.0 - path_.travelled_mm() / dab_mm);
 }
 
 double Stroke::torn_share(int bristle) const {

@@ -18,7 +18,7 @@ constexpr double kPartsPerStep = 2.5;
 
 void StrokePath::begin(const PenSample& sample, double direction_x, double direction_y) {
     samples_ = {sample};
-    since_step_mm_ = 0.0;
+    since_step_mm_ = travelled_mm_ = 0.0;
     at_ = {sample, direction_x, direction_y, 0.0};
     at_.pen.pressure = 0.0;
     run_straight(sample, 0.0);
@@ -65,6 +65,7 @@ void StrokePath::run_straight(const PenSample& to, double speed_mm_s) {
         at_.direction_y = way_y_mm / travelled_mm;
     }
     at_.speed_mm_s = speed_mm_s;
+    travelled_mm_ += travelled_mm;
     const double whole_mm = length_mm(from, to);
     double done_mm = measure_.step_mm - since_step_mm_;
     for (; done_mm <= whole_mm; done_mm += measure_.step_mm) {
@@ -78,10 +79,16 @@ void StrokePath::run_straight(const PenSample& to, double speed_mm_s) {
 double StrokePath::length_mm(const PenSample& from, const PenSample& to) const {
     const double slide_mm = measure_.press_slide_mm * (to.pressure - from.pressure);
     const double turn_mm = measure_.turn_radius_mm * core::radians(to.rotation_deg - from.rotation_deg);
-    const double catches_up_mm =
-        measure_.trail_mm * std::max(0.0, std::sqrt(from.pressure) - std::sqrt(to.pressure));
+    const double catches_up_mm = std::max(0.0, trail_mm(from.pressure) - trail_mm(to.pressure));
     const double way_mm = std::hypot(to.x_mm - from.x_mm, to.y_mm - from.y_mm) + catches_up_mm;
     return std::hypot(way_mm, slide_mm, turn_mm);
+}
+
+double StrokePath::trail_mm(double pressure) const {
+    if (pressure <= 0.0) return 0.0;
+    const double stiffness = measure_.stiff_end_pressure / pressure;
+    const double trail_mm = measure_.trail_mm * std::sqrt(pressure) / (1.0 + stiffness * stiffness);
+    return std::min(trail_mm, travelled_mm_);
 }
 
 }  // namespace pastoso::brush

@@ -18,13 +18,14 @@ struct PathStep {
 
 /// How the step length is measured. A brush that is pressed down or turned in place slides over the
 /// support as well, so that length counts: sqrt(s2 + (press_slide dp)2 + (turn_radius da)2), where s is
-/// the way of the tips: sqrt(dx2 + dy2), and trail (sqrt(p0) - sqrt(p1)) where pressure falls, since
-/// what trails then catches up.
+/// the way of the tips: sqrt(dx2 + dy2), and what they catch up where pressure falls. At pressure p they
+/// trail by trail sqrt(p) / (1 + (stiff_end / p)2), no further than the brush has travelled.
 struct PathMeasure {
     double step_mm = 0.1;
     double press_slide_mm = 0.0;  ///< for the whole pressure
     double turn_radius_mm = 0.0;
-    double trail_mm = 0.0;  ///< how far the tips trail at the whole pressure
+    double trail_mm = 0.0;
+    double stiff_end_pressure = 0.0;
 };
 
 /// Joins samples by cubic Hermite pieces whose tangents are finite differences in time, with one sample
@@ -42,6 +43,9 @@ class StrokePath {
     /// The last piece.
     void end();
 
+    /// Of the pen since it came down.
+    double travelled_mm() const { return travelled_mm_; }
+
     /// The steps since the last call.
     std::vector<PathStep> take_steps();
 
@@ -49,10 +53,12 @@ class StrokePath {
     void run_last_piece(const PenSample& after);
     void run_straight(const PenSample& to, double speed_mm_s);
     double length_mm(const PenSample& from, const PenSample& to) const;
+    double trail_mm(double pressure) const;
 
     PathMeasure measure_;
     std::vector<PenSample> samples_;  ///< the last three
     PathStep at_;
+    double travelled_mm_ = 0.0;
     double since_step_mm_ = 0.0;
     std::vector<PathStep> steps_;
 };
