@@ -31,16 +31,19 @@ void lay_out(Painter& painter) {
         painter.squeeze(mixture(tubes[i]), 12.0 + 24.0 * i, 14.0);
 }
 
-/// Yellow and blue side by side, folded into each other until they are half-mixed, and heaped up.
+/// Yellow and blue side by side, folded into each other until they are half-mixed, and heaped up. Only a
+/// knife that is pressed folds; a light one lays.
 void mix_green_with_the_knife(Painter& painter) {
-    painter.squeeze(mixture("PY35"), 26, 52, 600);
-    painter.squeeze(mixture("PB29"), 44, 50, 150);
+    painter.squeeze(mixture("PY35"), 24, 56, 600);
+    painter.squeeze(mixture("PB29"), 40, 56, 150);
     painter.turn_to(Surface::Well);
     painter.take("Palette knife 17", 13);
-    paint_held(painter, line({49, 46}, {24, 48}), 60, {0.3, 0.1, 0.1}, 84);
-    paint_held(painter, whirl({32, 53}, 10, 2.0), 90, {0.25, 0.1, 0.1}, 30);
-    paint_held(painter, line({18, 60}, {36, 54}), 60, {0.3, 0.1, 0.2}, 70);
-    paint_held(painter, line({48, 60}, {36, 53}), 60, {0.3, 0.1, 0.2}, 120);
+    for (int fold = 0; fold < 3; ++fold) {
+        paint_held(painter, line({44, 52}, {21, 53}), 60, {0.65, 0.1, 0.1}, 84);
+        paint_held(painter, whirl({28, 57}, 9, 3.0), 90, {0.6, 0.1, 0.1}, 30 + 50 * fold);
+        paint_held(painter, line({15, 64}, {32, 58}), 60, {0.6, 0.1, 0.2}, 70);
+        paint_held(painter, line({43, 63}, {32, 57}), 60, {0.6, 0.1, 0.2}, 120);
+    }
 }
 
 /// White drawn out of its dollop, and a touch of red worked into it.
@@ -79,7 +82,7 @@ document::Recording palette() {
     lay_out(painter);
     mix_green_with_the_knife(painter);
     painter.take("Flat bristle 20", 13);
-    paint_bands(painter, Curve({{22, 62}, {36, 52}, {24, 44}}), Curve({{10, 15}, {58, 11}, {108, 17}}));
+    paint_bands(painter, Curve({{20, 65}, {32, 57}, {22, 50}}), Curve({{10, 15}, {58, 11}, {108, 17}}));
     mix_pink_with_the_brush(painter);
     paint_bands(painter, Curve({{78, 58}, {92, 66}, {82, 69}}), Curve({{10, 56}, {60, 52}, {108, 57}}));
     return painter.finish(0.5);
