@@ -24,7 +24,7 @@ class CellBatch {
     struct TilePart {
         int tile, begin, end;
         std::int32_t* pass_found = nullptr;  ///< PassTile::found
-        bool changes = false;     ///< to be filled: something is planned for one of them
+        bool changes = false;                ///< to be filled: something is planned for one of them
         bool has_strata = false;  ///< to be filled: one has two wet strata, or is to have them
     };
 

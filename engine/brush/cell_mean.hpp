@@ -16,6 +16,16 @@ inline double lane_core(double lane_mm, double cell_mm) {
     return lane_mm / (lane_mm + 0.5 * cell_mm);
 }
 
+/// A lane as cells see it.
+struct LaneOnCells {
+    float core;       ///< lane_core()
+    double reach_mm;  ///< half width
+};
+inline LaneOnCells lane_on_cells(double lane_mm, double cell_mm) {
+    const auto core = static_cast<float>(lane_core(lane_mm, cell_mm));
+    return {core, lane_mm / core};
+}
+
 /// Mean squares of a tool's own footprint and of the resolved one, in squares of their radii, and of
 /// what a cell adds, in squares of its side.
 struct MeanSquares {

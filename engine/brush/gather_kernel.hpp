@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/kernels.hpp"
+#include "core/lanes.hpp"
 #include "film/cell/paint_cell.hpp"
 #include "film/support/support_heights.hpp"
 #include "grid/shape.hpp"
@@ -15,12 +16,23 @@ struct Disc {
     double x, y, radius;
 };
 
+/// The entry of a found thickness once it is settled whether what comes in this pass buries what was
+/// there: its complement, below 0. That of an entry is the one that was settled.
+template <class Number>
+PASTOSO_LANE_FUNCTION Number settled(Number found) {
+    return -1 - found;
+}
+
+/// The thickness of an entry, settled or not.
+template <class Number>
+PASTOSO_LANE_FUNCTION Number found_thickness(Number entry) {
+    return core::lanes::max(entry, settled(entry));
+}
+
 /// What a pass over the canvas knows of a tile (pass_map.hpp), null without a pass.
 struct PassTile {
     float* begun_mm = nullptr;      ///< travel when the tip came
-    /// Thickness then, quanta, or -1 less that (its complement) once it is settled whether what comes
-    /// in this pass buries what was there.
-    std::int32_t* found = nullptr;
+    std::int32_t* found = nullptr;  ///< thickness then, quanta, settled() or not
     float travel_mm = 0.0F;         ///< now
     float expired_mm = 0.0F;        ///< passes begun before are over
 };

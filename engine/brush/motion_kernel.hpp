@@ -11,7 +11,7 @@ namespace pastoso::brush {
 struct StepFlex {
     double length_mm, full_depth_mm, per_full_depth, bend, splay, tilt_gain;
     double stiff_end_mm;  ///< > 0
-    double restore;  ///< share of the way back to rest in this step
+    double restore;       ///< share of the way back to rest in this step
 };
 
 /// The hand during one step (hand_pose.hpp).

@@ -5,7 +5,6 @@
 #include "brush/gather_kernel.hpp"
 #include "grid/tiled_field.hpp"
 
-#include <algorithm>
 #include <cstdint>
 
 namespace pastoso::brush {
@@ -39,8 +38,7 @@ class PassMap {
     /// What the tip found in a cell, quanta: `thickness`, what lies there now, where no pass has begun.
     std::int32_t found(int tile, int cell, std::int32_t thickness) const {
         const bool begun = begun_mm_.read(tile)[cell] >= travel_mm_ - length_mm_;
-        const std::int32_t entry = found_.read(tile)[cell];
-        return begun ? std::max(entry, -1 - entry) : thickness;
+        return begun ? found_thickness(found_.read(tile)[cell]) : thickness;
     }
 
   private:

@@ -50,12 +50,6 @@ double half_length_mm(const PloughStep& step) {
     return std::max(step.brush.tip.radius_mm, kLeastReach_cells * step.film.cell_mm);
 }
 
-/// How a lane looks on cells.
-struct LaneOnCells {
-    float core;  ///< its own half width, of what it reaches
-    double reach_mm;
-};
-
 /// An element's rule turned into one that only clears the way.
 ExchangeRule clearing_rule(ExchangeRule rule, const HandPose& hand, const StepRates& rates,
                            const LaneOnCells& lane, double radius_mm, double pushed) {
@@ -185,12 +179,11 @@ Contents Plough::clear(const PloughStep& step, const Lane& lane) {
     contact.press = step.poses[lane.leader].press;
     contact.ride = step.poses[lane.leader].ride;
     const double pushed = pushed_ * (step.brush.tip.rigid ? 1.0F : firmness(contact.press));
-    const auto core = static_cast<float>(lane_core(lane_width_mm_, step.film.cell_mm));
-    const double reach_mm = lane_width_mm_ / core;
+    const LaneOnCells on_cells = lane_on_cells(lane_width_mm_, step.film.cell_mm);
     const ExchangeRule rule = clearing_rule(exchange_rule(step.brush, lane.leader, contact, step.rates),
-                                            step.hand, step.rates, {core, reach_mm}, radius_mm, pushed);
-    if (!stands_in_way(step.film, place, rule, reach_mm, radius_mm)) return {};
-    step.scratch.gather(step.film, place.x_mm, place.y_mm, std::hypot(reach_mm, radius_mm));
+                                            step.hand, step.rates, on_cells, radius_mm, pushed);
+    if (!stands_in_way(step.film, place, rule, on_cells.reach_mm, radius_mm)) return {};
+    step.scratch.gather(step.film, place.x_mm, place.y_mm, std::hypot(on_cells.reach_mm, radius_mm));
     Contents moved;
     if (step.scratch.count() == 0) return moved;
     const WantedSums wanted = plan_exchange(rule, step.scratch);

@@ -149,8 +149,9 @@ ResolvedTip resolve(const Tip& tip, const PaintPreset& paint, double cell_mm) {
     resolved.radius_mm = resolved_radius_mm({mean_square(1.0), mean_square(crown), cell_square(crown)},
                                             tip.radius_mm, cell_mm);
     if (tip.rigid) {
-        resolved.lane_core = static_cast<float>(lane_core(tip.lane_mm, cell_mm));
-        resolved.lane_mm = tip.lane_mm / resolved.lane_core;
+        const LaneOnCells lane = lane_on_cells(tip.lane_mm, cell_mm);
+        resolved.lane_core = lane.core;
+        resolved.lane_mm = lane.reach_mm;
     }
     resolved.reach_mm = tip.rigid ? std::hypot(resolved.radius_mm, resolved.lane_mm)
                                   : reach_of(crown) * resolved.radius_mm;

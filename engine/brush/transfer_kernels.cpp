@@ -80,11 +80,6 @@ PASTOSO_LANE_FUNCTION Floats profile_at(const Profile& profile, const ExchangeRu
     return profile.at(index, place - lanes::convert<float>(index));
 }
 
-/// Of PassTile::found.
-PASTOSO_LANE_FUNCTION Ints found_thickness(Ints found) {
-    return lanes::max(found, -1 - found);
-}
-
 /// The part of a share that an element closes at s across its lane.
 PASTOSO_LANE_FUNCTION Floats lane_part(const ExchangeRule& rule, Floats closed, Floats s) {
     const Floats weight = lane_weight(s, rule.lane_core);
@@ -452,7 +447,7 @@ struct TwoStrata {
 
 /// A pass buries what it found in a cell once at most.
 PASTOSO_LANE_FUNCTION void settle_pass(const TileCells& cells, int i) {
-    if (cells.pass_found != nullptr) cells.pass_found[cells.cell[i]] = -1 - cells.found[i];
+    if (cells.pass_found != nullptr) cells.pass_found[cells.cell[i]] = settled(cells.found[i]);
 }
 
 /// Finds the cells that are going to be covered. Each is looked at by itself, without a branch that the

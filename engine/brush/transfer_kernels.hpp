@@ -73,10 +73,9 @@ struct ChangeSums {
 struct TileCells {
     std::int32_t* thickness;
     film::PaintCell* paint;
-    std::int32_t*
-        worked;  ///< how much of it is (film/cell/structure.hpp); null where nobody follows that
+    std::int32_t* worked;  ///< the part of it that is; null where nobody follows it
     const std::int32_t* cell;
-    const std::int32_t* held;  ///< thickness before, of each
+    const std::int32_t* held;   ///< thickness before, of each
     const std::int32_t* found;  ///< as PassTile has it, of each
     std::int32_t* pass_found;   ///< the pass's own, of the tile; null without a pass
     const std::int32_t* change;
@@ -95,7 +94,8 @@ struct TransferKernels {
     WantedSums (*plan)(const ExchangeRule&, const BatchColumns&);
     /// In a tile where every cell's paint is one.
     void (*apply)(const ApplyRule&, const TileCells&, ChangeSums&);
-    /// Whether two strata begin in such a tile: other paint comes onto paint that was there.
+    /// Whether two strata begin in such a tile: other paint comes onto paint that was there. Settles the
+    /// pass over the cells before, where it does not.
     bool (*meets_other)(const ApplyRule&, const film::PaintCell* paint, const TileCells&);
     void (*apply_strata)(const ApplyRule&, const TileCells&, const LowerCells&, ChangeSums&);
 

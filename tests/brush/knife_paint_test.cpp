@@ -197,14 +197,6 @@ film::FilmState ribbon_of(const Blade& blade, double px_per_mm) {
     return film;
 }
 
-double highest_mm(const film::FilmState& film, const grid::Rect& cells) {
-    double highest = 0.0;
-    for (int y = cells.y0; y < cells.y1; ++y)
-        for (int x = cells.x0; x < cells.x1; ++x)
-            highest = std::max(highest, studio::thickness_mm(film, x, y));
-    return highest;
-}
-
 TEST(KnifePaint, ASmallBladeLaysAThinFlatRibbon) {
     for (const Blade& blade : {Blade{"Palette knife 17", 1.0},
                                {"Palette knife 17", 2.0},
@@ -219,13 +211,18 @@ TEST(KnifePaint, ASmallBladeLaysAThinFlatRibbon) {
                 film, studio::cells_of(film, 20.0, 10.0 - 0.6 * half_mm, 40.0, 10.0 + 0.6 * half_mm));
             EXPECT_GT(inside_mm, 0.4 * blade.width_mm / 8.0);
             EXPECT_LT(inside_mm, blade.width_mm / 8.0);
-            EXPECT_LT(highest_mm(film, studio::cells_of(film, 20.0, 0.0, 40.0, 20.0)),
+            EXPECT_LT(studio::highest_mm(film, studio::cells_of(film, 20.0, 0.0, 40.0, 20.0)),
                       1.5 * blade.width_mm / 8.0)
                 << "thrown up along its edges";
-            EXPECT_LT(highest_mm(film, film.shape.cells()), 0.3 * blade.width_mm) << "where it lifts";
+            EXPECT_LT(studio::highest_mm(film, film.shape.cells()), 0.3 * blade.width_mm)
+                << "where it lifts";
             const double beyond_mm = half_mm + 0.25;
-            EXPECT_EQ(highest_mm(film, studio::cells_of(film, 20.0, 10.0 + beyond_mm, 40.0, 20.0)), 0.0);
-            EXPECT_EQ(highest_mm(film, studio::cells_of(film, 20.0, 0.0, 40.0, 10.0 - beyond_mm)), 0.0);
+            EXPECT_EQ(
+                studio::highest_mm(film, studio::cells_of(film, 20.0, 10.0 + beyond_mm, 40.0, 20.0)),
+                0.0);
+            EXPECT_EQ(
+                studio::highest_mm(film, studio::cells_of(film, 20.0, 0.0, 40.0, 10.0 - beyond_mm)),
+                0.0);
         }
 }
 

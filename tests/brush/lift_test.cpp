@@ -76,22 +76,14 @@ TEST(Lift, LeavesNoSpotsBeyondTheStroke) {
                     << preset << ", lifted over " << share << " of the way, " << px_per_mm << " px/mm";
 }
 
-double thickest_mm(const film::FilmState& film, const grid::Rect& cells) {
-    double most_mm = 0.0;
-    for (int y = cells.y0; y < cells.y1; ++y)
-        for (int x = cells.x0; x < cells.x1; ++x)
-            most_mm = std::max(most_mm, studio::thickness_mm(film, x, y));
-    return most_mm;
-}
-
 // A letter is 3 mm high, as far as a wide brush moves in a dab.
 TEST(Lift, WritingEndsWithoutBlobs) {
     film::FilmState film = studio::smooth(12.0, 12.0, 16.0);
     Brush pen(find_preset("Rigger 2"), 0.5, 2);
     pen.load(studio::dark_paint(), 1.0);
     studio::paint(pen, film, studio::line(4.0, 6.0, 7.0, 6.0, 0.3, 0.0), 120.0, 0.1);
-    const double middle_mm = thickest_mm(film, studio::cells_of(film, 5.0, 4.0, 6.0, 8.0));
-    const double end_mm = thickest_mm(film, studio::cells_of(film, 6.0, 4.0, 9.0, 8.0));
+    const double middle_mm = studio::highest_mm(film, studio::cells_of(film, 5.0, 4.0, 6.0, 8.0));
+    const double end_mm = studio::highest_mm(film, studio::cells_of(film, 6.0, 4.0, 9.0, 8.0));
     EXPECT_GT(middle_mm, 0.01);
     EXPECT_LT(end_mm, 1.6 * middle_mm);
 }

@@ -141,14 +141,6 @@ Veil veil_of(const film::FilmState& film, const Scumble& scumble) {
     return {veil.thickness_mm / count, veil.covered / count, veil.lightness / count};
 }
 
-double highest_mm(const film::FilmState& film) {
-    double highest = 0.0;
-    for (int y = 0; y < film.shape.height; ++y)
-        for (int x = 0; x < film.shape.width; ++x)
-            highest = std::max(highest, studio::thickness_mm(film, x, y));
-    return highest;
-}
-
 TEST_P(ScumbleTest, DragsABrokenVeilOverWetPaint) {
     const film::FilmState film = scumbled_wet(GetParam(), 0.25);
     const Veil veil = veil_of(film, GetParam());
@@ -157,7 +149,7 @@ TEST_P(ScumbleTest, DragsABrokenVeilOverWetPaint) {
     EXPECT_LT(veil.covered, 0.97);
     EXPECT_GT(veil.lightness, 35.0) << "of wet ultramarine: 11";
     // A little rough; the beads along its sides were twice as high.
-    EXPECT_LT(highest_mm(film), kWet_mm + 0.07);
+    EXPECT_LT(studio::highest_mm(film, film.shape.cells()), kWet_mm + 0.07);
 }
 
 TEST_P(ScumbleTest, FurrowsWetPaintSoftlyWhenPressed) {
@@ -165,7 +157,7 @@ TEST_P(ScumbleTest, FurrowsWetPaintSoftlyWhenPressed) {
     const Veil veil = veil_of(film, GetParam());
     EXPECT_GT(veil.thickness_mm, 0.5 * kWet_mm);
     EXPECT_LT(veil.thickness_mm, 0.9 * kWet_mm);
-    EXPECT_LT(highest_mm(film), kWet_mm + 0.16);
+    EXPECT_LT(studio::highest_mm(film, film.shape.cells()), kWet_mm + 0.16);
 }
 
 INSTANTIATE_TEST_SUITE_P(Directions, ScumbleTest,

@@ -188,6 +188,14 @@ double mean_thickness_mm(const film::FilmState& film, const grid::Rect& cells) {
     return sum / cells.width() / cells.height();
 }
 
+double highest_mm(const film::FilmState& film, const grid::Rect& cells) {
+    double highest = 0.0;
+    for (int y = cells.y0; y < cells.y1; ++y)
+        for (int x = cells.x0; x < cells.x1; ++x)
+            highest = std::max(highest, thickness_mm(film, x, y));
+    return highest;
+}
+
 double coverage(const film::FilmState& film, const grid::Rect& cells) {
     int covered = 0;
     for (int y = cells.y0; y < cells.y1; ++y) {

@@ -55,6 +55,7 @@ double balance_error(const Contents& a, const Contents& b);
 double volume_mm3(const film::FilmState& film);
 double thickness_mm(const film::FilmState& film, int x, int y);
 double mean_thickness_mm(const film::FilmState& film, const grid::Rect& cells);
+double highest_mm(const film::FilmState& film, const grid::Rect& cells);
 
 /// Share of the cells that hold more than 10 um.
 double coverage(const film::FilmState& film, const grid::Rect& cells);
