@@ -17,6 +17,7 @@ constexpr StepFlex kFlex = {.length_mm = 20.0,
                             .bend = 0.5,
                             .splay = 0.22,
                             .tilt_gain = 0.8,
+                            .stiff_end_mm = 1.6,
                             .restore = 0.02};
 constexpr FerrulePose kHand = {.x_mm = 30.0,
                                .y_mm = 20.0,
