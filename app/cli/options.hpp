@@ -117,13 +117,14 @@ struct TeaOptions {
     std::string scene;  ///< a file; empty: the usual tea
     double seconds = 45.0;
     double fps = 30.0;
-    std::optional<int> cells;
+    std::optional<int> cells, parcels;
     std::optional<std::uint32_t> seed;
     bool classic = false;        ///< the system of 2010 in place of the glass
     std::string frames;          ///< folder for files, empty: none
     std::string cache;           ///< folder for frames to be drawn later, empty: none
     double checkpoint_s = 60.0;  ///< of work, between two states that are kept beside them
     FrameFileOptions files;
+    std::string milk = "medium";  ///< in pictures: medium or surface
     std::string stats;
     int threads = 0;
     bool quiet = false;
@@ -134,6 +135,7 @@ struct TeaRenderOptions {
     std::string range;   ///< "FIRST-LAST"; empty: all
     std::string frames;  ///< folder
     FrameFileOptions files;
+    std::string milk = "medium";  ///< as TeaOptions
     std::string stats;
     int threads = 0;
     bool quiet = false;

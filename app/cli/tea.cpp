@@ -33,10 +33,15 @@ int steps_per_frame(const TeaSettings& settings, double fps) {
 TeaSettings settings_of(const TeaOptions& options) {
     TeaSettings settings = options.scene.empty() ? TeaSettings{} : liquid_files::read_tea(options.scene);
     if (options.cells) settings.cells = *options.cells;
+    if (options.parcels) settings.parcels = *options.parcels;
     if (options.seed) settings.seed = *options.seed;
     settings.step_s = 1.0 / (options.fps * steps_per_frame(settings, options.fps));
     liquid::check_tea(settings);
     return settings;
+}
+
+trace::MilkBody milk_body(const std::string& name) {
+    return name == "surface" ? trace::MilkBody::Surface : trace::MilkBody::Medium;
 }
 
 std::uint64_t hash_of(const MilkTea& tea) {
@@ -161,7 +166,7 @@ void run_tea(const TeaOptions& options) {
     const TeaSettings settings = settings_of(options);
     Outputs outputs;
     if (!options.frames.empty())
-        outputs.files.emplace(options.frames, options.files, settings.cup, pool);
+        outputs.files.emplace(options.frames, options.files, settings, milk_body(options.milk), pool);
     if (!options.cache.empty())
         outputs.cache.emplace(options.cache, liquid_files::index_of(liquid_files::tea_to_json(settings),
                                                                     options.fps, frame_count));
@@ -178,7 +183,7 @@ void run_tea_render(const TeaRenderOptions& options) {
     const TeaSettings settings = liquid_files::tea_from_json(index.scene, options.cache + "/tea.json");
     const FrameRange range = parse_frame_range(options.range, index.count);
     core::ThreadPool pool(options.threads);
-    TeaFiles files(options.frames, options.files, settings.cup, pool);
+    TeaFiles files(options.frames, options.files, settings, milk_body(options.milk), pool);
     TeaStats stats;
     draw_kept(range, options.quiet, {options.cache, index.scene_hash}, files, stats);
     stats.files += files.costs();

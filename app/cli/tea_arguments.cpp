@@ -20,6 +20,16 @@ void add_tea_file_options(CLI::App& command, FrameFileOptions& options) {
         ->capture_default_str();
 }
 
+void add_milk_option(CLI::App& command, std::string& milk) {
+    add_text(
+        command, "--milk", milk,
+        "How pictures draw milk that has not dissolved: as a share of the liquid, or as a body with "
+        "a surface")
+        ->type_name("medium|surface")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"medium", "surface"}));
+}
+
 void add_render(CLI::App& tea, TeaRenderOptions& options) {
     CLI::App& command = *tea.add_subcommand("render", "Draw frames that were kept, or any part of them");
     add_text(command, "CACHE", options.cache, "The folder that \"tea --cache\" filled")->required();
@@ -30,6 +40,7 @@ void add_render(CLI::App& tea, TeaRenderOptions& options) {
         ->type_name("DIR")
         ->required();
     add_tea_file_options(command, options.files);
+    add_milk_option(command, options.milk);
     add_threads_option(command, options.threads);
     add_stats_option(command, options.stats);
     add_quiet_flag(command, options.quiet);
@@ -48,6 +59,9 @@ void add_tea(CLI::App& program, TeaOptions& options, TeaRenderOptions& render) {
     add_number(command, "--grid", options.cells, {liquid::kMinTeaCells, liquid::kMaxTeaCells},
                "Cells along each side of the box")
         ->type_name("N");
+    add_number(command, "--parcels", options.parcels, {1.0, static_cast<double>(liquid::kMaxParcels)},
+               "Parcels that the milk is divided into")
+        ->type_name("N");
     add_number(command, "--seed", options.seed, {0.0, 4294967295.0}, "Another number, another glass")
         ->type_name("N");
     command.add_flag(
@@ -61,6 +75,7 @@ void add_tea(CLI::App& program, TeaOptions& options, TeaRenderOptions& render) {
         ->type_name("DIR");
     add_checkpoint_option(command, options.checkpoint_s);
     add_tea_file_options(command, options.files);
+    add_milk_option(command, options.milk);
     add_threads_option(command, options.threads);
     add_stats_option(command, options.stats);
     add_quiet_flag(command, options.quiet);

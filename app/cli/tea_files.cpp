@@ -1,7 +1,6 @@
 #include "cli/tea_files.hpp"
 
 #include "cli/stopwatch.hpp"
-#include "trace/tea_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,32 +8,43 @@
 
 namespace pastoso::cli {
 
-TeaFiles::TeaFiles(std::filesystem::path folder, const FrameFileOptions& options, const liquid::Cup& cup,
-                   core::ThreadPool& pool)
-    : files_(std::move(folder), "milk", options, pool), cup_(cup), surfaces_(pool) {}
+TeaFiles::TeaFiles(std::filesystem::path folder, const FrameFileOptions& options,
+                   const liquid::TeaSettings& settings, trace::MilkBody body, core::ThreadPool& pool)
+    : files_(std::move(folder), "milk", options, pool),
+      settings_(settings),
+      body_(body),
+      scenes_(pool),
+      surfaces_(pool) {}
 
 void TeaFiles::write(int number, const liquid::TeaFrame& frame) {
     using enum FrameFiles::Kind;
-    liquid::TriangleMesh milk = surface_of(frame);
     switch (files_.kind()) {
         case Picture:
-            return files_.write_picture(number,
-                                        trace::tea_scene(cup_, frame.dissolved, std::move(milk)));
+            return files_.write_picture(number, scene_of(frame));
         case Mesh:
-            return files_.write_mesh(number, milk);
-        case Scene:
-            return files_.write_scene(number,
-                                      {.cup = cup_, .milk = milk, .dissolved = &frame.dissolved});
+            return files_.write_mesh(number, surface_of(frame));
+        case Scene: {
+            const liquid::TriangleMesh milk = surface_of(frame);
+            return files_.write_scene(
+                number, {.cup = settings_.cup, .milk = milk, .dissolved = &frame.dissolved});
+        }
         case Volume:
             return write_volume(number, frame);
     }
 }
 
+trace::Scene TeaFiles::scene_of(const liquid::TeaFrame& frame) {
+    trace::Scene scene;
+    files_.costs().surface_s += seconds_of([&] { scene = scenes_.make(frame, settings_, body_); });
+    files_.costs().triangles = static_cast<std::int64_t>(scene.milk.triangles.size());
+    return scene;
+}
+
 liquid::TriangleMesh TeaFiles::surface_of(const liquid::TeaFrame& frame) {
     liquid_files::FrameCosts& costs = files_.costs();
     liquid::MilkSurface surface;
-    costs.surface_s +=
-        seconds_of([&] { surface = surfaces_.make(frame.parcels, cup_, frame.dissolved.shape()); });
+    costs.surface_s += seconds_of(
+        [&] { surface = surfaces_.make(frame.parcels, settings_.cup, frame.dissolved.shape()); });
     costs.triangles = static_cast<std::int64_t>(surface.mesh.triangles.size());
     costs.surface_error_rel = std::max(costs.surface_error_rel, std::abs(surface.volume_error()));
     return std::move(surface.mesh);

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "cli/frame_files.hpp"
-#include "liquid/tea/cup.hpp"
 #include "liquid/tea/milk_surface.hpp"
 #include "liquid/tea/tea_frame.hpp"
+#include "liquid/tea/tea_settings.hpp"
+#include "trace/tea_scene.hpp"
 
 #include <filesystem>
 
@@ -13,22 +14,25 @@ namespace pastoso::cli {
 class TeaFiles {
   public:
     /// Throws as FrameFiles does, before anything is made.
-    TeaFiles(std::filesystem::path folder, const FrameFileOptions& options, const liquid::Cup& cup,
-             core::ThreadPool& pool);
+    TeaFiles(std::filesystem::path folder, const FrameFileOptions& options,
+             const liquid::TeaSettings& settings, trace::MilkBody body, core::ThreadPool& pool);
 
     bool is_wanted(int frame) const { return files_.is_wanted(frame); }
 
-    /// Makes the milk's surface and the file of whatever kind is wanted. Throws as FrameFiles does.
+    /// Makes the milk and the file of whatever kind is wanted. Throws as FrameFiles does.
     void write(int number, const liquid::TeaFrame& frame);
 
     const liquid_files::FrameCosts& costs() const { return files_.costs(); }
 
   private:
+    trace::Scene scene_of(const liquid::TeaFrame& frame);
     liquid::TriangleMesh surface_of(const liquid::TeaFrame& frame);
     void write_volume(int number, const liquid::TeaFrame& frame);
 
     FrameFiles files_;
-    liquid::Cup cup_;
+    liquid::TeaSettings settings_;
+    trace::MilkBody body_;
+    trace::TeaScenes scenes_;
     liquid::MilkSurfaces surfaces_;
 };
 

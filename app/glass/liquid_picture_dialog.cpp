@@ -91,8 +91,8 @@ QWidget* LiquidPictureDialog::controls() {
 QWidget* LiquidPictureDialog::milk_body() {
     body_ = new QComboBox;
     body_->setObjectName(QStringLiteral("picture_body"));
+    body_->addItem(tr("As a cloud"), static_cast<int>(trace::MilkBody::Medium));
     body_->addItem(tr("As a surface"), static_cast<int>(trace::MilkBody::Surface));
-    body_->addItem(tr("As a cloud"), static_cast<int>(trace::MilkBody::Volume));
     body_->setToolTip(tr("How milk that has not dissolved is seen: a cloud is softer and takes longer"));
     return body_;
 }

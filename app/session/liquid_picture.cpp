@@ -3,7 +3,6 @@
 #include "liquid_files/traced_picture.hpp"
 #include "tank/solid_mesh.hpp"
 #include "trace/tank_scene.hpp"
-#include "trace/tea_scene.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -45,8 +44,7 @@ void LiquidPicture::fail(const std::string& sentence) {
 void LiquidPicture::trace(const LiquidPictureOrder& order) {
     const auto ends = [this] { return stopping_ || worker_.cancelled(); };
     core::ThreadPool pool;
-    trace::Scene scene = order.scene(pool);
-    scene.milk_body = order.body;
+    const trace::Scene scene = order.scene(pool, order.body);
     trace::TeaTracer tracer(scene, {.width = order.width, .height = order.height}, pool);
     while (tracer.samples() < order.samples && !ends()) {
         const int wanted = std::clamp(tracer.samples() / 2, 1, order.samples - tracer.samples());
@@ -72,13 +70,11 @@ void LiquidPicture::publish(trace::Picture radiance, int samples, bool finished)
     notify_();
 }
 
-trace::Scene traced_tea(const TeaSnapshot& snapshot, const trace::Camera& camera,
+trace::Scene traced_tea(const TeaSnapshot& snapshot, const trace::Camera& camera, trace::MilkBody body,
                         core::ThreadPool& pool) {
-    const liquid::Cup& cup = snapshot.settings.cup;
-    liquid::MilkSurfaces surfaces(pool);
-    liquid::MilkSurface milk =
-        surfaces.make(snapshot.seen.parcels, cup, snapshot.seen.dissolved.shape());
-    trace::Scene scene = trace::tea_scene(cup, snapshot.seen.dissolved, std::move(milk.mesh));
+    trace::Scene scene = trace::TeaScenes(pool).make(
+        {.parcels = snapshot.seen.parcels, .dissolved = snapshot.seen.dissolved}, snapshot.settings,
+        body);
     scene.camera = camera;
     return scene;
 }

@@ -6,6 +6,7 @@
 #include "pigment/image.hpp"
 #include "session/tank_session.hpp"
 #include "session/tea_session.hpp"
+#include "trace/tea_scene.hpp"
 #include "trace/tracer.hpp"
 
 #include <atomic>
@@ -18,10 +19,10 @@ namespace pastoso::session {
 
 struct LiquidPictureOrder {
     /// What is seen; called once, on the picture's thread. What it throws is told.
-    std::function<trace::Scene(core::ThreadPool&)> scene;
+    std::function<trace::Scene(core::ThreadPool&, trace::MilkBody)> scene;
     int width = 800, height = 800;  ///< as trace::TraceSettings
     int samples = 48;               ///< of a pixel, 1 and more
-    trace::MilkBody body = trace::MilkBody::Surface;
+    trace::MilkBody body = trace::MilkBody::Medium;
 };
 
 class LiquidPicture {
@@ -62,8 +63,8 @@ class LiquidPicture {
     core::Worker<LiquidPictureOrder> worker_;
 };
 
-/// The glass at one moment, its milk with all the volume of the parcels, twice as fine as the cells.
-trace::Scene traced_tea(const TeaSnapshot& snapshot, const trace::Camera& camera,
+/// The glass at one moment.
+trace::Scene traced_tea(const TeaSnapshot& snapshot, const trace::Camera& camera, trace::MilkBody body,
                         core::ThreadPool& pool);
 
 /// The tank at one moment, as trace::tank_scene() draws it. The camera stands in the tank's own metres.

@@ -2,7 +2,9 @@
 
 #include "trace/numbers.hpp"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include <glm/common.hpp>
 
@@ -14,56 +16,52 @@ constexpr int kMostShadowSamples = 48;
 /// Shadows look at the milk once in so many cells.
 constexpr float kShadowSpacingCells = 2.2F;
 
-float mixed(float a, float b, float share) {
-    return a + (b - a) * share;
-}
+static_assert(grid::BlockField::kSide % kBlockCells == 0);
 
 }  // namespace
 
-DissolvedMilk::DissolvedMilk(const grid::BoxField& fraction, float scattering_per_m)
-    : scattering_per_m_(scattering_per_m) {
-    const grid::BoxShape& shape = fraction.shape();
-    if (shape.nx == 0 || shape.ny == 0 || shape.nz == 0) return;
+DissolvedMilk::DissolvedMilk(grid::BlockField fraction, float scattering_per_m)
+    : fraction_(std::move(fraction)), scattering_per_m_(scattering_per_m) {
+    const grid::BoxShape& shape = fraction_.shape();
+    if (fraction_.empty()) return;
     cells_ = {shape.nx, shape.ny, shape.nz};
     blocks_ = (cells_ + (kBlockCells - 1)) / kBlockCells;
     per_cell_ = 1.0F / shape.cell_m;
     block_m_ = shape.cell_m * kBlockCells;
     spacing_m_ = shape.cell_m * kShadowSpacingCells;
+    for (float& value : fraction_.samples())
+        value = std::clamp(value, 0.0F, 1.0F);
     bound_per_m_.assign(static_cast<std::size_t>(blocks_.x) * blocks_.y * blocks_.z, 0.0F);
-    values_.reserve(static_cast<std::size_t>(cells_.x) * cells_.y * cells_.z);
-    float most = 0.0F;
-    for (int k = 0; k < cells_.z; ++k)
-        for (int j = 0; j < cells_.y; ++j)
-            for (int i = 0; i < cells_.x; ++i) {
-                const float value = std::clamp(fraction.at(i, j, k), 0.0F, 1.0F);
-                values_.push_back(value);
-                most = std::max(most, value);
-                // A cell is felt up to the next cells' centres.
-                const glm::ivec3 cell(i, j, k);
+    for (int k = 0; k < fraction_.blocks().z; ++k)
+        for (int j = 0; j < fraction_.blocks().y; ++j)
+            for (int i = 0; i < fraction_.blocks().x; ++i)
+                note_bounds({i, j, k});
+}
+
+/// What the cells that a block keeps are to the bounds around them: a cell is felt up to the next cells'
+/// middles.
+void DissolvedMilk::note_bounds(const glm::ivec3& block) {
+    using grid::BlockField;
+    const float* samples = std::as_const(fraction_).block(fraction_.index(block));
+    if (samples == nullptr) return;
+    const glm::ivec3 first = block * BlockField::kSide;
+    const glm::ivec3 count = glm::min(cells_ - first, glm::ivec3(BlockField::kSide));
+    for (int z = 0; z < count.z; ++z)
+        for (int y = 0; y < count.y; ++y)
+            for (int x = 0; x < count.x; ++x) {
+                const float scattering =
+                    samples[x + BlockField::kRow * y + BlockField::kLayer * z] * scattering_per_m_;
+                if (scattering <= 0.0F) continue;
+                const glm::ivec3 cell = first + glm::ivec3(x, y, z);
                 const glm::ivec3 low = glm::max(cell - 1, glm::ivec3(0)) / kBlockCells;
                 const glm::ivec3 high = glm::min(cell + 1, cells_ - 1) / kBlockCells;
                 for (int c = low.z; c <= high.z; ++c)
                     for (int b = low.y; b <= high.y; ++b)
                         for (int a = low.x; a <= high.x; ++a) {
                             float& bound = bound_per_m_[a + blocks_.x * (b + blocks_.y * c)];
-                            bound = std::max(bound, value * scattering_per_m);
+                            bound = std::max(bound, scattering);
                         }
             }
-    if (most <= 0.0F) *this = {};
-}
-
-float DissolvedMilk::fraction(const glm::vec3& point_m) const {
-    const glm::vec3 place =
-        glm::clamp(point_m * per_cell_ - 0.5F, glm::vec3(0.0F), glm::vec3(cells_) - 1.0F);
-    const glm::ivec3 low = glm::min(glm::ivec3(place), glm::max(cells_ - 2, glm::ivec3(0)));
-    const glm::vec3 share = place - glm::vec3(low);
-    const int step_x = cells_.x > 1 ? 1 : 0, step_y = cells_.y > 1 ? cells_.x : 0;
-    const int step_z = cells_.z > 1 ? cells_.x * cells_.y : 0;
-    const float* v = values_.data() + low.x + cells_.x * (low.y + cells_.y * low.z);
-    const auto row = [&](const float* a) { return mixed(a[0], a[step_x], share.x); };
-    const float lower = mixed(row(v), row(v + step_y), share.y);
-    const float upper = mixed(row(v + step_z), row(v + step_z + step_y), share.y);
-    return mixed(lower, upper, share.z);
 }
 
 int DissolvedMilk::block_index(const glm::vec3& point_m) const {
@@ -119,8 +117,9 @@ float DissolvedMilk::way_out_m(const glm::vec3& origin_m, const glm::vec3& direc
     return way_m;
 }
 
-float DissolvedMilk::free_path_m(const glm::vec3& origin_m, const glm::vec3& direction, float limit_m,
-                                 Sampler& sampler) const {
+DissolvedMilk::FreePath DissolvedMilk::free_path(const glm::vec3& origin_m, const glm::vec3& direction,
+                                                 float limit_m, Sampler& sampler) const {
+    float milk_m = 0.0F;
     const float milk_ends_m = std::min(limit_m, way_out_m(origin_m, direction));
     Walk walk(*this, origin_m, direction);
     // Optical depth up to the next event, spent block by block.
@@ -131,11 +130,13 @@ float DissolvedMilk::free_path_m(const glm::vec3& origin_m, const glm::vec3& dir
         const float bound = bound_per_m_[walk.index];
         while (depth < bound * (end - at)) {
             at += depth / bound;
-            const float scattering = fraction(origin_m + direction * at) * scattering_per_m_;
-            if (sampler.next() * bound < scattering) return std::min(at, limit_m);
+            const float share = fraction(origin_m + direction * at);
+            milk_m += share / bound;
+            if (sampler.next() * bound < share * scattering_per_m_)
+                return {std::min(at, limit_m), milk_m};
             depth = -fast_log(1.0F - sampler.next());
         }
-        if (!(end < milk_ends_m)) return limit_m;
+        if (!(end < milk_ends_m)) return {limit_m, milk_m};
         depth -= bound * std::max(0.0F, end - at);
         at = std::max(at, end);
         walk.leave(axis);

@@ -66,7 +66,7 @@ class Follower {
             arrive(strand);
             return false;
         }
-        strand.weight *= world_.absorbed(strand.here, event.distance);
+        strand.weight *= world_.absorbed(strand.here, event.distance, event.milk_m);
         strand.ray.origin += strand.ray.direction * event.distance;
         if (event.is_scattering) {
             scatter_in_milk(strand);

@@ -75,14 +75,11 @@ void check_mesh(const std::string& name, const liquid::TriangleMesh& mesh) {
                 refuse(name + "'s corner", static_cast<float>(corner), "the number of a position");
 }
 
-void check_dissolved(const grid::BoxField& field) {
-    const grid::BoxShape& shape = field.shape();
-    if (shape.nx == 0 || shape.ny == 0 || shape.nz == 0) return;
-    check("dissolved milk's cell", shape.cell_m, 1e-6F, 10.0F);
-    for (int k = 0; k < shape.nz; ++k)
-        for (int j = 0; j < shape.ny; ++j)
-            for (int i = 0; i < shape.nx; ++i)
-                check("dissolved milk", field.at(i, j, k), -1e6F, 1e6F);
+void check_milk_share(const grid::BlockField& field) {
+    if (field.empty()) return;
+    check("milk share's cell", field.shape().cell_m, 1e-6F, 10.0F);
+    for (const float value : field.samples())
+        check("milk share", value, -1e6F, 1e6F);
 }
 
 void check_optics(const Optics& optics) {
@@ -133,7 +130,7 @@ void check_scene(const Scene& scene) {
     check_mesh("milk", scene.milk);
     check_mesh("clear_liquid", scene.clear_liquid);
     check_mesh("solids", scene.solids);
-    check_dissolved(scene.dissolved);
+    check_milk_share(scene.milk_share);
     check_optics(scene.optics);
     check_camera(scene.camera);
     check_light(scene);

@@ -2,7 +2,7 @@
 // the light and the camera. Metres, z up; colours are linear sRGB.
 #pragma once
 
-#include "grid/box_field.hpp"
+#include "grid/block_field.hpp"
 #include "liquid/surface/triangle_mesh.hpp"
 #include "liquid/tea/cup.hpp"
 
@@ -31,12 +31,6 @@ struct Optics {
     glm::vec3 milk_reflectance{0.97F, 0.94F, 0.86F};   ///< of its surface, 0 to 1
     glm::vec3 solid_reflectance{0.70F, 0.32F, 0.20F};  ///< of solids, 0 to 1
     float glass_ior = 1.5F, liquid_ior = 1.335F;       ///< refractive indices, 1 to 4
-};
-
-/// How milk that has not dissolved is seen.
-enum class MilkBody {
-    Surface,  ///< white and dull, where its mesh is
-    Volume,   ///< a dense medium within the mesh: softer, a little slower
 };
 
 struct Camera {
@@ -73,17 +67,16 @@ struct Sky {
 struct Scene {
     std::optional<liquid::Cup> cup = liquid::Cup{};  ///< with tea up to its level
     std::optional<Tank> tank;                        ///< empty but for clear_liquid
-    liquid::TriangleMesh milk;                       ///< closed; not within glass
-    MilkBody milk_body = MilkBody::Surface;
+    liquid::TriangleMesh milk;                       ///< a dull body; closed, not within glass
     /// The surface of a clear liquid, closed. Where it touches glass it shall reach into it: within
     /// glass there is glass, whatever else is said to be there.
     liquid::TriangleMesh clear_liquid;
     /// Dull bodies that no light gets through, closed. They count before all else: where they stand at
     /// glass they may reach into it, and the liquid's surface into them.
     liquid::TriangleMesh solids;
-    /// Volume fraction of dissolved milk in the cells of a box that begins at the origin, between 0 and
-    /// 1 (values beyond are clamped); a shape without cells: none. Only the cells count, not the ghosts.
-    grid::BoxField dissolved;
+    /// Volume fraction of milk in the liquid in the cells of a box that begins at the origin, between 0
+    /// and 1 (values beyond are clamped); empty: none.
+    grid::BlockField milk_share;
     Optics optics;
     Camera camera;
     std::optional<Table> table = Table{};

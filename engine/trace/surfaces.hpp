@@ -7,7 +7,7 @@ namespace pastoso::trace {
 
 /// What is at a place: a set, of which the glass counts before the liquid (nested dielectrics after
 /// Schmidt and Budge 2002), so that a liquid's surface may reach into the glass that holds it.
-enum Inside : unsigned { kAir = 0, kGlass = 1, kLiquid = 2, kMilk = 4 };
+enum Inside : unsigned { kAir = 0, kGlass = 1, kLiquid = 2 };
 
 enum class SurfaceKind { None, Clear, Milk, Solid, Table };
 

@@ -87,8 +87,9 @@ Scene tank_scene(const grid::BoxField& milk, liquid::TriangleMesh liquid, liquid
     scene.solids = std::move(solids);
     scale(scene.clear_liquid, model);
     scale(scene.solids, model);
-    scene.dissolved = grid::BoxField({box.nx, box.ny, box.nz, box.cell_m * model});
-    scene.dissolved.values() = milk.values();
+    grid::BoxField share({box.nx, box.ny, box.nz, box.cell_m * model});
+    share.values() = milk.values();
+    scene.milk_share = grid::BlockField(share);
     Tank tank;
     tank.inner_low_m = glm::vec3(0.0F);
     tank.inner_high_m = size_of(box) * model;

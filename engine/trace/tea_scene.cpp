@@ -1,14 +1,23 @@
 #include "trace/tea_scene.hpp"
 
+#include "liquid/tea/milk_jug.hpp"
+
 #include <utility>
 
 namespace pastoso::trace {
 
-Scene tea_scene(const liquid::Cup& cup, grid::BoxField dissolved, liquid::TriangleMesh milk) {
+Scene TeaScenes::make(const liquid::TeaFrame& frame, const liquid::TeaSettings& settings,
+                      MilkBody body) {
     Scene scene;
-    scene.cup = cup;
-    scene.milk = std::move(milk);
-    scene.dissolved = std::move(dissolved);
+    scene.cup = settings.cup;
+    if (body == MilkBody::Medium) {
+        const liquid::MilkDensitySettings density = {
+            .reach_m = liquid::even_reach_m(liquid::milk_per_parcel_m3(settings))};
+        scene.milk_share = densities_.make(frame.parcels, frame.dissolved, settings.cup, density);
+    } else {
+        scene.milk = surfaces_.make(frame.parcels, settings.cup, frame.dissolved.shape()).mesh;
+        scene.milk_share = grid::BlockField(frame.dissolved);
+    }
     return scene;
 }
 

@@ -31,8 +31,7 @@ World::World(const Scene& scene)
       milk_(scene.milk),
       clear_liquid_(scene.clear_liquid),
       solids_(scene.solids),
-      milk_body_(scene.milk_body),
-      dissolved_(scene.dissolved, scene.optics.milk_scattering_per_m),
+      milk_share_(scene.milk_share, scene.optics.milk_scattering_per_m),
       light_(scene.lamp, scene.sky) {
     if (scene.cup) cup_.emplace(*scene.cup);
     if (scene.tank) tank_.emplace(*scene.tank);
@@ -80,31 +79,25 @@ SurfaceHit World::nearest_clear_hit(const Ray& ray, unsigned here) const {
     return hit;
 }
 
-void World::meet_milk(const Ray& ray, unsigned here, SurfaceHit& hit) const {
-    if ((here & kGlass) != 0 || milk_.empty() || !meet_mesh(milk_, ray, hit)) return;
-    hit.kind = milk_body_ == MilkBody::Volume ? SurfaceKind::Clear : SurfaceKind::Milk;
-    hit.decided = hit.inner = kMilk;
-    hit.outer = kAir;
-}
-
 void World::meet_bodies(const Ray& ray, unsigned here, SurfaceHit& hit) const {
     if (!solids_.empty() && meet_mesh(solids_, ray, hit)) hit.kind = SurfaceKind::Solid;
-    meet_milk(ray, here, hit);
+    if ((here & kGlass) == 0 && !milk_.empty() && meet_mesh(milk_, ray, hit))
+        hit.kind = SurfaceKind::Milk;
 }
 
 /// In cloudy tea light does not get far, and the bodies' many triangles are asked for that way alone.
 World::Event World::next_event(const Ray& ray, unsigned here, Sampler& sampler) const {
     SurfaceHit hit = nearest_clear_hit(ray, here);
     if (table_) meet_table(ray, hit);
-    const float free = free_path_m(ray, here, hit.distance, sampler);
-    if (free < hit.distance) {
+    const DissolvedMilk::FreePath free = free_path(ray, here, hit.distance, sampler);
+    if (free.length_m < hit.distance) {
         SurfaceHit nearer;
-        nearer.distance = free;
+        nearer.distance = free.length_m;
         meet_bodies(ray, here, nearer);
-        return {nearer.distance, nearer.kind == SurfaceKind::None, nearer};
+        return {nearer.distance, free.milk_m, nearer.kind == SurfaceKind::None, nearer};
     }
     meet_bodies(ray, here, hit);
-    return {hit.distance, false, hit};
+    return {hit.distance, free.milk_m, false, hit};
 }
 
 glm::vec3 World::reflectance(SurfaceKind kind, const glm::vec3& point) const {
@@ -115,24 +108,21 @@ glm::vec3 World::reflectance(SurfaceKind kind, const glm::vec3& point) const {
     return table_->reflectance * (table_->fading_to + (1.0F - table_->fading_to) * near);
 }
 
-glm::vec3 World::absorbed(unsigned here, float length_m) const {
+glm::vec3 World::absorbed(unsigned here, float length_m, float milk_m) const {
     if ((here & kGlass) != 0) return fast_exp(optics_.glass_absorption_per_m * -length_m);
-    if ((here & kLiquid) == 0 || (here & kMilk) != 0) return glm::vec3(1.0F);
-    return fast_exp(optics_.tea_absorption_per_m * -length_m);
+    if ((here & kLiquid) == 0) return glm::vec3(1.0F);
+    return fast_exp(optics_.tea_absorption_per_m * -std::max(length_m - milk_m, 0.0F));
 }
 
-float World::free_path_m(const Ray& ray, unsigned here, float limit_m, Sampler& sampler) const {
-    if ((here & kGlass) != 0) return limit_m;
-    if ((here & kMilk) != 0)
-        return std::min(limit_m, -fast_log(1.0F - sampler.next()) / optics_.milk_scattering_per_m);
-    if ((here & kLiquid) == 0 || dissolved_.empty()) return limit_m;
-    return dissolved_.free_path_m(ray.origin, ray.direction, limit_m, sampler);
+DissolvedMilk::FreePath World::free_path(const Ray& ray, unsigned here, float limit_m,
+                                         Sampler& sampler) const {
+    if ((here & kGlass) != 0 || (here & kLiquid) == 0 || milk_share_.empty()) return {limit_m, 0.0F};
+    return milk_share_.free_path(ray.origin, ray.direction, limit_m, sampler);
 }
 
 bool World::dull_in_the_way(const Ray& ray, unsigned here, float length_m) const {
     if (!solids_.empty() && solids_.anything_between(mesh_ray(ray, length_m))) return true;
-    return milk_body_ == MilkBody::Surface && (here & kGlass) == 0 &&
-           milk_.anything_between(mesh_ray(ray, length_m));
+    return (here & kGlass) == 0 && milk_.anything_between(mesh_ray(ray, length_m));
 }
 
 glm::vec3 World::straight_transmittance(Ray ray, unsigned here, Sampler& sampler,
@@ -142,17 +132,12 @@ glm::vec3 World::straight_transmittance(Ray ray, unsigned here, Sampler& sampler
         ++rays;
         SurfaceHit hit = nearest_clear_hit(ray, here);
         if (table_) meet_table(ray, hit);
-        if (milk_body_ == MilkBody::Volume) meet_milk(ray, here, hit);
         if (hit.kind == SurfaceKind::Table || dull_in_the_way(ray, here, hit.distance))
             return glm::vec3(0.0F);
         if (hit.kind == SurfaceKind::None) return share;
         share *= absorbed(here, hit.distance);
-        if ((here & kGlass) == 0) {
-            if ((here & kMilk) != 0)
-                share *= fast_exp(-optics_.milk_scattering_per_m * hit.distance);
-            else if ((here & kLiquid) != 0 && !dissolved_.empty())
-                share *= dissolved_.transmittance(ray.origin, ray.direction, hit.distance, sampler);
-        }
+        if ((here & kGlass) == 0 && (here & kLiquid) != 0 && !milk_share_.empty())
+            share *= milk_share_.transmittance(ray.origin, ray.direction, hit.distance, sampler);
         if (largest(share) < kDark) return glm::vec3(0.0F);
         const unsigned beyond = hit.beyond(here, ray.direction);
         const float from = refractive_index(here), to = refractive_index(beyond);

@@ -19,6 +19,7 @@ class World {
     /// Where a ray that starts `here` is scattered by milk, or else what it meets.
     struct Event {
         float distance;
+        float milk_m;  ///< of it through milk, each place by its share
         bool is_scattering;
         SurfaceHit hit;
     };
@@ -32,8 +33,8 @@ class World {
         return (here & kLiquid) != 0 ? optics_.liquid_ior : 1.0F;
     }
 
-    /// By Beer's law; undiluted milk absorbs where it scatters.
-    glm::vec3 absorbed(unsigned here, float length_m) const;
+    /// By Beer's law, the liquid where it is no milk; milk absorbs where it scatters.
+    glm::vec3 absorbed(unsigned here, float length_m, float milk_m = 0.0F) const;
 
     /// The share of the lamp's light that arrives at a point from `direction`, on a straight way through
     /// all that is clear; adds to `rays` what it took.
@@ -44,8 +45,8 @@ class World {
     void meet_table(const Ray& ray, SurfaceHit& hit) const;
     bool meet_mesh(const TriangleRays& triangles, const Ray& ray, SurfaceHit& hit) const;
     bool dull_in_the_way(const Ray& ray, unsigned here, float length_m) const;
-    float free_path_m(const Ray& ray, unsigned here, float limit_m, Sampler& sampler) const;
-    void meet_milk(const Ray& ray, unsigned here, SurfaceHit& hit) const;
+    DissolvedMilk::FreePath free_path(const Ray& ray, unsigned here, float limit_m,
+                                      Sampler& sampler) const;
     void meet_bodies(const Ray& ray, unsigned here, SurfaceHit& hit) const;
     SurfaceHit nearest_clear_hit(const Ray& ray, unsigned here) const;
 
@@ -55,8 +56,7 @@ class World {
     std::optional<Table> table_;
     glm::vec2 middle_m_{0.0F};
     TriangleRays milk_, clear_liquid_, solids_;
-    MilkBody milk_body_;
-    DissolvedMilk dissolved_;
+    DissolvedMilk milk_share_;
     Light light_;
 };
 

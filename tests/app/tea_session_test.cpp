@@ -192,8 +192,8 @@ TEST(LiquidPicture, IsTracedAndEndsWhenItIsTold) {
     TeaSession session(small_glass(), true, [] {});
     session.wait_until_applied();
     LiquidPictureOrder order;
-    order.scene = [snapshot = session.snapshot()](core::ThreadPool& pool) {
-        return traced_tea(*snapshot, {}, pool);
+    order.scene = [snapshot = session.snapshot()](core::ThreadPool& pool, trace::MilkBody body) {
+        return traced_tea(*snapshot, {}, body, pool);
     };
     order.width = order.height = 24;
     order.samples = 3;
@@ -221,8 +221,8 @@ TEST(LiquidPicture, TellsWhyThereIsNone) {
     TeaSession session(small_glass(), true, [] {});
     session.wait_until_applied();
     LiquidPictureOrder order;
-    order.scene = [snapshot = session.snapshot()](core::ThreadPool& pool) {
-        return traced_tea(*snapshot, {}, pool);
+    order.scene = [snapshot = session.snapshot()](core::ThreadPool& pool, trace::MilkBody body) {
+        return traced_tea(*snapshot, {}, body, pool);
     };
     order.width = 0;
     LiquidPicture picture(order, [] {});

@@ -61,7 +61,7 @@ BENCHMARK(closest_hits)->Unit(benchmark::kMillisecond);
 void trace_glass(benchmark::State& run) {
     Scene scene;
     scene.milk = many_balls();
-    scene.dissolved = tests::even_milk(0.001F * static_cast<float>(run.range(0)), 64);
+    scene.milk_share = grid::BlockField(tests::even_milk(0.001F * static_cast<float>(run.range(0)), 64));
     core::ThreadPool pool(1);
     TeaTracer tracer(scene, tests::small_picture(200), pool);
     for (auto _ : run)

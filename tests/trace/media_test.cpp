@@ -18,7 +18,7 @@ double share_through(const DissolvedMilk& milk, const glm::vec3& origin, const g
     int through = 0;
     for (std::uint32_t i = 0; i < kRays; ++i) {
         Sampler sampler(11, i, 0);
-        if (milk.free_path_m(origin, direction, length, sampler) >= length) ++through;
+        if (milk.free_path(origin, direction, length, sampler).length_m >= length) ++through;
     }
     return static_cast<double>(through) / kRays;
 }
@@ -27,7 +27,7 @@ double five_errors(double share) {
 }
 
 TEST(DissolvedMilk, EvenMilkLetsThroughWhatBeersLawSays) {
-    const DissolvedMilk milk(tests::even_milk(0.01F), 3000.0F);
+    const DissolvedMilk milk(grid::BlockField(tests::even_milk(0.01F)), 3000.0F);
     const glm::vec3 direction = glm::normalize(glm::vec3(0.5F, 0.3F, 0.7F));
     for (const float length : {0.005F, 0.03F, 0.08F}) {
         const double exact = std::exp(-30.0 * static_cast<double>(length));
@@ -41,7 +41,7 @@ TEST(DissolvedMilk, EvenMilkLetsThroughWhatBeersLawSays) {
 
 TEST(DissolvedMilk, MilkEndsACellBeyondItsField) {
     const grid::BoxField field = tests::even_milk(0.01F);
-    const DissolvedMilk milk(field, 3000.0F);
+    const DissolvedMilk milk(grid::BlockField(field), 3000.0F);
     const float size_m = static_cast<float>(field.shape().nx) * field.shape().cell_m;
     const double exact = std::exp(-30.0 * static_cast<double>(0.02F + field.shape().cell_m));
     for (const float length : {1.0F, 1e6F, kFar})
@@ -56,7 +56,7 @@ TEST(DissolvedMilk, VaryingMilkLetsThroughTheExponentialOfItsIntegral) {
         for (int j = 0; j < 32; ++j)
             for (int i = 0; i < 32; ++i)
                 field.at(i, j, k) = i < 16 ? 0.0F : 0.0005F * static_cast<float>(i);
-    const DissolvedMilk milk(field, 3000.0F);
+    const DissolvedMilk milk(grid::BlockField(field), 3000.0F);
     const glm::vec3 origin(0.001F, 0.047F, 0.052F), direction(1.0F, 0.0F, 0.0F);
     const float length = 0.097F;
     double depth = 0.0;
@@ -73,7 +73,7 @@ TEST(DissolvedMilk, FractionsAreLinearBetweenCentresAndEvenBeyondThem) {
     grid::BoxField field = tests::even_milk(0.0F, 4);
     field.at(1, 2, 3) = 0.4F;
     field.at(2, 2, 3) = 0.2F;
-    const DissolvedMilk milk(field, 3000.0F);
+    const DissolvedMilk milk(grid::BlockField(field), 3000.0F);
     const float h = 0.025F;
     EXPECT_NEAR(milk.fraction({1.5F * h, 2.5F * h, 3.5F * h}), 0.4F, 1e-6F);
     EXPECT_NEAR(milk.fraction({2.0F * h, 2.5F * h, 3.5F * h}), 0.3F, 1e-6F);
@@ -81,8 +81,8 @@ TEST(DissolvedMilk, FractionsAreLinearBetweenCentresAndEvenBeyondThem) {
 }
 
 TEST(DissolvedMilk, TeaWithoutMilkIsEmpty) {
-    EXPECT_TRUE(DissolvedMilk(tests::even_milk(0.0F), 3000.0F).empty());
-    EXPECT_TRUE(DissolvedMilk(grid::BoxField(), 3000.0F).empty());
+    EXPECT_TRUE(DissolvedMilk(grid::BlockField(tests::even_milk(0.0F)), 3000.0F).empty());
+    EXPECT_TRUE(DissolvedMilk(grid::BlockField(), 3000.0F).empty());
 }
 
 TEST(World, TeaAbsorbsByBeersLaw) {

@@ -47,11 +47,12 @@ inline trace::Scene busy_glass() {
     add_ball(scene.milk, {0.05F, 0.04F, 0.05F}, 0.008F);
     add_ball(scene.milk, {0.06F, 0.06F, 0.075F}, 0.006F);
     add_ball(scene.milk, {0.035F, 0.05F, 0.015F}, 0.009F);
-    scene.dissolved = even_milk(0.0F);
+    grid::BoxField share = even_milk(0.0F);
     for (int k = 0; k < 8; ++k)
         for (int j = 0; j < 16; ++j)
             for (int i = 0; i < 16; ++i)
-                scene.dissolved.at(i, j, k) = 0.02F * static_cast<float>(8 - k) / 8.0F;
+                share.at(i, j, k) = 0.02F * static_cast<float>(8 - k) / 8.0F;
+    scene.milk_share = grid::BlockField(share);
     return scene;
 }
 

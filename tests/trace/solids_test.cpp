@@ -44,11 +44,12 @@ TEST(Solids, InAFurnaceShowTheirColour) {
 TEST(Solids, InAFurnaceWithoutLossesATankWithMilkAndSolidsIsAsBrightAsTheSky) {
     Scene scene = ball_in_a_tank();
     scene.table = Table{};
-    scene.dissolved = tests::even_milk(0.0F);
+    grid::BoxField share = tests::even_milk(0.0F);
     for (int j = 0; j < 16; ++j)
         for (int i = 0; i < 16; ++i)
             for (int k = 0; k < 6; ++k)
-                scene.dissolved.at(i, j, k) = 0.01F;
+                share.at(i, j, k) = 0.01F;
+    scene.milk_share = grid::BlockField(share);
     tests::put_into_furnace(scene);
     TraceSettings settings = tests::small_picture(12);
     settings.most_events = 100000;
@@ -100,7 +101,8 @@ TEST(Solids, AreMetWhereTheyReachIntoGlass) {
 
 TEST(MilkInATank, ScattersLightWhereThereIsLiquidAndNowhereElse) {
     Scene scene = ball_in_a_tank(0.0F);
-    scene.dissolved = tests::even_milk(0.01F);  // above the liquid, too, and in the glass
+    scene.milk_share =
+        grid::BlockField(tests::even_milk(0.01F));  // above the liquid, too, and in the glass
     const World world(scene);
     constexpr int kRays = 20000;
     constexpr float kLength_m = 0.05F;
@@ -129,7 +131,7 @@ TEST(MilkInATank, ScattersLightWhereThereIsLiquidAndNowhereElse) {
 
 TEST(MilkInATank, DimsStraightLightByItsShareOfTheLiquidAlone) {
     Scene scene = ball_in_a_tank(0.0F), cloudy = scene;
-    cloudy.dissolved = tests::even_milk(0.01F);
+    cloudy.milk_share = grid::BlockField(tests::even_milk(0.01F));
     Sampler sampler(1, 1, 1);
     std::uint64_t rays = 0;
     const Ray level = {{-0.05F, 0.05F, 0.03F}, {1, 0, 0}}, above = {{-0.05F, 0.05F, 0.07F}, {1, 0, 0}};
@@ -146,9 +148,10 @@ TEST(MilkInATank, DimsStraightLightByItsShareOfTheLiquidAlone) {
 TEST(MilkInATank, IsNotLookedForOnAnEndlessWay) {
     Scene scene = ball_in_a_tank(0.0F);
     scene.table.reset();
-    scene.dissolved = tests::even_milk(0.0F);
-    const grid::BoxShape& shape = scene.dissolved.shape();
-    scene.dissolved.at(shape.nx - 2, shape.ny - 2, shape.nz - 2) = 1.0F;
+    grid::BoxField share = tests::even_milk(0.0F);
+    const grid::BoxShape& shape = share.shape();
+    share.at(shape.nx - 2, shape.ny - 2, shape.nz - 2) = 1.0F;
+    scene.milk_share = grid::BlockField(share);
     const Ray slipped = {{0.095F, 0.095F, 0.2F}, {0, 0, 1}};
     Sampler sampler(1, 1, 1);
     const World::Event event = World(scene).next_event(slipped, kLiquid, sampler);

@@ -41,14 +41,14 @@ TEST(TankScene, IsAModelWithGlassBetweenLiquidAndAir) {
     check_scene(scene);
     EXPECT_NEAR(scene.tank->inner_high_m.x, kTankModel_m, 1e-6F);
     EXPECT_NEAR(scene.tank->inner_high_m.z, kTankModel_m * 10.0F / 12.0F, 1e-6F);
-    EXPECT_NEAR(scene.dissolved.shape().cell_m * 12.0F, kTankModel_m, 1e-6F);
+    EXPECT_NEAR(scene.milk_share.shape().cell_m * 12.0F, kTankModel_m, 1e-6F);
     Sampler sampler(1, 1, 1);
     Ray ray{{-0.1F, 0.1F, 0.05F}, {1, 0, 0}};
     unsigned here = kAir;
     std::vector<float> indices;
     // The milk's scattering left out, only surfaces count.
     Scene clear = scene;
-    clear.dissolved = {};
+    clear.milk_share = {};
     const World surfaces(clear);
     for (;;) {
         const World::Event event = surfaces.next_event(ray, here, sampler);

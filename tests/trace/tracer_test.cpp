@@ -49,20 +49,17 @@ TEST(TeaTracer, InAFurnaceWithoutLossesEverythingIsAsBrightAsTheSky) {
     tests::put_into_furnace(scene);
     TraceSettings settings = tests::small_picture(12);
     settings.most_events = 100000;
-    for (const MilkBody body : {MilkBody::Surface, MilkBody::Volume}) {
-        scene.milk_body = body;
-        const Picture picture = traced(scene, settings, 4);
-        // Every path has weight 1 until it reaches the sky; rounding of thousands of events alone. A
-        // ray that enters glass or milk through a corner by rounding is allowed for by the mean.
-        EXPECT_NEAR(tests::mean_of(picture), 1.0, 2e-3);
-        for (const float value : picture.rgb)
-            EXPECT_LT(value, 1.001F);
-    }
+    const Picture picture = traced(scene, settings, 4);
+    // Every path has weight 1 until it reaches the sky; rounding of thousands of events alone. A
+    // ray that enters glass or milk through a corner by rounding is allowed for by the mean.
+    EXPECT_NEAR(tests::mean_of(picture), 1.0, 2e-3);
+    for (const float value : picture.rgb)
+        EXPECT_LT(value, 1.001F);
 }
 
 TEST(TeaTracer, SeekingTheLampGivesTheSameMeanWhereNoGlassGathersLight) {
     Scene scene = milk_on_a_table();
-    scene.dissolved = {};
+    scene.milk_share = {};
     TraceSettings settings = tests::small_picture(16);
     settings.brightest = 1e6F;
     const Estimate seeking = estimate(scene, settings, 8, 6);
@@ -147,7 +144,7 @@ TEST(TeaTracer, AMirroredSceneGivesAMirroredPicture) {
 
 TEST(TeaTracer, PlainTeaAndAnEmptyWorldAreTraced) {
     Scene plain;
-    plain.dissolved = tests::even_milk(0.0F);
+    plain.milk_share = grid::BlockField(tests::even_milk(0.0F));
     EXPECT_GT(tests::mean_of(traced(plain, tests::small_picture(12), 2)), 0.1);
     Scene nothing;
     nothing.cup.reset();
@@ -163,7 +160,7 @@ TEST(TeaTracer, MoreMilkMakesTheTeaLighter) {
     Scene scene;
     scene.camera.field_of_view_deg = 4.0F;  // tea alone
     const double plain = tests::mean_of(traced(scene, tests::small_picture(8), 32));
-    scene.dissolved = tests::even_milk(0.03F);
+    scene.milk_share = grid::BlockField(tests::even_milk(0.03F));
     const double cloudy = tests::mean_of(traced(scene, tests::small_picture(8), 32));
     EXPECT_GT(cloudy, 1.1 * plain);
 }
@@ -191,9 +188,10 @@ TEST(TeaTracer, NumbersOutOfRangeAreRefusedByName) {
     scene.optics.glass_ior = 0.5F;
     expect_refused(scene, settings, "glass_ior");
     scene = {};
-    scene.dissolved = tests::even_milk(0.0F);
-    scene.dissolved.at(3, 4, 5) = nan;
-    expect_refused(scene, settings, "dissolved milk");
+    grid::BoxField unknown = tests::even_milk(0.0F);
+    unknown.at(3, 4, 5) = nan;
+    scene.milk_share = grid::BlockField(unknown);
+    expect_refused(scene, settings, "milk share");
     scene = {};
     tests::add_ball(scene.milk, glm::vec3(0.05F), 0.01F);
     scene.milk.triangles[5][1] = 100000;

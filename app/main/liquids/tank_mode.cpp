@@ -243,7 +243,8 @@ void TankMode::blow_harder(double by_m_s) {
 session::LiquidPictureOrder TankMode::picture_order() const {
     session::LiquidPictureOrder order;
     if (const auto snapshot = session_->snapshot())
-        order.scene = [snapshot, camera = page_->view().camera().traced()](core::ThreadPool& pool) {
+        order.scene = [snapshot, camera = page_->view().camera().traced()](core::ThreadPool& pool,
+                                                                           trace::MilkBody) {
             return session::traced_tank(*snapshot, camera, pool);
         };
     return order;

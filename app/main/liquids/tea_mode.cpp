@@ -97,8 +97,9 @@ void TeaMode::show_published() {
 session::LiquidPictureOrder TeaMode::picture_order() const {
     session::LiquidPictureOrder order;
     if (const auto snapshot = session_->snapshot())
-        order.scene = [snapshot, camera = page_->view().camera().traced()](core::ThreadPool& pool) {
-            return session::traced_tea(*snapshot, camera, pool);
+        order.scene = [snapshot, camera = page_->view().camera().traced()](core::ThreadPool& pool,
+                                                                           trace::MilkBody body) {
+            return session::traced_tea(*snapshot, camera, body, pool);
         };
     return order;
 }

@@ -1,0 +1,64 @@
+// All milk in the tea as one share of the volume at each place: what has dissolved, and the parcels
+// spread out. Milk that flow has drawn out thin has no surface, but a share it has.
+#pragma once
+
+#include "core/thread_pool.hpp"
+#include "grid/block_field.hpp"
+#include "liquid/flow/row_ranges.hpp"
+#include "liquid/flow/walls.hpp"
+#include "liquid/tea/cup.hpp"
+#include "liquid/tea/parcel.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace pastoso::liquid {
+
+struct MilkDensitySettings {
+    int cells = 256;          ///< along each side of the box, 8 to 384
+    float reach_m = 0.0007F;  ///< of a parcel; taken between kLeastReach_cells and kMostReach_cells
+};
+inline constexpr float kLeastReach_cells = 1.5F, kMostReach_cells = 3.5F;
+
+/// The reach at which parcels of that volume, where they lie side by side, make an even body.
+float even_reach_m(double parcel_m3);
+
+/// Keeps its working memory from one frame to the next.
+class MilkDensities {
+  public:
+    explicit MilkDensities(core::ThreadPool& pool) : pool_(pool) {}
+
+    /// On the lattice of the wanted cells, at the middles of those that lie in the tea:
+    ///     rho = sum over parcels of V K(x - p) / sum of K over those cells + s c,
+    ///     K(d) = (1 - |d|^2 / reach^2)^2 within the reach,
+    /// c the dissolved share between the middles of its cells and s, near 1, what makes its sum that of
+    /// `dissolved` again: the sum of rho is the milk's volume, to rounding. A parcel none of whose cells
+    /// lies in the tea gives to the one around it. Above 1 where parcels overlap. The same bits on any
+    /// number of threads and any instruction set.
+    grid::BlockField make(std::span<const Parcel> parcels, const grid::BoxField& dissolved,
+                          const Cup& cup, const MilkDensitySettings& settings = {});
+
+  private:
+    void set_tea(const grid::BoxShape& flow, const Cup& cup);
+    void set_lattice(int cells);
+    void sort_into_slabs(std::span<const Parcel> parcels);
+    std::vector<char> blocks_reached(std::span<const Parcel> parcels) const;
+    double lay_dissolved(int slab, grid::BlockField& density) const;
+    void add_parcels(std::span<const Parcel> parcels, int slab, std::vector<float>& layers) const;
+    void finish(std::span<const Parcel> parcels, float scale, int slab, std::vector<float>& layers,
+                grid::BlockField& density) const;
+
+    core::ThreadPool& pool_;
+    Cup cup_;
+    std::optional<Walls> walls_;  ///< of the flow
+    grid::BoxField dissolved_;    ///< continued into the walls
+    grid::BoxShape shape_;        ///< of the density
+    RowRanges in_tea_;
+    float reach_cells_ = 0.0F;
+    std::vector<std::uint32_t> order_;  ///< parcels by slabs
+    std::vector<std::size_t> begins_;   ///< of each slab in that order, and where the last one ends
+};
+
+}  // namespace pastoso::liquid
