@@ -37,7 +37,7 @@ struct Facts {
     StreamFacts recipe, hand;
     float hand_x_m = 0.0F, hand_y_m = 0.0F;
     double poured_m3 = 0.0;
-    std::uint64_t jug_draws = 0;
+    std::uint64_t jug_places = 0;
 
     BoxShape shape() const { return {nx, ny, nz, cell_m}; }
 };
@@ -87,7 +87,7 @@ Facts facts_of(const TeaState& state) {
         facts.hand_y_m = state.jug.hand_m->y;
     }
     facts.poured_m3 = state.jug.poured_m3;
-    facts.jug_draws = state.jug.draws;
+    facts.jug_places = state.jug.places;
     return facts;
 }
 
@@ -100,7 +100,7 @@ bool is_allowed(const Facts& facts) {
         if (count < 0 || count > kMost) return false;
     return facts.cell_m > 0.0F && std::isfinite(facts.cell_m) &&
            facts.parcel_count <= std::uint64_t{liquid::kMaxParcels} &&
-           facts.spare_cells <= kMostSpareCells && facts.jug_draws <= UINT32_MAX;
+           facts.spare_cells <= kMostSpareCells && facts.jug_places <= UINT32_MAX;
 }
 
 void take_numbers(const Facts& facts, bool hand_pours, TeaState& state) {
@@ -110,7 +110,7 @@ void take_numbers(const Facts& facts, bool hand_pours, TeaState& state) {
     state.jug.hand = stream_of(facts.hand);
     if (hand_pours) state.jug.hand_m = glm::vec2(facts.hand_x_m, facts.hand_y_m);
     state.jug.poured_m3 = facts.poured_m3;
-    state.jug.draws = static_cast<std::uint32_t>(facts.jug_draws);
+    state.jug.places = static_cast<std::uint32_t>(facts.jug_places);
 }
 
 /// Those that are always there, in the file's order.

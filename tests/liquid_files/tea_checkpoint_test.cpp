@@ -73,7 +73,7 @@ TEST_F(TeaCheckpointTest, TheHeadIsAsDocumented) {
     };
     EXPECT_EQ(number_at(48), state.parcels.size());
     EXPECT_EQ(number_at(56), 2U);
-    EXPECT_EQ(number_at(128), state.jug.draws);
+    EXPECT_EQ(number_at(128), state.jug.places);
     std::uint64_t parts = 0;
     for (std::size_t part = 0; part < 12; ++part)
         parts += number_at(136 + 8 * part);

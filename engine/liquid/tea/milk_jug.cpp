@@ -4,6 +4,7 @@
 #include "core/random.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 
@@ -49,40 +50,45 @@ void MilkJug::pour(const TeaSettings& settings, std::vector<Parcel>& parcels, Ve
 void MilkJug::pour_from(Stream& stream, const glm::vec2& at_m, int most, const Pouring& into) {
     const TeaSettings& settings = into.settings;
     stream.seconds += settings.step_s;
-    const double due = settings.parcels * (stream.seconds / settings.pour_s);
-    const int count = std::min(most, static_cast<int>(due)) - stream.parcels;
-    stream.parcels += count;
-    pour_parcels(count, at_m, into);
     const double speed_m_s =
         settings.pour_speed_m_s * (1.0 - core::exponential(-kStreamRise_per_s * stream.seconds));
+    const double parcel_s = settings.pour_s / settings.parcels;
+    const int due = std::min(most, static_cast<int>(stream.seconds / parcel_s));
+    for (; stream.parcels < due; ++stream.parcels) {
+        const double since_s = stream.seconds - parcel_s * (stream.parcels + 1);
+        pour_parcel(at_m, static_cast<float>(speed_m_s * since_s), into);
+    }
     push_stream(at_m, static_cast<float>(speed_m_s), settings, into.velocity);
 }
 
-/// Onto a disc below the surface, as far down as the stream comes within the step.
-void MilkJug::pour_parcels(int count, const glm::vec2& at_m, const Pouring& into) {
+void MilkJug::pour_parcel(const glm::vec2& at_m, float way_m, const Pouring& into) {
     const TeaSettings& settings = into.settings;
-    const double capacity_left_m3 = kMostMilkInCup * tea_volume_m3(settings.cup) - state_.poured_m3;
     const float volume_m3 = milk_per_parcel_m3(settings);
-    const auto fitting = static_cast<int>(capacity_left_m3 / static_cast<double>(volume_m3));
-    count = std::min({count, fitting, kMaxParcels - static_cast<int>(into.parcels.size())});
-    const auto radius_m = static_cast<float>(settings.pour_radius_m);
-    const auto way_m = static_cast<float>(settings.pour_speed_m_s * settings.step_s);
+    const double most_m3 = kMostMilkInCup * tea_volume_m3(settings.cup);
+    const bool fits = state_.poured_m3 + static_cast<double>(volume_m3) <= most_m3 &&
+                      static_cast<int>(into.parcels.size()) < kMaxParcels;
+    if (!fits) return;
+    const glm::vec2 across_m =
+        at_m + static_cast<float>(settings.pour_radius_m) * next_place(settings);
+    const glm::vec3 place_m(across_m, settings.cup.level_m - kStreamStart_m - way_m);
     const float margin_m = kWallMargin_cells * into.velocity.shape().cell_m;
-    for (int i = 0; i < count; ++i) {
-        glm::vec2 on_disc;
-        do
-            on_disc = {2.0F * drawn(settings) - 1.0F, 2.0F * drawn(settings) - 1.0F};
-        while (glm::dot(on_disc, on_disc) > 1.0F);
-        const glm::vec2 across_m = at_m + radius_m * on_disc;
-        const float z_m = settings.cup.level_m - kStreamStart_m - way_m * drawn(settings);
-        into.parcels.push_back(
-            {brought_within(settings.cup, {across_m, z_m}, margin_m), volume_m3, 1.0F, -1});
-        state_.poured_m3 += static_cast<double>(volume_m3);
-    }
+    into.parcels.push_back({brought_within(settings.cup, place_m, margin_m), volume_m3, 1.0F, -1});
+    state_.poured_m3 += static_cast<double>(volume_m3);
 }
 
-float MilkJug::drawn(const TeaSettings& settings) {
-    return core::uniform_noise(state_.draws++, kPourStream ^ core::scramble(settings.seed));
+/// On a disc of radius 1.
+glm::vec2 MilkJug::next_place(const TeaSettings& settings) {
+    constexpr double kStepX = 0.7548776662466927, kStepY = 0.5698402909980532;
+    const auto coordinate = [&](double step, std::uint32_t stream) {
+        const double begin = core::uniform_noise(stream, kPourStream ^ core::scramble(settings.seed));
+        const double place = begin + step * state_.places;
+        return static_cast<float>(2.0 * (place - std::floor(place)) - 1.0);
+    };
+    for (;;) {
+        const glm::vec2 place(coordinate(kStepX, 0), coordinate(kStepY, 1));
+        ++state_.places;
+        if (glm::dot(place, place) <= 1.0F) return place;
+    }
 }
 
 }  // namespace pastoso::liquid

@@ -31,15 +31,17 @@ class MilkJug {
         Stream recipe, hand;
         std::optional<glm::vec2> hand_m;  ///< where the hand pours
         double poured_m3 = 0.0;
-        std::uint32_t draws = 0;  ///< by lot, so far
+        std::uint32_t places = 0;  ///< of the sequence that parcels are placed by, so far
         friend bool operator==(const State&, const State&) = default;
     };
 
     const State& state() const { return state_; }
     void set_state(const State& state) { state_ = state; }
 
-    /// What flows in during a step: parcels on a disc below the level, and the velocity of the stream on
-    /// the faces there.
+    /// What flows in during a step: parcels in a cylinder below the level, as far down as each has come
+    /// since it was due, and the velocity of the stream on the faces there. Across the stream they lie at
+    /// points of the R2 sequence (M. Roberts 2018): with the time they fill it evenly, and its skin is
+    /// smooth.
     void pour(const TeaSettings& settings, std::vector<Parcel>& parcels, VelocityField& velocity);
 
     /// See MilkTea::pour_by_hand().
@@ -56,8 +58,8 @@ class MilkJug {
     };
 
     void pour_from(Stream& stream, const glm::vec2& at_m, int most, const Pouring& into);
-    void pour_parcels(int count, const glm::vec2& at_m, const Pouring& into);
-    float drawn(const TeaSettings& settings);
+    void pour_parcel(const glm::vec2& at_m, float way_m, const Pouring& into);
+    glm::vec2 next_place(const TeaSettings& settings);
 
     State state_;
 };
