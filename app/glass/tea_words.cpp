@@ -47,15 +47,7 @@ constexpr TeaRow kBalls[] = {
     TeaRow{&S::ball_radius_m, QT_TR_NOOP("Ball's radius"), QT_TR_NOOP("Radius of a ball, in the mean"),
            kMillimetres, 1e3, 1, 2.0, 15.0},
     TeaRow{&S::ball_radius_spread, QT_TR_NOOP("Sizes differ by"),
-           QT_TR_NOOP("How much balls differ in size"), kPercent, 100.0, 0, 0.0, 90.0},
-    TeaRow{&S::cohesion_s, QT_TR_NOOP("Draws together in"),
-           QT_TR_NOOP("Time in which a ball draws its milk back"), kSeconds, 1.0, 2, 0.02, 5.0, true},
-    TeaRow{&S::cohesion_reach, QT_TR_NOOP("Lets go to"),
-           QT_TR_NOOP("How far it lets its milk, in its radii"), QT_TR_NOOP(" radii"), 1.0, 2, 1.0, 3.0},
-    TeaRow{&S::cohesion_limit_m, QT_TR_NOOP("Torn off at"),
-           QT_TR_NOOP("Distance at which milk is torn off"), kMillimetres, 1e3, 0, 5.0, 100.0},
-    TeaRow{&S::burst_depth_m, QT_TR_NOOP("Bursts at"), QT_TR_NOOP("Depth at which a ball bursts"),
-           kMillimetres, 1e3, 1, 0.0, 40.0}};
+           QT_TR_NOOP("How much balls differ in size"), kPercent, 100.0, 0, 0.0, 90.0}};
 
 constexpr TeaRow kDissolving[] = {
     TeaRow{&S::dissolving_s, QT_TR_NOOP("A warm ball in"),

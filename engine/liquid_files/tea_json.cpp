@@ -7,6 +7,7 @@
 #include "liquid_files/cup_json.hpp"
 
 #include <filesystem>
+#include <iterator>
 
 namespace pastoso::liquid_files {
 namespace {
@@ -25,6 +26,9 @@ constexpr AdvectionName kAdvections[] = {{"once", VelocityAdvection::Once},
 
 constexpr files::FileFormat kFormat{"pastoso-tea", "a glass of milk tea", "tea format",
                                     kTeaFormatVersion};
+
+/// Numbers of rules that are no more, which scenes may still have.
+constexpr const char* kRetired[] = {"cohesion_s", "cohesion_reach", "cohesion_limit_m", "burst_depth_m"};
 
 VelocityAdvection read_advection(const files::JsonPlace& place) {
     const std::string name = place.text();
@@ -53,6 +57,7 @@ liquid::TeaSettings tea_from_json(std::string_view text, const std::string& name
     std::vector<std::string_view> keys = {"format",  "version", "cup",       "cells",
                                           "parcels", "seed",    "advection", "ball_candidates"};
     files::add_keys(keys, liquid::tea_numbers());
+    keys.insert(keys.end(), std::begin(kRetired), std::end(kRetired));
     place.allow_only(keys);
 
     TeaSettings settings;

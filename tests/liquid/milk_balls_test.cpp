@@ -67,44 +67,5 @@ TEST(MilkBalls, AnotherSeedMakesOtherBalls) {
     EXPECT_NE(balls_of(8), balls_of(9));
 }
 
-TEST(MilkBalls, AMassIsTheSumOfItsParcels) {
-    std::vector<Parcel> parcels = {{{0.0F, 0.0F, 0.01F}, 1e-9F, 1.0F, 0},
-                                   {{0.0F, 0.0F, 0.04F}, 2e-9F, 1.0F, 0},
-                                   {{0.0F, 0.0F, 0.09F}, 5e-9F, 1.0F, -1}};
-    TeaSettings settings;
-    settings.first_ball_s = 0.0;
-    MilkBalls balls(settings);
-    balls.nucleate(1.0, settings, std::span(parcels).last(1));  // so that there is a ball 0
-    parcels[2].ball = -1;
-    const std::vector<BallMass> masses = balls.masses(parcels);
-    ASSERT_EQ(masses.size(), 1U);
-    EXPECT_NEAR(masses[0].volume_m3, 3e-9, 1e-15);
-    EXPECT_NEAR(masses[0].middle_m.z, 0.03, 1e-8);
-}
-
-TEST(MilkBalls, ParcelsBeyondTheReachComeBackInTime) {
-    TeaSettings settings;
-    const double radius_m = 0.005;
-    const BallMass ball{{0.05, 0.05, 0.03},
-                        4.0 / 3.0 * std::numbers::pi * radius_m * radius_m * radius_m};
-    const double reach_m = settings.cohesion_reach * radius_m;
-    glm::vec3 at_m(0.05F + 0.012F, 0.05F, 0.03F);
-    const double before = 0.012 - reach_m;
-    for (int i = 0; i < 180; ++i)
-        at_m = drawn_back(at_m, ball, settings, 1e-3);
-    // After one time constant a share 1/e of the way is left.
-    EXPECT_NEAR(static_cast<double>(at_m.x) - 0.05 - reach_m, before / std::numbers::e, 1e-3 * before);
-    const glm::vec3 within(0.05F + 0.004F, 0.05F, 0.03F), torn_off(0.05F + 0.031F, 0.05F, 0.03F);
-    EXPECT_EQ(drawn_back(within, ball, settings, 1.0), within);
-    EXPECT_EQ(drawn_back(torn_off, ball, settings, 1.0), torn_off);
-}
-
-TEST(MilkBalls, UnderTheSurfaceABallLetsGo) {
-    const TeaSettings settings;
-    const glm::vec3 at_m(0.062F, 0.05F, 0.08F);
-    EXPECT_EQ(drawn_back(at_m, {{0.05, 0.05, 0.078}, 5e-7}, settings, 1.0), at_m);
-    EXPECT_NE(drawn_back(at_m, {{0.05, 0.05, 0.076}, 5e-7}, settings, 1.0), at_m);
-}
-
 }  // namespace
 }  // namespace pastoso::liquid

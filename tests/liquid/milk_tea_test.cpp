@@ -55,7 +55,8 @@ double unevenness(const MilkTea& tea) {
 
 TEST(MilkTea, AllMilkOfTheRecipeIsPouredAndKept) {
     core::ThreadPool pool(2);
-    const TeaSettings settings = small_tea();
+    TeaSettings settings = small_tea();
+    settings.rest_ends_s = settings.dissolving_s = 5.0;
     MilkTea tea(settings);
     run(tea, 2.0, pool);
     EXPECT_EQ(tea.parcels().size(), 1500U);

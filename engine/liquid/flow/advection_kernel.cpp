@@ -108,7 +108,7 @@ void carry(const CarryView& flow, float* points, int count) {
         const Four here = lanes::load<Four>(points + 4 * p);
         const Four inside = in_box<kPeriodic>(here, size);
         const Four middle = in_box<kPeriodic>(
-            inside + Four(0.5F * flow.step) * face_velocity<kPeriodic, kCubic>(flow, inside), size);
+            inside + Four(0.5F * flow.step) * face_velocity<kPeriodic, false>(flow, inside), size);
         const Four moved = in_box<kPeriodic>(
             inside + Four(flow.step) * face_velocity<kPeriodic, kCubic>(flow, middle), size);
         lanes::store(points + 4 * p, moved);

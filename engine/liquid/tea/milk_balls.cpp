@@ -51,31 +51,4 @@ void MilkBalls::nucleate(double time_s, const TeaSettings& settings, std::span<P
     ++state_.count;
 }
 
-std::vector<BallMass> MilkBalls::masses(std::span<const Parcel> parcels) const {
-    std::vector<BallMass> masses(static_cast<std::size_t>(state_.count));
-    for (const Parcel& parcel : parcels) {
-        if (parcel.ball < 0) continue;
-        BallMass& ball = masses[static_cast<std::size_t>(parcel.ball)];
-        const auto volume_m3 = static_cast<double>(parcel.volume_m3);
-        ball.middle_m += volume_m3 * glm::dvec3(parcel.position_m);
-        ball.volume_m3 += volume_m3;
-    }
-    for (BallMass& ball : masses)
-        if (ball.volume_m3 > 0.0) ball.middle_m /= ball.volume_m3;
-    return masses;
-}
-
-glm::vec3 drawn_back(const glm::vec3& position_m, const BallMass& ball, const TeaSettings& settings,
-                     double dt_s) {
-    const double burst_m = static_cast<double>(settings.cup.level_m) - settings.burst_depth_m;
-    if (ball.middle_m.z > burst_m) return position_m;
-    const glm::dvec3 from_middle = glm::dvec3(position_m) - ball.middle_m;
-    const double distance_m = glm::length(from_middle);
-    const double radius_m = std::cbrt(0.75 / std::numbers::pi * ball.volume_m3);
-    const double reach_m = settings.cohesion_reach * radius_m;
-    if (distance_m <= reach_m || distance_m >= settings.cohesion_limit_m) return position_m;
-    const double share = 1.0 - core::exponential(-dt_s / settings.cohesion_s);
-    return position_m - glm::vec3(from_middle * (share * (distance_m - reach_m) / distance_m));
-}
-
 }  // namespace pastoso::liquid

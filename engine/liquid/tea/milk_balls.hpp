@@ -1,5 +1,5 @@
-// Balls of milk: now and then parcels at the top of what has settled become a ball, which warms, rises
-// as one, and bursts under the surface.
+// Balls of milk: now and then parcels at the top of what has settled become a ball, which warms
+// and rises.
 #pragma once
 
 #include "core/thread_pool.hpp"
@@ -11,12 +11,6 @@
 #include <vector>
 
 namespace pastoso::liquid {
-
-/// The milk of a ball: its middle, weighted by volume, and how much it is.
-struct BallMass {
-    glm::dvec3 middle_m{0.0};
-    double volume_m3 = 0.0;
-};
 
 class MilkBalls {
   public:
@@ -38,19 +32,10 @@ class MilkBalls {
     /// around it that belong to no ball yet.
     void nucleate(double time_s, const TeaSettings& settings, std::span<Parcel> parcels);
 
-    /// The balls as they are now.
-    std::vector<BallMass> masses(std::span<const Parcel> parcels) const;
-
   private:
     float drawn(const TeaSettings& settings);
 
     State state_;
 };
-
-/// Where a parcel of that ball is drawn to over dt_s: one further from the middle than cohesion_reach
-/// radii of a ball of that volume comes back with the time constant cohesion_s. Under the surface, and
-/// where it was torn off, it stays.
-glm::vec3 drawn_back(const glm::vec3& position_m, const BallMass& ball, const TeaSettings& settings,
-                     double dt_s);
 
 }  // namespace pastoso::liquid

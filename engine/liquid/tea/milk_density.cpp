@@ -181,16 +181,9 @@ void MilkDensities::set_lattice(int cells) {
 void MilkDensities::sort_into_slabs(std::span<const Parcel> parcels) {
     const int slabs = (shape_.nz + kSide - 1) / kSide;
     const auto slab_of = [&](const Parcel& parcel) {
-        return nearest_cell(place_of(parcel, shape_), shape_).z / kSide;
+        return static_cast<std::size_t>(nearest_cell(place_of(parcel, shape_), shape_).z / kSide);
     };
-    begins_.assign(static_cast<std::size_t>(slabs) + 1, 0);
-    for (const Parcel& parcel : parcels)
-        ++begins_[static_cast<std::size_t>(slab_of(parcel)) + 1];
-    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
-    order_.resize(parcels.size());
-    std::vector<std::size_t> next(begins_.begin(), begins_.end() - 1);
-    for (std::uint32_t i = 0; i < parcels.size(); ++i)
-        order_[next[static_cast<std::size_t>(slab_of(parcels[i]))]++] = i;
+    order_ = CountingOrder(parcels, static_cast<std::size_t>(slabs), slab_of);
 }
 
 std::vector<char> MilkDensities::blocks_reached(std::span<const Parcel> parcels) const {
@@ -242,15 +235,14 @@ double MilkDensities::lay_dissolved(int slab, grid::BlockField& density) const {
 /// Spreads the parcels that reach into a slab over its layers of cells.
 void MilkDensities::add_parcels(std::span<const Parcel> parcels, int slab,
                                 std::vector<float>& layers) const {
-    const int slabs = static_cast<int>(begins_.size()) - 1, k0 = slab * kSide;
+    const int slabs = static_cast<int>(order_.groups()), k0 = slab * kSide;
     const auto cell_m3 = static_cast<float>(shape_.cell_volume_m3());
-    const std::size_t from = begins_[static_cast<std::size_t>(std::max(slab - 1, 0))],
-                      to = begins_[static_cast<std::size_t>(std::min(slab + 2, slabs))];
     const auto layer_row = [&](int j, int k) {
         return layers.data() + static_cast<std::size_t>((k - k0) * shape_.ny + j) * shape_.nx;
     };
-    for (std::size_t n = from; n < to; ++n) {
-        const Parcel& parcel = parcels[order_[n]];
+    for (const std::uint32_t number :
+         order_.groups_between(std::max(slab - 1, 0), std::min(slab + 2, slabs))) {
+        const Parcel& parcel = parcels[number];
         const glm::vec3 place = place_of(parcel, shape_);
         if (place.z + reach_cells_ < static_cast<float>(k0) ||
             place.z - reach_cells_ > static_cast<float>(k0 + kSide - 1))

@@ -6,10 +6,10 @@
 #include "grid/block_field.hpp"
 #include "liquid/flow/row_ranges.hpp"
 #include "liquid/flow/walls.hpp"
+#include "liquid/tea/counting_order.hpp"
 #include "liquid/tea/cup.hpp"
 #include "liquid/tea/parcel.hpp"
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -57,8 +57,7 @@ class MilkDensities {
     grid::BoxShape shape_;        ///< of the density
     RowRanges in_tea_;
     float reach_cells_ = 0.0F;
-    std::vector<std::uint32_t> order_;  ///< parcels by slabs
-    std::vector<std::size_t> begins_;   ///< of each slab in that order, and where the last one ends
+    CountingOrder order_;  ///< of the parcels by slabs
 };
 
 }  // namespace pastoso::liquid

@@ -15,6 +15,8 @@ namespace {
 
 /// More milk than a cell holds (parcels overlap) sinks no faster than this.
 constexpr float kMostMilk = 1.2F;
+/// Neighbours in memory shall be so in the tea: fields are read where the cache has them.
+constexpr int kStepsBetweenSorts = 8;
 /// A parcel that is left with less of its milk gives away the rest.
 constexpr float kLeastParcel = 0.004F;
 
@@ -40,6 +42,16 @@ SignedDistance distance_in(const Cup& cup) {
 /// 1 - e^(-dt / time).
 float share_passed(double dt_s, double time_s) {
     return static_cast<float>(1.0 - core::exponential(-dt_s / time_s));
+}
+
+/// Calls body(i) once for each parcel.
+template <class Body>
+void for_parcels(core::ThreadPool& pool, std::span<const Parcel> parcels, const Body& body) {
+    constexpr std::size_t kAtOnce = 4096;
+    pool.run((parcels.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t batch, int) {
+        for (std::size_t i = batch * kAtOnce; i < std::min(parcels.size(), (batch + 1) * kAtOnce); ++i)
+            body(i);
+    });
 }
 
 bool is_worse(const SolveResult& a, const SolveResult& b) {
@@ -72,6 +84,7 @@ void MilkTea::set_settings(const TeaSettings& settings) {
 
 TeaStep MilkTea::step(core::ThreadPool& pool, MeasureDivergence measure) {
     const auto dt_s = static_cast<float>(settings_.step_s);
+    if (steps_ % kStepsBetweenSorts == 0) sort_by_cells(flow_.shape(), parcels_);
     jug_.pour(settings_, parcels_, flow_.velocity());
     spread_parcels(pool);
     add_buoyancy(pool);
@@ -107,14 +120,13 @@ void MilkTea::spread_parcels(core::ThreadPool& pool) {
     compute_shares(parcels_, flow_.walls().open_cells(), pool, shares_);
     amounts_.resize(parcels_.size());
     cold_amounts_.resize(parcels_.size());
-    for (std::size_t i = 0; i < parcels_.size(); ++i) {
+    for_parcels(pool, parcels_, [&](std::size_t i) {
         amounts_[i] = parcels_[i].volume_m3 * per_m3;
         cold_amounts_[i] = amounts_[i] * parcels_[i].coldness;
-    }
+    });
     std::fill(parcel_milk_.values().begin(), parcel_milk_.values().end(), 0.0F);
     total_coldness_ = coldness_;
-    scatter(shares_, amounts_, parcel_milk_);
-    scatter(shares_, cold_amounts_, total_coldness_);
+    scatter(shares_, {{amounts_, cold_amounts_}}, {&parcel_milk_, &total_coldness_}, pool);
 }
 
 /// See TeaSettings; on a face, the mean of the cells above and below.
@@ -159,23 +171,12 @@ void MilkTea::carry(core::ThreadPool& pool) {
     flow_.advect_cells(fields, dt_s, KeepSum::Yes, pool);
 
     balls_.nucleate(time_s(), settings_, parcels_);
-    const std::vector<BallMass> balls = balls_.masses(parcels_);
     positions_m_.resize(parcels_.size());
-    for (std::size_t i = 0; i < parcels_.size(); ++i)
-        positions_m_[i] = parcels_[i].position_m;
+    for_parcels(pool, parcels_, [&](std::size_t i) { positions_m_[i] = parcels_[i].position_m; });
     flow_.carry(positions_m_, dt_s, pool);
     const float margin_m = kWallMargin_cells * flow_.shape().cell_m;
-    constexpr std::size_t kAtOnce = 256;
-    pool.run((parcels_.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t batch, int) {
-        for (std::size_t i = batch * kAtOnce; i < std::min(parcels_.size(), (batch + 1) * kAtOnce);
-             ++i) {
-            Parcel& parcel = parcels_[i];
-            glm::vec3 at_m = positions_m_[i];
-            if (parcel.ball >= 0)
-                at_m = drawn_back(at_m, balls[static_cast<std::size_t>(parcel.ball)], settings_,
-                                  settings_.step_s);
-            parcel.position_m = brought_within(settings_.cup, at_m, margin_m);
-        }
+    for_parcels(pool, parcels_, [&](std::size_t i) {
+        parcels_[i].position_m = brought_within(settings_.cup, positions_m_[i], margin_m);
     });
 }
 
@@ -198,10 +199,10 @@ void MilkTea::exchange(core::ThreadPool& pool) {
     compute_shares(parcels_, flow_.walls().open_cells(), pool, shares_);
     const auto per_m3 = static_cast<float>(1.0 / flow_.shape().cell_volume_m3());
     const float least_m3 = kLeastParcel * milk_per_parcel_m3(settings_);
-    for (std::size_t i = 0; i < parcels_.size(); ++i) {
+    for_parcels(pool, parcels_, [&](std::size_t i) {
         Parcel& parcel = parcels_[i];
         amounts_[i] = cold_amounts_[i] = 0.0F;
-        if (!shares_[i].any()) continue;
+        if (!shares_[i].any()) return;
         const float warmed = parcel.coldness * (parcel.ball >= 0 ? warming_fast : warming_slowly);
         cold_amounts_[i] =
             static_cast<float>(settings_.chill_share) * parcel.volume_m3 * per_m3 * warmed;
@@ -210,9 +211,8 @@ void MilkTea::exchange(core::ThreadPool& pool) {
         if (parcel.volume_m3 - given_m3 < least_m3) given_m3 = parcel.volume_m3;
         parcel.volume_m3 -= given_m3;
         amounts_[i] = given_m3 * per_m3;
-    }
-    scatter(shares_, cold_amounts_, coldness_);
-    scatter(shares_, amounts_, dissolved_);
+    });
+    scatter(shares_, {{cold_amounts_, amounts_}}, {&coldness_, &dissolved_}, pool);
 }
 
 void MilkTea::erase_dissolved() {

@@ -1,9 +1,11 @@
 #include "liquid/tea/parcel_cells.hpp"
 
 #include "core/check.hpp"
+#include "liquid/tea/counting_order.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pastoso::liquid {
 namespace {
@@ -75,14 +77,40 @@ void compute_shares(std::span<const Parcel> parcels, const grid::BoxField& open_
     });
 }
 
-void scatter(std::span<const ParcelShares> shares, std::span<const float> amounts,
-             grid::BoxField& field) {
-    PASTOSO_CHECK_OP(shares.size(), ==, amounts.size());
-    const auto offsets = corner_offsets(field.shape());
-    float* values = field.values().data();
-    for (std::size_t i = 0; i < shares.size(); ++i)
-        for (std::size_t corner = 0; corner < 8; ++corner)
-            values[shares[i].first + offsets[corner]] += amounts[i] * shares[i].shares[corner];
+void scatter(std::span<const ParcelShares> shares, const std::array<std::span<const float>, 2>& amounts,
+             const std::array<grid::BoxField*, 2>& fields, core::ThreadPool& pool) {
+    const grid::BoxShape& shape = fields[0]->shape();
+    PASTOSO_CHECK(fields[1]->shape() == shape);
+    PASTOSO_CHECK(shares.size() == amounts[0].size() && shares.size() == amounts[1].size());
+    const auto offsets = corner_offsets(shape);
+    // Slabs of two layers reach into a third one: every second slab can be worked on at once.
+    const std::ptrdiff_t slab_samples = 2 * shape.stride_z();
+    const auto slab_of = [&](const ParcelShares& parcel) {
+        return static_cast<std::size_t>(parcel.first / slab_samples);
+    };
+    const CountingOrder order(shares, shape.sample_count() / slab_samples + 1, slab_of);
+    for (const std::size_t parity : {0U, 1U})
+        pool.run((order.groups() + 1 - parity) / 2, [&](std::size_t pair, int) {
+            for (const std::uint32_t i : order.group(2 * pair + parity))
+                for (std::size_t corner = 0; corner < 8; ++corner) {
+                    const std::size_t cell = static_cast<std::size_t>(shares[i].first + offsets[corner]);
+                    fields[0]->values()[cell] += amounts[0][i] * shares[i].shares[corner];
+                    fields[1]->values()[cell] += amounts[1][i] * shares[i].shares[corner];
+                }
+        });
+}
+
+void sort_by_cells(const grid::BoxShape& shape, std::vector<Parcel>& parcels) {
+    const auto cell_of = [&](const Parcel& parcel) {
+        const glm::ivec3 cell(parcel.position_m / shape.cell_m);
+        return static_cast<std::size_t>(shape.index(cell.x, cell.y, cell.z));
+    };
+    const CountingOrder order(std::span<const Parcel>(parcels), shape.sample_count(), cell_of);
+    std::vector<Parcel> sorted;
+    sorted.reserve(parcels.size());
+    for (const std::uint32_t i : order.all())
+        sorted.push_back(parcels[i]);
+    parcels = std::move(sorted);
 }
 
 }  // namespace pastoso::liquid

@@ -26,8 +26,13 @@ struct ParcelShares {
 void compute_shares(std::span<const Parcel> parcels, const grid::BoxField& open_cells,
                     core::ThreadPool& pool, std::vector<ParcelShares>& shares);
 
-/// field += amount[p] times p's shares, for one parcel after the other.
-void scatter(std::span<const ParcelShares> shares, std::span<const float> amounts,
-             grid::BoxField& field);
+/// fields[n] += amounts[n][p] times p's shares, for both n and all parcels, whose order in each cell is
+/// that of the parcels of every second pair of layers and then of the others: the same bits on any
+/// number of threads.
+void scatter(std::span<const ParcelShares> shares, const std::array<std::span<const float>, 2>& amounts,
+             const std::array<grid::BoxField*, 2>& fields, core::ThreadPool& pool);
+
+/// Puts parcels in the order of the cells that they lie in, x first; those of one cell stay in theirs.
+void sort_by_cells(const grid::BoxShape& shape, std::vector<Parcel>& parcels);
 
 }  // namespace pastoso::liquid

@@ -47,11 +47,6 @@ struct TeaSettings {
     double ball_radius_spread = 0.3;
     int ball_candidates = 40;  ///< parcels the highest of which becomes a ball's middle
 
-    double cohesion_s = 0.18;        ///< time in which a ball draws a parcel back
-    double cohesion_reach = 1.12;    ///< how far it lets them, in radii of a ball of that volume
-    double cohesion_limit_m = 0.03;  ///< further from the middle it is torn off
-    double burst_depth_m = 0.011;    ///< below the level, where a ball lets its parcels go
-
     double dissolving_s = 14.0;           ///< time constant of warm balls, and of all milk later
     double dissolving_on_top_s = 5.0;     ///< of balls that spread under the surface
     double top_depth_m = 0.014;           ///< how far down that is
