@@ -38,7 +38,9 @@ TeaPanel::TeaPanel(const TeaActions& actions, QWidget* parent) : QWidget(parent)
     for (const TeaSection& section : tea_sections())
         add_numbers(column, section);
     column->addStretch(1);
-    show_settings({});
+    liquid::TeaSettings usual;
+    usual.parcels = kLiveParcels;
+    show_settings(usual);
     show_force({});
 }
 

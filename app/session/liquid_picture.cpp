@@ -72,9 +72,9 @@ void LiquidPicture::publish(trace::Picture radiance, int samples, bool finished)
 
 trace::Scene traced_tea(const TeaSnapshot& snapshot, const trace::Camera& camera, trace::MilkBody body,
                         core::ThreadPool& pool) {
-    trace::Scene scene = trace::TeaScenes(pool).make(
-        {.parcels = snapshot.seen.parcels, .dissolved = snapshot.seen.dissolved}, snapshot.settings,
-        body);
+    const liquid::TeaFrame frame{
+        snapshot.time_s, snapshot.seen.step, snapshot.seen.parcels, snapshot.seen.dissolved, {}};
+    trace::Scene scene = trace::TeaScenes(pool).make(frame, snapshot.settings, body);
     scene.camera = camera;
     return scene;
 }

@@ -11,8 +11,8 @@ Scene TeaScenes::make(const liquid::TeaFrame& frame, const liquid::TeaSettings& 
     Scene scene;
     scene.cup = settings.cup;
     if (body == MilkBody::Medium) {
-        const liquid::MilkDensitySettings density = {
-            .reach_m = liquid::even_reach_m(liquid::milk_per_parcel_m3(settings))};
+        const liquid::MilkDensitySettings density =
+            liquid::even_density(liquid::milk_per_parcel_m3(settings), settings.box_m);
         scene.milk_share = densities_.make(frame.parcels, frame.dissolved, settings.cup, density);
     } else {
         scene.milk = surfaces_.make(frame.parcels, settings.cup, frame.dissolved.shape()).mesh;

@@ -41,7 +41,7 @@ TEST_F(CliTea, StatsTellWhatHappened) {
     EXPECT_EQ(stats.at("frames"), 0);
     EXPECT_EQ(stats.at("threads"), 1);
     // The recipe pours for 1.6 s.
-    EXPECT_NEAR(stats.at("parcels").get<double>(), 12000 * 0.5 / 1.6, 1.0);
+    EXPECT_NEAR(stats.at("parcels").get<double>(), 400000 * 0.5 / 1.6, 1.0);
     EXPECT_LT(stats.at("milk_error_rel").get<double>(), 1e-6);
     EXPECT_GT(stats.at("pcg_iterations_max").get<int>(), 0);
     EXPECT_GT(stats.at("divergence_max").get<double>(), 0.0);

@@ -168,7 +168,7 @@ TEST(MilkDensity, EvenMilkIsEven) {
             for (int i = 0; i < 16; ++i)
                 parcels.push_back({glm::vec3(0.045F) + step_m * glm::vec3(i, j, k), kVolume, 1.0F, -1});
     const grid::BlockField density =
-        densities.make(parcels, grid::BoxField(kFlow), {}, {256, even_reach_m(kVolume)});
+        densities.make(parcels, grid::BoxField(kFlow), {}, even_density(kVolume, 0.1));
     const float cell_m = density.shape().cell_m;
     for (int n = 0; n < 300; ++n) {
         const auto drawn = [&](std::uint32_t axis) {

@@ -5,6 +5,7 @@
 #include "liquid_files/tea_json.hpp"
 #include "main/liquids/tea_mode.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <QAction>
@@ -90,6 +91,7 @@ void TeaMode::move_axis(double right, double away) {
 
 void TeaMode::open_scene(const QString& path) {
     liquid::TeaSettings settings = liquid_files::read_tea(path.toStdString());
+    settings.parcels = std::min(settings.parcels, glass::kLiveParcels);
     session::TeaForce force = force_;
     force.on = settings.swirl_rad_s2 != 0.0 || settings.push_m_s2 != 0.0;
     if (force.on) {

@@ -17,6 +17,7 @@ constexpr int kSide = grid::BlockField::kSide;
 /// Cells along the cube around what a parcel reaches.
 constexpr int kKernelRow = 8;
 static_assert(2.0F * kMostReach_cells < kKernelRow && kMostReach_cells < kSide);
+constexpr int kLeastCells = 8, kMostCells = 384;
 /// The reach of an even body, in distances of its parcels.
 constexpr double kEvenReach = 1.75;
 /// What is less in a cell is seen nowhere.
@@ -155,8 +156,12 @@ void mark(const glm::ivec3& low, const glm::ivec3& high, const glm::ivec3& block
 
 }  // namespace
 
-float even_reach_m(double parcel_m3) {
-    return static_cast<float>(kEvenReach * std::cbrt(parcel_m3));
+MilkDensitySettings even_density(double parcel_m3, double box_m) {
+    const double reach_m = kEvenReach * std::cbrt(parcel_m3);
+    const MilkDensitySettings finest;
+    const double cells = std::clamp(static_cast<double>(kMostReach_cells) * box_m / reach_m,
+                                    static_cast<double>(kLeastCells), static_cast<double>(finest.cells));
+    return {static_cast<int>(cells), static_cast<float>(reach_m)};
 }
 
 void MilkDensities::set_tea(const grid::BoxShape& flow, const Cup& cup) {
@@ -292,7 +297,7 @@ void MilkDensities::finish(std::span<const Parcel> parcels, float scale, int sla
 
 grid::BlockField MilkDensities::make(std::span<const Parcel> parcels, const grid::BoxField& dissolved,
                                      const Cup& cup, const MilkDensitySettings& settings) {
-    PASTOSO_CHECK(settings.cells >= 8 && settings.cells <= 384);
+    PASTOSO_CHECK(settings.cells >= kLeastCells && settings.cells <= kMostCells);
     set_tea(dissolved.shape(), cup);
     set_lattice(settings.cells);
     reach_cells_ = std::clamp(settings.reach_m / shape_.cell_m, kLeastReach_cells, kMostReach_cells);

@@ -22,8 +22,9 @@ struct MilkDensitySettings {
 };
 inline constexpr float kLeastReach_cells = 1.5F, kMostReach_cells = 3.5F;
 
-/// The reach at which parcels of that volume, where they lie side by side, make an even body.
-float even_reach_m(double parcel_m3);
+/// At most 256 cells a side, at which parcels of that volume, where they lie side by side, make an even
+/// body.
+MilkDensitySettings even_density(double parcel_m3, double box_m);
 
 /// Keeps its working memory from one frame to the next.
 class MilkDensities {

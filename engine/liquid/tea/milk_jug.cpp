@@ -68,8 +68,7 @@ void MilkJug::pour_parcel(const glm::vec2& at_m, float way_m, const Pouring& int
     const bool fits = state_.poured_m3 + static_cast<double>(volume_m3) <= most_m3 &&
                       static_cast<int>(into.parcels.size()) < kMaxParcels;
     if (!fits) return;
-    const glm::vec2 across_m =
-        at_m + static_cast<float>(settings.pour_radius_m) * next_place(settings);
+    const glm::vec2 across_m = at_m + static_cast<float>(settings.pour_radius_m) * next_place(settings);
     const glm::vec3 place_m(across_m, settings.cup.level_m - kStreamStart_m - way_m);
     const float margin_m = kWallMargin_cells * into.velocity.shape().cell_m;
     into.parcels.push_back({brought_within(settings.cup, place_m, margin_m), volume_m3, 1.0F, -1});

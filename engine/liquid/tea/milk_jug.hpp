@@ -39,9 +39,9 @@ class MilkJug {
     void set_state(const State& state) { state_ = state; }
 
     /// What flows in during a step: parcels in a cylinder below the level, as far down as each has come
-    /// since it was due, and the velocity of the stream on the faces there. Across the stream they lie at
-    /// points of the R2 sequence (M. Roberts 2018): with the time they fill it evenly, and its skin is
-    /// smooth.
+    /// since it was due, and the velocity of the stream on the faces there. Across the stream they lie
+    /// at points of the R2 sequence (M. Roberts 2018): with the time they fill it evenly, and its skin
+    /// is smooth.
     void pour(const TeaSettings& settings, std::vector<Parcel>& parcels, VelocityField& velocity);
 
     /// See MilkTea::pour_by_hand().

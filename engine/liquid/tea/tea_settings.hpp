@@ -16,7 +16,7 @@ namespace pastoso::liquid {
 struct TeaSettings {
     Cup cup;
     int cells = 64;       ///< along each side of the box
-    int parcels = 12000;  ///< of milk
+    int parcels = 400'000;  ///< of milk
     std::uint32_t seed = 7;
     VelocityAdvection advection = VelocityAdvection::Once;
 
