@@ -50,7 +50,6 @@ void set_rays(QOpenGLShaderProgram& program, const GlassCamera& camera, QSize si
     program.setUniformValue("forward", vector(camera.forward()));
     program.setUniformValue("right", vector(camera.right() * (camera.half_height() * aspect)));
     program.setUniformValue("up", vector(camera.up() * camera.half_height()));
-    program.setUniformValue("focus_m", glm::length(camera.target_m() - camera.eye_m()));
     const QVector2D shift((spread(pass, 0.7548776662) - 0.5F) / static_cast<float>(size.width()),
                           (spread(pass, 0.5698402910) - 0.5F) / static_cast<float>(size.height()));
     program.setUniformValue("shift", shift);

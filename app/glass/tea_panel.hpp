@@ -15,7 +15,7 @@ class QVBoxLayout;
 namespace pastoso::glass {
 
 /// Of as many parcels at most a scene is shown as it is opened: the glass keeps up with them.
-inline constexpr int kLiveParcels = 12000;
+inline constexpr int kLiveParcels = 60000;
 
 struct TeaRow;
 struct TeaSection;

@@ -4,6 +4,7 @@
 #include "glass/liquid_renderer.hpp"
 #include "session/tea_session.hpp"
 
+#include <array>
 #include <memory>
 
 namespace pastoso::glass {
@@ -16,25 +17,23 @@ class TeaRenderer : public LiquidRenderer {
     /// What draw() shows from now on.
     void show(const session::TeaSnapshot& snapshot);
 
-    /// Milk is drawn anew when the camera or the moment is another than before, or all of it when
-    /// `target` has another size.
     void draw(QOpenGLFramebufferObject& target, const QRect& part, const GlassCamera& camera, int pass,
               Quality quality) override;
 
   private:
-    void upload_milk(const liquid::TriangleMesh& milk);
-    void upload_share(const grid::BoxField& dissolved);
-    void draw_milk(QSize size, const GlassCamera& camera);
+    /// A field as a texture, in the unit of its number.
+    struct FieldTexture {
+        GLuint texture = 0;
+        grid::BoxShape shape;
+    };
+
+    void upload(int unit, const grid::BoxField& field);
     void set_glass(const GlassCamera& camera, QSize size, int pass, Quality quality);
 
     QOpenGLExtraFunctions* gl_ = nullptr;
-    std::unique_ptr<QOpenGLShaderProgram> milk_program_, glass_program_;
-    std::unique_ptr<QOpenGLFramebufferObject> milk_layer_;
-    GLuint milk_array_ = 0, empty_array_ = 0, positions_ = 0, normals_ = 0, indices_ = 0, share_ = 0;
-    grid::BoxShape share_shape_;
-    GLsizei index_count_ = 0;
-    bool milk_is_drawn_ = false;
-    GlassCamera milk_camera_;
+    std::unique_ptr<QOpenGLShaderProgram> program_;
+    GLuint empty_array_ = 0;
+    std::array<FieldTexture, 3> fields_;  ///< the milk's share, and its depths to the lamp and the level
     liquid::TeaSettings settings_;
     std::optional<glm::vec2> stream_m_;
 };

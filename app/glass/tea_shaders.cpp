@@ -2,30 +2,6 @@
 
 namespace pastoso::glass {
 
-const char* const kMilkVertexShader = R"(#version 330 core
-layout(location = 0) in vec3 position_m;
-layout(location = 1) in vec3 normal;
-uniform mat4 clip_from_m;
-uniform vec3 eye_m, forward;
-uniform float focus_m;
-out vec3 way_normal;
-out float depth_m;
-void main() {
-    way_normal = normal;
-    depth_m = dot(position_m - eye_m, forward) - focus_m;  // small numbers: halves are exact enough
-    gl_Position = clip_from_m * vec4(position_m, 1.0);
-}
-)";
-
-const char* const kMilkFragmentShader = R"(#version 330 core
-in vec3 way_normal;
-in float depth_m;
-out vec4 layer;
-void main() {
-    layer = vec4(normalize(way_normal), depth_m);
-}
-)";
-
 const char* const kGlassVertexShader = R"(#version 330 core
 out vec2 place;
 void main() {
@@ -42,7 +18,6 @@ out vec4 colour;
 
 uniform vec3 eye_m, forward, right, up;   // right and up: to the edges of the picture, at distance 1
 uniform vec2 shift;                       // within the pixel, in units of place
-uniform float focus_m;
 uniform float grain;                      // of this pass, 0 to 1
 
 const vec3 GLASS_PER_M = vec3(2.2, 0.9, 1.4);
@@ -86,21 +61,21 @@ void main() {
 )";
 
 // What is simplified: a ray does not split but for
-// the first reflections, light in the tea comes straight from the lamp, and milk is met where the eye
-// would see it without the glass, at the place that the refracted ray passes.
+// the first reflections, light in the tea comes straight from the lamp, and milk scatters what milk in
+// the way of lamp and sky has left, as if it were a plane sheet.
 const char* const kGlassFragmentShader = R"(
 uniform vec2 axis_m;
 uniform float floor_m, floor_radius_m, slope, level_m, wall_m, foot_m, rim_m;
 uniform float box_m, table_m;
 uniform int march_steps;
-uniform sampler3D milk_share;
-uniform sampler2D milk_layer;
+uniform sampler3D milk_share, to_lamp_m, to_level_m;
 uniform vec4 stream;                      // x, y, radius, 1 while it flows
 
 const int AIR = 0, GLASS = 1, TEA = 2, NOTHING = 3;
 const float IOR[3] = float[3](1.0, 1.5, 1.335);
 const vec3 TEA_PER_M = vec3(4.5, 17.0, 48.0);
 const float NEAR_M = 2e-5, FAR = 1e9;
+const float LAMP_SHARE = 1.6, SKY_SHARE = 1.4;  // so that view and traced picture are as bright
 
 struct Meeting {
     float way;     // along the ray
@@ -197,74 +172,41 @@ float tea_to_lamp(vec3 at) {
 
 // ---- milk
 
-/// How far a point lies behind what the eye sees of the milk; far before it where there is none.
-float behind(vec3 at, out vec4 layer) {
-    vec3 way = at - eye_m;
-    float depth = dot(way, forward);
-    vec2 seen = 0.5 + 0.5 * vec2(dot(way, right) / dot(right, right), dot(way, up) / dot(up, up)) / depth;
-    layer = texture(milk_layer, seen);
-    return layer.xyz == vec3(0.0) ? -1.0 : depth - focus_m - layer.w;
-}
-
 float share(vec3 at) { return clamp(texture(milk_share, at / box_m).r, 0.0, 1.0); }
-
-vec3 milk_light(vec3 at, vec3 normal, vec3 to_eye) {
-    float wall = max(radius_at(at.z) - distance(at.xy, axis_m), 0.0);
-    float near_m = min(min(wall, level_m - at.z) + 0.002, 0.02);
-    float facing = dot(normal, LAMP_WAY);
-    vec3 lamp = LAMP * max(0.0, (facing + 0.25) / 1.25) * exp(-TEA_PER_M * tea_to_lamp(at)) *
-                exp(-0.25 * MILK_PER_M * 0.02 * share(at + LAMP_WAY * 0.01));
-    float round_about = 0.62 + 0.38 * normal.z;
-    vec3 all = SKY * round_about * exp(-TEA_PER_M * near_m) +
-               0.30 * LAMP * exp(-TEA_PER_M * (near_m + 0.004)) * (0.6 - 0.4 * facing);
-    return MILK * (lamp + all);
-}
 
 /// What thick tea of that much milk gives back (Kubelka and Munk, scattering 3/4 of the reduced one).
 vec3 cloud(float part) {
-    vec3 x = 2.0 * TEA_PER_M / (0.75 * MILK_PER_M * max(part, 1e-5));
-    return 1.0 + x - sqrt(x * x + 2.0 * x);
+    vec3 x = 2.0 * (1.0 - part) * TEA_PER_M / (0.75 * MILK_PER_M * max(part, 1e-5));
+    return MILK * (1.0 + x - sqrt(x * x + 2.0 * x));
 }
 
-/// Through tea: true where it ended at milk.
-bool through_tea(vec3 from, vec3 way, float length_m, float grain_here, inout vec3 weight, inout vec3 light) {
-    float part = length_m / float(march_steps);
-    vec4 layer;
-    float before = behind(from, layer), at = 0.0;
+/// A thin veil gives back what it scatters once, a quarter of what it does where it is thick.
+float scattered_again(float part) { return 1.0 - 0.35 * exp(-MILK_PER_M * 0.006 * part); }
+
+/// What a sheet of so much milk lets through, none of which it absorbs.
+float through_milk(sampler3D depth_m, vec3 at) {
+    return 1.0 / (1.0 + 0.75 * MILK_PER_M * texture(depth_m, at / box_m).r);
+}
+
+/// The light that arrives at a place in the tea, from the lamp and from all around.
+vec3 light_in_tea(vec3 at) {
+    float wall = max(radius_at(at.z) - distance(at.xy, axis_m), 0.0);
+    float near_m = min(min(wall, level_m - at.z) + 0.002, 0.02);
+    vec3 lamp = LAMP * exp(-TEA_PER_M * tea_to_lamp(at)) * through_milk(to_lamp_m, at);
+    vec3 sky = SKY * exp(-TEA_PER_M * near_m) * (0.5 + 0.5 * through_milk(to_level_m, at));
+    return LAMP_SHARE * lamp + SKY_SHARE * sky;
+}
+
+void through_tea(vec3 from, vec3 way, float length_m, float grain_here, inout vec3 weight, inout vec3 light) {
+    float part_m = length_m / float(march_steps);
     for (int i = 0; i < march_steps; ++i) {
-        float next = i + 1 == march_steps ? length_m : part * (float(i) + 0.5 + 0.5 * grain_here + 0.25);
-        next = min(next, length_m);
-        float now = behind(from + way * next, layer);
-        bool met = before <= 0.0 && now > 0.0;
-        if (met) {
-            float low = at, high = next;
-            for (int k = 0; k < 6; ++k) {
-                float middle = 0.5 * (low + high);
-                float there = behind(from + way * middle, layer);
-                if (there > 0.0) { high = middle; now = there; } else low = middle;
-            }
-            behind(from + way * high, layer);
-            met = now < 0.0016;
-            if (met) next = high;
-        }
-        before = now;
-        float milk = share(from + way * (0.5 * (at + next)));
-        vec3 left = exp(-(TEA_PER_M + MILK_PER_M * milk) * (next - at));
-        if (milk > 2e-5) {
-            vec3 here = from + way * (0.5 * (at + next));
-            float deep = clamp((level_m - here.z) / (level_m - floor_m), 0.0, 1.0);
-            vec3 lit = (LAMP * 0.62 + SKY) * mix(1.0, 0.80, deep);
-            light += weight * (1.0 - left) * cloud(milk) * lit;
-        }
+        vec3 at = from + way * (part_m * (float(i) + grain_here));
+        float milk = share(at);
+        vec3 left = exp(-(TEA_PER_M * (1.0 - milk) + MILK_PER_M * milk) * part_m);
+        if (milk > 2e-5) light += weight * (1.0 - left) * cloud(milk) * scattered_again(milk) * light_in_tea(at);
         weight *= left;
-        if (met) {
-            vec3 there = from + way * next;
-            light += weight * milk_light(there, normalize(layer.xyz), -way);
-            return true;
-        }
-        at = next;
+        if (weight.r < 0.004) return;
     }
-    return false;
 }
 
 /// Milk that falls through the air into the tea.
@@ -300,7 +242,7 @@ vec3 trace(vec3 from, vec3 way, float grain_here) {
             return light + weight * MILK * (LAMP * max(0.0, (facing + 0.3) / 1.3) + SKY);
         }
         if (next.way == FAR) return light + weight * surroundings(from, way);
-        if (here == TEA && through_tea(from, way, next.way, grain_here, weight, light)) return light;
+        if (here == TEA) through_tea(from, way, next.way, grain_here, weight, light);
         if (here == GLASS) weight *= exp(-GLASS_PER_M * next.way);
         if (max(weight.r, max(weight.g, weight.b)) < 0.004) return light;
         from += way * next.way;

@@ -3,10 +3,6 @@
 
 namespace pastoso::glass {
 
-/// The milk's surface: its normal and how far it lies before the eye.
-extern const char* const kMilkVertexShader;
-extern const char* const kMilkFragmentShader;
-
 /// What all that follow a ray for each pixel have in common: before their own words the camera, light,
 /// tone and Fresnel's law; after them main(), which calls
 ///     vec3 trace(vec3 from, vec3 way, float grain_here).
@@ -14,7 +10,7 @@ extern const char* const kLightShader;
 extern const char* const kMainShader;
 
 /// One triangle that covers the picture, and a ray for each pixel: refracted by glass and tea, through
-/// dissolved milk to the milk's surface, the table or the sky. The second stands between the two above.
+/// milk, to the table or the sky. The second stands between the two above.
 extern const char* const kGlassVertexShader;
 extern const char* const kGlassFragmentShader;
 

@@ -1,18 +1,17 @@
 #include "session/tea_session.hpp"
 
+#include "liquid/tea/milk_depth.hpp"
+#include "liquid/tea/milk_jug.hpp"
+#include "trace/scene.hpp"
+
 #include <utility>
 
 namespace pastoso::session {
 namespace {
 
-/// Coarse and quickly made: a surface for the screen. Its volume may be off by some percent.
-liquid::MilkSurfaceSettings surface_for_screen() {
-    liquid::MilkSurfaceSettings settings;
-    settings.parts = 1;
-    settings.volume_tolerance = 0.06;
-    settings.most_tries = 3;
-    return settings;
-}
+constexpr int kSeenCells = 96;  ///< of the milk, along each side of the box
+/// Of the reach of an even body: few parcels that have drifted apart shall look like a cloud.
+constexpr float kSeenReach = 2.0F;
 
 liquid::TeaSettings with_force(liquid::TeaSettings settings, const TeaForce& force) {
     settings.swirl_rad_s2 = force.on ? force.swirl_rad_s2 : 0.0;
@@ -23,6 +22,19 @@ liquid::TeaSettings with_force(liquid::TeaSettings settings, const TeaForce& for
 }
 
 }  // namespace
+
+void fill_milk(liquid::MilkDensities& densities, TeaSnapshot& snapshot) {
+    const liquid::TeaSettings& settings = snapshot.settings;
+    liquid::MilkDensitySettings density =
+        liquid::even_density(liquid::milk_per_parcel_m3(settings), settings.box_m);
+    density.cells = kSeenCells;
+    density.reach_m *= kSeenReach;
+    const TeaFrame& seen = snapshot.seen;
+    snapshot.milk_share = densities.make(seen.parcels, seen.dissolved, settings.cup, density).dense();
+    const grid::BoxField coarse = liquid::halved(snapshot.milk_share);
+    snapshot.to_lamp_m = liquid::milk_depth_m(coarse, trace::Lamp{}.towards);
+    snapshot.to_level_m = liquid::milk_depth_m(coarse, {0.0F, 0.0F, 1.0F});
+}
 
 TeaSession::TeaSession(const liquid::TeaSettings& settings, bool paused, Notify notify,
                        std::size_t budget_bytes)
@@ -128,10 +140,7 @@ void TeaSession::make_moment(LiquidStatus& status) {
     snapshot->seen = frame_now();
     snapshot->time_s = snapshot->seen.step * settings_.step_s;
     snapshot->stream_m = stream();
-    snapshot->milk = surfaces_
-                         .make(snapshot->seen.parcels, settings_.cup, snapshot->seen.dissolved.shape(),
-                               surface_for_screen())
-                         .mesh;
+    fill_milk(densities_, *snapshot);
     status.step = snapshot->seen.step;
     status.last_step = tea_->steps();
     status.time_s = snapshot->time_s;

@@ -1,7 +1,7 @@
 // A glass of milk tea that lives on its own thread.
 #pragma once
 
-#include "liquid/tea/milk_surface.hpp"
+#include "liquid/tea/milk_density.hpp"
 #include "liquid/tea/milk_tea.hpp"
 #include "session/liquid_session.hpp"
 #include "session/tea_frames.hpp"
@@ -18,9 +18,13 @@ struct TeaSnapshot {
     liquid::TeaSettings settings;
     TeaFrame seen;
     double time_s = 0.0;
-    liquid::TriangleMesh milk;          ///< the surface of the parcels, as coarse as the cells
+    grid::BoxField milk_share;  ///< parcels and dissolved milk, as fine as the view shows them
+    grid::BoxField to_lamp_m, to_level_m;  ///< milk in the way of light (milk_depth.hpp), half as fine
     std::optional<glm::vec2> stream_m;  ///< where milk is poured right now
 };
+
+/// Makes the milk's fields out of the settings and what is seen.
+void fill_milk(liquid::MilkDensities& densities, TeaSnapshot& snapshot);
 
 /// What the painter stirs with. While it is off, the settings of the glass have no force.
 struct TeaForce {
@@ -78,7 +82,7 @@ class TeaSession : public LiquidSession {
     std::optional<glm::vec2> stream() const;
 
     // Of the session's thread alone.
-    liquid::MilkSurfaces surfaces_{pool()};
+    liquid::MilkDensities densities_{pool()};
     std::unique_ptr<liquid::MilkTea> tea_;
     liquid::TeaSettings settings_;  ///< without the force
     TeaForce force_;

@@ -87,6 +87,18 @@ float BlockField::at(int i, int j, int k) const {
     return samples == nullptr ? 0.0F : samples[within.x + kRow * within.y + kLayer * within.z];
 }
 
+BoxField BlockField::dense() const {
+    BoxField field(shape_);
+    for_blocks(blocks_, 0, blocks_.z, [&](const glm::ivec3& at) {
+        const float* samples = block(index(at));
+        if (samples == nullptr) return;
+        for_samples(shape_, at, [&](const glm::ivec3& cell, int sample) {
+            field.at(cell.x, cell.y, cell.z) = samples[sample];
+        });
+    });
+    return field;
+}
+
 void BlockField::copy_border(const glm::ivec3& block_at) {
     float* samples = block(index(block_at));
     if (samples == nullptr) return;

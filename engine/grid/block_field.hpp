@@ -43,6 +43,9 @@ class BlockField {
 
     float at(int i, int j, int k) const;
 
+    /// All cells, the ghosts 0.
+    BoxField dense() const;
+
     /// What blocks keep of the next ones, in the block layers k0 <= k < k1, after their cells have
     /// changed.
     void copy_borders(int k0, int k1);

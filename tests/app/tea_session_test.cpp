@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -43,7 +44,13 @@ TEST(TeaSession, PoursTheMilkOfTheRecipe) {
     ASSERT_NE(snapshot, nullptr);
     EXPECT_EQ(snapshot->seen.step, 10);
     EXPECT_FALSE(snapshot->seen.parcels.empty());
-    EXPECT_FALSE(snapshot->milk.triangles.empty());
+    const std::vector<float>& shares = snapshot->milk_share.values();
+    const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+    EXPECT_NEAR(sum * snapshot->milk_share.shape().cell_volume_m3(), small_glass().milk_m3,
+                1e-5 * small_glass().milk_m3);
+    EXPECT_GT(
+        *std::max_element(snapshot->to_lamp_m.values().begin(), snapshot->to_lamp_m.values().end()),
+        1e-4F);
 }
 
 TEST(TeaSession, WhatIsSaidIsSaidOfWhatIsSeen) {

@@ -20,8 +20,9 @@ const std::vector<Words> kCommands = {{"replay"},        {"sheet"},   {"export"}
                                       {"tea", "render"}, {"tank"},    {"info"}};
 
 /// What stands for texts in help; whatever else an option takes is a number.
-const std::set<std::string> kTexts = {"FILE",  "DIR",   "DIR|FILE", "NAME", "PAINT",        "PROFILE",
-                                      "LIGHT", "WxHmm", "WxH",      "A-B",  "paint|support"};
+const std::set<std::string> kTexts = {"FILE",  "DIR",     "DIR|FILE",       "NAME",
+                                      "PAINT", "PROFILE", "LIGHT",          "WxHmm",
+                                      "WxH",   "A-B",     "medium|surface", "paint|support"};
 
 struct Option {
     std::string name;  ///< "--fps"

@@ -106,8 +106,8 @@ TEST_F(CliTea, AnotherTeaNeedsAnotherFolder) {
 
 TEST_F(CliTea, AFullDiskLeavesWhatIsFinishedAndTheNextRunGoesOn) {
     // The later frames, with more milk in them, are larger.
-    const std::vector<std::string> command = {"tea", "--grid", "16",      "--seconds",
-                                              "1",   "-q",     "--cache", path("kept")};
+    const std::vector<std::string> command = {"tea",       "--grid", "16", "--parcels", "12000",
+                                              "--seconds", "1",      "-q", "--cache",   path("kept")};
     const RunResult full = run_cli_on_full_disk(64, command);
     EXPECT_EQ(full.status, 1);
     EXPECT_THAT(full.errors, AllOf(HasSubstr("kept/frame_0000"), HasSubstr("cannot be written")));

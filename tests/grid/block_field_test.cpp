@@ -50,6 +50,7 @@ TEST(BlockField, HasTheCellsOfItsField) {
             for (int j = 0; j < kShape.ny; ++j)
                 for (int i = 0; i < kShape.nx; ++i)
                     ASSERT_EQ(blocks.at(i, j, k), field.at(i, j, k));
+        EXPECT_EQ(blocks.dense(), field);
     }
 }
 
