@@ -3248,42 +3248,6 @@
         <translation>How much balls differ in size</translation>
     </message>
     <message>
-        <source>Draws together in</source>
-        <translation>Draws together in</translation>
-    </message>
-    <message>
-        <source>Time in which a ball draws its milk back</source>
-        <translation>Time in which a ball draws its milk back</translation>
-    </message>
-    <message>
-        <source>Lets go to</source>
-        <translation>Lets go to</translation>
-    </message>
-    <message>
-        <source>How far it lets its milk, in its radii</source>
-        <translation>How far it lets its milk, in its radii</translation>
-    </message>
-    <message>
-        <source> radii</source>
-        <translation> radii</translation>
-    </message>
-    <message>
-        <source>Torn off at</source>
-        <translation>Torn off at</translation>
-    </message>
-    <message>
-        <source>Distance at which milk is torn off</source>
-        <translation>Distance at which milk is torn off</translation>
-    </message>
-    <message>
-        <source>Bursts at</source>
-        <translation>Bursts at</translation>
-    </message>
-    <message>
-        <source>Depth at which a ball bursts</source>
-        <translation>Depth at which a ball bursts</translation>
-    </message>
-    <message>
         <source>A warm ball in</source>
         <translation>A warm ball in</translation>
     </message>

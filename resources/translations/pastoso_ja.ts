@@ -3243,42 +3243,6 @@
         <translation>玉の大きさのばらつき</translation>
     </message>
     <message>
-        <source>Draws together in</source>
-        <translation>まとまる時間</translation>
-    </message>
-    <message>
-        <source>Time in which a ball draws its milk back</source>
-        <translation>玉がミルクを引き戻す時間</translation>
-    </message>
-    <message>
-        <source>Lets go to</source>
-        <translation>許す広がり</translation>
-    </message>
-    <message>
-        <source>How far it lets its milk, in its radii</source>
-        <translation>ミルクが離れてよい距離 (半径の倍数)</translation>
-    </message>
-    <message>
-        <source> radii</source>
-        <translation> 半径</translation>
-    </message>
-    <message>
-        <source>Torn off at</source>
-        <translation>ちぎれる距離</translation>
-    </message>
-    <message>
-        <source>Distance at which milk is torn off</source>
-        <translation>ミルクがちぎれる距離</translation>
-    </message>
-    <message>
-        <source>Bursts at</source>
-        <translation>はじける深さ</translation>
-    </message>
-    <message>
-        <source>Depth at which a ball bursts</source>
-        <translation>玉がはじける深さ</translation>
-    </message>
-    <message>
         <source>A warm ball in</source>
         <translation>温かい玉</translation>
     </message>

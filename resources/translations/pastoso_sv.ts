@@ -3248,42 +3248,6 @@
         <translation>Hur mycket kulornas storlek varierar</translation>
     </message>
     <message>
-        <source>Draws together in</source>
-        <translation>Dras ihop på</translation>
-    </message>
-    <message>
-        <source>Time in which a ball draws its milk back</source>
-        <translation>Tiden en kula tar på sig att dra tillbaka sin mjölk</translation>
-    </message>
-    <message>
-        <source>Lets go to</source>
-        <translation>Släpper till</translation>
-    </message>
-    <message>
-        <source>How far it lets its milk, in its radii</source>
-        <translation>Hur långt den släpper sin mjölk, i sina radier</translation>
-    </message>
-    <message>
-        <source> radii</source>
-        <translation> radier</translation>
-    </message>
-    <message>
-        <source>Torn off at</source>
-        <translation>Slits av vid</translation>
-    </message>
-    <message>
-        <source>Distance at which milk is torn off</source>
-        <translation>Avståndet där mjölk slits av</translation>
-    </message>
-    <message>
-        <source>Bursts at</source>
-        <translation>Brister vid</translation>
-    </message>
-    <message>
-        <source>Depth at which a ball bursts</source>
-        <translation>Djupet där en kula brister</translation>
-    </message>
-    <message>
         <source>A warm ball in</source>
         <translation>En varm kula på</translation>
     </message>

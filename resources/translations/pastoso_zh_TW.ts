@@ -3243,42 +3243,6 @@
         <translation>奶球大小的差異程度</translation>
     </message>
     <message>
-        <source>Draws together in</source>
-        <translation>聚攏時間</translation>
-    </message>
-    <message>
-        <source>Time in which a ball draws its milk back</source>
-        <translation>奶球將牛奶拉回所需的時間</translation>
-    </message>
-    <message>
-        <source>Lets go to</source>
-        <translation>容許距離</translation>
-    </message>
-    <message>
-        <source>How far it lets its milk, in its radii</source>
-        <translation>容許牛奶離開的距離，以半徑計</translation>
-    </message>
-    <message>
-        <source> radii</source>
-        <translation> 倍半徑</translation>
-    </message>
-    <message>
-        <source>Torn off at</source>
-        <translation>脫離距離</translation>
-    </message>
-    <message>
-        <source>Distance at which milk is torn off</source>
-        <translation>牛奶被扯離的距離</translation>
-    </message>
-    <message>
-        <source>Bursts at</source>
-        <translation>破裂深度</translation>
-    </message>
-    <message>
-        <source>Depth at which a ball bursts</source>
-        <translation>奶球破裂的深度</translation>
-    </message>
-    <message>
         <source>A warm ball in</source>
         <translation>暖奶球</translation>
     </message>

@@ -51,7 +51,7 @@ TEST(MilkPieces, AreFewAndLarge) {
     MilkTea tea(settings);
     MilkDensities densities(pool);
     const MilkDensitySettings density = even_density(milk_per_parcel_m3(settings), settings.box_m);
-    for (const double time_s : {0.8, 1.8, 5.0, 9.0}) {
+    for (const double time_s : {0.8, 1.8}) {
         while (tea.time_s() < time_s - 1e-6)
             tea.step(pool);
         double undissolved_m3 = 0.0;
