@@ -13,7 +13,7 @@ TeaFiles::TeaFiles(std::filesystem::path folder, const FrameFileOptions& options
     : files_(std::move(folder), "milk", options, pool),
       settings_(settings),
       body_(body),
-      scenes_(pool),
+      densities_(pool),
       surfaces_(pool) {}
 
 void TeaFiles::write(int number, const liquid::TeaFrame& frame) {
@@ -34,10 +34,14 @@ void TeaFiles::write(int number, const liquid::TeaFrame& frame) {
 }
 
 trace::Scene TeaFiles::scene_of(const liquid::TeaFrame& frame) {
-    trace::Scene scene;
-    files_.costs().surface_s += seconds_of([&] { scene = scenes_.make(frame, settings_, body_); });
-    files_.costs().triangles = static_cast<std::int64_t>(scene.milk.triangles.size());
-    return scene;
+    const liquid::Cup& cup = settings_.cup;
+    if (body_ == trace::MilkBody::Surface)
+        return trace::tea_scene(cup, grid::BlockField(frame.dissolved), surface_of(frame));
+    grid::BlockField share;
+    files_.costs().surface_s += seconds_of([&] {
+        share = densities_.make(frame.parcels, frame.dissolved, cup, liquid::even_density(settings_));
+    });
+    return trace::tea_scene(cup, std::move(share));
 }
 
 liquid::TriangleMesh TeaFiles::surface_of(const liquid::TeaFrame& frame) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/frame_files.hpp"
+#include "liquid/tea/milk_density.hpp"
 #include "liquid/tea/milk_surface.hpp"
 #include "liquid/tea/tea_frame.hpp"
 #include "liquid/tea/tea_settings.hpp"
@@ -32,7 +33,7 @@ class TeaFiles {
     FrameFiles files_;
     liquid::TeaSettings settings_;
     trace::MilkBody body_;
-    trace::TeaScenes scenes_;
+    liquid::MilkDensities densities_;
     liquid::MilkSurfaces surfaces_;
 };
 

@@ -74,6 +74,11 @@ void draw_rays(QOpenGLExtraFunctions& gl, QOpenGLFramebufferObject& target, cons
     gl.glDisable(GL_SCISSOR_TEST);
 }
 
+Volume volume_of(const grid::BoxField& field) {
+    const grid::BoxShape& shape = field.shape();
+    return {field.row(0, 0), shape.nx, shape.ny, shape.nz, shape.stride_y(), shape.stride_z()};
+}
+
 void upload_volume(QOpenGLExtraFunctions& gl, GLuint texture, const Volume& volume, bool anew) {
     gl.glBindTexture(GL_TEXTURE_3D, texture);
     gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, static_cast<GLint>(volume.stride_y));

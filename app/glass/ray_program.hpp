@@ -2,6 +2,7 @@
 #pragma once
 
 #include "glass/glass_camera.hpp"
+#include "grid/box_field.hpp"
 
 #include <memory>
 
@@ -43,6 +44,8 @@ struct Volume {
     int nx, ny, nz;
     std::ptrdiff_t stride_y, stride_z;
 };
+/// The cells of a field, straight from its rows, which are longer than the box.
+Volume volume_of(const grid::BoxField& field);
 void upload_volume(QOpenGLExtraFunctions& gl, GLuint texture, const Volume& volume, bool anew);
 
 }  // namespace pastoso::glass

@@ -57,10 +57,7 @@ void TankRenderer::show(std::shared_ptr<const session::TankSnapshot> snapshot) {
     upload_level(anew);
     if (anew) upload_solids(*snapshot_->place->domain);
     const grid::BoxField& milk = snapshot_->seen.milk;
-    const grid::BoxShape& shape = milk.shape();
-    upload_volume(*gl_, milk_,
-                  {milk.row(0, 0), shape.nx, shape.ny, shape.nz, shape.stride_y(), shape.stride_z()},
-                  anew);
+    upload_volume(*gl_, milk_, volume_of(milk), anew);
     has_milk_ = std::ranges::any_of(milk.values(), [](float share) { return share > 0.0F; });
 }
 

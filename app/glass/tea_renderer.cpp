@@ -40,14 +40,11 @@ void TeaRenderer::show(const session::TeaSnapshot& snapshot) {
     upload(kToLevelUnit, snapshot.to_level_m);
 }
 
-/// Straight from the field's rows, which are longer than the box.
 void TeaRenderer::upload(int unit, const grid::BoxField& field) {
     FieldTexture& shown = fields_[static_cast<std::size_t>(unit)];
     const grid::BoxShape& shape = field.shape();
     gl_->glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    upload_volume(*gl_, shown.texture,
-                  {field.row(0, 0), shape.nx, shape.ny, shape.nz, shape.stride_y(), shape.stride_z()},
-                  shape != shown.shape);
+    upload_volume(*gl_, shown.texture, volume_of(field), shape != shown.shape);
     shown.shape = shape;
 }
 

@@ -1,5 +1,6 @@
 #include "session/liquid_picture.hpp"
 
+#include "liquid/tea/milk_surface.hpp"
 #include "liquid_files/traced_picture.hpp"
 #include "tank/solid_mesh.hpp"
 #include "trace/tank_scene.hpp"
@@ -70,11 +71,24 @@ void LiquidPicture::publish(trace::Picture radiance, int samples, bool finished)
     notify_();
 }
 
+namespace {
+
+trace::Scene tea_scene_of(const TeaSnapshot& snapshot, trace::MilkBody body, core::ThreadPool& pool) {
+    const liquid::Cup& cup = snapshot.settings.cup;
+    const auto& [step, parcels, dissolved] = snapshot.seen;
+    if (body == trace::MilkBody::Medium)
+        return trace::tea_scene(
+            cup, liquid::MilkDensities(pool).make(parcels, dissolved, cup,
+                                                  liquid::even_density(snapshot.settings)));
+    return trace::tea_scene(cup, grid::BlockField(dissolved),
+                            liquid::MilkSurfaces(pool).make(parcels, cup, dissolved.shape()).mesh);
+}
+
+}  // namespace
+
 trace::Scene traced_tea(const TeaSnapshot& snapshot, const trace::Camera& camera, trace::MilkBody body,
                         core::ThreadPool& pool) {
-    const liquid::TeaFrame frame{
-        snapshot.time_s, snapshot.seen.step, snapshot.seen.parcels, snapshot.seen.dissolved, {}};
-    trace::Scene scene = trace::TeaScenes(pool).make(frame, snapshot.settings, body);
+    trace::Scene scene = tea_scene_of(snapshot, body, pool);
     scene.camera = camera;
     return scene;
 }

@@ -1,7 +1,6 @@
 #include "session/tea_session.hpp"
 
 #include "liquid/tea/milk_depth.hpp"
-#include "liquid/tea/milk_jug.hpp"
 #include "trace/scene.hpp"
 
 #include <utility>
@@ -25,8 +24,7 @@ liquid::TeaSettings with_force(liquid::TeaSettings settings, const TeaForce& for
 
 void fill_milk(liquid::MilkDensities& densities, TeaSnapshot& snapshot) {
     const liquid::TeaSettings& settings = snapshot.settings;
-    liquid::MilkDensitySettings density =
-        liquid::even_density(liquid::milk_per_parcel_m3(settings), settings.box_m);
+    liquid::MilkDensitySettings density = liquid::even_density(settings);
     density.cells = kSeenCells;
     density.reach_m *= kSeenReach;
     const TeaFrame& seen = snapshot.seen;

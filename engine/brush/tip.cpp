@@ -1,6 +1,7 @@
 #include "brush/tip.hpp"
 
 #include "brush/laid_film.hpp"
+#include "core/r2_sequence.hpp"
 #include "core/random.hpp"
 #include "core/units.hpp"
 #include "film/support/smooth_noise.hpp"
@@ -37,17 +38,12 @@ struct Place {
     double u, v;
 };
 
-double fraction(double x) {
-    return x - std::floor(x);
-}
-
 /// Point `index` of the R2 sequence, shaken by about half the distance of neighbours so that no rows
 /// show.
 Place spread_place(std::uint32_t index, std::uint32_t seed, const Place& shake) {
-    constexpr double kStepU = 0.7548776662466927, kStepV = 0.5698402909980532;
-    return {2.0 * fraction(0.5 + index * kStepU) - 1.0 +
+    return {2.0 * core::fraction(0.5 + index * core::kR2StepX) - 1.0 +
                 shake.u * (uniform_noise(index, seed + kPlaceU) - 0.5),
-            2.0 * fraction(0.5 + index * kStepV) - 1.0 +
+            2.0 * core::fraction(0.5 + index * core::kR2StepY) - 1.0 +
                 shake.v * (uniform_noise(index, seed + kPlaceV) - 0.5)};
 }
 

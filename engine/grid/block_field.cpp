@@ -13,10 +13,6 @@ glm::ivec3 cells_of(const BoxShape& shape) {
     return {shape.nx, shape.ny, shape.nz};
 }
 
-glm::ivec3 blocks_of(const BoxShape& shape) {
-    return (cells_of(shape) + (BlockField::kSide - 1)) / BlockField::kSide;
-}
-
 /// Calls visit(cell, sample) for what a block keeps of cells in the box.
 template <class Visit>
 void for_samples(const BoxShape& shape, const glm::ivec3& block, const Visit& visit) {
@@ -25,7 +21,7 @@ void for_samples(const BoxShape& shape, const glm::ivec3& block, const Visit& vi
     for (int z = 0; z < count.z; ++z)
         for (int y = 0; y < count.y; ++y)
             for (int x = 0; x < count.x; ++x)
-                visit(first + glm::ivec3(x, y, z), x + BlockField::kRow * y + BlockField::kLayer * z);
+                visit(first + glm::ivec3(x, y, z), BlockField::sample(x, y, z));
 }
 
 template <class Visit>
@@ -38,7 +34,7 @@ void for_blocks(const glm::ivec3& blocks, int k0, int k1, const Visit& visit) {
 
 std::vector<char> blocks_with_something(const BoxField& field) {
     std::vector<char> holds;
-    const glm::ivec3 blocks = blocks_of(field.shape());
+    const glm::ivec3 blocks = BlockField::block_counts(field.shape());
     for_blocks(blocks, 0, blocks.z, [&](const glm::ivec3& block) {
         bool any = false;
         for_samples(field.shape(), block, [&](const glm::ivec3& cell, int) {
@@ -52,7 +48,7 @@ std::vector<char> blocks_with_something(const BoxField& field) {
 }  // namespace
 
 BlockField::BlockField(const BoxShape& shape, const std::vector<char>& holds)
-    : shape_(shape), blocks_(blocks_of(shape)) {
+    : shape_(shape), blocks_(block_counts(shape)) {
     PASTOSO_CHECK_OP(holds.size(), ==, static_cast<std::size_t>(blocks_.x) * blocks_.y * blocks_.z);
     std::int32_t kept = 0;
     slots_.reserve(holds.size());
@@ -84,7 +80,7 @@ float* BlockField::block(int index) {
 float BlockField::at(int i, int j, int k) const {
     const glm::ivec3 cell(i, j, k), at = cell / kSide, within = cell - at * kSide;
     const float* samples = block(index(at));
-    return samples == nullptr ? 0.0F : samples[within.x + kRow * within.y + kLayer * within.z];
+    return samples == nullptr ? 0.0F : samples[sample(within.x, within.y, within.z)];
 }
 
 BoxField BlockField::dense() const {
@@ -118,7 +114,7 @@ float BlockField::between(const glm::vec3& place_cells) const {
     const glm::ivec3 at = low / kSide, within = low - at * kSide;
     const float* samples = block(index(at));
     if (samples == nullptr) return 0.0F;
-    const float* v = samples + within.x + kRow * within.y + kLayer * within.z;
+    const float* v = samples + sample(within.x, within.y, within.z);
     const glm::vec3 share = place - glm::vec3(low);
     const auto mixed = [](float a, float b, float part) { return a + (b - a) * part; };
     const auto row = [&](const float* a) { return mixed(a[0], a[1], share.x); };

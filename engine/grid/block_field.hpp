@@ -18,6 +18,13 @@ class BlockField {
     static constexpr int kRow = kSide + 1;
     static constexpr int kLayer = kRow * kRow, kSamples = kRow * kLayer;
 
+    /// Which sample of a block its cell (x, y, z) is; kSide stands for the next block's first.
+    static constexpr int sample(int x, int y, int z) { return x + kRow * y + kLayer * z; }
+    /// Along each axis, of a box.
+    static glm::ivec3 block_counts(const BoxShape& shape) {
+        return (glm::ivec3(shape.nx, shape.ny, shape.nz) + (kSide - 1)) / kSide;
+    }
+
     BlockField() = default;
     /// All 0. `holds` says of each block, x first, whether it is kept: those with something in them, or
     /// in the cells next to them that they keep.
@@ -33,7 +40,7 @@ class BlockField {
     int index(const glm::ivec3& block) const {
         return block.x + blocks_.x * (block.y + blocks_.y * block.z);
     }
-    /// Cell (x, y, z) of a block is sample x + kRow y + kLayer z; null: nothing is kept.
+    /// Its samples; null: nothing is kept.
     const float* block(int index) const;
     float* block(int index);
 

@@ -49,8 +49,7 @@ void DissolvedMilk::note_bounds(const glm::ivec3& block) {
     for (int z = 0; z < count.z; ++z)
         for (int y = 0; y < count.y; ++y)
             for (int x = 0; x < count.x; ++x) {
-                const float scattering =
-                    samples[x + BlockField::kRow * y + BlockField::kLayer * z] * scattering_per_m_;
+                const float scattering = samples[BlockField::sample(x, y, z)] * scattering_per_m_;
                 if (scattering <= 0.0F) continue;
                 const glm::ivec3 cell = first + glm::ivec3(x, y, z);
                 const glm::ivec3 low = glm::max(cell - 1, glm::ivec3(0)) / kBlockCells;

@@ -1,5 +1,5 @@
-// Dissolved milk as a scattering medium: its volume fraction between the cells' centres, and what light
-// meets on the way through it.
+// Milk in the liquid as a scattering medium: its volume fraction between the cells' centres, and what
+// light meets on the way through it.
 #pragma once
 
 #include "grid/block_field.hpp"

@@ -167,8 +167,10 @@ TEST(MilkDensity, EvenMilkIsEven) {
         for (int j = 0; j < 16; ++j)
             for (int i = 0; i < 16; ++i)
                 parcels.push_back({glm::vec3(0.045F) + step_m * glm::vec3(i, j, k), kVolume, 1.0F, -1});
+    TeaSettings settings;
+    settings.parcels = 40000;
     const grid::BlockField density =
-        densities.make(parcels, grid::BoxField(kFlow), {}, even_density(kVolume, 0.1));
+        densities.make(parcels, grid::BoxField(kFlow), {}, even_density(settings));
     const float cell_m = density.shape().cell_m;
     for (int n = 0; n < 300; ++n) {
         const auto drawn = [&](std::uint32_t axis) {

@@ -1,6 +1,5 @@
 // Milk hangs together: what looks like crumbs and beads is counted.
 #include "liquid/tea/milk_density.hpp"
-#include "liquid/tea/milk_jug.hpp"
 #include "liquid/tea/milk_tea.hpp"
 
 #include <array>
@@ -50,7 +49,7 @@ TEST(MilkPieces, AreFewAndLarge) {
     const TeaSettings settings;
     MilkTea tea(settings);
     MilkDensities densities(pool);
-    const MilkDensitySettings density = even_density(milk_per_parcel_m3(settings), settings.box_m);
+    const MilkDensitySettings density = even_density(settings);
     for (const double time_s : {0.8, 1.8}) {
         while (tea.time_s() < time_s - 1e-6)
             tea.step(pool);

@@ -39,6 +39,29 @@ TEST(DissolvedMilk, EvenMilkLetsThroughWhatBeersLawSays) {
     }
 }
 
+TEST(DissolvedMilk, OnTheWayItTellsHowMuchMilkThereWas) {
+    grid::BoxField field = tests::even_milk(0.0F, 32);
+    for (int k = 0; k < 32; ++k)
+        for (int j = 0; j < 32; ++j)
+            for (int i = 0; i < 32; ++i)
+                field.at(i, j, k) = 0.0005F * static_cast<float>(i);
+    const DissolvedMilk milk(grid::BlockField(field), 3000.0F);
+    const glm::vec3 origin(0.02F, 0.047F, 0.052F), direction(1.0F, 0.0F, 0.0F);
+    double difference = 0.0, squares = 0.0;
+    for (std::uint32_t i = 0; i < kRays; ++i) {
+        Sampler sampler(5, i, 0);
+        const DissolvedMilk::FreePath path = milk.free_path(origin, direction, 0.05F, sampler);
+        // The share grows evenly along the way: its integral is that of the middle.
+        const double middle =
+            static_cast<double>(milk.fraction(origin + direction * (0.5F * path.length_m)));
+        const double apart =
+            static_cast<double>(path.milk_m) - middle * static_cast<double>(path.length_m);
+        difference += apart / kRays;
+        squares += apart * apart / kRays;
+    }
+    EXPECT_LT(std::abs(difference), 5.0 * std::sqrt(squares / kRays));
+}
+
 TEST(DissolvedMilk, MilkEndsACellBeyondItsField) {
     const grid::BoxField field = tests::even_milk(0.01F);
     const DissolvedMilk milk(grid::BlockField(field), 3000.0F);

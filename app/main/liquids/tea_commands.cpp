@@ -1,6 +1,7 @@
 // What the commands of the Milk Tea mode do.
 
 #include "core/text_file.hpp"
+#include "liquid/tea/milk_surface.hpp"
 #include "liquid_files/mesh_export.hpp"
 #include "liquid_files/tea_json.hpp"
 #include "main/liquids/tea_mode.hpp"

@@ -4,8 +4,6 @@
 #include "core/random.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include <glm/geometric.hpp>
 

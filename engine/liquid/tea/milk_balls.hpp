@@ -2,13 +2,11 @@
 // and rises.
 #pragma once
 
-#include "core/thread_pool.hpp"
 #include "liquid/tea/parcel.hpp"
 #include "liquid/tea/tea_settings.hpp"
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace pastoso::liquid {
 

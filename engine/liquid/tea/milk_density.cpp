@@ -1,6 +1,8 @@
 #include "liquid/tea/milk_density.hpp"
 
 #include "core/check.hpp"
+#include "liquid/tea/between.hpp"
+#include "liquid/tea/milk_jug.hpp"
 
 #include <algorithm>
 #include <array>
@@ -81,7 +83,7 @@ RowRange kernel_range(const RowRange& tea, int first) {
     return {std::max(tea.begin - first, 0), std::min(tea.end - first, kKernelRow)};
 }
 
-/// Calls visit(y, z, range, weights) for the rows of a kernel that lie in the tea.
+/// Calls visit(j, k, range, weights) for the rows of a kernel that lie in the tea.
 template <class Visit>
 void for_kernel_rows(const Kernel& kernel, const grid::BoxShape& shape, const RowRanges& in_tea,
                      const Visit& visit) {
@@ -109,20 +111,13 @@ float kernel_sum(const Kernel& kernel, const grid::BoxShape& shape, const RowRan
     return std::accumulate(sums.begin(), sums.end(), 0.0F);
 }
 
-/// One axis of an interpolation: the lower of two neighbours and how far on to the upper one.
-struct Between {
-    int lower;
-    float part;
-};
-Between between(int cell, float ratio) {
-    const float place = (static_cast<float>(cell) + 0.5F) * ratio - 0.5F, lower = std::floor(place);
-    return {static_cast<int>(lower), place - lower};
-}
-
 /// A row of `field`, interpolated across to row (j, k) of a lattice whose cells are `ratio` of its own,
 /// with a ghost at each end.
 void rows_between(const grid::BoxField& field, int j, int k, float ratio, std::vector<float>& row) {
-    const Between y = between(j, ratio), z = between(k, ratio);
+    const auto across = [ratio](int cell) {
+        return between_middles((static_cast<float>(cell) + 0.5F) * ratio);
+    };
+    const Between y = across(j), z = across(k);
     const float *low = field.row(y.lower, z.lower), *low_next = field.row(y.lower + 1, z.lower),
                 *high = field.row(y.lower, z.lower + 1),
                 *high_next = field.row(y.lower + 1, z.lower + 1);
@@ -156,10 +151,11 @@ void mark(const glm::ivec3& low, const glm::ivec3& high, const glm::ivec3& block
 
 }  // namespace
 
-MilkDensitySettings even_density(double parcel_m3, double box_m) {
+MilkDensitySettings even_density(const TeaSettings& settings) {
+    const auto parcel_m3 = static_cast<double>(milk_per_parcel_m3(settings));
     const double reach_m = kEvenReach * std::cbrt(parcel_m3);
     const MilkDensitySettings finest;
-    const double cells = std::clamp(static_cast<double>(kMostReach_cells) * box_m / reach_m,
+    const double cells = std::clamp(static_cast<double>(kMostReach_cells) * settings.box_m / reach_m,
                                     static_cast<double>(kLeastCells), static_cast<double>(finest.cells));
     return {static_cast<int>(cells), static_cast<float>(reach_m)};
 }
@@ -184,7 +180,7 @@ void MilkDensities::set_lattice(int cells) {
 }
 
 void MilkDensities::sort_into_slabs(std::span<const Parcel> parcels) {
-    const int slabs = (shape_.nz + kSide - 1) / kSide;
+    const int slabs = grid::BlockField::block_counts(shape_).z;
     const auto slab_of = [&](const Parcel& parcel) {
         return static_cast<std::size_t>(nearest_cell(place_of(parcel, shape_), shape_).z / kSide);
     };
@@ -192,7 +188,7 @@ void MilkDensities::sort_into_slabs(std::span<const Parcel> parcels) {
 }
 
 std::vector<char> MilkDensities::blocks_reached(std::span<const Parcel> parcels) const {
-    const glm::ivec3 blocks((shape_.nx + kSide - 1) / kSide);
+    const glm::ivec3 blocks = grid::BlockField::block_counts(shape_);
     std::vector<char> marks(static_cast<std::size_t>(blocks.x) * blocks.y * blocks.z, 0);
     for (const Parcel& parcel : parcels) {
         const glm::vec3 place = place_of(parcel, shape_);
@@ -226,11 +222,10 @@ double MilkDensities::lay_dissolved(int slab, grid::BlockField& density) const {
                 if (i == tea.begin || i % kSide == 0)
                     block = density.block(density.index({i / kSide, j / kSide, slab}));
                 if (block == nullptr) continue;
-                const Between x = between(i, ratio);
+                const Between x = between_middles((static_cast<float>(i) + 0.5F) * ratio);
                 const float* lower = row.data() + x.lower + 1;
                 const float share = std::max(lower[0] + (lower[1] - lower[0]) * x.part, 0.0F);
-                block[i % kSide + grid::BlockField::kRow * (j % kSide) +
-                      grid::BlockField::kLayer * (k % kSide)] = share;
+                block[grid::BlockField::sample(i % kSide, j % kSide, k % kSide)] = share;
                 sum += static_cast<double>(share);
             }
         }
@@ -288,7 +283,7 @@ void MilkDensities::finish(std::span<const Parcel> parcels, float scale, int sla
                     const float* from =
                         layers.data() +
                         static_cast<std::size_t>(k * shape_.ny + y * kSide + j) * shape_.nx + x * kSide;
-                    float* to = block + grid::BlockField::kRow * j + grid::BlockField::kLayer * k;
+                    float* to = block + grid::BlockField::sample(0, j, k);
                     for (int i = 0; i < width; ++i)
                         to[i] = to[i] * scale + from[i];
                 }

@@ -9,6 +9,7 @@
 #include "liquid/tea/counting_order.hpp"
 #include "liquid/tea/cup.hpp"
 #include "liquid/tea/parcel.hpp"
+#include "liquid/tea/tea_settings.hpp"
 
 #include <optional>
 #include <span>
@@ -22,9 +23,8 @@ struct MilkDensitySettings {
 };
 inline constexpr float kLeastReach_cells = 1.5F, kMostReach_cells = 3.5F;
 
-/// At most 256 cells a side, at which parcels of that volume, where they lie side by side, make an even
-/// body.
-MilkDensitySettings even_density(double parcel_m3, double box_m);
+/// At most 256 cells a side, at which the tea's parcels, where they lie side by side, make an even body.
+MilkDensitySettings even_density(const TeaSettings& settings);
 
 /// Keeps its working memory from one frame to the next.
 class MilkDensities {

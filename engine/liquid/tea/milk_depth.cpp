@@ -1,36 +1,31 @@
 #include "liquid/tea/milk_depth.hpp"
 
 #include "core/check.hpp"
-
-#include <cmath>
+#include "liquid/tea/between.hpp"
 
 #include <glm/geometric.hpp>
 
 namespace pastoso::liquid {
 namespace {
 
-/// A layer at a place between the middles of cells, `i` and `j` the lower ones: 0 beyond the box.
+/// A layer at a place between the middles of cells: 0 beyond the box.
 struct InLayer {
-    int i, j;
-    float x, y;  ///< how far on to the next ones
+    Between x, y;
 
     float of(const grid::BoxField& field, int k) const {
-        return (at(field, i, j, k) * (1.0F - x) + at(field, i + 1, j, k) * x) * (1.0F - y) +
-               (at(field, i, j + 1, k) * (1.0F - x) + at(field, i + 1, j + 1, k) * x) * y;
+        return row(field, y.lower, k) * (1.0F - y.part) + row(field, y.lower + 1, k) * y.part;
     }
 
   private:
+    float row(const grid::BoxField& field, int j, int k) const {
+        return at(field, x.lower, j, k) * (1.0F - x.part) + at(field, x.lower + 1, j, k) * x.part;
+    }
     static float at(const grid::BoxField& field, int i, int j, int k) {
         const grid::BoxShape& shape = field.shape();
         return i >= 0 && j >= 0 && i < shape.nx && j < shape.ny && k < shape.nz ? field.at(i, j, k)
                                                                                 : 0.0F;
     }
 };
-
-InLayer in_layer(float x, float y) {
-    const float i = std::floor(x), j = std::floor(y);
-    return {static_cast<int>(i), static_cast<int>(j), x - i, y - j};
-}
 
 }  // namespace
 
@@ -54,8 +49,8 @@ grid::BoxField milk_depth_m(const grid::BoxField& share, const glm::vec3& way) {
     for (int k = shape.nz - 1; k >= 0; --k)
         for (int j = 0; j < shape.ny; ++j)
             for (int i = 0; i < shape.nx; ++i) {
-                const InLayer above =
-                    in_layer(static_cast<float>(i) + step.x, static_cast<float>(j) + step.y);
+                const InLayer above = {between(static_cast<float>(i) + step.x),
+                                       between(static_cast<float>(j) + step.y)};
                 depth_m.at(i, j, k) = above.of(depth_m, k + 1) +
                                       half_step_m * (share.at(i, j, k) + above.of(share, k + 1));
             }

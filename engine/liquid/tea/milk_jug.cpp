@@ -1,10 +1,10 @@
 #include "liquid/tea/milk_jug.hpp"
 
 #include "core/elementary.hpp"
+#include "core/r2_sequence.hpp"
 #include "core/random.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <glm/geometric.hpp>
 
@@ -77,14 +77,12 @@ void MilkJug::pour_parcel(const glm::vec2& at_m, float way_m, const Pouring& int
 
 /// On a disc of radius 1.
 glm::vec2 MilkJug::next_place(const TeaSettings& settings) {
-    constexpr double kStepX = 0.7548776662466927, kStepY = 0.5698402909980532;
     const auto coordinate = [&](double step, std::uint32_t stream) {
         const double begin = core::uniform_noise(stream, kPourStream ^ core::scramble(settings.seed));
-        const double place = begin + step * state_.places;
-        return static_cast<float>(2.0 * (place - std::floor(place)) - 1.0);
+        return static_cast<float>(2.0 * core::fraction(begin + step * state_.places) - 1.0);
     };
     for (;;) {
-        const glm::vec2 place(coordinate(kStepX, 0), coordinate(kStepY, 1));
+        const glm::vec2 place(coordinate(core::kR2StepX, 0), coordinate(core::kR2StepY, 1));
         ++state_.places;
         if (glm::dot(place, place) <= 1.0F) return place;
     }

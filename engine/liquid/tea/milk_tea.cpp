@@ -44,16 +44,6 @@ float share_passed(double dt_s, double time_s) {
     return static_cast<float>(1.0 - core::exponential(-dt_s / time_s));
 }
 
-/// Calls body(i) once for each parcel.
-template <class Body>
-void for_parcels(core::ThreadPool& pool, std::span<const Parcel> parcels, const Body& body) {
-    constexpr std::size_t kAtOnce = 4096;
-    pool.run((parcels.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t batch, int) {
-        for (std::size_t i = batch * kAtOnce; i < std::min(parcels.size(), (batch + 1) * kAtOnce); ++i)
-            body(i);
-    });
-}
-
 bool is_worse(const SolveResult& a, const SolveResult& b) {
     return a.residual > b.residual;
 }
@@ -120,7 +110,7 @@ void MilkTea::spread_parcels(core::ThreadPool& pool) {
     compute_shares(parcels_, flow_.walls().open_cells(), pool, shares_);
     amounts_.resize(parcels_.size());
     cold_amounts_.resize(parcels_.size());
-    for_parcels(pool, parcels_, [&](std::size_t i) {
+    for_parcels(pool, parcels_.size(), [&](std::size_t i) {
         amounts_[i] = parcels_[i].volume_m3 * per_m3;
         cold_amounts_[i] = amounts_[i] * parcels_[i].coldness;
     });
@@ -172,10 +162,10 @@ void MilkTea::carry(core::ThreadPool& pool) {
 
     balls_.nucleate(time_s(), settings_, parcels_);
     positions_m_.resize(parcels_.size());
-    for_parcels(pool, parcels_, [&](std::size_t i) { positions_m_[i] = parcels_[i].position_m; });
+    for_parcels(pool, parcels_.size(), [&](std::size_t i) { positions_m_[i] = parcels_[i].position_m; });
     flow_.carry(positions_m_, dt_s, pool);
     const float margin_m = kWallMargin_cells * flow_.shape().cell_m;
-    for_parcels(pool, parcels_, [&](std::size_t i) {
+    for_parcels(pool, parcels_.size(), [&](std::size_t i) {
         parcels_[i].position_m = brought_within(settings_.cup, positions_m_[i], margin_m);
     });
 }
@@ -199,7 +189,7 @@ void MilkTea::exchange(core::ThreadPool& pool) {
     compute_shares(parcels_, flow_.walls().open_cells(), pool, shares_);
     const auto per_m3 = static_cast<float>(1.0 / flow_.shape().cell_volume_m3());
     const float least_m3 = kLeastParcel * milk_per_parcel_m3(settings_);
-    for_parcels(pool, parcels_, [&](std::size_t i) {
+    for_parcels(pool, parcels_.size(), [&](std::size_t i) {
         Parcel& parcel = parcels_[i];
         amounts_[i] = cold_amounts_[i] = 0.0F;
         if (!shares_[i].any()) return;

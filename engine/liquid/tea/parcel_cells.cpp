@@ -1,6 +1,7 @@
 #include "liquid/tea/parcel_cells.hpp"
 
 #include "core/check.hpp"
+#include "liquid/tea/between.hpp"
 #include "liquid/tea/counting_order.hpp"
 
 #include <algorithm>
@@ -9,8 +10,6 @@
 
 namespace pastoso::liquid {
 namespace {
-
-constexpr std::size_t kParcelsAtOnce = 512;
 
 /// Where the eight cells lie from the first.
 std::array<std::ptrdiff_t, 8> corner_offsets(const grid::BoxShape& shape) {
@@ -22,25 +21,13 @@ std::array<std::ptrdiff_t, 8> corner_offsets(const grid::BoxShape& shape) {
     return offsets;
 }
 
-/// The lower of two neighbouring middles along an axis, and how far on to the upper one.
-struct Between {
-    int lower;
-    float part;
-};
-
-Between between_middles(float position_m, float cell_m) {
-    const float cells = position_m / cell_m - 0.5F;
-    const float lower = std::floor(cells);
-    return {static_cast<int>(lower), cells - lower};
-}
-
 ParcelShares shares_of(const Parcel& parcel, const grid::BoxField& open_cells,
                        const std::array<std::ptrdiff_t, 8>& offsets) {
     const grid::BoxShape& shape = open_cells.shape();
     const glm::vec3& at = parcel.position_m;
     PASTOSO_CHECK(std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z));
-    const Between x = between_middles(at.x, shape.cell_m), y = between_middles(at.y, shape.cell_m),
-                  z = between_middles(at.z, shape.cell_m);
+    const Between x = between_middles(at.x / shape.cell_m), y = between_middles(at.y / shape.cell_m),
+                  z = between_middles(at.z / shape.cell_m);
     PASTOSO_CHECK(x.lower >= -1 && x.lower < shape.nx && y.lower >= -1 && y.lower < shape.ny &&
                   z.lower >= -1 && z.lower < shape.nz);
     ParcelShares result{shape.index(x.lower, y.lower, z.lower), {}};
@@ -70,11 +57,8 @@ void compute_shares(std::span<const Parcel> parcels, const grid::BoxField& open_
                     core::ThreadPool& pool, std::vector<ParcelShares>& shares) {
     shares.resize(parcels.size());
     const auto offsets = corner_offsets(open_cells.shape());
-    pool.run((parcels.size() + kParcelsAtOnce - 1) / kParcelsAtOnce, [&](std::size_t batch, int) {
-        const std::size_t end = std::min(parcels.size(), (batch + 1) * kParcelsAtOnce);
-        for (std::size_t i = batch * kParcelsAtOnce; i < end; ++i)
-            shares[i] = shares_of(parcels[i], open_cells, offsets);
-    });
+    for_parcels(pool, parcels.size(),
+                [&](std::size_t i) { shares[i] = shares_of(parcels[i], open_cells, offsets); });
 }
 
 void scatter(std::span<const ParcelShares> shares, const std::array<std::span<const float>, 2>& amounts,

@@ -6,11 +6,22 @@
 #include "grid/box_field.hpp"
 #include "liquid/tea/parcel.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
 
 namespace pastoso::liquid {
+
+/// Calls body(i) once for each i below `count`, on the threads of a pool.
+template <class Body>
+void for_parcels(core::ThreadPool& pool, std::size_t count, const Body& body) {
+    constexpr std::size_t kAtOnce = 1024;
+    pool.run((count + kAtOnce - 1) / kAtOnce, [&](std::size_t batch, int) {
+        for (std::size_t i = batch * kAtOnce; i < std::min(count, (batch + 1) * kAtOnce); ++i)
+            body(i);
+    });
+}
 
 /// The eight cells (2 x 2 x 2, x first) and their shares, which are trilinear weights over open cells,
 /// scaled to add up to 1; or all 0 where none of the eight is open.
