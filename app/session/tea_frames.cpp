@@ -41,15 +41,16 @@ void TeaFrames::keep(int step, const std::vector<liquid::Parcel>& parcels,
     Packed frame{step, {}, packed(dissolved)};
     frame.parcels.reserve(parcels.size());
     for (const liquid::Parcel& parcel : parcels)
-        frame.parcels.emplace_back(parcel.position_m, parcel.volume_m3);
+        frame.parcels.push_back({parcel.position_m, parcel.volume_m3, parcel.shape});
     kept_.keep(std::move(frame));
 }
 
 TeaFrame TeaFrames::at(int step) const {
     const Packed& found = kept_.at(step);
     TeaFrame frame{found.step, {}, unpacked(shape_, found.dissolved)};
-    for (const glm::vec4& parcel : found.parcels)
-        frame.parcels.push_back({.position_m = glm::vec3(parcel), .volume_m3 = parcel.w});
+    for (const PackedParcel& parcel : found.parcels)
+        frame.parcels.push_back(
+            {.position_m = parcel.position_m, .volume_m3 = parcel.volume_m3, .shape = parcel.shape});
     return frame;
 }
 

@@ -9,8 +9,6 @@
 #include <cstdint>
 #include <vector>
 
-#include <glm/vec4.hpp>
-
 namespace pastoso::session {
 
 /// What is seen of a moment: where the milk is, in parcels and dissolved.
@@ -36,12 +34,17 @@ class TeaFrames {
     int interval() const { return kept_.interval(); }
 
   private:
+    struct PackedParcel {
+        glm::vec3 position_m;
+        float volume_m3;
+        liquid::ParcelShape shape;
+    };
     struct Packed {
         int step = 0;
-        std::vector<glm::vec4> parcels;  ///< place and volume
+        std::vector<PackedParcel> parcels;
         std::vector<std::uint16_t> dissolved;
         std::size_t bytes() const {
-            return parcels.size() * sizeof(glm::vec4) + dissolved.size() * sizeof(std::uint16_t);
+            return parcels.size() * sizeof(PackedParcel) + dissolved.size() * sizeof(std::uint16_t);
         }
     };
 

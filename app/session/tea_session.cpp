@@ -9,8 +9,6 @@ namespace pastoso::session {
 namespace {
 
 constexpr int kSeenCells = 96;  ///< of the milk, along each side of the box
-/// Of the reach of an even body: few parcels that have drifted apart shall look like a cloud.
-constexpr float kSeenReach = 2.0F;
 
 liquid::TeaSettings with_force(liquid::TeaSettings settings, const TeaForce& force) {
     settings.swirl_rad_s2 = force.on ? force.swirl_rad_s2 : 0.0;
@@ -26,7 +24,6 @@ void fill_milk(liquid::MilkDensities& densities, TeaSnapshot& snapshot) {
     const liquid::TeaSettings& settings = snapshot.settings;
     liquid::MilkDensitySettings density = liquid::even_density(settings);
     density.cells = kSeenCells;
-    density.reach_m *= kSeenReach;
     const TeaFrame& seen = snapshot.seen;
     snapshot.milk_share = densities.make(seen.parcels, seen.dissolved, settings.cup, density).dense();
     const grid::BoxField coarse = liquid::halved(snapshot.milk_share);

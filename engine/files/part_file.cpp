@@ -31,6 +31,12 @@ std::uint64_t checksum(std::string_view file, const PartFileKind& kind) {
     return hash.value();
 }
 
+std::string versions_read(const PartFileKind& kind) {
+    const std::string newest = std::to_string(kind.version);
+    if (kind.oldest == kind.version) return "version " + newest;
+    return "versions " + std::to_string(kind.oldest) + " to " + newest;
+}
+
 template <class Value>
 void append(std::string& file, const Value& value) {
     file.append(reinterpret_cast<const char*>(&value), sizeof value);
@@ -79,6 +85,7 @@ PartFileReader::PartFileReader(std::filesystem::path path, const PartFileKind& k
       next_at_(kind.head_bytes()) {
     const std::string sentence = fault(scene_hash);
     if (!sentence.empty()) refuse(sentence);
+    std::memcpy(&version_, file_.data() + kVersionAt, sizeof version_);
     std::memcpy(&flags_, file_.data() + kFlagsAt, sizeof flags_);
 }
 
@@ -104,9 +111,9 @@ std::string PartFileReader::fault(std::uint64_t scene_hash) const {
         return "is damaged (it ends within its first " + std::to_string(kind_.head_bytes()) + " bytes).";
     std::uint32_t version = 0;
     std::memcpy(&version, file_.data() + kVersionAt, sizeof version);
-    if (version != kind_.version) {
-        return "is of version " + std::to_string(version) + ", this program reads version " +
-               std::to_string(kind_.version) + ".";
+    if (version < kind_.oldest || version > kind_.version) {
+        return "is of version " + std::to_string(version) + ", this program reads " +
+               versions_read(kind_) + ".";
     }
     std::uint64_t left = file_.size() - kind_.head_bytes();
     for (std::size_t part = 0; part < kind_.parts; ++part) {

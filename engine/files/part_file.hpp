@@ -19,7 +19,8 @@ namespace pastoso::files {
 struct PartFileKind {
     const char* what;  ///< "frame of tea"
     std::array<char, 8> mark;
-    std::uint32_t version;
+    std::uint32_t version;   ///< that is written
+    std::uint32_t oldest;    ///< that is read
     std::size_t fact_bytes;  ///< of the kind's own struct in the head, a multiple of 8
     std::size_t parts;
     std::size_t most_bytes;  ///< of the parts; a larger file is not read
@@ -72,6 +73,7 @@ class PartFileReader {
     /// version, damaged, or belongs to another scene. Nothing is unpacked yet.
     PartFileReader(std::filesystem::path path, const PartFileKind& kind, std::uint64_t scene_hash);
 
+    std::uint32_t version() const { return version_; }
     std::uint32_t flags() const { return flags_; }
 
     /// The kind's own struct. Its numbers are whatever was written.
@@ -109,7 +111,7 @@ class PartFileReader {
     std::filesystem::path path_;
     PartFileKind kind_;
     std::string file_;
-    std::uint32_t flags_ = 0;
+    std::uint32_t version_ = 0, flags_ = 0;
     std::size_t part_ = 0, next_at_ = 0;
     packing::Unpacker unpacker_;
     std::span<const std::byte> unpacked_;

@@ -49,6 +49,7 @@ files::PartFileKind kind() {
         .what = "checkpoint of a tank",
         .mark = {'T', 'a', 'n', 'k', 'S', 't', 'a', 't'},
         .version = kTankCheckpointVersion,
+        .oldest = kTankCheckpointVersion,
         .fact_bytes = sizeof(Facts),
         .parts = 4 + kFields,
         .most_bytes = kFields * packing::most_packed_bytes(sizeof(float) * samples) +

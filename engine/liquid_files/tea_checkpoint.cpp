@@ -52,6 +52,7 @@ files::PartFileKind kind() {
     return {.what = "checkpoint of tea",
             .mark = {'T', 'e', 'a', 'S', 't', 'a', 't', 'e'},
             .version = kTeaCheckpointVersion,
+            .oldest = kRoundParcelsVersion,
             .fact_bytes = sizeof(Facts),
             .parts = 1 + kFields,
             .most_bytes =

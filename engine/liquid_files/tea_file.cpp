@@ -32,6 +32,7 @@ files::PartFileKind kind() {
     return {.what = "frame of tea",
             .mark = {'P', 'a', 's', 't', 'o', 'T', 'e', 'a'},
             .version = kTeaFileVersion,
+            .oldest = kRoundParcelsVersion,
             .fact_bytes = sizeof(Facts),
             .parts = 3,
             .most_bytes = 2 * packing::most_packed_bytes(sizeof(float) * cells) +

@@ -168,12 +168,14 @@ TEST(TeaFrames, GivesBackWhatItKept) {
     grid::BoxField dissolved(grid::BoxShape{4, 4, 4, 0.01F});
     dissolved.at(1, 2, 3) = 0.25F;
     TeaFrames frames(1 << 20);
-    frames.keep(0, {{.position_m = {0.1F, 0.2F, 0.3F}, .volume_m3 = 2e-9F}}, dissolved);
+    const liquid::ParcelShape shape = {.xx = 4.0F, .xz = 0.5F};
+    frames.keep(0, {{.position_m = {0.1F, 0.2F, 0.3F}, .volume_m3 = 2e-9F, .shape = shape}}, dissolved);
     frames.keep(1, {}, dissolved);
     const TeaFrame first = frames.at(0);
     ASSERT_EQ(first.parcels.size(), 1U);
     EXPECT_EQ(first.parcels[0].position_m, glm::vec3(0.1F, 0.2F, 0.3F));
     EXPECT_EQ(first.parcels[0].volume_m3, 2e-9F);
+    EXPECT_EQ(first.parcels[0].shape, shape);
     // Half a step of the sixteen bits.
     EXPECT_NEAR(first.dissolved.at(1, 2, 3), 0.25F, 0.5F / 65535.0F);
     EXPECT_EQ(frames.at(9).step, 1);

@@ -1,4 +1,4 @@
-// Milk hangs together: what looks like crumbs and beads is counted.
+// Milk hangs together: what looks like crumbs and beads is counted. And its density is sparse.
 #include "liquid/tea/milk_density.hpp"
 #include "liquid/tea/milk_tea.hpp"
 
@@ -50,7 +50,7 @@ TEST(MilkPieces, AreFewAndLarge) {
     MilkTea tea(settings);
     MilkDensities densities(pool);
     const MilkDensitySettings density = even_density(settings);
-    for (const double time_s : {0.8, 1.8}) {
+    for (const double time_s : {0.8, 1.8, 5.0, 9.0}) {
         while (tea.time_s() < time_s - 1e-6)
             tea.step(pool);
         double undissolved_m3 = 0.0;
@@ -59,6 +59,10 @@ TEST(MilkPieces, AreFewAndLarge) {
         const double small_m3 = milk_in_small_pieces_m3(
             densities.make(tea.parcels(), tea.dissolved(), settings.cup, density).dense());
         EXPECT_LT(small_m3, 0.01 * undissolved_m3) << time_s << " s";
+        const MilkDensitySettings finest = {384, density.reach_m};
+        const grid::BlockField fine =
+            densities.make(tea.parcels(), tea.dissolved(), settings.cup, finest);
+        EXPECT_LT(fine.samples().size() * sizeof(float), 250'000'000U) << time_s << " s";
         RecordProperty("small_share_at_" + std::to_string(time_s),
                        std::to_string(small_m3 / undissolved_m3));
     }

@@ -4,8 +4,10 @@
 #include "core/text_file.hpp"
 #include "document/error_of.hpp"
 #include "files/temporary_folder.hpp"
+#include "source_file.hpp"
 
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <limits>
 
@@ -30,7 +32,11 @@ TeaFrame frame_of(int parcels, const grid::BoxShape& shape, bool coldness) {
             return core::uniform_noise(static_cast<std::uint32_t>(n), stream);
         };
         frame.parcels.push_back(
-            {{share(1), share(2), -share(3)}, 1e-9F * share(4), share(5), n % 5 - 1});
+            {{share(1), share(2), -share(3)},
+             1e-9F * share(4),
+             share(5),
+             n % 5 - 1,
+             {.xx = 1.0F + share(6), .yy = 2.0F, .zz = 3.0F, .xy = -0.5F * share(7)}});
     }
     if (shape.nx == 0) return frame;
     frame.dissolved = grid::BoxField(shape);
@@ -77,7 +83,7 @@ TEST_F(TeaCacheTest, FramesComeBackAsTheyWere) {
 
 TEST_F(TeaCacheTest, TheHeadIsAsDocumented) {
     const std::string file = written(frame_of(2, {7, 5, 3, 0.01F}, false));
-    EXPECT_EQ(file.substr(0, 16), std::string("PastoTea\1\0\0\0\0\0\0\0", 16));
+    EXPECT_EQ(file.substr(0, 16), std::string("PastoTea\2\0\0\0\0\0\0\0", 16));
     EXPECT_EQ(file.substr(16, 8), "\xf0\xde\xbc\x9a\x78\x56\x34\x12");
     EXPECT_EQ(file.substr(40, 12), std::string("\7\0\0\0\5\0\0\0\3\0\0\0", 12));
     EXPECT_EQ(file[56], 2);
@@ -111,8 +117,9 @@ TEST_F(TeaCacheTest, SaysWhatAFileIsInstead) {
                 HasSubstr("a.tea: belongs to another scene."));
     EXPECT_FALSE(is_whole_tea_frame(folder / "a.tea", 1));
     EXPECT_FALSE(is_whole_tea_frame(folder / "c.tea", kScene));
-    file[8] = 2;
-    EXPECT_THAT(complaint(file), HasSubstr("b.tea: is of version 2, this program reads version 1."));
+    file[8] = 3;
+    EXPECT_THAT(complaint(file),
+                HasSubstr("b.tea: is of version 3, this program reads versions 1 to 2."));
 }
 
 TEST_F(TeaCacheTest, WhatIsNotFiniteIsRefused) {
@@ -120,8 +127,27 @@ TEST_F(TeaCacheTest, WhatIsNotFiniteIsRefused) {
     frame.parcels[3].position_m.y = std::numeric_limits<float>::quiet_NaN();
     EXPECT_THAT(complaint(written(frame)), HasSubstr("b.tea: holds a parcel (number 3)"));
     frame = frame_of(5, {3, 3, 3, 0.01F}, false);
+    frame.parcels[4].shape.xy = 2.0F * frame.parcels[4].shape.xx + 2.0F;
+    EXPECT_THAT(complaint(written(frame)), HasSubstr("holds a parcel (number 4) whose shape is none."));
+    frame = frame_of(5, {3, 3, 3, 0.01F}, false);
     frame.dissolved.at(1, 1, 1) = std::numeric_limits<float>::infinity();
     EXPECT_THAT(complaint(written(frame)), HasSubstr("holds a value of a cell that is not finite"));
+}
+
+/// Of a run of version 0.1.0, 0.3 s long: 40 parcels, 8 cells along each side.
+TEST_F(TeaCacheTest, FramesOfVersion1HaveRoundParcels) {
+    const std::filesystem::path path = tests::source_file("tests/data/liquid/frame-version-1.tea");
+    const std::string file = core::read_text_file(path);
+    std::uint64_t scene = 0;
+    std::memcpy(&scene, file.data() + 16, sizeof scene);
+    const TeaFrame frame = read_tea_frame(path, scene);
+    EXPECT_EQ(frame.step, 9);
+    EXPECT_EQ(frame.dissolved.shape().nx, 8);
+    ASSERT_EQ(frame.parcels.size(), 40U);
+    for (const liquid::Parcel& parcel : frame.parcels) {
+        EXPECT_NEAR(parcel.volume_m3, 26e-6F / 40.0F, 1e-8F);
+        EXPECT_EQ(parcel.shape, liquid::ParcelShape());
+    }
 }
 
 TEST_F(TeaCacheTest, SmoothFieldsPackWell) {

@@ -4,6 +4,7 @@
 #include "document/error_of.hpp"
 #include "files/temporary_folder.hpp"
 #include "liquid/tea/milk_tea.hpp"
+#include "source_file.hpp"
 
 #include <cstring>
 #include <fstream>
@@ -62,7 +63,7 @@ TEST_F(TeaCheckpointTest, StatesComeBackToTheLastBit) {
 TEST_F(TeaCheckpointTest, TheHeadIsAsDocumented) {
     const TeaState state = state_after(12);
     const std::string head = written(state).substr(0, 240);
-    EXPECT_EQ(head.substr(0, 16), std::string("TeaState\1\0\0\0\1\0\0\0", 16));
+    EXPECT_EQ(head.substr(0, 16), std::string("TeaState\2\0\0\0\1\0\0\0", 16));
     EXPECT_EQ(head.substr(16, 8), "\xf0\xde\xbc\x9a\x78\x56\x34\x12");
     EXPECT_EQ(head[24], 12);
     EXPECT_EQ(head.substr(32, 12), std::string("\xc\0\0\0\xc\0\0\0\xc\0\0\0", 12));
@@ -78,6 +79,25 @@ TEST_F(TeaCheckpointTest, TheHeadIsAsDocumented) {
     for (std::size_t part = 0; part < 12; ++part)
         parts += number_at(136 + 8 * part);
     EXPECT_EQ(240 + parts, std::filesystem::file_size(file()));
+}
+
+/// Of the run that tea_cache_test.cpp has a frame of.
+TEST_F(TeaCheckpointTest, OnesOfVersion1GoOnWithRoundParcels) {
+    const std::filesystem::path path = tests::source_file("tests/data/liquid/checkpoint-version-1.tea");
+    std::uint64_t scene = 0;
+    std::memcpy(&scene, core::read_text_file(path).data() + 16, sizeof scene);
+    liquid::TeaSettings settings;
+    settings.cells = 8;
+    settings.parcels = 40;
+    settings.pour_s = 0.2;
+    liquid::MilkTea tea(settings);
+    tea.set_state(read_tea_checkpoint(path, scene));
+    ASSERT_EQ(tea.parcels().size(), 40U);
+    EXPECT_EQ(tea.parcels()[7].shape, liquid::ParcelShape());
+    core::ThreadPool pool(1);
+    tea.step(pool);
+    EXPECT_EQ(tea.steps(), 10);
+    EXPECT_NE(tea.parcels()[7].shape, liquid::ParcelShape());
 }
 
 TEST_F(TeaCheckpointTest, EveryDamageIsNoticed) {

@@ -2,7 +2,8 @@
 
 #include "core/check.hpp"
 #include "liquid/tea/between.hpp"
-#include "liquid/tea/milk_jug.hpp"
+#include "liquid/tea/parcel_cells.hpp"
+#include "liquid/tea/parcel_shape.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,14 +15,14 @@
 namespace pastoso::liquid {
 namespace {
 
-/// A slab is a layer of blocks; parcels reach no farther than the next one.
+/// A slab is a layer of blocks.
 constexpr int kSide = grid::BlockField::kSide;
-/// Cells along the cube around what a parcel reaches.
-constexpr int kKernelRow = 8;
-static_assert(2.0F * kMostReach_cells < kKernelRow && kMostReach_cells < kSide);
 constexpr int kLeastCells = 8, kMostCells = 384;
-/// The reach of an even body, in distances of its parcels.
-constexpr double kEvenReach = 1.75;
+/// A kernel less of which lies in the tea is not told from rounding.
+constexpr float kLeastSum = 1e-2F;
+/// Of the variance that sharing among the flow's cells gives to milk, h^2 / 3: a parcel that has become
+/// wider by as much is drawn as dissolved milk is.
+constexpr float kWide = 0.5F;
 /// What is less in a cell is seen nowhere.
 constexpr float kLeastDissolved = 1e-8F;
 
@@ -46,69 +47,25 @@ glm::ivec3 nearest_cell(const glm::vec3& place, const grid::BoxShape& shape) {
                       glm::ivec3(shape.nx, shape.ny, shape.nz) - 1);
 }
 
-/// A parcel's kernel in the cells around it.
-class Kernel {
-  public:
-    Kernel(const glm::vec3& place, float reach_cells)
-        : first_(glm::ceil(place - reach_cells)), per_reach2_(1.0F / (reach_cells * reach_cells)) {
-        const glm::vec3 offset = glm::vec3(first_) - place;
-        for (int n = 0; n < kKernelRow; ++n)
-            for (int axis = 0; axis < 3; ++axis) {
-                const float away = offset[axis] + static_cast<float>(n);
-                away2_[axis][n] = away * away * per_reach2_;
-            }
-    }
-
-    const glm::ivec3& first() const { return first_; }
-
-    /// (1 - r^2)^2 or 0 along a row. False where all of it is 0.
-    bool row(int y, int z, std::array<float, kKernelRow>& weights) const {
-        const float left = 1.0F - away2_[1][y] - away2_[2][z];
-        if (left <= 0.0F) return false;
-        for (int x = 0; x < kKernelRow; ++x) {
-            const float within = std::max(left - away2_[0][x], 0.0F);
-            weights[x] = within * within;
-        }
-        return true;
-    }
-
-  private:
-    glm::ivec3 first_;
-    float per_reach2_;
-    std::array<std::array<float, kKernelRow>, 3> away2_;
-};
-
-/// Where a row of a kernel lies in the tea, in samples of the kernel.
-RowRange kernel_range(const RowRange& tea, int first) {
-    return {std::max(tea.begin - first, 0), std::min(tea.end - first, kKernelRow)};
+RowRange overlap(const RowRange& a, const RowRange& b) {
+    return {std::max(a.begin, b.begin), std::min(a.end, b.end)};
 }
 
-/// Calls visit(j, k, range, weights) for the rows of a kernel that lie in the tea.
+/// Calls visit(j, k, row) for the rows of a kernel's cells, in some layers, that lie in the tea.
 template <class Visit>
-void for_kernel_rows(const Kernel& kernel, const grid::BoxShape& shape, const RowRanges& in_tea,
-                     const Visit& visit) {
-    std::array<float, kKernelRow> weights;
-    for (int z = 0; z < kKernelRow; ++z) {
-        const int k = kernel.first().z + z;
-        if (k < 0 || k >= shape.nz) continue;
-        for (int y = 0; y < kKernelRow; ++y) {
-            const int j = kernel.first().y + y;
-            if (j < 0 || j >= shape.ny || !kernel.row(y, z, weights)) continue;
-            const RowRange range = kernel_range(in_tea.at(j, k), kernel.first().x);
-            if (!range.empty()) visit(j, k, range, weights);
-        }
-    }
+void for_rows_in_tea(const ParcelKernel& kernel, const RowRange& layers, const grid::BoxShape& shape,
+                     const RowRanges& in_tea, const Visit& visit) {
+    kernel.for_rows(shape.ny, layers, [&](int j, int k, ParcelKernel::Row row) {
+        row.cells = overlap(row.cells, in_tea.at(j, k));
+        if (!row.cells.empty()) visit(j, k, row);
+    });
 }
 
-/// In a fixed order, whatever the width of registers.
-float kernel_sum(const Kernel& kernel, const grid::BoxShape& shape, const RowRanges& in_tea) {
-    std::array<float, kKernelRow> sums{};
-    for_kernel_rows(kernel, shape, in_tea,
-                    [&](int, int, const RowRange& range, const std::array<float, kKernelRow>& weights) {
-                        for (int x = range.begin; x < range.end; ++x)
-                            sums[x] += weights[x];
-                    });
-    return std::accumulate(sums.begin(), sums.end(), 0.0F);
+float kernel_sum(const ParcelKernel& kernel, const grid::BoxShape& shape, const RowRanges& in_tea) {
+    float sum = 0.0F;
+    for_rows_in_tea(kernel, {0, shape.nz}, shape, in_tea,
+                    [&](int, int, const ParcelKernel::Row& row) { sum += row.sum(); });
+    return sum;
 }
 
 /// A row of `field`, interpolated across to row (j, k) of a lattice whose cells are `ratio` of its own,
@@ -138,6 +95,44 @@ double sum_of_open(const grid::BoxField& field, const grid::BoxField& open) {
     return sum * shape.cell_volume_m3();
 }
 
+/// The eight cells of the flow whose middles are around a parcel, as far as they are open.
+class CellsAround {
+  public:
+    CellsAround(const Parcel& parcel, const grid::BoxField& open_cells)
+        : open_cells_(open_cells),
+          place_(parcel.position_m / open_cells.shape().cell_m - 0.5F),
+          low_(glm::floor(place_)) {
+        for (const int z : {0, 1})
+            for (const int y : {0, 1})
+                for (const int x : {0, 1})
+                    sum_ += weight({x, y, z});
+    }
+    /// -1 or more.
+    static int lowest_layer(const Parcel& parcel, const grid::BoxShape& shape) {
+        return static_cast<int>(std::floor(parcel.position_m.z / shape.cell_m - 0.5F));
+    }
+    bool any() const { return sum_ > 0.0F; }
+    /// To those in one layer their share.
+    void add(float amount, int layer, grid::BoxField& field) const {
+        for (const int y : {0, 1})
+            for (const int x : {0, 1})
+                field.at(low_.x + x, low_.y + y, layer) +=
+                    amount * weight({x, y, layer - low_.z}) / sum_;
+    }
+
+  private:
+    float weight(const glm::ivec3& corner) const {
+        const glm::ivec3 cell = low_ + corner;
+        const glm::vec3 near = 1.0F - glm::abs(place_ - glm::vec3(cell));
+        return near.x * near.y * near.z * open_cells_.at(cell.x, cell.y, cell.z);
+    }
+
+    const grid::BoxField& open_cells_;
+    glm::vec3 place_;
+    glm::ivec3 low_;
+    float sum_ = 0.0F;
+};
+
 /// Marks the blocks that keep cells from `low` to `high`.
 void mark(const glm::ivec3& low, const glm::ivec3& high, const glm::ivec3& blocks,
           std::vector<char>& marks) {
@@ -152,8 +147,7 @@ void mark(const glm::ivec3& low, const glm::ivec3& high, const glm::ivec3& block
 }  // namespace
 
 MilkDensitySettings even_density(const TeaSettings& settings) {
-    const auto parcel_m3 = static_cast<double>(milk_per_parcel_m3(settings));
-    const double reach_m = kEvenReach * std::cbrt(parcel_m3);
+    const auto reach_m = static_cast<double>(poured_reach_m(settings));
     const MilkDensitySettings finest;
     const double cells = std::clamp(static_cast<double>(kMostReach_cells) * settings.box_m / reach_m,
                                     static_cast<double>(kLeastCells), static_cast<double>(finest.cells));
@@ -179,20 +173,30 @@ void MilkDensities::set_lattice(int cells) {
             in_tea_.at(j, k) = tea_row(cup_, shape, j, k);
 }
 
+ParcelKernel MilkDensities::kernel_of(const Parcel& parcel) const {
+    return {place_of(parcel, shape_), parcel.shape, reach_cells_};
+}
+
 void MilkDensities::sort_into_slabs(std::span<const Parcel> parcels) {
     const int slabs = grid::BlockField::block_counts(shape_).z;
     const auto slab_of = [&](const Parcel& parcel) {
         return static_cast<std::size_t>(nearest_cell(place_of(parcel, shape_), shape_).z / kSide);
     };
     order_ = CountingOrder(parcels, static_cast<std::size_t>(slabs), slab_of);
+    float reach = 0.0F;
+    for (std::size_t i = 0; i < parcels.size(); ++i)
+        if (wide_[i] < 1.0F) reach = std::max(reach, kernel_of(parcels[i]).reach().z);
+    slabs_reached_ = static_cast<int>(std::ceil(reach / static_cast<float>(kSide)));
 }
 
 std::vector<char> MilkDensities::blocks_reached(std::span<const Parcel> parcels) const {
     const glm::ivec3 blocks = grid::BlockField::block_counts(shape_);
     std::vector<char> marks(static_cast<std::size_t>(blocks.x) * blocks.y * blocks.z, 0);
-    for (const Parcel& parcel : parcels) {
-        const glm::vec3 place = place_of(parcel, shape_);
-        mark(glm::floor(place - reach_cells_), glm::ceil(place + reach_cells_), blocks, marks);
+    for (std::size_t i = 0; i < parcels.size(); ++i) {
+        if (wide_[i] == 1.0F) continue;
+        const ParcelKernel kernel = kernel_of(parcels[i]);
+        mark(glm::floor(kernel.place() - kernel.reach()), glm::ceil(kernel.place() + kernel.reach()),
+             blocks, marks);
     }
     const grid::BoxShape& flow = dissolved_.shape();
     const float ratio = static_cast<float>(shape_.nx) / static_cast<float>(flow.nx);
@@ -232,37 +236,73 @@ double MilkDensities::lay_dissolved(int slab, grid::BlockField& density) const {
     return sum * shape_.cell_volume_m3();
 }
 
+/// The part of each parcel that is so wide that it is spread as dissolved milk is: none of one that has
+/// its poured width, or no open cell of the flow around it.
+void MilkDensities::part_wide(std::span<const Parcel> parcels, float reach_m) {
+    const float cells = reach_m / walls_->shape().cell_m, per_width = cells * cells / (3.0F * kWide);
+    wide_.resize(parcels.size());
+    for_parcels(pool_, parcels.size(), [&](std::size_t i) {
+        const float part = std::min((width(parcels[i].shape) - 1.0F) * per_width, 1.0F);
+        const bool is_shared = part > 0.0F && CellsAround(parcels[i], walls_->open_cells()).any();
+        wide_[i] = is_shared ? part : 0.0F;
+    });
+}
+
+/// Adds the wide parts to `dissolved_`, each layer of cells on a thread of its own.
+void MilkDensities::add_wide(std::span<const Parcel> parcels) {
+    const grid::BoxShape& flow = dissolved_.shape();
+    const CountingOrder order(parcels, static_cast<std::size_t>(flow.nz) + 1, [&](const Parcel& parcel) {
+        return static_cast<std::size_t>(CellsAround::lowest_layer(parcel, flow) + 1);
+    });
+    const auto per_m3 = static_cast<float>(1.0 / flow.cell_volume_m3());
+    pool_.run(static_cast<std::size_t>(flow.nz), [&](std::size_t k, int) {
+        for (const std::uint32_t i : order.groups_between(k, k + 2)) {
+            if (wide_[i] == 0.0F) continue;
+            const CellsAround cells(parcels[i], walls_->open_cells());
+            cells.add(wide_[i] * parcels[i].volume_m3 * per_m3, static_cast<int>(k), dissolved_);
+        }
+    });
+}
+
+/// What a parcel gives to a cell in which its kernel is 1, or 0: it has none in the tea.
+void MilkDensities::weigh(std::span<const Parcel> parcels) {
+    const auto cell_m3 = static_cast<float>(shape_.cell_volume_m3());
+    scales_.resize(parcels.size());
+    for_parcels(pool_, parcels.size(), [&](std::size_t i) {
+        scales_[i] = 0.0F;
+        if (wide_[i] == 1.0F) return;
+        const float sum = kernel_sum(kernel_of(parcels[i]), shape_, in_tea_);
+        if (sum > kLeastSum) scales_[i] = (1.0F - wide_[i]) * parcels[i].volume_m3 / cell_m3 / sum;
+    });
+}
+
 /// Spreads the parcels that reach into a slab over its layers of cells.
 void MilkDensities::add_parcels(std::span<const Parcel> parcels, int slab,
                                 std::vector<float>& layers) const {
     const int slabs = static_cast<int>(order_.groups()), k0 = slab * kSide;
+    const RowRange slab_layers = {k0, std::min(k0 + kSide, shape_.nz)};
     const auto cell_m3 = static_cast<float>(shape_.cell_volume_m3());
     const auto layer_row = [&](int j, int k) {
         return layers.data() + static_cast<std::size_t>((k - k0) * shape_.ny + j) * shape_.nx;
     };
-    for (const std::uint32_t number :
-         order_.groups_between(std::max(slab - 1, 0), std::min(slab + 2, slabs))) {
+    const int first = std::max(slab - slabs_reached_, 0),
+              end = std::min(slab + slabs_reached_ + 1, slabs);
+    for (const std::uint32_t number : order_.groups_between(first, end)) {
         const Parcel& parcel = parcels[number];
-        const glm::vec3 place = place_of(parcel, shape_);
-        if (place.z + reach_cells_ < static_cast<float>(k0) ||
-            place.z - reach_cells_ > static_cast<float>(k0 + kSide - 1))
-            continue;
-        const Kernel kernel(place, reach_cells_);
-        const float sum = kernel_sum(kernel, shape_, in_tea_), share = parcel.volume_m3 / cell_m3;
-        if (sum <= 0.0F) {
-            const glm::ivec3 cell = nearest_cell(place, shape_);
-            if (cell.z / kSide == slab) layer_row(cell.y, cell.z)[cell.x] += share;
+        if (wide_[number] == 1.0F) continue;
+        const float scale = scales_[number];
+        if (scale == 0.0F) {
+            const glm::ivec3 cell = nearest_cell(place_of(parcel, shape_), shape_);
+            if (cell.z / kSide == slab)
+                layer_row(cell.y, cell.z)[cell.x] += (1.0F - wide_[number]) * parcel.volume_m3 / cell_m3;
             continue;
         }
-        const float scale = share / sum;
-        for_kernel_rows(
-            kernel, shape_, in_tea_,
-            [&](int j, int k, const RowRange& range, const std::array<float, kKernelRow>& weights) {
-                if (k < k0 || k >= k0 + kSide) return;
-                float* cells = layer_row(j, k) + kernel.first().x;
-                for (int x = range.begin; x < range.end; ++x)
-                    cells[x] += scale * weights[x];
-            });
+        const auto add = [&](int j, int k, const ParcelKernel::Row& row) {
+            float* cells = layer_row(j, k);
+            for (int i = row.cells.begin; i < row.cells.end; ++i)
+                cells[i] += scale * row.at(i);
+        };
+        for_rows_in_tea(kernel_of(parcel), slab_layers, shape_, in_tea_, add);
     }
 }
 
@@ -295,10 +335,14 @@ grid::BlockField MilkDensities::make(std::span<const Parcel> parcels, const grid
     PASTOSO_CHECK(settings.cells >= kLeastCells && settings.cells <= kMostCells);
     set_tea(dissolved.shape(), cup);
     set_lattice(settings.cells);
-    reach_cells_ = std::clamp(settings.reach_m / shape_.cell_m, kLeastReach_cells, kMostReach_cells);
+    reach_cells_ = std::min(settings.reach_m / shape_.cell_m, kMostReach_cells);
+    part_wide(parcels, settings.reach_m);
     dissolved_ = dissolved;
+    add_wide(parcels);
+    const double dissolved_m3 = sum_of_open(dissolved_, walls_->open_cells());
     walls_->extrapolate(dissolved_, Location::Cell, pool_);
     sort_into_slabs(parcels);
+    weigh(parcels);
     grid::BlockField density(shape_, blocks_reached(parcels));
     const auto slabs = static_cast<std::size_t>(density.blocks().z);
     std::vector<double> sums(slabs);
@@ -306,7 +350,6 @@ grid::BlockField MilkDensities::make(std::span<const Parcel> parcels, const grid
         sums[slab] = lay_dissolved(static_cast<int>(slab), density);
     });
     const double laid_m3 = std::accumulate(sums.begin(), sums.end(), 0.0);
-    const double dissolved_m3 = sum_of_open(dissolved, walls_->open_cells());
     const auto scale = laid_m3 > 0.0 ? static_cast<float>(dissolved_m3 / laid_m3) : 0.0F;
     std::vector<std::vector<float>> layers(static_cast<std::size_t>(pool_.thread_count()));
     pool_.run(slabs, [&](std::size_t slab, int worker) {

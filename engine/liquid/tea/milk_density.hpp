@@ -8,7 +8,7 @@
 #include "liquid/flow/walls.hpp"
 #include "liquid/tea/counting_order.hpp"
 #include "liquid/tea/cup.hpp"
-#include "liquid/tea/parcel.hpp"
+#include "liquid/tea/parcel_kernel.hpp"
 #include "liquid/tea/tea_settings.hpp"
 
 #include <optional>
@@ -19,9 +19,9 @@ namespace pastoso::liquid {
 
 struct MilkDensitySettings {
     int cells = 256;          ///< along each side of the box, 8 to 384
-    float reach_m = 0.0007F;  ///< of a parcel; taken between kLeastReach_cells and kMostReach_cells
+    float reach_m = 0.0007F;  ///< of a parcel as poured; at most kMostReach_cells
 };
-inline constexpr float kLeastReach_cells = 1.5F, kMostReach_cells = 3.5F;
+inline constexpr float kMostReach_cells = 3.5F;
 
 /// At most 256 cells a side, at which the tea's parcels, where they lie side by side, make an even body.
 MilkDensitySettings even_density(const TeaSettings& settings);
@@ -33,11 +33,12 @@ class MilkDensities {
 
     /// On the lattice of the wanted cells, at the middles of those that lie in the tea:
     ///     rho = sum over parcels of V K(x - p) / sum of K over those cells + s c,
-    ///     K(d) = (1 - |d|^2 / reach^2)^2 within the reach,
-    /// c the dissolved share between the middles of its cells and s, near 1, what makes its sum that of
-    /// `dissolved` again: the sum of rho is the milk's volume, to rounding. A parcel none of whose cells
-    /// lies in the tea gives to the one around it. Above 1 where parcels overlap. The same bits on any
-    /// number of threads and any instruction set.
+    /// V what is narrow of a parcel and K its kernel (parcel_kernel.hpp), c the dissolved share between
+    /// the middles of its cells and s, near 1, what makes its sum right: the sum of rho is the milk's
+    /// volume, to rounding. What is wide of a parcel, all of it once it has widened by half of the
+    /// variance that cells of `dissolved` give to milk, is among c, shared by the eight cells around it.
+    /// A parcel whose kernel lies outside the tea gives to the cell around it. Above 1 where parcels
+    /// overlap. The same bits on any number of threads and any instruction set.
     grid::BlockField make(std::span<const Parcel> parcels, const grid::BoxField& dissolved,
                           const Cup& cup, const MilkDensitySettings& settings = {});
 
@@ -45,6 +46,10 @@ class MilkDensities {
     void set_tea(const grid::BoxShape& flow, const Cup& cup);
     void set_lattice(int cells);
     void sort_into_slabs(std::span<const Parcel> parcels);
+    ParcelKernel kernel_of(const Parcel& parcel) const;
+    void part_wide(std::span<const Parcel> parcels, float reach_m);
+    void add_wide(std::span<const Parcel> parcels);
+    void weigh(std::span<const Parcel> parcels);
     std::vector<char> blocks_reached(std::span<const Parcel> parcels) const;
     double lay_dissolved(int slab, grid::BlockField& density) const;
     void add_parcels(std::span<const Parcel> parcels, int slab, std::vector<float>& layers) const;
@@ -54,11 +59,14 @@ class MilkDensities {
     core::ThreadPool& pool_;
     Cup cup_;
     std::optional<Walls> walls_;  ///< of the flow
-    grid::BoxField dissolved_;    ///< continued into the walls
+    grid::BoxField dissolved_;    ///< and wide parcels, continued into the walls
     grid::BoxShape shape_;        ///< of the density
     RowRanges in_tea_;
     float reach_cells_ = 0.0F;
     CountingOrder order_;  ///< of the parcels by slabs
+    int slabs_reached_ = 0;      ///< by a parcel, beyond its own
+    std::vector<float> wide_;    ///< part of each parcel, 0 to 1
+    std::vector<float> scales_;  ///< of each parcel's kernel
 };
 
 }  // namespace pastoso::liquid

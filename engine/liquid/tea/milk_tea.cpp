@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "liquid/flow/slices.hpp"
 #include "liquid/tea/painters_force.hpp"
+#include "liquid/tea/parcel_shape.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -163,10 +164,21 @@ void MilkTea::carry(core::ThreadPool& pool) {
     balls_.nucleate(time_s(), settings_, parcels_);
     positions_m_.resize(parcels_.size());
     for_parcels(pool, parcels_.size(), [&](std::size_t i) { positions_m_[i] = parcels_[i].position_m; });
+    deform_parcels(pool);
     flow_.carry(positions_m_, dt_s, pool);
     const float margin_m = kWallMargin_cells * flow_.shape().cell_m;
     for_parcels(pool, parcels_.size(), [&](std::size_t i) {
         parcels_[i].position_m = brought_within(settings_.cup, positions_m_[i], margin_m);
+    });
+}
+
+void MilkTea::deform_parcels(core::ThreadPool& pool) {
+    constexpr std::size_t kAtOnce = 1024;
+    const ShapeLimits limits = shape_limits(settings_);
+    pool.run((parcels_.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t batch, int) {
+        const std::size_t begin = batch * kAtOnce;
+        deform(std::span(parcels_).subspan(begin, std::min(kAtOnce, parcels_.size() - begin)),
+               flow_.velocity(), static_cast<float>(settings_.step_s), limits);
     });
 }
 

@@ -4,7 +4,7 @@
 // Milk is either in parcels, which the tea carries along, or dissolved, a share c of each cell. Both
 // together are what has been poured, to rounding. One step of time dt:
 //     pour; u += dt (buoyancy + the painter's force); viscosity, diffusion; make u free of divergence;
-//     carry c, the tea's coldness T and the parcels along u; balls; carry u along u;
+//     carry c, the tea's coldness T and the parcels, drawn out, along u; balls; carry u along u;
 //     parcels warm (giving a share of their cold to T) and dissolve (giving volume to c).
 #pragma once
 
@@ -70,6 +70,7 @@ class MilkTea {
     void spread_parcels(core::ThreadPool& pool);
     void add_buoyancy(core::ThreadPool& pool);
     SolveResult diffuse(core::ThreadPool& pool);
+    void deform_parcels(core::ThreadPool& pool);
     void carry(core::ThreadPool& pool);
     void exchange(core::ThreadPool& pool);
     void erase_dissolved();

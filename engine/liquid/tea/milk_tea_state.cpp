@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/value_range.hpp"
 #include "liquid/tea/milk_tea.hpp"
+#include "liquid/tea/parcel_shape.hpp"
 
 #include <utility>
 
@@ -23,6 +24,7 @@ void check_parcels(const TeaState& state, double box_m) {
         core::check_range("A parcel's volume", static_cast<double>(parcel.volume_m3), 0.0, 1.0);
         core::check_range("A parcel's coldness", static_cast<double>(parcel.coldness), 0.0, 1.0);
         core::check_range("A parcel's ball", parcel.ball, -1, state.balls.count - 1);
+        if (!is_shape(parcel.shape)) throw core::InputError("A parcel's shape is none.");
     }
 }
 
