@@ -17,8 +17,9 @@ const glm::vec3 kEyeWeights(0.3F, 0.5F, 0.2F);
 /// Scatterings at which the lamp is looked for in any case, and the chance at those after them.
 constexpr int kSureLamps = 1;
 constexpr float kRareLamps = 0.25F;
-/// Moved off a surface by so much, so that it is not met again.
-constexpr float kLift_m = 1e-6F;
+/// Scatterings that a path goes through itself; what light comes to the next in milk is taken from the
+/// photons, whose cells are then too small to be seen.
+constexpr int kOwnScatterings = 2;
 
 struct Strand {
     Ray ray;
@@ -34,12 +35,13 @@ struct Strand {
 
 class Follower {
   public:
-    Follower(const World& world, const TraceSettings& settings, Sampler& sampler, std::uint64_t& rays)
-        : world_(world), settings_(settings), sampler_(sampler), rays_(rays) {}
+    Follower(const Lit& lit, Sampler& sampler, std::uint64_t& rays)
+        : world_(lit.world), settings_(lit.settings), maps_(lit.maps), sampler_(sampler), rays_(rays) {}
 
-    PathResult follow(const Ray& ray) {
+    PathResult follow(const Ray& ray, bool meets_lamp) {
         Strand strand;
         strand.ray = ray;
+        strand.meets_lamp = meets_lamp;
         run(strand);
         while (waiting_ > 0)
             run(waiting_strands_[--waiting_]);
@@ -106,9 +108,7 @@ class Follower {
         ++strand.scatterings;
     }
 
-    void add_lamp(const Strand& strand, const glm::vec3& origin, const glm::vec3& towards, float share) {
-        const glm::vec3 arrives =
-            world_.straight_transmittance({origin, towards}, strand.here, sampler_, rays_);
+    void add_lamp(const Strand& strand, const glm::vec3& arrives, float share) {
         result_.radiance += strand.weight * arrives * world_.light().lamp_radiance() *
                             (world_.light().lamp_solid_angle() * share);
     }
@@ -123,57 +123,58 @@ class Follower {
 
     void scatter_in_milk(Strand& strand) {
         strand.weight *= world_.optics().milk_albedo;
+        if (strand.scatterings >= kOwnScatterings && !maps_.fluence.empty()) {
+            result_.radiance += strand.weight * maps_.fluence.at(strand.ray.origin) / (4.0F * kPi);
+            strand.weight = glm::vec3(0.0F);
+            return;
+        }
         become_dull(strand, {0.8F, 0.75F, 0.6F});
         const float chance = seeks_lamp() ? chance_to_seek_lamp(strand) : 0.0F;
-        if (chance >= 1.0F || (chance > 0.0F && sampler_.next() < chance))
-            add_lamp(strand, strand.ray.origin, world_.light().towards_lamp(sampler_.pair()),
+        if (chance >= 1.0F || (chance > 0.0F && sampler_.next() < chance)) {
+            const Ray ray{strand.ray.origin, world_.light().towards_lamp(sampler_.pair())};
+            add_lamp(strand, world_.straight_transmittance(ray, strand.here, sampler_, rays_),
                      1.0F / (4.0F * kPi * chance));
-        const glm::vec2 random = sampler_.pair();
-        const float z = 1.0F - 2.0F * random.x;
-        const glm::vec2 turn = cos_sin_of_turns(random.y) * std::sqrt(std::max(0.0F, 1.0F - z * z));
-        strand.ray.direction = glm::normalize(glm::vec3(turn, z));
+        }
+        strand.ray.direction = isotropic_direction(sampler_.pair());
     }
 
     void scatter_on(Strand& strand, const SurfaceHit& hit) {
-        const glm::vec3 before = strand.ray.direction;
-        const glm::vec3 normal = glm::dot(hit.shading, before) > 0.0F ? -hit.shading : hit.shading;
+        const DullBounce bounce(strand.ray, hit);
         const glm::vec3 colour = world_.reflectance(hit.kind, strand.ray.origin);
         strand.weight *= colour;
         become_dull(strand, colour);
-        strand.ray.origin += normal * (2.0F * kLift_m);
-        if (seeks_lamp()) {
-            const glm::vec3 towards = world_.light().towards_lamp(sampler_.pair());
-            const float cosine = glm::dot(towards, normal);
-            if (cosine > 0.0F) add_lamp(strand, strand.ray.origin, towards, cosine / kPi);
+        if (seeks_lamp()) seek_lamp_off(strand, hit, bounce);
+        // What shape milk has is not seen in what it lends a dull surface.
+        strand.scatterings = std::max(strand.scatterings, kOwnScatterings);
+        strand.ray = bounce.ray(sampler_.pair());
+    }
+
+    /// To the table it comes straight through air, or else with the photons.
+    void seek_lamp_off(const Strand& strand, const SurfaceHit& hit, const DullBounce& bounce) {
+        const bool by_photons = hit.kind == SurfaceKind::Table && !maps_.caustics.empty();
+        if (by_photons)
+            result_.radiance +=
+                strand.weight * maps_.caustics.irradiance(glm::vec2(strand.ray.origin)) / kPi;
+        const Ray ray{bounce.origin, world_.light().towards_lamp(sampler_.pair())};
+        const float cosine = glm::dot(ray.direction, bounce.normal);
+        if (cosine <= 0.0F) return;
+        if (!by_photons) {
+            add_lamp(strand, world_.straight_transmittance(ray, strand.here, sampler_, rays_),
+                     cosine / kPi);
+            return;
         }
-        const glm::vec2 random = sampler_.pair();
-        const Frame frame(normal);
-        const glm::vec2 turn = cos_sin_of_turns(random.y) * std::sqrt(random.x);
-        strand.ray.direction =
-            glm::normalize(frame.u * turn.x + frame.v * turn.y + normal * std::sqrt(1.0F - random.x));
-        // A smoothed normal may point a way below the triangle: light is not to be lost within the body.
-        const glm::vec3 off = glm::dot(hit.normal, before) > 0.0F ? -hit.normal : hit.normal;
-        if (glm::dot(strand.ray.direction, off) < 0.0F)
-            strand.ray.direction = reflected(strand.ray.direction, off);
+        ++rays_;
+        if (world_.is_open(ray)) add_lamp(strand, glm::vec3(1.0F), cosine / kPi);
     }
 
     void cross(Strand& strand, const SurfaceHit& hit) {
-        const glm::vec3 before = strand.ray.direction;
-        const unsigned beyond = hit.beyond(strand.here, before);
-        const float from = world_.refractive_index(strand.here), to = world_.refractive_index(beyond);
-        const glm::vec3 off = glm::dot(hit.normal, before) > 0.0F ? -hit.normal : hit.normal;
-        if (from == to) {
-            strand.ray.origin -= off * kLift_m;
-            strand.here = beyond;
-            return;
-        }
-        const glm::vec3 facing = glm::dot(hit.shading, before) > 0.0F ? -hit.shading : hit.shading;
-        const float share = fresnel_reflectance(-glm::dot(before, facing), from, to);
+        const Crossing crossing = world_.crossing(strand.ray, strand.here, hit);
+        const float share = crossing.reflects;
         Strand bounced = strand;
-        bounced.ray = {strand.ray.origin + off * kLift_m, reflected(before, facing)};
+        bounced.ray = crossing.reflected_ray(strand.ray);
         const bool splits =
             strand.splits_left > 0 && share < 1.0F && share * largest(strand.weight) > kLeastSplit;
-        if (!splits && (share >= 1.0F || sampler_.pair().x < share)) {
+        if (!splits && share > 0.0F && (share >= 1.0F || sampler_.pair().x < share)) {
             strand = bounced;
             return;
         }
@@ -188,12 +189,13 @@ class Follower {
             strand.weight *= 1.0F - share;
             strand.share *= 1.0F - share;
         }
-        strand.ray = {strand.ray.origin - off * kLift_m, refracted(before, facing, from / to)};
-        strand.here = beyond;
+        strand.ray = crossing.refracted_ray(strand.ray);
+        strand.here = crossing.beyond;
     }
 
     const World& world_;
     const TraceSettings& settings_;
+    const PhotonMaps& maps_;
     Sampler& sampler_;
     std::uint64_t& rays_;
     PathResult result_;
@@ -203,9 +205,13 @@ class Follower {
 
 }  // namespace
 
-PathResult follow_path(const World& world, const TraceSettings& settings, const Ray& ray,
-                       Sampler& sampler, std::uint64_t& rays) {
-    return Follower(world, settings, sampler, rays).follow(ray);
+PathResult follow_path(const Lit& lit, const Ray& ray, Sampler& sampler, std::uint64_t& rays) {
+    return Follower(lit, sampler, rays).follow(ray, true);
+}
+
+glm::vec3 radiance_besides_lamp(const Lit& lit, const Ray& ray, Sampler& sampler) {
+    std::uint64_t rays = 0;
+    return Follower(lit, sampler, rays).follow(ray, false).radiance;
 }
 
 }  // namespace pastoso::trace

@@ -40,11 +40,12 @@ struct Camera {
     float lens_radius_m = 0.0008F;             ///< 0: everything is sharp
 };
 
-/// A dull round table, whose colour fades with the distance from the vessel as lamplight does.
+/// A dull round table of boards, whose colour fades with the distance from the vessel as lamplight does.
 struct Table {
     float height_m = -0.002F;
     float radius_m = 1.2F;  ///< around the vessel's middle
-    glm::vec3 reflectance{0.62F, 0.58F, 0.54F};
+    glm::vec3 reflectance{0.50F, 0.40F, 0.30F};
+    bool is_wood = true;         ///< otherwise it is even
     float fading_per_m2 = 9.0F;  ///< of the squared distance, until fading_to of the colour is left
     float fading_to = 0.55F;
 };
@@ -52,8 +53,8 @@ struct Table {
 /// A far, round, even lamp.
 struct Lamp {
     glm::vec3 towards{-0.55F, -0.5F, 0.85F};  ///< where it stands; any length
-    float radius_deg = 17.3F;                 ///< as seen from here, 0.1 to 80
-    glm::vec3 radiance{15.0F, 14.2F, 13.0F};
+    float radius_deg = 7.0F;                  ///< as seen from here, 0.1 to 80
+    glm::vec3 radiance{91.0F, 86.2F, 78.9F};
 };
 
 /// What is seen where nothing else is: a gradient from below to above, and a soft window in it.

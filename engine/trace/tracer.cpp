@@ -5,10 +5,14 @@
 #include "trace/camera_rays.hpp"
 #include "trace/denoise.hpp"
 #include "trace/path.hpp"
+#include "trace/photons.hpp"
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pastoso::trace {
@@ -16,6 +20,13 @@ namespace {
 
 constexpr int kTile = 16;
 constexpr int kLongestSide = 16384;
+
+/// From so many samples on, a tile is looked at after every so many more: once it is clean enough it
+/// gets no others.
+constexpr int kFewestSamples = 16, kSamplesBetweenLooks = 8;
+/// The error of a clean tile's pixels, root mean square, against their mean and what the eye takes for
+/// black. The denoiser takes out most of it.
+constexpr double kCleanError = 0.06, kBlack = 0.05;
 
 /// What is summed for a pixel, over its samples of even or of odd number: linear colour and features.
 constexpr int kSums = 3 + kFeatures;
@@ -52,6 +63,7 @@ struct TeaTracer::State {
           tile_samples(static_cast<std::size_t>(tiles_across) *
                            static_cast<std::size_t>((settings.height + kTile - 1) / kTile),
                        0),
+          tile_wanted(tile_samples.size(), 0),
           tile_rays(tile_samples.size(), 0) {
         const std::size_t pixels =
             static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
@@ -77,7 +89,7 @@ struct TeaTracer::State {
         Sampler sampler(settings.seed, static_cast<std::uint32_t>(pixel),
                         static_cast<std::uint32_t>(sample));
         const Ray ray = camera.through(x, y, sampler);
-        PathResult path = follow_path(world, settings, ray, sampler, rays);
+        PathResult path = follow_path({world, settings, maps}, ray, sampler, rays);
         const float brightness = largest(path.radiance);
         if (brightness > settings.brightest) path.radiance *= settings.brightest / brightness;
         float* sum = sums[sample & 1].data() + pixel * kSums;
@@ -87,17 +99,61 @@ struct TeaTracer::State {
             sum[3 + feature] += path.features[feature];
     }
 
-    /// Brings a tile to `wanted` samples; each pixel's are added in the order of their numbers.
-    void bring_tile(std::size_t tile, int wanted) {
+    /// False when stopped.
+    bool shoot(const std::function<bool()>& stop) {
+        if (has_maps || !settings.seeks_lamp) return true;
+        std::optional<PhotonMaps> shot = shoot_photons(world, settings, pool, stop);
+        if (!shot) return false;
+        maps = std::move(*shot);
+        has_maps = true;
+        return true;
+    }
+
+    template <class Body>
+    void for_tile(std::size_t tile, const Body& body) const {
         const int left = static_cast<int>(tile) % tiles_across * kTile;
         const int top = static_cast<int>(tile) / tiles_across * kTile;
-        std::uint64_t rays = 0;
         for (int y = top; y < std::min(top + kTile, settings.height); ++y)
             for (int x = left; x < std::min(left + kTile, settings.width); ++x)
-                for (int sample = tile_samples[tile]; sample < wanted; ++sample)
+                body(x, y);
+    }
+
+    /// Brings a tile to `wanted` samples, or to where it is clean; each pixel's are added in the order
+    /// of their numbers.
+    void bring_tile(std::size_t tile, int wanted) {
+        std::uint64_t rays = 0;
+        int& taken = tile_samples[tile];
+        while (taken < wanted && !is_clean(tile)) {
+            const int next = std::min(wanted, (taken / kSamplesBetweenLooks + 1) * kSamplesBetweenLooks);
+            for_tile(tile, [&](int x, int y) {
+                for (int sample = taken; sample < next; ++sample)
                     add_sample(x, y, sample, rays);
-        tile_samples[tile] = std::max(tile_samples[tile], wanted);
+            });
+            taken = next;
+        }
+        tile_wanted[tile] = std::max(tile_wanted[tile], wanted);
         tile_rays[tile] += rays;
+    }
+
+    /// The halves of a pixel's samples differ by twice the error of its mean, on the average.
+    bool is_clean(std::size_t tile) const {
+        const int taken = tile_samples[tile];
+        if (taken < kFewestSamples || taken % kSamplesBetweenLooks != 0) return false;
+        double squares = 0.0, sum = 0.0;
+        int pixels = 0;
+        for_tile(tile, [&](int x, int y) {
+            const std::size_t at = pixel_index(x, y) * kSums;
+            const auto brightness = [&](int half) {
+                const float* rgb = sums[half].data() + at;
+                return static_cast<double>(rgb[0] + rgb[1] + rgb[2]) / 3.0;
+            };
+            const double difference = brightness(0) - brightness(1);
+            squares += difference * difference;
+            sum += brightness(0) + brightness(1);
+            ++pixels;
+        });
+        const double error = std::sqrt(squares / pixels) / taken, mean = sum / (taken * pixels);
+        return error < kCleanError * (mean + kBlack);
     }
 
     /// The mean over the even or the odd samples; with one sample alone, both are that one.
@@ -121,9 +177,12 @@ struct TeaTracer::State {
     TraceSettings settings;
     core::ThreadPool& pool;
     World world;
+    PhotonMaps maps;
+    bool has_maps = false;
     CameraRays camera;
     int tiles_across;
-    std::vector<int> tile_samples;
+    std::vector<int> tile_samples;  ///< of each pixel of a tile
+    std::vector<int> tile_wanted;   ///< the same, had none been clean before
     std::vector<std::uint64_t> tile_rays;
     std::vector<float> sums[2];
 };
@@ -136,6 +195,7 @@ TeaTracer& TeaTracer::operator=(TeaTracer&&) noexcept = default;
 
 bool TeaTracer::add_samples(int count, const std::function<bool()>& stop) {
     PASTOSO_CHECK_OP(count, >=, 0);
+    if (!state_->shoot(stop)) return false;
     const int wanted = samples() + count;
     std::atomic<bool> stopped = false;
     state_->pool.run(state_->tile_samples.size(), [&](std::size_t tile, int) {
@@ -149,7 +209,7 @@ bool TeaTracer::add_samples(int count, const std::function<bool()>& stop) {
 }
 
 int TeaTracer::samples() const {
-    return *std::min_element(state_->tile_samples.begin(), state_->tile_samples.end());
+    return *std::min_element(state_->tile_wanted.begin(), state_->tile_wanted.end());
 }
 
 std::uint64_t TeaTracer::rays() const {

@@ -22,7 +22,7 @@ struct TraceSettings {
     /// gathers light (the reference).
     bool seeks_lamp = true;
     /// A sample's largest channel is clipped here, so that rare bright paths leave no dots; > 0.
-    float brightest = 20.0F;
+    float brightest = 6.0F;
     int most_events = 400;  ///< on one path; what is left of its light then is lost. At least 1.
 };
 

@@ -1,6 +1,14 @@
 #include "trace/vessel.hpp"
 
 namespace pastoso::trace {
+namespace {
+
+/// Glass has no sharp edges: over so much of its outer wall the foot is round, ...
+constexpr float kFootRound_m = 0.003F;
+/// ... and at the edges of lip and foot the normal has turned by an angle of this tangent.
+constexpr float kRoundness = 0.8F;
+
+}  // namespace
 
 /// The wall is r = R + slope (z - floor); along the ray that is a t^2 + 2 b t + c = 0. In double
 /// precision, as grazing rays at the glass' edge lose most of the digits.
@@ -30,11 +38,27 @@ void CupSurfaces::meet_wall(const Ray& ray, bool inner, SurfaceHit& hit) const {
         hit.distance = static_cast<float>(t);
         hit.kind = SurfaceKind::Clear;
         hit.decided = kGlass | kLiquid;
-        hit.normal = hit.shading = inner ? -out : out;
+        hit.normal = inner ? -out : out;
+        hit.shading = inner ? hit.normal : rounded_foot(out, static_cast<float>(z));
         hit.inner = kGlass;
         hit.outer = inner && z < cup_.level_m ? kLiquid : kAir;
         return;
     }
+}
+
+/// Towards the underside the outer wall turns down as if its edge were round: that is where light
+/// gathers.
+glm::vec3 CupSurfaces::rounded_foot(const glm::vec3& out, float z_m) const {
+    const float up = (z_m - cup_.foot_m) / kFootRound_m;
+    if (up >= 1.0F) return out;
+    return glm::normalize(out - glm::vec3(0.0F, 0.0F, kRoundness * (1.0F - up)));
+}
+
+/// From the inner edge of the lip to the outer, its normal turns from the axis outwards.
+glm::vec3 CupSurfaces::rounded_lip(const glm::vec2& place_m) const {
+    const float radius = glm::length(place_m);
+    const float across = 2.0F * (radius - cup_.inner_radius_m(cup_.rim_m)) / cup_.wall_m - 1.0F;
+    return glm::normalize(glm::vec3(place_m * (kRoundness * across / radius), 1.0F));
 }
 
 void CupSurfaces::meet_disc(const Ray& ray, float height_m, float from_m, float to_m, unsigned below,
@@ -52,14 +76,44 @@ void CupSurfaces::meet_disc(const Ray& ray, float height_m, float from_m, float 
     hit.outer = above;
 }
 
-bool CupSurfaces::passes_by(const Ray& ray) const {
-    const float widest =
-        std::max(cup_.inner_radius_m(cup_.rim_m), cup_.inner_radius_m(cup_.foot_m)) + cup_.wall_m;
+CupSurfaces::CupSurfaces(const liquid::Cup& cup) : cup_(cup) {
     const float half = 0.5F * (cup_.rim_m - cup_.foot_m);
-    const glm::vec3 middle(cup_.axis_m, cup_.foot_m + half);
-    const glm::vec3 way = middle - ray.origin;
+    const float widest = std::max(rim_radius_m(), foot_radius_m());
+    ball_ = {{cup_.axis_m, cup_.foot_m + half}, std::sqrt(widest * widest + half * half)};
+}
+
+float CupSurfaces::side_area_m2() const {
+    const float height = cup_.rim_m - cup_.foot_m, slant = std::sqrt(1.0F + cup_.slope * cup_.slope);
+    return kPi * (rim_radius_m() + foot_radius_m()) * height * slant;
+}
+
+float CupSurfaces::hull_area_m2() const {
+    const float rim = rim_radius_m(), foot = foot_radius_m();
+    return side_area_m2() + kPi * (rim * rim + foot * foot);
+}
+
+CupSurfaces::HullPlace CupSurfaces::hull_place(float which, const glm::vec2& uniform) const {
+    const float rim = rim_radius_m(), foot = foot_radius_m();
+    const glm::vec2 turn = cos_sin_of_turns(uniform.y);
+    const auto on_disc = [&](float radius, float height_m, float up) {
+        const glm::vec2 place = cup_.axis_m + turn * (radius * std::sqrt(uniform.x));
+        return HullPlace{{place, height_m}, {0.0F, 0.0F, up}};
+    };
+    const float area = which * hull_area_m2();
+    if (area < kPi * rim * rim) return on_disc(rim, cup_.rim_m, 1.0F);
+    if (area < kPi * (rim * rim + foot * foot)) return on_disc(foot, cup_.foot_m, -1.0F);
+    // The wider a ring of the wall is, the more of its area it has.
+    const float radius = std::sqrt(foot * foot + (rim * rim - foot * foot) * uniform.x);
+    const bool is_upright = std::abs(rim - foot) < 1e-4F * rim;
+    const float up = is_upright ? uniform.x : (radius - foot) / (rim - foot);
+    const float height_m = cup_.foot_m + (cup_.rim_m - cup_.foot_m) * up;
+    return {{cup_.axis_m + turn * radius, height_m}, glm::normalize(glm::vec3(turn, -cup_.slope))};
+}
+
+bool CupSurfaces::passes_by(const Ray& ray) const {
+    const glm::vec3 way = ball_.middle_m - ray.origin;
     const float along = glm::dot(way, ray.direction);
-    const float radius2 = 1.0001F * (widest * widest + half * half);
+    const float radius2 = 1.0001F * ball_.radius_m * ball_.radius_m;
     return glm::dot(way, way) > radius2 &&
            (along < 0.0F || glm::dot(way, way) - along * along > radius2);
 }
@@ -76,8 +130,11 @@ void CupSurfaces::meet(const Ray& ray, unsigned here, SurfaceHit& hit) const {
     if ((here & kGlass) == 0) meet_disc(ray, cup_.level_m, 0.0F, level_radius, kLiquid, kAir, hit);
     if (in_tea) return;
     meet_wall(ray, false, hit);
+    float before = hit.distance;
     meet_disc(ray, cup_.rim_m, rim_radius, rim_radius + cup_.wall_m, kGlass, kAir, hit);
-    const float before = hit.distance;
+    if (hit.distance < before)
+        hit.shading = rounded_lip(glm::vec2(ray.origin + ray.direction * hit.distance) - cup_.axis_m);
+    before = hit.distance;
     meet_disc(ray, cup_.foot_m, 0.0F, foot_radius, kGlass, kAir, hit);
     if (hit.distance < before) {  // the underside looks down
         hit.normal = hit.shading = {0.0F, 0.0F, -1.0F};
@@ -98,6 +155,11 @@ TankSurfaces::TankSurfaces(const Tank& tank) : tank_(tank) {
     faces_[count++] = {2, outer_low.z, -1.0F, outer_low, outer_high, false};
     faces_[count++] = {2, low.z, 1.0F, low, high, false};
     faces_[count++] = {2, high.z, 1.0F, outer_low, outer_high, true};
+}
+
+Ball TankSurfaces::ball() const {
+    const glm::vec3 half = 0.5F * (tank_.inner_high_m - tank_.inner_low_m) + tank_.wall_m;
+    return {0.5F * (tank_.inner_high_m + tank_.inner_low_m), glm::length(half)};
 }
 
 void TankSurfaces::meet(const Ray& ray, SurfaceHit& hit) const {

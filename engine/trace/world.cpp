@@ -1,6 +1,6 @@
 #include "trace/world.hpp"
 
-#include "trace/optics.hpp"
+#include "trace/wood.hpp"
 
 namespace pastoso::trace {
 namespace {
@@ -31,7 +31,7 @@ World::World(const Scene& scene)
       milk_(scene.milk),
       clear_liquid_(scene.clear_liquid),
       solids_(scene.solids),
-      milk_share_(scene.milk_share, scene.optics.milk_scattering_per_m),
+      medium_(scene.milk_share, scene.optics.milk_scattering_per_m),
       light_(scene.lamp, scene.sky) {
     if (scene.cup) cup_.emplace(*scene.cup);
     if (scene.tank) tank_.emplace(*scene.tank);
@@ -85,19 +85,35 @@ void World::meet_bodies(const Ray& ray, unsigned here, SurfaceHit& hit) const {
         hit.kind = SurfaceKind::Milk;
 }
 
-/// In cloudy tea light does not get far, and the bodies' many triangles are asked for that way alone.
+/// What there is before a ray is scattered after `distance_m`. In cloudy tea light does not get far, and
+/// the bodies' many triangles are asked for that way alone.
+World::Event World::scattered_or_met(const Ray& ray, unsigned here, float distance_m) const {
+    SurfaceHit nearer;
+    nearer.distance = distance_m;
+    meet_bodies(ray, here, nearer);
+    const bool is_scattering = nearer.kind == SurfaceKind::None;
+    // The scatterings along a way have the integral of the scattering as their mean (Campbell 1909).
+    return {nearer.distance, is_scattering ? 1.0F / medium_.scattering_per_m() : 0.0F, is_scattering,
+            nearer};
+}
+
 World::Event World::next_event(const Ray& ray, unsigned here, Sampler& sampler) const {
+    const bool in_milk = is_in_milk(here);
+    // In thick milk most ways end before any surface can be near.
+    const float open_m = in_milk ? clearance_m(ray) : 0.0F;
+    if (open_m > 0.0F) {
+        const float free_m = medium_.free_path(ray.origin, ray.direction, open_m, sampler);
+        if (free_m < open_m) return scattered_or_met(ray, here, free_m);
+    }
     SurfaceHit hit = nearest_clear_hit(ray, here);
     if (table_) meet_table(ray, hit);
-    const DissolvedMilk::FreePath free = free_path(ray, here, hit.distance, sampler);
-    if (free.length_m < hit.distance) {
-        SurfaceHit nearer;
-        nearer.distance = free.length_m;
-        meet_bodies(ray, here, nearer);
-        return {nearer.distance, free.milk_m, nearer.kind == SurfaceKind::None, nearer};
+    if (in_milk && open_m < hit.distance) {
+        const float free_m = open_m + medium_.free_path(ray.origin + ray.direction * open_m,
+                                                        ray.direction, hit.distance - open_m, sampler);
+        if (free_m < hit.distance) return scattered_or_met(ray, here, free_m);
     }
     meet_bodies(ray, here, hit);
-    return {hit.distance, free.milk_m, false, hit};
+    return {hit.distance, 0.0F, false, hit};
 }
 
 glm::vec3 World::reflectance(SurfaceKind kind, const glm::vec3& point) const {
@@ -105,19 +121,51 @@ glm::vec3 World::reflectance(SurfaceKind kind, const glm::vec3& point) const {
     if (kind == SurfaceKind::Solid) return optics_.solid_reflectance;
     const glm::vec2 place = glm::vec2(point) - middle_m_;
     const float near = fast_exp(-table_->fading_per_m2 * glm::dot(place, place));
-    return table_->reflectance * (table_->fading_to + (1.0F - table_->fading_to) * near);
+    const float grain = table_->is_wood ? wood_grain(place) : 1.0F;
+    return table_->reflectance * (grain * (table_->fading_to + (1.0F - table_->fading_to) * near));
 }
 
 glm::vec3 World::absorbed(unsigned here, float length_m, float milk_m) const {
     if ((here & kGlass) != 0) return fast_exp(optics_.glass_absorption_per_m * -length_m);
     if ((here & kLiquid) == 0) return glm::vec3(1.0F);
-    return fast_exp(optics_.tea_absorption_per_m * -std::max(length_m - milk_m, 0.0F));
+    return fast_exp(optics_.tea_absorption_per_m * -(length_m - milk_m));
 }
 
-DissolvedMilk::FreePath World::free_path(const Ray& ray, unsigned here, float limit_m,
-                                         Sampler& sampler) const {
-    if ((here & kGlass) != 0 || (here & kLiquid) == 0 || milk_share_.empty()) return {limit_m, 0.0F};
-    return milk_share_.free_path(ray.origin, ray.direction, limit_m, sampler);
+std::optional<Ball> World::vessel_ball() const {
+    if (cup_) return cup_->ball();
+    if (tank_) return tank_->ball();
+    return std::nullopt;
+}
+
+Crossing World::crossing(const Ray& ray, unsigned here, const SurfaceHit& hit) const {
+    const glm::vec3& before = ray.direction;
+    Crossing crossing;
+    crossing.beyond = hit.beyond(here, before);
+    crossing.from = refractive_index(here);
+    crossing.to = refractive_index(crossing.beyond);
+    crossing.off = glm::dot(hit.normal, before) > 0.0F ? -hit.normal : hit.normal;
+    crossing.facing = glm::dot(hit.shading, before) > 0.0F ? -hit.shading : hit.shading;
+    crossing.reflects =
+        crossing.from == crossing.to
+            ? 0.0F
+            : fresnel_reflectance(-glm::dot(before, crossing.facing), crossing.from, crossing.to);
+    return crossing;
+}
+
+bool World::is_open(const Ray& ray) const {
+    SurfaceHit hit = nearest_clear_hit(ray, kAir);
+    if (table_) meet_table(ray, hit);
+    return hit.kind == SurfaceKind::None && !dull_in_the_way(ray, kAir, kFar);
+}
+
+bool World::is_in_milk(unsigned here) const {
+    return (here & kGlass) == 0 && (here & kLiquid) != 0 && !medium_.empty();
+}
+
+/// A way within the liquid on which a ray meets no clear surface.
+float World::clearance_m(const Ray& ray) const {
+    if (!cup_ || !clear_liquid_.empty()) return 0.0F;
+    return std::max(0.0F, cup_->clearance_m(ray.origin));
 }
 
 bool World::dull_in_the_way(const Ray& ray, unsigned here, float length_m) const {
@@ -130,14 +178,19 @@ glm::vec3 World::straight_transmittance(Ray ray, unsigned here, Sampler& sampler
     glm::vec3 share(1.0F);
     for (int crossing = 0; crossing < kMostCrossings; ++crossing) {
         ++rays;
+        const bool in_milk = is_in_milk(here);
+        const float open_m = in_milk ? clearance_m(ray) : 0.0F;
+        if (open_m > 0.0F) share *= medium_.transmittance(ray.origin, ray.direction, open_m, sampler);
+        if (largest(share) < kDark) return glm::vec3(0.0F);
         SurfaceHit hit = nearest_clear_hit(ray, here);
         if (table_) meet_table(ray, hit);
         if (hit.kind == SurfaceKind::Table || dull_in_the_way(ray, here, hit.distance))
             return glm::vec3(0.0F);
         if (hit.kind == SurfaceKind::None) return share;
         share *= absorbed(here, hit.distance);
-        if ((here & kGlass) == 0 && (here & kLiquid) != 0 && !milk_share_.empty())
-            share *= milk_share_.transmittance(ray.origin, ray.direction, hit.distance, sampler);
+        if (in_milk && open_m < hit.distance)
+            share *= medium_.transmittance(ray.origin + ray.direction * open_m, ray.direction,
+                                           hit.distance - open_m, sampler);
         if (largest(share) < kDark) return glm::vec3(0.0F);
         const unsigned beyond = hit.beyond(here, ray.direction);
         const float from = refractive_index(here), to = refractive_index(beyond);

@@ -1,8 +1,9 @@
 // A scene made ready for rays: surfaces, media and light.
 #pragma once
 
-#include "trace/dissolved.hpp"
 #include "trace/light.hpp"
+#include "trace/milk_medium.hpp"
+#include "trace/optics.hpp"
 #include "trace/triangle_rays.hpp"
 #include "trace/vessel.hpp"
 
@@ -16,14 +17,27 @@ class World {
     const Light& light() const { return light_; }
     const Optics& optics() const { return optics_; }
 
+    const std::optional<CupSurfaces>& cup() const { return cup_; }
+    std::optional<Ball> vessel_ball() const;
+    bool is_in_milk(unsigned here) const;
+    glm::vec3 milk_box_m() const { return medium_.size_m(); }
+    /// Whether there is milk in a cup, and nothing but the cup bounds it.
+    bool has_fluence() const { return cup_ && clear_liquid_.empty() && !medium_.empty(); }
+
     /// Where a ray that starts `here` is scattered by milk, or else what it meets.
     struct Event {
         float distance;
-        float milk_m;  ///< of it through milk, each place by its share
+        float milk_m;  ///< in the mean, of it through milk, each place by its share
         bool is_scattering;
         SurfaceHit hit;
     };
     Event next_event(const Ray& ray, unsigned here, Sampler& sampler) const;
+
+    /// What a ray that started `here` does where it has come to a clear surface.
+    Crossing crossing(const Ray& ray, unsigned here, const SurfaceHit& hit) const;
+
+    /// Whether a ray in air meets nothing at all.
+    bool is_open(const Ray& ray) const;
 
     /// Of undissolved milk, solids or the table.
     glm::vec3 reflectance(SurfaceKind kind, const glm::vec3& point) const;
@@ -45,8 +59,8 @@ class World {
     void meet_table(const Ray& ray, SurfaceHit& hit) const;
     bool meet_mesh(const TriangleRays& triangles, const Ray& ray, SurfaceHit& hit) const;
     bool dull_in_the_way(const Ray& ray, unsigned here, float length_m) const;
-    DissolvedMilk::FreePath free_path(const Ray& ray, unsigned here, float limit_m,
-                                      Sampler& sampler) const;
+    float clearance_m(const Ray& ray) const;
+    Event scattered_or_met(const Ray& ray, unsigned here, float distance_m) const;
     void meet_bodies(const Ray& ray, unsigned here, SurfaceHit& hit) const;
     SurfaceHit nearest_clear_hit(const Ray& ray, unsigned here) const;
 
@@ -56,7 +70,7 @@ class World {
     std::optional<Table> table_;
     glm::vec2 middle_m_{0.0F};
     TriangleRays milk_, clear_liquid_, solids_;
-    DissolvedMilk milk_share_;
+    MilkMedium medium_;
     Light light_;
 };
 

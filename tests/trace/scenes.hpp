@@ -85,6 +85,7 @@ inline void put_into_furnace(trace::Scene& scene) {
     if (scene.table) {
         scene.table->reflectance = glm::vec3(1.0F);
         scene.table->fading_to = 1.0F;
+        scene.table->is_wood = false;
     }
 }
 
