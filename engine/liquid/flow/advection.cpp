@@ -9,7 +9,26 @@ namespace {
 /// How far beyond the rows the way back may read the velocity.
 constexpr int kCentreMargin_cells = 3;
 
+std::array<grid::BoxField, 3> three_fields(const grid::BoxShape& shape) {
+    return {grid::BoxField(shape), grid::BoxField(shape), grid::BoxField(shape)};
+}
+std::array<const float*, 3> first_samples(const std::array<grid::BoxField, 3>& fields) {
+    return {fields[0].row(0, 0), fields[1].row(0, 0), fields[2].row(0, 0)};
+}
+
 }  // namespace
+
+Advection::RowsAround::RowsAround(const grid::BoxShape& shape)
+    : shape_(shape),
+      rows_y_(shape.ny + 2),
+      rows_(static_cast<std::size_t>(rows_y_) * static_cast<std::size_t>(shape.nz + 2)) {}
+
+void Advection::RowsAround::include(RowRange range, int j, int k) {
+    if (range.empty() || j < -1 || j > shape_.ny || k < -1 || k > shape_.nz) return;
+    range = {std::max(range.begin, -1), std::min(range.end, shape_.nx + 1)};
+    RowRange& row = at(j, k);
+    row = row.empty() ? range : RowRange{std::min(row.begin, range.begin), std::max(row.end, range.end)};
+}
 
 Advection::Advection(const grid::BoxShape& shape, const std::array<RowRanges, 4>& rows, Edges edges,
                      const Kernels& kernels)
@@ -17,60 +36,93 @@ Advection::Advection(const grid::BoxShape& shape, const std::array<RowRanges, 4>
       rows_(rows),
       edges_(edges),
       kernels_(&kernels),
-      centres_(4 * shape.sample_count(), 0.0F),
-      centre_rows_(static_cast<std::size_t>(shape.ny + 2) * static_cast<std::size_t>(shape.nz + 2)) {
-    compute_centre_rows();
+      centres_(three_fields(shape)),
+      ways_(three_fields(shape)),
+      centre_rows_(shape),
+      way_rows_(shape) {
+    compute_rows();
 }
 
 void Advection::set_rows(const std::array<RowRanges, 4>& rows) {
     rows_ = rows;
-    centre_rows_.assign(centre_rows_.size(), RowRange{});
-    compute_centre_rows();
+    compute_rows();
 }
 
-void Advection::compute_centre_rows() {
-    const RowRanges& cells = rows_[static_cast<std::size_t>(Location::Cell)];
-    for (int k = 0; k < shape_.nz; ++k)
-        for (int j = 0; j < shape_.ny; ++j) {
-            const RowRange row = cells.at(j, k);
+/// Ways are needed of all cells beside samples, and the velocity some cells around those.
+void Advection::compute_rows() {
+    way_rows_ = centre_rows_ = RowsAround(shape_);
+    for (int k = 0; k <= shape_.nz; ++k)
+        for (int j = 0; j <= shape_.ny; ++j)
+            for (const Location location :
+                 {Location::FaceX, Location::FaceY, Location::FaceZ, Location::Cell}) {
+                const RowRange row = rows_[static_cast<std::size_t>(location)].at(j, k);
+                if (row.empty()) continue;
+                const int before = location == Location::FaceX ? 1 : 0;
+                way_rows_.include({row.begin - before, row.end}, j, k);
+                if (location == Location::FaceY) way_rows_.include(row, j - 1, k);
+                if (location == Location::FaceZ) way_rows_.include(row, j, k - 1);
+            }
+    for (int k = -1; k <= shape_.nz; ++k)
+        for (int j = -1; j <= shape_.ny; ++j) {
+            const RowRange row = way_rows_.at(j, k);
             if (row.empty()) continue;
-            const int begin = std::max(row.begin - kCentreMargin_cells, -1);
-            const int end = std::min(row.end + kCentreMargin_cells, shape_.nx + 1);
-            for (int near_k = std::max(k - kCentreMargin_cells, -1);
-                 near_k <= std::min(k + kCentreMargin_cells, shape_.nz); ++near_k)
-                for (int near_j = std::max(j - kCentreMargin_cells, -1);
-                     near_j <= std::min(j + kCentreMargin_cells, shape_.ny); ++near_j) {
-                    RowRange& near = centre_row(near_j, near_k);
-                    near = near.empty() ? RowRange{begin, end}
-                                        : RowRange{std::min(near.begin, begin), std::max(near.end, end)};
-                }
+            const RowRange wide = {row.begin - kCentreMargin_cells, row.end + kCentreMargin_cells};
+            for (int near_k = k - kCentreMargin_cells; near_k <= k + kCentreMargin_cells; ++near_k)
+                for (int near_j = j - kCentreMargin_cells; near_j <= j + kCentreMargin_cells; ++near_j)
+                    centre_rows_.include(wide, near_j, near_k);
         }
 }
 
 void Advection::follow(const VelocityField& velocity, core::ThreadPool& pool) {
     PASTOSO_CHECK(velocity.shape() == shape_);
+    traced_s_ = -1.0F;
     for_slices(pool, -1, shape_.nz + 1, [&](int k) {
         for (int j = -1; j <= shape_.ny; ++j) {
-            const RowRange row = centre_row(j, k);
-            const FaceRows faces = {velocity.x.row(j, k) + row.begin, velocity.y.row(j, k) + row.begin,
-                                    velocity.z.row(j, k) + row.begin, shape_.stride_y(),
-                                    shape_.stride_z()};
-            kernels_->centre_velocity(faces, row.end - row.begin,
-                                      centres_.data() + 4 * shape_.index(row.begin, j, k));
+            const RowRange row = centre_rows_.at(j, k);
+            const FaceRows faces = face_rows(velocity, row.begin, j, k);
+            const std::array out = {centres_[0].row(j, k) + row.begin, centres_[1].row(j, k) + row.begin,
+                                    centres_[2].row(j, k) + row.begin};
+            kernels_->centre_velocity(faces, row.end - row.begin, out.data());
         }
     });
 }
 
-void Advection::advect(std::span<const AdvectedPair> fields, Location location, float dt_s,
-                       Interpolation interpolation, core::ThreadPool& pool) const {
-    PASTOSO_CHECK_OP(fields.size(), <=, kMaxFieldsTogether);
-    const AdvectionView view = {
-        centres_.data() + 4 * shape_.index(0, 0, 0),
+AdvectionView Advection::view(float dt_s) const {
+    const auto centres = first_samples(centres_), ways = first_samples(ways_);
+    const std::ptrdiff_t first = shape_.index(0, 0, 0);
+    return {
+        {centres[0], centres[1], centres[2]},
+        {ways[0], ways[1], ways[2]},
         shape_.stride_y(),
         shape_.stride_z(),
+        -first,
+        static_cast<std::ptrdiff_t>(shape_.sample_count()) - first,
         {static_cast<float>(shape_.nx), static_cast<float>(shape_.ny), static_cast<float>(shape_.nz)},
         dt_s / shape_.cell_m,
         edges_};
+}
+
+void Advection::trace(float dt_s, core::ThreadPool& pool) {
+    if (traced_s_ == dt_s) return;
+    const AdvectionView flow = view(dt_s);
+    for_slices(pool, -1, shape_.nz + 1, [&](int k) {
+        for (int j = -1; j <= shape_.ny; ++j) {
+            const RowRange row = way_rows_.at(j, k);
+            kernels_->trace_row(flow, {row.begin,
+                                       row.end,
+                                       j,
+                                       k,
+                                       {ways_[0].row(j, k), ways_[1].row(j, k), ways_[2].row(j, k)}});
+        }
+    });
+    traced_s_ = dt_s;
+}
+
+void Advection::advect(std::span<const AdvectedPair> fields, Location location, float dt_s,
+                       Interpolation interpolation, core::ThreadPool& pool) {
+    PASTOSO_CHECK_OP(fields.size(), <=, kMaxFieldsTogether);
+    trace(dt_s, pool);
+    const AdvectionView flow = view(dt_s);
     const RowRanges& rows = rows_[static_cast<std::size_t>(location)];
     const auto counts = sample_counts(shape_, location);
     for_slices(pool, 0, counts[2], [&](int k) {
@@ -87,7 +139,7 @@ void Advection::advect(std::span<const AdvectedPair> fields, Location location, 
                                {}};
             for (std::size_t f = 0; f < fields.size(); ++f)
                 row.fields[f] = {fields[f].from->row(0, 0), fields[f].to->row(j, k)};
-            kernels_->advect_row(view, row);
+            kernels_->advect_row(flow, row);
         }
     });
 }

@@ -1,12 +1,11 @@
 // Carries fields and points along a velocity.
 //     q(x, t + dt) = q(X, t),  X = x - dt u(x - dt/2 u(x))
 // (semi-Lagrangian, the way back by the midpoint rule), with trilinear or cubic interpolation. The way
-// back reads the velocity at cells' middles, fourth order from the faces and interleaved, so that one
-// sample costs eight loads; all fields that lie at the same places share it.
+// back is found for cells' middles, along the velocity there, fourth order from the faces; a face came
+// the mean of the ways of both its cells.
 #pragma once
 
 #include "core/thread_pool.hpp"
-#include "liquid/flow/aligned_floats.hpp"
 #include "liquid/flow/kernels.hpp"
 #include "liquid/flow/row_ranges.hpp"
 #include "liquid/flow/velocity.hpp"
@@ -37,20 +36,33 @@ class Advection {
 
     /// Advects fields of one location over dt_s; writes the rows' samples of `to` alone.
     void advect(std::span<const AdvectedPair> fields, Location location, float dt_s,
-                Interpolation interpolation, core::ThreadPool& pool) const;
+                Interpolation interpolation, core::ThreadPool& pool);
 
   private:
-    void compute_centre_rows();
-    RowRange& centre_row(int j, int k) {
-        return centre_rows_[static_cast<std::size_t>((k + 1) * (shape_.ny + 2) + j + 1)];
-    }
+    /// Rows -1 to ny of slices -1 to nz.
+    class RowsAround {
+      public:
+        explicit RowsAround(const grid::BoxShape& shape);
+        RowRange& at(int j, int k) { return rows_[static_cast<std::size_t>((k + 1) * rows_y_ + j + 1)]; }
+        /// Widens those rows that there are.
+        void include(RowRange range, int j, int k);
+
+      private:
+        grid::BoxShape shape_;
+        int rows_y_;
+        std::vector<RowRange> rows_;
+    };
+    void compute_rows();
+    AdvectionView view(float dt_s) const;
+    void trace(float dt_s, core::ThreadPool& pool);
 
     grid::BoxShape shape_;
     std::array<RowRanges, 4> rows_;
     Edges edges_;
     const Kernels* kernels_;
-    AlignedFloats centres_;              ///< x, y, z, 0 of each sample
-    std::vector<RowRange> centre_rows_;  ///< of rows -1 to ny, slices -1 to nz
+    std::array<grid::BoxField, 3> centres_, ways_;  ///< the velocity, and the ways back of `traced_s_`
+    RowsAround centre_rows_, way_rows_;
+    float traced_s_ = -1.0F;  ///< negative: none since the velocity was given
 };
 
 /// Moves points, in metres, over dt_s along the velocity on faces, by the midpoint rule; those that

@@ -1,7 +1,7 @@
 // Semi-Lagrangian advection of a row: back along the flow by the midpoint rule, then the value there.
 // Compiled once per instruction set; see pastoso_add_kernels.
 #include "liquid/flow/kernels.hpp"
-#include "liquid/flow/sample_lanes.hpp"
+#include "liquid/flow/sample_groups.hpp"
 
 namespace pastoso::liquid::PASTOSO_ISA {
 namespace {
@@ -11,70 +11,161 @@ namespace {
     return 0.5625F * (face[0] + face[stride]) - 0.0625F * (face[-stride] + face[2 * stride]);
 }
 
-template <bool kPeriodic>
-struct Tracer {
-    AdvectionView flow;
-    Four size;
-    std::ptrdiff_t to_previous;  ///< from a face to the cell before it, in floats; 0: samples at middles
-    const float* row;            ///< the row's centre 0
-    Four first;                  ///< where the row's sample 0 lies
+/// The value in between, of a group's points that have the same samples around them.
+template <Interpolation kInterpolation>
+struct GroupValue {
+    CubicsOf<Group> cubics;
+    std::ptrdiff_t stride_y, stride_z;
 
-    [[gnu::always_inline]] Tracer(const AdvectionView& view, const AdvectedRow& samples)
-        : flow(view),
-          size{view.size_cells[0], view.size_cells[1], view.size_cells[2], 1.0F},
-          to_previous(samples.axis == 0   ? 4
-                      : samples.axis == 1 ? 4 * view.stride_y
-                      : samples.axis == 2 ? 4 * view.stride_z
-                                          : 0),
-          row(view.centres + 4 * (samples.j * view.stride_y + samples.k * view.stride_z)),
-          first(location_of(samples.axis) +
-                Four{0.0F, static_cast<float>(samples.j), static_cast<float>(samples.k), 0.0F}) {}
+    [[gnu::always_inline]] GroupValue(const Three<Group>& share, std::ptrdiff_t y, std::ptrdiff_t z)
+        : cubics(share), stride_y(y), stride_z(z) {}
+    template <class Samples>
+    [[gnu::always_inline]] Group operator()(const Samples& first) const {
+        return cubic_of<kInterpolation == Interpolation::LimitedCubic>(first, cubics, stride_y,
+                                                                       stride_z);
+    }
+};
+template <>
+struct GroupValue<Interpolation::Linear> {
+    Three<Group> share;
+    std::ptrdiff_t stride_y, stride_z;
 
-    [[gnu::always_inline]] Four here(int i) const {
-        return first + Four{static_cast<float>(i), 0.0F, 0.0F, 0.0F};
-    }
-    /// Where sample i was half a step ago, among the centres.
-    [[gnu::always_inline]] Place halfway(int i) const {
-        const float* centre = row + 4 * static_cast<std::ptrdiff_t>(i);
-        const Four velocity =
-            Four(0.5F) * (lanes::load<Four>(centre) + lanes::load<Four>(centre - to_previous));
-        const Four middle = in_box<kPeriodic>(here(i) - Four(0.5F * flow.step) * velocity, size);
-        return place_of(middle - location_of(3), flow.stride_y, flow.stride_z);
-    }
-    /// Where it came from, in cell units.
-    [[gnu::always_inline]] Four origin(int i, const Place& halfway) const {
-        const Four velocity = linear_of_four(flow.centres, halfway, flow.stride_y, flow.stride_z);
-        return in_box<kPeriodic>(here(i) - Four(flow.step) * velocity, size);
+    [[gnu::always_inline]] GroupValue(const Three<Group>& at, std::ptrdiff_t y, std::ptrdiff_t z)
+        : share(at), stride_y(y), stride_z(z) {}
+    template <class Samples>
+    [[gnu::always_inline]] Group operator()(const Samples& first) const {
+        return linear_of<Group>(first, share, stride_y, stride_z);
     }
 };
 
-/// Samples whose ways back are found before any value is: each is a long chain, and the processor
-/// follows several at once as long as nothing else comes between.
-constexpr int kBlock = 32;
+/// Neighbours of a row, one after the other from sample `first` on, and how to read where they were.
+/// Places are counted from the samples themselves: neighbours that moved through the same cells have the
+/// same.
+struct RowGroup {
+    std::ptrdiff_t first, stride_y, stride_z;
+    std::ptrdiff_t memory_begin, memory_end;  ///< the samples that a field has
+    int count;
+
+    /// results[n] = value of the samples of field n at the places, whose stencils reach `reach` samples
+    /// to both sides.
+    template <Interpolation kInterpolation>
+    [[gnu::always_inline]] void sample(const GroupPlace& place, const float* const* fields,
+                                       int field_count, Group* results) const {
+        constexpr int kReach = kInterpolation == Interpolation::Linear ? 1 : 2;
+        const std::ptrdiff_t farthest = kReach * (1 + stride_y + stride_z);
+        const GroupValue<kInterpolation> value(place.share, stride_y, stride_z);
+        for_indices(place.index, count, [&](std::int32_t index, const auto& same) PASTOSO_LANE_MEMBER {
+            const std::ptrdiff_t at = first + index;
+            const bool lies_in_memory =
+                at - farthest >= memory_begin && at + farthest + kPointsTogether <= memory_end;
+            if (!lies_in_memory) [[unlikely]] {
+                for (int n = 0; n < field_count; ++n)
+                    results[n] = lanes::select(
+                        same,
+                        one_by_one<kInterpolation>(place.share, lanes::mask_bits(same), fields[n] + at),
+                        results[n]);
+                return;
+            }
+            for (int n = 0; n < field_count; ++n)
+                results[n] = lanes::select(same, value(BesideOneAnother{fields[n] + at}), results[n]);
+        });
+    }
+
+  private:
+    /// At the edges of memory, where the group's other points would read beyond it.
+    template <Interpolation kInterpolation>
+    [[gnu::noinline]] Group one_by_one(const Three<Group>& share, std::uint32_t points,
+                                       const float* from) const {
+        float values[kPointsTogether] = {};
+        for (int lane = 0; lane < kPointsTogether; ++lane) {
+            if ((points >> lane & 1U) == 0) continue;
+            const Place place = {lane, Four{share.x[lane], share.y[lane], share.z[lane], 0.0F}};
+            if constexpr (kInterpolation == Interpolation::Linear)
+                values[lane] = linear(from, place, stride_y, stride_z);
+            else
+                values[lane] = cubic<kInterpolation == Interpolation::LimitedCubic>(
+                    from, place, cubic_weights_at(place.share), stride_y, stride_z);
+        }
+        return lanes::load<Group>(values);
+    }
+};
+
+/// A group of a row's samples, and where they lie in cell units.
+struct Samples {
+    const AdvectionView& flow;
+    int axis;
+    Three<Group> here;
+    RowGroup group;
+
+    [[gnu::always_inline]] Samples(const AdvectionView& view, int of_axis, int begin, int end, int j,
+                                   int k)
+        : flow(view),
+          axis(of_axis),
+          here{Group(static_cast<float>(begin) + (axis == 0 ? 0.0F : 0.5F)) + lanes::counting<Group>(),
+               Group(static_cast<float>(j) + (axis == 1 ? 0.0F : 0.5F)),
+               Group(static_cast<float>(k) + (axis == 2 ? 0.0F : 0.5F))},
+          group{begin + j * view.stride_y + k * view.stride_z,
+                view.stride_y,
+                view.stride_z,
+                view.memory_begin,
+                view.memory_end,
+                end - begin < kPointsTogether ? end - begin : kPointsTogether} {}
+
+    /// The places `way` back, among the samples of an axis.
+    template <bool kPeriodic>
+    [[gnu::always_inline]] GroupPlace back(const Three<Group>& way, int among) const {
+        GroupPlace place =
+            place_among(in_box<kPeriodic>(Three<Group>{here.x - way.x, here.y - way.y, here.z - way.z},
+                                          flow.size_cells),
+                        among, flow.stride_y, flow.stride_z);
+        place.index -=
+            GroupIndex(static_cast<std::int32_t>(group.first)) + lanes::counting<GroupIndex>();
+        return place;
+    }
+    [[gnu::always_inline]] void write(const Group& values, float* first) const {
+        if (group.count == kPointsTogether)
+            lanes::store(first, values);
+        else
+            store_first(first, values, group.count);
+    }
+};
+
+template <bool kPeriodic>
+void trace(const AdvectionView& flow, const TracedRow& row) {
+    for (int begin = row.begin; begin < row.end; begin += kPointsTogether) {
+        const Samples cells(flow, 3, begin, row.end, row.j, row.k);
+        const auto half = [&](int component) PASTOSO_LANE_MEMBER {
+            return Group(0.5F * flow.step) *
+                   lanes::load<Group>(flow.centres[component] + cells.group.first);
+        };
+        const GroupPlace halfway = cells.back<kPeriodic>({half(0), half(1), half(2)}, 3);
+        Group velocity[3] = {Group(0.0F), Group(0.0F), Group(0.0F)};
+        cells.group.sample<Interpolation::Linear>(halfway, flow.centres, 3, velocity);
+        for (int axis = 0; axis < 3; ++axis)
+            cells.write(Group(flow.step) * velocity[axis], row.way[axis] + begin);
+    }
+}
 
 template <bool kPeriodic, Interpolation kInterpolation>
 [[gnu::always_inline]] inline void advect(const AdvectionView& flow, const AdvectedRow& row) {
-    const Tracer<kPeriodic> tracer(flow, row);
-    const Four location = location_of(row.axis);
-    const std::ptrdiff_t y = flow.stride_y, z = flow.stride_z;
-    Place places[kBlock];
-    for (int begin = row.begin; begin < row.end; begin += kBlock) {
-        const int count = row.end - begin < kBlock ? row.end - begin : kBlock;
-        for (int i = 0; i < count; ++i)
-            places[i] = tracer.halfway(begin + i);
-        for (int i = 0; i < count; ++i)
-            places[i] = place_of(tracer.origin(begin + i, places[i]) - location, y, z);
-        for (int i = 0; i < count; ++i) {
-            if constexpr (kInterpolation == Interpolation::Linear) {
-                for (int f = 0; f < row.field_count; ++f)
-                    row.fields[f].to[begin + i] = linear(row.fields[f].from, places[i], y, z);
-            } else {
-                const CubicWeights weights = cubic_weights_at(places[i].share);
-                for (int f = 0; f < row.field_count; ++f)
-                    row.fields[f].to[begin + i] = cubic<kInterpolation == Interpolation::LimitedCubic>(
-                        row.fields[f].from, places[i], weights, y, z);
-            }
-        }
+    const float* from[kMaxFieldsTogether];
+    for (int f = 0; f < row.field_count; ++f)
+        from[f] = row.fields[f].from;
+    const std::ptrdiff_t to_previous = row.axis == 0   ? 1
+                                       : row.axis == 1 ? flow.stride_y
+                                       : row.axis == 2 ? flow.stride_z
+                                                       : 0;
+    for (int begin = row.begin; begin < row.end; begin += kPointsTogether) {
+        const Samples samples(flow, row.axis, begin, row.end, row.j, row.k);
+        const auto way = [&](int axis) PASTOSO_LANE_MEMBER {
+            const float* cell = flow.ways[axis] + samples.group.first;
+            return Group(0.5F) * (lanes::load<Group>(cell) + lanes::load<Group>(cell - to_previous));
+        };
+        const GroupPlace origin = samples.template back<kPeriodic>({way(0), way(1), way(2)}, row.axis);
+        Group values[kMaxFieldsTogether] = {Group(0.0F), Group(0.0F), Group(0.0F), Group(0.0F)};
+        samples.group.template sample<kInterpolation>(origin, from, row.field_count, values);
+        for (int f = 0; f < row.field_count; ++f)
+            samples.write(values[f], row.fields[f].to + begin);
     }
 }
 
@@ -123,13 +214,21 @@ void carry_by_interpolation(const CarryView& flow, float* points, int count) {
 
 }  // namespace
 
-void centre_velocity(const FaceRows& faces, int count, float* out) {
-    for (int m = 0; m < count; ++m) {
-        const Four velocity = {fourth_order_mean(faces.x + m, 1),
-                               fourth_order_mean(faces.y + m, faces.stride_y),
-                               fourth_order_mean(faces.z + m, faces.stride_z), 0.0F};
-        lanes::store(out + 4 * static_cast<std::ptrdiff_t>(m), velocity);
+void centre_velocity(const FaceRows& faces, int count, float* const* out) {
+    const float* const from[3] = {faces.x, faces.y, faces.z};
+    const std::ptrdiff_t along[3] = {1, faces.stride_y, faces.stride_z};
+    for (int axis = 0; axis < 3; ++axis) {
+        const float* face = from[axis];
+        const std::ptrdiff_t stride = along[axis];
+        float* __restrict middle = out[axis];
+        for (int m = 0; m < count; ++m)
+            middle[m] = fourth_order_mean(face + m, stride);
     }
+}
+
+void trace_row(const AdvectionView& flow, const TracedRow& row) {
+    if (flow.edges == Edges::Periodic) return trace<true>(flow, row);
+    trace<false>(flow, row);
 }
 
 void advect_row(const AdvectionView& flow, const AdvectedRow& row) {

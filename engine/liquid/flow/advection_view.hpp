@@ -14,20 +14,21 @@ enum class Interpolation {
 /// What happens to a point that leaves the box.
 enum class Edges { Walls, Periodic };
 
-/// The faces of a row of cells: x[m] is the face before cell m, y[m] and z[m] those before it, y and z
-/// strides apart.
-struct FaceRows {
-    const float *x, *y, *z;
-    std::ptrdiff_t stride_y, stride_z;
-};
-
 /// Velocity at cells' middles as centre_velocity() leaves it, and the box.
 struct AdvectionView {
-    const float* centres;               ///< sample (0, 0, 0), four floats each
-    std::ptrdiff_t stride_y, stride_z;  ///< in samples; the fields' too
+    const float* centres[3];                  ///< sample (0, 0, 0) of each component
+    const float* ways[3];                     ///< the same of what trace_row() leaves
+    std::ptrdiff_t stride_y, stride_z;        ///< in samples; the fields' too
+    std::ptrdiff_t memory_begin, memory_end;  ///< what samples there are, from (0, 0, 0)
     float size_cells[3];
     float step;  ///< time step over cell size, in cells per m/s
     Edges edges;
+};
+
+/// Cells [begin, end) of a row, and where their ways go, in cells: the row's cell 0 along each axis.
+struct TracedRow {
+    int begin, end, j, k;
+    float* way[3];
 };
 
 struct AdvectedField {

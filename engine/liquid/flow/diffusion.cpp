@@ -22,10 +22,6 @@ const grid::BoxField& known_samples(const Region& region, Location location) {
                                       : region.open().along(static_cast<int>(location));
 }
 
-struct Steps {
-    std::ptrdiff_t y, z;
-};
-
 /// How many stages of Legendre's polynomials a step needs, each worth the more the more there are.
 int stages_for(float step) {
     int stages = 1;
@@ -35,39 +31,11 @@ int stages_for(float step) {
     return stages;
 }
 
-/// Cell values: through the open share of each face. `next` holds the values before `from`.
-void diffuse_cells(const VelocityField& open, const float* from, const Stage& stage, std::ptrdiff_t at,
-                   RowRange range, const Steps& to, float* next) {
-    const float *wx = open.x.values().data() + at, *wy = open.y.values().data() + at,
-                *wz = open.z.values().data() + at, *q = from + at;
-    for (int i = range.begin; i < range.end; ++i) {
-        const float here = q[i];
-        const float gain = ((wx[i] * (q[i - 1] - here) + wx[i + 1] * (q[i + 1] - here)) +
-                            (wy[i] * (q[i - to.y] - here) + wy[i + to.y] * (q[i + to.y] - here))) +
-                           (wz[i] * (q[i - to.z] - here) + wz[i + to.z] * (q[i + to.z] - here));
-        next[i] = (stage.here * here + stage.before * next[i]) + stage.gain * gain;
-    }
-}
-
-/// Face values: to open faces wholly, to shut ones as to fluid at rest or not at all.
-void diffuse_faces(const grid::BoxField& open, const float* from, const Stage& stage, bool sticks,
-                   std::ptrdiff_t at, RowRange range, const Steps& to, float* next) {
-    const float *w = open.values().data() + at, *q = from + at;
-    for (int i = range.begin; i < range.end; ++i) {
-        const float here = q[i], beyond_wall = sticks ? 0.0F : here;
-        const auto beside = [&](std::ptrdiff_t n) { return w[n] > 0.0F ? q[n] : beyond_wall; };
-        const float sum = ((beside(i - 1) + beside(i + 1)) + (beside(i - to.y) + beside(i + to.y))) +
-                          (beside(i - to.z) + beside(i + to.z));
-        const float moved =
-            (stage.here * here + stage.before * next[i]) + stage.gain * (sum - 6.0F * here);
-        next[i] = w[i] > 0.0F ? moved : here;
-    }
-}
-
 }  // namespace
 
-Diffusion::Diffusion(const Region& region, Location location, WallFriction friction)
-    : location_(location), friction_(friction), next_(region.shape()) {}
+Diffusion::Diffusion(const Region& region, Location location, WallFriction friction,
+                     const Kernels& kernels)
+    : location_(location), friction_(friction), kernels_(&kernels), next_(region.shape()) {}
 
 SolveResult Diffusion::diffuse(const Region& region, grid::BoxField& field, float diffusivity_m2_s,
                                float dt_s, const SolveLimits& limits, core::ThreadPool& pool) {
@@ -109,18 +77,18 @@ void Diffusion::legendre_step(const Region& region, grid::BoxField& field, float
 void Diffusion::apply(const Region& region, const Stage& stage, const grid::BoxField& from,
                       grid::BoxField& to, core::ThreadPool& pool) const {
     const grid::BoxShape& shape = region.shape();
-    const Steps steps = {shape.stride_y(), shape.stride_z()};
-    const float* values = from.values().data();
     for_slices(pool, 0, shape.nz, [&](int k) {
         for (int j = 0; j < shape.ny; ++j) {
             const RowRange range = region.rows(location_).at(j, k);
             if (range.empty()) continue;
-            const std::ptrdiff_t at = shape.index(0, j, k);
+            const DiffusedRow row = {from.row(j, k) + range.begin, to.row(j, k) + range.begin,
+                                     range.end - range.begin};
             if (location_ == Location::Cell)
-                diffuse_cells(region.open(), values, stage, at, range, steps, to.row(j, k));
+                kernels_->diffuse_cells(face_rows(region.open(), range.begin, j, k), stage, row);
             else
-                diffuse_faces(known_samples(region, location_), values, stage,
-                              friction_ == WallFriction::Sticks, at, range, steps, to.row(j, k));
+                kernels_->diffuse_faces(known_samples(region, location_).row(j, k) + range.begin,
+                                        shape.stride_y(), shape.stride_z(),
+                                        friction_ == WallFriction::Sticks, stage, row);
         }
     });
 }
@@ -176,7 +144,7 @@ SolveResult Diffusion::implicit_step(const Region& region, grid::BoxField& field
                                      const SolveLimits& limits, core::ThreadPool& pool) {
     const grid::BoxShape& shape = region.shape();
     if (solver_step_ != step) {
-        if (solver_ == nullptr) solver_ = std::make_unique<ConjugateGradients>(shape);
+        if (solver_ == nullptr) solver_ = std::make_unique<ConjugateGradients>(shape, *kernels_);
         solver_->set_matrix(implicit_matrix(region, step), RowRanges::whole(shape, Location::Cell),
                             pool);
         solver_step_ = step;

@@ -25,15 +25,11 @@ enum class WallFriction {
 inline constexpr float kLongestExplicitStep = 0.15F;
 inline constexpr int kMaxExplicitSteps = 4, kMaxStages = 7;
 
-/// new = here q + before (the value one stage earlier) + gain (Laplacian of q).
-struct Stage {
-    float here, before, gain;
-};
-
 class Diffusion {
   public:
     /// Of the samples of a location in regions of one shape; friction matters to faces alone.
-    Diffusion(const Region& region, Location location, WallFriction friction);
+    Diffusion(const Region& region, Location location, WallFriction friction,
+              const Kernels& kernels = core::kernels<Kernels>());
 
     /// Must be called where another region than the last one follows.
     void region_changed() { solver_step_ = 0.0F; }
@@ -59,6 +55,7 @@ class Diffusion {
 
     Location location_;
     WallFriction friction_;
+    const Kernels* kernels_;
     grid::BoxField next_;
     std::unique_ptr<ConjugateGradients> solver_;  ///< for `solver_step_`
     float solver_step_ = 0.0F;

@@ -38,6 +38,7 @@ void check(const FlowParameters& parameters) {
 VesselFlow::VesselFlow(const grid::BoxShape& shape, const SignedDistance& distance,
                        const FlowParameters& parameters, const Kernels& kernels)
     : parameters_((check(parameters), parameters)),
+      kernels_(&kernels),
       walls_(shape, distance),
       projection_(walls_, kernels),
       advection_(shape, all_rows(walls_), Edges::Walls, kernels),
@@ -55,14 +56,15 @@ void VesselFlow::set_parameters(const FlowParameters& parameters) {
 void VesselFlow::confine_vorticity(float dt_s, core::ThreadPool& pool) {
     check_step(dt_s);
     if (parameters_.confinement > 0.0F)
-        add_confinement(walls_, parameters_.confinement, dt_s, velocity_, pool);
+        add_confinement(walls_, parameters_.confinement, dt_s, velocity(), pool);
 }
 
 SolveResult VesselFlow::diffuse_velocity(float dt_s, core::ThreadPool& pool) {
+    is_followed_ = false;
     SolveResult worst;
     for (const int axis : kAxes) {
         auto& diffusion = diffusions_[static_cast<std::size_t>(axis)];
-        if (!diffusion) diffusion.emplace(walls_, face_across(axis), parameters_.friction);
+        if (!diffusion) diffusion.emplace(walls_, face_across(axis), parameters_.friction, *kernels_);
         const SolveResult result =
             diffusion->diffuse(walls_, velocity_.along(axis), parameters_.viscosity_m2_s, dt_s,
                                parameters_.diffusion, pool);
@@ -73,13 +75,14 @@ SolveResult VesselFlow::diffuse_velocity(float dt_s, core::ThreadPool& pool) {
 }
 
 SolveResult VesselFlow::project(core::ThreadPool& pool) {
+    is_followed_ = false;
     return projection_.project(walls_, velocity_, parameters_.pressure, pool);
 }
 
 SolveResult VesselFlow::diffuse_cells(grid::BoxField& field, float diffusivity_m2_s, float dt_s,
                                       core::ThreadPool& pool) {
     auto& diffusion = diffusions_[static_cast<std::size_t>(Location::Cell)];
-    if (!diffusion) diffusion.emplace(walls_, Location::Cell, parameters_.friction);
+    if (!diffusion) diffusion.emplace(walls_, Location::Cell, parameters_.friction, *kernels_);
     return diffusion->diffuse(walls_, field, diffusivity_m2_s, dt_s, parameters_.diffusion, pool);
 }
 
@@ -88,9 +91,9 @@ double VesselFlow::sum_over_cells(const grid::BoxField& field, core::ThreadPool&
         double sum = 0.0;
         for (int j = 0; j < shape().ny; ++j) {
             const RowRange range = walls_.rows(Location::Cell).at(j, k);
-            const float *values = field.row(j, k), *open = walls_.open_cells().row(j, k);
-            for (int i = range.begin; i < range.end; ++i)
-                sum += static_cast<double>(open[i] * values[i]);
+            if (range.empty()) continue;
+            sum += kernels_->sum_of_products(walls_.open_cells().row(j, k) + range.begin,
+                                             field.row(j, k) + range.begin, range.end - range.begin);
         }
         return sum;
     });
@@ -109,7 +112,7 @@ void VesselFlow::advect_cells(std::span<grid::BoxField* const> fields, float dt_
         walls_.extrapolate(*fields[f], Location::Cell, pool);
         pairs[f] = {fields[f], &cells_[f]};
     }
-    advection_.follow(velocity_, pool);
+    follow(pool);
     advection_.advect(std::span(pairs).first(fields.size()), Location::Cell, dt_s,
                       parameters_.interpolation, pool);
     for (std::size_t f = 0; f < fields.size(); ++f) {
@@ -134,17 +137,23 @@ void VesselFlow::carry(std::span<glm::vec3> points_m, float dt_s, core::ThreadPo
     carry_points(points_m, velocity_, dt_s, Edges::Walls, Interpolation::Cubic, pool);
 }
 
+void VesselFlow::follow(core::ThreadPool& pool) {
+    if (!is_followed_) advection_.follow(velocity_, pool);
+    is_followed_ = true;
+}
+
 void VesselFlow::advect_faces(const VelocityField& from, float dt_s, core::ThreadPool& pool) {
     for (const int axis : kAxes) {
         const AdvectedPair pair = {&from.along(axis), &advected_.along(axis)};
         advection_.advect({&pair, 1}, face_across(axis), dt_s, parameters_.interpolation, pool);
     }
     std::swap(velocity_, advected_);
+    is_followed_ = false;
 }
 
 SolveResult VesselFlow::advect_velocity(float dt_s, core::ThreadPool& pool) {
     check_step(dt_s);
-    advection_.follow(velocity_, pool);
+    follow(pool);
     if (parameters_.velocity_advection == VelocityAdvection::Once) {
         advect_faces(velocity_, dt_s, pool);
         return {};
@@ -154,7 +163,7 @@ SolveResult VesselFlow::advect_velocity(float dt_s, core::ThreadPool& pool) {
     const SolveResult result = project(pool);
     reflect(reflected_, velocity_, pool);
     walls_.extrapolate(reflected_, pool);
-    advection_.follow(velocity_, pool);
+    follow(pool);
     advect_faces(reflected_, 0.5F * dt_s, pool);
     return result;
 }

@@ -61,8 +61,12 @@ class VesselFlow {
     const FlowParameters& parameters() const { return parameters_; }
     void set_parameters(const FlowParameters& parameters);
 
-    /// Forces may be added to it on the open faces; others do not count.
-    VelocityField& velocity() { return velocity_; }
+    /// Forces may be added to it on the open faces, until another function is called; other faces do not
+    /// count.
+    VelocityField& velocity() {
+        is_followed_ = false;
+        return velocity_;
+    }
     const VelocityField& velocity() const { return velocity_; }
     const grid::BoxField& pressure() const { return projection_.pressure(); }
 
@@ -93,12 +97,15 @@ class VesselFlow {
     double sum_over_cells(const grid::BoxField& field, core::ThreadPool& pool) const;
 
   private:
+    void follow(core::ThreadPool& pool);
     void advect_faces(const VelocityField& from, float dt_s, core::ThreadPool& pool);
 
     FlowParameters parameters_;
+    const Kernels* kernels_;
     Walls walls_;
     Projection projection_;
     Advection advection_;
+    bool is_followed_ = false;  ///< whether the advection has the velocity as it is
     std::array<std::optional<Diffusion>, 4> diffusions_;
     VelocityField velocity_, advected_, reflected_;
     std::array<grid::BoxField, kMaxFieldsTogether> cells_;

@@ -42,7 +42,7 @@ void VesselFlow::set_state(FlowState state) {
     if (!all_fit(state.velocity) || !all_fit(state.spare_velocity) || !fits(state.pressure) ||
         !std::ranges::all_of(state.spare_cells, fits) || state.spare_cells.size() > cells_.size())
         throw core::InputError("The state is that of another box of cells.");
-    velocity_ = std::move(state.velocity);
+    velocity() = std::move(state.velocity);
     advected_ = std::move(state.spare_velocity);
     projection_.set_pressure(std::move(state.pressure));
     cells_ = {};

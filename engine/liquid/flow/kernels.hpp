@@ -3,6 +3,7 @@
 
 #include "core/kernels.hpp"
 #include "liquid/flow/advection_view.hpp"
+#include "liquid/flow/field_view.hpp"
 #include "liquid/pressure/multigrid_view.hpp"
 
 namespace pastoso::liquid {
@@ -48,13 +49,30 @@ struct Kernels {
 
     // Advection.
 
-    /// The velocity at the middles of `count` cells, interleaved x, y, z, 0: fourth order from the
-    /// faces.
-    void (*centre_velocity)(const FaceRows& faces, int count, float* out);
-    /// Traces the samples of a row back and samples the fields where they came from.
+    /// The velocity at the middles of `count` cells, x, y and z: fourth order from the faces.
+    void (*centre_velocity)(const FaceRows& faces, int count, float* const* out);
+    /// The ways that lead to the middles of a row's cells during the step.
+    void (*trace_row)(const AdvectionView& flow, const TracedRow& row);
+    /// Samples the fields where the samples of a row came from; a face came the mean of the ways of both
+    /// its cells.
     void (*advect_row)(const AdvectionView& flow, const AdvectedRow& row);
     /// Moves points, x, y, z, 0 each in cell units, along a velocity on faces.
     void (*carry_points)(const CarryView& flow, float* points, int count);
+
+    // Rows of fields; see diffusion.hpp and pressure.hpp.
+
+    /// A stage of the diffusion of cell values, through the open share of each face.
+    void (*diffuse_cells)(const FaceRows& open, const Stage& stage, const DiffusedRow& row);
+    /// The same of face values: to open faces wholly, to shut ones as to fluid at rest or not at all.
+    void (*diffuse_faces)(const float* open, std::ptrdiff_t stride_y, std::ptrdiff_t stride_z,
+                          bool sticks, const Stage& stage, const DiffusedRow& row);
+    /// Minus the sum of w u over the faces of each cell.
+    void (*compute_inflow)(const FaceRows& open, const FaceRows& velocity, int count, float* out);
+    /// u -= p - (p one stride before) on open faces; 0 on others.
+    void (*subtract_gradient)(const float* open, const float* pressure, std::ptrdiff_t stride, int count,
+                              float* velocity);
+    /// Of floats, in double precision.
+    double (*sum_of_products)(const float* a, const float* b, int count);
 
     static const Kernels baseline, avx2, avx512;
 };

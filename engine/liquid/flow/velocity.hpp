@@ -3,6 +3,7 @@
 #pragma once
 
 #include "grid/box_field.hpp"
+#include "liquid/flow/field_view.hpp"
 
 #include <array>
 
@@ -23,6 +24,12 @@ struct VelocityField {
     const grid::BoxField& along(int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
     friend bool operator==(const VelocityField&, const VelocityField&) = default;
 };
+
+/// The faces of a row from cell i on.
+inline FaceRows face_rows(const VelocityField& field, int i, int j, int k) {
+    return {field.x.row(j, k) + i, field.y.row(j, k) + i, field.z.row(j, k) + i,
+            field.shape().stride_y(), field.shape().stride_z()};
+}
 
 /// Where the samples of a field lie within their cell, in cell units.
 enum class Location { FaceX, FaceY, FaceZ, Cell };

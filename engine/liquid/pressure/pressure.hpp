@@ -30,6 +30,7 @@ class Projection {
     void start_cold();
 
   private:
+    const Kernels* kernels_;
     ConjugateGradients solver_;
     grid::BoxField pressure_, source_;
 };
