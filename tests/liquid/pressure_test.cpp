@@ -47,13 +47,14 @@ struct Vessel {
 int iterations(const Vessel& vessel, int cells, float tolerance, core::ThreadPool& pool) {
     const Walls walls(cases::cup_box(cells), vessel.distance);
     VelocityField velocity = cases::random_velocity(walls.shape(), 3);
-    const float before = largest_divergence(walls, velocity);
+    const float before = largest_divergence(walls, velocity, pool);
     Projection projection(walls);
     const SolveResult result = projection.project(walls, velocity, {tolerance, 50}, pool);
     EXPECT_TRUE(result.converged) << vessel.name << ", " << cells << " cells";
     // The specification's figures: the largest cell against the root-sum-square that the solver bounds.
     const float allowed = tolerance == 1e-6F ? 5e-6F : 2.0F * tolerance;
-    EXPECT_LT(largest_divergence(walls, velocity), allowed * before) << vessel.name << ", " << cells;
+    EXPECT_LT(largest_divergence(walls, velocity, pool), allowed * before)
+        << vessel.name << ", " << cells;
     return result.iterations;
 }
 

@@ -31,10 +31,11 @@ void Advection::RowsAround::include(RowRange range, int j, int k) {
 }
 
 Advection::Advection(const grid::BoxShape& shape, const std::array<RowRanges, 4>& rows, Edges edges,
-                     const Kernels& kernels)
+                     const Kernels& kernels, WaysOf ways_of)
     : shape_(shape),
       rows_(rows),
       edges_(edges),
+      ways_of_(ways_of),
       kernels_(&kernels),
       centres_(three_fields(shape)),
       ways_(three_fields(shape)),
@@ -93,6 +94,7 @@ AdvectionView Advection::view(float dt_s) const {
     return {
         {centres[0], centres[1], centres[2]},
         {ways[0], ways[1], ways[2]},
+        ways_of_ == WaysOf::Cells,
         shape_.stride_y(),
         shape_.stride_z(),
         -first,
@@ -102,26 +104,41 @@ AdvectionView Advection::view(float dt_s) const {
         edges_};
 }
 
-void Advection::trace(float dt_s, core::ThreadPool& pool) {
+void Advection::trace_row(const AdvectionView& flow, RowRange row, int j, int k, Location location) {
+    kernels_->trace_row(flow, {row.begin,
+                               row.end,
+                               j,
+                               k,
+                               static_cast<int>(location),
+                               {ways_[0].row(j, k), ways_[1].row(j, k), ways_[2].row(j, k)}});
+}
+
+void Advection::trace_cells(float dt_s, core::ThreadPool& pool) {
     if (traced_s_ == dt_s) return;
     const AdvectionView flow = view(dt_s);
     for_slices(pool, -1, shape_.nz + 1, [&](int k) {
-        for (int j = -1; j <= shape_.ny; ++j) {
-            const RowRange row = way_rows_.at(j, k);
-            kernels_->trace_row(flow, {row.begin,
-                                       row.end,
-                                       j,
-                                       k,
-                                       {ways_[0].row(j, k), ways_[1].row(j, k), ways_[2].row(j, k)}});
-        }
+        for (int j = -1; j <= shape_.ny; ++j)
+            trace_row(flow, way_rows_.at(j, k), j, k, Location::Cell);
     });
     traced_s_ = dt_s;
+}
+
+void Advection::trace_samples(Location location, float dt_s, core::ThreadPool& pool) {
+    const AdvectionView flow = view(dt_s);
+    const auto counts = sample_counts(shape_, location);
+    for_slices(pool, 0, counts[2], [&](int k) {
+        for (int j = 0; j < counts[1]; ++j)
+            trace_row(flow, rows_[static_cast<std::size_t>(location)].at(j, k), j, k, location);
+    });
 }
 
 void Advection::advect(std::span<const AdvectedPair> fields, Location location, float dt_s,
                        Interpolation interpolation, core::ThreadPool& pool) {
     PASTOSO_CHECK_OP(fields.size(), <=, kMaxFieldsTogether);
-    trace(dt_s, pool);
+    if (ways_of_ == WaysOf::Cells)
+        trace_cells(dt_s, pool);
+    else
+        trace_samples(location, dt_s, pool);
     const AdvectionView flow = view(dt_s);
     const RowRanges& rows = rows_[static_cast<std::size_t>(location)];
     const auto counts = sample_counts(shape_, location);
@@ -144,33 +161,61 @@ void Advection::advect(std::span<const AdvectedPair> fields, Location location, 
     });
 }
 
+namespace {
+
+constexpr std::size_t kCarriedAtOnce = 256;
+
+void carry_block(std::span<glm::vec3> points_m, const CarryView& view, float cell_m,
+                 const Kernels& kernels) {
+    alignas(64) std::array<std::array<float, kCarriedAtOnce>, 3> cells;
+    // Whole groups are carried: what is beyond the points lies in the corner.
+    const std::size_t count =
+        (points_m.size() + kPointsTogether - 1) / kPointsTogether * kPointsTogether;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        std::fill_n(cells[axis].begin() + static_cast<std::ptrdiff_t>(points_m.size()),
+                    count - points_m.size(), 0.0F);
+    for (std::size_t p = 0; p < points_m.size(); ++p) {
+        const glm::vec3 at = points_m[p] / cell_m;
+        cells[0][p] = at.x;
+        cells[1][p] = at.y;
+        cells[2][p] = at.z;
+    }
+    kernels.carry_points(view, {{cells[0].data(), cells[1].data(), cells[2].data()}},
+                         static_cast<int>(count));
+    for (std::size_t p = 0; p < points_m.size(); ++p)
+        points_m[p] = glm::vec3(cells[0][p], cells[1][p], cells[2][p]) * cell_m;
+}
+
+CarryView carry_view(const VelocityField& velocity, float dt_s, Edges edges,
+                     Interpolation interpolation) {
+    const grid::BoxShape& shape = velocity.shape();
+    return {{velocity.x.row(0, 0), velocity.y.row(0, 0), velocity.z.row(0, 0)},
+            shape.stride_y(),
+            shape.stride_z(),
+            {static_cast<float>(shape.nx), static_cast<float>(shape.ny), static_cast<float>(shape.nz)},
+            dt_s / shape.cell_m,
+            edges,
+            interpolation};
+}
+
+}  // namespace
+
 void carry_points(std::span<glm::vec3> points_m, const VelocityField& velocity, float dt_s, Edges edges,
                   Interpolation interpolation, core::ThreadPool& pool, const Kernels& kernels) {
-    const grid::BoxShape& shape = velocity.shape();
-    const CarryView view = {
-        {velocity.x.row(0, 0), velocity.y.row(0, 0), velocity.z.row(0, 0)},
-        shape.stride_y(),
-        shape.stride_z(),
-        {static_cast<float>(shape.nx), static_cast<float>(shape.ny), static_cast<float>(shape.nz)},
-        dt_s / shape.cell_m,
-        edges,
-        interpolation};
-    constexpr std::size_t kBlock = 256;
-    pool.run((points_m.size() + kBlock - 1) / kBlock, [&](std::size_t block, int) {
-        const auto part =
-            points_m.subspan(block * kBlock, std::min(kBlock, points_m.size() - block * kBlock));
-        alignas(16) std::array<float, 4 * kBlock> cells;
-        for (std::size_t p = 0; p < part.size(); ++p) {
-            const glm::vec3 at = part[p] / shape.cell_m;
-            cells[4 * p] = at.x;
-            cells[4 * p + 1] = at.y;
-            cells[4 * p + 2] = at.z;
-            cells[4 * p + 3] = 0.0F;
-        }
-        kernels.carry_points(view, cells.data(), static_cast<int>(part.size()));
-        for (std::size_t p = 0; p < part.size(); ++p)
-            part[p] = glm::vec3(cells[4 * p], cells[4 * p + 1], cells[4 * p + 2]) * shape.cell_m;
+    const CarryView view = carry_view(velocity, dt_s, edges, interpolation);
+    pool.run((points_m.size() + kCarriedAtOnce - 1) / kCarriedAtOnce, [&](std::size_t block, int) {
+        const std::size_t begin = block * kCarriedAtOnce;
+        carry_block(points_m.subspan(begin, std::min(kCarriedAtOnce, points_m.size() - begin)), view,
+                    velocity.shape().cell_m, kernels);
     });
+}
+
+void carry_points(std::span<glm::vec3> points_m, const VelocityField& velocity, float dt_s, Edges edges,
+                  Interpolation interpolation, const Kernels& kernels) {
+    const CarryView view = carry_view(velocity, dt_s, edges, interpolation);
+    for (; !points_m.empty(); points_m = points_m.subspan(std::min(kCarriedAtOnce, points_m.size())))
+        carry_block(points_m.first(std::min(kCarriedAtOnce, points_m.size())), view,
+                    velocity.shape().cell_m, kernels);
 }
 
 }  // namespace pastoso::liquid

@@ -1,8 +1,8 @@
 // Carries fields and points along a velocity.
 //     q(x, t + dt) = q(X, t),  X = x - dt u(x - dt/2 u(x))
 // (semi-Lagrangian, the way back by the midpoint rule), with trilinear or cubic interpolation. The way
-// back is found for cells' middles, along the velocity there, fourth order from the faces; a face came
-// the mean of the ways of both its cells.
+// back reads the velocity at cells' middles, fourth order from the faces; all fields that lie at the
+// same places share it.
 #pragma once
 
 #include "core/thread_pool.hpp"
@@ -21,11 +21,17 @@ struct AdvectedPair {
     grid::BoxField* to;
 };
 
+/// Whose ways back are found.
+enum class WaysOf {
+    Samples,  ///< those of each location for itself
+    Cells,    ///< once for all locations: a face came the mean of the ways of both its cells
+};
+
 class Advection {
   public:
     /// The samples to advect: of each location, in the order of Location.
     Advection(const grid::BoxShape& shape, const std::array<RowRanges, 4>& rows, Edges edges,
-              const Kernels& kernels = core::kernels<Kernels>());
+              const Kernels& kernels = core::kernels<Kernels>(), WaysOf ways_of = WaysOf::Samples);
 
     /// Other samples to advect, of the same box. The velocity is to be followed anew.
     void set_rows(const std::array<RowRanges, 4>& rows);
@@ -54,15 +60,18 @@ class Advection {
     };
     void compute_rows();
     AdvectionView view(float dt_s) const;
-    void trace(float dt_s, core::ThreadPool& pool);
+    void trace_cells(float dt_s, core::ThreadPool& pool);
+    void trace_samples(Location location, float dt_s, core::ThreadPool& pool);
+    void trace_row(const AdvectionView& flow, RowRange row, int j, int k, Location location);
 
     grid::BoxShape shape_;
     std::array<RowRanges, 4> rows_;
     Edges edges_;
+    WaysOf ways_of_;
     const Kernels* kernels_;
-    std::array<grid::BoxField, 3> centres_, ways_;  ///< the velocity, and the ways back of `traced_s_`
+    std::array<grid::BoxField, 3> centres_, ways_;  ///< the velocity, and the ways back
     RowsAround centre_rows_, way_rows_;
-    float traced_s_ = -1.0F;  ///< negative: none since the velocity was given
+    float traced_s_ = -1.0F;  ///< of cells' ways; negative: none since the velocity was given
 };
 
 /// Moves points, in metres, over dt_s along the velocity on faces, by the midpoint rule; those that
@@ -72,5 +81,8 @@ class Advection {
 void carry_points(std::span<glm::vec3> points_m, const VelocityField& velocity, float dt_s, Edges edges,
                   Interpolation interpolation, core::ThreadPool& pool,
                   const Kernels& kernels = core::kernels<Kernels>());
+/// The same on this thread alone.
+void carry_points(std::span<glm::vec3> points_m, const VelocityField& velocity, float dt_s, Edges edges,
+                  Interpolation interpolation, const Kernels& kernels = core::kernels<Kernels>());
 
 }  // namespace pastoso::liquid

@@ -130,19 +130,30 @@ struct Samples {
     }
 };
 
+/// From a face to the cell before it; 0: samples at middles.
+[[gnu::always_inline]] inline std::ptrdiff_t to_previous(const AdvectionView& flow, int axis) {
+    return axis == 0 ? 1 : axis == 1 ? flow.stride_y : axis == 2 ? flow.stride_z : 0;
+}
+
+/// The mean of a group's cells and others.
+[[gnu::always_inline]] inline Group mean_with(const float* cell, std::ptrdiff_t to_other) {
+    return Group(0.5F) * (lanes::load<Group>(cell) + lanes::load<Group>(cell - to_other));
+}
+
 template <bool kPeriodic>
 void trace(const AdvectionView& flow, const TracedRow& row) {
+    const std::ptrdiff_t to_other = to_previous(flow, row.axis);
     for (int begin = row.begin; begin < row.end; begin += kPointsTogether) {
-        const Samples cells(flow, 3, begin, row.end, row.j, row.k);
+        const Samples samples(flow, row.axis, begin, row.end, row.j, row.k);
         const auto half = [&](int component) PASTOSO_LANE_MEMBER {
             return Group(0.5F * flow.step) *
-                   lanes::load<Group>(flow.centres[component] + cells.group.first);
+                   mean_with(flow.centres[component] + samples.group.first, to_other);
         };
-        const GroupPlace halfway = cells.back<kPeriodic>({half(0), half(1), half(2)}, 3);
+        const GroupPlace halfway = samples.back<kPeriodic>({half(0), half(1), half(2)}, 3);
         Group velocity[3] = {Group(0.0F), Group(0.0F), Group(0.0F)};
-        cells.group.sample<Interpolation::Linear>(halfway, flow.centres, 3, velocity);
-        for (int axis = 0; axis < 3; ++axis)
-            cells.write(Group(flow.step) * velocity[axis], row.way[axis] + begin);
+        samples.group.sample<Interpolation::Linear>(halfway, flow.centres, 3, velocity);
+        for (int component = 0; component < 3; ++component)
+            samples.write(Group(flow.step) * velocity[component], row.way[component] + begin);
     }
 }
 
@@ -151,15 +162,11 @@ template <bool kPeriodic, Interpolation kInterpolation>
     const float* from[kMaxFieldsTogether];
     for (int f = 0; f < row.field_count; ++f)
         from[f] = row.fields[f].from;
-    const std::ptrdiff_t to_previous = row.axis == 0   ? 1
-                                       : row.axis == 1 ? flow.stride_y
-                                       : row.axis == 2 ? flow.stride_z
-                                                       : 0;
+    const std::ptrdiff_t to_other = flow.ways_of_cells ? to_previous(flow, row.axis) : 0;
     for (int begin = row.begin; begin < row.end; begin += kPointsTogether) {
         const Samples samples(flow, row.axis, begin, row.end, row.j, row.k);
         const auto way = [&](int axis) PASTOSO_LANE_MEMBER {
-            const float* cell = flow.ways[axis] + samples.group.first;
-            return Group(0.5F) * (lanes::load<Group>(cell) + lanes::load<Group>(cell - to_previous));
+            return mean_with(flow.ways[axis] + samples.group.first, to_other);
         };
         const GroupPlace origin = samples.template back<kPeriodic>({way(0), way(1), way(2)}, row.axis);
         Group values[kMaxFieldsTogether] = {Group(0.0F), Group(0.0F), Group(0.0F), Group(0.0F)};
@@ -178,38 +185,53 @@ void advect_by_interpolation(const AdvectionView& flow, const AdvectedRow& row) 
     advect<kPeriodic, Interpolation::LimitedCubic>(flow, row);
 }
 
-template <bool kPeriodic, bool kCubic>
-[[gnu::always_inline]] inline Four face_velocity(const CarryView& flow, Four at) {
-    float velocity[3];
+/// The velocity on faces at a group's places.
+template <Interpolation kInterpolation>
+[[gnu::always_inline]] inline Three<Group> face_velocity(const CarryView& flow, const Three<Group>& at) {
+    Group velocity[3] = {Group(0.0F), Group(0.0F), Group(0.0F)};
     for (int axis = 0; axis < 3; ++axis) {
-        const Place place = place_of(at - location_of(axis), flow.stride_y, flow.stride_z);
-        if constexpr (kCubic)
-            velocity[axis] = cubic<false>(flow.faces[axis], place, cubic_weights_at(place.share),
-                                          flow.stride_y, flow.stride_z);
-        else
-            velocity[axis] = linear(flow.faces[axis], place, flow.stride_y, flow.stride_z);
+        const GroupPlace place = place_among(at, axis, flow.stride_y, flow.stride_z);
+        const GroupValue<kInterpolation> value(place.share, flow.stride_y, flow.stride_z);
+        for_indices(
+            place.index, kPointsTogether, [&](std::int32_t index, const auto& same) PASTOSO_LANE_MEMBER {
+                velocity[axis] =
+                    lanes::select(same, value(InOnePlace{flow.faces[axis] + index}), velocity[axis]);
+            });
     }
-    return Four{velocity[0], velocity[1], velocity[2], 0.0F};
+    return {velocity[0], velocity[1], velocity[2]};
 }
 
-template <bool kPeriodic, bool kCubic>
-void carry(const CarryView& flow, float* points, int count) {
-    const Four size = {flow.size_cells[0], flow.size_cells[1], flow.size_cells[2], 1.0F};
-    for (int p = 0; p < count; ++p) {
-        const Four here = lanes::load<Four>(points + 4 * p);
-        const Four inside = in_box<kPeriodic>(here, size);
-        const Four middle = in_box<kPeriodic>(
-            inside + Four(0.5F * flow.step) * face_velocity<kPeriodic, false>(flow, inside), size);
-        const Four moved = in_box<kPeriodic>(
-            inside + Four(flow.step) * face_velocity<kPeriodic, kCubic>(flow, middle), size);
-        lanes::store(points + 4 * p, moved);
+template <bool kPeriodic>
+[[gnu::always_inline]] inline Three<Group> moved(const CarryView& flow, const Three<Group>& from,
+                                                 const Three<Group>& velocity, float step) {
+    return in_box<kPeriodic>(
+        Three<Group>{from.x + Group(step) * velocity.x, from.y + Group(step) * velocity.y,
+                     from.z + Group(step) * velocity.z},
+        flow.size_cells);
+}
+
+template <bool kPeriodic, Interpolation kInterpolation>
+void carry(const CarryView& flow, const CarriedPoints& points, int count) {
+    for (int p = 0; p < count; p += kPointsTogether) {
+        const auto load = [&](int axis)
+                              PASTOSO_LANE_MEMBER { return lanes::load<Group>(points.at[axis] + p); };
+        const Three<Group> from =
+            in_box<kPeriodic>(Three<Group>{load(0), load(1), load(2)}, flow.size_cells);
+        const Three<Group> middle = moved<kPeriodic>(
+            flow, from, face_velocity<Interpolation::Linear>(flow, from), 0.5F * flow.step);
+        const Three<Group> to =
+            moved<kPeriodic>(flow, from, face_velocity<kInterpolation>(flow, middle), flow.step);
+        lanes::store(points.at[0] + p, to.x);
+        lanes::store(points.at[1] + p, to.y);
+        lanes::store(points.at[2] + p, to.z);
     }
 }
 
 template <bool kPeriodic>
-void carry_by_interpolation(const CarryView& flow, float* points, int count) {
-    if (flow.interpolation == Interpolation::Linear) return carry<kPeriodic, false>(flow, points, count);
-    carry<kPeriodic, true>(flow, points, count);
+void carry_by_interpolation(const CarryView& flow, const CarriedPoints& points, int count) {
+    if (flow.interpolation == Interpolation::Linear)
+        return carry<kPeriodic, Interpolation::Linear>(flow, points, count);
+    carry<kPeriodic, Interpolation::Cubic>(flow, points, count);
 }
 
 }  // namespace
@@ -236,7 +258,7 @@ void advect_row(const AdvectionView& flow, const AdvectedRow& row) {
     advect_by_interpolation<false>(flow, row);
 }
 
-void carry_points(const CarryView& flow, float* points, int count) {
+void carry_points(const CarryView& flow, const CarriedPoints& points, int count) {
     if (flow.edges == Edges::Periodic) return carry_by_interpolation<true>(flow, points, count);
     carry_by_interpolation<false>(flow, points, count);
 }

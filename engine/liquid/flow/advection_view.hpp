@@ -18,6 +18,7 @@ enum class Edges { Walls, Periodic };
 struct AdvectionView {
     const float* centres[3];                  ///< sample (0, 0, 0) of each component
     const float* ways[3];                     ///< the same of what trace_row() leaves
+    bool ways_of_cells;                       ///< or of the samples that are advected
     std::ptrdiff_t stride_y, stride_z;        ///< in samples; the fields' too
     std::ptrdiff_t memory_begin, memory_end;  ///< what samples there are, from (0, 0, 0)
     float size_cells[3];
@@ -25,9 +26,10 @@ struct AdvectionView {
     Edges edges;
 };
 
-/// Cells [begin, end) of a row, and where their ways go, in cells: the row's cell 0 along each axis.
+/// Samples [begin, end) of a row, and where their ways go, in cells: the row's sample 0 along each axis.
 struct TracedRow {
     int begin, end, j, k;
+    int axis;  ///< as of an AdvectedRow
     float* way[3];
 };
 
@@ -45,6 +47,14 @@ struct AdvectedRow {
     Interpolation interpolation;
     int field_count;
     AdvectedField fields[kMaxFieldsTogether];
+};
+
+/// Points of a group of samples or of carried points are worked on together.
+inline constexpr int kPointsTogether = 8;
+
+/// Places in cell units.
+struct CarriedPoints {
+    float* at[3];
 };
 
 /// A velocity on faces, sample (0, 0, 0) of each.

@@ -41,7 +41,7 @@ VesselFlow::VesselFlow(const grid::BoxShape& shape, const SignedDistance& distan
       kernels_(&kernels),
       walls_(shape, distance),
       projection_(walls_, kernels),
-      advection_(shape, all_rows(walls_), Edges::Walls, kernels),
+      advection_(shape, all_rows(walls_), Edges::Walls, kernels, WaysOf::Cells),
       velocity_(shape),
       advected_(shape) {}
 
@@ -134,7 +134,12 @@ void VesselFlow::advect_cells(std::span<grid::BoxField* const> fields, float dt_
 
 void VesselFlow::carry(std::span<glm::vec3> points_m, float dt_s, core::ThreadPool& pool) const {
     check_step(dt_s);
-    carry_points(points_m, velocity_, dt_s, Edges::Walls, Interpolation::Cubic, pool);
+    carry_points(points_m, velocity_, dt_s, Edges::Walls, Interpolation::Cubic, pool, *kernels_);
+}
+
+void VesselFlow::carry(std::span<glm::vec3> points_m, float dt_s) const {
+    check_step(dt_s);
+    carry_points(points_m, velocity_, dt_s, Edges::Walls, Interpolation::Cubic, *kernels_);
 }
 
 void VesselFlow::follow(core::ThreadPool& pool) {

@@ -88,6 +88,8 @@ class VesselFlow {
                       core::ThreadPool& pool);
     /// Moves points along the velocity, by its cubic; the caller pushes them out of walls.
     void carry(std::span<glm::vec3> points_m, float dt_s, core::ThreadPool& pool) const;
+    /// The same on this thread alone.
+    void carry(std::span<glm::vec3> points_m, float dt_s) const;
 
     /// Leaves the velocity with divergence: the next step's project() removes it. Returns how well the
     /// projection between went (Reflected).

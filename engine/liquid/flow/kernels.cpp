@@ -19,7 +19,7 @@ void merge_row(const LevelView& level, const ColourPointers& in, float* cells, i
 void centre_velocity(const FaceRows& faces, int count, float* const* out);
 void trace_row(const AdvectionView& flow, const TracedRow& row);
 void advect_row(const AdvectionView& flow, const AdvectedRow& row);
-void carry_points(const CarryView& flow, float* points, int count);
+void carry_points(const CarryView& flow, const CarriedPoints& points, int count);
 void diffuse_cells(const FaceRows& open, const Stage& stage, const DiffusedRow& row);
 void diffuse_faces(const float* open, std::ptrdiff_t stride_y, std::ptrdiff_t stride_z, bool sticks,
                    const Stage& stage, const DiffusedRow& row);

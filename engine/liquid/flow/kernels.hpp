@@ -28,8 +28,8 @@ struct Kernels {
 
     /// source -= A solution; the sum of source^2.
     double (*start_residual)(const LevelView& level, const ConjugateView& vectors, int k);
-    /// direction = z + beta direction and image = A z + beta image; the sum of their product,
-    /// and of the image.
+    /// direction = z + beta direction and image = A z + beta image, both afresh where beta is 0; the sum
+    /// of their product, and of the image.
     DirectionSums (*turn_direction)(const LevelView& level, const ConjugateView& vectors, float beta,
                                     int k);
     /// solution += alpha direction and source -= alpha (image - mean) where there are equations; the sum
@@ -51,13 +51,12 @@ struct Kernels {
 
     /// The velocity at the middles of `count` cells, x, y and z: fourth order from the faces.
     void (*centre_velocity)(const FaceRows& faces, int count, float* const* out);
-    /// The ways that lead to the middles of a row's cells during the step.
+    /// The ways that lead to the samples of a row during the step.
     void (*trace_row)(const AdvectionView& flow, const TracedRow& row);
-    /// Samples the fields where the samples of a row came from; a face came the mean of the ways of both
-    /// its cells.
+    /// Samples the fields where the samples of a row came from.
     void (*advect_row)(const AdvectionView& flow, const AdvectedRow& row);
-    /// Moves points, x, y, z, 0 each in cell units, along a velocity on faces.
-    void (*carry_points)(const CarryView& flow, float* points, int count);
+    /// Moves whole groups of points along a velocity on faces.
+    void (*carry_points)(const CarryView& flow, const CarriedPoints& points, int count);
 
     // Rows of fields; see diffusion.hpp and pressure.hpp.
 

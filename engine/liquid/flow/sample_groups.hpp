@@ -3,6 +3,7 @@
 // same cells, points of one cell) share their loads, and a group is done once for each such way.
 #pragma once
 
+#include "liquid/flow/advection_view.hpp"
 #include "liquid/flow/sample_lanes.hpp"
 
 #include <bit>
@@ -11,7 +12,6 @@
 namespace pastoso::liquid {
 namespace {
 
-inline constexpr int kPointsTogether = 8;
 using Group = lanes::Lanes<float, kPointsTogether>;
 using GroupIndex = lanes::Lanes<std::int32_t, kPointsTogether>;
 
@@ -130,6 +130,13 @@ struct BesideOneAnother {
     PASTOSO_LANE_MEMBER BesideOneAnother from(std::ptrdiff_t n) const { return {sample + n}; }
     PASTOSO_LANE_MEMBER Group operator[](int n) const { return lanes::load<Group>(sample + n); }
 };
+/// The same where all points have the same samples around them.
+struct InOnePlace {
+    const float* sample;
+    PASTOSO_LANE_MEMBER InOnePlace from(std::ptrdiff_t n) const { return {sample + n}; }
+    PASTOSO_LANE_MEMBER Group operator[](int n) const { return Group(sample[n]); }
+};
+
 PASTOSO_LANE_FUNCTION void store_first(float* to, Group values, int count) {
     for (int lane = 0; lane < kPointsTogether; ++lane)
         if (lane < count) to[lane] = values[lane];

@@ -174,8 +174,6 @@ SolveResult ConjugateGradients::iterate(double source_norm, double residual, con
     const auto sum = [&](const auto& slice) { return sum_over_slices(pool, shape_.nz, slice); };
     SolveResult result;
     double product = 0.0, least_residual = residual;
-    direction_.fill(0.0F);
-    image_.fill(0.0F);
     // Below the precision of the solution's own gradient nothing is gained: then the residual grows
     // again.
     const auto stalls = [&] {

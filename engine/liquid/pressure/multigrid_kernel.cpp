@@ -168,6 +168,19 @@ struct ImageTaken {
             r[m] = (r[m] + cell.inflow(m)) - cell.diagonal(m) * x[m];
     }
 };
+/// Without a direction before it.
+struct FirstTurn {
+    const float* z;
+    float *direction, *image;
+    template <class Cells>
+    [[gnu::always_inline]] void operator()(const Cells& cell, int begin, int end) const {
+#pragma GCC ivdep
+        for (int m = begin; m < end; ++m) {
+            direction[m] = z[m];
+            image[m] = cell.diagonal(m) * z[m] - cell.inflow(m);
+        }
+    }
+};
 struct LastTurn {
     const float* z;
     float *direction, *image;
@@ -296,7 +309,15 @@ DirectionSums turn_direction(const LevelView& level, const ConjugateView& vector
             const float* z = level.value.colour[colour] + row.at;
             float* __restrict direction = vectors.direction.colour[colour] + row.at;
             float* __restrict image = vectors.image.colour[colour] + row.at;
-            if (colour == kFirstColour) {
+            if (colour == kFirstColour && beta == 0.0F) {
+                const float* r = level.source.colour[colour] + row.at;
+                for (int m = row.begin; m < row.end; ++m) {
+                    direction[m] = z[m];
+                    image[m] = r[m];
+                }
+            } else if (beta == 0.0F) {
+                for_parts(level, row, colour, level.value, FirstTurn{z, direction, image});
+            } else if (colour == kFirstColour) {
                 const float* r = level.source.colour[colour] + row.at;
                 for (int m = row.begin; m < row.end; ++m) {
                     direction[m] = z[m] + beta * direction[m];

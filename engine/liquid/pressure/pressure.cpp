@@ -58,18 +58,20 @@ SolveResult Projection::project(const Walls& walls, VelocityField& velocity, con
     return result;
 }
 
-float largest_divergence(const Walls& walls, const VelocityField& velocity) {
+float largest_divergence(const Walls& walls, const VelocityField& velocity, core::ThreadPool& pool) {
     const grid::BoxShape& shape = walls.shape();
-    std::vector<float> inflow(static_cast<std::size_t>(shape.nx));
-    float largest = 0.0F;
-    for (int k = 0; k < shape.nz; ++k)
+    std::vector<float> largest(static_cast<std::size_t>(shape.nz), 0.0F);
+    for_slices(pool, 0, shape.nz, [&](int k) {
+        std::vector<float> inflow(static_cast<std::size_t>(shape.nx), 0.0F);
+        float& most = largest[static_cast<std::size_t>(k)];
         for (int j = 0; j < shape.ny; ++j) {
             const RowRange range = walls.rows(Location::Cell).at(j, k);
             compute_inflow_row(core::kernels<Kernels>(), walls, velocity, j, k, inflow.data());
             for (int i = range.begin; i < range.end; ++i)
-                largest = std::max(largest, std::abs(inflow[static_cast<std::size_t>(i)]));
+                most = std::max(most, std::abs(inflow[static_cast<std::size_t>(i)]));
         }
-    return largest / shape.cell_m;
+    });
+    return *std::ranges::max_element(largest) / shape.cell_m;
 }
 
 }  // namespace pastoso::liquid

@@ -36,6 +36,6 @@ class Projection {
 };
 
 /// The largest divergence of a cell, |sum of w u| / cell, in 1/s.
-float largest_divergence(const Walls& walls, const VelocityField& velocity);
+float largest_divergence(const Walls& walls, const VelocityField& velocity, core::ThreadPool& pool);
 
 }  // namespace pastoso::liquid

@@ -1,8 +1,6 @@
 // Where a place lies between two neighbours along an axis: one axis of a linear interpolation.
 #pragma once
 
-#include <cmath>
-
 namespace pastoso::liquid {
 
 /// The lower of two neighbours and how far on to the upper one, 0 to 1.
@@ -11,9 +9,12 @@ struct Between {
     float part;
 };
 
+/// Of places within 2^31.
 inline Between between(float place) {
-    const float lower = std::floor(place);
-    return {static_cast<int>(lower), place - lower};
+    // The floor by hand: a call where the processor may lack the instruction.
+    const int toward_zero = static_cast<int>(place);
+    const int lower = toward_zero - (place < static_cast<float>(toward_zero) ? 1 : 0);
+    return {lower, place - static_cast<float>(lower)};
 }
 
 /// Of a place in cells, between the middles of cells.

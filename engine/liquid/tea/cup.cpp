@@ -15,7 +15,7 @@ float tea_distance_m(const Cup& cup, const glm::vec3& point_m) {
     return std::max({wall, cup.floor_m - point_m.z, point_m.z - cup.level_m});
 }
 
-glm::vec3 brought_within(const Cup& cup, glm::vec3 point_m, float margin_m) {
+glm::vec3 pushed_within(const Cup& cup, glm::vec3 point_m, float margin_m) {
     constexpr int kPushes = 3;  // one for wall, floor and level each
     const float step_m = 0.5F * margin_m;
     const auto distance = [&](const glm::vec3& at_m) { return tea_distance_m(cup, at_m) + margin_m; };

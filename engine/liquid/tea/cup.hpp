@@ -24,9 +24,23 @@ struct Cup {
 /// edges a lower bound of the distance.
 float tea_distance_m(const Cup& cup, const glm::vec3& point_m);
 
+/// Whether a point is surely at least `margin_m` (> 0) within the tea; without a square root.
+inline bool lies_within(const Cup& cup, const glm::vec3& point_m, float margin_m) {
+    const glm::vec2 aside = glm::vec2(point_m) - cup.axis_m;
+    // (1 + |slope|) is more than the length of the wall's normal (1, slope).
+    const float wall_m =
+        cup.inner_radius_m(point_m.z) - margin_m * (1.0F + (cup.slope < 0.0F ? -cup.slope : cup.slope));
+    return point_m.z > cup.floor_m + margin_m && point_m.z < cup.level_m - margin_m && wall_m > 0.0F &&
+           aside.x * aside.x + aside.y * aside.y < wall_m * wall_m;
+}
+/// The point of brought_within() where it does not lie within.
+glm::vec3 pushed_within(const Cup& cup, glm::vec3 point_m, float margin_m);
+
 /// A point that is not at least `margin_m` (> 0) within the tea, pushed along its wall's normal
 /// until it is; one in a corner between wall, floor and level may end a little less within.
-glm::vec3 brought_within(const Cup& cup, glm::vec3 point_m, float margin_m);
+inline glm::vec3 brought_within(const Cup& cup, const glm::vec3& point_m, float margin_m) {
+    return lies_within(cup, point_m, margin_m) ? point_m : pushed_within(cup, point_m, margin_m);
+}
 
 /// The volume of tea and milk up to the level: a frustum of a cone.
 double tea_volume_m3(const Cup& cup);

@@ -7,6 +7,7 @@
 #include "liquid/tea/parcel_shape.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -16,8 +17,6 @@ namespace {
 
 /// More milk than a cell holds (parcels overlap) sinks no faster than this.
 constexpr float kMostMilk = 1.2F;
-/// Neighbours in memory shall be so in the tea: fields are read where the cache has them.
-constexpr int kStepsBetweenSorts = 8;
 /// A parcel that is left with less of its milk gives away the rest.
 constexpr float kLeastParcel = 0.004F;
 
@@ -58,7 +57,8 @@ MilkTea::MilkTea(const TeaSettings& settings)
       coldness_(flow_.shape()),
       balls_(settings),
       parcel_milk_(flow_.shape()),
-      total_coldness_(flow_.shape()) {}
+      parcel_coldness_(flow_.shape()),
+      sorter_(flow_.shape()) {}
 
 void MilkTea::set_settings(const TeaSettings& settings) {
     check_tea(settings);
@@ -75,9 +75,7 @@ void MilkTea::set_settings(const TeaSettings& settings) {
 
 TeaStep MilkTea::step(core::ThreadPool& pool, MeasureDivergence measure) {
     const auto dt_s = static_cast<float>(settings_.step_s);
-    if (steps_ % kStepsBetweenSorts == 0) sort_by_cells(flow_.shape(), parcels_);
-    jug_.pour(settings_, parcels_, flow_.velocity());
-    spread_parcels(pool);
+    pour();
     add_buoyancy(pool);
     add_painters_force(settings_, flow_.velocity(), pool);
     flow_.confine_vorticity(dt_s, pool);
@@ -85,12 +83,11 @@ TeaStep MilkTea::step(core::ThreadPool& pool, MeasureDivergence measure) {
     result.diffusion = diffuse(pool);
     result.pressure = flow_.project(pool);
     if (measure == MeasureDivergence::Yes)
-        result.divergence_per_s = largest_divergence(flow_.walls(), flow_.velocity());
+        result.divergence_per_s = largest_divergence(flow_.walls(), flow_.velocity(), pool);
     carry(pool);
     const SolveResult between = flow_.advect_velocity(dt_s, pool);
     if (is_worse(between, result.pressure)) result.pressure = between;
     exchange(pool);
-    erase_dissolved();
     ++steps_;
     return result;
 }
@@ -106,18 +103,16 @@ double MilkTea::milk_m3(core::ThreadPool& pool) const {
     return sum;
 }
 
-void MilkTea::spread_parcels(core::ThreadPool& pool) {
-    const auto per_m3 = static_cast<float>(1.0 / flow_.shape().cell_volume_m3());
-    compute_shares(parcels_, flow_.walls().open_cells(), pool, shares_);
-    amounts_.resize(parcels_.size());
-    cold_amounts_.resize(parcels_.size());
-    for_parcels(pool, parcels_.size(), [&](std::size_t i) {
-        amounts_[i] = parcels_[i].volume_m3 * per_m3;
-        cold_amounts_[i] = amounts_[i] * parcels_[i].coldness;
-    });
-    std::fill(parcel_milk_.values().begin(), parcel_milk_.values().end(), 0.0F);
-    total_coldness_ = coldness_;
-    scatter(shares_, {{amounts_, cold_amounts_}}, {&parcel_milk_, &total_coldness_}, pool);
+void MilkTea::clear_parcel_fields() {
+    for (grid::BoxField* field : {&parcel_milk_, &parcel_coldness_})
+        std::ranges::fill(field->values(), 0.0F);
+}
+
+void MilkTea::pour() {
+    const std::size_t before = parcels_.size();
+    jug_.pour(settings_, parcels_, flow_.velocity());
+    share_out(std::span(parcels_).subspan(before), flow_.walls().open_cells(), shared_fields(),
+              [per_m3 = cells_per_m3()](const Parcel& parcel) { return undissolved(parcel, per_m3); });
 }
 
 /// See TeaSettings; on a face, the mean of the cells above and below.
@@ -127,16 +122,21 @@ void MilkTea::add_buoyancy(core::ThreadPool& pool) {
     const float fat = 0.5F * dt_s * static_cast<float>(settings_.fat_m_s2),
                 cold = dt_s * static_cast<float>(settings_.cold_m_s2),
                 heavy = 0.5F * dt_s * static_cast<float>(settings_.dissolved_m_s2);
+    grid::BoxField& rise = flow_.velocity().z;
     for_slices(pool, 1, shape.nz, [&](int k) {
         for (int j = 0; j < shape.ny; ++j) {
             const RowRange range = flow_.walls().rows(Location::FaceZ).at(j, k);
-            float* w = flow_.velocity().z.row(j, k);
+            float* w = rise.row(j, k);
             const float *milk = parcel_milk_.row(j, k), *milk_below = parcel_milk_.row(j, k - 1),
-                        *chill = total_coldness_.row(j, k), *chill_below = total_coldness_.row(j, k - 1),
-                        *mixed = dissolved_.row(j, k), *mixed_below = dissolved_.row(j, k - 1);
+                        *chill = coldness_.row(j, k), *chill_below = coldness_.row(j, k - 1),
+                        *cold_milk = parcel_coldness_.row(j, k),
+                        *cold_milk_below = parcel_coldness_.row(j, k - 1), *mixed = dissolved_.row(j, k),
+                        *mixed_below = dissolved_.row(j, k - 1);
             for (int i = range.begin; i < range.end; ++i) {
                 const float share = std::min(milk[i], kMostMilk) + std::min(milk_below[i], kMostMilk);
-                const float coldness = std::min(0.5F * (chill[i] + chill_below[i]), kMostMilk);
+                const float coldness =
+                    std::min(0.5F * ((chill[i] + cold_milk[i]) + (chill_below[i] + cold_milk_below[i])),
+                             kMostMilk);
                 w[i] += fat * share - cold * coldness - heavy * (mixed[i] + mixed_below[i]);
             }
         }
@@ -162,26 +162,21 @@ void MilkTea::carry(core::ThreadPool& pool) {
     flow_.advect_cells(fields, dt_s, KeepSum::Yes, pool);
 
     balls_.nucleate(time_s(), settings_, parcels_);
-    positions_m_.resize(parcels_.size());
-    for_parcels(pool, parcels_.size(), [&](std::size_t i) { positions_m_[i] = parcels_[i].position_m; });
-    deform_parcels(pool);
-    flow_.carry(positions_m_, dt_s, pool);
     const float margin_m = kWallMargin_cells * flow_.shape().cell_m;
-    for_parcels(pool, parcels_.size(), [&](std::size_t i) {
-        parcels_[i].position_m = brought_within(settings_.cup, positions_m_[i], margin_m);
-    });
-}
-
-void MilkTea::deform_parcels(core::ThreadPool& pool) {
-    constexpr std::size_t kAtOnce = 1024;
     const ShapeLimits limits = shape_limits(settings_);
-    pool.run((parcels_.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t batch, int) {
-        const std::size_t begin = batch * kAtOnce;
-        deform(std::span(parcels_).subspan(begin, std::min(kAtOnce, parcels_.size() - begin)),
-               flow_.velocity(), static_cast<float>(settings_.step_s), limits);
+    for_parcel_blocks(pool, parcels_.size(), [&](std::size_t begin, std::size_t end) {
+        deform(std::span(parcels_).subspan(begin, end - begin), flow_.velocity(), dt_s, limits);
+        std::array<glm::vec3, kParcelsAtOnce> places_m;
+        for (std::size_t i = begin; i < end; ++i)
+            places_m[i - begin] = parcels_[i].position_m;
+        flow_.carry(std::span(places_m).first(end - begin), dt_s);
+        for (std::size_t i = begin; i < end; ++i)
+            parcels_[i].position_m = brought_within(settings_.cup, places_m[i - begin], margin_m);
     });
+    sorter_.sort(parcels_, pool);
 }
 
+/// Parcels give warmth and milk to the tea, and what is left of them is spread for the next step.
 void MilkTea::exchange(core::ThreadPool& pool) {
     const double dt_s = settings_.step_s;
     const float warming_slowly = share_passed(dt_s, settings_.slow_warming_s),
@@ -198,27 +193,27 @@ void MilkTea::exchange(core::ThreadPool& pool) {
         return rests ? dissolving_at_rest : dissolving;
     };
 
-    compute_shares(parcels_, flow_.walls().open_cells(), pool, shares_);
-    const auto per_m3 = static_cast<float>(1.0 / flow_.shape().cell_volume_m3());
+    const float per_m3 = cells_per_m3();
     const float least_m3 = kLeastParcel * milk_per_parcel_m3(settings_);
-    for_parcels(pool, parcels_.size(), [&](std::size_t i) {
-        Parcel& parcel = parcels_[i];
-        amounts_[i] = cold_amounts_[i] = 0.0F;
-        if (!shares_[i].any()) return;
+    const auto chill_share = static_cast<float>(settings_.chill_share);
+    std::atomic<bool> any_gone = false;
+    clear_parcel_fields();
+    share_out_sorted(parcels_, flow_.walls().open_cells(), shared_fields(), pool, [&](Parcel& parcel) {
         const float warmed = parcel.coldness * (parcel.ball >= 0 ? warming_fast : warming_slowly);
-        cold_amounts_[i] =
-            static_cast<float>(settings_.chill_share) * parcel.volume_m3 * per_m3 * warmed;
+        const float chill = chill_share * parcel.volume_m3 * per_m3 * warmed;
         parcel.coldness -= warmed;
         float given_m3 = parcel.volume_m3 * share_dissolved(parcel);
-        if (parcel.volume_m3 - given_m3 < least_m3) given_m3 = parcel.volume_m3;
+        if (parcel.volume_m3 - given_m3 < least_m3) {
+            given_m3 = parcel.volume_m3;
+            any_gone.store(true, std::memory_order_relaxed);
+        }
         parcel.volume_m3 -= given_m3;
-        amounts_[i] = given_m3 * per_m3;
+        SharedAmounts amounts = undissolved(parcel, per_m3);
+        amounts[0] = chill;
+        amounts[1] = given_m3 * per_m3;
+        return amounts;
     });
-    scatter(shares_, {{cold_amounts_, amounts_}}, {&coldness_, &dissolved_}, pool);
-}
-
-void MilkTea::erase_dissolved() {
-    std::erase_if(parcels_, [](const Parcel& parcel) { return parcel.volume_m3 <= 0.0F; });
+    if (any_gone) std::erase_if(parcels_, [](const Parcel& parcel) { return parcel.volume_m3 <= 0.0F; });
 }
 
 }  // namespace pastoso::liquid

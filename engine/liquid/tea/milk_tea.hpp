@@ -66,14 +66,20 @@ class MilkTea {
     void pour_by_hand(std::optional<glm::vec2> at_m) { jug_.pour_by_hand(at_m); }
 
   private:
-    /// The parcels' milk and coldness as shares of the cells around them.
-    void spread_parcels(core::ThreadPool& pool);
+    void pour();
     void add_buoyancy(core::ThreadPool& pool);
     SolveResult diffuse(core::ThreadPool& pool);
-    void deform_parcels(core::ThreadPool& pool);
     void carry(core::ThreadPool& pool);
     void exchange(core::ThreadPool& pool);
-    void erase_dissolved();
+    SharedFields shared_fields() { return {&coldness_, &dissolved_, &parcel_milk_, &parcel_coldness_}; }
+    /// What a parcel spreads, of a cell's volume.
+    static SharedAmounts undissolved(const Parcel& parcel, float per_m3) {
+        const float milk = parcel.volume_m3 * per_m3;
+        return {0.0F, 0.0F, milk, milk * parcel.coldness};
+    }
+    float cells_per_m3() const { return static_cast<float>(1.0 / flow_.shape().cell_volume_m3()); }
+    void clear_parcel_fields();
+
     TeaSettings settings_;
     VesselFlow flow_;
     grid::BoxField dissolved_, coldness_;
@@ -82,11 +88,9 @@ class MilkTea {
     MilkJug jug_;
     int steps_ = 0;
 
-    // What a step works with.
-    grid::BoxField parcel_milk_, total_coldness_;
-    std::vector<ParcelShares> shares_;
-    std::vector<float> amounts_, cold_amounts_;
-    std::vector<glm::vec3> positions_m_;
+    /// The milk and the coldness of parcels, as shares of the cells around them.
+    grid::BoxField parcel_milk_, parcel_coldness_;
+    ParcelSorter sorter_;
 };
 
 }  // namespace pastoso::liquid

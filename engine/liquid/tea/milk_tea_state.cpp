@@ -65,6 +65,12 @@ void MilkTea::set_state(TeaState state) {
     coldness_ = std::move(state.coldness);
     balls_.set_state(state.balls);
     jug_.set_state(state.jug);
+    core::ThreadPool this_thread(1);
+    sorter_.sort(parcels_, this_thread);
+    clear_parcel_fields();
+    share_out_sorted(
+        parcels_, flow_.walls().open_cells(), shared_fields(), this_thread,
+        [per_m3 = cells_per_m3()](const Parcel& parcel) { return undissolved(parcel, per_m3); });
 }
 
 }  // namespace pastoso::liquid
