@@ -14,10 +14,10 @@ namespace {
 /// The value in between, of a group's points that have the same samples around them.
 template <Interpolation kInterpolation>
 struct GroupValue {
-    CubicsOf<Group> cubics;
+    GroupCubics cubics;
     std::ptrdiff_t stride_y, stride_z;
 
-    [[gnu::always_inline]] GroupValue(const Three<Group>& share, std::ptrdiff_t y, std::ptrdiff_t z)
+    [[gnu::always_inline]] GroupValue(const ThreeGroups& share, std::ptrdiff_t y, std::ptrdiff_t z)
         : cubics(share), stride_y(y), stride_z(z) {}
     template <class Samples>
     [[gnu::always_inline]] Group operator()(const Samples& first) const {
@@ -27,14 +27,14 @@ struct GroupValue {
 };
 template <>
 struct GroupValue<Interpolation::Linear> {
-    Three<Group> share;
+    ThreeGroups share;
     std::ptrdiff_t stride_y, stride_z;
 
-    [[gnu::always_inline]] GroupValue(const Three<Group>& at, std::ptrdiff_t y, std::ptrdiff_t z)
+    [[gnu::always_inline]] GroupValue(const ThreeGroups& at, std::ptrdiff_t y, std::ptrdiff_t z)
         : share(at), stride_y(y), stride_z(z) {}
     template <class Samples>
     [[gnu::always_inline]] Group operator()(const Samples& first) const {
-        return linear_of<Group>(first, share, stride_y, stride_z);
+        return linear_of(first, share, stride_y, stride_z);
     }
 };
 
@@ -46,18 +46,18 @@ struct RowGroup {
     std::ptrdiff_t memory_begin, memory_end;  ///< the samples that a field has
     int count;
 
-    /// results[n] = value of the samples of field n at the places, whose stencils reach `reach` samples
-    /// to both sides.
+    /// results[n] = the value of field n at the places.
     template <Interpolation kInterpolation>
     [[gnu::always_inline]] void sample(const GroupPlace& place, const float* const* fields,
                                        int field_count, Group* results) const {
-        constexpr int kReach = kInterpolation == Interpolation::Linear ? 1 : 2;
-        const std::ptrdiff_t farthest = kReach * (1 + stride_y + stride_z);
+        // A stencil begins so many samples before its place along each axis and ends one more behind.
+        constexpr int kBefore = kInterpolation == Interpolation::Linear ? 0 : 1;
+        const std::ptrdiff_t diagonal = 1 + stride_y + stride_z;
         const GroupValue<kInterpolation> value(place.share, stride_y, stride_z);
         for_indices(place.index, count, [&](std::int32_t index, const auto& same) PASTOSO_LANE_MEMBER {
             const std::ptrdiff_t at = first + index;
-            const bool lies_in_memory =
-                at - farthest >= memory_begin && at + farthest + kPointsTogether <= memory_end;
+            const bool lies_in_memory = at - kBefore * diagonal >= memory_begin &&
+                                        at + (kBefore + 1) * diagonal + kPointsTogether <= memory_end;
             if (!lies_in_memory) [[unlikely]] {
                 for (int n = 0; n < field_count; ++n)
                     results[n] = lanes::select(
@@ -74,7 +74,7 @@ struct RowGroup {
   private:
     /// At the edges of memory, where the group's other points would read beyond it.
     template <Interpolation kInterpolation>
-    [[gnu::noinline]] Group one_by_one(const Three<Group>& share, std::uint32_t points,
+    [[gnu::noinline]] Group one_by_one(const ThreeGroups& share, std::uint32_t points,
                                        const float* from) const {
         float values[kPointsTogether] = {};
         for (int lane = 0; lane < kPointsTogether; ++lane) {
@@ -94,7 +94,7 @@ struct RowGroup {
 struct Samples {
     const AdvectionView& flow;
     int axis;
-    Three<Group> here;
+    ThreeGroups here;
     RowGroup group;
 
     [[gnu::always_inline]] Samples(const AdvectionView& view, int of_axis, int begin, int end, int j,
@@ -113,9 +113,9 @@ struct Samples {
 
     /// The places `way` back, among the samples of an axis.
     template <bool kPeriodic>
-    [[gnu::always_inline]] GroupPlace back(const Three<Group>& way, int among) const {
+    [[gnu::always_inline]] GroupPlace back(const ThreeGroups& way, int among) const {
         GroupPlace place =
-            place_among(in_box<kPeriodic>(Three<Group>{here.x - way.x, here.y - way.y, here.z - way.z},
+            place_among(in_box<kPeriodic>(ThreeGroups{here.x - way.x, here.y - way.y, here.z - way.z},
                                           flow.size_cells),
                         among, flow.stride_y, flow.stride_z);
         place.index -=
@@ -187,7 +187,7 @@ void advect_by_interpolation(const AdvectionView& flow, const AdvectedRow& row) 
 
 /// The velocity on faces at a group's places.
 template <Interpolation kInterpolation>
-[[gnu::always_inline]] inline Three<Group> face_velocity(const CarryView& flow, const Three<Group>& at) {
+[[gnu::always_inline]] inline ThreeGroups face_velocity(const CarryView& flow, const ThreeGroups& at) {
     Group velocity[3] = {Group(0.0F), Group(0.0F), Group(0.0F)};
     for (int axis = 0; axis < 3; ++axis) {
         const GroupPlace place = place_among(at, axis, flow.stride_y, flow.stride_z);
@@ -202,11 +202,11 @@ template <Interpolation kInterpolation>
 }
 
 template <bool kPeriodic>
-[[gnu::always_inline]] inline Three<Group> moved(const CarryView& flow, const Three<Group>& from,
-                                                 const Three<Group>& velocity, float step) {
+[[gnu::always_inline]] inline ThreeGroups moved(const CarryView& flow, const ThreeGroups& from,
+                                                const ThreeGroups& velocity, float step) {
     return in_box<kPeriodic>(
-        Three<Group>{from.x + Group(step) * velocity.x, from.y + Group(step) * velocity.y,
-                     from.z + Group(step) * velocity.z},
+        ThreeGroups{from.x + Group(step) * velocity.x, from.y + Group(step) * velocity.y,
+                    from.z + Group(step) * velocity.z},
         flow.size_cells);
 }
 
@@ -215,11 +215,11 @@ void carry(const CarryView& flow, const CarriedPoints& points, int count) {
     for (int p = 0; p < count; p += kPointsTogether) {
         const auto load = [&](int axis)
                               PASTOSO_LANE_MEMBER { return lanes::load<Group>(points.at[axis] + p); };
-        const Three<Group> from =
-            in_box<kPeriodic>(Three<Group>{load(0), load(1), load(2)}, flow.size_cells);
-        const Three<Group> middle = moved<kPeriodic>(
+        const ThreeGroups from =
+            in_box<kPeriodic>(ThreeGroups{load(0), load(1), load(2)}, flow.size_cells);
+        const ThreeGroups middle = moved<kPeriodic>(
             flow, from, face_velocity<Interpolation::Linear>(flow, from), 0.5F * flow.step);
-        const Three<Group> to =
+        const ThreeGroups to =
             moved<kPeriodic>(flow, from, face_velocity<kInterpolation>(flow, middle), flow.step);
         lanes::store(points.at[0] + p, to.x);
         lanes::store(points.at[1] + p, to.y);

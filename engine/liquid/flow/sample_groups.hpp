@@ -7,7 +7,6 @@
 #include "liquid/flow/sample_lanes.hpp"
 
 #include <bit>
-#include <type_traits>
 
 namespace pastoso::liquid {
 namespace {
@@ -16,15 +15,14 @@ using Group = lanes::Lanes<float, kPointsTogether>;
 using GroupIndex = lanes::Lanes<std::int32_t, kPointsTogether>;
 
 /// Three numbers for each point.
-template <class V>
-struct Three {
-    V x, y, z;
+struct ThreeGroups {
+    Group x, y, z;
 };
 
 /// The sample before a point, and how far behind it the point lies.
 struct GroupPlace {
     GroupIndex index;
-    Three<Group> share;
+    ThreeGroups share;
 };
 
 template <bool kPeriodic>
@@ -38,7 +36,7 @@ PASTOSO_LANE_FUNCTION Group in_box(Group at, float size) {
     return lanes::min(lanes::max(at, Group(0.0F)), Group(size));
 }
 template <bool kPeriodic>
-PASTOSO_LANE_FUNCTION Three<Group> in_box(const Three<Group>& at, const float* size) {
+PASTOSO_LANE_FUNCTION ThreeGroups in_box(const ThreeGroups& at, const float* size) {
     return {in_box<kPeriodic>(at.x, size[0]), in_box<kPeriodic>(at.y, size[1]),
             in_box<kPeriodic>(at.z, size[2])};
 }
@@ -48,10 +46,10 @@ PASTOSO_LANE_FUNCTION Group from_ghosts(Group along, bool on_face) {
     return (along - Group(on_face ? 0.0F : 0.5F)) + Group(2.0F);
 }
 /// Where points lie among the samples of an axis' faces; axis 3: of the middles.
-PASTOSO_LANE_FUNCTION GroupPlace place_among(const Three<Group>& at, int axis, std::ptrdiff_t stride_y,
+PASTOSO_LANE_FUNCTION GroupPlace place_among(const ThreeGroups& at, int axis, std::ptrdiff_t stride_y,
                                              std::ptrdiff_t stride_z) {
-    const Three<Group> from = {from_ghosts(at.x, axis == 0), from_ghosts(at.y, axis == 1),
-                               from_ghosts(at.z, axis == 2)};
+    const ThreeGroups from = {from_ghosts(at.x, axis == 0), from_ghosts(at.y, axis == 1),
+                              from_ghosts(at.z, axis == 2)};
     const GroupIndex x = lanes::convert<std::int32_t>(from.x), y = lanes::convert<std::int32_t>(from.y),
                      z = lanes::convert<std::int32_t>(from.z);
     const GroupIndex two(2);
@@ -61,65 +59,64 @@ PASTOSO_LANE_FUNCTION GroupPlace place_among(const Three<Group>& at, int axis, s
              from.z - lanes::convert<float>(z)}};
 }
 
-template <class V>
-PASTOSO_LANE_FUNCTION V lerp(V a, V b, V share) {
+PASTOSO_LANE_FUNCTION Group lerp(Group a, Group b, Group share) {
     return a + share * (b - a);
 }
 
 /// Trilinear, of samples from the first one on.
-template <class V, class Samples>
-PASTOSO_LANE_FUNCTION V linear_of(const Samples& first, const Three<V>& share, std::ptrdiff_t y,
-                                  std::ptrdiff_t z) {
+template <class Samples>
+PASTOSO_LANE_FUNCTION Group linear_of(const Samples& first, const ThreeGroups& share, std::ptrdiff_t y,
+                                      std::ptrdiff_t z) {
     const Samples second = first.from(y), third = first.from(z), fourth = second.from(z);
-    const V low =
-        lerp<V>(lerp<V>(first[0], first[1], share.x), lerp<V>(second[0], second[1], share.x), share.y);
-    const V high =
-        lerp<V>(lerp<V>(third[0], third[1], share.x), lerp<V>(fourth[0], fourth[1], share.x), share.y);
-    return lerp<V>(low, high, share.z);
+    const Group low =
+        lerp(lerp(first[0], first[1], share.x), lerp(second[0], second[1], share.x), share.y);
+    const Group high =
+        lerp(lerp(third[0], third[1], share.x), lerp(fourth[0], fourth[1], share.x), share.y);
+    return lerp(low, high, share.z);
 }
 
 /// Catmull-Rom's weights of the samples -1, 0, 1, 2, as cubic_weights() has them.
-template <class V>
-struct CubicOf {
-    V weight[4];
-    PASTOSO_LANE_MEMBER explicit CubicOf(V t) {
+struct GroupCubic {
+    Group weight[4];
+    PASTOSO_LANE_MEMBER explicit GroupCubic(Group t) {
         constexpr float kCube[] = {-0.5F, 1.5F, -1.5F, 0.5F}, kSquare[] = {1.0F, -2.5F, 2.0F, -0.5F},
                         kSingle[] = {-0.5F, 0.0F, 0.5F, 0.0F}, kConstant[] = {0.0F, 1.0F, 0.0F, 0.0F};
         for (int n = 0; n < 4; ++n)
-            weight[n] = ((V(kCube[n]) * t + V(kSquare[n])) * t + V(kSingle[n])) * t + V(kConstant[n]);
+            weight[n] = ((Group(kCube[n]) * t + Group(kSquare[n])) * t + Group(kSingle[n])) * t +
+                        Group(kConstant[n]);
     }
 };
-template <class V>
-struct CubicsOf {
-    CubicOf<V> x, y, z;
-    PASTOSO_LANE_MEMBER explicit CubicsOf(const Three<V>& share) : x(share.x), y(share.y), z(share.z) {}
+struct GroupCubics {
+    GroupCubic x, y, z;
+    PASTOSO_LANE_MEMBER explicit GroupCubics(const ThreeGroups& share)
+        : x(share.x), y(share.y), z(share.z) {}
 };
 
-template <bool kLimited, class V, class Samples>
-PASTOSO_LANE_FUNCTION V cubic_of(const Samples& first, const CubicsOf<V>& cubics, std::ptrdiff_t y,
-                                 std::ptrdiff_t z) {
-    V columns[4] = {V(0.0F), V(0.0F), V(0.0F), V(0.0F)};
-    V low{}, high{};
+template <bool kLimited, class Samples>
+PASTOSO_LANE_FUNCTION Group cubic_of(const Samples& first, const GroupCubics& cubics, std::ptrdiff_t y,
+                                     std::ptrdiff_t z) {
+    Group columns[4] = {Group(0.0F), Group(0.0F), Group(0.0F), Group(0.0F)};
+    Group low{}, high{};
 #pragma GCC unroll 4
     for (int k = 0; k < 4; ++k) {
         const Samples r0 = first.from((k - 1) * z - y), r1 = r0.from(y), r2 = r1.from(y),
                       r3 = r2.from(y);
 #pragma GCC unroll 4
         for (int i = 0; i < 4; ++i) {
-            const V near = r1[i - 1], far = r2[i - 1];
-            const V rows = (r0[i - 1] * cubics.y.weight[0] + near * cubics.y.weight[1]) +
-                           (far * cubics.y.weight[2] + r3[i - 1] * cubics.y.weight[3]);
+            const Group near = r1[i - 1], far = r2[i - 1];
+            const Group rows = (r0[i - 1] * cubics.y.weight[0] + near * cubics.y.weight[1]) +
+                               (far * cubics.y.weight[2] + r3[i - 1] * cubics.y.weight[3]);
             columns[i] += rows * cubics.z.weight[k];
             if (kLimited && (i == 1 || i == 2) && (k == 1 || k == 2)) {
-                const V lower = lanes::min(near, far), upper = lanes::max(near, far);
+                const Group lower = lanes::min(near, far), upper = lanes::max(near, far);
                 const bool is_first = i == 1 && k == 1;
                 low = is_first ? lower : lanes::min(low, lower);
                 high = is_first ? upper : lanes::max(high, upper);
             }
         }
     }
-    const V value = (columns[0] * cubics.x.weight[0] + columns[1] * cubics.x.weight[1]) +
-                    (columns[2] * cubics.x.weight[2] + columns[3] * cubics.x.weight[3]);
+    const Group value = (columns[0] * cubics.x.weight[0] + columns[1] * cubics.x.weight[1]) +
+                        (columns[2] * cubics.x.weight[2] + columns[3] * cubics.x.weight[3]);
     if constexpr (kLimited) return lanes::min(lanes::max(value, low), high);
     return value;
 }

@@ -15,10 +15,6 @@ namespace lanes = core::lanes;
 /// Four neighbours along x, or x, y, z and 0.
 using Four = lanes::Lanes<float, 4>;
 
-PASTOSO_LANE_FUNCTION Four mixed(Four a, Four b, float share) {
-    return a + Four(share) * (b - a);
-}
-
 /// The sample before a place, and how far behind it the place lies, 0 to 1.
 struct Place {
     std::ptrdiff_t index;
@@ -30,18 +26,6 @@ PASTOSO_LANE_FUNCTION Place place_of(Four at, std::ptrdiff_t stride_y, std::ptrd
     const auto whole = lanes::convert<std::int32_t>(shifted);
     return {(whole[0] - 2) + (whole[1] - 2) * stride_y + (whole[2] - 2) * stride_z,
             shifted - lanes::convert<float>(whole)};
-}
-
-/// Four interleaved values per sample.
-PASTOSO_LANE_FUNCTION Four linear_of_four(const float* centres, const Place& place, std::ptrdiff_t y,
-                                          std::ptrdiff_t z) {
-    const float* at = centres + 4 * place.index;
-    const auto row = [&](std::ptrdiff_t offset) {
-        return mixed(lanes::load<Four>(at + 4 * offset), lanes::load<Four>(at + 4 * offset + 4),
-                     place.share[0]);
-    };
-    return mixed(mixed(row(0), row(y), place.share[1]), mixed(row(z), row(y + z), place.share[1]),
-                 place.share[2]);
 }
 
 PASTOSO_LANE_FUNCTION float linear(const float* field, const Place& place, std::ptrdiff_t y,

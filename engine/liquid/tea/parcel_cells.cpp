@@ -20,15 +20,15 @@ struct LowestCell {
     int x, y, z;
 };
 LowestCell lowest_cell(const grid::BoxShape& shape, const glm::vec3& at) {
+    // With half a cell to spare: the box' side is rounded.
     const auto lies_in_box = [&](float along, int cells) {
-        return along >= 0.0F && along <= static_cast<float>(cells) * shape.cell_m;
+        return along > -0.5F * shape.cell_m && along < (static_cast<float>(cells) + 0.5F) * shape.cell_m;
     };
     PASTOSO_CHECK(lies_in_box(at.x, shape.nx) && lies_in_box(at.y, shape.ny) &&
                   lies_in_box(at.z, shape.nz));
-    const LowestCell cell = {between_middles(at.x / shape.cell_m).lower + 1,
-                             between_middles(at.y / shape.cell_m).lower + 1,
-                             between_middles(at.z / shape.cell_m).lower + 1};
-    return cell;
+    return {between_middles(at.x / shape.cell_m).lower + 1,
+            between_middles(at.y / shape.cell_m).lower + 1,
+            between_middles(at.z / shape.cell_m).lower + 1};
 }
 
 }  // namespace
