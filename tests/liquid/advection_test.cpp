@@ -1,6 +1,7 @@
 // Interpolation and advection against exact answers.
 #include "liquid/flow/advection.hpp"
 
+#include "core/random.hpp"
 #include "liquid/classic/periodic.hpp"
 #include "liquid/flow/flow.hpp"
 #include "liquid/flow/sampling.hpp"
@@ -203,6 +204,64 @@ TEST(Advection, TurnsASlottedSphere) {
     EXPECT_LT(cubic.error, limited.error);
     EXPECT_LT(std::abs(cubic.mass), 2e-3);
     EXPECT_GT(cubic.largest, 1.05F);
+}
+
+/// Every sample by lot, ghosts among them.
+void fill_by_lot(grid::BoxField& field, std::uint32_t stream) {
+    for (std::uint32_t n = 0; n < field.values().size(); ++n)
+        field.values()[n] = core::uniform_noise(n, stream);
+}
+
+TEST(Advection, AGroupOfSamplesIsWhatEachIsByItself) {
+    core::ThreadPool pool(1);
+    const grid::BoxShape shape{11, 5, 4, 1.0F};
+    VelocityField velocity(shape);
+    grid::BoxField field(shape), advected(shape);
+    fill_by_lot(field, 1);
+    std::array<RowRanges, 4> rows;
+    for (const Location location : {Location::FaceX, Location::FaceY, Location::FaceZ, Location::Cell})
+        rows[static_cast<std::size_t>(location)] = RowRanges::whole(shape, location);
+    // Exact in floats, into all corners of the box and out of it.
+    for (const glm::vec3 way : {glm::vec3(0.75F, -1.25F, 0.5F), glm::vec3(-2.25F, 3.5F, -0.125F),
+                                glm::vec3(9.0F, 9.0F, 9.0F), glm::vec3(-9.0F, -9.0F, -9.0F)}) {
+        for (const int axis : kAxes)
+            velocity.along(axis) = grid::BoxField(shape, way[axis]);
+        for (const WaysOf ways_of : {WaysOf::Samples, WaysOf::Cells}) {
+            Advection advection(shape, rows, Edges::Walls, core::kernels<Kernels>(), ways_of);
+            advection.follow(velocity, pool);
+            for (const Location location :
+                 {Location::FaceX, Location::FaceY, Location::FaceZ, Location::Cell})
+                for (const Interpolation how :
+                     {Interpolation::Linear, Interpolation::LimitedCubic, Interpolation::Cubic}) {
+                    const AdvectedPair pair = {&field, &advected};
+                    advection.advect({&pair, 1}, location, 1.0F, how, pool);
+                    const auto counts = sample_counts(shape, location);
+                    for (int k = 0; k < counts[2]; ++k)
+                        for (int j = 0; j < counts[1]; ++j)
+                            for (int i = 0; i < counts[0]; ++i)
+                                ASSERT_EQ(
+                                    advected.at(i, j, k),
+                                    sample(field, location,
+                                           glm::vec3(i, j, k) + offset_cells(location) - way, how));
+                }
+        }
+    }
+}
+
+TEST(Advection, PointsOfAGroupMoveAsEachByItself) {
+    const grid::BoxShape shape{9, 7, 8, 0.5F};
+    VelocityField velocity(shape);
+    for (const int axis : kAxes)
+        fill_by_lot(velocity.along(axis), static_cast<std::uint32_t>(axis));
+    std::vector<glm::vec3> together;
+    for (std::uint32_t n = 0; n < 500; ++n)
+        together.emplace_back(4.5F * core::uniform_noise(n, 5), 3.5F * core::uniform_noise(n, 6),
+                              4.0F * core::uniform_noise(n, 7));
+    std::vector<glm::vec3> alone = together;
+    carry_points(together, velocity, 0.3F, Edges::Walls, Interpolation::Cubic);
+    for (glm::vec3& point : alone)
+        carry_points({&point, 1}, velocity, 0.3F, Edges::Walls, Interpolation::Cubic);
+    EXPECT_EQ(together, alone);
 }
 
 TEST(Advection, PointsGoRoundACircle) {
