@@ -275,6 +275,7 @@ double strongest_wavelength_cells(const Layers& layers, double shortest_cells, d
 }
 
 TEST(RayleighTaylor, FingersAreAsWideAsChandrasekharSays) {
+    // The fastest wave has 20 cells: see decision 0063 for shorter ones.
     constexpr double kViscosity_m2_s = 3.7e-5, kFoldings = 8.0;
     const double expected_m = fastest_wavelength_m(kViscosity_m2_s),
                  growth = growth_per_s(2.0 * kPi / expected_m, kViscosity_m2_s);
