@@ -7,6 +7,10 @@
 
 #include <QWidget>
 
+namespace pastoso::panels {
+class Gallery;
+}
+
 namespace pastoso::start {
 
 class Gallery;
@@ -18,14 +22,14 @@ class ExamplesSection : public QWidget {
 
     void fit(int width);
 
-    Gallery* gallery() { return gallery_; }
+    panels::Gallery* gallery() { return gallery_; }
 
   Q_SIGNALS:
     void wanted(const pastoso::start::ExamplePainting& example);
 
   private:
     const std::vector<ExamplePainting> examples_ = example_paintings();
-    Gallery* gallery_;
+    panels::Gallery* gallery_;
 };
 
 }  // namespace pastoso::start

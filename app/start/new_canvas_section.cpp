@@ -41,7 +41,8 @@ double sheet_px_per_mm(const std::vector<CanvasSize>& sizes, bool upright) {
 
 }  // namespace
 
-NewCanvasSection::NewCanvasSection(QWidget* parent) : QWidget(parent), sizes_(new Gallery(kSheetRoom)) {
+NewCanvasSection::NewCanvasSection(QWidget* parent)
+    : QWidget(parent), sizes_(new panels::Gallery(kSheetRoom)) {
     auto* column = section_column(this);
     auto* choices = new QHBoxLayout;
     choices->setSpacing(6);
@@ -56,7 +57,7 @@ NewCanvasSection::NewCanvasSection(QWidget* parent) : QWidget(parent), sizes_(ne
     column->addWidget(sizes_);
     sizes_->setObjectName(QStringLiteral("canvas_sizes"));
     sizes_->setAccessibleName(tr("Sizes of a new canvas"));
-    connect(sizes_, &Gallery::chosen, this, &NewCanvasSection::choose);
+    connect(sizes_, &panels::Gallery::chosen, this, &NewCanvasSection::choose);
     show_sizes();
 }
 
@@ -133,7 +134,7 @@ document::CanvasSettings NewCanvasSection::canvas(int number) const {
 /// While the buttons are being made there is nothing to show yet.
 void NewCanvasSection::show_sizes() {
     if (upright_ == nullptr) return;
-    std::vector<Tile> tiles;
+    std::vector<panels::Tile> tiles;
     for (int i = 0; i < static_cast<int>(canvas_sizes_.size()); ++i)
         tiles.push_back(tile_of(canvas(i), canvas_sizes_[static_cast<std::size_t>(i)].name));
     tiles.push_back({.name = tr("More..."),
@@ -146,7 +147,8 @@ void NewCanvasSection::show_sizes() {
         sizes_->show_tiles(tiles);
 }
 
-Tile NewCanvasSection::tile_of(const document::CanvasSettings& canvas, const QString& name) const {
+panels::Tile NewCanvasSection::tile_of(const document::CanvasSettings& canvas,
+                                       const QString& name) const {
     const grid::Shape shape = document::canvas_shape(canvas);
     const QString why_not = objection(canvas);
     const QString hint =

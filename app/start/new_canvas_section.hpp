@@ -2,8 +2,8 @@
 #pragma once
 
 #include "dialogs/support_choices.hpp"
+#include "panels/parts/gallery.hpp"
 #include "start/canvas_choices.hpp"
-#include "start/gallery.hpp"
 
 #include <vector>
 
@@ -25,7 +25,7 @@ class NewCanvasSection : public QWidget {
 
     void fit(int width);
 
-    Gallery* sizes() { return sizes_; }
+    panels::Gallery* sizes() { return sizes_; }
 
   Q_SIGNALS:
     void wanted(const pastoso::document::CanvasSettings& canvas);
@@ -36,7 +36,7 @@ class NewCanvasSection : public QWidget {
     void add_orientations(QLayout* row);
     QToolButton* make_choice(const QString& words, const QString& hint);
     void show_sizes();
-    Tile tile_of(const document::CanvasSettings& canvas, const QString& name) const;
+    panels::Tile tile_of(const document::CanvasSettings& canvas, const QString& name) const;
     void choose(int number);
     document::CanvasSettings canvas(int number) const;
     bool upright() const;
@@ -48,7 +48,7 @@ class NewCanvasSection : public QWidget {
     std::vector<QToolButton*> support_buttons_;
     QToolButton* lying_ = nullptr;
     QToolButton* upright_ = nullptr;
-    Gallery* sizes_;
+    panels::Gallery* sizes_;
 };
 
 }  // namespace pastoso::start

@@ -1,7 +1,7 @@
 #include "start/recent_section.hpp"
 
-#include "start/fitted_picture.hpp"
-#include "start/gallery.hpp"
+#include "panels/parts/fitted_picture.hpp"
+#include "panels/parts/gallery.hpp"
 #include "start/section.hpp"
 
 #include <QDir>
@@ -35,13 +35,13 @@ QString time_words(const QDateTime& time) {
     return locale.toString(time.date(), QLocale::ShortFormat);
 }
 
-Tile tile_of(const PaintingFile& file, double pixel_ratio) {
-    Tile tile{.name = text(file.path.stem()),
-              .detail = folder_words(file.path) + QLatin1Char('\n') +
-                        (file.saved.isValid() ? time_words(file.saved) : QString()),
-              .hint = text(file.path),
-              .picture = fitted(file.picture, kPicture, pixel_ratio),
-              .removable = true};
+panels::Tile tile_of(const PaintingFile& file, double pixel_ratio) {
+    panels::Tile tile{.name = text(file.path.stem()),
+                      .detail = folder_words(file.path) + QLatin1Char('\n') +
+                                (file.saved.isValid() ? time_words(file.saved) : QString()),
+                      .hint = text(file.path),
+                      .picture = panels::fitted(file.picture, kPicture, pixel_ratio),
+                      .removable = true};
     if (file.fault.isEmpty()) return tile;
     tile.detail = file.fault;
     tile.faint = true;
@@ -52,7 +52,7 @@ Tile tile_of(const PaintingFile& file, double pixel_ratio) {
 }  // namespace
 
 RecentSection::RecentSection(QWidget* parent)
-    : QWidget(parent), gallery_(new Gallery(kPicture, 2)), none_yet_(new QLabel) {
+    : QWidget(parent), gallery_(new panels::Gallery(kPicture, 2)), none_yet_(new QLabel) {
     auto* column = section_column(this);
     auto* head = new QHBoxLayout;
     head->addWidget(heading(tr("Recent paintings")));
@@ -69,9 +69,9 @@ RecentSection::RecentSection(QWidget* parent)
     gallery_->setAccessibleName(tr("Recent paintings"));
     connect(open, &QPushButton::clicked, this, &RecentSection::open_wanted);
     connect(&reader_, &PaintingReader::finished, this, &RecentSection::note);
-    connect(gallery_, &Gallery::chosen, this,
+    connect(gallery_, &panels::Gallery::chosen, this,
             [this](int number) { Q_EMIT wanted(painting(number).path); });
-    connect(gallery_, &Gallery::removal_wanted, this,
+    connect(gallery_, &panels::Gallery::removal_wanted, this,
             [this](int number) { Q_EMIT removal_wanted(painting(number).path); });
 }
 
@@ -81,7 +81,7 @@ const PaintingFile& RecentSection::painting(int number) const {
 
 void RecentSection::show_paintings(const std::vector<std::filesystem::path>& paths) {
     paintings_.clear();
-    std::vector<Tile> tiles;
+    std::vector<panels::Tile> tiles;
     for (const std::filesystem::path& path : paths) {
         paintings_.push_back({path});
         tiles.push_back(tile_of(paintings_.back(), devicePixelRatioF()));

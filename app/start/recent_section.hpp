@@ -10,6 +10,10 @@
 
 class QLabel;
 
+namespace pastoso::panels {
+class Gallery;
+}
+
 namespace pastoso::start {
 
 class Gallery;
@@ -24,7 +28,7 @@ class RecentSection : public QWidget {
 
     void fit(int width);
 
-    Gallery* gallery() { return gallery_; }
+    panels::Gallery* gallery() { return gallery_; }
 
     /// Whether all that was shown has been read.
     bool all_read() const;
@@ -43,7 +47,7 @@ class RecentSection : public QWidget {
     PaintingReader reader_;
     std::vector<PaintingFile> paintings_;
     std::size_t to_read_ = 0;
-    Gallery* gallery_;
+    panels::Gallery* gallery_;
     QLabel* none_yet_;
 };
 

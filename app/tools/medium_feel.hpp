@@ -1,27 +1,15 @@
-// What a painter says of a paint, stiff or runny, short or long, opaque or transparent: each moves
-// several of its numbers together.
+// What a painter says of a paint: stiff or runny, short or long, opaque or transparent.
 #pragma once
 
 #include "film/medium.hpp"
-
-#include <span>
+#include "tools/feel.hpp"
 
 namespace pastoso::tools {
 
 enum class Feel { StiffToRunny, ShortToLong, OpaqueToTransparent };
 
-/// How a number goes from one end to the other: by equal steps, by equal factors, or with equal steps
-/// of its cube root, as the yield stress goes with the share of particles (film/thinning.hpp).
-enum class FeelScale { Linear, Logarithmic, CubeRoot };
-
-struct FeelNumber {
-    double film::Medium::*member;
-    double from, to;  ///< at the places 0 and 1
-    FeelScale scale;
-};
-
 /// The numbers that it moves; the first tells where a medium stands.
-std::span<const FeelNumber> numbers_of(Feel feel);
+std::span<const FeelNumber<film::Medium>> numbers_of(Feel feel);
 
 /// Where the medium stands, 0 to 1: there the first number is its own, or nearest to it.
 double place_of(const film::Medium& medium, Feel feel);

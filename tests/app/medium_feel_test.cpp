@@ -19,7 +19,7 @@ TEST(MediumFeel, EndsAndMiddleOfEveryMediumAreAllowed) {
 TEST(MediumFeel, TheEndsAreThoseOfTheTable) {
     for (const Feel feel : kAll) {
         Medium medium = with_place(film::find_medium("soft-body acrylic"), feel, 0.5);
-        for (const FeelNumber& number : numbers_of(feel)) {
+        for (const auto& number : numbers_of(feel)) {
             EXPECT_EQ(with_place(medium, feel, 0.0).*number.member, number.from);
             EXPECT_EQ(with_place(medium, feel, 1.0).*number.member, number.to);
         }
@@ -66,7 +66,7 @@ TEST(MediumFeel, TheMediaStandInTheOrderThatPaintersKnow) {
 
 TEST(MediumFeel, NumbersGoOneWay) {
     for (const Feel feel : kAll) {
-        for (const FeelNumber& number : numbers_of(feel)) {
+        for (const auto& number : numbers_of(feel)) {
             const double sign = number.to > number.from ? 1.0 : -1.0;
             Medium medium = with_place(film::find_medium("house paint"), feel, 0.0);
             for (double place = 0.1; place < 1.05; place += 0.1) {

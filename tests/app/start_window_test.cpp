@@ -7,8 +7,8 @@
 #include "dialogs/recovery_dialog.hpp"
 #include "journal/recovery.hpp"
 #include "main/window_parts.hpp"
+#include "panels/parts/gallery.hpp"
 #include "start/examples_section.hpp"
-#include "start/gallery.hpp"
 #include "start/new_canvas_section.hpp"
 #include "start/recent_section.hpp"
 #include "start/start_page.hpp"
@@ -67,7 +67,7 @@ class StartWindow : public WindowTest {
         auto* found = window().findChild<start::StartPage*>();
         return found != nullptr && found->isVisible();
     }
-    start::Gallery& gallery(const char* name) { return find<start::Gallery>(name); }
+    panels::Gallery& gallery(const char* name) { return find<panels::Gallery>(name); }
     void show_page() {
         parts().start.show_page();
         QApplication::processEvents();
@@ -75,10 +75,10 @@ class StartWindow : public WindowTest {
     void press_key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
         QTest::keyClick(QApplication::focusWidget(), key, modifiers);
     }
-    void click(start::Gallery& tiles, int number) {
+    void click(panels::Gallery& tiles, int number) {
         QTest::mouseClick(tiles.viewport(), Qt::LeftButton, {}, tiles.middle(number));
     }
-    int number_of(start::Gallery& tiles, const char* name) {
+    int number_of(panels::Gallery& tiles, const char* name) {
         for (int i = 0; i < tiles.count(); ++i)
             if (tiles.model()->index(i, 0).data().toString() == QString::fromUtf8(name)) return i;
         return -1;
@@ -185,7 +185,7 @@ TEST_F(StartWindow, KeysAreEnough) {
 
 TEST_F(StartWindow, OneClickPutsUpACanvasOfThatSizeAndSupport) {
     show_page();
-    start::Gallery& sizes = gallery("canvas_sizes");
+    panels::Gallery& sizes = gallery("canvas_sizes");
     choose("support_cotton duck");
     choose("portrait");
     click(sizes, number_of(sizes, "A5"));
@@ -204,7 +204,7 @@ TEST_F(StartWindow, OneClickPutsUpACanvasOfThatSizeAndSupport) {
 
 TEST_F(StartWindow, MoreOpensTheDialogAndThePageStaysUntilThereIsACanvas) {
     show_page();
-    start::Gallery& sizes = gallery("canvas_sizes");
+    panels::Gallery& sizes = gallery("canvas_sizes");
     when_asked<dialogs::NewCanvasDialog>([](QDialog& dialog) { dialog.reject(); });
     click(sizes, sizes.count() - 1);
     EXPECT_EQ(asked_, 1);
@@ -234,7 +234,7 @@ TEST_F(StartWindow, RecentPaintingsShowTheirPicturesAndOpen) {
     const std::uint64_t painted = state();
     start_again_paused();
     show_page();
-    start::Gallery& recent = gallery("recent_paintings");
+    panels::Gallery& recent = gallery("recent_paintings");
     ASSERT_EQ(recent.count(), 1);
     wait_for([&] { return page().recent()->all_read(); });
     const QModelIndex tile = recent.model()->index(0, 0);
@@ -254,7 +254,7 @@ TEST_F(StartWindow, AFileThatIsGoneOrDamagedIsToldAndCanBeTakenFromTheList) {
     std::filesystem::remove(gone);
     core::write_text_file(damaged, "nothing");
     show_page();
-    start::Gallery& recent = gallery("recent_paintings");
+    panels::Gallery& recent = gallery("recent_paintings");
     wait_for([&] { return page().recent()->all_read(); });
     ASSERT_THAT(page().recent()->paintings(), SizeIs(2));
     EXPECT_EQ(page().recent()->paintings()[0].fault.toStdString(), "This file cannot be read.");
@@ -281,7 +281,7 @@ TEST_F(StartWindow, AFileThatIsGoneOrDamagedIsToldAndCanBeTakenFromTheList) {
 
 TEST_F(StartWindow, AnExampleIsPaintedOnItsCanvasAndNeedsNoSaving) {
     show_page();
-    start::Gallery& examples = gallery("examples");
+    panels::Gallery& examples = gallery("examples");
     ASSERT_EQ(examples.count(), 4);
     for (int i = 0; i < 4; ++i)
         EXPECT_FALSE(examples.model()->index(i, 0).data(Qt::DecorationRole).value<QPixmap>().isNull());

@@ -1,9 +1,10 @@
 #include "panels/paint/medium_panel.hpp"
 
 #include "appearance/shown_names.hpp"
-#include "panels/paint/feel_row.hpp"
 #include "panels/paint/medium_box.hpp"
 #include "panels/paint/medium_rows.hpp"
+#include "panels/parts/feel_row.hpp"
+#include "panels/parts/fold.hpp"
 #include "panels/parts/section.hpp"
 #include "panels/parts/value_row.hpp"
 #include "tools/medium_feel.hpp"
@@ -13,7 +14,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace pastoso::panels {
@@ -59,14 +59,16 @@ MediumPanel::MediumPanel(QWidget* parent)
       media_(new MediumBox),
       description_(new QLabel),
       reset_(new QPushButton(tr("As it comes"))),
-      fold_(new QToolButton) {
+      fold_(new Fold(QStringLiteral("medium_numbers"), tr("Numbers"), tr("Each number of the paint"))) {
     setObjectName(QStringLiteral("medium_panel"));
+    for (const MediumSection& section : medium_sections())
+        fold_->column()->addWidget(numbers(section));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
     column->addWidget(medium_section());
     column->addWidget(feel_section());
-    column->addWidget(numbers_fold());
+    column->addWidget(fold_);
     column->addStretch();
     resting_.setSingleShot(true);
     resting_.setInterval(kRest_ms);
@@ -133,41 +135,12 @@ QWidget* MediumPanel::feel_section() {
     return widget;
 }
 
-QWidget* MediumPanel::numbers_fold() {
-    auto* widget = new QWidget;
-    auto* column = new QVBoxLayout(widget);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(8);
-    fold_->setObjectName(QStringLiteral("medium_numbers"));
-    fold_->setText(tr("Numbers"));
-    fold_->setToolTip(tr("Each number of the paint"));
-    fold_->setCheckable(true);
-    fold_->setAutoRaise(true);
-    fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    keep_keys_for_canvas(fold_);
-    auto* all = new QWidget;
-    auto* rows = new QVBoxLayout(all);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(8);
-    for (const MediumSection& section : medium_sections())
-        rows->addWidget(numbers(section));
-    column->addWidget(fold_);
-    column->addWidget(all);
-    const auto open = [this, all](bool shown) {
-        fold_->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
-        all->setVisible(shown);
-    };
-    connect(fold_, &QToolButton::toggled, all, open);
-    open(false);
-    return widget;
-}
-
 void MediumPanel::open_numbers(bool open) {
-    fold_->setChecked(open);
+    fold_->open(open);
 }
 
 bool MediumPanel::numbers_open() const {
-    return fold_->isChecked();
+    return fold_->is_open();
 }
 
 /// Poured when it rests.

@@ -10,12 +10,12 @@
 
 class QLabel;
 class QPushButton;
-class QToolButton;
 class QVBoxLayout;
 
 namespace pastoso::panels {
 
 class FeelRow;
+class Fold;
 class MediumBox;
 struct MediumRow;
 struct MediumSection;
@@ -46,7 +46,6 @@ class MediumPanel : public QWidget {
   private:
     QWidget* medium_section();
     QWidget* feel_section();
-    QWidget* numbers_fold();
     QWidget* numbers(const MediumSection& section);
     void choose(const QString& name);
     void show_numbers(const film::Medium& medium);
@@ -64,7 +63,7 @@ class MediumPanel : public QWidget {
     MediumBox* media_ = nullptr;
     QLabel* description_ = nullptr;
     QPushButton* reset_ = nullptr;
-    QToolButton* fold_ = nullptr;
+    Fold* fold_ = nullptr;
     std::vector<Shown> shown_;
     std::vector<FeelRow*> feels_;  ///< of kFeels
 };

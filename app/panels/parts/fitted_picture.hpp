@@ -4,7 +4,7 @@
 #include <QImage>
 #include <QPixmap>
 
-namespace pastoso::start {
+namespace pastoso::panels {
 
 /// Sharp on a screen of that pixel ratio; `room` is in pixels of the layout. Null where the picture is.
 inline QPixmap fitted(const QImage& picture, const QSize& room, double pixel_ratio) {
@@ -15,4 +15,4 @@ inline QPixmap fitted(const QImage& picture, const QSize& room, double pixel_rat
     return pixmap;
 }
 
-}  // namespace pastoso::start
+}  // namespace pastoso::panels

@@ -1,4 +1,4 @@
-#include "panels/paint/feel_row.hpp"
+#include "panels/parts/feel_row.hpp"
 
 #include "panels/parts/section.hpp"
 #include "panels/parts/slider_scale.hpp"

@@ -1,6 +1,6 @@
-#include "start/gallery.hpp"
+#include "panels/parts/gallery.hpp"
 
-#include "start/gallery_delegate.hpp"
+#include "panels/parts/gallery_delegate.hpp"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 #include <QMouseEvent>
 #include <QStandardItemModel>
 
-namespace pastoso::start {
+namespace pastoso::panels {
 namespace {
 
 void fill(QStandardItem& item, const Tile& tile) {
@@ -116,4 +116,4 @@ void Gallery::focusInEvent(QFocusEvent* event) {
     if (!currentIndex().isValid() && count() > 0) setCurrentIndex(model_->index(0, 0));
 }
 
-}  // namespace pastoso::start
+}  // namespace pastoso::panels

@@ -3,7 +3,7 @@
 
 #include <QStyledItemDelegate>
 
-namespace pastoso::start {
+namespace pastoso::panels {
 
 class GalleryDelegate : public QStyledItemDelegate {
     Q_OBJECT
@@ -35,4 +35,4 @@ class GalleryDelegate : public QStyledItemDelegate {
     int detail_lines_;
 };
 
-}  // namespace pastoso::start
+}  // namespace pastoso::panels

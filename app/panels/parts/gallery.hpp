@@ -6,7 +6,7 @@
 
 class QStandardItemModel;
 
-namespace pastoso::start {
+namespace pastoso::panels {
 
 struct Tile {
     QString name;
@@ -48,4 +48,4 @@ class Gallery : public QListView {
     QStandardItemModel* model_;
 };
 
-}  // namespace pastoso::start
+}  // namespace pastoso::panels

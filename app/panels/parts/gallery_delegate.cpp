@@ -1,10 +1,10 @@
-#include "start/gallery_delegate.hpp"
+#include "panels/parts/gallery_delegate.hpp"
 
 #include <QFontMetrics>
 #include <QGuiApplication>
 #include <QPainter>
 
-namespace pastoso::start {
+namespace pastoso::panels {
 namespace {
 
 constexpr int kMargin = 6, kWordsGap = 5, kCross = 18;
@@ -135,4 +135,4 @@ QSize GalleryDelegate::sizeHint(const QStyleOptionViewItem& option, const QModel
     return {picture_.width() + 2 * kMargin + 4, picture_.height() + 2 * kMargin + kWordsGap + words};
 }
 
-}  // namespace pastoso::start
+}  // namespace pastoso::panels
